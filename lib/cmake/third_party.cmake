@@ -1,0 +1,14 @@
+# What radcert builds upon. The Debian package of each, with the reason, is in .ci/packages-build.txt.
+# Imported targets bring their headers as system headers; every use is PRIVATE.
+
+find_package(Threads REQUIRED)
+find_package(TBB REQUIRED CONFIG)
+find_package(GMP REQUIRED MODULE)
+find_package(MPFR 4.0 REQUIRED MODULE)
+find_package(Boost 1.74 REQUIRED CONFIG)
+find_package(Eigen3 3.4 REQUIRED CONFIG)
+find_package(pegtl 3.2 REQUIRED CONFIG)
+find_package(nlohmann_json 3.11 REQUIRED CONFIG)
+find_package(tomlplusplus 3.3 REQUIRED CONFIG)
+find_package(CLI11 2.1 REQUIRED CONFIG)
+find_package(fmt 9 REQUIRED CONFIG)

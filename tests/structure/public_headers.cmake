@@ -1,0 +1,40 @@
+# A public header includes radcert's own headers and the standard library's, nothing else.
+# cmake -D root=<checkout> -P public_headers.cmake
+
+set(includes_seen 0)
+# Appends to `complaints` what is wrong with the includes of a text.
+function(check file text)
+  string(REGEX MATCHALL "\n[ \t]*#[ \t]*include[^\n]*" includes "\n${text}")
+  foreach(include IN LISTS includes)
+    string(STRIP "${include}" include)
+    math(EXPR includes_seen "${includes_seen} + 1")
+    if(NOT include MATCHES "^#[ \t]*include[ \t]*(\"radcert/[a-z0-9_]+/[a-z0-9_/]+[.]h\"|<[a-z0-9_]+>|<experimental/simd>)")
+      string(APPEND complaints "${file}: ${include}\n")
+    endif()
+  endforeach()
+  set(complaints "${complaints}" PARENT_SCOPE)
+  set(includes_seen ${includes_seen} PARENT_SCOPE)
+endfunction()
+
+# The check itself must refuse these.
+foreach(bad IN ITEMS "<Eigen/Core>" "<mpfr.h>" "<boost/version.hpp>" "\"toml++/toml.h\"" "<tbb/parallel_for.h>")
+  set(complaints "")
+  check(control "#pragma once\n#include ${bad}\n")
+  if(complaints STREQUAL "")
+    message(FATAL_ERROR "the check lets #include ${bad} pass")
+  endif()
+endforeach()
+
+set(complaints "")
+set(includes_seen 0)
+file(GLOB_RECURSE headers "${root}/lib/radcert/*.h")
+foreach(header IN LISTS headers)
+  file(READ "${header}" text)
+  check("${header}" "${text}")
+endforeach()
+if(NOT complaints STREQUAL "")
+  message(FATAL_ERROR "neither radcert's nor the standard library's:\n${complaints}")
+endif()
+if(includes_seen EQUAL 0)
+  message(FATAL_ERROR "no include found below ${root}/lib/radcert")
+endif()
