@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/core/atomic_file.h"
+
+#include "radcert/core/errors.h"
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <optional>
+#include <string>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace radcert {
+
+namespace {
+
+std::string reason_of(int error) { return std::generic_category().message(error); }
+
+/// The system would read such a name up to the null byte, as another file.
+bool has_null(const std::filesystem::path& path) { return path.native().find('\0') != std::string::npos; }
+
+class Descriptor {
+public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+  /// Closes now; 0 or the error.
+  int close() {
+    const int closed = ::close(number_);
+    number_ = -1;
+    return closed == 0 || errno == EINTR ? 0 : errno;
+  }
+
+private:
+  int number_;
+};
+
+/// 0 or the error.
+int write_all(int descriptor, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(descriptor, content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return errno;
+    if (written == 0) return ENOSPC;
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+int flush_to_disk(int descriptor) {
+  while (::fsync(descriptor) != 0) {
+    if (errno == EINTR) continue;
+    // A file system without fsync has nothing to flush.
+    return errno == EINVAL || errno == ENOTSUP || errno == EROFS ? 0 : errno;
+  }
+  return 0;
+}
+
+/// A temporary file beside its target, removed unless kept.
+class Temporary {
+public:
+  Temporary(const std::filesystem::path& target, mode_t rights) {
+    static std::atomic<unsigned long> next{0};
+    const std::filesystem::path folder = target.parent_path().empty() ? "." : target.parent_path();
+    // Short enough for a file name whatever the target is called.
+    const std::string stem = target.filename().string().substr(0, 100);
+    for (int attempt = 0; attempt < 1000; ++attempt) {
+      name_ =
+          folder / ("." + stem + "." + std::to_string(::getpid()) + "." + std::to_string(next++) + ".tmp");
+      descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights);
+      if (descriptor_ >= 0 || errno != EEXIST) break;
+    }
+    error_ = descriptor_ >= 0 ? 0 : errno;
+  }
+  ~Temporary() {
+    if (descriptor_ >= 0 && !kept_) ::unlink(name_.c_str());
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+  [[nodiscard]] int error() const { return error_; }
+  [[nodiscard]] const std::filesystem::path& name() const { return name_; }
+  void keep() { kept_ = true; }
+
+private:
+  std::filesystem::path name_;
+  int descriptor_ = -1;
+  int error_ = 0;
+  bool kept_ = false;
+};
+
+void write_directly(const std::filesystem::path& path, std::string_view content) {
+  Descriptor out(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  if (out.number() < 0)
+    throw EnvironmentError(path.string(), "cannot be opened for writing: " + reason_of(errno));
+  int error = write_all(out.number(), content);
+  const int closing = out.close();
+  if (error == 0) error = closing;
+  if (error != 0) throw EnvironmentError(path.string(), "cannot be written: " + reason_of(error));
+}
+
+}  // namespace
+
+void write_atomically(const std::filesystem::path& path, std::string_view content) {
+  if (path.filename().empty() || has_null(path))
+    throw InputError({.value = path.string(), .problem = "is not a file name"});
+  std::filesystem::path target = path;
+  std::optional<mode_t> old_rights;
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) {
+    if (S_ISDIR(status.st_mode)) throw EnvironmentError(path.string(), "cannot be written: it is a folder");
+    if (!S_ISREG(status.st_mode)) return write_directly(path, content);
+    old_rights = status.st_mode & 07777U;
+    std::error_code failed;
+    if (std::filesystem::path resolved = std::filesystem::canonical(path, failed); !failed) target = resolved;
+  }
+
+  Temporary temporary(target, 0666);
+  if (temporary.error() != 0)
+    throw EnvironmentError(path.string(), "cannot be written: " + reason_of(temporary.error()));
+  Descriptor out(temporary.descriptor());
+  int error = write_all(out.number(), content);
+  if (error == 0 && old_rights && ::fchmod(out.number(), *old_rights) != 0) error = errno;
+  if (error == 0) error = flush_to_disk(out.number());
+  const int closing = out.close();
+  if (error == 0) error = closing;
+  if (error == 0 && std::rename(temporary.name().c_str(), target.c_str()) != 0) error = errno;
+  if (error != 0) throw EnvironmentError(path.string(), "cannot be written: " + reason_of(error));
+  temporary.keep();
+
+  // The name, too, is to survive a power cut; where the folder cannot be flushed the file is complete all the
+  // same.
+  const std::filesystem::path folder = target.parent_path().empty() ? "." : target.parent_path();
+  const Descriptor holder(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (holder.number() >= 0) flush_to_disk(holder.number());
+}
+
+std::string read_file(const std::filesystem::path& path, std::uint64_t limit_bytes) {
+  const auto wrong = [&](const std::string& problem, const std::string& allowed = {}) {
+    return InputError({.source = path.string(), .problem = problem, .allowed = allowed});
+  };
+  if (has_null(path)) throw wrong("is not a file name");
+  const Descriptor in(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (in.number() < 0) {
+    const int error = errno;
+    if (error == EMFILE || error == ENFILE || error == EIO || error == ENOMEM)
+      throw EnvironmentError(path.string(), reason_of(error));
+    throw wrong("cannot be opened: " + reason_of(error));
+  }
+  struct stat status {};
+  if (::fstat(in.number(), &status) != 0) throw EnvironmentError(path.string(), reason_of(errno));
+  if (S_ISDIR(status.st_mode)) throw wrong("is a folder, not a file");
+  const std::string allowed = "at most " + std::to_string(limit_bytes) + " bytes";
+  if (S_ISREG(status.st_mode) && static_cast<std::uint64_t>(status.st_size) > limit_bytes) {
+    throw wrong("is too large (" + std::to_string(status.st_size) + " bytes)", allowed);
+  }
+  std::string content;
+  std::array<char, 65536> buffer{};
+  while (true) {
+    const std::uint64_t room = limit_bytes - content.size();
+    const std::size_t wanted = room < buffer.size() ? static_cast<std::size_t>(room) + 1 : buffer.size();
+    const ssize_t got = ::read(in.number(), buffer.data(), wanted < buffer.size() ? wanted : buffer.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw EnvironmentError(path.string(), "cannot be read: " + reason_of(errno));
+    if (got == 0) return content;
+    content.append(buffer.data(), static_cast<std::size_t>(got));
+    if (content.size() > limit_bytes) throw wrong("is too large", allowed);
+  }
+}
+
+}  // namespace radcert

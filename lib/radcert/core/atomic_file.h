@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace radcert {
+
+/// Writes a file as a whole or not at all.
+/// Maths     none
+/// Source    POSIX rename(2): replacing is atomic within a folder
+/// Requires  a file name (else InputError) in a folder that exists and can be written
+/// Result    the file has the content and is on the disk; on failure EnvironmentError names the path and the
+///           reason, the old file is unchanged and no temporary is left. The rights of an old file are kept,
+///           a symbolic link is followed
+/// Limits    a killed process may leave one `.<name>.<process>.<n>.tmp`, never half a file; a device or pipe
+///           is written directly, which is not atomic
+void write_atomically(const std::filesystem::path& path, std::string_view content);
+
+/// The content of a file that the user named.
+/// Maths     none
+/// Source    -
+/// Requires  nothing
+/// Result    the bytes; InputError where the file is missing, unreadable, a folder or longer than the limit;
+///           EnvironmentError where the device fails
+/// Limits    no more than limit_bytes + 1 bytes are read; all of it is held in memory
+[[nodiscard]] std::string read_file(const std::filesystem::path& path,
+                                    std::uint64_t limit_bytes = std::uint64_t{64} << 20);
+
+}  // namespace radcert
