@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+#include <numbers>
+
+#include "radcert/scalar/rational.h"
+
+namespace radcert {
+
+/// The arithmetic a rational formula needs.
+/// Maths     a ring with division: + - * / and unary minus, with the usual laws up to the rounding of the type
+/// Source    design: one formula, several arithmetics
+/// Requires  operands that are values of the type; division by zero is the type's own business
+/// Result    a concept; Rational, double, Dual and DividedDifference model it
+/// Limits    no order and no comparison: a formula never branches on them
+// clang-format off
+template <class T>
+concept Field = std::copyable<T> && requires(const T& a, const T& b) {
+  { a + b } -> std::convertible_to<T>;
+  { a - b } -> std::convertible_to<T>;
+  { a * b } -> std::convertible_to<T>;
+  { a / b } -> std::convertible_to<T>;
+  { -a } -> std::convertible_to<T>;
+};
+// clang-format on
+
+/// How an exact number enters an arithmetic.
+/// Maths     from_rational<R>(q) is q in R; pi<R>() is the circle number in R
+/// Source    design: input decimals stay exact until a Real is asked for
+/// Requires  a specialisation for R
+/// Result    double, long double: rounded to nearest (long double: within one unit in the last place)
+/// Limits    an arithmetic without a specialisation does not compile
+template <class R>
+struct Constants;
+
+template <>
+struct Constants<double> {
+  static double from_rational(const Rational& q) { return q.to_double(); }
+  static double pi() { return std::numbers::pi; }
+};
+
+template <>
+struct Constants<long double> {
+  static long double from_rational(const Rational& q) {
+    const double head = q.to_double();
+    const double tail = (q - Rational::exactly(head)).to_double();
+    return static_cast<long double>(head) + static_cast<long double>(tail);
+  }
+  static long double pi() { return std::numbers::pi_v<long double>; }
+};
+
+template <class R>
+R from_rational(const Rational& q) {
+  return Constants<R>::from_rational(q);
+}
+
+template <class R>
+R pi() {
+  return Constants<R>::pi();
+}
+
+namespace detail {
+// clang-format off
+template <class T>
+concept HasElementaryFunctions = requires(const T& a) {
+  { sqrt(a) } -> std::convertible_to<T>;
+  { exp(a) } -> std::convertible_to<T>;
+  { log(a) } -> std::convertible_to<T>;
+  { sin(a) } -> std::convertible_to<T>;
+  { cos(a) } -> std::convertible_to<T>;
+  { atan(a) } -> std::convertible_to<T>;
+  { pow(a, a) } -> std::convertible_to<T>;
+};
+// clang-format on
+}  // namespace detail
+
+/// A field with the elementary functions, found by argument-dependent lookup or in std.
+/// Maths     sqrt exp log sin cos atan pow
+/// Source    design: one formula, several arithmetics
+/// Requires  -
+/// Result    a concept; double and long double model it, other arithmetics join by providing the functions
+/// Limits    as Field
+// clang-format off
+template <class T>
+concept Real = Field<T> && (std::floating_point<T> || detail::HasElementaryFunctions<T>);
+// clang-format on
+
+/// The whole power x^n by repeated squaring, the same formula in every field.
+/// Maths     x^n, and 1 / x^(-n) for n < 0;  x^0 = 1
+/// Source    -
+/// Requires  x != 0 if n < 0
+/// Result    at most 2 log2(n) roundings of the type
+/// Limits    -
+template <Field T>
+T power(const T& x, long n) {
+  T result = T(1);
+  T square = x;
+  for (unsigned long left = n < 0 ? 0UL - static_cast<unsigned long>(n) : static_cast<unsigned long>(n);
+       left != 0; left >>= 1U) {
+    if ((left & 1U) != 0) result = result * square;
+    if (left > 1) square = square * square;
+  }
+  return n < 0 ? T(1) / result : result;
+}
+
+/// The distance from 1 to the next number, halved: the largest relative rounding of one operation.
+template <class R>
+constexpr R unit_roundoff() {
+  return std::numeric_limits<R>::epsilon() / 2;
+}
+
+}  // namespace radcert
