@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "radcert/expression/expression.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace radcert {
+
+/// An expression made ready for many points in double precision.
+/// Maths     out[i] = expression at (x[i], y[i], z[i]), or at r[i]
+/// Source    -
+/// Requires  evaluate(): spans of the same length and the variables of the expression, else
+///           ContractViolation; out overlaps no other span
+/// Result    the same bits as Expression::evaluate<double> at each point
+/// Limits    allocates once a call, never once a point
+class CompiledExpression {
+public:
+  explicit CompiledExpression(const Expression& expression);
+  void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
+                std::span<double> out) const;
+  void evaluate_radial(std::span<const double> r, std::span<double> out) const;
+
+private:
+  struct Step {
+    ExpressionKind kind;
+    int variable;
+    long whole_exponent;
+    bool whole;
+    double literal;
+  };
+  void run(std::span<const std::span<const double>> arguments, std::span<double> out) const;
+
+  ExpressionVariables variables_;
+  std::vector<Step> steps_;
+  std::size_t stack_size_ = 0;
+};
+
+}  // namespace radcert
