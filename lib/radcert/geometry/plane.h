@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "radcert/geometry/vector.h"
+#include "radcert/scalar/rational.h"
+
+namespace radcert {
+
+/// A plane with rational coefficients, for decisions that must not depend on rounding.
+/// Maths     { X : normal . X = offset }
+/// Source    design: geometry decides exactly
+/// Requires  normal != 0, else ContractViolation
+/// Result    equality of planes as sets, exact
+/// Limits    the normal is not of unit length (a unit normal is rarely rational)
+class Plane {
+public:
+  /// The plane through `origin` spanned by two independent directions.
+  Plane(const Vector<Rational>& origin, const Vector<Rational>& first, const Vector<Rational>& second);
+
+  const Vector<Rational>& normal() const { return normal_; }
+  const Rational& offset() const { return offset_; }
+  friend bool same_plane(const Plane& a, const Plane& b);
+
+private:
+  Vector<Rational> normal_;
+  Rational offset_;
+};
+
+bool same_plane(const Plane& a, const Plane& b);
+
+}  // namespace radcert

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/polynomial/conical_rule.h"
+
+#include "radcert/core/contract.h"
+#include "radcert/polynomial/gauss.h"
+
+namespace radcert {
+namespace {
+
+constexpr int gathering_power = 8;
+
+/// Distances from the apex and from the base, and the weight of l dl, all free of cancellation.
+template <Real R>
+struct RadialRule {
+  std::vector<R> from_apex;
+  std::vector<R> from_base;
+  std::vector<R> weights;
+};
+
+template <Real R>
+RadialRule<R> radial_rule(int order, Gathering gathering) {
+  RadialRule<R> radial;
+  if (gathering == Gathering::nowhere) {
+    const IntervalRule<R> gauss = gauss_rule<R>(order, IntervalWeight::variable);
+    for (int k = 0; k < order; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      radial.from_apex.push_back(gauss.nodes[i]);
+      radial.from_base.push_back(R(1) - gauss.nodes[i]);
+      radial.weights.push_back(gauss.weights[i]);
+    }
+    return radial;
+  }
+  const IntervalRule<R> gauss = gauss_rule<R>(2 * order, IntervalWeight::one);
+  for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
+    const R near = power(gauss.nodes[i], gathering_power);
+    const R far = R(1) - near;
+    const R from_apex = gathering == Gathering::apex ? near : far;
+    radial.from_apex.push_back(from_apex);
+    radial.from_base.push_back(gathering == Gathering::apex ? far : near);
+    radial.weights.push_back(gauss.weights[i] * R(gathering_power) *
+                             power(gauss.nodes[i], gathering_power - 1) * from_apex);
+  }
+  return radial;
+}
+
+}  // namespace
+
+template <Real R>
+TriangleRule<R> conical_rule(int order, Gathering gathering) {
+  expects(1 <= order && order <= 32, "1 <= order <= 32", named("order", order));
+  const RadialRule<R> radial = radial_rule<R>(order, gathering);
+  const IntervalRule<R> across = gauss_rule<R>(order, IntervalWeight::one);
+  TriangleRule<R> rule;
+  for (std::size_t i = 0; i < radial.weights.size(); ++i)
+    for (std::size_t k = 0; k < across.nodes.size(); ++k) {
+      const R& l = radial.from_apex[i];
+      rule.points.push_back({{radial.from_base[i], l * (R(1) - across.nodes[k]), l * across.nodes[k]}});
+      rule.weights.push_back(radial.weights[i] * across.weights[k]);
+    }
+  return rule;
+}
+
+template TriangleRule<double> conical_rule<double>(int, Gathering);
+
+}  // namespace radcert

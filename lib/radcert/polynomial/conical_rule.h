@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "radcert/polynomial/barycentric.h"
+
+namespace radcert {
+
+/// Points and weights on a triangle of area one half.
+template <Field R>
+struct TriangleRule {
+  std::vector<Barycentric<R>> points;
+  std::vector<R> weights;  ///< sum to 1/2, the area of the reference triangle
+};
+
+/// Where a conical rule gathers its points, for integrands that are not analytic there.
+enum class Gathering {
+  nowhere,  ///< Gauss-Jacobi by Gauss-Legendre
+  apex,     ///< towards vertex 1
+  base,     ///< towards the side of vertices 2 and 3
+};
+
+/// Product rules on a triangle collapsed at its first vertex.
+/// Maths     x = (1 - l, l (1 - t), l t),  d sigma = l dl dt;  `nowhere`: Gauss rules in l (weight l) and t, exact for
+///           degree 2 order - 1;  `apex`: l = m^8,  `base`: 1 - l = m^8, Gauss-Legendre in m with twice the points: a power
+///           c^q of the distance from apex or base becomes m^(8q), smooth enough for any q > 0
+/// Source    conical products: Stroud; the power substitution: standard for algebraic end-point behaviour
+/// Requires  1 <= order <= 32, else ContractViolation
+/// Result    order^2 points (twice as many when gathered), all inside the triangle, weights positive; each rounded once
+///           or twice
+/// Limits    not symmetric in the vertices
+template <Real R>
+TriangleRule<R> conical_rule(int order, Gathering gathering);
+
+extern template TriangleRule<double> conical_rule<double>(int, Gathering);
+
+}  // namespace radcert

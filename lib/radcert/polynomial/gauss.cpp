@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/polynomial/gauss.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "radcert/core/contract.h"
+
+namespace radcert {
+namespace {
+
+template <Real R>
+struct ValueAndSlope {
+  R value;
+  R slope;
+};
+
+/// P_n^(0,b)(z) and its derivative by the three-term recurrence.
+template <Real R>
+ValueAndSlope<R> jacobi(int n, int b, const R& z) {
+  ValueAndSlope<R> before{R(1), R(0)};
+  ValueAndSlope<R> now{R(1) + R(b + 2) * (z - R(1)) / R(2), R(b + 2) / R(2)};
+  for (int k = 2; k <= n; ++k) {
+    const int m = 2 * k + b;
+    const R scale = R(2 * k) * R(k + b) * R(m - 2);
+    const R linear = R(m - 1) * R(m) * R(m - 2);
+    const R constant = R(m - 1) * R(-b * b);
+    const R old = R(2 * (k - 1)) * R(k + b - 1) * R(m);
+    const ValueAndSlope<R> next{
+        ((linear * z + constant) * now.value - old * before.value) / scale,
+        (linear * now.value + (linear * z + constant) * now.slope - old * before.slope) / scale};
+    before = now;
+    now = next;
+  }
+  return now;
+}
+
+template <Real R>
+IntervalRule<R> compute(int points, int b) {
+  using std::abs;
+  using std::cos;
+  std::vector<R> zeros;
+  for (int k = 0; k < points; ++k) {
+    R z = -cos(pi<R>() * (R(4 * k + 3) / R(4)) / (R(points) + R(b + 1) / R(2)));
+    // Newton with the zeros already found divided out: converges to a new one from every start used here; the last two
+    // steps are plain Newton, to the last digit.
+    for (int step = 0; step < 60; ++step) {
+      const ValueAndSlope<R> p = jacobi(points, b, z);
+      R found = R(0);
+      for (const R& zero : zeros) found += R(1) / (z - zero);
+      const R change = p.value / (p.slope - p.value * found);
+      z -= change;
+      if (abs(change) < R(4) * unit_roundoff<R>()) break;
+    }
+    for (int step = 0; step < 2; ++step) {
+      const ValueAndSlope<R> p = jacobi(points, b, z);
+      z -= p.value / p.slope;
+    }
+    zeros.push_back(z);
+  }
+  std::sort(zeros.begin(), zeros.end());
+  IntervalRule<R> rule;
+  for (const R& z : zeros) {
+    const R slope = jacobi(points, b, z).slope;
+    rule.nodes.push_back((R(1) + z) / R(2));
+    rule.weights.push_back(R(1) / ((R(1) - z) * (R(1) + z) * slope * slope));
+  }
+  return rule;
+}
+
+}  // namespace
+
+template <Real R>
+IntervalRule<R> gauss_rule(int points, IntervalWeight weight) {
+  expects(1 <= points && points <= 64, "1 <= points <= 64", named("points", points));
+  const int b = weight == IntervalWeight::variable ? 1 : 0;
+  if constexpr (std::is_same_v<R, double>) {
+    const IntervalRule<long double> exact = compute<long double>(points, b);
+    IntervalRule<double> rule;
+    for (const long double node : exact.nodes) rule.nodes.push_back(static_cast<double>(node));
+    for (const long double w : exact.weights) rule.weights.push_back(static_cast<double>(w));
+    return rule;
+  } else {
+    return compute<R>(points, b);
+  }
+}
+
+template IntervalRule<double> gauss_rule<double>(int, IntervalWeight);
+template IntervalRule<long double> gauss_rule<long double>(int, IntervalWeight);
+
+}  // namespace radcert

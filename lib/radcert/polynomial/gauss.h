@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "radcert/scalar/real.h"
+
+namespace radcert {
+
+/// Nodes and weights of a rule on [0,1].
+template <Field R>
+struct IntervalRule {
+  std::vector<R> nodes;  ///< ascending
+  std::vector<R> weights;
+};
+
+/// The weight function of a Gauss rule on [0,1].
+enum class IntervalWeight {
+  one,       ///< Legendre
+  variable,  ///< x dx: the Jacobian of a triangle collapsed at one vertex
+};
+
+/// Gauss rules on [0,1] for the weight 1 or x.
+/// Maths     Int_0^1 f(x) w(x) dx ~ sum w_k f(x_k), exact for degree 2 points - 1; x_k = (1 + z_k)/2, z_k the zeros of the
+///           Jacobi polynomial P^(0,b), b = 0 or 1;  w_k = 1/((1 - z_k^2) P'(z_k)^2)
+/// Source    recurrence and weights of Jacobi polynomials; zeros by Newton's method with deflation
+/// Requires  1 <= points <= 64, else ContractViolation
+/// Result    double: computed in long double and rounded once, so nodes and weights are within one unit in the last place;
+///           long double: within a few units
+/// Limits    arithmetics: double, long double
+template <Real R>
+IntervalRule<R> gauss_rule(int points, IntervalWeight weight);
+
+extern template IntervalRule<double> gauss_rule<double>(int, IntervalWeight);
+extern template IntervalRule<long double> gauss_rule<long double>(int, IntervalWeight);
+
+}  // namespace radcert

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "radcert/core/contract.h"
+#include "radcert/polynomial/barycentric.h"
+
+namespace radcert {
+
+/// Lagrange interpolation of degree r at the principal lattice of a triangle pulled in from its sides.
+/// Maths     nodes  q = inset + (1 - 3 inset) k/r,  k = (k_1,k_2,k_3) >= 0, |k| = r, in barycentric coordinates;
+///           with y = (x - inset)/(1 - 3 inset):  l_k(x) = prod_i prod_{a < k_i} (r y_i - a)/(k_i - a);  l_k(q_m) = delta_km
+/// Source    [m06, (13)-(15)]; r = 1: [ac98, (33)-(34)]; r = 0, the centroid: [ac98, (38)]; the product form is Silvester's
+/// Requires  0 <= degree <= 8, 0 <= inset < 1/3, else ContractViolation; degree 0 does not use the inset
+/// Result    values(x)[j] = l_j(x), j in the order of nodes(): k_1 falling, then k_2 falling, so that degree 1 has the
+///           order of [ac98, (33)]; one rounding a factor
+/// Limits    interpolants jump across triangle edges unless inset = 0
+template <Field R>
+class InsetBasis {
+public:
+  static constexpr int largest_degree = 8;
+
+  InsetBasis(int degree, const R& inset) : degree_(degree), inset_(degree == 0 ? R(0) : inset) {
+    expects(0 <= degree && degree <= largest_degree, "0 <= degree <= 8", named("degree", degree));
+    expects(R(0) <= inset_ && R(3) * inset_ < R(1), "0 <= inset < 1/3", named("inset", inset_));
+    for (int k1 = degree; k1 >= 0; --k1)
+      for (int k2 = degree - k1; k2 >= 0; --k2) lattice_.push_back({k1, k2, degree - k1 - k2});
+  }
+
+  int degree() const { return degree_; }
+  const R& inset() const { return inset_; }
+  std::size_t size() const { return lattice_.size(); }
+
+  /// The nodes q_j.
+  std::vector<Barycentric<R>> nodes() const {
+    std::vector<Barycentric<R>> nodes;
+    if (degree_ == 0) {
+      const R third = R(1) / R(3);
+      nodes.push_back({{third, third, third}});
+      return nodes;
+    }
+    for (const std::array<int, 3>& k : lattice_) {
+      Barycentric<R> q;
+      for (std::size_t i = 0; i < 3; ++i) q.x[i] = inset_ + (R(1) - R(3) * inset_) * (R(k[i]) / R(degree_));
+      nodes.push_back(q);
+    }
+    return nodes;
+  }
+
+  /// The values l_j(x) of all basis functions; `out` has size() places.
+  void values(const Barycentric<R>& x, std::span<R> out) const {
+    std::array<std::array<R, largest_degree + 1>, 3>
+        factors;  // factors[i][m] = prod_{a < m} (r y_i - a)/(m - a)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const R scaled = R(degree_) * ((x.x[i] - inset_) / (R(1) - R(3) * inset_));
+      factors[i][0] = R(1);
+      for (int m = 1; m <= degree_; ++m)
+        factors[i][static_cast<std::size_t>(m)] =
+            factors[i][static_cast<std::size_t>(m - 1)] * (scaled - R(m - 1)) / R(m);
+    }
+    for (std::size_t j = 0; j < lattice_.size(); ++j) {
+      const std::array<int, 3>& k = lattice_[j];
+      out[j] = factors[0][static_cast<std::size_t>(k[0])] * factors[1][static_cast<std::size_t>(k[1])] *
+               factors[2][static_cast<std::size_t>(k[2])];
+    }
+  }
+
+private:
+  int degree_;
+  R inset_;
+  std::vector<std::array<int, 3>> lattice_;
+};
+
+}  // namespace radcert
