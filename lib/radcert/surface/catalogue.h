@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "radcert/surface/surface.h"
+
+namespace radcert {
+
+/// A parameter that a surface of the catalogue takes.
+struct ParameterDescription {
+  std::string name;
+  std::string requirement;  ///< what is allowed, in words: "a number >= 1"
+  std::string default_text;
+  std::function<bool(const Rational&)> admits;
+};
+
+/// A surface of the catalogue: what it is called, what it takes, how it is made.
+struct SurfaceDescription {
+  std::string name;
+  std::string summary;  ///< one line
+  std::vector<ParameterDescription> parameters;
+  std::vector<std::string> pieces;
+  std::function<Surface(std::span<const Rational>)> make;  ///< values in the order of `parameters`
+};
+
+/// The surfaces that radcert knows by name.
+/// Maths     see the header of each in surface/catalogue
+/// Source    [ac98, sections 2.2, 3 and 5]
+/// Requires  -
+/// Result    in a fixed order; a structure test makes every one of them
+/// Limits    unoccluded surfaces only
+const std::vector<SurfaceDescription>& surface_catalogue();
+
+/// The entry of that name, or null.
+const SurfaceDescription* find_surface(std::string_view name);
+
+}  // namespace radcert

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "radcert/geometry/vector.h"
+#include "radcert/surface/chart.h"
+
+namespace radcert {
+
+/// A parallelogram in space, the affine image of the unit square.
+/// Maths     F(s,t) = origin + s first + t second
+/// Source    the faces of [ac98, section 2.2]
+/// Requires  first and second independent
+/// Result    see ChartOf
+/// Limits    -
+template <Field R>
+class Rectangle {
+public:
+  Rectangle(const Vector<Rational>& origin, const Vector<Rational>& first, const Vector<Rational>& second)
+      : origin_(in_arithmetic(origin)), first_(in_arithmetic(first)), second_(in_arithmetic(second)) {}
+
+  template <Field T>
+  Vector<T> operator()(const T& s, const T& t) const {
+    return {origin_.x + first_.x * s + second_.x * t, origin_.y + first_.y * s + second_.y * t,
+            origin_.z + first_.z * s + second_.z * t};
+  }
+
+private:
+  static Vector<R> in_arithmetic(const Vector<Rational>& v) {
+    return {from_rational<R>(v.x), from_rational<R>(v.y), from_rational<R>(v.z)};
+  }
+  Vector<R> origin_;
+  Vector<R> first_;
+  Vector<R> second_;
+};
+
+/// A rectangle as a chart; its plane is exact.
+inline Chart make_rectangle(ChartFacts facts, const Vector<Rational>& origin, const Vector<Rational>& first,
+                            const Vector<Rational>& second) {
+  facts.domain = ChartDomain::unit_square;
+  facts.plane = Plane(origin, first, second);
+  return make_chart<Rectangle>(std::move(facts), origin, first, second);
+}
+
+}  // namespace radcert
