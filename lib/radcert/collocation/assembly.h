@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "radcert/core/matrix.h"
+#include "radcert/polynomial/inset_basis.h"
+#include "radcert/quadrature/observer.h"
+#include "radcert/triangulation/triangulation.h"
+
+namespace radcert {
+
+/// The matrix of K P_n at the nodes, with what is known of its errors.
+/// Maths     entries(i, k p + j) = rho(v_i)/pi Int_{Delta_k} G(v_i,Q) l_j(Q) dS_Q, p functions an element;
+///           kernel_integral[i] = Int_S |G(v_i,Q)| dS_Q;  row_radius[i] = sum over the row of the entries' radii
+/// Source    [ac98, (40)]
+/// Requires  -
+/// Result    each entry to about 1e-13 of its own Int |G l_j|; radii are estimates
+/// Limits    dense
+template <Real R>
+struct CollocationMatrix {
+  Matrix<R> entries;
+  std::vector<R> kernel_integral;
+  std::vector<R> row_radius;
+};
+
+/// Assembles the matrix, elements in parallel.
+/// Maths     see CollocationMatrix
+/// Source    [ac98, (40)]
+/// Requires  one node a basis function and element, one reflectivity a node
+/// Result    the same bits for any number of threads; Interrupted when asked to stop
+/// Limits    unoccluded surfaces: V = 1
+template <Real R>
+CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& triangulation,
+                              const InsetBasis<R>& basis, std::span<const Observer<R>> nodes,
+                              std::span<const R> reflectivity);
+
+extern template CollocationMatrix<double> assemble<double>(const Surface&, const Triangulation&,
+                                                           const InsetBasis<double>&,
+                                                           std::span<const Observer<double>>,
+                                                           std::span<const double>);
+
+}  // namespace radcert

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "radcert/polynomial/inset_basis.h"
+#include "radcert/quadrature/observer.h"
+#include "radcert/quadrature/samples.h"
+#include "radcert/triangulation/triangulation.h"
+
+namespace radcert {
+
+/// The collocation nodes of a triangulation.
+/// Maths     v_{k,j} = m_k(q_j), element by element, j in the order of the basis
+/// Source    [ac98, (36)]; [m06, (13)]
+/// Requires  -
+/// Result    node k * basis.size() + j belongs to element k; an inset of 0 repeats a node in every element that has it:
+///           the repeated unknowns have equal equations and so equal values
+/// Limits    -
+template <Real R>
+std::vector<Observer<R>> collocation_nodes(const Surface& surface, const Triangulation& triangulation,
+                                           const InsetBasis<R>& basis) {
+  std::vector<Observer<R>> nodes;
+  nodes.reserve(triangulation.triangles.size() * basis.size());
+  const std::vector<Barycentric<R>> reference = basis.nodes();
+  for (const ParameterTriangle& triangle : triangulation.triangles)
+    for (const Barycentric<R>& q : reference) {
+      const Cell<R> element = whole_element<R>(triangle);
+      ParameterPoint<R> at =
+          q.x[0] * element.vertices[0] + q.x[1] * element.vertices[1] + q.x[2] * element.vertices[2];
+      nodes.push_back(observer<R>(surface, {triangle.chart, at}));
+    }
+  return nodes;
+}
+
+}  // namespace radcert

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "radcert/quadrature/kernel_sums.h"
+
+namespace radcert {
+
+/// Sums over a triangle with its apex at the observer, and how far a coarser rule differed.
+template <Real R>
+struct CheckedSums {
+  KernelSums<R> sums;
+  std::array<R, KernelSums<R>::most_functions> difference;  ///< |finer rule - coarser rule|, by function
+
+  explicit CheckedSums(const KernelSums<R>& fine) : sums(fine) {
+    for (std::size_t j = 0; j < sums.functions; ++j) difference[j] = R(0);
+  }
+  explicit CheckedSums(std::size_t functions) : CheckedSums(KernelSums<R>(functions)) {}
+
+  CheckedSums& operator+=(const CheckedSums& other) {
+    sums += other.sums;
+    for (std::size_t j = 0; j < sums.functions; ++j) difference[j] += other.difference[j];
+    return *this;
+  }
+};
+
+/// The integral of G l_j over an element that contains the observer, on the observer's own curved chart.
+/// Maths     the element is split at p into triangles (p, a, b); with w = l ((1-m) (a-p) + m (b-p)) and dt ds = |..| l dl dm
+///           the integrand G(F(p), F(p+w)) l_j J is analytic in (l, m): bounded, but not smooth, at p itself, it is smooth
+///           along rays. Gauss-Legendre in both; the m-interval is bisected until the zeros of |DF(p) w(m)|^2, where the
+///           integrand has its nearest poles, are far from it in terms of its Bernstein ellipse
+/// Source    triangle coordinates: Duffy; G is bounded: [ac98, (5)-(6)]; (Q-P).n_P by divided differences: see Chord
+/// Requires  p in the element up to rounding; the chart is not flat (there G = 0)
+/// Result    the integral; `difference` compares two orders
+/// Limits    on a chart that is not analytic on a line both variables are gathered towards their ends
+template <Real R>
+CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,
+                                const InsetBasis<R>& basis);
+
+extern template CheckedSums<double> integrate_around<double>(const Observer<double>&, const Chart&,
+                                                             const Cell<double>&, const InsetBasis<double>&);
+
+}  // namespace radcert

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "radcert/quadrature/tolerance.h"
+
+namespace radcert {
+
+/// The Bernstein ellipse with foci -1, 1 through z: the sum of its half axes.
+/// Maths     rho = |z + sqrt(z^2 - 1)| >= 1; n-point Gauss quadrature of a function analytic inside converges like rho^(-2n)
+/// Source    Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3
+/// Requires  -
+/// Result    double: it chooses a rule and enters no result
+/// Limits    -
+inline double bernstein_radius(const std::complex<double>& z) {
+  const std::complex<double> root = std::sqrt(z * z - 1.0);
+  return std::max(std::abs(z + root), std::abs(z - root));
+}
+
+/// The number of Gauss points a variable needs for `intended_truncation`, with polynomial factors of a degree.
+inline int points_for(double rho, int degree) {
+  const double analytic = std::ceil(-std::log(intended_truncation) / (2 * std::log(std::max(rho, 1.05))));
+  return static_cast<int>(std::min(analytic, 1000.0)) + (degree + 1) / 2;
+}
+
+}  // namespace radcert

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/quadrature/chart_inverse.h"
+
+namespace radcert {
+
+template <Real R>
+bool contains(const Cell<R>& cell, const ParameterPoint<R>& at) {
+  const auto& v = cell.vertices;
+  const R whole = cross(v[1] - v[0], v[2] - v[0]);
+  for (std::size_t i = 0; i < 3; ++i)
+    if (cross(v[(i + 1) % 3] - at, v[(i + 2) % 3] - at) < R(-1e-12) * whole) return false;
+  return true;
+}
+
+template <Real R>
+std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const Cell<R>& cell,
+                                               const Vector<R>& point, const R& extent) {
+  const ChartIn<R>& formula = chart.in<R>();
+  const auto& v = cell.vertices;
+  const R third = R(1) / R(3);
+  ParameterPoint<R> x = third * (v[0] + v[1] + v[2]);
+  const R close = R(64) * unit_roundoff<R>() * extent;
+  for (int step = 0; step < 30; ++step) {
+    const Frame<R> frame = formula.frame(x);
+    const Vector<R> rest = point - frame.point;
+    const R ss = dot(frame.tangent_s, frame.tangent_s);
+    const R st = dot(frame.tangent_s, frame.tangent_t);
+    const R tt = dot(frame.tangent_t, frame.tangent_t);
+    const R determinant = ss * tt - st * st;
+    if (!(determinant > R(0))) return std::nullopt;
+    const R by_s = dot(frame.tangent_s, rest);
+    const R by_t = dot(frame.tangent_t, rest);
+    const ParameterPoint<R> change{(tt * by_s - st * by_t) / determinant,
+                                   (ss * by_t - st * by_s) / determinant};
+    if (norm(rest) <= close) return contains(cell, x) ? std::optional(x) : std::nullopt;
+    x = x + change;
+  }
+  return std::nullopt;
+}
+
+template std::optional<ParameterPoint<double>> parameters_on<double>(const Chart&, const Cell<double>&,
+                                                                     const Vector<double>&, const double&);
+template bool contains<double>(const Cell<double>&, const ParameterPoint<double>&);
+
+}  // namespace radcert

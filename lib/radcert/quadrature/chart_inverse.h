@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "radcert/quadrature/samples.h"
+#include "radcert/surface/surface.h"
+
+namespace radcert {
+
+/// The parameters of a point that lies on a cell of another chart of the same smooth piece, as nodes on seams do.
+/// Maths     x in the cell with F(x) = P, by Gauss-Newton on |F(x) - P|^2
+/// Source    -
+/// Requires  -
+/// Result    x if |F(x) - P| is below 64 roundings of |P|'s size and x lies in the cell up to 1e-12 of its size; else nothing
+/// Limits    chooses a rule and decides nothing about geometry: P just off the cell is integrated by bisection instead
+template <Real R>
+std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const Cell<R>& cell,
+                                               const Vector<R>& point, const R& extent);
+
+/// Whether a parameter point lies in a cell, up to 1e-12 of its size.
+template <Real R>
+bool contains(const Cell<R>& cell, const ParameterPoint<R>& at);
+
+extern template std::optional<ParameterPoint<double>> parameters_on<double>(const Chart&, const Cell<double>&,
+                                                                            const Vector<double>&,
+                                                                            const double&);
+extern template bool contains<double>(const Cell<double>&, const ParameterPoint<double>&);
+
+}  // namespace radcert

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/inset_basis.h"
+#include "radcert/triangulation/triangulation.h"
+
+namespace radcert {
+
+/// A triangle inside an element: its corners in the parameter plane and in the element's barycentric coordinates.
+/// Maths     the element itself, or what bisections left of it
+/// Source    -
+/// Requires  corners and vertices belong together
+/// Result    bisection is exact as long as the coordinates are dyadic
+/// Limits    -
+template <Real R>
+struct Cell {
+  std::array<ParameterPoint<R>, 3> vertices;
+  std::array<Barycentric<R>, 3> corners;
+
+  /// The two halves at the middle of the side opposite to vertex `i`.
+  std::array<Cell, 2> bisected(std::size_t i) const;
+  /// The same cell with vertex `i` first.
+  Cell rotated(std::size_t i) const;
+};
+
+template <Real R>
+Cell<R> whole_element(const ParameterTriangle& triangle);
+
+/// Quadrature points of one cell, as structure of arrays, with all that does not depend on the observer.
+/// Maths     Int_cell f l_j dS ~ sum_q f(Q_q) |normal_q| l_j(x_q); normal_q is the inner normal n_Q times area element
+///           times weight
+/// Source    [ac98, (30)]
+/// Requires  see `sample`
+/// Result    `count` points; arrays are padded to whole lanes by points of zero weight; basis values lie by blocks of
+///           `lanes` points: basis[(block * functions + j) * lanes + lane]
+/// Limits    -
+template <Real R>
+struct Samples {
+  static constexpr std::size_t lanes = 8;
+
+  std::size_t count = 0;
+  std::size_t functions = 0;
+  std::vector<R> x, y, z;
+  std::vector<R> normal_x, normal_y, normal_z;
+  std::vector<R> s, t;
+  std::vector<R> basis;
+
+  std::size_t blocks() const { return x.size() / lanes; }
+};
+
+/// The conical rules of every order and gathering, computed once.
+template <Real R>
+class ConicalRules {
+public:
+  static constexpr int smallest_order = 2;
+  static constexpr int largest_order = 24;
+  static const ConicalRules& instance();
+  const TriangleRule<R>& rule(int order, Gathering gathering) const;
+
+private:
+  ConicalRules();
+  std::array<std::vector<TriangleRule<R>>, 3> rules_;
+};
+
+/// Samples of a cell by the conical rule of an order. Where the cell touches a line on which its chart is not analytic,
+/// the rule is gathered towards it.
+/// Maths     see conical_rule
+/// Source    ours
+/// Requires  smallest_order <= order <= largest_order
+/// Result    fills `out`, reusing its storage
+/// Limits    -
+template <Real R>
+void sample(const Chart& chart, const Cell<R>& cell, const InsetBasis<R>& basis, int order, Samples<R>& out);
+
+extern template struct Cell<double>;
+extern template Cell<double> whole_element<double>(const ParameterTriangle&);
+extern template class ConicalRules<double>;
+extern template void sample<double>(const Chart&, const Cell<double>&, const InsetBasis<double>&, int,
+                                    Samples<double>&);
+
+}  // namespace radcert

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/triangulation/triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "radcert/core/checked.h"
+#include "radcert/core/contract.h"
+
+namespace radcert {
+namespace {
+
+void append_coarse(std::vector<ParameterTriangle>& triangles, const Chart& chart, std::size_t index,
+                   Diagonal diagonal) {
+  const ParameterPoint<double> p00{0, 0};
+  const ParameterPoint<double> p10{1, 0};
+  const ParameterPoint<double> p01{0, 1};
+  const ParameterPoint<double> p11{1, 1};
+  if (chart.facts().domain == ChartDomain::unit_triangle) {
+    triangles.push_back({index, {p00, p10, p01}});
+  } else if (diagonal == Diagonal::main) {
+    triangles.push_back({index, {p00, p10, p11}});
+    triangles.push_back({index, {p00, p11, p01}});
+  } else {
+    triangles.push_back({index, {p00, p10, p01}});
+    triangles.push_back({index, {p10, p11, p01}});
+  }
+}
+
+std::vector<ParameterTriangle> refined(const std::vector<ParameterTriangle>& coarse) {
+  std::vector<ParameterTriangle> fine;
+  fine.reserve(4 * coarse.size());
+  for (const ParameterTriangle& triangle : coarse) {
+    const auto& [v1, v2, v3] = triangle.vertices;
+    const ParameterPoint<double> m12 = 0.5 * (v1 + v2);
+    const ParameterPoint<double> m23 = 0.5 * (v2 + v3);
+    const ParameterPoint<double> m31 = 0.5 * (v3 + v1);
+    fine.push_back({triangle.chart, {v1, m12, m31}});
+    fine.push_back({triangle.chart, {m12, v2, m23}});
+    fine.push_back({triangle.chart, {m31, m23, v3}});
+    fine.push_back({triangle.chart, {m23, m31, m12}});
+  }
+  return fine;
+}
+
+double graded(double c, double exponent) {
+  return c <= 0.5 ? 0.5 * std::pow(2 * c, exponent) : 1 - 0.5 * std::pow(2 * (1 - c), exponent);
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> triangle_count(const Surface& surface, int level) {
+  expects(level >= 0, "level >= 0", named("level", level));
+  std::uint64_t count = 0;
+  for (const Chart& chart : surface.charts) count += chart.facts().domain == ChartDomain::unit_square ? 2 : 1;
+  constexpr std::uint64_t largest = std::uint64_t{1} << 53U;
+  for (int k = 0; k < level; ++k) {
+    const std::optional<std::uint64_t> finer = checked_multiply(count, 4);
+    if (!finer || *finer > largest) return std::nullopt;
+    count = *finer;
+  }
+  return count;
+}
+
+Triangulation triangulate(const Surface& surface, int level, const TriangulationOptions& options) {
+  expects(triangle_count(surface, level).has_value(), "fewer than 2^53 triangles", named("level", level));
+  expects(options.grading >= 1, "grading >= 1", named("grading", options.grading));
+  const std::vector<Diagonal>& diagonals = options.diagonals ? *options.diagonals : surface.diagonals;
+  expects(diagonals.size() == surface.charts.size(), "one diagonal a chart",
+          named("diagonals", diagonals.size()));
+  Triangulation result;
+  for (std::size_t j = 0; j < surface.charts.size(); ++j) {
+    std::vector<ParameterTriangle> triangles;
+    append_coarse(triangles, surface.charts[j], j, diagonals[j]);
+    for (int k = 0; k < level; ++k) triangles = refined(triangles);
+    result.triangles.insert(result.triangles.end(), triangles.begin(), triangles.end());
+  }
+  if (options.grading > 1) {
+    for (ParameterTriangle& triangle : result.triangles) {
+      if (surface.charts[triangle.chart].facts().domain != ChartDomain::unit_square) continue;
+      for (ParameterPoint<double>& v : triangle.vertices)
+        v = {graded(v.s, options.grading), graded(v.t, options.grading)};
+    }
+  }
+  return result;
+}
+
+double mesh_size(const Triangulation& triangulation) {
+  expects(!triangulation.triangles.empty(), "a triangulation with triangles");
+  double largest = 0;
+  for (const ParameterTriangle& triangle : triangulation.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const ParameterPoint<double> side = triangle.vertices[(i + 1) % 3] - triangle.vertices[i];
+      largest = std::max(largest, std::hypot(side.s, side.t));
+    }
+  return largest;
+}
+
+}  // namespace radcert

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "radcert/surface/surface.h"
+
+namespace radcert {
+
+/// A triangle of a chart's parameter plane, the hat Delta_k of the papers.
+/// Maths     vertices v_1, v_2, v_3; Delta_k = F_j(hat Delta_k), m_k = F_j(x_1 v_1 + x_2 v_2 + x_3 v_3)
+/// Source    [ac98, (27)-(29)], numbered as in [m06, (12)]
+/// Requires  not degenerate, counter-clockwise
+/// Result    vertices are exact: dyadic numbers unless the triangulation is graded
+/// Limits    -
+struct ParameterTriangle {
+  std::size_t chart = 0;
+  std::array<ParameterPoint<double>, 3> vertices;
+
+  /// The point with barycentric coordinates x.
+  ParameterPoint<double> at(const std::array<double, 3>& x) const {
+    return x[0] * vertices[0] + x[1] * vertices[1] + x[2] * vertices[2];
+  }
+};
+
+/// How the coarse triangulation is cut and the refined one graded.
+struct TriangulationOptions {
+  std::optional<std::vector<Diagonal>> diagonals;  ///< by chart; absent: those of the surface
+  double grading =
+      1;  ///< >= 1: coordinates of unit squares moved towards both ends, c -> (2c)^grading / 2 for c <= 1/2
+};
+
+/// A triangulation of a surface's parameter domains.
+/// Maths     level 0 cuts each unit square along a diagonal and takes a unit triangle as it is; each level divides every
+///           triangle into four by the midpoints of its sides (symmetric refinement)
+/// Source    [ac98, section 3.2, before Theorem 3.7]; the diagonals: cli.md, recovered from the printed tables
+/// Requires  0 <= level, grading >= 1; triangle_count(surface, level) fits, else ContractViolation
+/// Result    triangles chart by chart; the four children of a triangle follow each other: those at v_1, v_2, v_3, the middle
+/// Limits    conforming within each chart and, for the catalogue's surfaces, across their seams
+struct Triangulation {
+  std::vector<ParameterTriangle> triangles;
+};
+
+Triangulation triangulate(const Surface& surface, int level, const TriangulationOptions& options = {});
+
+/// The number of triangles of a level, or nothing if it exceeds 2^53.
+std::optional<std::uint64_t> triangle_count(const Surface& surface, int level);
+
+/// The largest diameter of the triangles in the parameter plane.
+/// Maths     h = max_k diameter(hat Delta_k)
+/// Source    [ac98, section 3], [m06, (11)]
+/// Requires  a triangulation that is not empty
+/// Result    in the unit of the parameters, rounded
+/// Limits    says nothing of lengths on S
+double mesh_size(const Triangulation& triangulation);
+
+}  // namespace radcert
