@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#define EIGEN_DONT_PARALLELIZE
+#include "radcert/solve/direct.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "radcert/core/contract.h"
+
+namespace radcert {
+
+struct DirectSolver::Factors {
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+};
+
+DirectSolver::DirectSolver(const Matrix<double>& k) {
+  expects(k.rows() == k.columns() && k.rows() > 0, "a square matrix", named("rows", k.rows()),
+          named("columns", k.columns()));
+  const auto n = static_cast<Eigen::Index>(k.rows());
+  Eigen::MatrixXd a(n, n);
+  for (std::size_t j = 0; j < k.columns(); ++j) {
+    const std::span<const double> column = k.column(j);
+    for (std::size_t i = 0; i < column.size(); ++i)
+      a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = (i == j ? 1.0 : 0.0) - column[i];
+  }
+  factors_ = std::make_unique<Factors>();
+  factors_->lu.compute(std::move(a));
+}
+
+DirectSolver::~DirectSolver() = default;
+DirectSolver::DirectSolver(DirectSolver&&) noexcept = default;
+
+std::vector<double> DirectSolver::solve(std::span<const double> e) const {
+  const Eigen::Index n = factors_->lu.rows();
+  expects(static_cast<Eigen::Index>(e.size()) == n, "a right-hand side of the matrix's size",
+          named("size", e.size()));
+  const Eigen::VectorXd u = factors_->lu.solve(Eigen::Map<const Eigen::VectorXd>(e.data(), n));
+  return {u.data(), u.data() + n};
+}
+
+double DirectSolver::inverse_norm_estimate() const {
+  // ||A^-1||_inf = ||B||_1 with B = A^-T: maximise ||B x||_1 over the unit ball of the 1-norm, whose corners are e_j.
+  const auto& lu = factors_->lu;
+  const Eigen::Index n = lu.rows();
+  Eigen::VectorXd x = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
+  double estimate = 0;
+  Eigen::Index corner = -1;
+  constexpr int most_steps = 5;
+  for (int step = 0; step < most_steps; ++step) {
+    const Eigen::VectorXd y = lu.transpose().solve(x);
+    const double norm = y.lpNorm<1>();
+    if (step > 0 && norm <= estimate) break;
+    estimate = norm;
+    const Eigen::VectorXd sign = y.unaryExpr([](double v) { return v < 0 ? -1.0 : 1.0; });
+    const Eigen::VectorXd gradient = lu.solve(sign);
+    Eigen::Index next = 0;
+    const double steepest = gradient.cwiseAbs().maxCoeff(&next);
+    if (next == corner || steepest <= gradient.dot(x)) break;
+    corner = next;
+    x.setZero();
+    x(corner) = 1;
+  }
+  return estimate;
+}
+
+}  // namespace radcert

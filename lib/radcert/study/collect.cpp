@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "radcert/core/contract.h"
+#include "radcert/study/study.h"
+
+namespace radcert {
+namespace {
+
+using FigureOfLevel = std::optional<Figure> LevelResult::*;
+
+constexpr double largest_relative_radius = 0.05;
+
+std::optional<double> ratio(const std::optional<Figure>& before, const std::optional<Figure>& now) {
+  if (!before || !now || !(now->value > 0)) return std::nullopt;
+  return before->value / now->value;
+}
+
+std::optional<double> order(const std::optional<double>& error_ratio, double h_before, double h_now) {
+  if (!error_ratio || !(*error_ratio > 0) || !(h_before > h_now)) return std::nullopt;
+  return std::log(*error_ratio) / std::log(h_before / h_now);
+}
+
+/// Least squares for log e = p log h + c over the levels whose figures are trustworthy; the halfwidth is the largest
+/// distance of a successive order from p.
+OrderFit fit(const std::string& quantity, FigureOfLevel figure, const std::vector<LevelResult>& levels) {
+  OrderFit result{.quantity = quantity, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
+  std::vector<double> x;
+  std::vector<double> y;
+  for (const LevelResult& level : levels) {
+    const std::optional<Figure>& e = level.*figure;
+    if (!e) continue;
+    const bool trustworthy = e->value > 0 && e->radius && *e->radius <= largest_relative_radius * e->value;
+    (trustworthy ? result.levels : result.left_out).push_back(level.level);
+    if (!trustworthy) continue;
+    x.push_back(std::log(level.mesh_size));
+    y.push_back(std::log(e->value));
+  }
+  if (x.size() < 2) return result;
+  double mean_x = 0;
+  double mean_y = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += x[i] / static_cast<double>(x.size());
+    mean_y += y[i] / static_cast<double>(x.size());
+  }
+  double xx = 0;
+  double xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - mean_x) * (x[i] - mean_x);
+    xy += (x[i] - mean_x) * (y[i] - mean_y);
+  }
+  if (!(xx > 0)) return result;
+  result.order = xy / xx;
+  double halfwidth = 0;
+  for (std::size_t i = 1; i < x.size(); ++i)
+    halfwidth = std::max(halfwidth, std::abs((y[i] - y[i - 1]) / (x[i] - x[i - 1]) - *result.order));
+  result.halfwidth = halfwidth;
+  return result;
+}
+
+}  // namespace
+
+Result collect(const Problem& problem, std::vector<LevelResult> levels, std::vector<LevelTiming> timing) {
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    LevelResult& now = levels[k];
+    now.discretisation_ratio = now.node_ratio = now.discretisation_order = now.node_order = std::nullopt;
+    if (k == 0) continue;
+    const LevelResult& before = levels[k - 1];
+    expects(before.level < now.level, "levels in ascending order", named("level", now.level));
+    now.discretisation_ratio = ratio(before.discretisation_error, now.discretisation_error);
+    now.node_ratio = ratio(before.node_error, now.node_error);
+    now.discretisation_order = order(now.discretisation_ratio, before.mesh_size, now.mesh_size);
+    now.node_order = order(now.node_ratio, before.mesh_size, now.mesh_size);
+  }
+  Result result{.problem = problem, .levels = std::move(levels), .orders = {}, .timing = std::move(timing)};
+  if (problem.solution) {
+    result.orders.push_back(fit("discretisation_error", &LevelResult::discretisation_error, result.levels));
+    result.orders.push_back(fit("node_error", &LevelResult::node_error, result.levels));
+  }
+  return result;
+}
+
+}  // namespace radcert

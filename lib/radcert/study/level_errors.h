@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "radcert/polynomial/inset_basis.h"
+#include "radcert/study/problem.h"
+#include "radcert/study/result.h"
+#include "radcert/triangulation/triangulation.h"
+
+namespace radcert {
+
+/// The computed function u_n on a surface: nodal values over a triangulation.
+/// Maths     u_n(m_k(x)) = sum_j u_n(v_{k,j}) l_j(x)
+/// Source    [ac98, (39)]
+/// Requires  values in the order of collocation_nodes
+/// Result    rounded; refers to its parts, which must outlive it
+/// Limits    two-valued on the sides of triangles unless the inset is 0
+class NodalFunction {
+public:
+  NodalFunction(const Surface& surface, const Triangulation& triangulation, const InsetBasis<double>& basis,
+                std::span<const double> values)
+      : surface_(surface), triangulation_(triangulation), basis_(basis), values_(values) {}
+
+  double at(std::size_t element, const Barycentric<double>& x) const;
+  const Surface& surface() const { return surface_; }
+  const Triangulation& triangulation() const { return triangulation_; }
+
+private:
+  const Surface& surface_;
+  const Triangulation& triangulation_;
+  const InsetBasis<double>& basis_;
+  std::span<const double> values_;
+};
+
+/// The largest error of u_n over a sample of S.
+/// Maths     max |u - u_n| over the points with barycentric coordinates k/8, |k| = 8, of every element: 45 points each,
+///           corners and sides included
+/// Source    the sample is ours; [ac98, (50)]
+/// Requires  -
+/// Result    nothing if u is not finite at a point of the sample; a lower bound of the supremum
+/// Limits    rounding is not estimated
+std::optional<Figure> uniform_error(const NodalFunction& u_n, const PiecewiseExpression& solution);
+
+/// The mean of u_n over each piece.
+/// Maths     Int_piece u_n dS / Int_piece dS, by a conical rule of order 12 on each element
+/// Source    -
+/// Requires  -
+/// Result    pieces in the order of the surface
+/// Limits    no error estimate
+std::vector<std::pair<std::string, double>> piece_means(const NodalFunction& u_n);
+
+}  // namespace radcert

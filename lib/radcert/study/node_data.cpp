@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/study/node_data.h"
+
+#include <cmath>
+
+#include "radcert/core/errors.h"
+#include "radcert/core/text.h"
+#include "radcert/study/surface_function.h"
+
+namespace radcert {
+namespace {
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "not a number";
+  if (std::isinf(value)) return value > 0 ? "infinite" : "minus infinite";
+  return shortest(value);
+}
+
+[[noreturn]] void refuse_at_node(const PiecewiseExpression& function, const std::string& pointer,
+                                 const Surface& surface, std::size_t i, const Observer<double>& node,
+                                 double value, const std::string& allowed) {
+  const std::string& piece = surface.charts[node.at.chart].facts().piece;
+  const PiecewiseExpression::Case* used = nullptr;
+  for (const PiecewiseExpression::Case& part : function.cases)
+    if (part.piece == piece || (part.piece == "*" && used == nullptr)) used = &part;
+  const bool single = function.cases.size() == 1 && function.cases.front().piece == "*";
+  const std::string where =
+      "(" + shortest(node.point.x) + ", " + shortest(node.point.y) + ", " + shortest(node.point.z) + ")";
+  throw InputError({.pointer = single || used == nullptr ? pointer : pointer + "/" + used->piece,
+                    .value = function.on(piece).text(),
+                    .problem = "is " + number_text(value) + " at node " + std::to_string(i) + " " + where +
+                               " on piece " + piece,
+                    .allowed = allowed});
+}
+
+}  // namespace
+
+std::vector<double> values_at_nodes(const PiecewiseExpression& function, const std::string& pointer,
+                                    const Surface& surface, std::span<const Observer<double>> nodes) {
+  const SurfaceFunction f(function, surface);
+  std::vector<double> values;
+  values.reserve(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    values.push_back(f(nodes[i].at.chart, nodes[i].point));
+    if (!std::isfinite(values.back()))
+      refuse_at_node(function, pointer, surface, i, nodes[i], values.back(),
+                     "an expression that is finite at every node");
+  }
+  return values;
+}
+
+std::vector<double> reflectivity_at_nodes(const PiecewiseExpression& reflectivity, const Surface& surface,
+                                          std::span<const Observer<double>> nodes) {
+  std::vector<double> values = values_at_nodes(reflectivity, "/reflectivity", surface, nodes);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (values[i] < 0 || values[i] > 1)
+      refuse_at_node(reflectivity, "/reflectivity", surface, i, nodes[i], values[i], "values in [0, 1]");
+  return values;
+}
+
+}  // namespace radcert

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "radcert/core/memory_plan.h"
+
+namespace radcert {
+
+/// The memory of one level, before any of it is taken.
+/// Maths     n unknowns: the matrix and its factors, 8 n^2 bytes each; vectors; per-chunk row sums
+/// Source    the loops of collocation, solve and study
+/// Requires  -
+/// Result    bytes by item; counts that exceed 64 bits count as 2^64 - 1
+/// Limits    what the standard library and the operating system add is not counted
+MemoryPlan level_plan(std::uint64_t elements, std::uint64_t functions_per_element);
+
+}  // namespace radcert

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/study/problem.h"
+
+#include <algorithm>
+
+#include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/text.h"
+#include "radcert/polynomial/inset_basis.h"
+#include "radcert/study/plan.h"
+#include "radcert/surface/catalogue.h"
+#include "radcert/triangulation/triangulation.h"
+
+namespace radcert {
+namespace {
+
+[[noreturn]] void refuse(std::string pointer, std::string value, std::string problem, std::string allowed) {
+  throw InputError({.pointer = std::move(pointer),
+                    .value = std::move(value),
+                    .problem = std::move(problem),
+                    .allowed = std::move(allowed)});
+}
+
+const SurfaceDescription& description_of(const Problem& problem) {
+  const SurfaceDescription* found = find_surface(problem.surface.name);
+  if (found == nullptr) {
+    std::string names;
+    for (const SurfaceDescription& surface : surface_catalogue())
+      names += (names.empty() ? "" : ", ") + surface.name;
+    refuse("/surface/name", quotation(problem.surface.name), "is not a known surface", names);
+  }
+  return *found;
+}
+
+void check_levels(const Problem& problem, const Surface& surface, std::uint64_t memory_limit) {
+  const std::vector<int>& levels = problem.triangulation.levels;
+  if (levels.empty()) refuse("/triangulation/levels", "[]", "is empty", "at least one level");
+  const InsetBasis<double> basis(problem.basis.degree, 0.0);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const std::string pointer = "/triangulation/levels/" + std::to_string(i);
+    const std::string value = std::to_string(levels[i]);
+    if (levels[i] < 0) refuse(pointer, value, "is not allowed", "a whole number >= 0");
+    if (i > 0 && levels[i] <= levels[i - 1])
+      refuse(pointer, value, "does not exceed the level before it", "levels in ascending order, each once");
+    const std::optional<std::uint64_t> elements = triangle_count(surface, levels[i]);
+    if (!elements) refuse(pointer, value, "has more than 2^53 triangles", "a level with fewer");
+    const std::uint64_t needed = level_plan(*elements, basis.size()).total();
+    if (needed > memory_limit) {
+      const std::string bytes = needed == ~std::uint64_t{0} ? "more than 2^64" : std::to_string(needed);
+      refuse(pointer, value, "needs " + bytes + " bytes (" + std::to_string(*elements) + " triangles)",
+             "a plan within " + std::to_string(memory_limit) + " bytes (" + byte_text(memory_limit) + ")");
+    }
+  }
+}
+
+void check_basis(const Problem& problem, const Surface& surface) {
+  const BasisChoice& basis = problem.basis;
+  constexpr int largest = InsetBasis<double>::largest_degree;
+  if (basis.degree < 0 || basis.degree > largest)
+    refuse("/basis/degree", std::to_string(basis.degree), "is not allowed",
+           "a whole number from 0 to " + std::to_string(largest));
+  if (basis.degree == 0) return;
+  if (!basis.alpha) refuse("/basis/alpha", "", "is missing", "a number in [0, 1/3)");
+  const Rational& alpha = *basis.alpha;
+  if (alpha < Rational(0) || alpha >= Rational(1, 3))
+    refuse("/basis/alpha", alpha.to_text(), "is not allowed", "a number in [0, 1/3)");
+  // Below this the nodes of the finest level keep less than half of a double's digits of their distance from an edge.
+  const int finest = problem.triangulation.levels.back();
+  const Rational least = Rational(1) / power(Rational(2), 26 - std::min(finest, 26));
+  if (surface.pieces_meet_at_angle && alpha < least)
+    refuse("/basis/alpha", alpha.to_text(),
+           alpha == Rational(0)
+               ? "puts nodes on edges where pieces of the surface meet at an angle, and there the kernel "
+                 "has no value"
+               : "puts nodes too close to edges where pieces of the surface meet at an angle",
+           "a number in [" + least.to_text() + ", 1/3) on this surface at these levels");
+  if (alpha > Rational(333333, 1000000))
+    refuse("/basis/alpha", alpha.to_text(),
+           "is too close to 1/3: the nodes of an element coincide in double precision",
+           "a number in [0, 0.333333]");
+}
+
+void check_reflectivity(const Problem& problem, const Surface& surface) {
+  bool all_constant = true;
+  Rational largest = 0;
+  for (const PiecewiseExpression::Case& part : problem.reflectivity.cases) {
+    const std::string pointer = problem.reflectivity.cases.size() == 1 && part.piece == "*"
+                                    ? "/reflectivity"
+                                    : "/reflectivity/" + part.piece;
+    const std::optional<Rational> value = part.expression.is_constant();
+    if (!value) {
+      all_constant = false;
+      continue;
+    }
+    if (*value < Rational(0) || *value > Rational(1))
+      refuse(pointer, part.expression.text(), "is not a reflectivity", "values in [0, 1]");
+    largest = std::max(largest, *value);
+  }
+  if (surface.closed && all_constant && largest >= Rational(1))
+    refuse("/reflectivity", largest.to_text(),
+           "makes the norm of K " + largest.to_text() + " on a closed surface",
+           "a norm of K below 1: on a closed surface the norm is the largest reflectivity");
+}
+
+void check_pieces(const PiecewiseExpression& function, const std::string& pointer, const Surface& surface) {
+  const std::vector<std::string> names = surface.piece_names();
+  for (const std::string& name : names) {
+    const bool covered = std::any_of(function.cases.begin(), function.cases.end(), [&](const auto& part) {
+      return part.piece == name || part.piece == "*";
+    });
+    if (!covered)
+      refuse(pointer, quotation(name), "is a piece without an expression", "one for every piece, or \"*\"");
+  }
+  for (const PiecewiseExpression::Case& part : function.cases)
+    if (part.piece != "*" && std::find(names.begin(), names.end(), part.piece) == names.end())
+      refuse(pointer + "/" + part.piece, quotation(part.piece), "is not a piece of the surface",
+             "its pieces, or \"*\"");
+}
+
+}  // namespace
+
+const Expression& PiecewiseExpression::on(std::string_view piece) const {
+  const Case* rest = nullptr;
+  for (const Case& part : cases) {
+    if (part.piece == piece) return part.expression;
+    if (part.piece == "*") rest = &part;
+  }
+  expects(rest != nullptr, "an expression for every piece", named("piece", piece));
+  return rest->expression;
+}
+
+Surface surface_of(const Problem& problem) {
+  const SurfaceDescription& description = description_of(problem);
+  std::vector<Rational> values;
+  for (const ParameterDescription& parameter : description.parameters) {
+    const auto given = std::find_if(problem.surface.parameters.begin(), problem.surface.parameters.end(),
+                                    [&](const SurfaceParameter& p) { return p.name == parameter.name; });
+    if (given == problem.surface.parameters.end())
+      refuse("/surface/" + parameter.name, "", "is missing", parameter.requirement);
+    if (!parameter.admits(given->value))
+      refuse("/surface/" + parameter.name, given->value.to_text(), "is not allowed", parameter.requirement);
+    values.push_back(given->value);
+  }
+  return description.make(values);
+}
+
+void check(const Problem& problem, std::uint64_t memory_limit) {
+  const Surface surface = surface_of(problem);
+  if (problem.triangulation.grading < Rational(1))
+    refuse("/triangulation/grading", problem.triangulation.grading.to_text(), "is not allowed",
+           "a number >= 1");
+  if (problem.solution.has_value() == problem.emission.has_value())
+    refuse("", "",
+           problem.solution ? "states both solution and emission" : "states neither solution nor emission",
+           "exactly one of the two");
+  check_pieces(problem.reflectivity, "/reflectivity", surface);
+  if (problem.solution) check_pieces(*problem.solution, "/solution", surface);
+  if (problem.emission) check_pieces(*problem.emission, "/emission", surface);
+  check_reflectivity(problem, surface);
+  if (problem.basis.degree < 0 || problem.basis.degree > InsetBasis<double>::largest_degree)
+    check_basis(problem, surface);
+  check_levels(problem, surface, memory_limit);
+  check_basis(problem, surface);
+}
+
+}  // namespace radcert

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "radcert/expression/expression.h"
+#include "radcert/scalar/rational.h"
+#include "radcert/surface/surface.h"
+
+namespace radcert {
+
+/// A function on a surface given by one expression a piece; the piece "*" stands for all others.
+struct PiecewiseExpression {
+  struct Case {
+    std::string piece;
+    Expression expression;
+  };
+  std::vector<Case> cases;  ///< in the order of the file
+
+  /// The expression on a piece. Requires a case for it, else ContractViolation.
+  const Expression& on(std::string_view piece) const;
+};
+
+/// The surface of a problem: a name of the catalogue and the values of its parameters, in the catalogue's order.
+struct SurfaceChoice {
+  std::string name;
+  std::vector<SurfaceParameter> parameters;
+};
+
+/// Which triangulations of the surface a problem runs over.
+struct TriangulationChoice {
+  std::vector<int> levels;  ///< numbers of symmetric refinements, strictly ascending
+  std::vector<std::pair<std::string, Diagonal>>
+      pattern;           ///< by piece ("*" the rest); empty: the published one
+  Rational grading = 1;  ///< vertices of unit squares moved towards the edges by this exponent, >= 1
+};
+
+/// The inset basis of a problem.
+struct BasisChoice {
+  int degree = 1;
+  std::optional<Rational> alpha;  ///< absent exactly where degree 0 left it out
+};
+
+enum class SolverName { direct };
+
+/// A problem as a user states it: one surface, one basis, one pair of data, several levels.
+/// Maths     u(P) - rho(P)/pi Int_S G(P,Q) u(Q) dS_Q = E(P); with `solution` u given, E = u - Ku
+/// Source    [ac98, (1), (40)]; the file format is radcert/problem/1
+/// Requires  exactly one of solution and emission; names of the catalogue; see `check`
+/// Result    plain data, exact: decimals and fractions are kept as written
+/// Limits    exact geometry, inset bases, direct solver
+struct Problem {
+  SurfaceChoice surface;
+  TriangulationChoice triangulation;
+  BasisChoice basis;
+  PiecewiseExpression reflectivity;
+  std::optional<PiecewiseExpression> solution;
+  std::optional<PiecewiseExpression> emission;
+  SolverName solver = SolverName::direct;
+};
+
+/// The surface that a problem names. Requires a known name with admissible parameters, else InputError below /surface.
+Surface surface_of(const Problem& problem);
+
+/// Everything about a problem that can be refused before any work, apart from its file's syntax.
+/// Maths     levels >= 0 with checked counts; 0 <= alpha < 1/3; alpha > 0 where pieces meet at an angle; a plan within
+///           `memory_limit` bytes for every level; constant reflectivities in [0,1]; on closed surfaces sup rho < 1
+/// Source    contract of the command line
+/// Requires  -
+/// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed
+/// Limits    what depends on a node (an expression that is not finite there) is refused when the node is known
+void check(const Problem& problem, std::uint64_t memory_limit);
+
+}  // namespace radcert

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/study/problem.h"
+
+namespace radcert {
+
+/// A computed number and what is known of its error.
+struct Figure {
+  double value = 0;
+  std::optional<double>
+      radius;  ///< bounds what quadrature, geometry and rounding may have changed; null: not estimated
+  bool guaranteed = false;  ///< true: the radius is proved; false: it is an estimate
+};
+
+struct NormOfK {
+  double value = 0;
+  bool guaranteed = false;
+};
+
+/// One level of a study.
+/// Maths     discretisation_error = max over the nodes of |K(I-P_n)u|, node_error = max over the nodes of |u - u_n|,
+///           uniform_error = max of |u - u_n| over `uniform_sample`
+/// Source    [ac98, section 5]
+/// Requires  -
+/// Result    with `emission` the three errors are absent
+/// Limits    figures are estimates unless they say guaranteed
+struct LevelResult {
+  int level = 0;
+  std::uint64_t elements = 0;
+  std::uint64_t unknowns = 0;
+  double mesh_size = 0;
+  std::optional<Figure> discretisation_error;
+  std::optional<Figure> node_error;
+  std::optional<Figure> uniform_error;
+  std::optional<double> discretisation_ratio;  ///< the previous level's value over this one's
+  std::optional<double> node_ratio;
+  std::optional<double> discretisation_order;  ///< log of the ratio over log of the mesh sizes' ratio
+  std::optional<double> node_order;
+  std::vector<std::pair<std::string, double>> piece_means;  ///< mean of u_n over each piece
+  NormOfK norm_K;
+  std::uint64_t planned_bytes = 0;
+};
+
+/// A fitted order: slope of log error over log h, least squares, halfwidth from the spread of the successive orders.
+struct OrderFit {
+  std::string quantity;  ///< "discretisation_error" or "node_error"
+  std::optional<double> order;
+  std::optional<double> halfwidth;
+  std::vector<int> levels;    ///< that took part
+  std::vector<int> left_out;  ///< whose radius exceeds 5 % of their error
+  std::string model = "h^p";
+};
+
+struct LevelTiming {
+  double assembly_seconds = 0;
+  double operator_seconds = 0;  ///< Ku by the second route
+  double solve_seconds = 0;
+};
+
+struct Result {
+  Problem problem;
+  std::vector<LevelResult> levels;
+  std::vector<OrderFit> orders;
+  std::vector<LevelTiming> timing;
+};
+
+}  // namespace radcert

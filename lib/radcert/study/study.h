@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "radcert/geometry/vector.h"
+#include "radcert/study/problem.h"
+#include "radcert/study/result.h"
+#include "radcert/surface/surface_point.h"
+
+namespace radcert {
+
+/// A value of Int_S G(P,Q) u(Q) dS_Q and an estimate of its error.
+struct OperatorValue {
+  double value = 0;
+  double radius = 0;
+};
+
+/// The second route to Ku, passed in from outside: this layer knows of no reference values.
+/// Maths     (surface, u, P) -> Int_S G(P,Q) u(Q) dS_Q
+/// Source    design: E is passed in
+/// Requires  safe to call from several threads at once
+/// Result    shares no quadrature with the collocation matrix
+/// Limits    -
+using OperatorRoute = std::function<OperatorValue(
+    const Surface& surface, const std::function<double(std::size_t chart, const Vector<double>& q)>& u,
+    const SurfacePoint<double>& p)>;
+
+/// What a level computed at one node.
+struct NodeValue {
+  std::string piece;
+  std::size_t element = 0;
+  std::size_t index_in_element = 0;
+  Vector<double> point;
+  Vector<double> normal;
+  double u_n = 0;
+  double emission = 0;
+  std::optional<double> u;  ///< with `solution` only
+};
+
+/// The computed function u_n itself on one element, for pictures: corners in space and values there.
+struct ElementValue {
+  std::string piece;
+  std::array<Vector<double>, 3> corners;
+  std::array<double, 3> corner_values;
+};
+
+/// Everything that one level leaves.
+struct LevelOutcome {
+  LevelResult result;
+  LevelTiming timing;
+  std::vector<NodeValue> nodes;
+  std::vector<ElementValue> elements;
+};
+
+/// Solves a problem at one level. Ratios and orders between levels are left empty; see `collect`.
+/// Maths     (I - P_n K) u_n = P_n E, E = u - Ku at the nodes
+/// Source    [ac98, (40)-(41)]
+/// Requires  a checked problem; `level` need not be one of its levels
+/// Result    the same bits for any number of threads; throws InputError naming the node where an expression is not finite
+///           or rho leaves [0,1], or where the norm of K is not below 1; Interrupted when asked to stop
+/// Limits    radii are estimates
+LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route);
+
+/// The result of finished levels: ratios, orders, fits.
+/// Maths     ratio_k = e_{k-1}/e_k, order_k = log(ratio_k)/log(h_{k-1}/h_k)
+/// Source    the columns "Ratio" of [ac98, Tables 1-5]
+/// Requires  levels ascending
+/// Result    exact functions of the levels' figures, rounded
+/// Limits    a level whose radius exceeds 5 % of its error is left out of the fit and named
+Result collect(const Problem& problem, std::vector<LevelResult> levels, std::vector<LevelTiming> timing);
+
+}  // namespace radcert
