@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/reference/operator_integral.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "radcert/core/contract.h"
+#include "radcert/kernel/geometric_kernel.h"
+#include "radcert/surface/catalogue/box.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/two_piece.h"
+#include "radcert/surface/catalogue/two_squares.h"
+
+namespace radcert::reference {
+namespace {
+
+using Point = Vector<double>;
+using Place = SurfacePoint<double>;
+using Triangle = std::array<ParameterPoint<double>, 3>;
+
+double one(const Place&, const Point&) { return 1; }
+double exp_z(const Place&, const Point& q) { return std::exp(q.z); }
+double smooth(const Place&, const Point& q) { return std::exp(q.x) * std::cos(q.y); }
+
+/// The value is right within its radius, and the radius is worth having.
+void expect_encloses(const Estimate& estimate, double truth, const std::string& what,
+                     double relative_radius = 1e-12) {
+  EXPECT_LE(std::abs(estimate.value - truth), estimate.radius) << what;
+  EXPECT_LE(estimate.radius, relative_radius * estimate.absolute) << what;
+}
+
+std::string text(const Surface& surface, const Place& p) {
+  return surface.name + " chart " + std::to_string(p.chart) + " at " + description(p.at.s) + " " +
+         description(p.at.t);
+}
+
+/// Parameters of which most lie near or on the border of the domain.
+class RandomPlaces {
+public:
+  explicit RandomPlaces(const Surface& surface, unsigned seed) : surface_(surface), stream_(seed) {}
+
+  Place next() {
+    const std::size_t chart = stream_() % surface_.chart_count();
+    double s = coordinate();
+    double t = coordinate();
+    if (surface_.charts[chart].facts().domain == ChartDomain::unit_triangle) {
+      if (stream_() % 2 == 0) t = std::max(0.0, 1 - s - t);
+      t *= s + t > 1 ? 1 - s : 1;
+      if (s + t > 1) t = 1 - s;
+    }
+    return {chart, {s, t}};
+  }
+
+private:
+  double uniform() { return static_cast<double>(stream_() >> 11U) * 0x1p-53; }
+  double coordinate() {
+    const double small = std::pow(10, -8 * uniform());
+    switch (stream_() % 3) {
+      case 0: return uniform();
+      case 1: return small;
+      default: return 1 - small;
+    }
+  }
+  const Surface& surface_;
+  std::mt19937_64 stream_;
+};
+
+/// [Lambert 1760]: Int G over a polygon = 1/2 sum over the sides of their angle at P times n_P . unit(a x b); the
+/// polygon counterclockwise as seen from the side to which its normal points, whole above P's horizon.
+long double polygon_integral(const Vector<long double>& p, const Vector<long double>& n,
+                             const std::vector<Vector<long double>>& corners) {
+  long double sum = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector<long double> a = corners[i] - p;
+    const Vector<long double> b = corners[(i + 1) % corners.size()] - p;
+    const Vector<long double> c = cross(a, b);
+    const long double length = norm(c);
+    if (length == 0) continue;
+    sum += std::atan2(length, dot(a, b)) * dot(c, n) / length;
+  }
+  return std::abs(sum) / 2;
+}
+
+Vector<long double> in_long_double(const Point& x) { return {x.x, x.y, x.z}; }
+
+// --- Closed forms ---------------------------------------------------------------------------------------------------
+
+TEST(OperatorIntegral, IsPiForTheUnitDensityOnClosedConvexSurfaces) {
+  const std::vector<Surface> surfaces{cube(), box(1, 2, 5), box(1, 1, Rational(1, 50)), sphere(),
+                                      ellipsoid(1, 2, 5)};
+  unsigned seed = 1;
+  for (const Surface& surface : surfaces) {
+    RandomPlaces places(surface, seed++);
+    for (int k = 0; k < 80; ++k) {
+      const Place p = places.next();
+      expect_encloses(operator_integral(surface, p, one), std::numbers::pi, text(surface, p));
+    }
+  }
+}
+
+TEST(OperatorIntegral, CopesWithEdgesAndCornersAtAllDistances) {
+  for (const Surface& surface : {cube(), box(1, 2, 5)})
+    for (const double d : {0.02, 1e-3, 1e-5, 1e-8, 1e-12})
+      for (std::size_t chart = 0; chart < 6; ++chart)
+        for (const ParameterPoint<double>& at :
+             {ParameterPoint<double>{d, 0.3}, {0.7, 1 - d}, {d, d}, {1 - d, 3 * d}}) {
+          const Place p{chart, at};
+          expect_encloses(operator_integral(surface, p, one), std::numbers::pi, text(surface, p), 1e-13);
+        }
+}
+
+TEST(OperatorIntegral, CopesWithSmoothSeamsAtAllDistances) {
+  for (const Surface& surface : {sphere(), ellipsoid(1, 2, 5)})
+    for (const double d : {1e-2, 1e-5, 1e-8, 1e-10, 0.0})
+      for (std::size_t chart = 0; chart < 8; chart += 3)
+        for (const ParameterPoint<double>& at :
+             {ParameterPoint<double>{d, 0.3}, {0.6, d}, {0.625 - d, 0.375}, {d, d * d}}) {
+          const Place p{chart, at};
+          expect_encloses(operator_integral(surface, p, one), std::numbers::pi, text(surface, p));
+        }
+}
+
+TEST(OperatorIntegral, OfExpZOnTheSphereIsItsMeanValue) {
+  // G = 1/4, and Int exp(z) dS = 4 pi sinh 1.
+  const double truth = std::numbers::pi * std::sinh(1.0);
+  const Surface surface = sphere();
+  RandomPlaces places(surface, 7);
+  for (int k = 0; k < 60; ++k) {
+    const Place p = places.next();
+    expect_encloses(operator_integral(surface, p, exp_z), truth, text(surface, p));
+  }
+}
+
+TEST(OperatorIntegral, HasTheClosedFormsOfTwoSquares) {
+  // [ac98, (22)-(24)] at x = 1/3, z = 1/7, evaluated to 24 digits and more.
+  const Surface surface = two_squares();
+  const Place p{0, {1.0 / 3, 1.0 / 7}};
+  const auto xi_minus_x = [](const Place&, const Point& q) { return q.x - 1.0 / 3; };
+  const auto eta = [](const Place&, const Point& q) { return q.y; };
+  expect_encloses(operator_integral(surface, p, one), 1.19901694200745466, "(22)", 1e-13);
+  expect_encloses(operator_integral(surface, p, xi_minus_x), 0.03587048430574663, "(23)", 1e-13);
+  expect_encloses(operator_integral(surface, p, eta), 0.29708137306324787, "(24)", 1e-13);
+}
+
+TEST(OperatorIntegral, AgreesWithLambertsFormulaNearAnEdge) {
+  const Surface surface = two_squares();
+  const std::vector<Vector<long double>> floor{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  for (const double x : {0.0, 1e-9, 1.0 / 3, 0.5, 0.99, 1.0})
+    for (const double z : {1.0, 0.25, 1e-2, 1e-4, 1e-8, 1e-12}) {
+      const Place p{0, {x, z}};
+      const long double truth = polygon_integral({x, 0, z}, {0, 1, 0}, floor);
+      expect_encloses(operator_integral(surface, p, one), static_cast<double>(truth), text(surface, p),
+                      2e-13);
+    }
+}
+
+TEST(OperatorIntegral, HasTheConfigurationFactorsOfTheCube) {
+  const Surface surface = cube();
+  const Place centre{0, {0.5, 0.5}};
+  const auto face = [&](std::size_t chart) {
+    const Estimate lower = operator_integral(surface, centre, chart, Triangle{{{0, 0}, {1, 0}, {1, 1}}}, one);
+    const Estimate upper = operator_integral(surface, centre, chart, Triangle{{{0, 0}, {0, 1}, {1, 1}}}, one);
+    return Estimate{lower.value + upper.value, lower.radius + upper.radius, lower.absolute + upper.absolute};
+  };
+  // Four quarters of a parallel square at distance 1, each with a corner opposite to P and the side 1/2; and the rest.
+  const double opposite = 4 / std::sqrt(5.0) * std::atan(1 / std::sqrt(5.0));
+  expect_encloses(face(1), opposite, "opposite", 1e-13);
+  expect_encloses(face(2), (std::numbers::pi - opposite) / 4, "adjacent", 1e-13);
+}
+
+// --- A second computation, in long double ---------------------------------------------------------------------------
+
+/// Gauss's rule with 16 points on [0,1], by Newton's method on Legendre's polynomial.
+struct Gauss {
+  static constexpr int n = 16;
+  std::array<long double, n> x{};
+  std::array<long double, n> w{};
+  Gauss() {
+    for (int i = 0; i < n; ++i) {
+      long double z = std::cos(std::numbers::pi_v<long double> * (i + 0.75L) / (n + 0.5L));
+      long double slope = 1;
+      for (int step = 0; step < 100; ++step) {
+        long double p = 1;
+        long double before = 0;
+        for (int k = 1; k <= n; ++k) {
+          const long double next = ((2 * k - 1) * z * p - (k - 1) * before) / k;
+          before = p;
+          p = next;
+        }
+        slope = n * (before - z * p) / (1 - z * z);
+        const long double move = p / slope;
+        z -= move;
+        if (std::abs(move) < 1e-19L) break;
+      }
+      x[static_cast<std::size_t>(i)] = 0.5L * (1 - z);
+      w[static_cast<std::size_t>(i)] = 1 / ((1 - z * z) * slope * slope);
+    }
+  }
+};
+
+/// Int over the unit square of a function that is not smooth at one point and on s = 0: cells halved towards both.
+long double brute_force(const std::function<long double(const ParameterPoint<long double>&)>& f,
+                        const ParameterPoint<long double>& bad_point, bool bad_line) {
+  static const Gauss gauss;
+  const std::function<long double(long double, long double, long double, long double)> cell =
+      [&](long double s, long double t, long double width, long double height) -> long double {
+    const long double distance = std::hypot(std::max({s - bad_point.s, bad_point.s - s - width, 0.0L}),
+                                            std::max({t - bad_point.t, bad_point.t - t - height, 0.0L}));
+    const bool near_point = distance < 0.7L * std::max(width, height) && std::max(width, height) > 0x1p-25L;
+    const bool near_line = bad_line && s < 0.5L * width && width > 0x1p-28L;
+    if ((near_point && width >= height) || near_line)
+      return cell(s, t, width / 2, height) + cell(s + width / 2, t, width / 2, height);
+    if (near_point) return cell(s, t, width, height / 2) + cell(s, t + height / 2, width, height / 2);
+    long double sum = 0;
+    for (std::size_t i = 0; i < Gauss::n; ++i)
+      for (std::size_t j = 0; j < Gauss::n; ++j)
+        sum += gauss.w[i] * gauss.w[j] * f({s + gauss.x[i] * width, t + gauss.x[j] * height});
+    return sum * width * height;
+  };
+  return cell(0, 0, 1, 1);
+}
+
+void compare_two_piece_with_long_double(const Rational& exponent, const std::vector<Place>& places) {
+  using LongPoint = Vector<long double>;
+  const ChartOf<long double, Rectangle<long double>> lower(
+      Rectangle<long double>({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), Orientation::along_the_cross_product);
+  const ChartOf<long double, PowerRoof<long double>> upper(PowerRoof<long double>{exponent},
+                                                           Orientation::against_the_cross_product);
+  const std::array<const ChartIn<long double>*, 2> charts{&lower, &upper};
+  const Surface surface = two_piece(exponent);
+  for (const Place& p : places) {
+    const ParameterPoint<long double> at{p.at.s, p.at.t};
+    const Frame<long double> here = charts[p.chart]->frame(at);
+    const LongPoint normal = unit_normal(here);
+    long double truth = 0;
+    for (const std::size_t chart : {0U, 1U}) {
+      if (chart == 0 && p.chart == 0) continue;  // one plane: G = 0
+      const auto integrand = [&](const ParameterPoint<long double>& q) {
+        const Frame<long double> there = charts[chart]->frame(q);
+        return geometric_kernel(here.point, normal, there.point, there.area_normal) *
+               std::exp(there.point.x) * std::cos(there.point.y);
+      };
+      const ParameterPoint<long double> far_off{100, 100};
+      truth += brute_force(integrand, chart == p.chart ? at : far_off, chart == 1 && !exponent.is_integer());
+    }
+    expect_encloses(operator_integral(surface, p, smooth), static_cast<double>(truth), text(surface, p),
+                    1e-13);
+  }
+}
+
+TEST(OperatorIntegral, AgreesWithLongDoubleOnTheTwoPieceSurface) {
+  compare_two_piece_with_long_double(
+      2, {{0, {0.3, 0.4}}, {0, {1, 0}}, {1, {0.3, 0.4}}, {1, {1e-6, 0.7}}, {1, {0.999, 1}}});
+}
+
+TEST(OperatorIntegral, AgreesWithLongDoubleAtASingularLine) {
+  compare_two_piece_with_long_double(
+      Rational(3, 2), {{0, {0.2, 0.9}}, {0, {0, 0.5}}, {1, {0.3, 0.4}}, {1, {0.01, 0.7}}, {1, {0.999, 1}}});
+}
+
+TEST(OperatorIntegral, IsContinuousUpToASingularLine) {
+  for (const Rational& exponent : {Rational(3, 2), Rational(7, 3)}) {
+    const Surface surface = two_piece(exponent);
+    const Estimate on_it = operator_integral(surface, {1, {0, 0.3}}, smooth);
+    const Estimate beside_it = operator_integral(surface, {1, {1e-14, 0.3}}, smooth);
+    EXPECT_NEAR(on_it.value, beside_it.value, 1e-5 * on_it.absolute) << exponent.to_text();
+    EXPECT_LE(on_it.radius, 1e-12 * on_it.absolute);
+    EXPECT_LE(beside_it.radius, 1e-12 * beside_it.absolute);
+  }
+}
+
+// --- Laws -----------------------------------------------------------------------------------------------------------
+
+/// The domain of a chart in 2 or 1 times 4^levels triangles, on dyadic points.
+std::vector<Triangle> triangles_of(ChartDomain domain, int levels) {
+  std::vector<Triangle> all{{{{0, 0}, {1, 0}, {0, 1}}}};
+  if (domain == ChartDomain::unit_square) all.push_back({{{1, 1}, {1, 0}, {0, 1}}});
+  for (int level = 0; level < levels; ++level) {
+    std::vector<Triangle> finer;
+    for (const auto& [a, b, c] : all) {
+      const ParameterPoint<double> ab = 0.5 * (a + b);
+      const ParameterPoint<double> bc = 0.5 * (b + c);
+      const ParameterPoint<double> ca = 0.5 * (c + a);
+      for (const Triangle& part :
+           {Triangle{a, ab, ca}, Triangle{ab, b, bc}, Triangle{ca, bc, c}, Triangle{ab, bc, ca}})
+        finer.push_back(part);
+    }
+    all = finer;
+  }
+  return all;
+}
+
+TEST(OperatorIntegral, OverTrianglesSumsToTheWhole) {
+  for (const Surface& surface : {box(1, 2, 5), ellipsoid(1, 2, 5), two_piece(2), two_piece(Rational(3, 2))}) {
+    RandomPlaces places(surface, 11);
+    for (int k = 0; k < 8; ++k) {
+      const Place p = places.next();
+      const Estimate whole = operator_integral(surface, p, smooth);
+      Estimate sum;
+      for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
+        for (const Triangle& triangle : triangles_of(surface.charts[chart].facts().domain, 1)) {
+          const Estimate part = operator_integral(surface, p, chart, triangle, smooth);
+          EXPECT_LE(part.radius, 1e-12 * whole.absolute) << text(surface, p);
+          sum.value += part.value;
+          sum.radius += part.radius;
+          sum.absolute += part.absolute;
+        }
+      EXPECT_LE(std::abs(sum.value - whole.value), sum.radius + whole.radius) << text(surface, p);
+      EXPECT_NEAR(sum.absolute, whole.absolute, 1e-3 * whole.absolute)
+          << text(surface, p);  // |cos y| has a kink
+    }
+  }
+}
+
+TEST(OperatorIntegral, OverATriangleAgreesWithLambertsFormula) {
+  const Surface surface = cube();
+  RandomPlaces places(surface, 5);
+  RandomPlaces corners(surface, 6);
+  for (int k = 0; k < 100; ++k) {
+    const Place p = places.next();
+    const Triangle triangle{corners.next().at, corners.next().at, corners.next().at};
+    const std::size_t chart = (p.chart + 1 + static_cast<std::size_t>(k) % 5) % 6;
+    const Frame<double> frame = surface.charts[p.chart].in<double>().frame(p.at);
+    std::vector<Vector<long double>> polygon;
+    for (const ParameterPoint<double>& corner : triangle)
+      polygon.push_back(in_long_double(surface.charts[chart].in<double>().frame(corner).point));
+    const long double truth =
+        polygon_integral(in_long_double(frame.point), in_long_double(unit_normal(frame)), polygon);
+    const Estimate estimate = operator_integral(surface, p, chart, triangle, one);
+    EXPECT_LE(std::abs(estimate.value - static_cast<double>(truth)), estimate.radius + 1e-17L)
+        << text(surface, p) << " to chart " << chart;
+    EXPECT_LE(estimate.radius, 1e-13 * estimate.absolute + 1e-14)
+        << text(surface, p) << " to chart " << chart;
+  }
+}
+
+TEST(OperatorIntegral, DoesNotDependOnTheOrderOfTheCorners) {
+  const Surface surface = sphere();
+  const Place p{0, {0.3, 0.3}};
+  const ParameterPoint<double> a{0.25, 0.25};
+  const ParameterPoint<double> b{0.5, 0.25};
+  const ParameterPoint<double> c{0.25, 0.5};
+  const Estimate there = operator_integral(surface, p, 0, {a, b, c}, smooth);
+  const Estimate back = operator_integral(surface, p, 0, {c, b, a}, smooth);
+  EXPECT_GT(there.value, 0);
+  EXPECT_LE(std::abs(there.value - back.value), there.radius + back.radius);
+}
+
+TEST(OperatorIntegral, IsLinearAndSeesTheSign) {
+  const Surface surface = cube();
+  const Place p{2, {0.1, 0.8}};
+  const auto odd = [](const Place&, const Point& q) { return q.z - 0.5; };
+  const auto shifted = [](const Place&, const Point& q) { return 3 * (q.z - 0.5) - 2; };
+  const Estimate first = operator_integral(surface, p, odd);
+  const Estimate second = operator_integral(surface, p, shifted);
+  EXPECT_LE(std::abs(second.value - (3 * first.value - 2 * std::numbers::pi)),
+            second.radius + 3 * first.radius);
+  EXPECT_LT(std::abs(first.value), 0.9 * first.absolute);
+}
+
+TEST(OperatorIntegral, GivesTheDensityPointsOfItsChart) {
+  const Surface surface = ellipsoid(1, 2, 5);
+  double worst = 0;
+  const auto checked = [&](const Place& q, const Point& point) {
+    const Point expected = surface.charts.at(q.chart).in<double>().frame(q.at).point;
+    worst = std::max(worst, norm(expected - point));
+    return 1.0;
+  };
+  operator_integral(surface, {3, {0.2, 0.1}}, checked);
+  EXPECT_LT(worst, 1e-14);
+  worst = 0;
+  const Surface solid = box(1, 2, 5);
+  const auto checked_on_box = [&](const Place& q, const Point& point) {
+    worst = std::max(worst, norm(solid.charts.at(q.chart).in<double>().frame(q.at).point - point));
+    return 1.0;
+  };
+  operator_integral(solid, {3, {0.2, 0.1}}, checked_on_box);
+  EXPECT_LT(worst, 1e-14);
+}
+
+TEST(OperatorIntegral, HasARadiusThatCoversADensityItCannotResolve) {
+  const Surface surface = two_squares();
+  const auto step = [](const Place&, const Point& q) { return q.x < std::numbers::inv_pi ? 1.0 : 0.0; };
+  const double z = 0.25;
+  const std::vector<Vector<long double>> strip{
+      {0, 0, 0}, {std::numbers::inv_pi, 0, 0}, {std::numbers::inv_pi, 1, 0}, {0, 1, 0}};
+  const long double truth = polygon_integral({0.5, 0, z}, {0, 1, 0}, strip);
+  const Estimate estimate = operator_integral(surface, {0, {0.5, z}}, step);
+  EXPECT_LE(std::abs(estimate.value - static_cast<double>(truth)), estimate.radius);
+  EXPECT_LE(estimate.radius, 0.1);
+}
+
+TEST(OperatorIntegral, IsZeroInOnePlaneAndOnADegenerateTriangle) {
+  const Surface flat = two_piece(1);
+  EXPECT_EQ(operator_integral(flat, {1, {0.5, 0.5}}, 1, {{{0, 0}, {1, 0}, {0, 1}}}, one).absolute, 0);
+  EXPECT_EQ(operator_integral(flat, {1, {0.5, 0.5}}, 0, {{{0, 0}, {0.5, 0.5}, {1, 1}}}, one).value, 0);
+}
+
+TEST(OperatorIntegral, RefusesWhatItDoesNotRequire) {
+  const Surface surface = cube();
+  EXPECT_THROW(operator_integral(surface, {6, {0.5, 0.5}}, one), ContractViolation);
+  EXPECT_THROW(operator_integral(surface, {0, {1.5, 0.5}}, one), ContractViolation);
+  EXPECT_THROW(operator_integral(surface, {0, {std::nan(""), 0.5}}, one), ContractViolation);
+  EXPECT_THROW(operator_integral(surface, {0, {0, 0.5}}, one), ContractViolation) << "P on an edge";
+  EXPECT_THROW(operator_integral(surface, {0, {0.5, 0.5}}, 1, {{{0, 0}, {2, 0}, {0, 1}}}, one),
+               ContractViolation);
+  const auto broken = [](const Place&, const Point&) { return std::numeric_limits<double>::quiet_NaN(); };
+  EXPECT_THROW(operator_integral(surface, {0, {0.5, 0.5}}, broken), ContractViolation);
+}
+
+}  // namespace
+}  // namespace radcert::reference
