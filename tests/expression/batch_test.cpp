@@ -111,4 +111,20 @@ TEST(CompiledExpression, TakesTheLongestAdmittedTexts) {
   EXPECT_EQ(out[0], 64.5);
 }
 
+TEST(CompiledExpression, OnePointEqualsTheBatch) {
+  for (const char* text :
+       {"x", "-x^2 + y/z", "min(x, max(y, z)) - abs(x - z)", "exp(sin(x)*y)^z", "(x - y)^3/2^-z"}) {
+    const CompiledExpression expression(parse_expression(text).value());
+    const std::vector<double> x{0.25, -1.5, 3};
+    const std::vector<double> y{2, 0.1, -7};
+    const std::vector<double> z{1, 4, 0.5};
+    std::vector<double> out(3);
+    expression.evaluate(x, y, z, out);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double value = expression.at(x[i], y[i], z[i]);
+      EXPECT_TRUE(value == out[i] || (std::isnan(value) && std::isnan(out[i]))) << text << " at point " << i;
+    }
+  }
+}
+
 }  // namespace

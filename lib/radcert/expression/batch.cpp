@@ -98,6 +98,33 @@ void CompiledExpression::evaluate_radial(std::span<const double> r, std::span<do
   run(arguments, out);
 }
 
+double CompiledExpression::at(double x, double y, double z) const {
+  expects(variables_ == ExpressionVariables::space, "an expression in x, y, z");
+  constexpr std::size_t usual_height = 96;
+  if (stack_size_ > usual_height) {
+    double out = 0;
+    evaluate({&x, 1}, {&y, 1}, {&z, 1}, {&out, 1});
+    return out;
+  }
+  const std::array<double, 3> arguments{x, y, z};
+  std::array<double, usual_height> stack;
+  std::size_t height = 0;
+  for (const Step& step : steps_) {
+    if (step.kind == ExpressionKind::literal) {
+      stack[height++] = step.literal;
+    } else if (step.kind == ExpressionKind::variable) {
+      stack[height++] = arguments[static_cast<std::size_t>(step.variable)];
+    } else if (step.whole) {
+      stack[height - 1] = power(stack[height - 1], step.whole_exponent);
+    } else {
+      if (has_two_operands(step.kind)) --height;
+      const double second = has_two_operands(step.kind) ? stack[height] : stack[height - 1];
+      stack[height - 1] = detail::apply<double>(step.kind, stack[height - 1], second);
+    }
+  }
+  return stack[0];
+}
+
 void CompiledExpression::run(std::span<const std::span<const double>> arguments,
                              std::span<double> out) const {
   for (const std::span<const double>& argument : arguments) {

@@ -15,13 +15,16 @@ namespace radcert {
 /// Requires  evaluate(): spans of the same length and the variables of the expression, else
 ///           ContractViolation; out overlaps no other span
 /// Result    the same bits as Expression::evaluate<double> at each point
-/// Limits    allocates once a call, never once a point
+/// Limits    evaluate() allocates once a call, never once a point; at() only for a stack higher than 96
 class CompiledExpression {
 public:
   explicit CompiledExpression(const Expression& expression);
   void evaluate(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                 std::span<double> out) const;
   void evaluate_radial(std::span<const double> r, std::span<double> out) const;
+
+  /// The value at one point, the same bits as evaluate(), without allocation.
+  [[nodiscard]] double at(double x, double y, double z) const;
 
 private:
   struct Step {

@@ -35,7 +35,9 @@ ElementIntegrator<R>::ElementIntegrator(const Surface& surface, const ParameterT
       element_(whole_element<R>(triangle)),
       ball_(ball_about(element_)),
       extent_(largest_coordinate(ball_.centre) + ball_.radius),
-      kept_(ConicalRules<R>::largest_order + 1) {}
+      kept_(ConicalRules<R>::largest_order + 1) {
+  for (const Chart& other : surface.charts) in_plane_of_.push_back(in_one_plane(other, chart_));
+}
 
 template <Real R>
 typename ElementIntegrator<R>::Ball ElementIntegrator<R>::ball_about(const Cell<R>& cell) const {
@@ -147,8 +149,8 @@ ElementIntegral<R> ElementIntegrator<R>::with_radius(const CheckedSums<R>& check
 
 template <Real R>
 ElementIntegral<R> ElementIntegrator<R>::integrate(const Observer<R>& p) {
+  if (in_plane_of_[p.at.chart]) return {};
   const Chart& own = surface_.charts[p.at.chart];
-  if (in_one_plane(own, chart_)) return {};
   if (p.at.chart == chart_index_) {
     if (contains(element_, p.at.at)) return with_radius(integrate_around(p, chart_, element_, basis_));
   } else if (own.facts().piece == chart_.facts().piece &&

@@ -67,6 +67,7 @@ private:
   Cell<R> element_;
   Ball ball_;
   R extent_{};
+  std::vector<bool> in_plane_of_;  ///< by chart: G vanishes between it and the element
   std::vector<Piece> pending_;
   std::array<Samples<R>, 2> scratch_;
   std::vector<std::optional<Samples<R>>> kept_;

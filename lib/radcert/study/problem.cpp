@@ -27,7 +27,7 @@ const SurfaceDescription& description_of(const Problem& problem) {
     std::string names;
     for (const SurfaceDescription& surface : surface_catalogue())
       names += (names.empty() ? "" : ", ") + surface.name;
-    refuse("/surface/name", quotation(problem.surface.name), "is not a known surface", names);
+    refuse("/surface/name", problem.surface.name, "is not a known surface", names);
   }
   return *found;
 }
@@ -109,7 +109,7 @@ void check_pieces(const PiecewiseExpression& function, const std::string& pointe
       return part.piece == name || part.piece == "*";
     });
     if (!covered)
-      refuse(pointer, quotation(name), "is a piece without an expression", "one for every piece, or \"*\"");
+      refuse(pointer, name, "is a piece without an expression", "one for every piece, or * for the rest");
   }
   for (const PiecewiseExpression::Case& part : function.cases)
     if (part.piece != "*" && std::find(names.begin(), names.end(), part.piece) == names.end())

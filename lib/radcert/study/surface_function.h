@@ -23,9 +23,7 @@ public:
   }
 
   double operator()(std::size_t chart, const Vector<double>& q) const {
-    double value = 0;
-    by_chart_[chart].evaluate({&q.x, 1}, {&q.y, 1}, {&q.z, 1}, {&value, 1});
-    return value;
+    return by_chart_[chart].at(q.x, q.y, q.z);
   }
 
 private:

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// radcert example NAME: a problem to start from.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "examples.h"
+#include "output.h"
+#include "radcert/formats/json_reader.h"
+
+namespace radcert::app {
+
+namespace {
+
+std::vector<std::string> names() {
+  std::vector<std::string> out{"problem"};
+  for (const Example& example : examples()) out.emplace_back(example.name);
+  return out;
+}
+
+ExitCode print_example(const Common& common, const std::string& name) {
+  if (name == "problem") {
+    print_result(common, examples().front().text, examples().front().text);
+    return ExitCode::done;
+  }
+  for (const Example& example : examples())
+    if (example.name == name) {
+      print_result(common, example.text, example.text);
+      return ExitCode::done;
+    }
+  const bool output = name == "solution" || name == "verification";
+  const auto near = nearest_word(name, names());
+  const std::string hint = near ? "; did you mean " + *near + "?" : std::string();
+  throw InputError({.source = "example",
+                    .value = name,
+                    .problem = output ? "is what radcert writes, not reads: see radcert schema " + name
+                                      : "is no example" + hint,
+                    .allowed = listed(names())});
+}
+
+}  // namespace
+
+void add_example(CLI::App& program, Common& common, Action& action) {
+  CLI::App& command = add_command(program, common, "example", "A runnable example of a file type");
+  auto name = std::make_shared<std::string>();
+  command.add_option("NAME", *name, listed(names()))->required();
+  command.callback(
+      [&common, &action, name] { action = [&common, name] { return print_example(common, *name); }; });
+}
+
+}  // namespace radcert::app

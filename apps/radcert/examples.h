@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace radcert::app {
+
+/// A problem of apps/examples, embedded at build.
+struct Example {
+  std::string_view name;  ///< the file's name without number and extension
+  std::string_view text;
+};
+
+/// In the order of their numbers; the first is the example of a problem.
+std::span<const Example> examples();
+
+}  // namespace radcert::app

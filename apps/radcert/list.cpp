@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// radcert list surfaces, bases, claims, references: what there is, a line each.
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.h"
+#include "output.h"
+#include "radcert/core/version.h"
+#include "radcert/formats/json_reader.h"
+#include "radcert/formats/json_value.h"
+#include "radcert/surface/catalogue.h"
+#include "verification/framework/paper.h"
+#include "verification/framework/run_verification.h"
+
+namespace radcert::app {
+
+namespace {
+
+/// A parameter of something that is listed.
+struct EntryParameter {
+  std::string name;
+  std::string allowed;
+  std::string default_text;  ///< empty: it must be given
+};
+
+/// One line of a list.
+struct Entry {
+  std::string name;
+  std::string summary;
+  std::vector<EntryParameter> parameters{};
+};
+
+std::vector<Entry> surfaces() {
+  std::vector<Entry> out;
+  for (const SurfaceDescription& surface : surface_catalogue()) {
+    Entry line{.name = surface.name, .summary = surface.summary + "; pieces " + listed(surface.pieces)};
+    for (const ParameterDescription& parameter : surface.parameters)
+      line.parameters.push_back({parameter.name, parameter.requirement, parameter.default_text});
+    out.push_back(line);
+  }
+  return out;
+}
+
+std::vector<Entry> bases() {
+  return {
+      {.name = "inset",
+       .summary = "polynomials with the nodes of m06 (13) pulled in from the corners",
+       .parameters = {{"degree", "a whole number from 0 to 8", ""},
+                      {"alpha", "a number in [0, 1/3), superconvergent at degree 1; none at degree 0", ""}}}};
+}
+
+std::vector<Entry> claims() {
+  std::vector<Entry> out;
+  for (const verification::Paper& paper : verification::embedded_paper_list()) {
+    const std::vector<std::string> labels = verification::statement_labels(paper);
+    for (const verification::Claim& claim : paper.claims) {
+      std::size_t cells = 0;
+      for (const std::string& label : labels) cells += label.starts_with(claim.label + ".") ? 1 : 0;
+      out.push_back(
+          {.name = paper.key + "/" + claim.label,
+           .summary = (claim.table ? std::to_string(cells) + " cells: " : std::string()) + claim.says});
+    }
+  }
+  return out;
+}
+
+std::vector<Entry> references() { return {}; }
+
+const std::vector<std::pair<std::string, std::function<std::vector<Entry>()>>> lists = {
+    {"surfaces", surfaces}, {"bases", bases}, {"claims", claims}, {"references", references}};
+
+std::string parameter_text(const EntryParameter& parameter) {
+  const std::string value = parameter.default_text.empty() ? "" : " = " + parameter.default_text;
+  return parameter.name + value + " (" + parameter.allowed + ")";
+}
+
+std::string text(const std::string& what, const std::vector<Entry>& lines) {
+  if (lines.empty()) return "There are no " + what + " in this version.\n";
+  std::vector<std::vector<std::string>> rows;
+  for (const Entry& line : lines) {
+    std::string parameters;
+    for (const EntryParameter& p : line.parameters)
+      parameters += (parameters.empty() ? "; " : ", ") + parameter_text(p);
+    rows.push_back({line.name, line.summary + parameters});
+  }
+  return aligned_left(rows);
+}
+
+std::string json(const Common& common, const std::string& what, const std::vector<Entry>& lines) {
+  JsonValue out = JsonValue::object();
+  out.set("schema", "radcert/list/1");
+  out.set("radcert", version());
+  out.set("command", common.command);
+  out.set("list", what);
+  out.set("entries", json_array(lines, [](const Entry& line) {
+            JsonValue entry = JsonValue::object();
+            entry.set("name", line.name);
+            entry.set("summary", line.summary);
+            entry.set("parameters", json_array(line.parameters, [](const EntryParameter& parameter) {
+                        JsonValue p = JsonValue::object();
+                        p.set("name", parameter.name);
+                        p.set("allowed", parameter.allowed);
+                        p.set("default", parameter.default_text.empty() ? JsonValue()
+                                                                        : JsonValue(parameter.default_text));
+                        return p;
+                      }));
+            return entry;
+          }));
+  return out.pretty() + "\n";
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> out;
+  for (const auto& [name, make] : lists) out.push_back(name);
+  return out;
+}
+
+ExitCode print_list(const Common& common, const std::string& what) {
+  for (const auto& [name, make] : lists) {
+    if (name != what) continue;
+    const std::vector<Entry> lines = make();
+    print_result(common, text(what, lines), json(common, what, lines));
+    return ExitCode::done;
+  }
+  const auto near = nearest_word(what, names());
+  throw InputError({.source = "list",
+                    .value = what,
+                    .problem = "is unknown" + (near ? "; did you mean " + *near + "?" : std::string()),
+                    .allowed = listed(names())});
+}
+
+}  // namespace
+
+void add_list(CLI::App& program, Common& common, Action& action) {
+  CLI::App& command =
+      add_command(program, common, "list", "What there is, a line each, with parameters and defaults");
+  auto what = std::make_shared<std::string>();
+  command.add_option("WHAT", *what, listed(names()))->required();
+  command.callback(
+      [&common, &action, what] { action = [&common, what] { return print_list(common, *what); }; });
+}
+
+}  // namespace radcert::app

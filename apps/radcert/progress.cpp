@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "output.h"
+
+namespace radcert::app {
+
+namespace {
+
+constexpr std::size_t bar_width = 24;
+constexpr std::size_t label_width = 40;
+constexpr double seconds_between_lines = 5;
+
+double seconds(std::chrono::steady_clock::duration time) {
+  return std::chrono::duration<double>(time).count();
+}
+
+std::string time_text(double s) {
+  if (s < 90) return fmt::format("{:.0f} s", s);
+  if (s < 5400) return fmt::format("{:.0f} min", s / 60);
+  return fmt::format("{:.1f} h", s / 3600);
+}
+
+}  // namespace
+
+ProgressDisplay::ProgressDisplay(bool quiet)
+    : mode_(quiet ? Mode::none : (isatty(STDERR_FILENO) != 0 ? Mode::bar : Mode::lines)) {
+  if (mode_ == Mode::bar) drawer_ = std::thread([this] { keep_drawing(); });
+}
+
+ProgressDisplay::~ProgressDisplay() {
+  {
+    const std::scoped_lock lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_all();
+  if (drawer_.joinable()) drawer_.join();
+  clear();
+}
+
+void ProgressDisplay::at(double fraction, const std::string& label, double expected_seconds) {
+  const std::scoped_lock lock(mutex_);
+  fraction_ = std::clamp(fraction, 0.0, 1.0);
+  label_ = label;
+  expected_ = expected_seconds;
+  since_ = Clock::now();
+  if (mode_ == Mode::lines && seconds(since_ - last_line_) >= seconds_between_lines) {
+    last_line_ = since_;
+    say(status() + "\n");
+  }
+  if (mode_ == Mode::bar) redraw();
+}
+
+void ProgressDisplay::note(const std::string& text) {
+  const std::scoped_lock lock(mutex_);
+  if (mode_ == Mode::none) return;
+  clear();
+  say(text + "\n");
+  last_line_ = Clock::now();
+  if (mode_ == Mode::bar) redraw();
+}
+
+/// What is expected of the rest, else what the earlier ones took in proportion.
+double ProgressDisplay::seconds_left() const {
+  const double here = seconds(Clock::now() - since_);
+  if (expected_ > 0) return std::max(0.0, expected_ - here);
+  if (fraction_ <= 0) return 0;
+  return std::max(0.0, seconds(since_ - start_) * (1 - fraction_) / fraction_ - here);
+}
+
+/// The fraction that was told, and of what is left as much as time has passed.
+double ProgressDisplay::shown_fraction() const {
+  if (expected_ <= 0) return fraction_;
+  constexpr double nearly_all = 0.99;
+  return fraction_ + (1 - fraction_) * std::min(nearly_all, seconds(Clock::now() - since_) / expected_);
+}
+
+std::string ProgressDisplay::status() const {
+  const double left = seconds_left();
+  std::string out =
+      fmt::format("{:3.0f} %  {}", 100 * shown_fraction(), time_text(seconds(Clock::now() - start_)));
+  if (left > 0) out += ", about " + time_text(left) + " left";
+  return out + ": " + label_.substr(0, label_width);
+}
+
+void ProgressDisplay::clear() {
+  if (drawn_) say("\r\x1b[K");
+  drawn_ = false;
+}
+
+void ProgressDisplay::redraw() {
+  const auto full = static_cast<std::size_t>(shown_fraction() * static_cast<double>(bar_width));
+  say("\r\x1b[K[" + std::string(full, '#') + std::string(bar_width - full, '.') + "] " + status());
+  drawn_ = true;
+}
+
+void ProgressDisplay::keep_drawing() {
+  std::unique_lock lock(mutex_);
+  while (!wake_.wait_for(lock, std::chrono::milliseconds(500), [this] { return stop_; }))
+    if (drawn_) redraw();
+}
+
+}  // namespace radcert::app

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace radcert::app {
+
+/// How far long work has come, on stderr: a bar with the time left on a terminal, now and then a line elsewhere, nothing
+/// when quiet.
+class ProgressDisplay {
+public:
+  explicit ProgressDisplay(bool quiet);
+  ~ProgressDisplay();
+  ProgressDisplay(const ProgressDisplay&) = delete;
+  ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+  /// The work before this point is so much of the whole; `label` is what begins now. `expected_seconds` is how long all
+  /// the rest may take, if that is known.
+  void at(double fraction, const std::string& label, double expected_seconds = 0);
+  /// A line that stays.
+  void note(const std::string& text);
+
+private:
+  using Clock = std::chrono::steady_clock;
+  enum class Mode { none, lines, bar };
+  double seconds_left() const;
+  double shown_fraction() const;
+  std::string status() const;
+  void clear();
+  void redraw();
+  void keep_drawing();
+
+  Mode mode_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point since_ = start_;
+  Clock::time_point last_line_ = start_;
+  double fraction_ = 0;
+  double expected_ = 0;
+  std::string label_;
+  bool drawn_ = false;
+  bool stop_ = false;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::thread drawer_;
+};
+
+}  // namespace radcert::app

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// radcert schema NAME: the JSON Schema of a file type.
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "output.h"
+#include "radcert/formats/json_reader.h"
+#include "radcert/formats/schemas.h"
+
+namespace radcert::app {
+
+namespace {
+
+std::vector<std::string> names() {
+  std::vector<std::string> out;
+  for (const Schema& schema : schemas()) out.emplace_back(schema.name);
+  return out;
+}
+
+ExitCode print_schema(const Common& common, const std::string& name) {
+  const Schema* schema = find_schema(name);
+  if (schema == nullptr) {
+    const auto near = nearest_word(name, names());
+    throw InputError({.source = "schema",
+                      .value = name,
+                      .problem = "is no file type" + (near ? "; did you mean " + *near + "?" : std::string()),
+                      .allowed = listed(names())});
+  }
+  print_result(common, schema->text, schema->text);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_schema(CLI::App& program, Common& common, Action& action) {
+  CLI::App& command = add_command(program, common, "schema", "The JSON Schema of a file type");
+  auto name = std::make_shared<std::string>();
+  command.add_option("NAME", *name, listed(names()))->required();
+  command.callback(
+      [&common, &action, name] { action = [&common, name] { return print_schema(common, *name); }; });
+}
+
+}  // namespace radcert::app

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/problem_json.h"
+
+#include <string>
+#include <vector>
+
+#include "radcert/core/errors.h"
+#include "radcert/formats/json_document.h"
+#include "radcert/formats/problem_parts.h"
+#include "radcert/surface/catalogue.h"
+
+namespace radcert {
+
+namespace {
+
+constexpr const char* schema = "radcert/problem/1";
+const std::vector<std::string> available_solvers = {"direct"};
+const std::vector<std::string> planned_solvers = {"gmres", "neumann", "verified"};
+
+void read_geometry(const JsonReader& geometry) {
+  const std::vector<std::string> available = {"exact"};
+  if (geometry.find("interpolated")) {
+    geometry.require_object({"interpolated"});
+    geometry.at("interpolated", "")
+        .refuse("asks for interpolated geometry, which is not available in this version", "exact");
+  }
+  (void)geometry.word(available);
+}
+
+SolverName read_solver(const JsonReader& solver) {
+  solver.require_object({"name"});
+  (void)solver.at("name", "one of " + listed(available_solvers)).word(available_solvers, planned_solvers);
+  return SolverName::direct;
+}
+
+Problem read(const JsonValue& document) {
+  const JsonReader root(document);
+  if (document.members() == nullptr) root.refuse("is " + document.kind(), "an object: a problem");
+  const std::vector<std::string> schemas = {schema};
+  (void)root.at("schema", schema).word(schemas);
+  root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
+                       "emission", "solver"});
+  Problem problem;
+  problem.surface = read_surface(root.at("surface", "an object with a name, see radcert list surfaces"));
+  const std::vector<std::string>& pieces = find_surface(problem.surface.name)->pieces;
+  problem.triangulation = read_triangulation(root.at("triangulation", "an object with levels"), pieces);
+  if (const auto geometry = root.find("geometry")) read_geometry(*geometry);
+  problem.basis = read_basis(root.at("basis", "an object with a family, see radcert list bases"));
+  problem.reflectivity = read_piecewise(root.at("reflectivity", "an expression, or one a piece"), pieces);
+
+  const auto solution = root.find("solution");
+  const auto emission = root.find("emission");
+  if (solution && emission)
+    emission->refuse("stands beside a solution", "exactly one of solution and emission");
+  if (!solution && !emission)
+    throw InputError({.pointer = "/solution",
+                      .problem = "is missing, and so is emission",
+                      .allowed = "exactly one of solution and emission"});
+  if (solution) problem.solution = read_piecewise(*solution, pieces);
+  if (emission) problem.emission = read_piecewise(*emission, pieces);
+  if (const auto solver = root.find("solver")) problem.solver = read_solver(*solver);
+  return problem;
+}
+
+}  // namespace
+
+Problem read_problem(const std::filesystem::path& path) {
+  const JsonValue document = read_json(path);
+  return with_source(path.string(), [&] { return read(document); });
+}
+
+Problem parse_problem(std::string_view text, const std::string& source) {
+  const JsonValue document = parse_json(text, source);
+  return with_source(source, [&] { return read(document); });
+}
+
+JsonValue problem_json(const Problem& problem) {
+  JsonValue out = JsonValue::object();
+  out.set("schema", schema);
+  out.set("surface", surface_json(problem.surface));
+  out.set("triangulation", triangulation_json(problem.triangulation));
+  out.set("geometry", "exact");
+  out.set("basis", basis_json(problem.basis));
+  out.set("reflectivity", piecewise_json(problem.reflectivity));
+  if (problem.solution) out.set("solution", piecewise_json(*problem.solution));
+  if (problem.emission) out.set("emission", piecewise_json(*problem.emission));
+  JsonValue solver = JsonValue::object();
+  solver.set("name", "direct");
+  out.set("solver", std::move(solver));
+  return out;
+}
+
+std::string problem_text(const Problem& problem) { return problem_json(problem).pretty() + "\n"; }
+
+}  // namespace radcert

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "radcert/formats/json_reader.h"
+#include "radcert/study/problem.h"
+
+namespace radcert {
+
+/// The parts of a problem file, each read from its own place in it.
+/// Maths     none
+/// Source    the file format radcert/problem/1
+/// Requires  pieces: the names of the pieces of the problem's surface
+/// Result    the part with its defaults filled in; otherwise InputError with the JSON pointer
+/// Limits    single values only: check() looks at the whole
+SurfaceChoice read_surface(const JsonReader& surface);
+TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces);
+BasisChoice read_basis(const JsonReader& basis);
+PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);
+
+/// The same parts as JSON.
+/// Maths     none
+/// Source    the file format radcert/problem/1
+/// Requires  a part that the functions above could have read
+/// Result    every default written out
+/// Limits    none
+JsonValue surface_json(const SurfaceChoice& surface);
+JsonValue triangulation_json(const TriangulationChoice& triangulation);
+JsonValue basis_json(const BasisChoice& basis);
+JsonValue piecewise_json(const PiecewiseExpression& expression);
+
+/// An exact number as JSON.
+/// Maths     none
+/// Source    the file format: a JSON number means the nearest double, a string is exact
+/// Requires  nothing
+/// Result    a whole number up to 2^53 as a number, everything else as a string: 2, "1/6"
+/// Limits    none
+JsonValue exact_json(const Rational& value);
+
+/// Whether somebody named each piece, or "*"; refuses other names.
+/// Maths     none
+/// Source    -
+/// Requires  an object
+/// Result    returns, or throws InputError
+/// Limits    none
+void require_pieces(const JsonReader& by_piece, std::span<const std::string> pieces);
+
+}  // namespace radcert

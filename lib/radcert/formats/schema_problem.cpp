@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/schema_texts.h"
+
+namespace radcert {
+
+std::string_view problem_schema() {
+  return R"json({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "$id": "radcert/problem/1",
+  "title": "A problem of radcert",
+  "description": "u(P) - rho(P)/pi Int_S G(P,Q) u(Q) dS_Q = E(P) on a surface S, solved by collocation at several levels. A string is exact; a JSON number means the nearest double.",
+  "type": "object",
+  "required": ["schema", "surface", "triangulation", "basis", "reflectivity"],
+  "oneOf": [
+    {"required": ["solution"], "not": {"required": ["emission"]}},
+    {"required": ["emission"], "not": {"required": ["solution"]}}
+  ],
+  "additionalProperties": false,
+  "properties": {
+    "schema": {"const": "radcert/problem/1"},
+    "surface": {
+      "description": "A surface of the catalogue and its parameters; see radcert list surfaces.",
+      "type": "object",
+      "required": ["name"],
+      "properties": {"name": {"enum": ["two_squares", "two_piece", "cube", "box", "sphere", "ellipsoid"]}},
+      "allOf": [
+        {
+          "if": {"properties": {"name": {"enum": ["two_squares", "cube", "sphere"]}}},
+          "then": {"properties": {"name": true}, "additionalProperties": false}
+        },
+        {
+          "if": {"properties": {"name": {"const": "two_piece"}}},
+          "then": {
+            "properties": {"name": true, "p": {"description": "p >= 1", "$ref": "#/$defs/exact"}},
+            "additionalProperties": false
+          }
+        },
+        {
+          "if": {"properties": {"name": {"enum": ["box", "ellipsoid"]}}},
+          "then": {
+            "properties": {
+              "name": true,
+              "a": {"$ref": "#/$defs/exact"},
+              "b": {"$ref": "#/$defs/exact"},
+              "c": {"$ref": "#/$defs/exact"}
+            },
+            "additionalProperties": false
+          }
+        }
+      ]
+    },
+    "triangulation": {
+      "type": "object",
+      "required": ["levels"],
+      "additionalProperties": false,
+      "properties": {
+        "levels": {
+          "description": "Numbers of symmetric refinements, strictly ascending; 0 is the coarse triangulation.",
+          "type": "array",
+          "minItems": 1,
+          "uniqueItems": true,
+          "items": {"type": "integer", "minimum": 0, "maximum": 30}
+        },
+        "pattern": {
+          "description": "Which diagonal cuts each square: main from (0,0) to (1,1), anti from (1,0) to (0,1).",
+          "default": "published",
+          "oneOf": [
+            {"enum": ["published", "main", "anti"]},
+            {"type": "object", "minProperties": 1, "additionalProperties": {"enum": ["main", "anti"]}}
+          ]
+        },
+        "grading": {"description": "Exponent >= 1 towards the edges.", "default": 1, "$ref": "#/$defs/exact"}
+      }
+    },
+    "geometry": {"default": "exact", "const": "exact"},
+    "basis": {
+      "type": "object",
+      "required": ["family", "degree"],
+      "additionalProperties": false,
+      "if": {"properties": {"degree": {"minimum": 1}}},
+      "then": {"required": ["alpha"]},
+      "properties": {
+        "family": {"const": "inset"},
+        "degree": {"type": "integer", "minimum": 0, "maximum": 8},
+        "alpha": {
+          "description": "How far the nodes are pulled in from the corners: 0 <= alpha < 1/3, or superconvergent at degree 1. At degree 0 it may be left out and has no effect.",
+          "oneOf": [{"const": "superconvergent"}, {"$ref": "#/$defs/exact"}]
+        }
+      }
+    },
+    "reflectivity": {"description": "rho, from 0 to 1.", "$ref": "#/$defs/piecewise"},
+    "solution": {"description": "u; the emission is then E = u - Ku.", "$ref": "#/$defs/piecewise"},
+    "emission": {
+      "description": "E, the power emitted per area, not the material constant 1 - rho.",
+      "$ref": "#/$defs/piecewise"
+    },
+    "solver": {
+      "type": "object",
+      "default": {"name": "direct"},
+      "required": ["name"],
+      "additionalProperties": false,
+      "properties": {"name": {"const": "direct"}}
+    }
+  },
+  "$defs": {
+    "exact": {
+      "description": "A number, or a decimal or a fraction in a string.",
+      "anyOf": [
+        {"type": "number"},
+        {
+          "type": "string",
+          "maxLength": 1000,
+          "pattern": "^-?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?(/([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?)?$"
+        }
+      ]
+    },
+    "expression": {
+      "description": "x, y, z, pi, + - * / ^ (right-associative, above unary minus), sqrt, exp, log, sin, cos, tan, atan, abs, min, max.",
+      "anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 4096}]
+    },
+    "piecewise": {
+      "description": "An expression, or one a piece, * for the rest.",
+      "anyOf": [
+        {"$ref": "#/$defs/expression"},
+        {"type": "object", "minProperties": 1, "additionalProperties": {"$ref": "#/$defs/expression"}}
+      ]
+    }
+  }
+}
+)json";
+}
+
+}  // namespace radcert

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/schema_texts.h"
+
+namespace radcert {
+
+std::string_view solution_schema() {
+  return R"json({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "$id": "radcert/solution/1",
+  "title": "A result of radcert solve",
+  "description": "Seconds live in timing alone: apart from timing and command, all is the same to the bit on every run.",
+  "type": "object",
+  "required": ["schema", "radcert", "command", "problem", "levels", "orders", "timing"],
+  "additionalProperties": false,
+  "properties": {
+    "schema": {"const": "radcert/solution/1"},
+    "radcert": {"description": "The version that wrote the file.", "type": "string"},
+    "command": {"description": "How it was called.", "type": "string"},
+    "problem": {
+      "description": "The problem as read, defaults filled in; see radcert schema problem.",
+      "type": "object",
+      "required": ["schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solver"],
+      "properties": {"schema": {"const": "radcert/problem/1"}}
+    },
+    "levels": {"type": "array", "items": {"$ref": "#/$defs/level"}},
+    "orders": {
+      "description": "Least-squares slopes of log error over log h.",
+      "type": "object",
+      "propertyNames": {"enum": ["discretisation_error", "node_error", "uniform_error"]},
+      "additionalProperties": {
+        "type": "object",
+        "required": ["order", "halfwidth", "levels", "left_out", "model"],
+        "additionalProperties": false,
+        "properties": {
+          "order": {"type": ["number", "null"]},
+          "halfwidth": {"type": ["number", "null"]},
+          "levels": {"type": "array", "items": {"type": "integer"}},
+          "left_out": {
+            "description": "Levels whose radius exceeds 5 % of their error.",
+            "type": "array",
+            "items": {"type": "integer"}
+          },
+          "model": {"type": "string"}
+        }
+      }
+    },
+    "timing": {
+      "type": "object",
+      "required": ["levels"],
+      "additionalProperties": false,
+      "properties": {
+        "levels": {
+          "type": "array",
+          "items": {
+            "type": "object",
+            "required": ["assembly_seconds", "operator_seconds", "solve_seconds"],
+            "additionalProperties": false,
+            "properties": {
+              "assembly_seconds": {"type": "number", "minimum": 0},
+              "operator_seconds": {"description": "Ku for the emission.", "type": "number", "minimum": 0},
+              "solve_seconds": {"type": "number", "minimum": 0}
+            }
+          }
+        }
+      }
+    }
+  },
+  "$defs": {
+    "figure": {
+      "oneOf": [
+        {"type": "null"},
+        {
+          "type": "object",
+          "required": ["value", "radius", "guaranteed"],
+          "additionalProperties": false,
+          "properties": {
+            "value": {"type": "number"},
+            "radius": {
+              "description": "Bounds what quadrature, geometry and rounding may have changed; null: not estimated.",
+              "type": ["number", "null"],
+              "minimum": 0
+            },
+            "guaranteed": {"description": "true: the radius is proved; false: an estimate.", "type": "boolean"}
+          }
+        }
+      ]
+    },
+    "level": {
+      "type": "object",
+      "required": [
+        "level", "elements", "unknowns", "mesh_size", "discretisation_error", "node_error", "uniform_error",
+        "discretisation_ratio", "node_ratio", "discretisation_order", "node_order", "piece_means", "norm_K",
+        "planned_bytes"
+      ],
+      "additionalProperties": false,
+      "properties": {
+        "level": {"type": "integer", "minimum": 0},
+        "elements": {"type": "integer", "minimum": 1},
+        "unknowns": {"type": "integer", "minimum": 1},
+        "mesh_size": {"type": "number", "exclusiveMinimum": 0},
+        "discretisation_error": {"description": "max over the nodes of |K(I-P_n)u|", "$ref": "#/$defs/figure"},
+        "node_error": {"description": "max over the nodes of |u - u_n|", "$ref": "#/$defs/figure"},
+        "uniform_error": {"description": "max over a sample of S of |u - u_n|", "$ref": "#/$defs/figure"},
+        "discretisation_ratio": {"type": ["number", "null"]},
+        "node_ratio": {"type": ["number", "null"]},
+        "discretisation_order": {"type": ["number", "null"]},
+        "node_order": {"type": ["number", "null"]},
+        "piece_means": {"type": "object", "additionalProperties": {"type": "number"}},
+        "norm_K": {
+          "type": "object",
+          "required": ["value", "guaranteed"],
+          "additionalProperties": false,
+          "properties": {"value": {"type": "number"}, "guaranteed": {"type": "boolean"}}
+        },
+        "planned_bytes": {"type": "integer", "minimum": 0}
+      }
+    }
+  }
+}
+)json";
+}
+
+}  // namespace radcert

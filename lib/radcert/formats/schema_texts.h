@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace radcert {
+
+/// The texts of the schemas, one source a file type.
+/// Maths     none
+/// Source    the file formats
+/// Requires  nothing
+/// Result    JSON, draft 2020-12
+/// Limits    see schemas()
+std::string_view problem_schema();
+std::string_view solution_schema();
+std::string_view verification_schema();
+std::string_view list_schema();
+
+}  // namespace radcert

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What solve says does not depend on how it is run."""
+import json
+import os
+import shutil
+import subprocess
+import unittest
+
+import jsonschema
+
+from program import EXAMPLES, ProgramTest, small
+
+
+def without_circumstances(text):
+    """A result without what may differ from run to run."""
+    result = json.loads(text)
+    del result["timing"], result["command"]
+    return json.dumps(result)
+
+
+class Solve(ProgramTest):
+    def solution(self, *words, **options):
+        return self.expect(0, "solve", *words, "--json", "-", **options)
+
+    def test_results_are_valid_and_their_problem_can_be_solved_again(self):
+        schema = json.loads(self.expect(0, "schema", "solution"))
+        problems = json.loads(self.expect(0, "schema", "problem"))
+        for problem in [small(), small(solution=None, emission={"upper": "1", "*": "0"}),
+                        small(basis={"family": "inset", "degree": 0}, reflectivity=0.3)]:
+            result = json.loads(self.solution(self.write("problem.json", problem)))
+            jsonschema.validate(result, schema)
+            jsonschema.validate(result["problem"], problems)
+            again = json.loads(self.solution(self.write("again.json", result["problem"])))
+            self.assertEqual(again["levels"], result["levels"])
+            self.assertEqual(again["problem"], result["problem"])
+
+    def test_errors_are_null_without_a_solution_and_ratios_are_quotients_with_one(self):
+        emitted = json.loads(self.solution(self.write("p.json", small(solution=None, emission="1"))))
+        for level in emitted["levels"]:
+            for key in ["discretisation_error", "node_error", "uniform_error", "discretisation_ratio", "node_ratio"]:
+                self.assertIsNone(level[key])
+        first, second = json.loads(self.solution(self.write("q.json", small())))["levels"]
+        self.assertIsNone(first["node_ratio"])
+        for name in ["node", "discretisation"]:
+            quotient = first[name + "_error"]["value"] / second[name + "_error"]["value"]
+            self.assertAlmostEqual(second[name + "_ratio"], quotient, delta=1e-12 * quotient)
+
+    def test_results_are_the_same_for_every_number_of_threads(self):
+        self.write("problem.json", small())
+        results = set()
+        for threads in ["1", "2", "3"]:
+            results.add(without_circumstances(self.solution("problem.json", "--threads", threads,
+                                                            RADCERT_STORE=os.path.join(self.store, threads))))
+        self.assertEqual(len(results), 1)
+
+    def test_results_are_the_same_from_every_folder_and_in_every_locale(self):
+        self.write("problem.json", small())
+        here = self.solution("problem.json")
+        elsewhere = self.solution(self.path("problem.json"), cwd="/", RADCERT_STORE=os.path.join(self.store, "other"))
+        self.assertEqual(without_circumstances(here), without_circumstances(elsewhere))
+        available = subprocess.run(["locale", "-a"], capture_output=True, text=True, check=False).stdout.split()
+        for name in ["C", *[n for n in available if n.startswith(("de_", "fr_"))][:2]]:
+            there = self.solution("problem.json", LC_ALL=name, RADCERT_STORE=os.path.join(self.store, name))
+            self.assertEqual(without_circumstances(here), without_circumstances(there), name)
+
+    def test_a_second_run_recalls_the_levels_to_the_bit(self):
+        self.write("problem.json", small())
+        first = self.solution("problem.json")
+        done = self.run_program("solve", "problem.json", "--json", "-")
+        self.assertEqual(done.stdout.decode(), first, "seconds included")
+        self.assertIn(b"found in the store", done.stderr)
+
+    def test_a_damaged_store_is_computed_anew(self):
+        self.write("problem.json", small())
+        first = self.solution("problem.json")
+        for name in os.listdir(self.store):
+            with open(os.path.join(self.store, name), "r+b") as file:
+                file.truncate(100)
+        self.assertEqual(without_circumstances(self.solution("problem.json")), without_circumstances(first))
+
+    def test_without_a_home_it_solves_all_the_same(self):
+        self.write("problem.json", small())
+        self.solution("problem.json", RADCERT_STORE="", XDG_CACHE_HOME="", HOME="")
+
+    def test_progress_goes_to_stderr_and_quiet_silences_it(self):
+        self.write("problem.json", small())
+        self.assertIn(b"level 1: ", self.run_program("solve", "problem.json").stderr)
+        self.assertEqual(self.run_program("solve", "problem.json", "--quiet").stderr, b"")
+
+    def test_every_example_is_solved(self):
+        for file in sorted(os.listdir(EXAMPLES)):
+            if file.endswith(".json"):
+                shutil.copy(os.path.join(EXAMPLES, file), self.folder)
+                with self.subTest(file):
+                    text = self.expect(0, "solve", file)
+                    self.assertTrue(text.startswith("level"), text)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What verify says and writes; whether a verdict is right is the verification's own business."""
+import json
+import os
+import unittest
+
+import jsonschema
+
+from program import ProgramTest
+
+CLAIM = "ac98/equation_37"
+
+
+class Verify(ProgramTest):
+    def test_the_report_is_valid_and_the_exit_code_says_whether_all_is_as_recorded(self):
+        schema = json.loads(self.expect(0, "schema", "verification"))
+        done = self.run_program("verify", CLAIM, "--json", "-", "--out", "report")
+        report = json.loads(done.stdout)
+        jsonschema.validate(report, schema)
+        self.assertEqual(done.returncode, 0 if report["as_recorded"] else 1)
+        self.assertEqual([claim["label"] for claim in report["claims"]], ["equation_37"])
+        with open(self.path("report/report.json"), encoding="utf-8") as file:
+            jsonschema.validate(json.load(file), schema)
+
+    def test_a_folder_of_ones_own_that_differs_from_its_record_ends_with_1(self):
+        os.mkdir(self.path("own"))
+        self.write("own/two_piece.json", self.expect(0, "example", "two_piece"))
+        self.write("own/claims.toml", """
+[order_of_the_node_error]
+covers  = []
+says    = "far more than the method can give, recorded as supported"
+needs   = []
+check   = "order"
+verdict = "supported"
+problem = "two_piece.json"
+control = "two_piece.json"
+quantity = "node_error"
+order   = 9.0
+slack   = 0.1
+why     = "wrong on purpose"
+""")
+        done = self.run_program("verify", "./own")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn(b"order_of_the_node_error", done.stdout)
+
+    def test_what_is_not_there_is_refused(self):
+        for word in ["no_such_paper", "ac98/no_such_claim", "./no_such_folder"]:
+            done = self.run_program("verify", word, "--out", "report")
+            self.assertEqual(done.returncode, 2, word)
+            self.assertIn(word.split("/")[-1].encode(), done.stderr)
+        self.assertEqual(self.entries(), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/json_document.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "radcert/core/errors.h"
+
+namespace radcert {
+namespace {
+
+using testing::HasSubstr;
+
+std::string refusal(std::string_view text) {
+  try {
+    (void)parse_json(text, "f.json");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string nested(std::size_t depth, std::string_view open, std::string_view close) {
+  std::string out;
+  for (std::size_t i = 0; i < depth; ++i) out += open;
+  out += "0";
+  for (std::size_t i = 0; i < depth; ++i) out += close;
+  return out;
+}
+
+TEST(ParseJson, RefusesWhatIsNoJsonWithLineColumnAndByte) {
+  EXPECT_THAT(refusal(""), HasSubstr("f.json: is empty"));
+  EXPECT_THAT(refusal("{\"a\": 1,\n \"b\": }"), HasSubstr("line 2, column 7 (byte 16)"));
+  EXPECT_THAT(refusal("{\"a\": [1, 2"), HasSubstr("line 1, column 12 (byte 12)"));
+  EXPECT_THAT(refusal("{} {}"), HasSubstr("line 1, column 4"));
+  EXPECT_THAT(refusal("[1, /* comment */ 2]"), HasSubstr("is not JSON"));
+  EXPECT_THAT(refusal("[01]"), HasSubstr("is not JSON"));
+  EXPECT_THAT(refusal("[NaN]"), HasSubstr("is not JSON"));
+  EXPECT_THAT(refusal("[1e999]"), HasSubstr("is not JSON"));
+}
+
+TEST(ParseJson, RefusesEveryTruncationOfADocument) {
+  const std::string whole = R"({"a": [1, -2.5e3, true, null, "x\u00e9"], "b": {"c": false}})";
+  ASSERT_EQ(refusal(whole), "");
+  for (std::size_t length = 0; length < whole.size(); ++length)
+    EXPECT_THAT(refusal(whole.substr(0, length)), HasSubstr("f.json: is ")) << length;
+}
+
+TEST(ParseJson, RefusesBytesThatAreNotUtf8) {
+  for (const std::string bytes :
+       {"[\"\xff\"]", "[\"\xc0\xaf\"]", "[\"\xed\xa0\x80\"]", "[\"\xf4\x90\x80\x80\"]", "\xff\xfe{\0}\0"})
+    EXPECT_THAT(refusal(bytes), HasSubstr("is not JSON")) << bytes;
+  EXPECT_THAT(refusal(std::string("\0\0\x7f\x45LF\0", 7)), HasSubstr("is not JSON"));
+}
+
+TEST(ParseJson, LimitsTheDepthWithoutRecursion) {
+  EXPECT_EQ(refusal(nested(64, "[", "]")), "");
+  EXPECT_THAT(refusal(nested(65, "[", "]")), HasSubstr("nested too deeply"));
+  EXPECT_THAT(refusal(nested(100000, "[", "]")), HasSubstr("nested too deeply"));
+  EXPECT_THAT(refusal(nested(100000, "{\"a\":", "}")), HasSubstr("nested too deeply"));
+  EXPECT_THAT(refusal(std::string(100000, '[')), HasSubstr("nested too deeply"));
+}
+
+TEST(ParseJson, RefusesAKeyThatOccursTwiceInOneObject) {
+  EXPECT_THAT(refusal(R"({"a": [{"b": 1, "b": 2}]})"), HasSubstr("/a/0/b: occurs twice"));
+  EXPECT_THAT(refusal(R"({"a": 1, "\u0061": 2})"), HasSubstr("/a: occurs twice"));
+  EXPECT_EQ(refusal(R"({"a": {"b": 1}, "b": {"b": 1}})"), "");
+}
+
+TEST(PointerBelow, EscapesAsRfc6901Says) {
+  EXPECT_EQ(pointer_below("/a", "b/c~d"), "/a/b~1c~0d");
+  EXPECT_EQ(pointer_below("", std::size_t{2}), "/2");
+}
+
+}  // namespace
+}  // namespace radcert

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/level_record.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/formats/sample.h"
+
+namespace radcert {
+namespace {
+
+TEST(LevelRecord, ReadsBackToTheBit) {
+  const LevelOutcome level = test::sample_level();
+  const Outcome<LevelOutcome> back = read_level_record(level_record(level));
+  ASSERT_TRUE(back) << back.reason();
+  EXPECT_EQ(level_record(*back), level_record(level));
+  EXPECT_EQ(back->result.planned_bytes, level.result.planned_bytes);
+  EXPECT_EQ(back->result.discretisation_error->radius, level.result.discretisation_error->radius);
+  EXPECT_FALSE(back->result.node_error->radius);
+  EXPECT_FALSE(back->result.uniform_error);
+  EXPECT_EQ(back->result.piece_means, level.result.piece_means);
+  EXPECT_TRUE(std::signbit(back->nodes[0].point.y));
+  EXPECT_EQ(back->nodes[1].piece, level.nodes[1].piece);
+  EXPECT_EQ(back->nodes[1].u_n, level.nodes[1].u_n);
+  EXPECT_FALSE(back->nodes[1].u);
+  EXPECT_EQ(back->elements[1].corner_values, level.elements[1].corner_values);
+  EXPECT_EQ(back->timing.solve_seconds, level.timing.solve_seconds);
+}
+
+TEST(LevelRecord, IsRefusedWhereItIsDamaged) {
+  const std::string text = level_record(test::sample_level());
+  EXPECT_FALSE(read_level_record(text.substr(0, text.size() - 1)));
+  EXPECT_FALSE(read_level_record("{}"));
+  EXPECT_FALSE(read_level_record("[]"));
+  EXPECT_FALSE(read_level_record(""));
+  std::string fewer_cells = text;
+  fewer_cells.replace(fewer_cells.find("[\"upper\", 1, 2, "), 16, "[\"upper\", 1, ");
+  EXPECT_FALSE(read_level_record(fewer_cells));
+}
+
+TEST(LevelKey, DependsOnTheProblemAndTheLevelButNotOnTheOtherLevels) {
+  Problem problem = test::sample_problem();
+  const std::string key = level_key(problem, 1);
+  EXPECT_NE(level_key(problem, 2), key);
+  problem.triangulation.levels = {1, 5};
+  EXPECT_EQ(level_key(problem, 1), key);
+  problem.basis.alpha = Rational(1, 7);
+  EXPECT_NE(level_key(problem, 1), key);
+}
+
+}  // namespace
+}  // namespace radcert

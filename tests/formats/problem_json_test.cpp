@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/problem_json.h"
+
+#include <gtest/gtest.h>
+
+#include "radcert/formats/json_document.h"
+#include "tests/formats/sample.h"
+
+namespace radcert {
+namespace {
+
+using test::sample_problem_text;
+
+/// The sample with one key of the root replaced or added.
+std::string with(const std::string& key, const std::string& value) {
+  JsonValue out = JsonValue::object();
+  const JsonValue sample = parse_json(sample_problem_text, "");
+  for (const auto& [name, old] : *sample.members())
+    if (name != key) out.set(name, old);
+  out.set(key, parse_json(value, ""));
+  return out.compact();
+}
+
+TEST(ParseProblem, ReadsTheExampleOfTheFormat) {
+  const Problem problem = test::sample_problem();
+  EXPECT_EQ(problem.surface.name, "two_piece");
+  ASSERT_EQ(problem.surface.parameters.size(), 1U);
+  EXPECT_EQ(problem.surface.parameters[0].value, Rational(2));
+  EXPECT_EQ(problem.triangulation.levels, (std::vector<int>{0, 1, 2}));
+  EXPECT_TRUE(problem.triangulation.pattern.empty());
+  EXPECT_EQ(problem.triangulation.grading, Rational(1));
+  EXPECT_EQ(problem.basis.degree, 1);
+  EXPECT_EQ(problem.basis.alpha, Rational(1, 6));
+  EXPECT_EQ(problem.solution->on("upper").text(), "1/sqrt(x^2 + y^2 + (z-1/2)^2)");
+  EXPECT_FALSE(problem.emission);
+}
+
+TEST(ParseProblem, KeepsDecimalsAndFractionsExact) {
+  const auto alpha = [](const std::string& text) {
+    return parse_problem(with("basis", R"({"family": "inset", "degree": 1, "alpha": )" + text + "}"), "")
+        .basis.alpha;
+  };
+  EXPECT_EQ(alpha("\"0.1\""), Rational(1, 10));
+  EXPECT_EQ(alpha("0.1"), Rational::exactly(0.1));
+  EXPECT_EQ(alpha("\"superconvergent\""), Rational(1, 6));
+  EXPECT_EQ(alpha("0"), Rational(0));
+}
+
+TEST(ParseProblem, FillsInWhatTheFormatSays) {
+  const Problem problem = parse_problem(with("surface", R"({"name": "two_piece"})"), "");
+  EXPECT_EQ(problem.surface.parameters[0].value, Rational(2));
+  const std::string text = problem_text(problem);
+  for (const char* part : {"\"geometry\": \"exact\"", "\"pattern\": \"published\"", "\"grading\": 1",
+                           "\"solver\": {\"name\": \"direct\"}"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
+}
+
+TEST(ParseProblem, LeavesAlphaOutAtDegreeZeroOnly) {
+  EXPECT_EQ(parse_problem(with("basis", R"({"family": "inset", "degree": 0})"), "").basis.alpha,
+            std::nullopt);
+  EXPECT_EQ(
+      parse_problem(with("basis", R"({"family": "inset", "degree": 0, "alpha": "0.2"})"), "").basis.alpha,
+      Rational(1, 5));
+}
+
+TEST(ParseProblem, TakesOneExpressionAPiece) {
+  const Problem problem = parse_problem(with("reflectivity", R"({"lower": 0.5, "*": "x/4"})"), "");
+  EXPECT_EQ(problem.reflectivity.on("lower").is_constant(), Rational(1, 2));
+  EXPECT_EQ(problem.reflectivity.on("upper").text(), "x/4");
+}
+
+TEST(ProblemText, StatesTheSameProblemAgain) {
+  const std::string problems[] = {
+      sample_problem_text,
+      with("surface", R"({"name": "two_piece", "p": "5/2"})"),
+      with("surface", R"({"name": "two_piece", "p": 1.1})"),
+      with("reflectivity", "0.1"),
+      with("reflectivity", "1e-300"),
+      with("reflectivity", R"({"lower": "-x", "upper": 3e-7})"),
+      with("triangulation", R"({"levels": [7], "pattern": "anti", "grading": "1.5"})"),
+      with("triangulation", R"({"levels": [0, 30], "pattern": {"upper": "main", "*": "anti"}})"),
+      with("basis", R"({"family": "inset", "degree": 0})"),
+  };
+  for (const std::string& text : problems) {
+    const std::string once = problem_text(parse_problem(text, "first"));
+    EXPECT_EQ(problem_text(parse_problem(once, "second")), once) << text;
+  }
+}
+
+TEST(ProblemText, KeepsTheExactValuesOfNumbers) {
+  const auto reflectivity = [](const std::string& text) {
+    const Problem once = parse_problem(with("reflectivity", text), "");
+    const Problem again = parse_problem(problem_text(once), "");
+    EXPECT_EQ(once.reflectivity.on("upper").is_constant(), again.reflectivity.on("upper").is_constant())
+        << text;
+    return again.reflectivity.on("upper").is_constant();
+  };
+  EXPECT_EQ(reflectivity("0.1"), Rational::exactly(0.1));
+  EXPECT_EQ(reflectivity("\"0.1\""), Rational(1, 10));
+  EXPECT_EQ(reflectivity("1e-300"), Rational::exactly(1e-300));
+  EXPECT_EQ(reflectivity("\"1/3\""), Rational(1, 3));
+  EXPECT_EQ(reflectivity("1"), Rational(1));
+}
+
+}  // namespace
+}  // namespace radcert

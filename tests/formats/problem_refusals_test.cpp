@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "radcert/core/errors.h"
+#include "radcert/formats/json_document.h"
+#include "tests/formats/sample.h"
+
+namespace radcert {
+namespace {
+
+/// A key of the root of the sample problem, what stands there instead ("": the key is left out), and what is said.
+struct Refusal {
+  std::string key;
+  std::string value;
+  std::string pointer;
+  std::string said;
+};
+
+void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.key << ": " << refusal.value; }
+
+const Refusal refusals[] = {
+    {"schema", "", "/schema", "is missing"},
+    {"surface", "", "/surface", "is missing"},
+    {"triangulation", "", "/triangulation", "is missing"},
+    {"basis", "", "/basis", "is missing"},
+    {"reflectivity", "", "/reflectivity", "is missing"},
+    {"solution", "", "/solution", "so is emission"},
+    {"emission", "\"1\"", "/emission", "exactly one of solution and emission"},
+    {"schema", "\"radcert/problem/2\"", "/schema", "radcert/problem/1"},
+    {"schema", "1", "/schema", "is a number"},
+    {"geometri", "\"exact\"", "/geometri", "did you mean geometry?"},
+    {"surface", "\"cube\"", "/surface", "is a string"},
+    {"surface", "{}", "/surface/name", "is missing"},
+    {"surface", R"({"name": "two_peice"})", "/surface/name", "did you mean two_piece?"},
+    {"surface", R"({"name": "torus"})", "/surface/name", "not available in this version"},
+    {"surface", R"({"name": ["cube"]})", "/surface/name", "is an array"},
+    {"surface", R"({"file": "x.off"})", "/surface/file", "not available in this version"},
+    {"surface", R"({"name": "cube", "p": 2})", "/surface/p", "unknown key"},
+    {"surface", R"({"name": "two_piece", "p": 0.99})", "/surface/p", "a number >= 1"},
+    {"surface", R"({"name": "two_piece", "p": "1/0"})", "/surface/p", "is not a number"},
+    {"surface", R"({"name": "two_piece", "p": "two"})", "/surface/p", "is not a number"},
+    {"surface", R"({"name": "two_piece", "p": null})", "/surface/p", "is null"},
+    {"surface", R"({"name": "box", "a": 0})", "/surface/a", "a number > 0"},
+    {"triangulation", "{}", "/triangulation/levels", "is missing"},
+    {"triangulation", R"({"levels": []})", "/triangulation/levels", "is empty"},
+    {"triangulation", R"({"levels": 3})", "/triangulation/levels", "is a number"},
+    {"triangulation", R"({"levels": [0, 1, -2]})", "/triangulation/levels/2", "outside the range"},
+    {"triangulation", R"({"levels": [0, 1.5]})", "/triangulation/levels/1", "not a whole number"},
+    {"triangulation", R"({"levels": ["0"]})", "/triangulation/levels/0", "is a string"},
+    {"triangulation", R"({"levels": [31]})", "/triangulation/levels/0", "from 0 to 30"},
+    {"triangulation", R"({"levels": [1e300]})", "/triangulation/levels/0", "outside the range"},
+    {"triangulation", R"({"levels": [99999999999999999999]})", "/triangulation/levels/0",
+     "outside the range"},
+    {"triangulation", R"({"levels": [1, 1]})", "/triangulation/levels/1", "does not ascend"},
+    {"triangulation", R"({"levels": [2, 1]})", "/triangulation/levels/1", "does not ascend"},
+    {"triangulation", R"({"levels": [0], "pattern": "mian"})", "/triangulation/pattern",
+     "did you mean main?"},
+    {"triangulation", R"({"levels": [0], "pattern": 1})", "/triangulation/pattern", "is a number"},
+    {"triangulation", R"({"levels": [0], "pattern": {"roof": "main", "*": "anti"}})",
+     "/triangulation/pattern/roof", "unknown key"},
+    {"triangulation", R"({"levels": [0], "pattern": {"upper": "main"}})", "/triangulation/pattern",
+     "leaves out"},
+    {"triangulation", R"({"levels": [0], "pattern": {"*": "published"}})", "/triangulation/pattern/*",
+     "is unknown"},
+    {"triangulation", R"({"levels": [0], "grading": "1/2"})", "/triangulation/grading", "a number >= 1"},
+    {"triangulation", R"({"levels": [0], "grading": true})", "/triangulation/grading", "is true or false"},
+    {"triangulation", R"({"levels": [0], "leves": 1})", "/triangulation/leves", "did you mean levels?"},
+    {"geometry", R"({"interpolated": 2})", "/geometry/interpolated", "not available in this version"},
+    {"geometry", "\"flat\"", "/geometry", "is unknown"},
+    {"basis", R"({"family": "lehtinen"})", "/basis/family", "not available in this version"},
+    {"basis", R"({"family": "insert", "degree": 0})", "/basis/family", "did you mean inset?"},
+    {"basis", R"({"file": "nodes.json"})", "/basis/file", "not available in this version"},
+    {"basis", R"({"family": "inset"})", "/basis/degree", "is missing"},
+    {"basis", R"({"family": "inset", "degree": 1})", "/basis/alpha", "is missing"},
+    {"basis", R"({"family": "inset", "degree": 9, "alpha": 0.1})", "/basis/degree", "from 0 to 8"},
+    {"basis", R"({"family": "inset", "degree": -1, "alpha": 0.1})", "/basis/degree", "from 0 to 8"},
+    {"basis", R"({"family": "inset", "degree": 1.5, "alpha": 0.1})", "/basis/degree", "not a whole number"},
+    {"basis", R"({"family": "inset", "degree": 1, "alpha": "1/3"})", "/basis/alpha", "[0, 1/3)"},
+    {"basis", R"({"family": "inset", "degree": 1, "alpha": 0.5})", "/basis/alpha", "[0, 1/3)"},
+    {"basis", R"({"family": "inset", "degree": 1, "alpha": "-0.1"})", "/basis/alpha", "[0, 1/3)"},
+    {"basis", R"({"family": "inset", "degree": 1, "alpha": "1/0"})", "/basis/alpha", "is not a number"},
+    {"basis", R"({"family": "inset", "degree": 1, "alpha": "0,1"})", "/basis/alpha", "is not a number"},
+    {"basis", R"({"family": "inset", "degree": 1, "alpha": ""})", "/basis/alpha", "is not a number"},
+    {"basis", R"({"family": "inset", "degree": 1, "alpha": "1e999"})", "/basis/alpha", "is not a number"},
+    {"basis", R"({"family": "inset", "degree": 0, "alpha": "1/2"})", "/basis/alpha", "[0, 1/3)"},
+    {"basis", R"({"family": "inset", "degree": 2, "alpha": "superconvergent"})", "/basis/alpha",
+     "at degree 2"},
+    {"basis", R"({"family": "inset", "degree": 1, "alpha": 0.1, "beta": 1})", "/basis/beta", "unknown key"},
+    {"reflectivity", "\"1 + \"", "/reflectivity", "column "},
+    {"reflectivity", "\"2 x\"", "/reflectivity", "column 3"},
+    {"reflectivity", "\"r\"", "/reflectivity", "column 1"},
+    {"reflectivity", "\"\"", "/reflectivity", "column 1"},
+    {"reflectivity", "null", "/reflectivity", "is null"},
+    {"reflectivity", "[\"1\"]", "/reflectivity", "is an array"},
+    {"reflectivity", "{}", "/reflectivity", "leaves out the piece lower"},
+    {"reflectivity", R"({"lower": "1"})", "/reflectivity", "leaves out the piece upper"},
+    {"reflectivity", R"({"lower": "1", "uper": "1"})", "/reflectivity/uper", "did you mean upper?"},
+    {"reflectivity", R"({"lower": "1", "*": "sin x"})", "/reflectivity/*", "column 5"},
+    {"solution", "\"1/sqrt(x^2 + y^2\"", "/solution", "column 17"},
+    {"solver", R"({"name": "gmres"})", "/solver/name", "not available in this version"},
+    {"solver", R"({"name": "lu"})", "/solver/name", "is unknown"},
+    {"solver", "\"direct\"", "/solver", "is a string"},
+    {"solver", R"({"name": "direct", "tolerance": 1})", "/solver/tolerance", "unknown key"},
+};
+
+class ProblemRefusal : public testing::TestWithParam<Refusal> {};
+
+TEST_P(ProblemRefusal, NamesFilePointerAndWhatIsAllowed) {
+  const Refusal& refusal = GetParam();
+  JsonValue problem = JsonValue::object();
+  const JsonValue sample = parse_json(test::sample_problem_text, "");
+  for (const auto& [key, value] : *sample.members())
+    if (key != refusal.key) problem.set(key, value);
+  if (!refusal.value.empty()) problem.set(refusal.key, parse_json(refusal.value, ""));
+  try {
+    (void)parse_problem(problem.compact(), "f.json");
+    FAIL() << "no exception";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.fault().source, "f.json");
+    EXPECT_EQ(error.fault().pointer, refusal.pointer);
+    EXPECT_THAT(error.what(), testing::HasSubstr(refusal.said));
+    EXPECT_FALSE(error.fault().allowed.empty()) << error.what();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ProblemRefusal, testing::ValuesIn(refusals));
+
+TEST(ParseProblem, RefusesADocumentThatIsNoObject) {
+  for (const char* text : {"[]", "1", "\"problem\"", "null"})
+    EXPECT_THROW((void)parse_problem(text, "f.json"), InputError) << text;
+}
+
+}  // namespace
+}  // namespace radcert

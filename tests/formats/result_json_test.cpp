@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/result_json.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "radcert/core/version.h"
+#include "radcert/formats/json_document.h"
+#include "tests/formats/sample.h"
+
+namespace radcert {
+namespace {
+
+Result sample_result() {
+  Result result{
+      .problem = test::sample_problem(), .levels = {test::sample_level().result}, .orders = {}, .timing = {}};
+  result.orders.push_back(
+      {.quantity = "node_error", .order = 3.9, .halfwidth = 0.1, .levels = {2, 3}, .left_out = {0}});
+  result.timing.push_back(test::sample_level().timing);
+  return result;
+}
+
+std::vector<std::string> keys(const JsonValue& object) {
+  std::vector<std::string> out;
+  for (const auto& member : *object.members()) out.push_back(member.key);
+  return out;
+}
+
+TEST(ResultJson, HasTheKeysOfTheFormatInItsOrder) {
+  const JsonValue json = parse_json(result_text(sample_result(), "radcert solve p.json"), "");
+  EXPECT_EQ(keys(json), (std::vector<std::string>{"schema", "radcert", "command", "problem", "levels",
+                                                  "orders", "timing"}));
+  EXPECT_EQ(*json.find("schema")->string(), "radcert/solution/1");
+  EXPECT_EQ(*json.find("radcert")->string(), version());
+  EXPECT_EQ(*json.find("command")->string(), "radcert solve p.json");
+  const JsonValue& level = json.find("levels")->elements()->front();
+  EXPECT_EQ(keys(level),
+            (std::vector<std::string>{"level", "elements", "unknowns", "mesh_size", "discretisation_error",
+                                      "node_error", "uniform_error", "discretisation_ratio", "node_ratio",
+                                      "discretisation_order", "node_order", "piece_means", "norm_K",
+                                      "planned_bytes"}));
+  EXPECT_EQ(keys(*level.find("node_error")), (std::vector<std::string>{"value", "radius", "guaranteed"}));
+  EXPECT_EQ(*json.find("orders")->find("node_error")->find("order")->number(), 3.9);
+}
+
+TEST(ResultJson, WritesNullForWhatIsAbsentOrNotFinite) {
+  Result result = sample_result();
+  result.levels[0].node_ratio = std::numeric_limits<double>::infinity();
+  result.levels[0].node_order = std::numeric_limits<double>::quiet_NaN();
+  const JsonValue json = parse_json(result_text(result, ""), "");
+  const JsonValue& level = json.find("levels")->elements()->front();
+  for (const char* key : {"uniform_error", "node_ratio", "node_order", "discretisation_ratio"})
+    EXPECT_TRUE(level.find(key)->is_null()) << key;
+  EXPECT_TRUE(level.find("node_error")->find("radius")->is_null());
+}
+
+}  // namespace
+}  // namespace radcert

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/vtu.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+
+#include "radcert/core/contract.h"
+#include "tests/formats/sample.h"
+
+namespace radcert {
+namespace {
+
+/// The words of the data array of a name.
+std::vector<std::string> words(const std::string& text, const std::string& name) {
+  const std::size_t tag = text.find("Name=\"" + name + "\"");
+  const std::size_t begin = text.find('>', tag) + 1;
+  std::istringstream in(text.substr(begin, text.find('<', begin) - begin));
+  std::vector<std::string> out;
+  for (std::string word; in >> word;) out.push_back(word);
+  return out;
+}
+
+TEST(VtuText, HasThreePointsOfItsOwnAndOneCellAnElement) {
+  const std::string text = vtu_text(test::sample_level().elements);
+  EXPECT_NE(text.find("NumberOfPoints=\"6\" NumberOfCells=\"2\""), std::string::npos);
+  EXPECT_EQ(words(text, "points").size(), 18U);
+  EXPECT_EQ(words(text, "points")[5], "0.1");
+  EXPECT_EQ(words(text, "connectivity"), (std::vector<std::string>{"0", "1", "2", "3", "4", "5"}));
+  EXPECT_EQ(words(text, "offsets"), (std::vector<std::string>{"3", "6"}));
+  EXPECT_EQ(words(text, "types"), (std::vector<std::string>{"5", "5"}));
+  EXPECT_EQ(words(text, "piece"), (std::vector<std::string>{"0", "1"}));
+  EXPECT_EQ(words(text, "u_n"), (std::vector<std::string>{"0.3333333333333333", "2", "3", "4", "5", "-6"}));
+}
+
+TEST(VtuText, RefusesNumbersThatAreNotFinite) {
+  auto elements = test::sample_level().elements;
+  elements[0].corner_values[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)vtu_text(elements), ContractViolation);
+}
+
+}  // namespace
+}  // namespace radcert
