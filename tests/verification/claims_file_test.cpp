@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "radcert/core/errors.h"
+#include "verification/framework/claim.h"
+
+namespace radcert::verification {
+namespace {
+
+using testing::HasSubstr;
+
+// The message of the InputError that reading gives.
+std::string refusal(const std::string& text) {
+  try {
+    static_cast<void>(read_claims(text, "claims.toml"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "(none)";
+}
+
+constexpr const char* good = R"([theorem_1]
+says = "one is one"
+verdict = "supported"
+)";
+
+TEST(ClaimsFile, KeepsTheOrderOfTheFile) {
+  const auto claims =
+      read_claims(std::string("[zeta]\nsays = \"a\"\nverdict = \"supported\"\n\n") + good, "claims.toml");
+  ASSERT_EQ(claims.size(), 2U);
+  EXPECT_EQ(claims[0].label, "zeta");
+  EXPECT_EQ(claims[1].label, "theorem_1");
+  EXPECT_EQ(claims[1].line, 5);
+}
+
+TEST(ClaimsFile, TakesAVerdictForEachBudget) {
+  const auto claims = read_claims(
+      "[a]\nsays = \"a\"\nverdict = {quick = \"supported\", standard = \"certified\", full = "
+      "\"certified\"}\n",
+      "claims.toml");
+  EXPECT_EQ(claims[0].verdict->at(Budget::quick), Verdict::supported);
+  EXPECT_EQ(claims[0].verdict->at(Budget::full), Verdict::certified);
+}
+
+TEST(ClaimsFile, RefusesWithLineAndPlace) {
+  EXPECT_THAT(refusal(std::string(good) + "colour = \"red\"\n"),
+              HasSubstr("claims.toml, line 4: /theorem_1/colour"));
+  EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"true\"\n"),
+              HasSubstr("claims.toml, line 3: /a/verdict: \"true\""));
+  EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"failed\"\n"), HasSubstr("cannot be recorded"));
+  EXPECT_THAT(refusal("[a]\nsays = \"a\"\n"), HasSubstr("/a/verdict: is missing"));
+  EXPECT_THAT(refusal("[a]\nverdict = \"supported\"\n"), HasSubstr("/a/says: is missing"));
+  EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = {quick = \"supported\"}\n"),
+              HasSubstr("/a/verdict/standard: is missing"));
+  EXPECT_THAT(refusal("[a]\nsays = 3\nverdict = \"supported\"\n"), HasSubstr("/a/says: \"3\""));
+  EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"supported\"\ncovers = [0]\n"),
+              HasSubstr("/a/covers/0"));
+  EXPECT_THAT(refusal("[A]\nsays = \"a\"\nverdict = \"supported\"\n"), HasSubstr("is no label"));
+  EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"definition\"\n"), HasSubstr("/a/symbol: is missing"));
+  EXPECT_THAT(refusal("[a]\nsays = \"a\"\ncheck = \"magic\"\nverdict = \"supported\"\n"),
+              HasSubstr("function, table or order"));
+  EXPECT_THAT(refusal("a = 1\n"), HasSubstr("/a"));
+}
+
+TEST(ClaimsFile, RefusesWhatIsNoToml) {
+  EXPECT_THAT(refusal("[a\n"), HasSubstr("claims.toml, line "));
+  EXPECT_THAT(refusal("[a]\nsays = \"a\"\nsays = \"b\"\n"), HasSubstr("line 3"));
+  EXPECT_THAT(refusal("\xff\xfe"), HasSubstr("claims.toml"));
+  EXPECT_THAT(refusal("[a]\nneeds = " + std::string(100000, '[')), HasSubstr("claims.toml"));
+}
+
+constexpr const char* order = R"([a]
+says = "a"
+check = "order"
+problem = "p.json"
+control = "c.json"
+quantity = "node_error"
+order = 4
+slack = 0.25
+why = "a reason"
+verdict = "supported"
+)";
+
+TEST(ClaimsFile, ReadsAnOrderWithItsSlack) {
+  const auto claims = read_claims(order, "claims.toml");
+  ASSERT_TRUE(claims[0].order.has_value());
+  EXPECT_EQ(claims[0].order->order, 4);
+  EXPECT_EQ(claims[0].order->slack.at(Budget::standard), 0.25);
+}
+
+TEST(ClaimsFile, RefusesAnOrderWithoutAReasonOrAControl) {
+  const auto without = [](std::string line) {
+    std::string text = order;
+    text.erase(text.find(line), line.size() + 1);
+    return refusal(text);
+  };
+  EXPECT_THAT(without("why = \"a reason\""), HasSubstr("/a/why: is missing"));
+  EXPECT_THAT(without("control = \"c.json\""), HasSubstr("/a/control: is missing"));
+}
+
+}  // namespace
+}  // namespace radcert::verification

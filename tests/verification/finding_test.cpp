@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/framework/finding.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "tests/verification/fixtures.h"
+
+namespace radcert::verification {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+const Equals one{.value = 1, .slack = 0.125, .why = ""};
+const Bound four{.order = 4, .slack = 0.25, .why = ""};
+const AtMost two{.value = 2, .slack = 0, .why = ""};
+
+TEST(Judge, LeavesOpenWhatTheRadiusDoesNotSettle) {
+  EXPECT_EQ(judge(one, {1.0625, 0.0625}), Standing::holds);
+  EXPECT_EQ(judge(one, {1.0625, 0.125}), Standing::open);
+  EXPECT_EQ(judge(one, {1.25, 0.0625}), Standing::violated);
+  EXPECT_EQ(judge(one, {1.25, 0.125}), Standing::open);
+  EXPECT_EQ(judge(four, {3.875, 0.125}), Standing::holds);
+  EXPECT_EQ(judge(four, {3.875, 0.25}), Standing::open);
+  EXPECT_EQ(judge(four, {3.5, 0.125}), Standing::violated);
+  EXPECT_EQ(judge(four, {9, 0.125}), Standing::holds);
+  EXPECT_EQ(judge(two, {2, 0}), Standing::holds);
+  EXPECT_EQ(judge(two, {2, 0.5}), Standing::open);
+  EXPECT_EQ(judge(two, {3, 0.5}), Standing::violated);
+}
+
+TEST(Judge, LeavesOpenWhatIsNotFinite) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  for (const Measured& observed :
+       {Measured{none, 0}, Measured{1, none}, Measured{1, infinite}, Measured{infinite, 0}}) {
+    EXPECT_EQ(judge(one, observed), Standing::open);
+    EXPECT_EQ(judge(four, observed), Standing::open);
+    EXPECT_EQ(judge(two, observed), Standing::open);
+  }
+}
+
+TEST(Finding, FailsWhereAControlIsNotRejected) {
+  Finding finding;
+  finding.require("a", one, Measured{1, 0});
+  finding.control("b", one, Measured{1, 0});
+  EXPECT_EQ(finding.verdict(), Verdict::failed);
+  Finding open;
+  open.require("a", one, Measured{1, 0});
+  open.control("b", one, Measured{2, 5});
+  EXPECT_EQ(open.verdict(), Verdict::failed);
+  Finding one_of_two;
+  one_of_two.require("a", one, Measured{1, 0});
+  one_of_two.control("b", one, Measured{2, 0});
+  one_of_two.control("c", one, Measured{1, 0});
+  EXPECT_EQ(one_of_two.verdict(), Verdict::failed);
+}
+
+TEST(Finding, FailsWithoutAControlAndWithoutARequirement) {
+  Finding no_control;
+  no_control.require("a", one, Measured{1, 0});
+  EXPECT_EQ(no_control.verdict(), Verdict::failed);
+  Finding no_requirement;
+  no_requirement.control("b", one, Measured{2, 0});
+  EXPECT_EQ(no_requirement.verdict(), Verdict::failed);
+  EXPECT_EQ(Finding().verdict(), Verdict::failed);
+}
+
+TEST(Finding, IsTheWorstOfItsRequirements) {
+  const auto with = [](const Measured& observed) {
+    Finding finding;
+    finding.require("a", one, Measured{1, 0});
+    finding.require("b", one, observed);
+    finding.control("c", one, Measured{2, 0});
+    return finding.verdict();
+  };
+  EXPECT_EQ(with({1, 0}), Verdict::supported);
+  EXPECT_EQ(with({1, 0.5}), Verdict::undecided);
+  EXPECT_EQ(with({3, 0.5}), Verdict::contradicted);
+  EXPECT_EQ(with({infinite, 0}), Verdict::undecided);
+}
+
+TEST(Finding, IsCertifiedOnlyIfEveryRequirementIsProved) {
+  Finding exact;
+  exact.require("a", IsExactly{Rational(1, 3)}, Rational(2, 6));
+  exact.control("b", IsExactly{Rational(1, 3)}, Rational(1, 4));
+  EXPECT_EQ(exact.verdict(), Verdict::certified);
+  exact.require("c", two, Measured{.value = 1, .radius = 0.5, .guaranteed = true});
+  EXPECT_EQ(exact.verdict(), Verdict::certified);
+  exact.require("d", two, Measured{.value = 1, .radius = 0.5, .guaranteed = false});
+  EXPECT_EQ(exact.verdict(), Verdict::supported);
+}
+
+TEST(FigureText, EnclosesWhatItRounds) {
+  std::mt19937_64 stream(7);
+  for (int i = 0; i < 2000; ++i) {
+    const double value =
+        std::ldexp(static_cast<double>(stream() >> 11), static_cast<int>(stream() % 120) - 110) *
+        (i % 2 == 0 ? 1 : -1);
+    const double radius =
+        i % 5 == 0 ? 0
+                   : std::ldexp(static_cast<double>(stream() >> 11), static_cast<int>(stream() % 120) - 160);
+    const int digits = 1 + static_cast<int>(stream() % 17);
+    const FigureText text = figure_text(value, radius, digits);
+    const Rational shown = Rational::parse(text.value).value();
+    const Rational around = Rational::parse(text.radius).value();
+    const Rational needed = abs(Rational::exactly(value) - shown) + Rational::exactly(radius);
+    EXPECT_LE(needed, around) << value << " " << radius << " " << digits;
+    // Two digits: no more than a tenth too wide.
+    EXPECT_LE(around * Rational(10), needed * Rational(11)) << value << " " << radius << " " << digits;
+  }
+}
+
+}  // namespace
+}  // namespace radcert::verification

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "radcert/core/errors.h"
+#include "tests/verification/fixtures.h"
+#include "verification/claims/contents.h"
+#include "verification/framework/paper.h"
+#include "verification/framework/run_verification.h"
+
+namespace radcert::verification {
+namespace {
+
+using testing::HasSubstr;
+
+// The last numbered equation, and the pages, of each paper.
+struct Extent {
+  int last_equation;
+  int first_page;
+  int last_page;
+};
+const std::map<std::string, Extent>& extents() {
+  static const std::map<std::string, Extent> all{{"ac98", {96, 253, 290}}};
+  return all;
+}
+
+std::string refusal(const std::vector<std::string>& words) {
+  try {
+    static_cast<void>(select(words));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "(none)";
+}
+
+TEST(Papers, CoverEquationsThatExist) {
+  for (const Paper& paper : embedded_paper_list()) {
+    ASSERT_TRUE(extents().contains(paper.key)) << paper.key;
+    const Extent& extent = extents().at(paper.key);
+    for (const Claim& claim : paper.claims) {
+      const std::set<int> different(claim.covers.begin(), claim.covers.end());
+      EXPECT_EQ(different.size(), claim.covers.size()) << claim.label;
+      for (const int equation : claim.covers)
+        EXPECT_TRUE(1 <= equation && equation <= extent.last_equation) << claim.label;
+      ASSERT_TRUE(claim.page.has_value()) << claim.label;
+      EXPECT_TRUE(extent.first_page <= *claim.page && *claim.page <= extent.last_page) << claim.label;
+    }
+  }
+}
+
+TEST(Papers, HaveLabelsOfTheirOwnAndACheckForEachAndNoOther) {
+  const std::vector<PaperChecks> checks = all_checks();
+  for (const Paper& paper : embedded_paper_list()) {
+    std::vector<std::string> labels =
+        statement_labels(paper);  // throws where a table and its cells do not match
+    std::sort(labels.begin(), labels.end());
+    EXPECT_EQ(std::adjacent_find(labels.begin(), labels.end()), labels.end()) << paper.key;
+    const auto of_paper =
+        std::find_if(checks.begin(), checks.end(), [&](const PaperChecks& c) { return c.key == paper.key; });
+    std::set<std::string> with_function;
+    for (const Claim& claim : paper.claims)
+      if (claim.check == CheckKind::function) with_function.insert(claim.label);
+    std::set<std::string> registered;
+    if (of_paper != checks.end()) {
+      for (const auto& [label, check] : of_paper->checks)
+        EXPECT_TRUE(registered.insert(label).second) << label;
+    }
+    EXPECT_EQ(with_function, registered) << paper.key;
+  }
+  for (const PaperChecks& each : checks) {
+    const std::vector<Paper> papers = embedded_paper_list();
+    EXPECT_TRUE(std::any_of(papers.begin(), papers.end(), [&](const Paper& p) { return p.key == each.key; }))
+        << each.key;
+  }
+}
+
+TEST(Papers, DefineNothingThatCouldBeChecked) {
+  const std::regex relation(R"([=<>]|O\(|at most|at least|order)");
+  for (const Paper& paper : embedded_paper_list())
+    for (const Claim& claim : paper.claims)
+      if (claim.verdict && claim.verdict->at(Budget::quick) == Verdict::definition) {
+        EXPECT_FALSE(std::regex_search(claim.says, relation)) << claim.label << ": " << claim.says;
+      }
+}
+
+// A cell that disagrees is decided by two computations and says what holds instead.
+TEST(Papers, SayWhatHoldsWhereACellDisagrees) {
+  for (const Paper& paper : embedded_paper_list())
+    for (const Claim& claim : paper.claims) {
+      if (!claim.table) continue;
+      for (const CellRecord& cell : claim.table->cells)
+        for (const Budget budget : all_budgets) {
+          if (cell.verdict.at(budget) == Verdict::reproduced || cell.verdict.at(budget) == Verdict::certified)
+            continue;
+          EXPECT_FALSE(cell.note.empty()) << cell.label;
+          EXPECT_TRUE(cell.second_route) << cell.label;
+        }
+    }
+}
+
+TEST(Selection, FindsPapersClaimsAndCells) {
+  const std::vector<std::string> words{"ac98/table_4.n48", "ac98/lemma_2_1"};
+  const std::vector<Selected> selected = select(words);
+  ASSERT_EQ(selected.size(), 1U);
+  EXPECT_TRUE(selected[0].wants("table_4.n48.discretisation_error"));
+  EXPECT_TRUE(selected[0].wants_part_of("table_4"));
+  EXPECT_TRUE(selected[0].wants("lemma_2_1"));
+  EXPECT_FALSE(selected[0].wants("table_4.n12.discretisation_error"));
+  EXPECT_FALSE(selected[0].wants("table_4.n480"));
+  EXPECT_FALSE(selected[0].wants_part_of("table_5"));
+  const std::vector<std::string> whole{"ac98/lemma_2_1", "ac98"};
+  EXPECT_TRUE(select(whole).at(0).wants("table_5.n12.node_error"));
+  EXPECT_EQ(select({}).size(), embedded_paper_list().size());
+}
+
+TEST(Selection, FindsAFolderOfTheUsersOwn) {
+  const Folder folder;
+  std::ofstream(folder.path() / "claims.toml") << "[a]\nsays = \"a\"\nverdict = \"unchecked\"\n";
+  const std::vector<std::string> words{folder.path().string() + "/"};
+  const std::vector<Selected> selected = select(words);
+  ASSERT_EQ(selected.size(), 1U);
+  EXPECT_EQ(selected[0].paper.key, folder.path().filename().string());
+  EXPECT_EQ(selected[0].paper.claims.at(0).label, "a");
+}
+
+TEST(Selection, RefusesWhatThereIsNot) {
+  EXPECT_THAT(refusal({"ac99"}), HasSubstr("ac98"));
+  EXPECT_THAT(refusal({"ac98/table_99"}), HasSubstr("table_4"));
+  EXPECT_THAT(refusal({"ac98/table"}), HasSubstr("is not a statement"));
+  const Folder empty;
+  EXPECT_THAT(refusal({empty.path().string()}), HasSubstr("claims.toml"));
+}
+
+}  // namespace
+}  // namespace radcert::verification

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "radcert/core/errors.h"
+#include "radcert/formats/json_document.h"
+#include "tests/verification/fixtures.h"
+#include "verification/report/report_text.h"
+
+namespace radcert::verification {
+namespace {
+
+using testing::HasSubstr;
+
+Report two_claims() {
+  ClaimReport cell;
+  cell.paper = "ac98";
+  cell.label = "table_1.n4.node_error";
+  cell.says = "a | table";
+  cell.found = Verdict::contradicted;
+  cell.recorded = Verdict::reproduced;
+  cell.ours = Measured{.value = 1.0352e-3, .radius = 1e-16};
+  cell.printed = "1.04E-4";
+  cell.seconds = 1.25;
+  cell.evidence.push_back({.what = "by the pipeline",
+                           .value = "1.0352e-3",
+                           .radius = "1e-16",
+                           .allowed = "1.04E-4",
+                           .standing = Standing::violated,
+                           .control = false,
+                           .proved = false});
+  ClaimReport lemma;
+  lemma.paper = "ac98";
+  lemma.label = "lemma_2_1";
+  lemma.says = "Int G = pi";
+  lemma.found = lemma.recorded = Verdict::supported;
+  lemma.ours = Measured{.value = 3, .radius = std::numeric_limits<double>::infinity()};
+  return {.budget = Budget::quick, .claims = {cell, lemma}};
+}
+
+std::string content(const std::filesystem::path& path) {
+  std::ostringstream out;
+  out << std::ifstream(path).rdbuf();
+  return out.str();
+}
+
+TEST(Report, ShowsEveryCellBesideOurs) {
+  const std::string table = report_table(two_claims());
+  EXPECT_THAT(table, HasSubstr("! ac98/table_1.n4.node_error  contradicted  reproduced  1.03520e-03"));
+  EXPECT_THAT(table, HasSubstr("1.04E-4"));
+  EXPECT_THAT(table, HasSubstr("1 differ from the record"));
+}
+
+TEST(Report, AsJsonIsTheSameApartFromSeconds) {
+  Report slow = two_claims();
+  slow.claims[0].seconds = 99;
+  const auto without_timing = [](const Report& report) {
+    const JsonValue document = parse_json(report_json_text(report, "radcert verify"), "a test");
+    JsonValue out = JsonValue::object();
+    for (const auto& [key, value] : *document.members())
+      if (key != "timing") out.set(key, value);
+    return out.compact();
+  };
+  EXPECT_EQ(without_timing(slow), without_timing(two_claims()));
+  EXPECT_NE(report_json_text(slow, ""), report_json_text(two_claims(), ""));
+  EXPECT_THAT(without_timing(slow), HasSubstr("\"as_recorded\": false"));
+}
+
+TEST(Report, AsJsonHasNullForWhatIsNotFinite) {
+  const JsonValue document = parse_json(report_json_text(two_claims(), "radcert verify"), "a test");
+  const JsonValue::Array& claims = *document.find("claims")->elements();
+  EXPECT_TRUE(claims[1].find("ours")->is_null());
+  EXPECT_EQ(claims[0].find("ours")->find("value")->number(), 1.0352e-3);
+}
+
+TEST(Report, IsWrittenIntoAFolderThatIsMade) {
+  const Folder folder;
+  const std::filesystem::path out = folder.path() / "a" / "b";
+  write_report(two_claims(), out, "radcert verify --out a/b");
+  EXPECT_EQ(content(out / "report.json"), report_json_text(two_claims(), "radcert verify --out a/b"));
+  EXPECT_THAT(content(out / "report.md"),
+              HasSubstr("| table_1.n4.node_error | **contradicted** | reproduced |"));
+  std::ofstream(folder.path() / "file") << "x";
+  EXPECT_THROW(write_report(two_claims(), folder.path() / "file", ""), InputError);
+}
+
+}  // namespace
+}  // namespace radcert::verification

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/claims/contents.h"
+
+namespace radcert::verification {
+
+std::vector<PaperChecks> all_checks() { return {ac98::contents()}; }
+
+}  // namespace radcert::verification

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/core/result_store.h"
+#include "radcert/study/study.h"
+#include "verification/framework/finding.h"
+#include "verification/framework/levels.h"
+
+namespace radcert::verification {
+
+/// What a check works with.
+/// Maths     none
+/// Source    -
+/// Requires  everything outlives the bench
+/// Result    route: Ku without the pipeline's quadrature; levels: solved levels; store: for numbers that take long
+/// Limits    -
+struct Bench {
+  Budget budget = Budget::quick;
+  OperatorRoute route;
+  LevelSource& levels;
+  ResultStore& store;
+};
+
+/// The code that checks one statement.
+using Check = std::function<Finding(const Bench& bench)>;
+
+/// A figure of one level by a computation that shares neither quadrature nor assembly nor solver with the pipeline.
+/// Maths     "discretisation_error" or "node_error" of a problem at a level
+/// Source    -
+/// Requires  a problem with `solution`
+/// Result    the figure with its radius
+/// Limits    may take minutes
+using SecondRoute =
+    std::function<Measured(const Bench& bench, const Problem& problem, int level, const std::string& figure)>;
+
+/// The checks of one paper, by the labels of its claims.
+struct PaperChecks {
+  std::string key;
+  std::vector<std::pair<std::string, Check>> checks;
+  SecondRoute second_route;  ///< may be empty
+
+  [[nodiscard]] const Check* find(const std::string& label) const {
+    for (const auto& [name, check] : checks)
+      if (name == label) return &check;
+    return nullptr;
+  }
+};
+
+}  // namespace radcert::verification

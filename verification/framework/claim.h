@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "verification/framework/verdict.h"
+
+namespace radcert::verification {
+
+/// How a claim is checked.
+/// Maths     function: code of verification/claims/<key>; table: cells of a printed table; order: a fitted order; none: nothing is run
+/// Source    -
+/// Requires  -
+/// Result    `none` belongs to definitions and to statements not yet looked at
+/// Limits    -
+enum class CheckKind { function, table, order, none };
+
+/// The recorded verdict of one cell of a table.
+struct CellRecord {
+  std::string label;  ///< "table_1.alpha_1_6.n4.discretisation_error"
+  PerBudget<Verdict> verdict;
+  std::string note;           ///< what holds instead, where a cell disagrees
+  bool second_route = false;  ///< whether an independent computation is held against ours
+  int line = 0;               ///< in claims.toml
+};
+
+/// What a column of a printed table holds: "discretisation_error", "discretisation_ratio", "node_error" or "node_ratio".
+struct FigureColumn {
+  std::string figure;
+  std::string column;  ///< its header in the table's file
+};
+
+/// The rows of a printed table that belong to one problem.
+struct TableSeries {
+  std::string name;  ///< part of the cells' labels; empty where the table has one series
+  std::vector<std::pair<std::string, std::string>>
+      where;            ///< the rows whose column has this text; empty: all
+  std::string problem;  ///< file, from the folder of claims.toml
+  std::string
+      control;  ///< file of a problem that must not reproduce the printed errors; its levels are among the problem's
+  std::vector<FigureColumn> figures;
+  int line = 0;
+};
+
+/// A printed table: which file, which problems, which cells.
+struct TableClaim {
+  std::string file;
+  std::string rows = "n";  ///< the column that holds the number of elements
+  std::vector<TableSeries> series;
+  std::vector<CellRecord> cells;  ///< in the order of the file
+};
+
+/// A fitted order of convergence.
+struct OrderClaim {
+  std::string problem;
+  std::string control;   ///< file of a problem whose fitted order must be rejected
+  std::string quantity;  ///< "discretisation_error" or "node_error"
+  double order = 0;
+  PerBudget<double> slack;
+  std::string why;
+};
+
+/// One numbered statement, as papers/<key>/claims.toml has it.
+/// Maths     none
+/// Source    the project's format of claims
+/// Requires  made by read_claims
+/// Result    plain data; a table has cells instead of a verdict of its own
+/// Limits    -
+struct Claim {
+  std::string label;
+  std::vector<int> covers;  ///< numbered equations that it answers for
+  std::optional<int> page;
+  std::string says;
+  std::vector<std::string> needs;
+  std::optional<PerBudget<Verdict>> verdict;  ///< absent for a table
+  CheckKind check = CheckKind::function;
+  std::string note;
+  std::string symbol;  ///< of a definition: the public symbol that stands for it
+  std::optional<TableClaim> table;
+  std::optional<OrderClaim> order;
+  int line = 0;
+};
+
+/// The claims of a paper.
+/// Maths     none
+/// Source    -
+/// Requires  `text` is the content of claims.toml; `source` names it in messages
+/// Result    in the order of the file; InputError with source, line and place for text that is no TOML, unknown or missing keys, wrong
+///           types, unknown verdicts, a recorded `failed`, labels that are not snake_case
+/// Limits    whether the cells are complete is seen when the table itself is read
+[[nodiscard]] std::vector<Claim> read_claims(std::string_view text, const std::string& source);
+
+}  // namespace radcert::verification

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/framework/finding.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "radcert/core/contract.h"
+#include "radcert/core/text.h"
+#include "radcert/scalar/real.h"
+
+namespace radcert::verification {
+namespace {
+
+bool settles(const Measured& observed) {
+  return std::isfinite(observed.value) && std::isfinite(observed.radius) && observed.radius >= 0;
+}
+
+void require_slack(double slack) { expects(slack >= 0, "slack >= 0", named("slack", slack)); }
+
+std::string scientific(double value, int digits) {
+  std::array<char, 64> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 std::chars_format::scientific, digits - 1);
+  return {buffer.data(), end.ptr};
+}
+
+// The least number with two significant digits that is not below q > 0.
+std::string rounded_up(const Rational& q) {
+  long exponent = static_cast<long>(std::floor(std::log10(q.to_double()))) - 1;
+  while (q > Rational(99) * power(Rational(10), exponent)) ++exponent;
+  const Rational scaled = q / power(Rational(10), exponent);
+  long mantissa = static_cast<long>(std::ceil(scaled.to_double()));
+  while (Rational(mantissa) < scaled) ++mantissa;
+  while (mantissa > 1 && Rational(mantissa - 1) >= scaled) --mantissa;
+  return shortest(static_cast<double>(mantissa) / 10) + "e" + std::to_string(exponent + 1);
+}
+
+Evidence line(const std::string& what, const Measured& observed, std::string allowed, Standing standing,
+              bool control, double slack) {
+  Evidence evidence{.what = what,
+                    .value = "",
+                    .radius = std::nullopt,
+                    .allowed = std::move(allowed),
+                    .standing = standing,
+                    .control = control,
+                    .proved = observed.guaranteed && slack == 0};
+  if (settles(observed)) {
+    const FigureText text = figure_text(observed.value, observed.radius, 12);
+    evidence.value = text.value;
+    evidence.radius = text.radius;
+  } else {
+    evidence.value = shortest(observed.value);
+  }
+  return evidence;
+}
+
+std::string with_slack(std::string text, double slack, const std::string& why) {
+  if (slack != 0) text += ", slack " + shortest(slack);
+  if (!why.empty()) text += " (" + why + ")";
+  return text;
+}
+
+}  // namespace
+
+std::string_view name(Standing standing) {
+  constexpr std::array<std::string_view, 3> names{"holds", "violated", "open"};
+  return names.at(static_cast<std::size_t>(standing));
+}
+
+Standing judge(const Bound& statement, const Measured& observed) {
+  require_slack(statement.slack);
+  if (!settles(observed)) return Standing::open;
+  const double least = statement.order - statement.slack;
+  if (observed.value - observed.radius >= least) return Standing::holds;
+  return observed.value + observed.radius < least ? Standing::violated : Standing::open;
+}
+
+Standing judge(const Equals& statement, const Measured& observed) {
+  require_slack(statement.slack);
+  if (!settles(observed)) return Standing::open;
+  const double distance = std::abs(observed.value - statement.value);
+  if (distance + observed.radius <= statement.slack) return Standing::holds;
+  return distance - observed.radius > statement.slack ? Standing::violated : Standing::open;
+}
+
+Standing judge(const AtMost& statement, const Measured& observed) {
+  require_slack(statement.slack);
+  if (!settles(observed)) return Standing::open;
+  const double largest = statement.value + statement.slack;
+  if (observed.value + observed.radius <= largest) return Standing::holds;
+  return observed.value - observed.radius > largest ? Standing::violated : Standing::open;
+}
+
+Standing judge(const IsExactly& statement, const Rational& observed) {
+  return observed == statement.value ? Standing::holds : Standing::violated;
+}
+
+void Finding::add(const std::string& what, const Bound& statement, const Measured& observed, bool control) {
+  evidence_.push_back(line(
+      what, observed, with_slack("order >= " + shortest(statement.order), statement.slack, statement.why),
+      judge(statement, observed), control, statement.slack));
+}
+
+void Finding::add(const std::string& what, const Equals& statement, const Measured& observed, bool control) {
+  evidence_.push_back(line(what, observed,
+                           with_slack("= " + shortest(statement.value), statement.slack, statement.why),
+                           judge(statement, observed), control, statement.slack));
+}
+
+void Finding::add(const std::string& what, const AtMost& statement, const Measured& observed, bool control) {
+  evidence_.push_back(line(what, observed,
+                           with_slack("<= " + shortest(statement.value), statement.slack, statement.why),
+                           judge(statement, observed), control, statement.slack));
+}
+
+void Finding::add(const std::string& what, const IsExactly& statement, const Rational& observed,
+                  bool control) {
+  evidence_.push_back({.what = what,
+                       .value = observed.to_text(),
+                       .radius = std::nullopt,
+                       .allowed = "= " + statement.value.to_text() + " exactly",
+                       .standing = judge(statement, observed),
+                       .control = control,
+                       .proved = true});
+}
+
+void Finding::remark(std::string what, const Measured& observed) {
+  if (settles(observed)) {
+    const FigureText text = figure_text(observed.value, observed.radius, 12);
+    what += ": " + text.value + " +- " + text.radius;
+  } else {
+    what += ": " + shortest(observed.value);
+  }
+  remarks_.push_back(std::move(what));
+}
+
+Verdict Finding::verdict() const {
+  const auto count = [&](bool control, auto&& which) {
+    return std::count_if(evidence_.begin(), evidence_.end(),
+                         [&](const Evidence& e) { return e.control == control && which(e); });
+  };
+  const auto standing = [](Standing wanted) {
+    return [wanted](const Evidence& e) { return e.standing == wanted; };
+  };
+  const auto all = [](const Evidence&) { return true; };
+  const auto controls = count(true, all);
+  if (count(false, all) == 0 || controls == 0 || count(true, standing(Standing::violated)) != controls)
+    return Verdict::failed;
+  if (count(false, standing(Standing::violated)) > 0) return Verdict::contradicted;
+  if (count(false, standing(Standing::open)) > 0) return Verdict::undecided;
+  const bool proved = count(false, [](const Evidence& e) { return e.proved; }) == count(false, all);
+  return proved ? Verdict::certified : Verdict::supported;
+}
+
+FigureText figure_text(double value, double radius, int digits) {
+  expects(std::isfinite(value), "a finite value", named("value", value));
+  expects(std::isfinite(radius) && radius >= 0, "a finite radius >= 0", named("radius", radius));
+  expects(1 <= digits && digits <= 17, "1 <= digits <= 17", named("digits", digits));
+  FigureText text{.value = scientific(value, digits), .radius = "0"};
+  const Rational shown = Rational::parse(text.value).value();
+  const Rational total = abs(Rational::exactly(value) - shown) + Rational::exactly(radius);
+  if (total.sign() > 0) text.radius = rounded_up(total);
+  return text;
+}
+
+}  // namespace radcert::verification

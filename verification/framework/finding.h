@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radcert/scalar/rational.h"
+#include "verification/framework/verdict.h"
+
+namespace radcert::verification {
+
+/// A computed number and what is known of its error.
+/// Maths     the exact number lies in value +- radius: proved if guaranteed, estimated otherwise
+/// Source    -
+/// Requires  -
+/// Result    plain data
+/// Limits    a value or radius that is not finite settles nothing
+struct Measured {
+  double value = 0;
+  double radius = 0;
+  bool guaranteed = false;
+};
+
+/// "The error falls at least like h^order": the observed exponent may be short by the slack.
+struct Bound {
+  double order = 0;
+  double slack = 0;
+  std::string why;  ///< why the slack is what it is
+};
+
+/// "The number is `value`."
+struct Equals {
+  double value = 0;
+  double slack = 0;
+  std::string why;
+};
+
+/// "The number is at most `value`."
+struct AtMost {
+  double value = 0;
+  double slack = 0;
+  std::string why;
+};
+
+/// "The number is exactly `value`."
+struct IsExactly {
+  Rational value;
+};
+
+/// Whether an observation agrees with a statement.
+enum class Standing { holds, violated, open };
+
+/// "holds", "violated", "open".
+[[nodiscard]] std::string_view name(Standing standing);
+
+/// An observation held against a statement.
+/// Maths     Bound: value - radius >= order - slack holds, value + radius < order - slack violates;
+///           Equals: |v - value| + radius <= slack holds, |v - value| - radius > slack violates;
+///           AtMost: v + radius <= value + slack holds, v - radius > value + slack violates;  IsExactly: equality of rationals
+/// Source    ours
+/// Requires  slack >= 0, else ContractViolation
+/// Result    open where neither is the case, and for numbers that are not finite
+/// Limits    the three comparisons of doubles round; a slack is meant to be far above that
+[[nodiscard]] Standing judge(const Bound& statement, const Measured& observed);
+[[nodiscard]] Standing judge(const Equals& statement, const Measured& observed);
+[[nodiscard]] Standing judge(const AtMost& statement, const Measured& observed);
+[[nodiscard]] Standing judge(const IsExactly& statement, const Rational& observed);
+
+/// One line of evidence.
+struct Evidence {
+  std::string what;                   ///< what was observed, and where
+  std::string value;                  ///< the number, as text
+  std::optional<std::string> radius;  ///< null: exact, or not estimated
+  std::string allowed;                ///< what the statement allows
+  Standing standing = Standing::open;
+  bool control = false;  ///< an observation that the statement must not fit
+  bool proved = false;   ///< exact, or with a guaranteed radius
+};
+
+/// What a check found: the evidence, and the verdict that follows from it.
+/// Maths     a control that is not violated, no control, or nothing required: failed; a requirement violated: contradicted; one open:
+///           undecided; else certified if every requirement is proved and exact (slack 0), supported if not
+/// Source    ours
+/// Requires  each kind of statement is required and controlled by the same check: what is rejected is what was believed
+/// Result    evidence in the order in which it was given
+/// Limits    cannot know whether a control is a good one
+class Finding {
+public:
+  template <class Statement, class Observation>
+  void require(const std::string& what, const Statement& statement, const Observation& observed) {
+    add(what, statement, observed, false);
+  }
+  /// The same for something that the statement must reject.
+  template <class Statement, class Observation>
+  void control(const std::string& what, const Statement& statement, const Observation& observed) {
+    add(what, statement, observed, true);
+  }
+  /// A line for the reader that decides nothing.
+  void remark(std::string what, const Measured& observed);
+  /// What the figure beside the statement is.
+  void show(const Measured& figure) { figure_ = figure; }
+
+  [[nodiscard]] Verdict verdict() const;
+  [[nodiscard]] const std::vector<Evidence>& evidence() const { return evidence_; }
+  [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
+  [[nodiscard]] const std::optional<Measured>& figure() const { return figure_; }
+
+private:
+  void add(const std::string& what, const Bound& statement, const Measured& observed, bool control);
+  void add(const std::string& what, const Equals& statement, const Measured& observed, bool control);
+  void add(const std::string& what, const AtMost& statement, const Measured& observed, bool control);
+  void add(const std::string& what, const IsExactly& statement, const Rational& observed, bool control);
+
+  std::vector<Evidence> evidence_;
+  std::vector<std::string> remarks_;
+  std::optional<Measured> figure_;
+};
+
+/// A number with its radius as text of a few digits that encloses.
+/// Maths     |value - text| + radius <= radius text: the radius is rounded up after the midpoint has been rounded
+/// Source    ours
+/// Requires  finite numbers, radius >= 0, 1 <= digits <= 17, else ContractViolation
+/// Result    `value`: scientific with so many significant digits; `radius`: two digits
+/// Limits    an exact value shows a radius where its digits were rounded
+struct FigureText {
+  std::string value;
+  std::string radius;
+};
+[[nodiscard]] FigureText figure_text(double value, double radius, int digits = 6);
+
+}  // namespace radcert::verification

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/framework/levels.h"
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "radcert/core/text.h"
+#include "radcert/core/version.h"
+#include "radcert/formats/level_record.h"
+
+namespace radcert::verification {
+namespace {
+
+// "value radius guaranteed"
+std::string number_text(const Measured& number) {
+  return shortest(number.value) + " " + shortest(number.radius) + (number.guaranteed ? " 1" : " 0");
+}
+
+std::optional<Measured> read_number(std::string_view text) {
+  const std::size_t first = text.find(' ');
+  const std::size_t second = first == std::string_view::npos ? first : text.find(' ', first + 1);
+  if (second == std::string_view::npos) return std::nullopt;
+  const std::optional<double> value = parse_double(text.substr(0, first));
+  const std::optional<double> radius = parse_double(text.substr(first + 1, second - first - 1));
+  const std::string_view proved = text.substr(second + 1);
+  if (!value || !radius || (proved != "0" && proved != "1")) return std::nullopt;
+  return Measured{.value = *value, .radius = *radius, .guaranteed = proved == "1"};
+}
+
+}  // namespace
+
+LevelOutcome StoredLevels::level(const Problem& problem, int level) {
+  const std::string key = level_key(problem, level);
+  if (const std::optional<std::string> kept = store_->get(key))
+    if (Outcome<LevelOutcome> outcome = read_level_record(*kept)) return std::move(outcome).value();
+  LevelOutcome outcome = solve_(problem, level);
+  ++computed_;
+  static_cast<void>(store_->put(key, level_record(outcome)));
+  return outcome;
+}
+
+StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit) {
+  return [route = std::move(route), memory_limit](const Problem& problem, int level) {
+    check(problem, memory_limit);
+    return solve_level(problem, level, route);
+  };
+}
+
+Measured stored(ResultStore& store, const std::string& key, const std::function<Measured()>& compute) {
+  const std::string full_key = "verification number\n" + std::string(source_digest()) + "\n" + key;
+  if (const std::optional<std::string> kept = store.get(full_key))
+    if (const std::optional<Measured> number = read_number(*kept)) return *number;
+  const Measured number = compute();
+  static_cast<void>(store.put(full_key, number_text(number)));
+  return number;
+}
+
+}  // namespace radcert::verification

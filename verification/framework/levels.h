@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "radcert/core/result_store.h"
+#include "radcert/study/study.h"
+#include "verification/framework/finding.h"
+
+namespace radcert::verification {
+
+/// Where checks get solved levels from.
+/// Maths     none
+/// Source    -
+/// Requires  a problem that check() lets pass
+/// Result    what solve_level gives
+/// Limits    -
+class LevelSource {
+public:
+  virtual ~LevelSource() = default;
+  virtual LevelOutcome level(const Problem& problem, int level) = 0;
+};
+
+/// Solved levels, each computed once and kept.
+/// Maths     none
+/// Source    formats/level_record.h for the key and the text
+/// Requires  the store outlives the source
+/// Result    a level found in the store is not computed; one that is computed is stored at once, so that an interrupted run goes on
+///           where it was. computed() counts the computations of this object
+/// Limits    a store that is off computes each time
+class StoredLevels final : public LevelSource {
+public:
+  using Solve = std::function<LevelOutcome(const Problem& problem, int level)>;
+  StoredLevels(ResultStore& store, Solve solve) : store_(&store), solve_(std::move(solve)) {}
+  LevelOutcome level(const Problem& problem, int level) override;
+  [[nodiscard]] std::size_t computed() const { return computed_; }
+
+private:
+  ResultStore* store_;
+  Solve solve_;
+  std::size_t computed_ = 0;
+};
+
+/// solve_level with a route, after check() within so many bytes.
+[[nodiscard]] StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit);
+
+/// A number of a check that takes long, computed once and kept.
+/// Maths     none
+/// Source    -
+/// Requires  `key` says everything that the number depends on, but for radcert's own sources, which are added
+/// Result    the stored number to the bit, or that of compute(), stored
+/// Limits    -
+[[nodiscard]] Measured stored(ResultStore& store, const std::string& key,
+                              const std::function<Measured()>& compute);
+
+}  // namespace radcert::verification

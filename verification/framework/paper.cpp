@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/framework/paper.h"
+
+#include <algorithm>
+#include <map>
+
+#include "radcert/core/atomic_file.h"
+#include "radcert/core/errors.h"
+#include "verification/framework/embedded.h"
+
+namespace radcert::verification {
+namespace {
+
+bool begins_label(std::string_view label, std::string_view part) {
+  return label.starts_with(part) && (label.size() == part.size() || label[part.size()] == '.');
+}
+
+std::string label_list(const Paper& paper) {
+  std::string out;
+  for (const Claim& claim : paper.claims) out += (out.empty() ? "" : ", ") + claim.label;
+  return out;
+}
+
+// Whether a label names a claim, a cell of a table, or the beginning of cells.
+bool exists(const Paper& paper, std::string_view label) {
+  for (const Claim& claim : paper.claims) {
+    if (claim.label == label) return true;
+    if (claim.table && std::any_of(claim.table->cells.begin(), claim.table->cells.end(),
+                                   [&](const CellRecord& cell) { return begins_label(cell.label, label); }))
+      return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Paper> embedded_paper_list() {
+  std::vector<Paper> papers;
+  for (const EmbeddedFile& each : embedded_papers()) {
+    constexpr std::string_view ending = "/claims.toml";
+    if (!each.path.ends_with(ending)) continue;
+    const std::string key(each.path.substr(0, each.path.size() - ending.size()));
+    if (key.find('/') != std::string::npos) continue;
+    Paper paper;
+    paper.key = key;
+    paper.source = [key](const std::string& path) { return "papers/" + key + "/" + path; };
+    paper.file = [key, source = paper.source](const std::string& path) {
+      const std::string wanted = key + "/" + path;
+      for (const EmbeddedFile& file : embedded_papers())
+        if (file.path == wanted) return std::string(file.content);
+      throw InputError({.source = source(path), .problem = "there is no such file in the program"});
+    };
+    paper.claims = read_claims(each.content, paper.source("claims.toml"));
+    papers.push_back(std::move(paper));
+  }
+  return papers;
+}
+
+Paper read_paper(const std::filesystem::path& folder) {
+  Paper paper;
+  std::filesystem::path name = folder.lexically_normal();
+  if (!name.has_filename()) name = name.parent_path();
+  if (name == "." || name == "..") name = std::filesystem::weakly_canonical(folder);
+  paper.key = name.filename().string();
+  paper.source = [folder](const std::string& path) { return (folder / path).string(); };
+  paper.file = [folder](const std::string& path) { return read_file(folder / path); };
+  paper.claims = read_claims(paper.file("claims.toml"), paper.source("claims.toml"));
+  return paper;
+}
+
+bool Selected::wants(std::string_view label) const {
+  return labels.empty() || std::any_of(labels.begin(), labels.end(),
+                                       [&](const std::string& part) { return begins_label(label, part); });
+}
+
+bool Selected::wants_part_of(std::string_view label) const {
+  return wants(label) || std::any_of(labels.begin(), labels.end(),
+                                     [&](const std::string& part) { return begins_label(part, label); });
+}
+
+std::vector<Selected> select(std::span<const std::string> words) {
+  std::vector<Paper> embedded = embedded_paper_list();
+  std::vector<Selected> selected;
+  if (words.empty()) {
+    for (Paper& paper : embedded) selected.push_back({std::move(paper), {}});
+    return selected;
+  }
+  std::map<std::string, std::size_t> place;  // of what was named, in `selected`
+  std::map<std::string, bool> whole;         // whether all of it was asked for
+  const auto entry = [&](const std::string& id, auto&& make) -> std::size_t {
+    const auto [found, is_new] = place.try_emplace(id, selected.size());
+    if (is_new) selected.push_back({make(), {}});
+    return found->second;
+  };
+  for (const std::string& word : words) {
+    const std::size_t slash = word.find('/');
+    const std::string key = word.substr(0, slash);
+    const auto paper =
+        std::find_if(embedded.begin(), embedded.end(), [&](const Paper& each) { return each.key == key; });
+    if (paper != embedded.end()) {
+      const std::size_t here = entry(key, [&] { return *paper; });
+      const std::string label = slash == std::string::npos ? "" : word.substr(slash + 1);
+      if (label.empty()) {
+        whole[key] = true;
+      } else {
+        if (!exists(*paper, label))
+          throw InputError({.source = "verify",
+                            .value = word,
+                            .problem = "is not a statement of this paper",
+                            .allowed = label_list(*paper) + ", or a cell of a table"});
+        selected[here].labels.push_back(label);
+      }
+      continue;
+    }
+    std::error_code ignored;
+    if (std::filesystem::is_directory(word, ignored)) {
+      const std::string id = "./" + std::filesystem::weakly_canonical(word, ignored).string();
+      static_cast<void>(entry(id, [&] { return read_paper(word); }));
+      whole[id] = true;
+      continue;
+    }
+    std::string keys;
+    for (const Paper& each : embedded) keys += (keys.empty() ? "" : ", ") + each.key;
+    throw InputError({.source = "verify",
+                      .value = word,
+                      .problem = "is neither a paper nor a folder",
+                      .allowed = keys + ", one of these with /CLAIM, or a folder that holds claims.toml"});
+  }
+  for (const auto& [id, all] : whole)
+    if (all) selected[place.at(id)].labels.clear();
+  return selected;
+}
+
+}  // namespace radcert::verification

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verification/framework/finding.h"
+#include "verification/framework/verdict.h"
+
+namespace radcert::verification {
+
+/// What a run found of one statement, or of one cell of a table.
+/// Maths     none
+/// Source    -
+/// Requires  -
+/// Result    plain data; the same on every run, but for `seconds`
+/// Limits    -
+struct ClaimReport {
+  std::string paper;
+  std::string label;
+  std::string says;
+  std::vector<int> covers;
+  std::optional<int> page;
+  std::vector<std::string> needs;
+  Verdict found = Verdict::unchecked;
+  Verdict recorded = Verdict::unchecked;
+  std::optional<Measured> ours;
+  std::optional<std::string> printed;  ///< of a cell
+  std::string note;                    ///< from claims.toml
+  std::vector<Evidence> evidence;
+  std::vector<std::string> remarks;
+  std::optional<std::string> failure;  ///< what a check threw
+  double seconds = 0;
+
+  /// The verdict is the recorded one, neither worse nor better.
+  [[nodiscard]] bool as_recorded() const { return found == recorded && found != Verdict::failed; }
+};
+
+/// What a run found.
+struct Report {
+  Budget budget = Budget::quick;
+  std::vector<ClaimReport> claims;
+
+  [[nodiscard]] std::size_t differing() const {
+    std::size_t count = 0;
+    for (const ClaimReport& claim : claims) count += claim.as_recorded() ? 0 : 1;
+    return count;
+  }
+  [[nodiscard]] bool as_recorded() const { return differing() == 0; }
+};
+
+}  // namespace radcert::verification

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/framework/run_verification.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <limits>
+
+#include "radcert/core/errors.h"
+#include "radcert/formats/problem_json.h"
+#include "verification/claims/contents.h"
+#include "verification/framework/table_check.h"
+
+namespace radcert::verification {
+namespace {
+
+const PaperChecks* checks_of(std::span<const PaperChecks> checks, const std::string& key) {
+  for (const PaperChecks& each : checks)
+    if (each.key == key) return &each;
+  return nullptr;
+}
+
+// The fitted order of a problem's levels, as collect() gives it.
+Measured fitted_order(const Problem& problem, const std::string& quantity, LevelSource& levels) {
+  std::vector<LevelResult> results;
+  std::vector<LevelTiming> timing;
+  for (const int level : problem.triangulation.levels) {
+    LevelOutcome outcome = levels.level(problem, level);
+    results.push_back(std::move(outcome.result));
+    timing.push_back(outcome.timing);
+  }
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  for (const OrderFit& fit : collect(problem, std::move(results), std::move(timing)).orders)
+    if (fit.quantity == quantity && fit.order)
+      return {.value = *fit.order, .radius = fit.halfwidth.value_or(unknown)};
+  return {.value = 0, .radius = unknown};
+}
+
+Finding check_order(const Paper& paper, const OrderClaim& claim, const Bench& bench) {
+  const Bound bound{.order = claim.order, .slack = claim.slack.at(bench.budget), .why = claim.why};
+  const auto observed = [&](const std::string& file) {
+    return fitted_order(parse_problem(paper.file(file), paper.source(file)), claim.quantity, bench.levels);
+  };
+  Finding finding;
+  const Measured order = observed(claim.problem);
+  finding.require("order of " + claim.quantity + ", " + claim.problem, bound, order);
+  finding.control("order of " + claim.quantity + ", " + claim.control, bound, observed(claim.control));
+  finding.show(order);
+  return finding;
+}
+
+ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& bench,
+                        const PaperChecks* checks) {
+  ClaimReport report{.paper = paper.key,
+                     .label = claim.label,
+                     .says = claim.says,
+                     .covers = claim.covers,
+                     .page = claim.page,
+                     .needs = claim.needs,
+                     .recorded = claim.verdict.value().at(bench.budget),
+                     .ours = std::nullopt,
+                     .printed = std::nullopt,
+                     .note = claim.note,
+                     .evidence = {},
+                     .remarks = {},
+                     .failure = std::nullopt};
+  if (claim.check == CheckKind::none) {
+    report.found = report.recorded;
+    return report;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    Finding finding;
+    if (claim.check == CheckKind::order) {
+      finding = check_order(paper, claim.order.value(), bench);
+    } else {
+      const Check* check = checks == nullptr ? nullptr : checks->find(claim.label);
+      if (check == nullptr)
+        throw InputError(
+            {.source = paper.source("claims.toml") + ", line " + std::to_string(claim.line),
+             .pointer = "/" + claim.label,
+             .problem = "has no check of that name in the program",
+             .allowed = "check = \"table\" or \"order\", or the label of a check that is compiled in"});
+      finding = (*check)(bench);
+    }
+    report.found = finding.verdict();
+    report.evidence = finding.evidence();
+    report.remarks = finding.remarks();
+    report.ours = finding.figure();
+    if (report.found == Verdict::failed) report.failure = "a control was not rejected, or there is none";
+  } catch (const InputError&) {
+    throw;
+  } catch (const EnvironmentError&) {
+    throw;
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    report.found = Verdict::failed;
+    report.failure = error.what();
+  }
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+std::vector<std::string> labels_of(const Paper& paper, const Claim& claim) {
+  return claim.table ? cell_labels(paper, claim) : std::vector<std::string>{claim.label};
+}
+
+}  // namespace
+
+std::vector<std::string> statement_labels(const Paper& paper) {
+  std::vector<std::string> labels;
+  for (const Claim& claim : paper.claims)
+    for (std::string& label : labels_of(paper, claim)) labels.push_back(std::move(label));
+  return labels;
+}
+
+Report run_verification(std::span<const Selected> selected, const Bench& bench,
+                        std::span<const PaperChecks> checks,
+                        const std::function<void(const Progress&)>& progress) {
+  // What is wrong with any of the files is said before any work.
+  Progress now;
+  for (const Selected& each : selected)
+    for (const std::string& label : statement_labels(each.paper)) now.total += each.wants(label) ? 1 : 0;
+  Report report{.budget = bench.budget, .claims = {}};
+  for (const Selected& each : selected) {
+    const PaperChecks* of_paper = checks_of(checks, each.paper.key);
+    const auto starting = [&](const std::string& label) {
+      now.paper = each.paper.key;
+      now.label = label;
+      if (progress) progress(now);
+      ++now.done;
+    };
+    for (const Claim& claim : each.paper.claims) {
+      if (!each.wants_part_of(claim.label)) continue;
+      if (claim.table) {
+        std::vector<ClaimReport> cells = check_table(
+            each.paper, claim, bench, of_paper == nullptr ? SecondRoute{} : of_paper->second_route,
+            [&](const std::string& label) { return each.wants(label); }, starting);
+        for (ClaimReport& cell : cells) report.claims.push_back(std::move(cell));
+      } else if (each.wants(claim.label)) {
+        starting(claim.label);
+        report.claims.push_back(check_claim(each.paper, claim, bench, of_paper));
+      }
+    }
+  }
+  return report;
+}
+
+Report run_verification(std::span<const std::string> words, const Bench& bench,
+                        const std::function<void(const Progress&)>& progress) {
+  const std::vector<Selected> selected = select(words);
+  const std::vector<PaperChecks> checks = all_checks();
+  return run_verification(selected, bench, checks, progress);
+}
+
+}  // namespace radcert::verification

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/report/report_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <system_error>
+#include <vector>
+
+#include "radcert/core/atomic_file.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/version.h"
+
+namespace radcert::verification {
+namespace {
+
+using Row = std::array<std::string, 6>;
+
+// Characters, not bytes: two columns hold a sign beyond ASCII.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string seconds_text(double seconds) {
+  std::array<char, 32> buffer{};
+  const int length = std::snprintf(buffer.data(), buffer.size(), "%ld.%01ld", std::lround(seconds * 10) / 10,
+                                   std::lround(seconds * 10) % 10);
+  return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
+bool is_finite(const Measured& m) { return std::isfinite(m.value) && std::isfinite(m.radius); }
+
+std::string ours_text(const std::optional<Measured>& ours) {
+  if (!ours || !is_finite(*ours)) return "";
+  const FigureText text = figure_text(ours->value, ours->radius, 6);
+  return text.value + " ± " + text.radius;
+}
+
+std::string counts_text(const Report& report) {
+  std::map<Verdict, std::size_t> counts;
+  for (const ClaimReport& claim : report.claims) ++counts[claim.found];
+  std::string out;
+  for (const auto& [verdict, count] : counts)
+    out += (out.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(name(verdict));
+  return out;
+}
+
+std::string evidence_text(const Evidence& evidence) {
+  std::string out = evidence.control ? "control: " : "";
+  if (evidence.control && evidence.what.starts_with("control: ")) out.clear();
+  out += evidence.what + ": " + evidence.value;
+  if (evidence.radius) out += " ± " + *evidence.radius;
+  return out + "; allowed " + evidence.allowed + "; " + std::string(name(evidence.standing));
+}
+
+std::string in_markdown_cell(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '|') out += '\\';
+    out += c == '\n' ? ' ' : c;
+  }
+  return out;
+}
+
+JsonValue strings(const std::vector<std::string>& texts) {
+  return json_array(texts, [](const std::string& text) { return JsonValue(text); });
+}
+
+JsonValue figure_json(const std::optional<Measured>& figure) {
+  if (!figure || !is_finite(*figure)) return {};
+  JsonValue out = JsonValue::object();
+  out.set("value", figure->value);
+  out.set("radius", figure->radius);
+  out.set("guaranteed", figure->guaranteed);
+  return out;
+}
+
+JsonValue evidence_json(const Evidence& evidence) {
+  JsonValue out = JsonValue::object();
+  out.set("what", evidence.what);
+  out.set("value", evidence.value);
+  out.set("radius", evidence.radius);
+  out.set("allowed", evidence.allowed);
+  out.set("standing", name(evidence.standing));
+  out.set("control", evidence.control);
+  out.set("proved", evidence.proved);
+  return out;
+}
+
+JsonValue claim_json(const ClaimReport& claim) {
+  JsonValue out = JsonValue::object();
+  out.set("paper", claim.paper);
+  out.set("label", claim.label);
+  out.set("says", claim.says);
+  out.set("covers", json_array(claim.covers, [](int equation) { return JsonValue(equation); }));
+  out.set("page", claim.page);
+  out.set("needs", strings(claim.needs));
+  out.set("verdict", name(claim.found));
+  out.set("recorded", name(claim.recorded));
+  out.set("as_recorded", claim.as_recorded());
+  out.set("printed", claim.printed);
+  out.set("ours", figure_json(claim.ours));
+  out.set("note", claim.note);
+  out.set("failure", claim.failure);
+  out.set("evidence", json_array(claim.evidence, evidence_json));
+  out.set("remarks", strings(claim.remarks));
+  return out;
+}
+
+double total_seconds(const Report& report) {
+  double total = 0;
+  for (const ClaimReport& claim : report.claims) total += claim.seconds;
+  return total;
+}
+
+}  // namespace
+
+std::string report_table(const Report& report) {
+  std::vector<Row> rows{{"statement", "verdict", "recorded", "ours", "printed", "seconds"}};
+  for (const ClaimReport& claim : report.claims)
+    rows.push_back({(claim.as_recorded() ? "  " : "! ") + claim.paper + "/" + claim.label,
+                    std::string(name(claim.found)), std::string(name(claim.recorded)), ours_text(claim.ours),
+                    claim.printed.value_or(""), seconds_text(claim.seconds)});
+  rows[0][0] = "  " + rows[0][0];
+  std::array<std::size_t, 6> widths{};
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+  std::string out;
+  for (const Row& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string padding(widths[i] - width(row[i]), ' ');
+      const bool to_the_right = i >= 4;
+      line += (i == 0 ? "" : "  ") + (to_the_right ? padding + row[i] : row[i] + padding);
+    }
+    out += line + "\n";
+  }
+  for (const ClaimReport& claim : report.claims) {
+    if (claim.as_recorded()) continue;
+    out += "\n! " + claim.paper + "/" + claim.label + ": " + std::string(name(claim.found)) +
+           ", recorded is " + std::string(name(claim.recorded)) + "\n";
+    if (claim.failure) out += "    " + *claim.failure + "\n";
+    for (const Evidence& evidence : claim.evidence) out += "    " + evidence_text(evidence) + "\n";
+  }
+  out += "\n" + std::to_string(report.claims.size()) + " statements: " + counts_text(report) + ". ";
+  out += report.as_recorded() ? "Every verdict is as recorded.\n"
+                              : std::to_string(report.differing()) + " differ from the record.\n";
+  return out;
+}
+
+std::string report_markdown(const Report& report, const std::string& command) {
+  std::string out = "# Verification\n\nradcert " + std::string(version()) + ", `" + command + "`, budget " +
+                    std::string(name(report.budget)) + ".\n\n";
+  out += std::to_string(report.claims.size()) + " statements: " + counts_text(report) + ". ";
+  out += report.as_recorded() ? "Every verdict is as recorded.\n"
+                              : std::to_string(report.differing()) + " differ from the record.\n";
+  std::string paper;
+  for (const ClaimReport& claim : report.claims) {
+    if (claim.paper == paper) continue;
+    paper = claim.paper;
+    out +=
+        "\n## " + paper + "\n\n| statement | verdict | recorded | ours | printed |\n|---|---|---|---|---|\n";
+    for (const ClaimReport& each : report.claims) {
+      if (each.paper != paper) continue;
+      out += "| " + each.label + " | " + (each.as_recorded() ? "" : "**") + std::string(name(each.found)) +
+             (each.as_recorded() ? "" : "**") + " | " + std::string(name(each.recorded)) + " | " +
+             ours_text(each.ours) + " | " + each.printed.value_or("") + " |\n";
+    }
+    for (const ClaimReport& each : report.claims) {
+      // A cell that agrees has said everything in its line of the table.
+      const bool speaks = !each.printed || !each.note.empty() || each.failure || !each.as_recorded();
+      if (each.paper != paper || !speaks) continue;
+      out += "\n### " + each.label + "\n\n" + each.says + "\n\n";
+      if (!each.note.empty()) out += each.note + "\n\n";
+      if (each.failure) out += "Failed: " + *each.failure + "\n\n";
+      for (const Evidence& evidence : each.evidence)
+        out += "* " + in_markdown_cell(evidence_text(evidence)) + "\n";
+      for (const std::string& remark : each.remarks) out += "* " + remark + "\n";
+    }
+  }
+  return out;
+}
+
+JsonValue report_json(const Report& report, const std::string& command) {
+  JsonValue out = JsonValue::object();
+  out.set("schema", "radcert/verification/1");
+  out.set("radcert", version());
+  out.set("command", command);
+  out.set("budget", name(report.budget));
+  out.set("as_recorded", report.as_recorded());
+  out.set("claims", json_array(report.claims, claim_json));
+  JsonValue timing = JsonValue::object();
+  timing.set("total_seconds", total_seconds(report));
+  timing.set("claims", json_array(report.claims, [](const ClaimReport& claim) {
+               JsonValue each = JsonValue::object();
+               each.set("paper", claim.paper);
+               each.set("label", claim.label);
+               each.set("seconds", claim.seconds);
+               return each;
+             }));
+  out.set("timing", std::move(timing));
+  return out;
+}
+
+std::string report_json_text(const Report& report, const std::string& command) {
+  std::string text = report_json(report, command).pretty();
+  if (!text.ends_with('\n')) text += '\n';
+  return text;
+}
+
+void write_report(const Report& report, const std::filesystem::path& folder, const std::string& command) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    throw InputError({.source = folder.string(),
+                      .problem = "is not a folder and cannot be made: " + error.message(),
+                      .allowed = "a folder"});
+  write_atomically(folder / "report.json", report_json_text(report, command));
+  write_atomically(folder / "report.md", report_markdown(report, command));
+}
+
+}  // namespace radcert::verification

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "radcert/formats/json_value.h"
+#include "verification/framework/report.h"
+
+namespace radcert::verification {
+
+/// A report for a terminal.
+/// Maths     none
+/// Source    -
+/// Requires  nothing
+/// Result    a line a statement or cell: statement, verdict, recorded, ours with its radius, printed, seconds; below the table what
+///           differs from the record and why, and the count of each verdict. `!` stands before what differs
+/// Limits    figures show six digits, with a radius that encloses what was cut
+[[nodiscard]] std::string report_table(const Report& report);
+
+/// A report for readers: a section a paper, evidence and notes written out, in Markdown.
+[[nodiscard]] std::string report_markdown(const Report& report, const std::string& command);
+
+/// A report for programs, of the type radcert/verification/1.
+/// Maths     none
+/// Source    the JSON Schema of that name
+/// Requires  nothing
+/// Result    the same bits on every run, apart from `timing` and `command`; null for a number that is not finite
+/// Limits    -
+[[nodiscard]] JsonValue report_json(const Report& report, const std::string& command);
+[[nodiscard]] std::string report_json_text(const Report& report, const std::string& command);
+
+/// Writes report.json and report.md into a folder, which is made if need be.
+/// Maths     none
+/// Source    -
+/// Requires  a path that is, or can become, a folder, else InputError
+/// Result    each file as a whole or not at all
+/// Limits    the two are not replaced in one step
+void write_report(const Report& report, const std::filesystem::path& folder, const std::string& command);
+
+}  // namespace radcert::verification
