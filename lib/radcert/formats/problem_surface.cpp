@@ -10,9 +10,11 @@ namespace radcert {
 namespace {
 
 /// Names that the file format knows and this version does not serve.
-const std::vector<std::string> planned_surfaces = {
-    "spherical_cap",    "cylinder",          "cone", "paraboloid_cap", "tetrahedron", "octahedron", "torus",
-    "sphere_over_disk", "concentric_spheres"};
+const std::vector<std::string> planned_surfaces = {"spherical_cap",  "cylinder",    "cone",
+                                                   "paraboloid_cap", "tetrahedron", "octahedron"};
+
+/// Names that the file format knows of surfaces parts of which hide others.
+const std::vector<std::string> occluded_surfaces = {"torus", "sphere_over_disk", "concentric_spheres"};
 
 std::vector<std::string> available_surfaces() {
   std::vector<std::string> names;
@@ -32,8 +34,11 @@ SurfaceChoice read_surface(const JsonReader& surface) {
   if (const auto file = surface.find("file"))
     file->refuse("names a mesh, which is not available in this version",
                  "the key name with one of " + listed(available));
-  const std::string& name =
-      surface.at("name", "one of " + listed(available)).word(available, planned_surfaces);
+  const JsonReader named = surface.at("name", "one of " + listed(available));
+  for (const std::string& occluded : occluded_surfaces)
+    if (named.value().string() && *named.value().string() == occluded)
+      named.refuse("needs visibility, which is not available in this version", listed(available));
+  const std::string& name = named.word(available, planned_surfaces);
 
   const SurfaceDescription& description = *find_surface(name);
   std::vector<std::string> keys{"name"};

@@ -5,7 +5,6 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
-#include "radcert/core/text.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/study/plan.h"
 #include "radcert/surface/catalogue.h"
@@ -43,7 +42,9 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
     if (i > 0 && levels[i] <= levels[i - 1])
       refuse(pointer, value, "does not exceed the level before it", "levels in ascending order, each once");
     const std::optional<std::uint64_t> elements = triangle_count(surface, levels[i]);
-    if (!elements) refuse(pointer, value, "has more than 2^53 triangles", "a level with fewer");
+    if (!elements)
+      refuse(pointer, value, "needs more than 2^64 bytes (more than 2^53 triangles)",
+             "a plan within " + std::to_string(memory_limit) + " bytes (" + byte_text(memory_limit) + ")");
     const std::uint64_t needed = level_plan(*elements, basis.size()).total();
     if (needed > memory_limit) {
       const std::string bytes = needed == ~std::uint64_t{0} ? "more than 2^64" : std::to_string(needed);
@@ -113,8 +114,8 @@ void check_pieces(const PiecewiseExpression& function, const std::string& pointe
   }
   for (const PiecewiseExpression::Case& part : function.cases)
     if (part.piece != "*" && std::find(names.begin(), names.end(), part.piece) == names.end())
-      refuse(pointer + "/" + part.piece, quotation(part.piece), "is not a piece of the surface",
-             "its pieces, or \"*\"");
+      refuse(pointer + "/" + part.piece, part.piece, "is not a piece of the surface",
+             "its pieces, or * for the rest");
 }
 
 }  // namespace

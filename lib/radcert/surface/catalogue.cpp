@@ -10,10 +10,12 @@ namespace radcert {
 namespace {
 
 ParameterDescription positive_length(std::string name, std::string default_text) {
+  // Fourth powers of distances must neither overflow nor lose digits to underflow.
+  const Rational largest = power(Rational(10), 60);
   return {.name = std::move(name),
-          .requirement = "a number > 0",
+          .requirement = "a number in [1e-60, 1e60]",
           .default_text = std::move(default_text),
-          .admits = [](const Rational& value) { return value > Rational(0); }};
+          .admits = [largest](const Rational& length) { return length * largest >= 1 && length <= largest; }};
 }
 
 std::vector<ParameterDescription> half_axes_or_sides() {
