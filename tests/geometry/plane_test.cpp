@@ -50,6 +50,11 @@ TEST(Plane, DiffersFromItsMirrorImageAndFromATiltedOne) {
       same_plane(Plane(origin, first, second), Plane(origin, first + Vector<Rational>{0, 0, tiny}, second)));
 }
 
+TEST(Plane, DiffersFromAnotherOneThroughTheSamePoint) {
+  EXPECT_FALSE(same_plane(Plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), Plane({0, 0, 0}, {0, 1, 0}, {0, 0, 1})));
+  EXPECT_FALSE(same_plane(Plane(origin, first, second), Plane(origin, first, cross(first, second))));
+}
+
 TEST(Plane, RefusesDependentDirections) {
   EXPECT_THROW(Plane(origin, first, Rational(-3, 7) * first), ContractViolation);
   EXPECT_THROW(Plane(origin, {0, 0, 0}, second), ContractViolation);

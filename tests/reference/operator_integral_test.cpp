@@ -396,6 +396,26 @@ TEST(OperatorIntegral, HasARadiusThatCoversADensityItCannotResolve) {
   EXPECT_LE(estimate.radius, 0.1);
 }
 
+TEST(OperatorIntegral, HasARadiusThatGrowsWhereRoundingDoes) {
+  // A wall below the edge s = 1 of a curved roof: near P the rounding of the roof's points shows.
+  Surface surface = two_piece(2);
+  surface.charts[0] = make_rectangle({.name = "wall", .piece = "wall"}, {1, 0, 1}, {0, 1, 0}, {0, 0, -1});
+  const auto at_distance = [&](double d) { return operator_integral(surface, {0, {0.5, d}}, one); };
+  const Estimate near = at_distance(1e-8);
+  EXPECT_GE(near.radius, 1e-10);
+  EXPECT_LE(near.radius, 1e-6);
+  EXPECT_NEAR(near.value, at_distance(1e-7).value, 1e-5);
+  const ChartOf<long double, PowerRoof<long double>> roof(PowerRoof<long double>{Rational(2)},
+                                                          Orientation::against_the_cross_product);
+  const long double d = 0x1p-7L;
+  const auto integrand = [&](const ParameterPoint<long double>& q) {
+    const Frame<long double> there = roof.frame(q);
+    return geometric_kernel<long double>({1, 0.5L, 1 - d}, {-1, 0, 0}, there.point, there.area_normal);
+  };
+  const long double truth = brute_force(integrand, {1, 0.5L}, false);
+  expect_encloses(at_distance(0x1p-7), static_cast<double>(truth), "beside a curved roof");
+}
+
 TEST(OperatorIntegral, IsZeroInOnePlaneAndOnADegenerateTriangle) {
   const Surface flat = two_piece(1);
   EXPECT_EQ(operator_integral(flat, {1, {0.5, 0.5}}, 1, {{{0, 0}, {1, 0}, {0, 1}}}, one).absolute, 0);

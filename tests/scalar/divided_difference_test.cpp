@@ -133,7 +133,7 @@ long double bend_by_quadrature(long double e, long double p, long double d) {
 TEST(DividedDifference, OfAFractionalPowerLosesFewDigitsAtAnyStep) {
   for (const Rational& exponent : {Rational(3, 2), Rational(7, 3), Rational(5, 4), Rational(17, 3)}) {
     const Exponent<double> e(exponent);
-    const long double el = from_rational<long double>(exponent);
+    const auto el = from_rational<long double>(exponent);
     for (const double p : {0.7, 1e-3})
       // 0.49 and 0.51 lie on either side of the change from the series to the definition
       for (const double factor :
@@ -174,6 +174,18 @@ TEST(DividedDifference, OfAPowerOfAFunctionFollowsTheChainRule) {
   EXPECT_NEAR(f.first, g.first, 1e-14);
   EXPECT_NEAR(f.second_p, g.second_p, 1e-13);
   EXPECT_NEAR(f.second_q, g.second_q, 1e-13);
+}
+
+TEST(DividedDifference, KeepsItsStepBesideConstants) {
+  using D = DividedDifference<double>;
+  const D x = D::variable(0.6, 2, 0.05);
+  const Exponent<double> e(Rational(3, 2));
+  const D truth = power(1.0 + 2.0 * x, e);
+  for (const D& f : {power(D(1) + D(2) * x, e), power(x * D(2) + D(1), e), power((x + D(0.5)) / D(0.5), e)}) {
+    EXPECT_NEAR(f.first, truth.first, 1e-14);
+    EXPECT_NEAR(f.second_p, truth.second_p, 1e-14);
+  }
+  EXPECT_EQ((D(1) / x).step, x.step);
 }
 
 TEST(DividedDifference, OfAPowerFromItsSingularEnd) {

@@ -35,6 +35,7 @@ TEST(Dual, DifferentiatesPolynomialsExactly) {
                {Rational(2) * a * b - Rational(5) + b + a, Rational(2) * b + Rational(1),
                 Rational(2) * a + Rational(1)});
   expect_equal(-(s - t), {b - a, -1, 1});
+  expect_equal(Rational(1) - s * t, {Rational(1) - a * b, -b, -a});
   expect_equal(Rational(3) + s * Dual<Rational>(2), {Rational(3) + a + a, 2, 0});
 }
 
@@ -51,7 +52,7 @@ TEST(Dual, DifferentiatesRootsAndPowersAsLongDoubleDoes) {
        {Rational(1), Rational(3, 2), Rational(11, 10), Rational(2), Rational(5), Rational(17, 3)})
     for (const double x : {1e-3, 0.3, 1.0, 1.7}) {
       const Dual<double> f = power(Dual<double>{x, 2, -1}, Exponent<double>(e));
-      const long double p = from_rational<long double>(e);
+      const auto p = from_rational<long double>(e);
       const auto slope = static_cast<double>(p * std::pow(static_cast<long double>(x), p - 1));
       EXPECT_NEAR(f.value, std::pow(x, e.to_double()), 1e-15 * f.value) << e.to_text() << " at " << x;
       // e - 1 is rounded: that costs (e - 1) |log x| roundings.
