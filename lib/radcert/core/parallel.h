@@ -21,7 +21,8 @@ public:
   template <class Body>
     requires(!std::is_same_v<std::remove_cvref_t<Body>, RangeBody> &&
              std::is_invocable_v<Body&, std::size_t, std::size_t>)
-  RangeBody(Body&& body)
+  RangeBody(
+      Body&& body)  // NOLINT(bugprone-forwarding-reference-overload): RangeBody itself is excluded above
       : object_(const_cast<void*>(static_cast<const void*>(std::addressof(body)))),
         call_([](void* object, std::size_t begin, std::size_t end) {
           (*static_cast<std::remove_reference_t<Body>*>(object))(begin, end);

@@ -27,18 +27,20 @@ public:
   using Object = std::vector<Member>;
 
   JsonValue() = default;
-  JsonValue(bool value) : content_(value) {}
+  JsonValue(bool value);
   template <std::integral Integer>
     requires(!std::same_as<Integer, bool>)
-  JsonValue(Integer value) : content_(whole(value)) {}
+  JsonValue(Integer value);
   JsonValue(double value);
-  JsonValue(std::string value) : content_(std::move(value)) {}
-  JsonValue(std::string_view value) : content_(std::string(value)) {}
-  JsonValue(const char* value) : content_(std::string(value)) {}
+  JsonValue(std::string value);
+  JsonValue(std::string_view value);
+  JsonValue(const char* value);
   template <class T>
-  JsonValue(const std::optional<T>& value) : JsonValue(value ? JsonValue(*value) : JsonValue()) {}
-  [[nodiscard]] static JsonValue array(Array elements = {});
-  [[nodiscard]] static JsonValue object(Object members = {});
+  JsonValue(const std::optional<T>& value);
+  [[nodiscard]] static JsonValue array();
+  [[nodiscard]] static JsonValue array(Array elements);
+  [[nodiscard]] static JsonValue object();
+  [[nodiscard]] static JsonValue object(Object members);
 
   [[nodiscard]] bool is_null() const { return std::holds_alternative<Null>(content_); }
   [[nodiscard]] const bool* boolean() const { return std::get_if<bool>(&content_); }
@@ -66,18 +68,13 @@ public:
   [[nodiscard]] std::string pretty() const;
 
 private:
+  using Content = std::variant<Null, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object>;
   template <std::integral Integer>
-  static std::variant<Null, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object> whole(
-      Integer value) {
-    if constexpr (std::signed_integral<Integer>)
-      return static_cast<std::int64_t>(value);
-    else
-      return static_cast<std::uint64_t>(value);
-  }
+  static Content whole(Integer value);
   void write_compact(std::string& out) const;
   void write_pretty(std::string& out, std::size_t indent) const;
 
-  std::variant<Null, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object> content_;
+  Content content_;
 };
 
 /// A key of an object with its value.
@@ -85,6 +82,26 @@ struct JsonValue::Member {
   std::string key;
   JsonValue value;
 };
+
+inline JsonValue::JsonValue(bool value) : content_(value) {}
+template <std::integral Integer>
+  requires(!std::same_as<Integer, bool>)
+JsonValue::JsonValue(Integer value) : content_(whole(value)) {}
+inline JsonValue::JsonValue(std::string value) : content_(std::move(value)) {}
+inline JsonValue::JsonValue(std::string_view value) : content_(std::string(value)) {}
+inline JsonValue::JsonValue(const char* value) : content_(std::string(value)) {}
+template <class T>
+JsonValue::JsonValue(const std::optional<T>& value) : JsonValue(value ? JsonValue(*value) : JsonValue()) {}
+inline JsonValue JsonValue::array() { return array(Array{}); }
+inline JsonValue JsonValue::object() { return object(Object{}); }
+
+template <std::integral Integer>
+JsonValue::Content JsonValue::whole(Integer value) {
+  if constexpr (std::signed_integral<Integer>)
+    return static_cast<std::int64_t>(value);
+  else
+    return static_cast<std::uint64_t>(value);
+}
 
 /// A list as a JSON array, each element by `make`.
 template <class List, class Make>

@@ -24,7 +24,7 @@ DirectSolver::DirectSolver(const Matrix<double>& k) {
       a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = (i == j ? 1.0 : 0.0) - column[i];
   }
   factors_ = std::make_unique<Factors>();
-  factors_->lu.compute(std::move(a));
+  factors_->lu.compute(a);
 }
 
 DirectSolver::~DirectSolver() = default;
