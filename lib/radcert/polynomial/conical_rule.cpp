@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/polynomial/conical_rule.h"
 
+#include <algorithm>
+
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/gauss.h"
 
@@ -30,7 +32,7 @@ RadialRule<R> radial_rule(int order, Gathering gathering) {
     }
     return radial;
   }
-  const IntervalRule<R> gauss = gauss_rule<R>(2 * order, IntervalWeight::one);
+  const IntervalRule<R> gauss = gauss_rule<R>(std::max(2 * order, gathering_power), IntervalWeight::one);
   for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
     const R near = power(gauss.nodes[i], gathering_power);
     const R far = R(1) - near;

@@ -27,8 +27,8 @@ enum class Gathering {
 ///           c^q of the distance from apex or base becomes m^(8q), smooth enough for any q > 0
 /// Source    conical products: Stroud; the power substitution: standard for algebraic end-point behaviour
 /// Requires  1 <= order <= 32, else ContractViolation
-/// Result    order^2 points (twice as many when gathered), all inside the triangle, weights positive; each rounded once
-///           or twice
+/// Result    order^2 points (gathered: twice as many, and at least 8 order, so that constants are exact), all inside the
+///           triangle, weights positive; each rounded once or twice
 /// Limits    not symmetric in the vertices
 template <Real R>
 TriangleRule<R> conical_rule(int order, Gathering gathering);

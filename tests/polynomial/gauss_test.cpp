@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/polynomial/gauss.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "radcert/core/contract.h"
+#include "tests/laws/rule_laws.h"
+
+namespace radcert {
+namespace {
+
+using Long = long double;
+constexpr Long epsilon = std::numeric_limits<Long>::epsilon();
+constexpr int most_points = 64;
+
+struct Weighted {
+  IntervalWeight weight;
+  int power;  ///< the weight function is x^power
+};
+const std::vector<Weighted> both{{IntervalWeight::one, 0}, {IntervalWeight::variable, 1}};
+
+/// Legendre's polynomial of degree m on [0,1].
+Long legendre(int m, Long x) {
+  const Long z = 2 * x - 1;
+  Long before = 1;
+  if (m == 0) return before;
+  Long now = z;
+  for (int k = 2; k <= m; ++k) {
+    const Long next = ((2 * k - 1) * z * now - (k - 1) * before) / k;
+    before = now;
+    now = next;
+  }
+  return now;
+}
+
+TEST(GaussRule, HasAscendingNodesInsideAndPositiveWeights) {
+  for (const Weighted& w : both)
+    for (int n = 1; n <= most_points; ++n) {
+      const IntervalRule<Long> rule = gauss_rule<Long>(n, w.weight);
+      EXPECT_EQ(rule.nodes.size(), static_cast<std::size_t>(n));
+      EXPECT_TRUE(laws::is_positive_on_the_open_interval<Long>(rule, 1.0L / (1 + w.power), 16 * epsilon))
+          << n << " weight x^" << w.power;
+    }
+}
+
+TEST(GaussRule, IntegratesPowersUpToTwiceItsPointsMinusOne) {
+  // A node next to 1 that is off by epsilon moves x^k by k epsilon.
+  for (const Weighted& w : both)
+    for (int n = 1; n <= most_points; ++n) {
+      const IntervalRule<Long> rule = gauss_rule<Long>(n, w.weight);
+      for (int k = 0; k <= 2 * n - 1; ++k) {
+        const Long exact = 1.0L / (k + w.power + 1);
+        const Long value = laws::sum<Long>(rule, [k](const Long& x) { return power(x, k); }).value;
+        EXPECT_LE(std::abs(value - exact), (16.0L + 0.5L * k) * epsilon * exact)
+            << n << " points, x^" << k << ", weight x^" << w.power;
+      }
+    }
+}
+
+TEST(GaussRule, MissesTheNextPowerByTheNormOfItsPolynomial) {
+  // Int p_n^2 w for the monic p_n that is orthogonal for x^b on [0,1]:  (n! (n+b)!)^2 / ((2n+b+1) (2n+b)!^2)
+  for (const Weighted& w : both) {
+    const int b = w.power;
+    for (int n = 1; n <= 8; ++n) {
+      const auto factorial = [](int m) { return std::tgamma(static_cast<Long>(m + 1)); };
+      const Long ratio = factorial(n) * factorial(n + b) / factorial(2 * n + b);
+      const Long missed = ratio * ratio / (2 * n + b + 1);
+      const IntervalRule<Long> rule = gauss_rule<Long>(n, w.weight);
+      const Long value = laws::sum<Long>(rule, [n](const Long& x) { return power(x, 2L * n); }).value;
+      EXPECT_NEAR(static_cast<double>((1.0L / (2 * n + b + 1) - value) / missed), 1.0, 1e-7)
+          << n << " points, weight x^" << b;
+    }
+  }
+}
+
+TEST(GaussRule, IntegratesLegendrePolynomialsUpToTwiceItsPointsMinusOneAndNotTheNext) {
+  // Int P_m = 0 for m > 0;  Int x P_m = 1/2, 1/6, 0, 0, ...  Powers hardly feel the nodes near 0; these do.
+  for (const Weighted& w : both)
+    for (int n = 1; n <= most_points; ++n) {
+      const IntervalRule<Long> rule = gauss_rule<Long>(n, w.weight);
+      const auto value = [&rule](int m) {
+        return laws::sum<Long>(rule, [m](const Long& x) { return legendre(m, x); }).value;
+      };
+      for (int m = 0; m <= 2 * n - 1; ++m) {
+        Long exact = 0;
+        if (m == 0) exact = 1.0L / (1 + w.power);
+        if (m == 1 && w.power == 1) exact = 1.0L / 6;
+        EXPECT_LE(std::abs(value(m) - exact), (16 + m) * epsilon)
+            << n << " points, P_" << m << ", x^" << w.power;
+      }
+      EXPECT_GT(std::abs(value(2 * n)), 0.01) << n << " points, weight x^" << w.power;
+    }
+}
+
+TEST(GaussRule, HasTheClosedFormsOfOneAndTwoPoints) {
+  const auto expect = [](const IntervalRule<Long>& rule, const std::vector<Long>& nodes,
+                         const std::vector<Long>& weights) {
+    ASSERT_EQ(rule.nodes.size(), nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      EXPECT_LE(std::abs(rule.nodes[i] - nodes[i]), 2 * epsilon);
+      EXPECT_LE(std::abs(rule.weights[i] - weights[i]), 2 * epsilon);
+    }
+  };
+  const Long r3 = std::sqrt(3.0L);
+  const Long r6 = std::sqrt(6.0L);
+  expect(gauss_rule<Long>(1, IntervalWeight::one), {0.5L}, {1});
+  expect(gauss_rule<Long>(2, IntervalWeight::one), {(3 - r3) / 6, (3 + r3) / 6}, {0.5L, 0.5L});
+  expect(gauss_rule<Long>(1, IntervalWeight::variable), {2.0L / 3}, {0.5L});
+  expect(gauss_rule<Long>(2, IntervalWeight::variable), {(6 - r6) / 10, (6 + r6) / 10},
+         {(9 - r6) / 36, (9 + r6) / 36});
+}
+
+TEST(GaussRule, InDoubleIsTheLongDoubleOneRounded) {
+  for (const Weighted& w : both)
+    for (const int n : {1, 2, 3, 7, 16, 31, 64}) {
+      const IntervalRule<double> rule = gauss_rule<double>(n, w.weight);
+      const IntervalRule<Long> truth = gauss_rule<Long>(n, w.weight);
+      for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+        EXPECT_EQ(rule.nodes[i], static_cast<double>(truth.nodes[i]));
+        EXPECT_EQ(rule.weights[i], static_cast<double>(truth.weights[i]));
+      }
+    }
+}
+
+TEST(GaussRule, RefusesNoPointsAndTooMany) {
+  for (const int n : {-1, 0, most_points + 1}) {
+    EXPECT_THROW(gauss_rule<double>(n, IntervalWeight::one), ContractViolation);
+    EXPECT_THROW(gauss_rule<Long>(n, IntervalWeight::variable), ContractViolation);
+  }
+}
+
+}  // namespace
+}  // namespace radcert

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "radcert/core/contract.h"
+#include "radcert/study/study.h"
+#include "tests/study/problems.h"
+
+namespace radcert {
+namespace {
+
+using testing::sample_problem;
+using testing::with_emission;
+
+LevelResult level(int number, double discretisation_error, double node_error, double relative_radius = 1e-6) {
+  LevelResult result;
+  result.level = number;
+  result.mesh_size = std::ldexp(1.0, -number);
+  result.discretisation_error = Figure{discretisation_error, relative_radius * discretisation_error, false};
+  result.node_error = Figure{node_error, relative_radius * node_error, false};
+  return result;
+}
+
+/// Errors 3 h^2 and 5 h^4 on the levels first to last.
+std::vector<LevelResult> powers(int first, int last) {
+  std::vector<LevelResult> levels;
+  for (int k = first; k <= last; ++k)
+    levels.push_back(level(k, std::ldexp(3.0, -2 * k), std::ldexp(5.0, -4 * k)));
+  return levels;
+}
+
+TEST(Collect, FindsTheRatiosAndOrdersOfPowers) {
+  const Result result = collect(sample_problem("sphere"), powers(0, 4), {});
+  ASSERT_EQ(result.levels.size(), 5U);
+  EXPECT_EQ(result.levels[0].discretisation_ratio, std::nullopt);
+  EXPECT_EQ(result.levels[0].node_ratio, std::nullopt);
+  EXPECT_EQ(result.levels[0].discretisation_order, std::nullopt);
+  EXPECT_EQ(result.levels[0].node_order, std::nullopt);
+  for (std::size_t k = 1; k < 5; ++k) {
+    EXPECT_EQ(result.levels[k].discretisation_ratio, 4);
+    EXPECT_EQ(result.levels[k].node_ratio, 16);
+    EXPECT_DOUBLE_EQ(result.levels[k].discretisation_order.value(), 2);
+    EXPECT_DOUBLE_EQ(result.levels[k].node_order.value(), 4);
+  }
+}
+
+TEST(Collect, FitsTheOrdersOfPowers) {
+  const Result result = collect(sample_problem("sphere"), powers(0, 4), {});
+  ASSERT_EQ(result.orders.size(), 2U);
+  EXPECT_EQ(result.orders[0].quantity, "discretisation_error");
+  EXPECT_EQ(result.orders[1].quantity, "node_error");
+  EXPECT_NEAR(result.orders[0].order.value(), 2, 1e-14);
+  EXPECT_NEAR(result.orders[1].order.value(), 4, 1e-14);
+  for (const OrderFit& fit : result.orders) {
+    EXPECT_LT(fit.halfwidth.value(), 1e-14);
+    EXPECT_EQ(fit.levels, (std::vector<int>{0, 1, 2, 3, 4}));
+    EXPECT_TRUE(fit.left_out.empty());
+    EXPECT_EQ(fit.model, "h^p");
+  }
+}
+
+TEST(Collect, TakesMeshSizesAndNotLevelsForOrders) {
+  // Levels 0 and 2: h falls to a quarter, the ratio 16 is still order 2.
+  const Result result = collect(sample_problem("sphere"), {powers(0, 0)[0], powers(2, 2)[0]}, {});
+  EXPECT_EQ(result.levels[1].discretisation_ratio, 16);
+  EXPECT_DOUBLE_EQ(result.levels[1].discretisation_order.value(), 2);
+  EXPECT_NEAR(result.orders[0].order.value(), 2, 1e-14);
+}
+
+TEST(Collect, FitsByLeastSquaresAndSpansTheSuccessiveOrders) {
+  // log2 of the errors: 0, -1, -4: successive orders 1 and 3, the regression line through three equidistant points 2.
+  const Result result =
+      collect(sample_problem("sphere"), {level(0, 1, 1), level(1, 0.5, 0.5), level(2, 0.0625, 0.0625)}, {});
+  EXPECT_NEAR(result.orders[0].order.value(), 2, 1e-14);
+  EXPECT_NEAR(result.orders[0].halfwidth.value(), 1, 1e-14);
+  // 0, -1, -4, -6 at 0, 1, 2, 3: slope 2.1
+  const Result four = collect(
+      sample_problem("sphere"),
+      {level(0, 1, 1), level(1, 0.5, 0.5), level(2, 0.0625, 0.0625), level(3, 0.015625, 0.015625)}, {});
+  EXPECT_NEAR(four.orders[1].order.value(), 2.1, 1e-14);
+  EXPECT_NEAR(four.orders[1].halfwidth.value(), 1.1, 1e-14);
+}
+
+TEST(Collect, LeavesOutAndNamesALevelWhoseRadiusExceedsFivePercent) {
+  std::vector<LevelResult> levels = powers(0, 3);
+  levels[1].discretisation_error->radius = 0.05 * levels[1].discretisation_error->value;  // just admitted
+  levels[2].discretisation_error->value *= 7;
+  levels[2].discretisation_error->radius = 0.0501 * levels[2].discretisation_error->value;
+  const Result result = collect(sample_problem("sphere"), levels, {});
+  EXPECT_EQ(result.orders[0].levels, (std::vector<int>{0, 1, 3}));
+  EXPECT_EQ(result.orders[0].left_out, std::vector<int>{2});
+  EXPECT_NEAR(result.orders[0].order.value(), 2, 1e-14);  // the outlier had no say
+  EXPECT_EQ(result.orders[1].left_out, std::vector<int>{});
+  EXPECT_NE(result.levels[2].discretisation_ratio, std::nullopt);  // the table keeps its ratio
+}
+
+TEST(Collect, LeavesOutErrorsThatAreZeroOrHaveNoRadius) {
+  std::vector<LevelResult> levels = powers(0, 3);
+  levels[0].node_error->radius = std::nullopt;
+  levels[3].node_error->value = 0;
+  const Result result = collect(sample_problem("sphere"), levels, {});
+  EXPECT_EQ(result.orders[1].levels, (std::vector<int>{1, 2}));
+  EXPECT_EQ(result.orders[1].left_out, (std::vector<int>{0, 3}));
+  EXPECT_NEAR(result.orders[1].order.value(), 4, 1e-14);
+  EXPECT_EQ(result.levels[3].node_ratio, std::nullopt);
+  EXPECT_EQ(result.levels[3].node_order, std::nullopt);
+}
+
+TEST(Collect, HasNoOrderOfOneLevel) {
+  const Result result = collect(sample_problem("sphere"), powers(2, 2), {});
+  ASSERT_EQ(result.orders.size(), 2U);
+  EXPECT_EQ(result.orders[0].order, std::nullopt);
+  EXPECT_EQ(result.orders[0].halfwidth, std::nullopt);
+  EXPECT_EQ(result.orders[0].levels, std::vector<int>{2});
+}
+
+TEST(Collect, FitsNothingForAGivenEmission) {
+  LevelResult coarse;
+  LevelResult fine;
+  fine.level = 1;
+  const Result result = collect(with_emission(sample_problem("sphere"), "1"), {coarse, fine}, {});
+  EXPECT_TRUE(result.orders.empty());
+  EXPECT_EQ(result.levels[1].discretisation_ratio, std::nullopt);
+  EXPECT_EQ(result.levels[1].node_order, std::nullopt);
+}
+
+TEST(Collect, ForgetsTheRatiosThatTheLevelsBrought) {
+  std::vector<LevelResult> levels = powers(0, 1);
+  levels[0].node_ratio = levels[0].discretisation_ratio = 99;
+  levels[0].node_order = levels[0].discretisation_order = 99;
+  const Result result = collect(sample_problem("sphere"), levels, {});
+  EXPECT_EQ(result.levels[0].node_ratio, std::nullopt);
+  EXPECT_EQ(result.levels[0].discretisation_order, std::nullopt);
+}
+
+TEST(Collect, KeepsTheTimingAndRefusesLevelsOutOfOrder) {
+  const std::vector<LevelTiming> timing{{.assembly_seconds = 1}, {.assembly_seconds = 2}};
+  const Result result = collect(sample_problem("sphere"), powers(0, 1), timing);
+  ASSERT_EQ(result.timing.size(), 2U);
+  EXPECT_EQ(result.timing[1].assembly_seconds, 2);
+  EXPECT_THROW(collect(sample_problem("sphere"), {powers(1, 1)[0], powers(0, 0)[0]}, {}), ContractViolation);
+  EXPECT_THROW(collect(sample_problem("sphere"), {powers(1, 1)[0], powers(1, 1)[0]}, {}), ContractViolation);
+}
+
+}  // namespace
+}  // namespace radcert
