@@ -42,7 +42,7 @@ PROBLEMS = {
         small(surface=CUBE, reflectivity="1/2", basis={"family": "inset", "degree": 2, "alpha": "0"}),
         "/basis/alpha", "edge"),
     "an absurd p": (small(surface={"name": "two_piece", "p": 1e300}), "/surface/p", "allowed"),
-    "p below 1": (small(surface={"name": "two_piece", "p": "0.999"}), "/surface/p", ">= 1"),
+    "p below 1": (small(surface={"name": "two_piece", "p": "0.999"}), "/surface/p", "in [1, 1000]"),
     "a negative level": (triangulation([0, 1, -1]), "/triangulation/levels/2", "whole numbers"),
     "a fractional level": (triangulation([0, 0.5]), "/triangulation/levels/1", "whole numbers"),
     "no level": (triangulation([]), "/triangulation/levels", "not empty"),

@@ -42,7 +42,7 @@ class Commands(ProgramTest):
 
     def test_every_schema_is_a_schema(self):
         for name in ["problem", "solution", "verification", "list"]:
-            self.assertEqual(self.schema(name)["$id"], f"radcert/{name}/1")
+            self.assertEqual(self.schema(name)["properties"]["schema"]["const"], f"radcert/{name}/1")
 
     def test_every_example_is_the_file_and_is_valid(self):
         schema = self.schema("problem")

@@ -39,7 +39,7 @@ const Refusal refusals[] = {
     {"surface", R"({"name": ["cube"]})", "/surface/name", "is an array"},
     {"surface", R"({"file": "x.off"})", "/surface/file", "not available in this version"},
     {"surface", R"({"name": "cube", "p": 2})", "/surface/p", "unknown key"},
-    {"surface", R"({"name": "two_piece", "p": 0.99})", "/surface/p", "a number >= 1"},
+    {"surface", R"({"name": "two_piece", "p": 0.99})", "/surface/p", "a number in [1, 1000]"},
     {"surface", R"({"name": "two_piece", "p": "1/0"})", "/surface/p", "is not a number"},
     {"surface", R"({"name": "two_piece", "p": "two"})", "/surface/p", "is not a number"},
     {"surface", R"({"name": "two_piece", "p": null})", "/surface/p", "is null"},

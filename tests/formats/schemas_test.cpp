@@ -12,8 +12,10 @@ namespace {
 TEST(Schemas, AreJsonWithTheNameOfTheirFileType) {
   for (const Schema& schema : schemas()) {
     const JsonValue json = parse_json(schema.text, std::string(schema.name));
-    EXPECT_EQ(*json.find("$id")->string(), "radcert/" + std::string(schema.name) + "/1");
-    EXPECT_EQ(*json.find("properties")->find("schema")->find("const")->string(), *json.find("$id")->string());
+    EXPECT_EQ(*json.find("properties")->find("schema")->find("const")->string(),
+              "radcert/" + std::string(schema.name) + "/1");
+    // A relative $id would become the base of every $ref beside it, which validators resolve differently.
+    EXPECT_EQ(json.find("$id"), nullptr);
     EXPECT_EQ(find_schema(schema.name), &schema);
   }
   EXPECT_EQ(find_schema("problems"), nullptr);

@@ -1,5 +1,6 @@
 # Installs the library and builds and runs a program that finds it as a package.
 # cmake -D root= -D scratch= -D build= -D version= -D compiler= -D generator= -D flags= -P consumer.cmake
+cmake_minimum_required(VERSION 3.25)
 
 function(step)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE errors)

@@ -1,5 +1,6 @@
 # Every source is laid out as .clang-format says. To mend: clang-format -i <file>.
 # cmake -D root=<checkout> -D clang_format=<program> -P format.cmake
+cmake_minimum_required(VERSION 3.25)
 
 set(patterns)
 foreach(part IN ITEMS lib verification apps tests)

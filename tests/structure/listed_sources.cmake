@@ -1,5 +1,6 @@
 # A source that no layer lists is not built, and nobody would notice.
 # cmake -D root=<checkout> -D layers=<a,b,...> -D listed=<file with a built source a line> -P listed_sources.cmake
+cmake_minimum_required(VERSION 3.25)
 
 string(REPLACE "," ";" layers "${layers}")
 file(GLOB folders RELATIVE "${root}/lib/radcert" "${root}/lib/radcert/*")

@@ -1,5 +1,6 @@
 # A public header includes radcert's own headers and the standard library's, nothing else.
 # cmake -D root=<checkout> -P public_headers.cmake
+cmake_minimum_required(VERSION 3.25)
 
 set(includes_seen 0)
 # Appends to `complaints` what is wrong with the includes of a text.

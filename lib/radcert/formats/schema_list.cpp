@@ -6,7 +6,6 @@ namespace radcert {
 std::string_view list_schema() {
   return R"json({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
-  "$id": "radcert/list/1",
   "title": "What radcert list prints",
   "type": "object",
   "required": ["schema", "radcert", "command", "list", "entries"],

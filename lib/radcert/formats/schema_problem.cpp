@@ -6,7 +6,6 @@ namespace radcert {
 std::string_view problem_schema() {
   return R"json({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
-  "$id": "radcert/problem/1",
   "title": "A problem of radcert",
   "description": "u(P) - rho(P)/pi Int_S G(P,Q) u(Q) dS_Q = E(P) on a surface S, solved by collocation at several levels. A string is exact; a JSON number means the nearest double.",
   "type": "object",

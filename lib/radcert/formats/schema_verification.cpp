@@ -6,7 +6,6 @@ namespace radcert {
 std::string_view verification_schema() {
   return R"json({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
-  "$id": "radcert/verification/1",
   "title": "A report of radcert verify",
   "description": "Seconds live in timing alone: apart from timing and command, all is the same to the bit on every run.",
   "type": "object",
