@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/reference/chart_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "radcert/core/contract.h"
+#include "radcert/kernel/geometric_kernel.h"
+#include "radcert/reference/decomposition.h"
+#include "radcert/reference/kernel_integrands.h"
+#include "radcert/reference/nearest_point.h"
+#include "radcert/reference/tangent_plane.h"
+
+namespace radcert::reference {
+namespace {
+
+using Point = Vector<double>;
+
+constexpr double far_away = 0.9;  // in radii of a part: farther off a plain product rule is cheaper
+
+/// The sum of a_i b_i as if in twice the precision [Ogita, Rump, Oishi 2005, Dot2].
+template <std::size_t n>
+double accurate_dot(const std::array<double, n>& a, const std::array<double, n>& b) {
+  double sum = 0;
+  double error = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double product = a[i] * b[i];
+    const double product_error = std::fma(a[i], b[i], -product);
+    const double next = sum + product;
+    const double part = next - sum;
+    error += ((sum - (next - part)) + (product - part)) + product_error;
+    sum = next;
+  }
+  return sum + error;
+}
+
+/// F(q) - F(p) for two affine charts, each coordinate correctly rounded but for a cancellation of 16 digits and more.
+Point accurate_difference(const Frame<double>& f_q, const Parameters& q, const Frame<double>& f_p,
+                          const Parameters& p) {
+  const std::array<double, 6> factor{1, q.s, q.t, -1, -p.s, -p.t};
+  const auto coordinate = [&](double Point::*x) {
+    return accurate_dot<6>(
+        {f_q.point.*x, f_q.tangent_s.*x, f_q.tangent_t.*x, f_p.point.*x, f_p.tangent_s.*x, f_p.tangent_t.*x},
+        factor);
+  };
+  return {coordinate(&Point::x), coordinate(&Point::y), coordinate(&Point::z)};
+}
+
+/// About the largest |G u| near P on a smooth piece, with a margin: sampled in eight directions.
+double bound_near(const Collocation& at) {
+  const ChartIn<double>& chart = at.surface->charts[at.p.chart].in<double>();
+  constexpr double step = 1e-4;
+  double greatest = 0;
+  for (const int s : {-1, 0, 1})
+    for (const int t : {-1, 0, 1}) {
+      if (s == 0 && t == 0) continue;
+      const Parameters w{step * s, step * t};
+      const double g =
+          chord_kernel(chart.chord(at.p.at, w), at.normal, unit_normal(chart.frame(at.p.at + w)));
+      if (std::isfinite(g)) greatest = std::max(greatest, std::abs(g));
+    }
+  return 4 * greatest * std::abs((*at.density)(at.p, at.frame.point));
+}
+
+void add_own_chart(AdaptiveCubature& cubature, const Collocation& at, const Polygon& polygon) {
+  const Chart& chart = at.surface->charts[at.p.chart];
+  const Parameters p = at.p.at;
+  const TangentPlane plane(at.frame.tangent_s, at.frame.tangent_t);
+  const auto integrand = [&](const Parameters& apex) {
+    return cubature.add(ChordIntegrand{.target = {at.density, at.p.chart, chart.facts().domain, apex},
+                                       .chart = &chart.in<double>(),
+                                       .p = p,
+                                       .offset = apex - p,
+                                       .normal_p = at.normal});
+  };
+  Polygon analytic = polygon;
+  double scale = std::numeric_limits<double>::infinity();  // of the structure that a singular line makes
+  const bool singular = chart.facts().singular == SingularLine::s_zero;
+  if (singular) {
+    const Spread spread{.centre = p.t, .delta = std::max(p.s * plane.ss / plane.tt, 1e-3 * (p.s == 0))};
+    if (p.s == 0) {
+      const Parameters nearest = nearest_in_polygon(polygon, p, {0, 0}, plane);
+      if (nearest == p) {
+        add_sectors(cubature, integrand(p), polygon, p, plane, {.graded = true});
+      } else {
+        add_slabs(cubature, integrand(p), polygon, p, true,
+                  {.centre = p.t, .delta = length(plane.coordinates(nearest - p)) / plane.tt});
+      }
+      return;
+    }
+    const Polygon strip = clipped(polygon, 0.5 * p.s, -1);
+    if (strip.count != 0) add_slabs(cubature, integrand(p), strip, p, true, spread);
+    analytic = clipped(polygon, 0.5 * p.s, 1);
+    if (analytic.count == 0) return;
+    scale = 0.5 * p.s * plane.ss;
+  }
+  Parameters apex = nearest_in_polygon(analytic, p, {0, 0}, plane);
+  double distance = length(plane.coordinates(apex - p));
+  if (distance < 4 * roundoff * (plane.ss + plane.tt)) distance = 0;
+  if (distance > 0) apex = snapped(apex, analytic, plane, 0.25 * distance);
+  if (distance > far_away * radius_of(analytic, apex, plane)) {
+    if (singular) {
+      add_slabs(cubature, integrand(p), analytic, p, true, {});
+    } else {
+      add_triangles(cubature, integrand(analytic[0]), analytic);
+    }
+    return;
+  }
+  const double delta = distance > 0 ? std::min(distance, scale) : std::isfinite(scale) ? scale : 0;
+  add_sectors(cubature, integrand(apex), analytic, apex, plane, {.delta = delta});
+}
+
+void add_other_chart(AdaptiveCubature& cubature, const Collocation& at, std::size_t index,
+                     const Polygon& polygon) {
+  const Chart& own = at.surface->charts[at.p.chart];
+  const Chart& chart = at.surface->charts[index];
+  const ChartIn<double>& formula = chart.in<double>();
+  const bool same_piece = own.facts().piece == chart.facts().piece;
+  const bool flat = chart.facts().plane.has_value();
+  const bool square = polygon.count == 4;
+
+  Parameters apex = nearest_to(at.frame.point, formula, polygon);
+  const Frame<double> origin = formula.frame({0, 0});
+  const Frame<double> own_origin = own.in<double>().frame({0, 0});
+  const auto difference = [&](const Parameters& q) {
+    return flat && own.facts().plane ? accurate_difference(origin, q, own_origin, at.p.at)
+                                     : formula.frame(q).point - at.frame.point;
+  };
+  Frame<double> frame = formula.frame(apex);
+  TangentPlane plane(frame.tangent_s, frame.tangent_t);
+  double delta = norm(difference(apex));
+  const double extent = norm(frame.point) + norm(at.frame.point) + plane.ss + plane.tt;
+  expects(delta > 0 || same_piece, "P off the edges where pieces meet", named("chart", chart.facts().name),
+          named("s", at.p.at.s), named("t", at.p.at.t));
+
+  const auto integrand = [&](const Parameters& a) -> std::uint32_t {
+    const Target target{at.density, index, chart.facts().domain, a};
+    if (!flat)
+      return cubature.add(CurvedIntegrand{.target = target,
+                                          .chart = &formula,
+                                          .p = at.frame.point,
+                                          .normal_p = at.normal,
+                                          .size_of_p = norm(at.frame.point)});
+    const Point offset = difference(a);
+    const bool exact = own.facts().plane.has_value();
+    return cubature.add(
+        FlatIntegrand{.target = target,
+                      .origin = origin.point,
+                      .tangent_s = origin.tangent_s,
+                      .tangent_t = origin.tangent_t,
+                      .normal_p = at.normal,
+                      .offset = offset,
+                      .height = -dot(offset, origin.area_normal),
+                      .area = area_element(origin),
+                      .offset_error = exact ? 2 * roundoff * norm(offset) : 4 * roundoff * extent});
+  };
+
+  if (chart.facts().singular == SingularLine::s_zero) {
+    const bool far = delta > far_away * radius_of(polygon, apex, plane);
+    const Spread spread = far ? Spread{} : Spread{.centre = apex.t, .delta = delta / plane.tt};
+    add_slabs(cubature, integrand({0, 0}), polygon, {0, 0}, true, spread);
+    return;
+  }
+  // Where one piece goes on smoothly G is bounded, but nearer than this rounding hides it: that disk is not integrated.
+  const double blind = same_piece ? 1e-8 * extent : 0;
+  Polar polar{.delta = std::max(delta, blind)};
+  if (delta < blind) {
+    polar.inner_radius = 0.3 * blind;
+    polar.bound = bound_near(at);
+  }
+  // In the blind case P stays well inside that disk.
+  apex = snapped(apex, polygon, plane, std::max(0.25 * delta, delta < blind ? 0.1 * blind : 0));
+  if (delta > far_away * radius_of(polygon, apex, plane)) {
+    if (square) {
+      add_slabs(cubature, integrand({0, 0}), polygon, {0, 0}, false, {});
+    } else {
+      add_triangles(cubature, integrand(polygon[0]), polygon);
+    }
+    return;
+  }
+  frame = formula.frame(apex);
+  plane = TangentPlane(frame.tangent_s, frame.tangent_t);
+  add_sectors(cubature, integrand(apex), polygon, apex, plane, polar);
+}
+
+}  // namespace
+
+void add_part(AdaptiveCubature& cubature, const Collocation& at, std::size_t index, const Polygon& polygon) {
+  const Chart& own = at.surface->charts[at.p.chart];
+  if (index == at.p.chart) {
+    if (!own.facts().plane) add_own_chart(cubature, at, polygon);
+  } else if (!in_one_plane(own, at.surface->charts[index])) {
+    add_other_chart(cubature, at, index, polygon);
+  }
+}
+
+}  // namespace radcert::reference
