@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "radcert/core/contract.h"
@@ -23,8 +24,8 @@ TEST(ConicalRule, HasPositiveWeightsThatSumToTheAreaAndPointsInside) {
   for (const Gathering gathering : {Gathering::nowhere, Gathering::apex, Gathering::base})
     for (int order = 1; order <= most_orders; ++order) {
       const TriangleRule<double> rule = conical_rule<double>(order, gathering);
-      const auto points = static_cast<std::size_t>(order * order);
-      EXPECT_EQ(rule.points.size(), gathering == Gathering::nowhere ? points : 2 * points);
+      const int along = gathering == Gathering::nowhere ? order : std::max(2 * order, 8);
+      EXPECT_EQ(rule.points.size(), static_cast<std::size_t>(along * order));
       EXPECT_TRUE(laws::is_positive_in_the_open_triangle<double>(rule, 2e-15)) << order;
     }
 }
