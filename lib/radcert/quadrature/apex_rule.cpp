@@ -15,7 +15,10 @@ namespace {
 constexpr int first_order = 10;
 constexpr int last_order = 22;
 constexpr int order_step = 6;
-constexpr int check_step = 2;  // the finer rule has this many points more in each variable
+/// The finer rule has this many points more in each variable. Where the chart is not analytic the gathered rules converge
+/// so slowly that two points more leave an error larger than the difference.
+constexpr int check_step_analytic = 2;
+constexpr int check_step_gathered = 6;
 constexpr double admissible_ellipse = 3.0;
 constexpr int deepest_bisection = 60;  // of a side
 constexpr int deepest_halving = 40;    // of a rectangle
@@ -59,7 +62,7 @@ const Nodes<R>& nodes(int points, bool gathered) {
   static const auto tables = [] {
     std::array<std::vector<Nodes<R>>, 2> result;
     for (const bool gather : {false, true})
-      for (int n = 1; n <= last_order + check_step; ++n)
+      for (int n = 1; n <= last_order + check_step_gathered; ++n)
         result[gather ? 1 : 0].push_back(make_nodes<R>(gather ? std::min(n, 32) : n, gather));
     return result;
   }();
@@ -96,6 +99,7 @@ public:
         formula_(chart.in<R>()),
         basis_(basis),
         singular_(chart.facts().singular != SingularLine::none),
+        check_step_(singular_ ? check_step_gathered : check_step_analytic),
         at_p_(formula_.frame(p.at.at)) {}
 
   CheckedSums<R> integrate(const ApexTriangle<R>& triangle) {
@@ -122,11 +126,11 @@ private:
   double ellipse(const ApexTriangle<R>& triangle, const R& m0, const R& m1) const {
     const Vector<R> start = along(triangle.to_a);
     const Vector<R> side = along(triangle.to_b - triangle.to_a);
-    const double squared = static_cast<double>(dot(side, side));
+    const auto squared = static_cast<double>(dot(side, side));
     const double real_part = -static_cast<double>(dot(start, side)) / squared;
     const double imaginary_part = static_cast<double>(norm(cross(start, side))) / squared;
-    const double middle = static_cast<double>((m0 + m1) / R(2));
-    const double half = static_cast<double>((m1 - m0) / R(2));
+    const auto middle = static_cast<double>((m0 + m1) / R(2));
+    const auto half = static_cast<double>((m1 - m0) / R(2));
     return bernstein_radius({(real_part - middle) / half, imaginary_part / half});
   }
 
@@ -137,7 +141,7 @@ private:
     CheckedSums<R> best(basis_.size());
     for (int order = first_order; order <= last_order; order += order_step) {
       const int side_order = std::clamp(across + order - first_order, 4, last_order);
-      best.sums = sums(triangle, area, order + check_step, side_order + check_step);
+      best.sums = sums(triangle, area, order + check_step_, side_order + check_step_);
       const KernelSums<R> coarser = sums(triangle, area, order, side_order);
       if (compare(best, coarser)) {
         result += best;
@@ -155,9 +159,9 @@ private:
   /// The rectangle cut across the variable in which fewer points cost more.
   std::array<Rectangle<R>, 2> halves(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int across,
                                      const KernelSums<R>& best) const {
-    const int fine = last_order + check_step;
+    const int fine = last_order + check_step_;
     const int side = std::clamp(across + last_order - first_order, 4, last_order);
-    const R by_l = largest_difference(sums(triangle, area, last_order / 2, side + check_step), best);
+    const R by_l = largest_difference(sums(triangle, area, last_order / 2, side + check_step_), best);
     const R by_m = largest_difference(sums(triangle, area, fine, side / 2), best);
     const R l = (area.l0 + area.l1) / R(2);
     const R m = (area.m0 + area.m1) / R(2);
@@ -231,6 +235,7 @@ private:
   const ChartIn<R>& formula_;
   const InsetBasis<R>& basis_;
   bool singular_;
+  int check_step_;
   Frame<R> at_p_;
   R largest_size_{};
 };

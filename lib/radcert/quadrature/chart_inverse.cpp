@@ -32,8 +32,9 @@ std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const Cell<R>
     const R by_t = dot(frame.tangent_t, rest);
     const ParameterPoint<R> change{(tt * by_s - st * by_t) / determinant,
                                    (ss * by_t - st * by_s) / determinant};
-    if (norm(rest) <= close) return contains(cell, x) ? std::optional(x) : std::nullopt;
-    x = x + change;
+    const bool found = norm(rest) <= close;
+    x = x + change;  // once more when it is close already: then x is as good as P
+    if (found) return contains(cell, x) ? std::optional(x) : std::nullopt;
   }
   return std::nullopt;
 }

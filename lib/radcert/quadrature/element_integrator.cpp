@@ -12,10 +12,15 @@ namespace {
 
 /// A piece is bisected unseen while the observer is nearer to its centre than this many radii of its ball.
 constexpr double admissible_ratio = 1.8;
-constexpr int check_step = 1;  // the finer rule has this much more order
+/// The finer rule has this much more order; more where the rules are gathered and converge slowly. Odd: see `samples`.
+constexpr int check_step_analytic = 1;
+constexpr int check_step_gathered = 3;
 constexpr int order_step = 3;
 /// Each two bisections halve a piece; at this depth its area is 2^-52 of the element's.
 constexpr int deepest_bisection = 52;
+/// Two rules that still differ on a far piece after so many bisections differ by rounding, which no bisection mends: the
+/// difference goes into the radius.
+constexpr int most_failures = 8;
 
 template <Real R>
 R largest_coordinate(const Vector<R>& p) {
@@ -75,10 +80,12 @@ KernelSums<R> ElementIntegrator<R>::sums(const Observer<R>& p, const Cell<R>& ce
 
 template <Real R>
 std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>& p, const Cell<R>& cell,
-                                                              bool whole, double ratio, bool insist) {
+                                                              bool whole, double ratio, Insistence insist) {
   using std::abs;
   const double rho = ratio + std::sqrt(std::max(ratio * ratio - 1, 0.0));
-  constexpr int last = ConicalRules<R>::largest_order - check_step;
+  const bool analytic = chart_.facts().singular == SingularLine::none;
+  const int check_step = analytic ? check_step_analytic : check_step_gathered;
+  const int last = ConicalRules<R>::largest_order - check_step;
   int order = std::clamp(points_for(rho, basis_.degree()), ConicalRules<R>::smallest_order, last);
   while (true) {
     const KernelSums<R> coarse = sums(p, cell, whole, order);
@@ -95,7 +102,8 @@ std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>&
     noise = R(4) * unit_roundoff<R>() * noise;
     if (difference <= R(converged_difference) * size + noise) return fine;
     if (order == last) {
-      if (!insist) return std::nullopt;
+      if (insist == Insistence::none) return std::nullopt;
+      if (insist == Insistence::rounding) return fine;
       for (std::size_t j = 0; j < basis_.size(); ++j)
         fine.difference[j] = std::max(fine.difference[j], fine.sums.size[j]);
       return fine;
@@ -107,20 +115,24 @@ std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>&
 template <Real R>
 CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p) {
   CheckedSums<R> result(basis_.size());
-  pending_.assign(1, {element_, 0});
+  pending_.assign(1, {element_, 0, 0});
   while (!pending_.empty()) {
-    const Piece piece = pending_.back();
+    Piece piece = pending_.back();
     pending_.pop_back();
     const bool whole = piece.depth == 0;
     const bool deepest = piece.depth == deepest_bisection;
     const Ball fresh = whole ? ball_ : ball_about(piece.cell);
-    const double ratio = static_cast<double>(norm(p.point - fresh.centre) / fresh.radius);
+    const auto ratio = static_cast<double>(norm(p.point - fresh.centre) / fresh.radius);
     if (ratio >= admissible_ratio || deepest) {
-      const auto checked = try_piece(p, piece.cell, whole, std::max(ratio, 1.0), deepest);
+      const Insistence insist = deepest                           ? Insistence::deepest
+                                : piece.failures == most_failures ? Insistence::rounding
+                                                                  : Insistence::none;
+      const auto checked = try_piece(p, piece.cell, whole, std::max(ratio, 1.0), insist);
       if (checked) {
         result += *checked;
         continue;
       }
+      ++piece.failures;
     }
     std::size_t opposite = 0;  // the vertex opposite to the longest side
     R longest = R(0);
@@ -131,7 +143,8 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p) {
         opposite = i;
       }
     }
-    for (const Cell<R>& half : piece.cell.bisected(opposite)) pending_.push_back({half, piece.depth + 1});
+    for (const Cell<R>& half : piece.cell.bisected(opposite))
+      pending_.push_back({half, piece.depth + 1, piece.failures});
   }
   return result;
 }

@@ -49,14 +49,21 @@ private:
   struct Piece {
     Cell<R> cell;
     int depth;
+    int failures;  ///< how often two rules differed on a piece that contains this one
+  };
+  /// What becomes of a piece on which two rules of the highest order differ.
+  enum class Insistence {
+    none,      ///< it is bisected
+    rounding,  ///< it counts, with the difference as its error
+    deepest,   ///< it counts, with all of its integral as its error
   };
 
   Ball ball_about(const Cell<R>& cell) const;
   const Samples<R>& samples(const Cell<R>& cell, bool whole, int order);
   KernelSums<R> sums(const Observer<R>& p, const Cell<R>& cell, bool whole, int order);
-  /// The sums of a piece if two rules agree on it; otherwise nothing, unless `insist`.
+  /// The sums of a piece if two rules agree on it; otherwise what `insist` says.
   std::optional<CheckedSums<R>> try_piece(const Observer<R>& p, const Cell<R>& cell, bool whole, double ratio,
-                                          bool insist);
+                                          Insistence insist);
   CheckedSums<R> integrate_away(const Observer<R>& p);
   ElementIntegral<R> with_radius(const CheckedSums<R>& checked) const;
 

@@ -114,15 +114,19 @@ template <Real R>
 KernelSums<R> chord_sums(const Observer<R>& p, const Chart& chart, const Samples<R>& samples) {
   constexpr std::size_t lanes = Samples<R>::lanes;
   const ChartIn<R>& formula = chart.in<R>();
+  const bool singular = chart.facts().singular != SingularLine::none;
+  const ParameterPoint<R> to_origin = samples.origin - p.at.at;
   Accumulator<R> accumulator(samples.functions);
   for (std::size_t block = 0; block < samples.blocks(); ++block) {
     const std::size_t at = block * lanes;
     Lanes<R> g;
     Lanes<R> lean;
     for (std::size_t i = 0; i < lanes; ++i) {
-      const ParameterPoint<R> q{samples.s[at + i], samples.t[at + i]};
+      // Not by the rounded parameters of Q: beside P their difference would have lost digits.
+      ParameterPoint<R> w = to_origin + ParameterPoint<R>{samples.s[at + i], samples.t[at + i]};
+      if (singular) w.s = std::max(w.s, -p.at.at.s);  // rounding must not cross the line s = 0
       const Vector<R> normal{samples.normal_x[at + i], samples.normal_y[at + i], samples.normal_z[at + i]};
-      const Chord<R> chord = formula.chord(p.at.at, q - p.at.at);
+      const Chord<R> chord = formula.chord(p.at.at, w);
       g[i] = chord_kernel(chord, p.normal, normal);
       lean[i] = chord_lean(chord, p.normal, normal);
     }

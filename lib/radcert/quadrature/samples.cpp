@@ -93,6 +93,7 @@ void sample(const Chart& chart, const Cell<R>& cell, const InsetBasis<R>& basis,
 
   out.count = rule.weights.size();
   out.functions = basis.size();
+  out.origin = apex;
   const std::size_t padded = (out.count + lanes - 1) / lanes * lanes;
   for (std::vector<R>* array : {&out.x, &out.y, &out.z, &out.s, &out.t}) array->resize(padded);
   for (std::vector<R>* array : {&out.normal_x, &out.normal_y, &out.normal_z}) array->assign(padded, R(0));
@@ -110,8 +111,8 @@ void sample(const Chart& chart, const Cell<R>& cell, const InsetBasis<R>& basis,
     out.x[q] = frame.point.x;
     out.y[q] = frame.point.y;
     out.z[q] = frame.point.z;
-    out.s[q] = at.s;
-    out.t[q] = at.t;
+    out.s[q] = c[1] * first.s + c[2] * second.s;
+    out.t[q] = c[1] * first.t + c[2] * second.t;
     if (padding) continue;
     const Vector<R> normal = (rule.weights[source] * parallelogram) * frame.area_normal;
     out.normal_x[q] = normal.x;

@@ -36,7 +36,8 @@ Cell<R> whole_element(const ParameterTriangle& triangle);
 /// Source    [ac98, (30)]
 /// Requires  see `sample`
 /// Result    `count` points; arrays are padded to whole lanes by points of zero weight; basis values lie by blocks of
-///           `lanes` points: basis[(block * functions + j) * lanes + lane]
+///           `lanes` points: basis[(block * functions + j) * lanes + lane]; (s, t) are relative to `origin`, the cell's
+///           first vertex: in a small cell they keep digits that the parameters themselves would lose
 /// Limits    -
 template <Real R>
 struct Samples {
@@ -44,6 +45,7 @@ struct Samples {
 
   std::size_t count = 0;
   std::size_t functions = 0;
+  ParameterPoint<R> origin;
   std::vector<R> x, y, z;
   std::vector<R> normal_x, normal_y, normal_z;
   std::vector<R> s, t;
