@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/quadrature/element_integrator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "radcert/surface/catalogue/box.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/two_piece.h"
+#include "radcert/surface/catalogue/two_squares.h"
+#include "random_entries.h"
+
+namespace radcert {
+namespace {
+
+struct Row {
+  double sum = 0;
+  double radius = 0;
+};
+
+/// Int G over the surface as the sum of a row: over all elements and functions.
+Row row(const Surface& surface, const SurfacePoint<double>& at, int level, int degree, double inset) {
+  const InsetBasis<double> basis(degree, inset);
+  const Observer<double> p = observer<double>(surface, at);
+  Row row;
+  for (const ParameterTriangle& triangle : triangulate(surface, level).triangles) {
+    const ElementIntegral<double> integral = ElementIntegrator<double>(surface, triangle, basis).integrate(p);
+    for (std::size_t j = 0; j < basis.size(); ++j) {
+      row.sum += integral.value[j];
+      row.radius += integral.radius[j];
+    }
+  }
+  return row;
+}
+
+void expect_pi(const Surface& surface, std::size_t chart, const ParameterPoint<double>& at, int level,
+               int degree, double inset, double accuracy) {
+  const Row r = row(surface, {chart, at}, level, degree, inset);
+  // Adding up the row is rounding beside the radii: a few u of the sum.
+  EXPECT_LE(std::abs(r.sum - pi<double>()), r.radius + 1e-15)
+      << surface.name << " chart " << chart << " at " << at.s << " " << at.t << " degree " << degree;
+  EXPECT_NEAR(r.sum, pi<double>(), accuracy)
+      << surface.name << " chart " << chart << " at " << at.s << " " << at.t << " degree " << degree;
+}
+
+TEST(ElementIntegrator, RowsSumToPiOnClosedSurfaces) {
+  // Int_S G dS = pi on a closed convex surface [ac98, section 2]; the functions of a basis sum to 1.
+  Stream stream(21);
+  for (const Surface& surface : {cube(), box(1, 2, 5), sphere(), ellipsoid(1, 2, 5)})
+    for (int degree = 0; degree <= 8; ++degree) {
+      const std::size_t chart = stream.index(surface.charts.size());
+      const double s = 0.02 + 0.5 * stream.uniform();
+      const double accuracy = degree <= 3 ? 2e-13 : 4e-12;
+      expect_pi(surface, chart, {s, (0.98 - s) * stream.uniform() + 0.01}, 1, degree, 0.1, accuracy);
+    }
+}
+
+TEST(ElementIntegrator, RowsSumToPiBesideAnEdge) {
+  const Surface surface = cube();
+  for (const double inset : {1e-2, 1e-4, 1e-6})
+    for (const int degree : {0, 1, 2}) expect_pi(surface, 4, {inset, 0.375}, 1, degree, inset, 1e-9);
+  expect_pi(surface, 1, {1e-6, 1e-6}, 1, 1, 1e-6, 1e-9);
+}
+
+TEST(ElementIntegrator, RowsSumToPiOnSeamsAndCornersOfTheOctahedron) {
+  for (const Surface& surface : {sphere(), ellipsoid(1, 2, 5)})
+    for (const int degree : {0, 2})
+      for (const ParameterPoint<double>& at : {ParameterPoint<double>{0, 0},
+                                               {1, 0},
+                                               {0, 1},
+                                               {0.5, 0.5},
+                                               {0.25, 0},
+                                               {0, 0.375},
+                                               {0.25, 0.25},
+                                               {1.0 / 3, 2.0 / 3}})
+        expect_pi(surface, 3, at, 1, degree, 0, 1e-12);
+}
+
+TEST(ElementIntegrator, IsAQuarterOfTheAreaOnTheSphereOctantByOctant) {
+  const Surface surface = sphere();
+  const InsetBasis<double> constant(0, 0);
+  for (const SurfacePoint<double>& at :
+       {SurfacePoint<double>{0, {0.25, 0.5}}, {0, {1e-3, 0.5}}, {5, {0.75, 0.125}}}) {
+    const Observer<double> p = observer<double>(surface, at);
+    for (const ParameterTriangle& octant : triangulate(surface, 0).triangles) {
+      const ElementIntegral<double> integral =
+          ElementIntegrator<double>(surface, octant, constant).integrate(p);
+      EXPECT_LE(std::abs(integral.value[0] - pi<double>() / 8), integral.radius[0] + 1e-16) << octant.chart;
+      EXPECT_NEAR(integral.value[0], pi<double>() / 8, 1e-12) << octant.chart;
+    }
+  }
+}
+
+TEST(ElementIntegrator, FunctionsSumToTheConstantAndChildrenToTheirParent) {
+  Stream stream(22);
+  const InsetBasis<double> constant(0, 0);
+  for (const Surface& surface :
+       {cube(), sphere(), ellipsoid(1, 2, 5), two_piece(3), two_piece(Rational(3, 2)), two_squares()}) {
+    const std::vector<ParameterTriangle> fine = triangulate(surface, 2).triangles;
+    const TouchingElements elements(surface, 1);
+    for (const Place place : {Place::own, Place::edge, Place::vertex, Place::apart})
+      for (int attempt = 0; attempt < 6; ++attempt) {
+        const auto c = elements.draw(place, 3, 0.05, stream);
+        if (!c) continue;
+        const Observer<double> p = observer<double>(surface, c->observer);
+        const ElementIntegral<double> parent =
+            ElementIntegrator<double>(surface, c->element, constant).integrate(p);
+        const InsetBasis<double> basis(3, c->inset);
+        const ElementIntegral<double> parts =
+            ElementIntegrator<double>(surface, c->element, basis).integrate(p);
+        double sum = 0;
+        double allowed = parent.radius[0];
+        for (std::size_t j = 0; j < basis.size(); ++j) {
+          sum += parts.value[j];
+          allowed += parts.radius[j];
+        }
+        EXPECT_NEAR(sum, parent.value[0], allowed) << c->text();
+        EXPECT_GT(parent.value[0], 0) << c->text();
+        double children = 0;
+        allowed = parent.radius[0];
+        for (std::size_t k = 0; k < 4; ++k) {
+          const ElementIntegral<double> child =
+              ElementIntegrator<double>(surface, fine[4 * c->element_index + k], constant).integrate(p);
+          children += child.value[0];
+          allowed += child.radius[0];
+        }
+        EXPECT_NEAR(children, parent.value[0], allowed) << c->text();
+        EXPECT_LE(allowed, 1e-11) << c->text();
+      }
+  }
+}
+
+TEST(ElementIntegrator, IsExactlyZeroInOnePlane) {
+  for (const Surface& surface : {cube(), box(1, 2, 5), two_squares(), two_piece(1)}) {
+    const InsetBasis<double> basis(2, 0.1);
+    for (const ParameterTriangle& triangle : triangulate(surface, 1).triangles) {
+      ElementIntegrator<double> element(surface, triangle, basis);
+      for (std::size_t chart = 0; chart < surface.charts.size(); ++chart) {
+        const ElementIntegral<double> integral =
+            element.integrate(observer<double>(surface, {chart, {0.3, 0.45}}));
+        const bool zero = chart == triangle.chart;
+        for (std::size_t j = 0; j < basis.size(); ++j) {
+          EXPECT_EQ(integral.value[j] == 0, zero);
+          EXPECT_EQ(integral.radius[j] == 0, zero);
+        }
+        EXPECT_EQ(integral.absolute == 0, zero);
+      }
+    }
+  }
+}
+
+TEST(ElementIntegrator, IsExactlyZeroBetweenTwoChartsInOnePlane) {
+  Surface surface = two_squares();
+  surface.charts.push_back(
+      make_rectangle({.name = "beside", .piece = "beside"}, {1, 0, 0}, {Rational(1, 3), 0, 0}, {0, 1, 0}));
+  surface.diagonals.push_back(Diagonal::main);
+  const Observer<double> p = observer<double>(surface, {1, {1 - 1e-9, 0.5}});
+  for (const ParameterTriangle& triangle : triangulate(surface, 1).triangles) {
+    const double value =
+        ElementIntegrator<double>(surface, triangle, InsetBasis<double>(0, 0)).integrate(p).value[0];
+    EXPECT_EQ(value == 0, triangle.chart != 0) << triangle.chart;
+  }
+}
+
+TEST(ElementIntegrator, DoesNotDependOnTheScale) {
+  // G dS is without dimension, and a power of two scales every operation exactly.
+  const Surface surface = box(1, 2, 5);
+  const Surface scaled = box(8, 16, 40);
+  const InsetBasis<double> basis(2, 0.1);
+  const std::vector<ParameterTriangle> triangles = triangulate(surface, 1).triangles;
+  for (std::size_t k = 0; k < triangles.size(); k += 5)
+    for (std::size_t chart = 0; chart < 6; ++chart) {
+      const SurfacePoint<double> at{chart, {0.01, 0.3}};
+      const ElementIntegral<double> a =
+          ElementIntegrator<double>(surface, triangles[k], basis).integrate(observer<double>(surface, at));
+      const ElementIntegral<double> b =
+          ElementIntegrator<double>(scaled, triangles[k], basis).integrate(observer<double>(scaled, at));
+      for (std::size_t j = 0; j < basis.size(); ++j) {
+        EXPECT_EQ(a.value[j], b.value[j]) << k << " " << chart;
+        EXPECT_EQ(a.radius[j], b.radius[j]) << k << " " << chart;
+      }
+    }
+}
+
+TEST(ElementIntegrator, IsSymmetricInObserverAndElement) {
+  // Int_A Int_B G = Int_B Int_A G: by a rule in the observer, between two faces well apart.
+  const Surface surface = cube();
+  const ParameterTriangle floor{4, {{{0, 0}, {1, 0}, {0, 1}}}};
+  const ParameterTriangle ceiling{5, {{{0, 0}, {1, 0}, {1, 1}}}};
+  const auto both = [&](const ParameterTriangle& from, const ParameterTriangle& onto) {
+    ElementIntegrator<double> element(surface, onto, InsetBasis<double>(0, 0));
+    const TriangleRule<double>& rule = ConicalRules<double>::instance().rule(16, Gathering::nowhere);
+    double sum = 0;
+    for (std::size_t q = 0; q < rule.weights.size(); ++q)
+      sum += rule.weights[q] *
+             element.integrate(observer<double>(surface, {from.chart, from.at(rule.points[q].x)})).value[0];
+    return sum;
+  };
+  EXPECT_NEAR(both(floor, ceiling), both(ceiling, floor), 1e-14);
+}
+
+}  // namespace
+}  // namespace radcert
