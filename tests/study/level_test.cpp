@@ -263,6 +263,15 @@ TEST(SolveLevel, KnowsTheNormOfKOnClosedSurfacesOfConstantReflectivity) {
   const NormOfK piecewise = solve_level(problem, 0, no_route).result.norm_K;
   EXPECT_EQ(piecewise.value, 0.75);
   EXPECT_TRUE(piecewise.guaranteed);
+  problem.reflectivity = by_piece({{"floor", "1/4"},
+                                   {"west", "3/4"},
+                                   {"east", "0"},
+                                   {"south", "0"},
+                                   {"north", "0"},
+                                   {"ceiling", "0"},
+                                   {"*", "1"}});
+  const NormOfK covered = solve_level(problem, 0, no_route).result.norm_K;
+  EXPECT_EQ(covered.value, 0.75) << "the case * is no piece's";
   problem.reflectivity = everywhere("x/2");
   const NormOfK varying = solve_level(problem, 0, no_route).result.norm_K;
   EXPECT_FALSE(varying.guaranteed);

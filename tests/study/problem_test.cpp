@@ -182,6 +182,14 @@ TEST(Check, RefusesPiecesThatAreMissingOrUnknown) {
   expect_refused(problem, "/emission", "lower");
 }
 
+TEST(Check, LeavesOutAReflectivityThatNoPieceHas) {
+  Problem problem = sample_problem("sphere");
+  problem.reflectivity = by_piece({{"sphere", "1/2"}, {"*", "1"}});
+  EXPECT_NO_THROW(check(problem, plenty));
+  problem.reflectivity = by_piece({{"sphere", "1"}, {"*", "1/2"}});
+  EXPECT_THROW(check(problem, plenty), InputError);
+}
+
 TEST(Check, WantsExactlyOneOfSolutionAndEmission) {
   Problem problem = sample_problem("cube");
   problem.emission = everywhere("1");

@@ -56,11 +56,11 @@ double largest_size(std::span<const double> values) {
   return size;
 }
 
-/// sup rho where every case is a constant.
-std::optional<Rational> constant_bound(const PiecewiseExpression& reflectivity) {
+/// sup rho where it is a constant on every piece.
+std::optional<Rational> constant_bound(const PiecewiseExpression& reflectivity, const Surface& surface) {
   Rational bound = 0;
-  for (const PiecewiseExpression::Case& part : reflectivity.cases) {
-    const std::optional<Rational> value = part.expression.is_constant();
+  for (const std::string& piece : surface.piece_names()) {
+    const std::optional<Rational> value = reflectivity.on(piece).is_constant();
     if (!value) return std::nullopt;
     bound = std::max(bound, *value);
   }
@@ -72,7 +72,7 @@ std::optional<Rational> constant_bound(const PiecewiseExpression& reflectivity) 
 NormOfK norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivity,
                   std::span<const double> rho_at_nodes, std::span<const double> kernel_integral) {
   if (surface.closed) {
-    const std::optional<Rational> bound = constant_bound(reflectivity);
+    const std::optional<Rational> bound = constant_bound(reflectivity, surface);
     if (bound) return {.value = bound->to_double(), .guaranteed = true};
     return {.value = largest(rho_at_nodes), .guaranteed = false};
   }

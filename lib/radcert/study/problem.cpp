@@ -81,13 +81,22 @@ void check_basis(const Problem& problem, const Surface& surface) {
            "a number in [0, 0.333333]");
 }
 
+/// Whether an expression is the one of some piece: a "*" beside an expression for every piece is not.
+bool covers_a_piece(const PiecewiseExpression& function, const PiecewiseExpression::Case& part,
+                    const Surface& surface) {
+  const std::vector<std::string> names = surface.piece_names();
+  return std::any_of(names.begin(), names.end(),
+                     [&](const std::string& name) { return &function.on(name) == &part.expression; });
+}
+
 void check_reflectivity(const Problem& problem, const Surface& surface) {
   bool all_constant = true;
   Rational largest = 0;
-  for (const PiecewiseExpression::Case& part : problem.reflectivity.cases) {
-    const std::string pointer = problem.reflectivity.cases.size() == 1 && part.piece == "*"
-                                    ? "/reflectivity"
-                                    : "/reflectivity/" + part.piece;
+  const std::vector<PiecewiseExpression::Case>& cases = problem.reflectivity.cases;
+  for (const PiecewiseExpression::Case& part : cases) {
+    if (!covers_a_piece(problem.reflectivity, part, surface)) continue;
+    const std::string pointer =
+        cases.size() == 1 && part.piece == "*" ? "/reflectivity" : "/reflectivity/" + part.piece;
     const std::optional<Rational> value = part.expression.is_constant();
     if (!value) {
       all_constant = false;
