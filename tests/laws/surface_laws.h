@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/scalar/pack.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert::laws {
@@ -40,6 +41,37 @@ inline ::testing::AssertionResult is_fully_described(const Surface& surface) {
     if (chart.facts().piece.empty()) return ::testing::AssertionFailure() << "a chart of no piece";
     if (!names.insert(chart.facts().name).second)
       return ::testing::AssertionFailure() << "two charts are called " << chart.facts().name;
+  }
+  return ::testing::AssertionSuccess();
+}
+
+/// In packs a chart has the bits that it has in double.
+inline ::testing::AssertionResult has_the_same_bits_in_packs(const Surface& surface) {
+  for (const Chart& chart : surface.charts) {
+    const std::vector<ParameterPoint<double>> points = points_of_the_domain(chart.facts().domain);
+    for (std::size_t first = 0; first < points.size(); ++first) {
+      ParameterPoint<Pack> at{0, 0};
+      for (std::size_t i = 0; i < Pack::lanes; ++i) {
+        at.s.set_lane(i, points[(first + i) % points.size()].s);
+        at.t.set_lane(i, points[(first + i) % points.size()].t);
+      }
+      const ParameterPoint<Pack> step{Pack(points[first].s) - at.s, Pack(points[first].t) - at.t};
+      const Frame<Pack> frame = chart.in<Pack>().frame(at);
+      const Chord<Pack> chord = chart.in<Pack>().chord(at, step);
+      for (std::size_t i = 0; i < Pack::lanes; ++i) {
+        const auto lane = [i](const Vector<Pack>& v) {
+          return Vector<double>{v.x.lane(i), v.y.lane(i), v.z.lane(i)};
+        };
+        const ParameterPoint<double> here{at.s.lane(i), at.t.lane(i)};
+        const Frame<double> f = chart.in<double>().frame(here);
+        const Chord<double> c = chart.in<double>().chord(here, {step.s.lane(i), step.t.lane(i)});
+        const bool same = lane(frame.point) == f.point && lane(frame.tangent_s) == f.tangent_s &&
+                          lane(frame.tangent_t) == f.tangent_t && lane(frame.area_normal) == f.area_normal &&
+                          lane(chord.difference) == c.difference && lane(chord.bend_p) == c.bend_p &&
+                          lane(chord.bend_q) == c.bend_q;
+        if (!same) return ::testing::AssertionFailure() << "other bits on " << detail::text(chart, here);
+      }
+    }
   }
   return ::testing::AssertionSuccess();
 }
@@ -134,8 +166,10 @@ inline ::testing::AssertionResult has_a_vanishing_integral_of_its_normal(const S
 /// All of the above, as far as the surface's own facts ask for them.
 inline ::testing::AssertionResult obeys_the_surface_laws(const Surface& surface) {
   const std::vector<::testing::AssertionResult> results{
-      is_fully_described(surface), has_normals_across_its_tangents(surface, 4e-16),
+      is_fully_described(surface),
+      has_normals_across_its_tangents(surface, 4e-16),
       has_tangents_that_are_derivatives(surface, 1e-5, 1e-9),
+      has_the_same_bits_in_packs(surface),
       surface.unoccluded ? lies_inside_its_tangent_planes(surface, 1e-14) : ::testing::AssertionSuccess(),
       surface.closed ? has_a_vanishing_integral_of_its_normal(surface, 64, 1e-3)
                      : ::testing::AssertionSuccess()};

@@ -57,6 +57,12 @@ TEST(SurfaceLaws, HoldForEverySurfaceOfTheCatalogue) {
   }
 }
 
+/// A chart's formula in double, as a chart's constructor takes it.
+std::shared_ptr<const ChartIn<double>> doubles_of(const Chart& chart) {
+  const auto kept = std::make_shared<Chart>(chart);
+  return {kept, &kept->in<double>()};
+}
+
 TEST(SurfaceLaws, RejectASurfaceTurnedInsideOut) {
   EXPECT_TRUE(obeys_the_surface_laws(arch(Orientation::against_the_cross_product)));
   EXPECT_FALSE(obeys_the_surface_laws(arch(Orientation::along_the_cross_product)));
@@ -71,6 +77,15 @@ TEST(SurfaceLaws, RejectTangentsThatAreNotDerivatives) {
   };
   EXPECT_TRUE(has_tangents_that_are_derivatives(with_twist({0, 0, 0}), 1e-5, 1e-9));
   EXPECT_FALSE(has_tangents_that_are_derivatives(with_twist({0, 1e-6, 0}), 1e-5, 1e-9));
+}
+
+TEST(SurfaceLaws, RejectAFormulaThatDiffersInPacks) {
+  Surface surface = sphere();
+  const Surface other = ellipsoid(1, 1, Rational(1000001, 1000000));
+  surface.charts[0] = Chart(surface.charts[0].facts(), doubles_of(surface.charts[0]),
+                            std::make_shared<ChartByLane>(doubles_of(other.charts[0])));
+  EXPECT_TRUE(has_the_same_bits_in_packs(sphere()));
+  EXPECT_FALSE(has_the_same_bits_in_packs(surface));
 }
 
 TEST(SurfaceLaws, RejectAnOrientationThatTheNormalDoesNotHave) {

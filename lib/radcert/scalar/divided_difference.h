@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "radcert/scalar/exponent.h"
+#include "radcert/scalar/pack.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {
@@ -41,7 +42,7 @@ struct DividedDifference {
   explicit DividedDifference(int constant) : DividedDifference(R(constant)) {}
 
   /// The linear function p + step * direction.
-  static DividedDifference variable(const R& p, const R& direction, const R& step) {
+  [[gnu::always_inline]] static DividedDifference variable(const R& p, const R& direction, const R& step) {
     DividedDifference f;
     f.at_p = p;
     f.at_q = p + step * direction;
@@ -51,9 +52,10 @@ struct DividedDifference {
     return f;
   }
 
-  friend DividedDifference operator-(const DividedDifference& f) { return R(-1) * f; }
+  [[gnu::always_inline]] friend DividedDifference operator-(const DividedDifference& f) { return R(-1) * f; }
 
-  friend DividedDifference operator+(const DividedDifference& f, const DividedDifference& g) {
+  [[gnu::always_inline]] friend DividedDifference operator+(const DividedDifference& f,
+                                                            const DividedDifference& g) {
     DividedDifference h;
     h.at_p = f.at_p + g.at_p;
     h.at_q = f.at_q + g.at_q;
@@ -66,11 +68,12 @@ struct DividedDifference {
     return h;
   }
 
-  friend DividedDifference operator-(const DividedDifference& f, const DividedDifference& g) {
+  [[gnu::always_inline]] friend DividedDifference operator-(const DividedDifference& f,
+                                                            const DividedDifference& g) {
     return f + (-g);
   }
 
-  friend DividedDifference operator*(const R& c, const DividedDifference& f) {
+  [[gnu::always_inline]] friend DividedDifference operator*(const R& c, const DividedDifference& f) {
     DividedDifference h;
     h.at_p = c * f.at_p;
     h.at_q = c * f.at_q;
@@ -82,15 +85,18 @@ struct DividedDifference {
     h.step = f.step;
     return h;
   }
-  friend DividedDifference operator+(const R& c, const DividedDifference& f) {
+  [[gnu::always_inline]] friend DividedDifference operator+(const R& c, const DividedDifference& f) {
     DividedDifference h = f;
     h.at_p = c + f.at_p;
     h.at_q = c + f.at_q;
     return h;
   }
-  friend DividedDifference operator-(const R& c, const DividedDifference& f) { return c + (-f); }
+  [[gnu::always_inline]] friend DividedDifference operator-(const R& c, const DividedDifference& f) {
+    return c + (-f);
+  }
 
-  friend DividedDifference operator*(const DividedDifference& f, const DividedDifference& g) {
+  [[gnu::always_inline]] friend DividedDifference operator*(const DividedDifference& f,
+                                                            const DividedDifference& g) {
     DividedDifference h;
     h.at_p = f.at_p * g.at_p;
     h.at_q = f.at_q * g.at_q;
@@ -103,32 +109,37 @@ struct DividedDifference {
     return h;
   }
 
-  /// The quotient h = f / g from the product f = h g, order by order.
-  friend DividedDifference operator/(const DividedDifference& f, const DividedDifference& g) {
+  /// The reciprocal h = 1/g from the product g h = 1, order by order.
+  [[gnu::always_inline]] friend DividedDifference reciprocal(const DividedDifference& g) {
     DividedDifference h;
-    h.at_p = f.at_p / g.at_p;
-    h.at_q = f.at_q / g.at_q;
-    h.slope_p = (f.slope_p - h.at_p * g.slope_p) / g.at_p;
-    h.slope_q = (f.slope_q - h.at_q * g.slope_q) / g.at_q;
-    h.first = (f.first - h.at_p * g.first) / g.at_q;
-    h.second_p = (f.second_p - h.slope_p * g.first - h.at_p * g.second_p) / g.at_q;
-    h.second_q = (f.second_q - h.first * g.slope_q - h.at_p * g.second_q) / g.at_q;
-    h.step = either_step(f, g);
+    h.at_p = R(1) / g.at_p;
+    h.at_q = R(1) / g.at_q;
+    h.slope_p = -(h.at_p * h.at_p * g.slope_p);
+    h.slope_q = -(h.at_q * h.at_q * g.slope_q);
+    h.first = -(h.at_p * h.at_q * g.first);
+    h.second_p = -(h.slope_p * g.first + h.at_p * g.second_p) * h.at_q;
+    h.second_q = -(h.first * g.slope_q + h.at_p * g.second_q) * h.at_q;
+    h.step = g.step;
     return h;
   }
 
+  [[gnu::always_inline]] friend DividedDifference operator/(const DividedDifference& f,
+                                                            const DividedDifference& g) {
+    return f * reciprocal(g);
+  }
+
   /// The root h from the product f = h h, order by order.
-  friend DividedDifference sqrt(const DividedDifference& f) {
+  [[gnu::always_inline]] friend DividedDifference sqrt(const DividedDifference& f) {
     using std::sqrt;
     DividedDifference h;
     h.at_p = sqrt(f.at_p);
     h.at_q = sqrt(f.at_q);
     h.slope_p = f.slope_p / (h.at_p + h.at_p);
     h.slope_q = f.slope_q / (h.at_q + h.at_q);
-    const R sum = h.at_p + h.at_q;
-    h.first = f.first / sum;
-    h.second_p = (f.second_p - h.slope_p * h.first) / sum;
-    h.second_q = (f.second_q - h.first * h.slope_q) / sum;
+    const R inverse_sum = R(1) / (h.at_p + h.at_q);
+    h.first = f.first * inverse_sum;
+    h.second_p = (f.second_p - h.slope_p * h.first) * inverse_sum;
+    h.second_q = (f.second_q - h.first * h.slope_q) * inverse_sum;
     h.step = f.step;
     return h;
   }
@@ -154,14 +165,30 @@ struct DividedDifference {
   }
 
 private:
+  template <Field>
+  friend struct DividedDifference;
+
   /// A constant has no step of its own.
-  static R either_step(const DividedDifference& f, const DividedDifference& g) {
+  [[gnu::always_inline]] static R either_step(const DividedDifference& f, const DividedDifference& g) {
     return f.step == R(0) ? g.step : f.step;
   }
 
   /// phi[a,a,b] for phi(x) = x^e, b = a + d: the binomial series in d/a for |d| <= a/2, else the definition, where
   /// the subtraction costs a few digits at most.
   static R bend_of_power(const R& a, const R& b, const R& d, const Exponent<R>& e) {
+    if constexpr (std::is_same_v<R, Pack>) {
+      const Exponent<double> of_lane = e.in(e.value().lane(0));
+      return by_lane(
+          [&of_lane](double x, double y, double step) {
+            return DividedDifference<double>::bend_of_power(x, y, step, of_lane);
+          },
+          a, b, d);
+    } else {
+      return bend_of_power_in_one_lane(a, b, d, e);
+    }
+  }
+
+  static R bend_of_power_in_one_lane(const R& a, const R& b, const R& d, const Exponent<R>& e) {
     using std::abs;
     if (a == R(0) && d == R(0))
       return R(0);  // for e < 2 not its value, but then f is constant and the factor is zero

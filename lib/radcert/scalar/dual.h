@@ -35,10 +35,12 @@ struct Dual {
   friend Dual operator*(const Dual& f, const Dual& g) {
     return {f.value * g.value, f.by_s * g.value + f.value * g.by_s, f.by_t * g.value + f.value * g.by_t};
   }
-  friend Dual operator/(const Dual& f, const Dual& g) {
-    const R q = f.value / g.value;
-    return {q, (f.by_s - q * g.by_s) / g.value, (f.by_t - q * g.by_t) / g.value};
+  friend Dual reciprocal(const Dual& g) {
+    const R inverse = R(1) / g.value;
+    const R slope = -(inverse * inverse);
+    return {inverse, slope * g.by_s, slope * g.by_t};
   }
+  friend Dual operator/(const Dual& f, const Dual& g) { return f * reciprocal(g); }
   friend Dual operator+(const R& c, const Dual& f) { return {c + f.value, f.by_s, f.by_t}; }
   friend Dual operator-(const R& c, const Dual& f) { return {c - f.value, -f.by_s, -f.by_t}; }
   friend Dual operator*(const R& c, const Dual& f) { return {c * f.value, c * f.by_s, c * f.by_t}; }

@@ -30,6 +30,11 @@ public:
 
   /// p - 1, for p >= 1.
   Exponent minus_one() const { return Exponent(value_ - R(1), whole_, count_ - 1); }
+  /// The same exponent in the arithmetic of a single lane of R.
+  template <class Lane>
+  Exponent<Lane> in(const Lane& value) const {
+    return Exponent<Lane>(value, whole_, count_);
+  }
 
   friend R power(const R& x, const Exponent& p) {
     using std::pow;
@@ -37,6 +42,8 @@ public:
   }
 
 private:
+  template <Field>
+  friend class Exponent;
   Exponent(const R& value, bool whole, long count) : value_(value), whole_(whole), count_(count) {}
   R value_;
   bool whole_;

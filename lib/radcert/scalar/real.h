@@ -96,14 +96,38 @@ concept Real = Field<T> && (std::floating_point<T> || detail::HasElementaryFunct
 /// Limits    -
 template <Field T>
 T power(const T& x, long n) {
-  T result = T(1);
+  unsigned long left = n < 0 ? 0UL - static_cast<unsigned long>(n) : static_cast<unsigned long>(n);
+  if (left == 0) return T(1);
   T square = x;
-  for (unsigned long left = n < 0 ? 0UL - static_cast<unsigned long>(n) : static_cast<unsigned long>(n);
-       left != 0; left >>= 1U) {
+  for (; (left & 1U) == 0; left >>= 1U) square = square * square;
+  T result = square;
+  for (left >>= 1U; left != 0; left >>= 1U) {
+    square = square * square;
     if ((left & 1U) != 0) result = result * square;
-    if (left > 1) square = square * square;
   }
   return n < 0 ? T(1) / result : result;
+}
+
+/// 1/x: arithmetics that divide by the same number several times give it a cheaper form.
+template <Field T>
+T reciprocal(const T& x) {
+  return T(1) / x;
+}
+
+/// A product and a sum, for the inner loops.
+/// Maths     a b + c
+/// Source    -
+/// Requires  -
+/// Result    one rounding where the arithmetic has a fused operation, else two
+/// Limits    -
+template <Field T>
+T multiply_add(const T& a, const T& b, const T& c) {
+  using std::fma;
+  if constexpr (requires { fma(a, b, c); }) {
+    return fma(a, b, c);
+  } else {
+    return a * b + c;
+  }
 }
 
 /// The distance from 1 to the next number, halved: the largest relative rounding of one operation.

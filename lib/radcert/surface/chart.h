@@ -10,6 +10,7 @@
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/divided_difference.h"
 #include "radcert/scalar/dual.h"
+#include "radcert/scalar/pack.h"
 #include "radcert/surface/chord.h"
 
 namespace radcert {
@@ -57,6 +58,49 @@ public:
   virtual Chord<R> chord(const ParameterPoint<R>& p, const ParameterPoint<R>& w) const = 0;
 };
 
+/// A chart known in double only, taken into packs lane by lane.
+/// Maths     that of the chart
+/// Source    -
+/// Requires  -
+/// Result    the bits of the chart in double
+/// Limits    slow: a call a lane; `make_chart` gives packs a formula of their own
+class ChartByLane final : public ChartIn<Pack> {
+public:
+  explicit ChartByLane(std::shared_ptr<const ChartIn<double>> chart) : chart_(std::move(chart)) {}
+
+  Frame<Pack> frame(const ParameterPoint<Pack>& at) const override {
+    Frame<Pack> result;
+    for (std::size_t i = 0; i < Pack::lanes; ++i) {
+      const Frame<double> f = chart_->frame({at.s.lane(i), at.t.lane(i)});
+      set(result.point, i, f.point);
+      set(result.tangent_s, i, f.tangent_s);
+      set(result.tangent_t, i, f.tangent_t);
+      set(result.area_normal, i, f.area_normal);
+    }
+    return result;
+  }
+
+  Chord<Pack> chord(const ParameterPoint<Pack>& p, const ParameterPoint<Pack>& w) const override {
+    Chord<Pack> result;
+    for (std::size_t i = 0; i < Pack::lanes; ++i) {
+      const Chord<double> c = chart_->chord({p.s.lane(i), p.t.lane(i)}, {w.s.lane(i), w.t.lane(i)});
+      set(result.difference, i, c.difference);
+      set(result.bend_p, i, c.bend_p);
+      set(result.bend_q, i, c.bend_q);
+    }
+    return result;
+  }
+
+private:
+  static void set(Vector<Pack>& to, std::size_t lane, const Vector<double>& from) {
+    to.x.set_lane(lane, from.x);
+    to.y.set_lane(lane, from.y);
+    to.z.set_lane(lane, from.z);
+  }
+
+  std::shared_ptr<const ChartIn<double>> chart_;
+};
+
 /// The corners of the convex polygon R_j over which a chart is defined.
 enum class ChartDomain {
   unit_square,    ///< 0 <= s, t <= 1
@@ -81,11 +125,14 @@ struct ChartFacts {
 /// Source    [ac98, (13)-(14)]
 /// Requires  F_j twice continuously differentiable off its singular line
 /// Result    immutable; safe to share between threads
-/// Limits    arithmetics: double
+/// Limits    arithmetics: double, Pack
 class Chart {
 public:
-  Chart(ChartFacts facts, std::shared_ptr<const ChartIn<double>> in_double)
-      : facts_(std::move(facts)), in_double_(std::move(in_double)) {}
+  Chart(ChartFacts facts, const std::shared_ptr<const ChartIn<double>>& in_double)
+      : Chart(std::move(facts), in_double, std::make_shared<ChartByLane>(in_double)) {}
+  Chart(ChartFacts facts, std::shared_ptr<const ChartIn<double>> in_double,
+        std::shared_ptr<const ChartIn<Pack>> in_pack)
+      : facts_(std::move(facts)), in_double_(std::move(in_double)), in_pack_(std::move(in_pack)) {}
 
   const ChartFacts& facts() const { return facts_; }
   template <Real R>
@@ -94,11 +141,17 @@ public:
 private:
   ChartFacts facts_;
   std::shared_ptr<const ChartIn<double>> in_double_;
+  std::shared_ptr<const ChartIn<Pack>> in_pack_;
 };
 
 template <>
 inline const ChartIn<double>& Chart::in<double>() const {
   return *in_double_;
+}
+
+template <>
+inline const ChartIn<Pack>& Chart::in<Pack>() const {
+  return *in_pack_;
 }
 
 /// A chart's formula, differentiated.
@@ -114,7 +167,7 @@ public:
   ChartOf(Formula formula, Orientation orientation)
       : formula_(std::move(formula)), sign_(orientation == Orientation::along_the_cross_product ? 1 : -1) {}
 
-  Frame<R> frame(const ParameterPoint<R>& at) const override {
+  [[gnu::flatten]] Frame<R> frame(const ParameterPoint<R>& at) const override {
     const Vector<Dual<R>> f = formula_(Dual<R>{at.s, R(1), R(0)}, Dual<R>{at.t, R(0), R(1)});
     Frame<R> frame;
     frame.point = {f.x.value, f.y.value, f.z.value};
@@ -124,7 +177,7 @@ public:
     return frame;
   }
 
-  Chord<R> chord(const ParameterPoint<R>& p, const ParameterPoint<R>& w) const override {
+  [[gnu::flatten]] Chord<R> chord(const ParameterPoint<R>& p, const ParameterPoint<R>& w) const override {
     using D = DividedDifference<R>;
     const Vector<D> f = formula_(D::variable(p.s, w.s, R(1)), D::variable(p.t, w.t, R(1)));
     return {.difference = {f.x.first, f.y.first, f.z.first},
@@ -147,7 +200,9 @@ template <template <class> class Formula, class... Parameters>
 Chart make_chart(ChartFacts facts, const Parameters&... parameters) {
   auto in_double =
       std::make_shared<ChartOf<double, Formula<double>>>(Formula<double>(parameters...), facts.orientation);
-  return Chart(std::move(facts), std::move(in_double));
+  auto in_pack =
+      std::make_shared<ChartOf<Pack, Formula<Pack>>>(Formula<Pack>(parameters...), facts.orientation);
+  return Chart(std::move(facts), std::move(in_double), std::move(in_pack));
 }
 
 }  // namespace radcert

@@ -34,8 +34,8 @@ public:
   Vector<T> operator()(const T& s, const T& t) const {
     const T u = R(1) - (s + t);
     using std::sqrt;
-    const T length = sqrt(u * u + s * s + t * t);
-    return {a_ * (u / length), b_ * (s / length), c_ * (t / length)};
+    const T inverse_length = reciprocal(sqrt(u * u + s * s + t * t));
+    return {a_ * (u * inverse_length), b_ * (s * inverse_length), c_ * (t * inverse_length)};
   }
 
 private:
