@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/quadrature/element_integrator.h"
+#include "radcert/quadrature/flat_rule_bound.h"
 
 #include <gtest/gtest.h>
 
@@ -183,6 +184,80 @@ TEST(ElementIntegrator, DoesNotDependOnTheScale) {
     }
 }
 
+TEST(ElementIntegrator, KeepsACoarserToleranceWithFewerPoints) {
+  const InsetBasis<double> basis(1, 1.0 / 6);
+  for (const Surface& surface : {cube(), two_piece(2)}) {
+    const Triangulation triangulation = triangulate(surface, 1);
+    std::vector<Observer<double>> nodes;
+    for (const ParameterTriangle& triangle : triangulation.triangles)
+      nodes.push_back(observer<double>(surface, {triangle.chart, triangle.at({0.2, 0.5, 0.3})}));
+    for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
+      std::vector<double> row(nodes.size());
+      std::vector<double> largest_error(nodes.size());
+      for (const ParameterTriangle& triangle : triangulation.triangles) {
+        ElementIntegrator<double> coarse(surface, triangle, basis, Tolerance(tolerance));
+        ElementIntegrator<double> fine(surface, triangle, basis);
+        for (const ObserverBlock<double>& block : observer_blocks<double>(nodes)) {
+          BlockIntegral<double> a;
+          BlockIntegral<double> b;
+          coarse.integrate(block, nodes, a);
+          fine.integrate(block, nodes, b);
+          for (std::size_t i = 0; i < block.count; ++i) {
+            row[block.first + i] += b.absolute.lane(i);
+            for (std::size_t j = 0; j < basis.size(); ++j) {
+              const double error = std::abs(a.value[j].lane(i) - b.value[j].lane(i));
+              EXPECT_LE(error, a.radius[j].lane(i) + b.radius[j].lane(i));
+              largest_error[block.first + i] = std::max(largest_error[block.first + i], error);
+            }
+          }
+        }
+      }
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        EXPECT_LE(largest_error[i], tolerance * row[i]) << surface.name << " " << tolerance;
+    }
+  }
+}
+
+TEST(FlatRuleBound, LiesAboveTheErrorAndDecays) {
+  // A right triangle in the plane z = 0 with its centroid at 0, seen by P at distance eta r in many directions.
+  const Surface surface = cube();
+  const std::size_t floor = 4;
+  ASSERT_EQ(surface.charts[floor].facts().name, "floor");
+  const ParameterTriangle triangle{floor, {{{0, 0}, {0.5, 0}, {0, 0.5}}}};
+  const Vector<double> centre{0.5 / 3, 0.5 / 3, 0};
+  const double radius = std::sqrt(5.0) / 6;
+  for (const int degree : {0, 1, 3}) {
+    const InsetBasis<double> basis(degree, 0.1);
+    const IntegrationScheme<double> scheme(surface, basis, Tolerance());
+    const auto rule = [&](int order) {
+      Samples<double> samples;
+      sample(surface.charts[floor], whole_element<double>(triangle), basis, order, samples);
+      return samples;
+    };
+    const Samples<double> exact = rule(24);
+    for (const double eta : {2.5, 4.0, 8.0, 16.0})
+      for (const int order : {2, 3, 4, 6, 8}) {
+        const Samples<double> samples = rule(order);
+        for (const double height : {0.05, 0.3, 0.9})
+          for (const double angle : {0.3, 1.7, 3.0, 4.4, 5.9}) {
+            const double level = std::sqrt(1 - height * height);
+            const double distance = eta * radius;
+            const Vector<double> d{level * std::cos(angle), level * std::sin(angle), height};
+            const Observer<double> p{{0, {0, 0}}, centre + distance * d, -d};
+            const KernelSums<double> a = kernel_sums(p, samples, 1.0);
+            const KernelSums<double> b = kernel_sums(p, exact, 1.0);
+            const double scale = 0.125 * distance * height / std::pow(distance, 3);
+            for (std::size_t j = 0; j < basis.size(); ++j) {
+              const double bound = flat_rule_bound(order, degree, eta) * scale * scheme.largest_value(j);
+              EXPECT_LE(std::abs(a.value[j] - b.value[j]), bound + rounding(a, j) + rounding(b, j));
+            }
+          }
+        EXPECT_LT(flat_rule_bound(order + 1, degree, eta), flat_rule_bound(order, degree, eta));
+        EXPECT_LT(flat_rule_bound(order, degree, 1.1 * eta), flat_rule_bound(order, degree, eta));
+      }
+  }
+}
+
 TEST(ElementIntegrator, IsSymmetricInObserverAndElement) {
   // Int_A Int_B G = Int_B Int_A G: by a rule in the observer, between two faces well apart.
   const Surface surface = cube();
@@ -190,7 +265,7 @@ TEST(ElementIntegrator, IsSymmetricInObserverAndElement) {
   const ParameterTriangle ceiling{5, {{{0, 0}, {1, 0}, {1, 1}}}};
   const auto both = [&](const ParameterTriangle& from, const ParameterTriangle& onto) {
     ElementIntegrator<double> element(surface, onto, InsetBasis<double>(0, 0));
-    const TriangleRule<double>& rule = ConicalRules<double>::instance().rule(16, Gathering::nowhere);
+    const TriangleRule<double> rule = conical_rule<double>(16, Gathering::nowhere);
     double sum = 0;
     for (std::size_t q = 0; q < rule.weights.size(); ++q)
       sum += rule.weights[q] *

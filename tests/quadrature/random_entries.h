@@ -52,6 +52,12 @@ struct Case {
   SurfacePoint<double> observer;
   std::size_t element_index;
   ParameterTriangle element;
+  ParameterTriangle observers_triangle;
+
+  /// Node i of the observer's element.
+  SurfacePoint<double> node_of_observers_element(const InsetBasis<double>& basis, std::size_t i) const {
+    return {observers_triangle.chart, observers_triangle.at(basis.nodes()[i].x)};
+  }
 
   std::string text() const {
     std::string parameters;
@@ -118,7 +124,8 @@ public:
                 observer_element,
                 {from.chart, from.at(basis.nodes()[node].x)},
                 element,
-                triangles_[element]};
+                triangles_[element],
+                from};
   }
 
 private:

@@ -7,6 +7,7 @@
 #include "radcert/quadrature/bernstein.h"
 #include "radcert/quadrature/chart_inverse.h"
 #include "radcert/quadrature/kernel_sums.h"
+#include "radcert/quadrature/tolerance.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
@@ -133,11 +134,12 @@ TEST(BernsteinRadius, InvertsTheJoukowskyMap) {
 }
 
 TEST(PointsFor, ReachTheIntendedTruncationAndNoMore) {
+  const double intended_truncation = Tolerance().intended_truncation();
   for (const double rho : {1.5, 2.0, 3.0, 10.0}) {
-    const int points = points_for(rho, 0);
+    const int points = points_for(rho, 0, intended_truncation);
     EXPECT_LE(std::pow(rho, -2.0 * points), intended_truncation) << rho;
     EXPECT_GT(std::pow(rho, -2.0 * (points - 1)), intended_truncation) << rho;
-    EXPECT_EQ(points_for(rho, 3), points + 2) << rho;
+    EXPECT_EQ(points_for(rho, 3, intended_truncation), points + 2) << rho;
   }
 }
 

@@ -20,32 +20,69 @@ struct RowSums {
   std::vector<R> radius;
 };
 
+/// Writes the entries of a full block of rows and element k, and adds to the rows' sums.
+template <Real R>
+void put_block(std::size_t first, std::size_t k, const BlockIntegral<R>& integral, std::size_t functions,
+               const std::vector<R>& factors, Matrix<R>& entries, RowSums<R>& rows) {
+  using B = typename Block<R>::Type;
+  const B factor = Block<R>::load(&factors[first]);
+  B radius = B(R(0));
+  for (std::size_t j = 0; j < functions; ++j) {
+    Block<R>::store(factor * integral.value[j], &entries(first, k * functions + j));
+    radius = radius + integral.radius[j];
+  }
+  const auto add = [first](const B& term, std::vector<R>& sums) {
+    Block<R>::store(Block<R>::load(&sums[first]) + term, &sums[first]);
+  };
+  add(integral.absolute, rows.kernel_integral);
+  add(factor * radius, rows.radius);
+}
+
+/// The same, lane by lane, for a block that is not full.
+template <Real R>
+void put_lanes(const ObserverBlock<R>& block, std::size_t k, const BlockIntegral<R>& integral,
+               std::size_t functions, const std::vector<R>& factors, Matrix<R>& entries, RowSums<R>& rows) {
+  for (std::size_t lane = 0; lane < block.count; ++lane) {
+    const std::size_t i = block.first + lane;
+    R radius = R(0);
+    for (std::size_t j = 0; j < functions; ++j) {
+      entries(i, k * functions + j) = factors[i] * Block<R>::lane(integral.value[j], lane);
+      radius += Block<R>::lane(integral.radius[j], lane);
+    }
+    rows.kernel_integral[i] += Block<R>::lane(integral.absolute, lane);
+    rows.radius[i] += factors[i] * radius;
+  }
+}
+
 }  // namespace
 
 template <Real R>
 CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& triangulation,
                               const InsetBasis<R>& basis, std::span<const Observer<R>> nodes,
-                              std::span<const R> reflectivity) {
+                              std::span<const R> reflectivity, const Tolerance& tolerance) {
   const std::size_t elements = triangulation.triangles.size();
   const std::size_t functions = basis.size();
   const std::size_t unknowns = elements * functions;
   expects(nodes.size() == unknowns, "one node a basis function and element", named("nodes", nodes.size()));
   expects(reflectivity.size() == unknowns, "one reflectivity a node", named("values", reflectivity.size()));
 
-  CollocationMatrix<R> matrix{Matrix<R>(unknowns, unknowns), {}, {}};
+  CollocationMatrix<R> matrix{Matrix<R>::uninitialised(unknowns, unknowns), {}, {}};
   const std::size_t grain = (elements + most_chunks - 1) / most_chunks;
+  std::vector<R> factors;
+  for (const R& rho : reflectivity) factors.push_back(rho / pi<R>());
+  const auto scheme = std::make_shared<const IntegrationScheme<R>>(surface, basis, tolerance);
+  const std::vector<ObserverBlock<R>> blocks = observer_blocks(nodes);
   const auto integrate_chunk = [&](std::size_t begin, std::size_t end) {
     RowSums<R> rows{std::vector<R>(unknowns), std::vector<R>(unknowns)};
+    BlockIntegral<R> integral;
     for (std::size_t k = begin; k < end; ++k) {
-      ElementIntegrator<R> element(surface, triangulation.triangles[k], basis);
-      for (std::size_t i = 0; i < unknowns; ++i) {
-        const ElementIntegral<R> integral = element.integrate(nodes[i]);
-        const R factor = reflectivity[i] / pi<R>();
-        rows.kernel_integral[i] += integral.absolute;
-        for (std::size_t j = 0; j < functions; ++j) {
-          matrix.entries(i, k * functions + j) = factor * integral.value[j];
-          rows.radius[i] += factor * integral.radius[j];
-        }
+      ElementIntegrator<R> element(scheme, triangulation.triangles[k]);
+      for (const ObserverBlock<R>& block : blocks) {
+        element.integrate(block, nodes, integral);
+        if (block.count == Block<R>::lanes)
+          put_block(block.first, k, integral, functions, factors, matrix.entries, rows);
+        else
+          put_lanes(block, k, integral, functions, factors, matrix.entries, rows);
       }
     }
     return rows;
@@ -68,6 +105,6 @@ CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& trian
 template CollocationMatrix<double> assemble<double>(const Surface&, const Triangulation&,
                                                     const InsetBasis<double>&,
                                                     std::span<const Observer<double>>,
-                                                    std::span<const double>);
+                                                    std::span<const double>, const Tolerance&);
 
 }  // namespace radcert

@@ -7,6 +7,7 @@
 #include "radcert/core/matrix.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/quadrature/observer.h"
+#include "radcert/quadrature/tolerance.h"
 #include "radcert/triangulation/triangulation.h"
 
 namespace radcert {
@@ -16,7 +17,7 @@ namespace radcert {
 ///           kernel_integral[i] = Int_S |G(v_i,Q)| dS_Q;  row_radius[i] = sum over the row of the entries' radii
 /// Source    [ac98, (40)]
 /// Requires  -
-/// Result    each entry to about 1e-13 of its own Int |G l_j|; radii are estimates
+/// Result    each entry to the tolerance, relative to the row's Int |G|; radii are estimates
 /// Limits    dense
 template <Real R>
 struct CollocationMatrix {
@@ -34,11 +35,11 @@ struct CollocationMatrix {
 template <Real R>
 CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& triangulation,
                               const InsetBasis<R>& basis, std::span<const Observer<R>> nodes,
-                              std::span<const R> reflectivity);
+                              std::span<const R> reflectivity, const Tolerance& tolerance = Tolerance());
 
 extern template CollocationMatrix<double> assemble<double>(const Surface&, const Triangulation&,
                                                            const InsetBasis<double>&,
                                                            std::span<const Observer<double>>,
-                                                           std::span<const double>);
+                                                           std::span<const double>, const Tolerance&);
 
 }  // namespace radcert

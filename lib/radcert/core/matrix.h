@@ -2,22 +2,50 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace radcert {
+
+/// An allocator that leaves new numbers as they are: memory is first touched by the thread that fills it.
+template <class R>
+class UninitialisedAllocator : public std::allocator<R> {
+public:
+  template <class Other>
+  struct rebind {
+    using other = UninitialisedAllocator<Other>;
+  };
+  template <class Item, class... Arguments>
+  void construct(Item* at, Arguments&&... arguments) {
+    if constexpr (sizeof...(Arguments) == 0)
+      ::new (static_cast<void*>(at)) Item;
+    else
+      ::new (static_cast<void*>(at)) Item(std::forward<Arguments>(arguments)...);
+  }
+};
 
 /// A dense matrix, stored by columns.
 /// Maths     A = (a_ij), 0 <= i < rows, 0 <= j < columns
 /// Source    -
 /// Requires  indices in range; not checked
-/// Result    zero at first; column(j) is contiguous
+/// Result    zero at first, or `uninitialised`; column(j) is contiguous
 /// Limits    storage only; the algebra lives in `solve`
 template <class R>
 class Matrix {
 public:
   Matrix() = default;
-  Matrix(std::size_t rows, std::size_t columns) : rows_(rows), columns_(columns), entries_(rows * columns) {}
+  Matrix(std::size_t rows, std::size_t columns)
+      : rows_(rows), columns_(columns), entries_(rows * columns, R()) {}
+  /// A matrix of which every entry is still to be written.
+  static Matrix uninitialised(std::size_t rows, std::size_t columns) {
+    Matrix matrix;
+    matrix.rows_ = rows;
+    matrix.columns_ = columns;
+    matrix.entries_ = Storage(rows * columns);
+    return matrix;
+  }
 
   std::size_t rows() const { return rows_; }
   std::size_t columns() const { return columns_; }
@@ -29,9 +57,11 @@ public:
   }
 
 private:
+  using Storage = std::vector<R, UninitialisedAllocator<R>>;
+
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;
-  std::vector<R> entries_;
+  Storage entries_;
 };
 
 }  // namespace radcert

@@ -5,14 +5,15 @@
 #include <cmath>
 #include <vector>
 
-#include "radcert/kernel/geometric_kernel.h"
 #include "radcert/polynomial/gauss.h"
 #include "radcert/quadrature/bernstein.h"
 
 namespace radcert {
 namespace {
 
-constexpr int first_order = 10;
+/// Where the orders start for the finest tolerance, and for any.
+constexpr int first_order_at_finest = 6;
+constexpr int smallest_first_order = 4;
 constexpr int last_order = 22;
 constexpr int order_step = 6;
 /// The finer rule has this many points more in each variable. Where the chart is not analytic the gathered rules converge
@@ -23,9 +24,10 @@ constexpr double admissible_ellipse = 3.0;
 constexpr int deepest_bisection = 60;  // of a side
 constexpr int deepest_halving = 40;    // of a rectangle
 
-/// Points of [0,1] with their distances from both ends, free of cancellation.
+/// Points of [0,1] with their distances from both ends, free of cancellation; padded to whole blocks by zero weights.
 template <Real R>
 struct Nodes {
+  std::size_t count = 0;
   std::vector<R> from_zero;
   std::vector<R> from_one;
   std::vector<R> weights;
@@ -54,6 +56,12 @@ Nodes<R> make_nodes(int points, bool gathered) {
     nodes.weights.push_back(gathered ? gauss.weights[i] * R(51480) * power(y * (R(1) - y), 7)
                                      : gauss.weights[i]);
   }
+  nodes.count = nodes.weights.size();
+  for (std::size_t i = nodes.count; i < padded<R>(nodes.count); ++i) {
+    nodes.from_zero.push_back(nodes.from_zero.back());
+    nodes.from_one.push_back(nodes.from_one.back());
+    nodes.weights.push_back(R(0));
+  }
   return nodes;
 }
 
@@ -69,7 +77,16 @@ const Nodes<R>& nodes(int points, bool gathered) {
   return tables[gathered ? 1 : 0][static_cast<std::size_t>(points - 1)];
 }
 
-/// A triangle (p, a, b) with its apex at the observer.
+/// Where the rays from the observer through the side (a, b) enter or leave the element.
+enum class Extent {
+  to_side,      ///< from p itself to the side: p lies in the element
+  up_to_side,   ///< from another side to this one, the far one
+  beyond_side,  ///< from this side, the near one, to another
+};
+
+/// What the rays from the observer through a side (a, b) meet of the element.
+/// Maths     p + l ((1-m) (a-p) + m (b-p)), 0 <= m <= 1, l between 1 and cut(m), the place of the other side's line on the ray:
+///           cut(m) = offset / ((1-m) slope_a + m slope_b); 0 where p lies in the element
 template <Real R>
 struct ApexTriangle {
   ParameterPoint<R> to_a;  ///< a - p
@@ -77,8 +94,12 @@ struct ApexTriangle {
   Barycentric<R> at_p;  ///< in the element's coordinates
   Barycentric<R> at_a;
   Barycentric<R> at_b;
+  Extent extent = Extent::to_side;
+  R offset{};   ///< n . (c - p) for the other side's line through c, normal to n
+  R slope_a{};  ///< n . (a - p)
+  R slope_b{};
 
-  /// Twice its area in the parameter plane.
+  /// Twice its area in the parameter plane, that of the triangle (p, a, b).
   R size() const {
     using std::abs;
     return abs(cross(to_a, to_b));
@@ -94,13 +115,16 @@ struct Rectangle {
 template <Real R>
 class ApexIntegrator {
 public:
-  ApexIntegrator(const Observer<R>& p, const Chart& chart, const InsetBasis<R>& basis)
+  ApexIntegrator(const Observer<R>& p, const Chart& chart, const InsetBasis<R>& basis,
+                 const Tolerance& tolerance)
       : p_(p),
-        formula_(chart.in<R>()),
+        formula_(chart.in<B>()),
         basis_(basis),
+        tolerance_(tolerance),
+        first_order_(first_order(tolerance)),
         singular_(chart.facts().singular != SingularLine::none),
         check_step_(singular_ ? check_step_gathered : check_step_analytic),
-        at_p_(formula_.frame(p.at.at)) {}
+        at_p_(chart.in<R>().frame(p.at.at)) {}
 
   CheckedSums<R> integrate(const ApexTriangle<R>& triangle) {
     CheckedSums<R> result(basis_.size());
@@ -109,6 +133,14 @@ public:
   }
 
 private:
+  using B = typename Block<R>::Type;
+
+  static int first_order(const Tolerance& tolerance) {
+    const double digits =
+        std::log(tolerance.intended_truncation()) / std::log(Tolerance().intended_truncation());
+    return std::max(smallest_first_order, static_cast<int>(std::ceil(digits * first_order_at_finest)));
+  }
+
   /// Bisects the side until its Bernstein ellipse stays clear of the poles.
   void integrate_sides(const ApexTriangle<R>& triangle, const R& m0, const R& m1, int depth,
                        CheckedSums<R>& result) {
@@ -119,10 +151,12 @@ private:
       integrate_sides(triangle, middle, m1, depth + 1, result);
       return;
     }
-    integrate_rectangle(triangle, {R(0), R(1), m0, m1}, points_for(rho, basis_.degree()), 0, result);
+    integrate_rectangle(triangle, {R(0), R(1), m0, m1},
+                        points_for(rho, basis_.degree(), tolerance_.intended_truncation()), 0, result);
   }
 
-  /// The ellipse about [m0,m1] through the zeros of |DF(p) w(m)|^2, a quadratic in m.
+  /// The smaller ellipse about [m0,m1] of those through the zeros of |DF(p) w(m)|^2, a quadratic in m, and through the
+  /// pole of the cut.
   double ellipse(const ApexTriangle<R>& triangle, const R& m0, const R& m1) const {
     const Vector<R> start = along(triangle.to_a);
     const Vector<R> side = along(triangle.to_b - triangle.to_a);
@@ -131,7 +165,12 @@ private:
     const double imaginary_part = static_cast<double>(norm(cross(start, side))) / squared;
     const auto middle = static_cast<double>((m0 + m1) / R(2));
     const auto half = static_cast<double>((m1 - m0) / R(2));
-    return bernstein_radius({(real_part - middle) / half, imaginary_part / half});
+    const double rho = bernstein_radius({(real_part - middle) / half, imaginary_part / half});
+    if (triangle.extent == Extent::to_side) return rho;
+    const auto change = static_cast<double>(triangle.slope_a - triangle.slope_b);
+    if (change == 0) return rho;
+    const double pole_of_cut = static_cast<double>(triangle.slope_a) / change;
+    return std::min(rho, bernstein_radius({(pole_of_cut - middle) / half, 0}));
   }
 
   Vector<R> along(const ParameterPoint<R>& w) const { return w.s * at_p_.tangent_s + w.t * at_p_.tangent_t; }
@@ -139,8 +178,8 @@ private:
   void integrate_rectangle(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int across, int depth,
                            CheckedSums<R>& result) {
     CheckedSums<R> best(basis_.size());
-    for (int order = first_order; order <= last_order; order += order_step) {
-      const int side_order = std::clamp(across + order - first_order, 4, last_order);
+    for (int order = first_order_; order <= last_order; order += order_step) {
+      const int side_order = std::clamp(across + order - first_order_, 4, last_order);
       best.sums = sums(triangle, area, order + check_step_, side_order + check_step_);
       const KernelSums<R> coarser = sums(triangle, area, order, side_order);
       if (compare(best, coarser)) {
@@ -160,7 +199,7 @@ private:
   std::array<Rectangle<R>, 2> halves(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int across,
                                      const KernelSums<R>& best) const {
     const int fine = last_order + check_step_;
-    const int side = std::clamp(across + last_order - first_order, 4, last_order);
+    const int side = std::clamp(across + last_order - first_order_, 4, last_order);
     const R by_l = largest_difference(sums(triangle, area, last_order / 2, side + check_step_), best);
     const R by_m = largest_difference(sums(triangle, area, fine, side / 2), best);
     const R l = (area.l0 + area.l1) / R(2);
@@ -188,89 +227,134 @@ private:
       largest_size_ = std::max(largest_size_, fine.sums.size[j]);
       noise = std::max(noise, R(4) * unit_roundoff<R>() * fine.sums.tilt[j]);
     }
-    return largest_difference <= R(converged_difference) * largest_size_ + noise;
+    share_largest_difference(fine, R(tolerance_.intended_truncation()));
+    return largest_difference <= R(tolerance_.converged()) * largest_size_ + noise;
+  }
+
+  /// A point of a ray.
+  struct OnRay {
+    B l;
+    B rest;    ///< 1 - l
+    B length;  ///< of the ray between cut and side, in l
+  };
+
+  /// The point of ray m that lies from_cut of the way from the cut to the side.
+  static OnRay along_ray(const ApexTriangle<R>& triangle, const B& m, const B& other, const B& from_cut,
+                         const B& from_side) {
+    if (triangle.extent == Extent::to_side) return {from_cut, from_side, B(R(1))};
+    const B cut = B(triangle.offset) / (other * B(triangle.slope_a) + m * B(triangle.slope_b));
+    const B rest_of_cut = B(R(1)) - cut;
+    const B length = triangle.extent == Extent::up_to_side ? rest_of_cut : -rest_of_cut;
+    return {from_side * cut + from_cut, from_side * rest_of_cut, length};
   }
 
   KernelSums<R> sums(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int radial,
                      int across) const {
-    using std::abs;
     using std::max;
     const Nodes<R>& l_nodes = nodes<R>(radial, singular_);
     const Nodes<R>& m_nodes = nodes<R>(across, singular_);
-    const R jacobian = cross(triangle.to_a, triangle.to_b) * (area.l1 - area.l0) * (area.m1 - area.m0);
-    KernelSums<R> result(basis_.size());
-    std::array<R, KernelSums<R>::most_functions> values;
-    for (std::size_t i = 0; i < l_nodes.weights.size(); ++i) {
-      const R l = area.l0 + (area.l1 - area.l0) * l_nodes.from_zero[i];
-      const R rest = (R(1) - area.l1) + (area.l1 - area.l0) * l_nodes.from_one[i];
-      for (std::size_t k = 0; k < m_nodes.weights.size(); ++k) {
-        const R m = area.m0 + (area.m1 - area.m0) * m_nodes.from_zero[k];
-        const R other = (R(1) - area.m1) + (area.m1 - area.m0) * m_nodes.from_one[k];
-        ParameterPoint<R> w = l * (other * triangle.to_a + m * triangle.to_b);
-        if (singular_) w.s = max(w.s, -p_.at.at.s);  // rounding must not cross the line s = 0
-        const Frame<R> q = formula_.frame(p_.at.at + w);
-        const Chord<R> chord = formula_.chord(p_.at.at, w);
-        const R weight = l * l_nodes.weights[i] * m_nodes.weights[k] * jacobian;
-        const R g = weight * chord_kernel(chord, p_.normal, q.area_normal);
-        const R lean = abs(weight) * chord_lean(chord, p_.normal, q.area_normal);
-        Barycentric<R> x;
+    const R jacobian = triangle.size() * (area.l1 - area.l0) * (area.m1 - area.m0);
+    const ParameterPoint<B> at_p{B(p_.at.at.s), B(p_.at.at.t)};
+    const Vector<B> normal_p{B(p_.normal.x), B(p_.normal.y), B(p_.normal.z)};
+    KernelSumsByLane<R> by_lane(basis_.size());
+    std::array<B, KernelSums<R>::most_functions> values;
+    for (std::size_t i = 0; i < l_nodes.count; ++i) {
+      const B from_cut = B(area.l0 + (area.l1 - area.l0) * l_nodes.from_zero[i]);
+      const B from_side = B((R(1) - area.l1) + (area.l1 - area.l0) * l_nodes.from_one[i]);
+      const B l_weight = B(l_nodes.weights[i] * jacobian);
+      for (std::size_t k = 0; k < m_nodes.weights.size(); k += Block<R>::lanes) {
+        const B m = B(area.m0) + B(area.m1 - area.m0) * Block<R>::load(&m_nodes.from_zero[k]);
+        const B other = B(R(1) - area.m1) + B(area.m1 - area.m0) * Block<R>::load(&m_nodes.from_one[k]);
+        const auto [l, rest, length] = along_ray(triangle, m, other, from_cut, from_side);
+        ParameterPoint<B> w{l * (other * B(triangle.to_a.s) + m * B(triangle.to_b.s)),
+                            l * (other * B(triangle.to_a.t) + m * B(triangle.to_b.t))};
+        if (singular_) w.s = max(w.s, -at_p.s);  // rounding must not cross the line s = 0
+        const Frame<B> q = formula_.frame(at_p + w);
+        const ChordValue<B> g(formula_.chord(at_p, w), normal_p, q.area_normal);
+        const B weight = l * length * l_weight * Block<R>::load(&m_nodes.weights[k]);
+        Barycentric<B> x;
         for (std::size_t c = 0; c < 3; ++c)
-          x.x[c] = rest * triangle.at_p.x[c] + l * (other * triangle.at_a.x[c] + m * triangle.at_b.x[c]);
-        basis_.values(x, values);
-        result.total += g;
-        result.total_size += abs(g);
-        for (std::size_t j = 0; j < basis_.size(); ++j) {
-          const R term = g * values[j];
-          result.value[j] += term;
-          result.size[j] += abs(term);
-          result.tilt[j] += lean * abs(values[j]);
-        }
+          x.x[c] =
+              rest * B(triangle.at_p.x[c]) + l * (other * B(triangle.at_a.x[c]) + m * B(triangle.at_b.x[c]));
+        basis_.values(x, std::span<B>(values));
+        by_lane.add(weight * g.value, weight * g.lean, [&values](std::size_t j) { return values[j]; });
       }
     }
-    result.points = l_nodes.weights.size() + m_nodes.weights.size();
-    return result;
+    return by_lane.sums(l_nodes.count + m_nodes.count);
   }
 
   const Observer<R>& p_;
-  const ChartIn<R>& formula_;
+  const ChartIn<B>& formula_;
   const InsetBasis<R>& basis_;
+  const Tolerance& tolerance_;
+  int first_order_;
   bool singular_;
   int check_step_;
   Frame<R> at_p_;
   R largest_size_{};
 };
 
-}  // namespace
-
+/// The lines of sight from p through the sides of the element.
 template <Real R>
-CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,
-                                const InsetBasis<R>& basis) {
+std::vector<ApexTriangle<R>> seen_from(const ParameterPoint<R>& p, const Cell<R>& element) {
+  using std::abs;
   const auto& v = element.vertices;
   const R whole = cross(v[1] - v[0], v[2] - v[0]);
+  // A triangle that thin is the rounding of an observer on the side's line: what it holds is below 16 u of the element's
+  // integral, and `rounding` allows for 60 u.
+  const R negligible = R(16) * unit_roundoff<R>() * whole;
   Barycentric<R> at_p;
+  std::array<R, 3> part;  // of side i: positive on its inner side
+  std::size_t near_sides = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const R part = cross(v[(i + 1) % 3] - p.at.at, v[(i + 2) % 3] - p.at.at) / whole;
-    for (std::size_t c = 0; c < 3; ++c) at_p.x[c] += part * element.corners[i].x[c];
+    part[i] = cross(v[i] - p, v[(i + 1) % 3] - p);
+    if (part[i] < -negligible) ++near_sides;
+    for (std::size_t c = 0; c < 3; ++c) at_p.x[c] += part[i] / whole * element.corners[(i + 2) % 3].x[c];
   }
   std::vector<ApexTriangle<R>> triangles;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
-    const ApexTriangle<R> triangle{v[i] - p.at.at, v[j] - p.at.at, at_p, element.corners[i],
-                                   element.corners[j]};
-    // A triangle that thin is the rounding of an observer on the side: what it holds is below 16 u of the element's
-    // integral, and `rounding` allows for 60 u.
-    if (triangle.size() > R(16) * unit_roundoff<R>() * whole) triangles.push_back(triangle);
+    ApexTriangle<R> triangle{.to_a = v[i] - p,
+                             .to_b = v[j] - p,
+                             .at_p = at_p,
+                             .at_a = element.corners[i],
+                             .at_b = element.corners[j]};
+    if (!(triangle.size() > negligible)) continue;
+    const bool is_near = part[i] < R(0);
+    if (near_sides == 1 && is_near) continue;   // the rays through the two far sides start at it
+    if (near_sides == 2 && !is_near) continue;  // the rays through the two near sides end at it
+    if (near_sides != 0) {
+      std::size_t other = 0;  // the only side of the other kind
+      for (std::size_t k = 0; k < 3; ++k)
+        if ((part[k] < -negligible) != is_near && abs(part[k]) > negligible) other = k;
+      const ParameterPoint<R> along = v[(other + 1) % 3] - v[other];
+      triangle.extent = is_near ? Extent::beyond_side : Extent::up_to_side;
+      triangle.offset = part[other];
+      triangle.slope_a = cross(triangle.to_a, along);
+      triangle.slope_b = cross(triangle.to_b, along);
+    }
+    triangles.push_back(triangle);
   }
   // The largest first: it sets the scale at which the others count as converged.
   std::sort(triangles.begin(), triangles.end(),
             [](const ApexTriangle<R>& a, const ApexTriangle<R>& b) { return a.size() > b.size(); });
-  ApexIntegrator<R> integrator(p, chart, basis);
+  return triangles;
+}
+
+}  // namespace
+
+template <Real R>
+CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,
+                                const InsetBasis<R>& basis, const Tolerance& tolerance) {
+  ApexIntegrator<R> integrator(p, chart, basis, tolerance);
   CheckedSums<R> result(basis.size());
-  for (const ApexTriangle<R>& triangle : triangles) result += integrator.integrate(triangle);
+  for (const ApexTriangle<R>& triangle : seen_from(p.at.at, element))
+    result += integrator.integrate(triangle);
   return result;
 }
 
 template CheckedSums<double> integrate_around<double>(const Observer<double>&, const Chart&,
-                                                      const Cell<double>&, const InsetBasis<double>&);
+                                                      const Cell<double>&, const InsetBasis<double>&,
+                                                      const Tolerance&);
 
 }  // namespace radcert

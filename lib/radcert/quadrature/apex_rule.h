@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "radcert/quadrature/kernel_sums.h"
+#include "radcert/quadrature/tolerance.h"
 
 namespace radcert {
 
@@ -25,6 +27,26 @@ struct CheckedSums {
   }
 };
 
+/// Lets no function's difference be small by chance, while those of the others are not.
+/// Maths     difference_j = min(max_i difference_i, size_j max_i difference_i / size_i) + intended size_j
+/// Source    -
+/// Requires  `intended`: the truncation at which the error model aims, relative to size_j
+/// Result    no difference becomes smaller
+/// Limits    -
+template <Real R>
+void share_largest_difference(CheckedSums<R>& checked, const R& intended) {
+  R largest = R(0);
+  R largest_relative = R(0);
+  for (std::size_t j = 0; j < checked.sums.functions; ++j) {
+    largest = std::max(largest, checked.difference[j]);
+    if (checked.sums.size[j] > R(0))
+      largest_relative = std::max(largest_relative, checked.difference[j] / checked.sums.size[j]);
+  }
+  for (std::size_t j = 0; j < checked.sums.functions; ++j)
+    checked.difference[j] =
+        std::min(largest, checked.sums.size[j] * largest_relative) + checked.sums.size[j] * intended;
+}
+
 /// The integral of G l_j over an element that contains the observer, on the observer's own curved chart.
 /// Maths     the element is split at p into triangles (p, a, b); with w = l ((1-m) (a-p) + m (b-p)) and dt ds = |..| l dl dm
 ///           the integrand G(F(p), F(p+w)) l_j J is analytic in (l, m): bounded, but not smooth, at p itself, it is smooth
@@ -36,9 +58,10 @@ struct CheckedSums {
 /// Limits    on a chart that is not analytic on a line both variables are gathered towards their ends
 template <Real R>
 CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,
-                                const InsetBasis<R>& basis);
+                                const InsetBasis<R>& basis, const Tolerance& tolerance);
 
 extern template CheckedSums<double> integrate_around<double>(const Observer<double>&, const Chart&,
-                                                             const Cell<double>&, const InsetBasis<double>&);
+                                                             const Cell<double>&, const InsetBasis<double>&,
+                                                             const Tolerance&);
 
 }  // namespace radcert

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <complex>
 
-#include "radcert/quadrature/tolerance.h"
-
 namespace radcert {
 
 /// The Bernstein ellipse with foci -1, 1 through z: the sum of its half axes.
@@ -20,9 +18,14 @@ inline double bernstein_radius(const std::complex<double>& z) {
   return std::max(std::abs(z + root), std::abs(z - root));
 }
 
-/// The number of Gauss points a variable needs for `intended_truncation`, with polynomial factors of a degree.
-inline int points_for(double rho, int degree) {
-  const double analytic = std::ceil(-std::log(intended_truncation) / (2 * std::log(std::max(rho, 1.05))));
+/// The number of Gauss points a variable needs for a truncation error, with polynomial factors of a degree.
+/// Maths     rho^(-2 n) <= truncation
+/// Source    see bernstein_radius
+/// Requires  0 < truncation < 1
+/// Result    a first guess: the comparison of two rules decides
+/// Limits    the constant of the bound is left out
+inline int points_for(double rho, int degree, double truncation) {
+  const double analytic = std::ceil(-std::log(truncation) / (2 * std::log(std::max(rho, 1.05))));
   return static_cast<int>(std::min(analytic, 1000.0)) + (degree + 1) / 2;
 }
 

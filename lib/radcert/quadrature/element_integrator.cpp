@@ -12,6 +12,10 @@ namespace {
 
 /// A piece is bisected unseen while the observer is nearer to its centre than this many radii of its ball.
 constexpr double admissible_ratio = 1.8;
+/// A whole element, whose samples are kept, counts as far down to this ratio.
+constexpr double admissible_ratio_of_whole = 1.35;
+/// A block of observers is integrated side by side from this ratio on: nearer, the bounds of FarBounds are too wide.
+constexpr double admissible_ratio_of_block = 2.5;
 /// The finer rule has this much more order; more where the rules are gathered and converge slowly. Odd: see `samples`.
 constexpr int check_step_analytic = 1;
 constexpr int check_step_gathered = 3;
@@ -31,17 +35,27 @@ R largest_coordinate(const Vector<R>& p) {
 }  // namespace
 
 template <Real R>
-ElementIntegrator<R>::ElementIntegrator(const Surface& surface, const ParameterTriangle& triangle,
-                                        const InsetBasis<R>& basis)
-    : surface_(surface),
-      chart_(surface.charts[triangle.chart]),
+ElementIntegrator<R>::ElementIntegrator(std::shared_ptr<const IntegrationScheme<R>> scheme,
+                                        const ParameterTriangle& triangle)
+    : scheme_(std::move(scheme)),
+      chart_(scheme_->surface().charts[triangle.chart]),
       chart_index_(triangle.chart),
-      basis_(basis),
       element_(whole_element<R>(triangle)),
       ball_(ball_about(element_)),
       extent_(largest_coordinate(ball_.centre) + ball_.radius),
-      kept_(ConicalRules<R>::largest_order + 1) {
-  for (const Chart& other : surface.charts) in_plane_of_.push_back(in_one_plane(other, chart_));
+      kept_(ConicalRules<R>::largest_order + 1) {}
+
+template <Real R>
+int ElementIntegrator<R>::check_step() const {
+  return chart_.facts().singular == SingularLine::none ? check_step_analytic : check_step_gathered;
+}
+
+/// The order that the error model asks for at so many radii.
+template <Real R>
+int ElementIntegrator<R>::order_for(double ratio) const {
+  const double rho = ratio + std::sqrt(std::max(ratio * ratio - 1, 0.0));
+  return std::clamp(points_for(rho, basis().degree(), scheme_->tolerance().intended_truncation()),
+                    ConicalRules<R>::smallest_order, ConicalRules<R>::largest_order - check_step());
 }
 
 template <Real R>
@@ -59,15 +73,18 @@ typename ElementIntegrator<R>::Ball ElementIntegrator<R>::ball_about(const Cell<
 }
 
 template <Real R>
-const Samples<R>& ElementIntegrator<R>::samples(const Cell<R>& cell, bool whole, int order) {
-  if (!whole) {
-    Samples<R>& fresh = scratch_[static_cast<std::size_t>(order % 2)];
-    sample(chart_, cell, basis_, order, fresh);
-    return fresh;
-  }
+const Samples<R>& ElementIntegrator<R>::kept(int order) {
   std::optional<Samples<R>>& kept = kept_[static_cast<std::size_t>(order)];
-  if (!kept) sample(chart_, cell, basis_, order, kept.emplace());
+  if (!kept) sample(chart_, element_, basis(), order, kept.emplace());
   return *kept;
+}
+
+template <Real R>
+const Samples<R>& ElementIntegrator<R>::samples(const Cell<R>& cell, bool whole, int order) {
+  if (whole) return kept(order);
+  Samples<R>& fresh = scratch_[static_cast<std::size_t>(order % 2)];
+  sample(chart_, cell, basis(), order, fresh);
+  return fresh;
 }
 
 template <Real R>
@@ -82,29 +99,27 @@ template <Real R>
 std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>& p, const Cell<R>& cell,
                                                               bool whole, double ratio, Insistence insist) {
   using std::abs;
-  const double rho = ratio + std::sqrt(std::max(ratio * ratio - 1, 0.0));
-  const bool analytic = chart_.facts().singular == SingularLine::none;
-  const int check_step = analytic ? check_step_analytic : check_step_gathered;
-  const int last = ConicalRules<R>::largest_order - check_step;
-  int order = std::clamp(points_for(rho, basis_.degree()), ConicalRules<R>::smallest_order, last);
+  const int last = ConicalRules<R>::largest_order - check_step();
+  int order = order_for(ratio);
   while (true) {
     const KernelSums<R> coarse = sums(p, cell, whole, order);
-    CheckedSums<R> fine(sums(p, cell, whole, order + check_step));
+    CheckedSums<R> fine(sums(p, cell, whole, order + check_step()));
     R difference = R(0);
     R size = R(0);
     R noise = R(0);
-    for (std::size_t j = 0; j < basis_.size(); ++j) {
+    for (std::size_t j = 0; j < basis().size(); ++j) {
       fine.difference[j] = abs(fine.sums.value[j] - coarse.value[j]);
       difference = std::max(difference, fine.difference[j]);
       size = std::max(size, fine.sums.size[j]);
       noise = std::max(noise, fine.sums.tilt[j]);
     }
+    share_largest_difference(fine, R(scheme_->tolerance().intended_truncation()));
     noise = R(4) * unit_roundoff<R>() * noise;
-    if (difference <= R(converged_difference) * size + noise) return fine;
+    if (difference <= R(scheme_->tolerance().converged()) * size + noise) return fine;
     if (order == last) {
       if (insist == Insistence::none) return std::nullopt;
       if (insist == Insistence::rounding) return fine;
-      for (std::size_t j = 0; j < basis_.size(); ++j)
+      for (std::size_t j = 0; j < basis().size(); ++j)
         fine.difference[j] = std::max(fine.difference[j], fine.sums.size[j]);
       return fine;
     }
@@ -114,7 +129,7 @@ std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>&
 
 template <Real R>
 CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p) {
-  CheckedSums<R> result(basis_.size());
+  CheckedSums<R> result(basis().size());
   pending_.assign(1, {element_, 0, 0});
   while (!pending_.empty()) {
     Piece piece = pending_.back();
@@ -123,7 +138,7 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p) {
     const bool deepest = piece.depth == deepest_bisection;
     const Ball fresh = whole ? ball_ : ball_about(piece.cell);
     const auto ratio = static_cast<double>(norm(p.point - fresh.centre) / fresh.radius);
-    if (ratio >= admissible_ratio || deepest) {
+    if (ratio >= (whole ? admissible_ratio_of_whole : admissible_ratio) || deepest) {
       const Insistence insist = deepest                           ? Insistence::deepest
                                 : piece.failures == most_failures ? Insistence::rounding
                                                                   : Insistence::none;
@@ -153,7 +168,7 @@ template <Real R>
 ElementIntegral<R> ElementIntegrator<R>::with_radius(const CheckedSums<R>& checked) const {
   ElementIntegral<R> result;
   result.absolute = checked.sums.total_size;
-  for (std::size_t j = 0; j < basis_.size(); ++j) {
+  for (std::size_t j = 0; j < basis().size(); ++j) {
     result.value[j] = checked.sums.value[j];
     result.radius[j] = checked.difference[j] + rounding(checked.sums, j);
   }
@@ -161,20 +176,124 @@ ElementIntegral<R> ElementIntegrator<R>::with_radius(const CheckedSums<R>& check
 }
 
 template <Real R>
+bool ElementIntegrator<R>::is_near(const Vector<R>& p) const {
+  return norm(p - ball_.centre) < R(admissible_ratio_of_whole) * ball_.radius;
+}
+
+template <Real R>
 ElementIntegral<R> ElementIntegrator<R>::integrate(const Observer<R>& p) {
-  if (in_plane_of_[p.at.chart]) return {};
-  const Chart& own = surface_.charts[p.at.chart];
+  if (scheme_->in_plane(p.at.chart, chart_index_)) return {};
+  const Chart& own = scheme_->surface().charts[p.at.chart];
+  const Tolerance& tolerance = scheme_->tolerance();
   if (p.at.chart == chart_index_) {
-    if (contains(element_, p.at.at)) return with_radius(integrate_around(p, chart_, element_, basis_));
+    if (contains(element_, p.at.at) || (chart_.facts().singular == SingularLine::none && is_near(p.point)))
+      return with_radius(integrate_around(p, chart_, element_, basis(), tolerance));
   } else if (own.facts().piece == chart_.facts().piece &&
              norm(p.point - ball_.centre) < R(2) * ball_.radius) {
     if (const auto at = parameters_on(chart_, element_, p.point, extent_)) {
       Observer<R> seen = p;
       seen.at = {chart_index_, *at};
-      return with_radius(integrate_around(seen, chart_, element_, basis_));
+      return with_radius(integrate_around(seen, chart_, element_, basis(), tolerance));
     }
   }
   return with_radius(integrate_away(p));
+}
+
+template <Real R>
+void ElementIntegrator<R>::integrate_lane(const ObserverBlock<R>& block,
+                                          std::span<const Observer<R>> observers, std::size_t lane,
+                                          BlockIntegral<R>& integral) {
+  const ElementIntegral<R> alone = integrate(observers[block.first + lane]);
+  Block<R>::set_lane(integral.absolute, lane, alone.absolute);
+  for (std::size_t j = 0; j < basis().size(); ++j) {
+    Block<R>::set_lane(integral.value[j], lane, alone.value[j]);
+    Block<R>::set_lane(integral.radius[j], lane, alone.radius[j]);
+  }
+}
+
+/// What rounding may have done to value j of a far block, by two bounds for the sums of |g l_j|: the whole of |g| at the
+/// largest |l_j|, and the largest |G| over the whole of |l_j|.
+template <Real R>
+typename Block<R>::Type ElementIntegrator<R>::far_rounding(std::size_t points, const FarBounds<R>& bounds,
+                                                           std::size_t j) const {
+  using std::min;
+  const R u = unit_roundoff<R>();
+  const B largest_value = B(scheme_->largest_value(j));
+  const B share = B(view_->share[j]);
+  const B by_value = rounding_bound(points, far_[0].size, B(view_->area) * bounds.lean, u);
+  const B by_kernel = rounding_bound(points, bounds.largest, bounds.lean, u);
+  return min(largest_value * by_value, share * by_kernel);
+}
+
+/// On a plane element: one rule, whose truncation is bounded.
+template <Real R>
+void ElementIntegrator<R>::integrate_far_by_bound(const ObserverBlock<R>& block, const FarBounds<R>& bounds,
+                                                  int order, BlockIntegral<R>& integral) {
+  const Samples<R>& points = kept(order);
+  far_sums(block, points, g_, far_[0]);
+  const B left_out = B(R(scheme_->flat_truncation())) * bounds.solid_angle;
+  integral.absolute = far_[0].size;
+  for (std::size_t j = 0; j < basis().size(); ++j) {
+    integral.value[j] = far_[0].value[j];
+    integral.radius[j] = B(scheme_->largest_value(j)) * left_out + far_rounding(points.count, bounds, j);
+  }
+}
+
+/// Elsewhere: two rules. A lane in which they differ is integrated alone.
+template <Real R>
+void ElementIntegrator<R>::integrate_far_by_comparison(const ObserverBlock<R>& block,
+                                                       std::span<const Observer<R>> observers,
+                                                       const FarBounds<R>& bounds, int order,
+                                                       BlockIntegral<R>& integral) {
+  using std::abs;
+  using std::max;
+  const Samples<R>& fine = kept(order + check_step());
+  const Samples<R>& coarse = kept(order);
+  far_sums(block, fine, g_, far_[0]);
+  far_sums(block, coarse, g_, far_[1]);
+  integral.absolute = far_[0].size;
+  B largest_difference = B(R(0));
+  B largest_relative = B(R(0));
+  for (std::size_t j = 0; j < basis().size(); ++j) {
+    const B difference = abs(far_[0].value[j] - far_[1].value[j]);
+    largest_difference = max(largest_difference, difference);
+    largest_relative = max(largest_relative, difference * B(R(1) / view_->share[j]));
+    integral.value[j] = far_[0].value[j];
+  }
+  // As share_largest_difference does.
+  const B intended = B(R(scheme_->tolerance().intended_truncation()) / view_->area) * far_[0].size;
+  for (std::size_t j = 0; j < basis().size(); ++j)
+    integral.radius[j] =
+        B(view_->share[j]) * (largest_relative + intended) + far_rounding(fine.count, bounds, j);
+  const B noise = B(R(4) * unit_roundoff<R>() * view_->area) * bounds.lean;
+  const B allowed = B(R(scheme_->tolerance().converged())) * far_[0].size + noise;
+  for (std::size_t lane = 0; lane < block.count; ++lane)
+    if (!(Block<R>::lane(largest_difference, lane) <= Block<R>::lane(allowed, lane)))
+      integrate_lane(block, observers, lane, integral);
+}
+
+template <Real R>
+void ElementIntegrator<R>::integrate(const ObserverBlock<R>& block, std::span<const Observer<R>> observers,
+                                     BlockIntegral<R>& integral) {
+  if (scheme_->in_plane(block.chart, chart_index_)) {
+    integral.absolute = B(R(0));
+    for (std::size_t j = 0; j < basis().size(); ++j) integral.value[j] = integral.radius[j] = B(R(0));
+    return;
+  }
+  const auto ratio = static_cast<double>((norm(block.centre - ball_.centre) - block.radius) / ball_.radius);
+  if (!(ratio >= admissible_ratio_of_block)) {
+    for (std::size_t lane = 0; lane < block.count; ++lane) integrate_lane(block, observers, lane, integral);
+    return;
+  }
+  const int order = order_for(ratio);
+  const int bounded = chart_.facts().plane ? scheme_->flat_order(ratio) : ConicalRules<R>::largest_order + 1;
+  const int finer = order + check_step();
+  if (!view_) view_.emplace(kept(ConicalRules<R>::smallest_order + 2), ball_.centre);
+  const FarBounds<R> bounds(block, *view_, ball_.centre, ball_.radius, std::max(extent_, block.extent));
+  if (bounded <= ConicalRules<R>::largest_order && bounded * bounded <= order * order + finer * finer)
+    integrate_far_by_bound(block, bounds, bounded, integral);
+  else
+    integrate_far_by_comparison(block, observers, bounds, order, integral);
 }
 
 template class ElementIntegrator<double>;

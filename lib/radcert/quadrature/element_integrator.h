@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
-#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "radcert/quadrature/apex_rule.h"
+#include "radcert/quadrature/far_field.h"
+#include "radcert/quadrature/integration_scheme.h"
 #include "radcert/quadrature/kernel_sums.h"
 
 namespace radcert {
@@ -15,7 +17,7 @@ namespace radcert {
 /// Maths     value[j] = Int_Delta G(P,Q) l_j(Q) dS_Q;  absolute = Int_Delta |G| dS
 /// Source    [ac98, (40)]
 /// Requires  -
-/// Result    |value[j] - exact| <= radius[j] as far as the estimate goes: the difference of two rules plus the rounding bound
+/// Result    |value[j] - exact| <= radius[j] as far as the estimate goes: what the rule leaves out plus the rounding bound
 /// Limits    an estimate, not a proof
 template <Real R>
 struct ElementIntegral {
@@ -24,22 +26,43 @@ struct ElementIntegral {
   R absolute{};
 };
 
+/// The same for a block of observers, one a lane.
+template <Real R>
+struct BlockIntegral {
+  using B = typename Block<R>::Type;
+  std::array<B, KernelSums<R>::most_functions> value;
+  std::array<B, KernelSums<R>::most_functions> radius;
+  B absolute;
+};
+
 /// Integrates G l_j over one element for many observers.
 /// Maths     far: conical Gauss rules on the element, of an order chosen from the ratio of distance and size; near: the
-///           longest side is bisected until the pieces are far in terms of their own size; around an observer on the
-///           element's own curved chart: integrate_around; on the element's own plane: exactly 0
+///           longest side is bisected until the pieces are far in terms of their own size; near and around an observer on
+///           the element's own curved chart: integrate_around; on the element's own plane: exactly 0.  What a rule leaves out:
+///           flat_rule_bound on plane elements seen from afar, elsewhere the difference of two rules
 /// Source    [ac98, section 5.1] asks for effort that grows as P comes near; the rules are ours
 /// Requires  P not on an edge of the element at which another piece meets it at an angle
-/// Result    each value to about 1e-13 of Int |G l_j| over the element, radius with it
+/// Result    each value to the scheme's tolerance, radius with it; the same bits alone as in a block's lane if near, and
+///           whatever the other lanes are
 /// Limits    one thread at a time; samples are kept for the element's life, so let one element serve all observers
 template <Real R>
 class ElementIntegrator {
 public:
-  ElementIntegrator(const Surface& surface, const ParameterTriangle& triangle, const InsetBasis<R>& basis);
+  ElementIntegrator(std::shared_ptr<const IntegrationScheme<R>> scheme, const ParameterTriangle& triangle);
+  ElementIntegrator(const Surface& surface, const ParameterTriangle& triangle, const InsetBasis<R>& basis,
+                    const Tolerance& tolerance = Tolerance())
+      : ElementIntegrator(std::make_shared<const IntegrationScheme<R>>(surface, basis, tolerance), triangle) {
+  }
 
   ElementIntegral<R> integrate(const Observer<R>& p);
 
+  /// The integrals of a block of `observers`, whose members are needed where the block is near.
+  void integrate(const ObserverBlock<R>& block, std::span<const Observer<R>> observers,
+                 BlockIntegral<R>& integral);
+
 private:
+  using B = typename Block<R>::Type;
+
   /// A ball about the image of a cell.
   struct Ball {
     Vector<R> centre;
@@ -58,7 +81,12 @@ private:
     deepest,   ///< it counts, with all of its integral as its error
   };
 
+  const InsetBasis<R>& basis() const { return scheme_->basis(); }
+  int check_step() const;
+  int order_for(double ratio) const;
   Ball ball_about(const Cell<R>& cell) const;
+  bool is_near(const Vector<R>& p) const;
+  const Samples<R>& kept(int order);
   const Samples<R>& samples(const Cell<R>& cell, bool whole, int order);
   KernelSums<R> sums(const Observer<R>& p, const Cell<R>& cell, bool whole, int order);
   /// The sums of a piece if two rules agree on it; otherwise what `insist` says.
@@ -67,17 +95,26 @@ private:
   CheckedSums<R> integrate_away(const Observer<R>& p);
   ElementIntegral<R> with_radius(const CheckedSums<R>& checked) const;
 
-  const Surface& surface_;
+  B far_rounding(std::size_t points, const FarBounds<R>& bounds, std::size_t j) const;
+  void integrate_far_by_bound(const ObserverBlock<R>& block, const FarBounds<R>& bounds, int order,
+                              BlockIntegral<R>& integral);
+  void integrate_far_by_comparison(const ObserverBlock<R>& block, std::span<const Observer<R>> observers,
+                                   const FarBounds<R>& bounds, int order, BlockIntegral<R>& integral);
+  void integrate_lane(const ObserverBlock<R>& block, std::span<const Observer<R>> observers, std::size_t lane,
+                      BlockIntegral<R>& integral);
+
+  std::shared_ptr<const IntegrationScheme<R>> scheme_;
   const Chart& chart_;
   std::size_t chart_index_;
-  InsetBasis<R> basis_;
   Cell<R> element_;
   Ball ball_;
   R extent_{};
-  std::vector<bool> in_plane_of_;  ///< by chart: G vanishes between it and the element
+  std::optional<FarView<R>> view_;
   std::vector<Piece> pending_;
   std::array<Samples<R>, 2> scratch_;
   std::vector<std::optional<Samples<R>>> kept_;
+  std::vector<B> g_;
+  std::array<FarSums<R>, 2> far_;
 };
 
 extern template class ElementIntegrator<double>;

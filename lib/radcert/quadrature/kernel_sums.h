@@ -9,20 +9,36 @@
 
 namespace radcert {
 
-/// The part of KernelSums::tilt that one point of a chord contributes.
-/// Maths     (|bend_p| |n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q| |n_Q|) / |P-Q|^4
-/// Source    first-order effect of relative changes of the bends on [ac98, (2)]
+/// G at one point of a chord, and its part of KernelSums::tilt.
+/// Maths     value = (bend_p.n_P) (bend_q.n_Q) / |P-Q|^4;
+///           lean = (|bend_p|.|n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q|.|n_Q|) / |P-Q|^4, |v| by components
+/// Source    lean: first-order effect of relative changes of the bends' components on [ac98, (2)]
 /// Requires  P != Q
-/// Result    >= |G|; much larger where a bend is nearly tangential
+/// Result    lean >= 2 |value|; much larger where a bend is nearly tangential
 /// Limits    -
 template <Real R>
-R chord_lean(const Chord<R>& chord, const Vector<R>& normal_p, const Vector<R>& normal_q) {
-  using std::abs;
-  const R squared_distance = dot(chord.difference, chord.difference);
-  const R towards_q = norm(chord.bend_p) * norm(normal_p) * abs(dot(chord.bend_q, normal_q));
-  const R towards_p = abs(dot(chord.bend_p, normal_p)) * norm(chord.bend_q) * norm(normal_q);
-  return (towards_q + towards_p) / (squared_distance * squared_distance);
-}
+struct ChordValue {
+  R value;
+  R lean;
+
+  ChordValue(const Chord<R>& chord, const Vector<R>& normal_p, const Vector<R>& normal_q) {
+    using std::abs;
+    // Not by the fourth power, which underflows from |P-Q| = 1e-77 on.
+    const R inverse = R(1) / dot(chord.difference, chord.difference);
+    const R towards_q = dot(chord.bend_p, normal_p) * inverse;
+    const R towards_p = dot(chord.bend_q, normal_q) * inverse;
+    value = towards_q * towards_p;
+    lean = (absolute_dot(chord.bend_p, normal_p) * abs(towards_p) +
+            abs(towards_q) * absolute_dot(chord.bend_q, normal_q)) *
+           inverse;
+  }
+
+private:
+  static R absolute_dot(const Vector<R>& a, const Vector<R>& b) {
+    using std::abs;
+    return abs(a.x * b.x) + abs(a.y * b.y) + abs(a.z * b.z);
+  }
+};
 
 /// What a rule sums up for one observer over one cell.
 /// Maths     value_j = sum g_q l_j(x_q),  size_j = sum |g_q| |l_j(x_q)|,  total = sum g_q,  size = sum |g_q|,
@@ -50,10 +66,62 @@ struct KernelSums {
   KernelSums& operator+=(const KernelSums& other);
 };
 
-/// Sums of G over samples, lane by lane, folded in a fixed order.
+/// Running sums over blocks of points, lane by lane.
+/// Maths     see KernelSums
+/// Source    -
+/// Requires  as many basis functions as stated
+/// Result    sums() folds the lanes in a fixed order
+/// Limits    -
+template <Real R>
+class KernelSumsByLane {
+public:
+  using B = typename Block<R>::Type;
+
+  explicit KernelSumsByLane(std::size_t functions) : functions_(functions) {
+    for (std::size_t j = 0; j < functions; ++j) value_[j] = size_[j] = tilt_[j] = B(R(0));
+  }
+
+  /// Adds a block: g and lean of its points, and l_j at basis(j).
+  template <class Basis>
+  void add(const B& g, const B& lean, const Basis& basis) {
+    using std::abs;
+    total_ = total_ + g;
+    total_size_ = total_size_ + abs(g);
+    for (std::size_t j = 0; j < functions_; ++j) {
+      const B l = basis(j);
+      const B term = g * l;
+      value_[j] = value_[j] + term;
+      size_[j] = size_[j] + abs(term);
+      tilt_[j] = tilt_[j] + lean * abs(l);
+    }
+  }
+
+  KernelSums<R> sums(std::size_t points) const {
+    KernelSums<R> result(functions_);
+    result.points = points;
+    result.total = Block<R>::sum(total_);
+    result.total_size = Block<R>::sum(total_size_);
+    for (std::size_t j = 0; j < functions_; ++j) {
+      result.value[j] = Block<R>::sum(value_[j]);
+      result.size[j] = Block<R>::sum(size_[j]);
+      result.tilt[j] = Block<R>::sum(tilt_[j]);
+    }
+    return result;
+  }
+
+private:
+  std::size_t functions_;
+  std::array<B, KernelSums<R>::most_functions> value_;
+  std::array<B, KernelSums<R>::most_functions> size_;
+  std::array<B, KernelSums<R>::most_functions> tilt_;
+  B total_ = B(R(0));
+  B total_size_ = B(R(0));
+};
+
+/// Sums of G over samples.
 /// Maths     see KernelSums
 /// Source    [ac98, (2), (40)]
-/// Requires  P not among the samples
+/// Requires  P not among the samples; `extent` bounds the coordinates of P and of the samples
 /// Result    the same bits on every machine; no allocation
 /// Limits    loses digits near the diagonal of a smooth chart: there use chord_sums
 template <Real R>
@@ -64,7 +132,7 @@ KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const
 /// Source    ours
 /// Requires  p on `chart`, the chart of the samples, and not among them
 /// Result    as kernel_sums, without its loss of digits near the diagonal
-/// Limits    one virtual call a point
+/// Limits    -
 template <Real R>
 KernelSums<R> chord_sums(const Observer<R>& p, const Chart& chart, const Samples<R>& samples);
 
@@ -75,10 +143,14 @@ KernelSums<R> chord_sums(const Observer<R>& p, const Chart& chart, const Samples
 /// Requires  -
 /// Result    a bound if the chart's own formula loses no more than 8 u of the largest coordinate
 /// Limits    -
+template <class V, class R>
+V rounding_bound(std::size_t points, const V& size, const V& tilt, const R& u) {
+  return V(R(static_cast<double>(points + 60)) * u) * size + V(R(8) * u) * tilt;
+}
+
 template <Real R>
 R rounding(const KernelSums<R>& sums, std::size_t j) {
-  const R u = unit_roundoff<R>();
-  return R(static_cast<double>(sums.points + 60)) * u * sums.size[j] + R(8) * u * sums.tilt[j];
+  return rounding_bound(sums.points, sums.size[j], sums.tilt[j], unit_roundoff<R>());
 }
 
 extern template struct KernelSums<double>;

@@ -30,6 +30,19 @@ Arrangement<R> arrange(const Chart& chart, const Cell<R>& cell) {
   return {cell.rotated(off_line.at(0)), Gathering::base};
 }
 
+template <Real R>
+RuleArrays<R> in_arrays(const TriangleRule<R>& rule) {
+  RuleArrays<R> arrays;
+  arrays.count = rule.weights.size();
+  for (std::size_t q = 0; q < padded<R>(arrays.count); ++q) {
+    const bool padding = q >= arrays.count;
+    const std::size_t source = padding ? arrays.count - 1 : q;
+    for (std::size_t i = 0; i < 3; ++i) arrays.x[i].push_back(rule.points[source].x[i]);
+    arrays.weights.push_back(padding ? R(0) : rule.weights[source]);
+  }
+  return arrays;
+}
+
 }  // namespace
 
 template <Real R>
@@ -64,7 +77,7 @@ template <Real R>
 ConicalRules<R>::ConicalRules() {
   for (const Gathering gathering : {Gathering::nowhere, Gathering::apex, Gathering::base})
     for (int order = smallest_order; order <= largest_order; ++order)
-      rules_[static_cast<std::size_t>(gathering)].push_back(conical_rule<R>(order, gathering));
+      rules_[static_cast<std::size_t>(gathering)].push_back(in_arrays(conical_rule<R>(order, gathering)));
 }
 
 template <Real R>
@@ -74,58 +87,56 @@ const ConicalRules<R>& ConicalRules<R>::instance() {
 }
 
 template <Real R>
-const TriangleRule<R>& ConicalRules<R>::rule(int order, Gathering gathering) const {
+const RuleArrays<R>& ConicalRules<R>::rule(int order, Gathering gathering) const {
   expects(smallest_order <= order && order <= largest_order, "an order with a rule", named("order", order));
   return rules_[static_cast<std::size_t>(gathering)][static_cast<std::size_t>(order - smallest_order)];
 }
 
 template <Real R>
 void sample(const Chart& chart, const Cell<R>& cell, const InsetBasis<R>& basis, int order, Samples<R>& out) {
+  using B = typename Block<R>::Type;
   const auto [turned, gathering] = arrange(chart, cell);
-  const TriangleRule<R>& rule = ConicalRules<R>::instance().rule(order, gathering);
-  const ChartIn<R>& formula = chart.in<R>();
-  constexpr std::size_t lanes = Samples<R>::lanes;
+  const RuleArrays<R>& rule = ConicalRules<R>::instance().rule(order, gathering);
+  const ChartIn<B>& formula = chart.in<B>();
 
-  const ParameterPoint<R>& apex = turned.vertices[0];
-  const ParameterPoint<R> first = turned.vertices[1] - apex;
-  const ParameterPoint<R> second = turned.vertices[2] - apex;
-  const R parallelogram = cross(first, second);
+  const std::array<ParameterPoint<R>, 3>& v = turned.vertices;
+  const ParameterPoint<R> first = v[1] - v[0];
+  const ParameterPoint<R> second = v[2] - v[0];
+  const B parallelogram = B(cross(first, second));
 
-  out.count = rule.weights.size();
+  out.count = rule.count;
   out.functions = basis.size();
-  out.origin = apex;
-  const std::size_t padded = (out.count + lanes - 1) / lanes * lanes;
-  for (std::vector<R>* array : {&out.x, &out.y, &out.z, &out.s, &out.t}) array->resize(padded);
-  for (std::vector<R>* array : {&out.normal_x, &out.normal_y, &out.normal_z}) array->assign(padded, R(0));
-  out.basis.assign(padded * out.functions, R(0));
+  out.origin = v[0];
+  const std::size_t size = rule.weights.size();
+  for (std::vector<R>* array :
+       {&out.x, &out.y, &out.z, &out.s, &out.t, &out.normal_x, &out.normal_y, &out.normal_z})
+    array->resize(size);
+  out.basis.resize(size * out.functions);
 
-  std::array<R, 45> values;
-  for (std::size_t q = 0; q < padded; ++q) {
-    const bool padding = q >= out.count;
-    const std::size_t source = padding ? out.count - 1 : q;
-    const std::array<R, 3>& c = rule.points[source].x;
+  std::array<B, 45> values;
+  for (std::size_t q = 0; q < size; q += Block<R>::lanes) {
+    const std::array<B, 3> c{Block<R>::load(&rule.x[0][q]), Block<R>::load(&rule.x[1][q]),
+                             Block<R>::load(&rule.x[2][q])};
     // Sums of non-negative terms: a parameter on the singular line's side stays on it.
-    const ParameterPoint<R> at{c[0] * apex.s + c[1] * turned.vertices[1].s + c[2] * turned.vertices[2].s,
-                               c[0] * apex.t + c[1] * turned.vertices[1].t + c[2] * turned.vertices[2].t};
-    const Frame<R> frame = formula.frame(at);
-    out.x[q] = frame.point.x;
-    out.y[q] = frame.point.y;
-    out.z[q] = frame.point.z;
-    out.s[q] = c[1] * first.s + c[2] * second.s;
-    out.t[q] = c[1] * first.t + c[2] * second.t;
-    if (padding) continue;
-    const Vector<R> normal = (rule.weights[source] * parallelogram) * frame.area_normal;
-    out.normal_x[q] = normal.x;
-    out.normal_y[q] = normal.y;
-    out.normal_z[q] = normal.z;
-    Barycentric<R> in_element;
+    const ParameterPoint<B> at{c[0] * B(v[0].s) + c[1] * B(v[1].s) + c[2] * B(v[2].s),
+                               c[0] * B(v[0].t) + c[1] * B(v[1].t) + c[2] * B(v[2].t)};
+    const Frame<B> frame = formula.frame(at);
+    const Vector<B> normal = (Block<R>::load(&rule.weights[q]) * parallelogram) * frame.area_normal;
+    Block<R>::store(frame.point.x, &out.x[q]);
+    Block<R>::store(frame.point.y, &out.y[q]);
+    Block<R>::store(frame.point.z, &out.z[q]);
+    Block<R>::store(normal.x, &out.normal_x[q]);
+    Block<R>::store(normal.y, &out.normal_y[q]);
+    Block<R>::store(normal.z, &out.normal_z[q]);
+    Block<R>::store(c[1] * B(first.s) + c[2] * B(second.s), &out.s[q]);
+    Block<R>::store(c[1] * B(first.t) + c[2] * B(second.t), &out.t[q]);
+    Barycentric<B> in_element;
     for (std::size_t i = 0; i < 3; ++i)
-      in_element.x[i] =
-          c[0] * turned.corners[0].x[i] + c[1] * turned.corners[1].x[i] + c[2] * turned.corners[2].x[i];
-    basis.values(in_element, values);
-    const std::size_t block = q / lanes;
+      in_element.x[i] = c[0] * B(turned.corners[0].x[i]) + c[1] * B(turned.corners[1].x[i]) +
+                        c[2] * B(turned.corners[2].x[i]);
+    basis.values(in_element, std::span<B>(values));
     for (std::size_t j = 0; j < out.functions; ++j)
-      out.basis[(block * out.functions + j) * lanes + q % lanes] = values[j];
+      Block<R>::store(values[j], &out.basis[q * out.functions + j * Block<R>::lanes]);
   }
 }
 

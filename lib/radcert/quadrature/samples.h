@@ -6,6 +6,7 @@
 
 #include "radcert/polynomial/conical_rule.h"
 #include "radcert/polynomial/inset_basis.h"
+#include "radcert/scalar/pack.h"
 #include "radcert/triangulation/triangulation.h"
 
 namespace radcert {
@@ -35,13 +36,13 @@ Cell<R> whole_element(const ParameterTriangle& triangle);
 ///           times weight
 /// Source    [ac98, (30)]
 /// Requires  see `sample`
-/// Result    `count` points; arrays are padded to whole lanes by points of zero weight; basis values lie by blocks of
-///           `lanes` points: basis[(block * functions + j) * lanes + lane]; (s, t) are relative to `origin`, the cell's
-///           first vertex: in a small cell they keep digits that the parameters themselves would lose
+/// Result    `count` points; arrays are padded to whole blocks by points of zero weight; basis values lie by blocks:
+///           basis[(block * functions + j) * lanes + lane]; (s, t) are relative to `origin`, the cell's first vertex: in a
+///           small cell they keep digits that the parameters themselves would lose
 /// Limits    -
 template <Real R>
 struct Samples {
-  static constexpr std::size_t lanes = 8;
+  static constexpr std::size_t lanes = Block<R>::lanes;
 
   std::size_t count = 0;
   std::size_t functions = 0;
@@ -52,6 +53,21 @@ struct Samples {
   std::vector<R> basis;
 
   std::size_t blocks() const { return x.size() / lanes; }
+  /// The place of l_0 at point q; l_j lies j * lanes further.
+  const R* basis_at(std::size_t q) const { return basis.data() + q / lanes * functions * lanes + q % lanes; }
+};
+
+/// Points and weights of a rule on a triangle, as structure of arrays.
+/// Maths     barycentric coordinates x_1, x_2, x_3 and weights that sum to 1/2
+/// Source    -
+/// Requires  -
+/// Result    padded to whole blocks: the last point again, with zero weight
+/// Limits    -
+template <Real R>
+struct RuleArrays {
+  std::size_t count = 0;
+  std::array<std::vector<R>, 3> x;
+  std::vector<R> weights;
 };
 
 /// The conical rules of every order and gathering, computed once.
@@ -61,11 +77,11 @@ public:
   static constexpr int smallest_order = 2;
   static constexpr int largest_order = 24;
   static const ConicalRules& instance();
-  const TriangleRule<R>& rule(int order, Gathering gathering) const;
+  const RuleArrays<R>& rule(int order, Gathering gathering) const;
 
 private:
   ConicalRules();
-  std::array<std::vector<TriangleRule<R>>, 3> rules_;
+  std::array<std::vector<RuleArrays<R>>, 3> rules_;
 };
 
 /// Samples of a cell by the conical rule of an order. Where the cell touches a line on which its chart is not analytic,

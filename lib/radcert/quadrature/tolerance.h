@@ -1,22 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "radcert/core/contract.h"
+
 namespace radcert {
 
-/// The relative difference of two rules at which an integral counts as converged.
-/// Maths     |finer - coarser| <= converged_difference Int |G l_j|
-/// Source    a choice: about 200 roundings, so that the difference is seldom the larger part of the radius
-/// Requires  -
-/// Result    exceeds what summing a few hundred terms in double may change
-/// Limits    double
-inline constexpr double converged_difference = 2e-14;
+/// What is asked of the entries of a collocation matrix.
+/// Maths     |entry - exact| <= entry() max|l_j| times the row's Int |G| dS, as far as rounding allows
+/// Source    -
+/// Requires  finest <= entry <= coarsest, else ContractViolation
+/// Result    the thresholds that follow from it. `converged` is the difference of two rules, relative to Int |G l_j| over an
+///           element, at which an integral counts as converged: a fifth, since the error of a row is the sum over its
+///           elements and the difference seldom less than the error. `intended_truncation` is asked of the error model when
+///           an order is chosen: a hundredth, so that the comparison of two rules seldom fails
+/// Limits    double: at the finest a difference of 2e-14 is about 200 roundings
+class Tolerance {
+public:
+  static constexpr double finest = 1e-13;
+  static constexpr double coarsest = 1e-2;
 
-/// What is asked of the error model when an order is chosen.
-/// Maths     rho^(-2 order) <= intended_truncation, rho the Bernstein radius
-/// Source    see bernstein_radius
-/// Requires  -
-/// Result    a first guess of the order; the comparison of two rules decides
-/// Limits    double
-inline constexpr double intended_truncation = 1e-15;
+  explicit Tolerance(double entry = finest) : entry_(entry) {
+    expects(finest <= entry && entry <= coarsest, "1e-13 <= tolerance <= 1e-2", named("tolerance", entry));
+  }
+
+  double entry() const { return entry_; }
+  double converged() const { return entry_ / 5; }
+  double intended_truncation() const { return entry_ / 100; }
+
+private:
+  double entry_;
+};
 
 }  // namespace radcert

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "radcert/quadrature/kernel_sums.h"
+#include "radcert/quadrature/observer_block.h"
+#include "radcert/quadrature/samples.h"
+
+namespace radcert {
+
+/// What a rule sums up over one far element for a block of observers, one a lane.
+/// Maths     value_j = sum_q g_q l_j(x_q),  size = sum_q |g_q|,  g_q = G(P,Q_q) times area element and weight
+/// Source    [ac98, (40)]
+/// Requires  -
+/// Result    rounded lane by lane
+/// Limits    -
+template <Real R>
+struct FarSums {
+  using B = typename Block<R>::Type;
+  std::array<B, KernelSums<R>::most_functions> value;
+  B size;
+};
+
+/// The sums of one rule for a block of observers.
+/// Maths     see FarSums; first all g_q, then their products with the basis: two short loops that stay in registers
+/// Source    -
+/// Requires  no observer among the samples
+/// Result    each lane the same bits as if it were alone; `g` is scratch
+/// Limits    about 28 operations and one division an evaluation of G at degree 1
+template <Real R>
+void far_sums(const ObserverBlock<R>& observers, const Samples<R>& samples,
+              std::vector<typename Block<R>::Type>& g, FarSums<R>& sums);
+
+/// What bounds G over an element as a whole, seen from afar.
+/// Maths     area = Int dS, normal = Int n_Q dS / area, spread_i = max |n_Q - normal|_i by components,
+///           rise = max |(Q-c).n_Q|, height = max |(Q-c).normal|, c the centre;  share[j] = Int |l_j| dS
+/// Source    -
+/// Requires  -
+/// Result    from the points of one rule: the maxima are those of its points
+/// Limits    -
+template <Real R>
+struct FarView {
+  R area{};
+  Vector<R> normal;
+  Vector<R> spread;
+  R rise{};
+  R height{};
+  std::array<R, KernelSums<R>::most_functions> share{};
+
+  FarView() = default;
+  FarView(const Samples<R>& samples, const Vector<R>& centre);
+};
+
+/// Bounds for one far element and a block of observers.
+/// Maths     with R = |P-c|, r the radius of the element's ball, n_P = a normal + t, t orthogonal to normal:
+///           |(Q-P).n_P| <= |(c-P).n_P| + |a| height + r |t|,  |(P-Q).n_Q| <= |(P-c).normal| + sum_i |P-c|_i spread_i + rise,
+///           |P-Q| >= R - r; from these
+///           largest >= |G| and lean >= X (|(Q-P).n_P| |n_Q| + |(P-Q).n_Q|) / |P-Q|^4, |n_Q| by components at most sqrt 3;
+///           solid_angle = area |(P-c).normal| / R^3
+/// Source    see KernelSums
+/// Requires  R > r
+/// Result    rounded
+/// Limits    -
+template <Real R>
+struct FarBounds {
+  using B = typename Block<R>::Type;
+  B largest;
+  B lean;
+  B solid_angle;
+
+  FarBounds(const ObserverBlock<R>& observers, const FarView<R>& view, const Vector<R>& centre,
+            const R& radius, const R& extent);
+};
+
+extern template void far_sums<double>(const ObserverBlock<double>&, const Samples<double>&,
+                                      std::vector<Pack>&, FarSums<double>&);
+extern template struct FarView<double>;
+extern template struct FarBounds<double>;
+
+}  // namespace radcert

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/quadrature/integration_scheme.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "radcert/quadrature/flat_rule_bound.h"
+
+namespace radcert {
+namespace {
+
+/// Largest and mean values of |l_j|.
+template <Real R>
+struct Sizes {
+  std::vector<R> largest;
+  std::vector<R> mean;
+
+  /// Over the points k/48, |k| = 48: the vertices are among them.
+  explicit Sizes(const InsetBasis<R>& basis) : largest(basis.size(), R(0)), mean(basis.size(), R(0)) {
+    using std::abs;
+    constexpr int steps = 48;
+    constexpr int points = (steps + 1) * (steps + 2) / 2;
+    std::vector<R> values(basis.size());
+    for (int i = 0; i <= steps; ++i)
+      for (int k = 0; i + k <= steps; ++k) {
+        const Barycentric<R> x{{R(i) / R(steps), R(k) / R(steps), R(steps - i - k) / R(steps)}};
+        basis.values(x, values);
+        for (std::size_t j = 0; j < values.size(); ++j) {
+          largest[j] = std::max(largest[j], static_cast<R>(abs(values[j])));
+          mean[j] += abs(values[j]) / R(points);
+        }
+      }
+  }
+
+  double least_ratio() const {
+    double least = 1;
+    for (std::size_t j = 0; j < mean.size(); ++j)
+      least = std::min(least, static_cast<double>(mean[j] / largest[j]));
+    return least;
+  }
+};
+
+/// The least eta from which a rule will do, to 1 %.
+double least_distance(int order, int degree, double truncation) {
+  double too_near = 1;
+  double enough = 1e9;
+  if (flat_rule_bound(order, degree, enough) > truncation) return HUGE_VAL;
+  while (enough > 1.01 * too_near) {
+    const double middle = std::sqrt(too_near * enough);
+    (flat_rule_bound(order, degree, middle) <= truncation ? enough : too_near) = middle;
+  }
+  return enough;
+}
+
+}  // namespace
+
+template <Real R>
+IntegrationScheme<R>::IntegrationScheme(const Surface& surface, const InsetBasis<R>& basis,
+                                        const Tolerance& tolerance)
+    : surface_(surface), basis_(basis), tolerance_(tolerance) {
+  const Sizes<R> sizes(basis);
+  largest_values_ = sizes.largest;
+  flat_truncation_ = tolerance.converged() * sizes.least_ratio();
+  std::vector<std::size_t> first_of_plane;
+  for (std::size_t a = 0; a < surface.charts.size(); ++a) {
+    if (!surface.charts[a].facts().plane) {
+      plane_.push_back(no_plane);
+      continue;
+    }
+    const auto same = std::find_if(first_of_plane.begin(), first_of_plane.end(), [&](std::size_t b) {
+      return in_one_plane(surface.charts[a], surface.charts[b]);
+    });
+    plane_.push_back(same == first_of_plane.end() ? a : *same);
+    if (plane_.back() == a) first_of_plane.push_back(a);
+  }
+  for (int order = 0; order <= ConicalRules<R>::largest_order; ++order)
+    least_distance_.push_back(order < ConicalRules<R>::smallest_order
+                                  ? HUGE_VAL
+                                  : least_distance(order, basis.degree(), flat_truncation_));
+}
+
+template <Real R>
+int IntegrationScheme<R>::flat_order(double eta) const {
+  for (int order = ConicalRules<R>::smallest_order; order <= ConicalRules<R>::largest_order; ++order)
+    if (least_distance_[static_cast<std::size_t>(order)] <= eta) return order;
+  return ConicalRules<R>::largest_order + 1;
+}
+
+template class IntegrationScheme<double>;
+
+}  // namespace radcert

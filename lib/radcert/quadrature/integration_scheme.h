@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "radcert/polynomial/inset_basis.h"
+#include "radcert/quadrature/samples.h"
+#include "radcert/quadrature/tolerance.h"
+#include "radcert/surface/surface.h"
+
+namespace radcert {
+
+/// What all elements of one assembly share: surface, basis, tolerance, and what follows from them.
+/// Maths     largest_value(j) = max |l_j|, mean_value(j) = mean of |l_j|, over a lattice of the element;
+///           flat_truncation() = Tolerance::converged min_j mean_value(j)/largest_value(j): what a rule may leave out, relative
+///           to largest_value(j) times a solid angle, and still be small beside Int |G l_j|;
+///           flat_order(eta): the least order whose flat_rule_bound is within it
+/// Source    see flat_rule_bound
+/// Requires  the surface outlives this
+/// Result    immutable; safe to share between threads
+/// Limits    -
+template <Real R>
+class IntegrationScheme {
+public:
+  IntegrationScheme(const Surface& surface, const InsetBasis<R>& basis, const Tolerance& tolerance);
+
+  const Surface& surface() const { return surface_; }
+  const InsetBasis<R>& basis() const { return basis_; }
+  const Tolerance& tolerance() const { return tolerance_; }
+  const R& largest_value(std::size_t j) const { return largest_values_[j]; }
+
+  double flat_truncation() const { return flat_truncation_; }
+
+  /// Whether G vanishes between two charts because both lie in one plane.
+  bool in_plane(std::size_t a, std::size_t b) const {
+    return plane_[a] != no_plane && plane_[a] == plane_[b];
+  }
+
+  /// The order for a plane element seen from eta radii; beyond the largest order if none will do.
+  int flat_order(double eta) const;
+
+private:
+  static constexpr std::size_t no_plane = static_cast<std::size_t>(-1);
+
+  const Surface& surface_;
+  InsetBasis<R> basis_;
+  Tolerance tolerance_;
+  std::vector<R> largest_values_;
+  double flat_truncation_;
+  std::vector<std::size_t> plane_;      ///< by chart: the first chart in the same plane
+  std::vector<double> least_distance_;  ///< by order: the eta from which it will do
+};
+
+extern template class IntegrationScheme<double>;
+
+}  // namespace radcert
