@@ -7,7 +7,7 @@
 
 namespace {
 
-using radcert::EnvironmentError, radcert::InputError, radcert::InputFault;
+using radcert::AccuracyNotReached, radcert::EnvironmentError, radcert::InputError, radcert::InputFault;
 
 TEST(InputError, IsOneReadableLine) {
   const InputError error({.source = "problem.json",
@@ -48,6 +48,10 @@ TEST(WithSource, NamesTheSourceOfErrorsThatPass) {
 
 TEST(EnvironmentError, NamesSubjectAndReason) {
   EXPECT_STREQ(EnvironmentError("/out/a.csv", "disk full").what(), "/out/a.csv: disk full");
+}
+
+TEST(AccuracyNotReached, NamesSubjectAndReasonOnOneLine) {
+  EXPECT_STREQ(AccuracyNotReached("level 2", "1e-3\nreached").what(), "level 2: \"1e-3\\nreached\"");
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "radcert/core/contract.h"
+#include "radcert/core/parallel.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/scalar/real.h"
 
@@ -88,6 +90,64 @@ TEST(AccurateProduct, IsTheMatrixTimesTheVector) {
   a(1, 2) = -6;
   EXPECT_EQ(accurate_product(a, std::vector<double>{1, 10, 100}), (std::vector<double>{321, -554}));
   EXPECT_EQ(accurate_product(Matrix<double>(2, 0), {}), (std::vector<double>{0, 0}));
+}
+
+TEST(AccurateProduct, HasTheSameBitsForEveryNumberOfThreads) {
+  std::mt19937_64 random(12);
+  constexpr std::size_t n = 600;
+  Matrix<double> a(n, n);
+  std::vector<double> x(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    x[j] = static_cast<double>(random() >> 11U) * 0x1p-52 - 1;
+    for (double& entry : a.column(j)) entry = static_cast<double>(random() >> 11U) * 0x1p-52 - 1;
+  }
+  const auto with_threads = [&](std::size_t threads) {
+    const ThreadLimit limit(threads);
+    std::vector<double> y = accurate_product(a, x);
+    std::vector<double> r(n);
+    accurate_residual(a, x, y, r);
+    y.insert(y.end(), r.begin(), r.end());
+    return y;
+  };
+  EXPECT_EQ(with_threads(1), with_threads(2));
+}
+
+TEST(AccurateResidual, KeepsTheDigitsThatCancel) {
+  // v solves (I - K) v = e to the last bit of each entry but one, and the residual says by how much it does not.
+  std::mt19937_64 random(13);
+  for (const std::size_t n : {1U, 5U, 300U}) {
+    Matrix<double> k(n, n);
+    std::vector<double> v(n);
+    std::vector<double> e(n);
+    for (std::size_t j = 0; j < n; ++j) {
+      v[j] = static_cast<double>(random() >> 11U) * 0x1p-52 - 1;
+      for (double& entry : k.column(j)) entry = (static_cast<double>(random() >> 11U) * 0x1p-52 - 1) / 8;
+    }
+    std::vector<Rational> exact(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      Rational right = Rational::exactly(v[i]);
+      for (std::size_t j = 0; j < n; ++j) right -= Rational::exactly(k(i, j)) * Rational::exactly(v[j]);
+      e[i] = right.to_double();
+      exact[i] = Rational::exactly(e[i]) - right;
+    }
+    std::vector<double> r(n);
+    accurate_residual(k, v, e, r);
+    const double terms = static_cast<double>(n) + 3;
+    const Rational second_order = Rational::exactly(terms * unit * terms * unit * (2 + terms / 8));
+    for (std::size_t i = 0; i < n; ++i)
+      EXPECT_LE(abs(Rational::exactly(r[i]) - exact[i]),
+                Rational::exactly(unit) * abs(exact[i]) + second_order)
+          << "row " << i << " of " << n;
+  }
+}
+
+TEST(AccurateProduct, RefusesVectorsOfAnotherSize) {
+  std::vector<double> two(2);
+  std::vector<double> three(3);
+  EXPECT_THROW(static_cast<void>(accurate_product(Matrix<double>(2, 3), two)), ContractViolation);
+  EXPECT_THROW(accurate_residual(Matrix<double>(2, 2), two, two, three), ContractViolation);
+  EXPECT_THROW(accurate_residual(Matrix<double>(2, 2), three, two, two), ContractViolation);
+  EXPECT_THROW(accurate_residual(Matrix<double>(2, 3), three, two, two), ContractViolation);
 }
 
 }  // namespace

@@ -47,6 +47,9 @@ InputError InputError::below(const std::string& pointer) const {
 EnvironmentError::EnvironmentError(const std::string& subject, const std::string& reason)
     : std::runtime_error(printable(subject, path_limit) + ": " + printable(reason, path_limit)) {}
 
+AccuracyNotReached::AccuracyNotReached(const std::string& subject, const std::string& reason)
+    : std::runtime_error(printable(subject, path_limit) + ": " + printable(reason, path_limit)) {}
+
 Interrupted::Interrupted() : std::runtime_error("interrupted") {}
 
 }  // namespace radcert

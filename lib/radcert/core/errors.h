@@ -80,6 +80,17 @@ public:
   EnvironmentError(const std::string& subject, const std::string& reason);
 };
 
+/// An accuracy that the user demanded was not reached.
+/// Maths     none
+/// Source    -
+/// Requires  a subject (what was computed) and a reason in words with the accuracy reached
+/// Result    what() is `<subject>: <reason>` on one printable line; the program ends with ExitCode::differs
+/// Limits    for demands: what a computation reaches without one is a radius in its result
+class AccuracyNotReached : public std::runtime_error {
+public:
+  AccuracyNotReached(const std::string& subject, const std::string& reason);
+};
+
 /// The user asked to stop.
 /// Maths     none
 /// Source    -

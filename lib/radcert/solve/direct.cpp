@@ -4,13 +4,17 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "radcert/core/contract.h"
 
 namespace radcert {
 
+/// The factors take the place of the matrix.
 struct DirectSolver::Factors {
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu;
+  explicit Factors(Eigen::MatrixXd a) : place(std::move(a)), lu(place) {}
+  Eigen::MatrixXd place;
+  Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>> lu;
 };
 
 DirectSolver::DirectSolver(const Matrix<double>& k) {
@@ -23,8 +27,7 @@ DirectSolver::DirectSolver(const Matrix<double>& k) {
     for (std::size_t i = 0; i < column.size(); ++i)
       a(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = (i == j ? 1.0 : 0.0) - column[i];
   }
-  factors_ = std::make_unique<Factors>();
-  factors_->lu.compute(a);
+  factors_ = std::make_unique<Factors>(std::move(a));
 }
 
 DirectSolver::~DirectSolver() = default;

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/solve/contraction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "radcert/core/contract.h"
+#include "radcert/scalar/real.h"
+#include "radcert/solve/product.h"
+
+namespace radcert {
+namespace {
+
+constexpr double unit = unit_roundoff<double>();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Enough for a handful of roundings.
+constexpr double upward = 1 + 8 * unit;
+
+/// max_i x_i / w_i, or infinity.
+double largest_ratio(std::span<const double> x, std::span<const double> w) {
+  double largest = 0;
+  bool finite = true;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double ratio = std::abs(x[i]) / w[i];
+    finite = finite && std::isfinite(ratio);
+    largest = std::max(largest, ratio);
+  }
+  return finite ? largest : infinity;
+}
+
+}  // namespace
+
+double Contraction::least_weight() const { return *std::min_element(weights_.begin(), weights_.end()); }
+
+double Contraction::norm(std::span<const double> x) const {
+  expects(x.size() == weights_.size(), "a vector of the matrix's size", named("size", x.size()));
+  return largest_ratio(x, weights_) * upward;
+}
+
+double Contraction::inverse_bound(double norm_of_d) const { return norm_of_d / (1 - theta_) * upward; }
+
+/// Steps from weights to weights.
+struct ContractionSearch {
+  const Matrix<double>& k;
+  std::span<const double> row_radius;
+  std::vector<double> image = std::vector<double>(k.rows());
+
+  /// The image of the weights and a theta for them, rounded up.
+  double measure(std::span<const double> weights) {
+    multiply_sizes(k, weights, image);
+    // The exact sum is at most that of the machine over (1 - u)^n, and (1 - u)^-n <= 1 + (n + 1) u for n <= 2^26; what
+    // has underflowed is less than a denormal number a term.
+    const auto n = static_cast<double>(k.rows());
+    const double sums_upward = 1 + (n + 8) * unit;
+    const double underflow = n * std::numeric_limits<double>::denorm_min();
+    for (std::size_t i = 0; i < image.size(); ++i)
+      image[i] = image[i] * sums_upward + underflow + (row_radius.empty() ? 0.0 : row_radius[i]);
+    return largest_ratio(image, weights) * upward;
+  }
+
+  /// One step of the power method, the largest weight 1 again.
+  void step(std::vector<double>& weights, double theta) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      weights[i] = image[i] + theta / 2 * weights[i];
+      largest = std::max(largest, weights[i]);
+    }
+    for (double& weight : weights) weight /= largest;
+  }
+
+  static double amplification(const Contraction& c) {
+    return c.theta_ < 1 ? 1 / ((1 - c.theta_) * c.least_weight()) : infinity;
+  }
+
+  Outcome<Contraction, NoContraction> run(int most_steps) {
+    Contraction best;
+    best.weights_.assign(k.rows(), 1.0);
+    best.theta_ = measure(best.weights_);
+    double least_theta = best.theta_;
+    double theta = best.theta_;
+    Contraction now = best;
+    for (int i = 0; i < most_steps && std::isfinite(theta) && theta > 0; ++i) {
+      step(now.weights_, theta);
+      if (!(now.least_weight() >= std::numeric_limits<double>::min())) break;
+      now.theta_ = measure(now.weights_);
+      if (amplification(now) < amplification(best)) best = now;
+      const double gain = theta - now.theta_;
+      theta = now.theta_;
+      least_theta = std::min(least_theta, theta);
+      if (theta < 1 && gain < (1 - theta) / 8) break;
+    }
+    if (!(best.theta_ < 1)) return because(NoContraction{least_theta});
+    return best;
+  }
+};
+
+Outcome<Contraction, NoContraction> find_contraction(const Matrix<double>& k,
+                                                     std::span<const double> row_radius, int most_steps) {
+  constexpr std::size_t most_rows = std::size_t{1} << 26U;
+  expects(k.rows() == k.columns() && k.rows() > 0 && k.rows() <= most_rows, "a square matrix",
+          named("rows", k.rows()), named("columns", k.columns()));
+  expects(row_radius.empty() || row_radius.size() == k.rows(), "a radius a row or none",
+          named("radii", row_radius.size()));
+  return ContractionSearch{.k = k, .row_radius = row_radius}.run(most_steps);
+}
+
+}  // namespace radcert

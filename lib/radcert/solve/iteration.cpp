@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/solve/iteration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "radcert/core/contract.h"
+#include "radcert/scalar/real.h"
+#include "radcert/solve/accurate_dot.h"
+
+namespace radcert {
+namespace {
+
+constexpr double unit = unit_roundoff<double>();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double largest_size(std::span<const double> values) {
+  double size = 0;
+  for (const double value : values) size = std::max(size, std::abs(value));
+  return size;
+}
+
+void bound_residual(const Contraction& contraction, std::span<const double> v, std::span<const double> e,
+                    std::span<const double> residual, std::span<double> bounds) {
+  const auto n = static_cast<double>(v.size());
+  const double second_order = (n + 4) * unit * ((n + 4) * unit);
+  const double underflow = 8 * n * std::numeric_limits<double>::denorm_min();
+  const double product_size = contraction.theta() * contraction.norm(v);
+  const std::span<const double> w = contraction.weights();
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const double terms = std::abs(e[i]) + std::abs(v[i]) + product_size * w[i];
+    bounds[i] = (1 + 8 * unit) * std::abs(residual[i]) + ((1 + 16 * unit) * second_order * terms + underflow);
+  }
+}
+
+/// The number of steps that bring a residual from one size to another, each shrinking it by theta, and some for
+/// rounding.
+std::size_t planned_steps(double theta, double from, double to) {
+  constexpr double spare = 16;
+  constexpr double most = 1e12;
+  if (!(from > to) || !(theta > 0)) return static_cast<std::size_t>(spare);
+  const double steps = to > 0 ? std::ceil(std::log(to / from) / std::log(theta)) : most;
+  return static_cast<std::size_t>(std::min(most, steps + spare));
+}
+
+/// The number of corrections over which a residual that has not halved says that no more is to be had.
+std::size_t patience(double theta, std::size_t reflections) {
+  constexpr double most = 1e12;
+  const double steps = std::min(most, std::ceil(std::log(0.5) / std::log((1 + theta) / 2)));
+  return std::max<std::size_t>(2, static_cast<std::size_t>(steps) / reflections + 1);
+}
+
+/// The goals of an iteration and how far it is from them.
+struct Descent {
+  const Contraction& contraction;
+  std::optional<double> tolerance;
+
+  /// The size of the residual at which v is good enough.
+  double goal(std::span<const double> v) const {
+    if (tolerance) return *tolerance * (1 - 32 * unit) * (1 - contraction.theta()) * largest_size(v);
+    return 2 * unit * contraction.norm(v);
+  }
+  bool reached(std::span<const double> v, double residual) const {
+    if (!std::isfinite(residual)) return false;
+    if (!tolerance) return residual <= goal(v);
+    return contraction.inverse_bound(residual) <= *tolerance * (1 - 4 * unit) * largest_size(v);
+  }
+  /// Whether no more than rounding is left, where no tolerance asks for more.
+  bool left_to_rounding(std::span<const double> v, double residual) const {
+    const double theta = contraction.theta();
+    return !tolerance && std::isfinite(residual) &&
+           residual <= 4 * unit * (1 + theta) / (1 - theta) * contraction.norm(v);
+  }
+};
+
+}  // namespace
+
+std::vector<double> residual_bounds(const Contraction& contraction, std::span<const double> v,
+                                    std::span<const double> e, std::span<const double> residual) {
+  std::vector<double> bounds(v.size());
+  bound_residual(contraction, v, e, residual, bounds);
+  return bounds;
+}
+
+Outcome<IterativeSolution, NotReached> iterate(const Matrix<double>& k, const Contraction& contraction,
+                                               std::span<const double> e, std::optional<double> tolerance,
+                                               const Correction& correction) {
+  expects(e.size() == k.rows() && contraction.weights().size() == k.rows(),
+          "a right-hand side and a contraction of the matrix's size", named("rows", k.rows()),
+          named("size", e.size()));
+  expects(!tolerance || (*tolerance >= least_tolerance && *tolerance < 1),
+          "a tolerance in [least_tolerance, 1)", named("tolerance", tolerance.value_or(0)));
+  const Descent descent{.contraction = contraction, .tolerance = tolerance};
+  std::vector<double> v(e.begin(), e.end());
+  if (largest_size(e) == 0) return IterativeSolution{.values = std::move(v)};
+
+  std::vector<double> r(v.size());
+  std::vector<double> bounds(v.size());
+  std::vector<double> best = v;
+  double best_residual = infinity;
+  const std::size_t patient_steps = patience(contraction.theta(), correction.reflections);
+  double mark = infinity;
+  std::size_t marked_at = 0;
+  std::size_t iterations = 0;
+  std::size_t planned = 0;
+  for (std::size_t step = 0;; ++step) {
+    accurate_residual(k, v, e, r);
+    bound_residual(contraction, v, e, r, bounds);
+    const double residual = contraction.norm(bounds);
+    if (residual < best_residual) {
+      best_residual = residual;
+      best = v;
+    }
+    if (descent.reached(v, residual))
+      return IterativeSolution{.values = std::move(v),
+                               .iterations = iterations,
+                               .error_bound = contraction.inverse_bound(residual)};
+    // v grows from e to u, or shrinks, by 1 + theta <= 2 at most.
+    if (step == 0)
+      planned = planned_steps(contraction.theta(), residual, descent.goal(v) / 2) + patient_steps;
+    if (residual <= mark / 2) {
+      mark = residual;
+      marked_at = step;
+    }
+    if (!std::isfinite(residual) || step == planned || step - marked_at >= patient_steps) break;
+    iterations += correction.apply(r, descent.goal(v));
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] += r[i];
+  }
+  const double error_bound = contraction.inverse_bound(best_residual);
+  const double size = largest_size(best);
+  if (descent.left_to_rounding(best, best_residual))
+    return IterativeSolution{.values = std::move(best), .iterations = iterations, .error_bound = error_bound};
+  return because(NotReached{.iterations = iterations, .error_bound = error_bound, .size = size});
+}
+
+}  // namespace radcert
