@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two independent routes to Int G l_j dS over an element: the rules of `quadrature` and adaptive Gauss-Kronrod.
+// Two independent routes to Int G l_j dS over an element: the rules of `quadrature` and adaptive Gauss rules.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "radcert/expression/batch.h"
 
 #include "radcert/expression/parse.h"
+#include "radcert/scalar/pack.h"
 #include "tests/expression/random_expression.h"
 
 #include <bit>
@@ -60,6 +61,26 @@ TEST(CompiledExpression, GivesTheBitsOfTheScalarEvaluation) {
       ASSERT_TRUE(same(out[i], alone))
           << "at (" << x[i] << ", " << y[i] << ", " << z[i] << "): " << out[i] << " and " << alone;
     }
+  }
+}
+
+TEST(Expression, GivesInPacksTheBitsOfDouble) {
+  std::mt19937_64 random(22);
+  const auto coordinate = [&] { return 4 * (static_cast<double>(random() >> 11U) * 0x1p-53 - 0.5); };
+  for (int trial = 0; trial < 300; ++trial) {
+    const auto parsed = parse_expression(radcert::test::random_expression(random, 6));
+    ASSERT_TRUE(parsed.has_value());
+    radcert::Variables<radcert::Pack> at{0.0, 0.0, 0.0};
+    for (std::size_t lane = 0; lane < radcert::Pack::lanes; ++lane) {
+      at.x.set_lane(lane, lane == 3 ? std::numeric_limits<double>::quiet_NaN() : coordinate());
+      at.y.set_lane(lane, coordinate());
+      at.z.set_lane(lane, lane == 5 ? -0.0 : coordinate());
+    }
+    const radcert::Pack values = parsed->evaluate<radcert::Pack>(at);
+    for (std::size_t lane = 0; lane < radcert::Pack::lanes; ++lane)
+      ASSERT_TRUE(same(values.lane(lane),
+                       parsed->evaluate<double>({at.x.lane(lane), at.y.lane(lane), at.z.lane(lane)})))
+          << parsed->text() << " in lane " << lane;
   }
 }
 

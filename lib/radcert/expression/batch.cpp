@@ -4,41 +4,56 @@
 #include <algorithm>
 #include <array>
 
+#include "radcert/scalar/pack.h"
+
 namespace radcert {
 
 namespace {
 
 /// Points treated together: a stack of a few such blocks stays in the first-level cache.
 constexpr std::size_t block = 64;
+constexpr std::size_t lanes = Pack::lanes;
 
-using Block = std::array<double, block>;
+using Numbers = std::array<double, block>;
 
-/// One operation on the first `count` lanes: a := f(a, b). The lanes beyond hold earlier values and are never
-/// read.
-template <ExpressionKind kind>
-void apply_lanes(Block& a, const Block& b, std::size_t count) {
-  for (std::size_t lane = 0; lane < count; ++lane) a[lane] = detail::apply<double>(kind, a[lane], b[lane]);
+/// The operands of a step and where its result goes, which may be where an operand lies.
+struct Operands {
+  const double* a;
+  const double* b;
+  double* out;
+};
+
+/// One operation on the first numbers of a block, in packs.
+template <class Operation>
+void apply_packs(const Operands& operands, std::size_t count, const Operation& operation) {
+  for (std::size_t i = 0; i < count; i += lanes)
+    operation(Pack::load(operands.a + i), Pack::load(operands.b + i)).store(operands.out + i);
 }
 
-void apply_lanes(ExpressionKind kind, Block& a, const Block& b, std::size_t count) {
+template <ExpressionKind kind>
+void apply_packs(const Operands& operands, std::size_t count) {
+  apply_packs(operands, count, [](const Pack& a, const Pack& b) { return detail::apply<Pack>(kind, a, b); });
+}
+
+void apply_packs(ExpressionKind kind, const Operands& operands, std::size_t count) {
   using enum ExpressionKind;
   switch (kind) {
-    case negate: return apply_lanes<negate>(a, b, count);
-    case add: return apply_lanes<add>(a, b, count);
-    case subtract: return apply_lanes<subtract>(a, b, count);
-    case multiply: return apply_lanes<multiply>(a, b, count);
-    case divide: return apply_lanes<divide>(a, b, count);
-    case power: return apply_lanes<power>(a, b, count);
-    case sqrt: return apply_lanes<sqrt>(a, b, count);
-    case exp: return apply_lanes<exp>(a, b, count);
-    case log: return apply_lanes<log>(a, b, count);
-    case sin: return apply_lanes<sin>(a, b, count);
-    case cos: return apply_lanes<cos>(a, b, count);
-    case tan: return apply_lanes<tan>(a, b, count);
-    case atan: return apply_lanes<atan>(a, b, count);
-    case abs: return apply_lanes<abs>(a, b, count);
-    case min: return apply_lanes<min>(a, b, count);
-    case max: return apply_lanes<max>(a, b, count);
+    case negate: return apply_packs<negate>(operands, count);
+    case add: return apply_packs<add>(operands, count);
+    case subtract: return apply_packs<subtract>(operands, count);
+    case multiply: return apply_packs<multiply>(operands, count);
+    case divide: return apply_packs<divide>(operands, count);
+    case power: return apply_packs<power>(operands, count);
+    case sqrt: return apply_packs<sqrt>(operands, count);
+    case exp: return apply_packs<exp>(operands, count);
+    case log: return apply_packs<log>(operands, count);
+    case sin: return apply_packs<sin>(operands, count);
+    case cos: return apply_packs<cos>(operands, count);
+    case tan: return apply_packs<tan>(operands, count);
+    case atan: return apply_packs<atan>(operands, count);
+    case abs: return apply_packs<abs>(operands, count);
+    case min: return apply_packs<min>(operands, count);
+    case max: return apply_packs<max>(operands, count);
     case literal:
     case variable:
     case pi: break;
@@ -56,7 +71,15 @@ bool is_leaf(ExpressionKind kind) {
   return kind == literal || kind == variable || kind == pi;
 }
 
+constexpr std::size_t low_stack = 16;
+
 }  // namespace
+
+/// A place of the stack: numbers of its own, or a variable's where they are.
+struct CompiledExpression::Level {
+  Numbers numbers;
+  const double* at;
+};
 
 CompiledExpression::CompiledExpression(const Expression& expression) : variables_(expression.variables()) {
   const std::vector<ExpressionNode>& nodes = expression.nodes();
@@ -131,27 +154,55 @@ void CompiledExpression::run(std::span<const std::span<const double>> arguments,
     expects(argument.size() == out.size(), "as many arguments as results",
             named("arguments", argument.size()), named("results", out.size()));
   }
-  std::vector<Block> stack(stack_size_, Block{});
+  if (stack_size_ <= low_stack) {
+    std::array<Level, low_stack>
+        stack;  // NOLINT(cppcoreguidelines-pro-type-member-init): each level is written first
+    run(arguments, out, stack.data());
+  } else {
+    std::vector<Level> stack(stack_size_);
+    run(arguments, out, stack.data());
+  }
+}
+
+void CompiledExpression::run(std::span<const std::span<const double>> arguments, std::span<double> out,
+                             Level* stack) const {
+  std::array<Numbers, 3> ends;  // of arguments whose last pack is not full
+  std::array<const double*, 3> from{};
   for (std::size_t start = 0; start < out.size(); start += block) {
     const std::size_t count = std::min(block, out.size() - start);
+    const std::size_t full = padded<double>(count);
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+      from[i] = arguments[i].data() + start;
+      if (full == count) continue;
+      std::copy_n(from[i], count, ends[i].begin());
+      std::fill_n(ends[i].begin() + static_cast<std::ptrdiff_t>(count), full - count, from[i][count - 1]);
+      from[i] = ends[i].data();
+    }
     std::size_t height = 0;
     for (const Step& step : steps_) {
       if (step.kind == ExpressionKind::literal) {
-        stack[height++].fill(step.literal);
-      } else if (step.kind == ExpressionKind::variable) {
-        const auto from = arguments[static_cast<std::size_t>(step.variable)].subspan(start, count);
-        std::copy(from.begin(), from.end(), stack[height++].begin());
-      } else if (step.whole) {
-        Block& base = stack[height - 1];
-        for (std::size_t lane = 0; lane < count; ++lane) base[lane] = power(base[lane], step.whole_exponent);
-      } else if (has_two_operands(step.kind)) {
-        --height;
-        apply_lanes(step.kind, stack[height - 1], stack[height], count);
-      } else {
-        apply_lanes(step.kind, stack[height - 1], stack[height - 1], count);
+        Level& top = stack[height++];
+        top.numbers.fill(step.literal);
+        top.at = top.numbers.data();
+        continue;
       }
+      if (step.kind == ExpressionKind::variable) {
+        stack[height++].at = from[static_cast<std::size_t>(step.variable)];
+        continue;
+      }
+      const bool binary = has_two_operands(step.kind) && !step.whole;
+      if (binary) --height;
+      Level& top = stack[height - 1];
+      const Operands operands{top.at, binary ? stack[height].at : top.at, top.numbers.data()};
+      if (step.whole) {
+        apply_packs(operands, full,
+                    [n = step.whole_exponent](const Pack& a, const Pack&) { return power(a, n); });
+      } else {
+        apply_packs(step.kind, operands, full);
+      }
+      top.at = top.numbers.data();
     }
-    std::copy_n(stack[0].begin(), count, out.begin() + static_cast<std::ptrdiff_t>(start));
+    std::copy_n(stack[0].at, count, out.begin() + static_cast<std::ptrdiff_t>(start));
   }
 }
 

@@ -15,7 +15,7 @@ namespace radcert {
 /// Requires  evaluate(): spans of the same length and the variables of the expression, else
 ///           ContractViolation; out overlaps no other span
 /// Result    the same bits as Expression::evaluate<double> at each point
-/// Limits    evaluate() allocates once a call, never once a point; at() only for a stack higher than 96
+/// Limits    only an expression of unusual depth allocates: evaluate() once a call, at() where its stack is higher than 96
 class CompiledExpression {
 public:
   explicit CompiledExpression(const Expression& expression);
@@ -34,7 +34,9 @@ private:
     bool whole;
     double literal;
   };
+  struct Level;
   void run(std::span<const std::span<const double>> arguments, std::span<double> out) const;
+  void run(std::span<const std::span<const double>> arguments, std::span<double> out, Level* stack) const;
 
   ExpressionVariables variables_;
   std::vector<Step> steps_;

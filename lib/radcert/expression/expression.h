@@ -2,6 +2,7 @@
 #pragma once
 
 #include "radcert/core/contract.h"
+#include "radcert/scalar/pack.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/scalar/real.h"
 
@@ -83,6 +84,8 @@ R smaller(const R& a, const R& b) {
     if (a != a) return a;
     if (b != b) return b;
     return b < a ? b : a;
+  } else if constexpr (std::same_as<R, Pack>) {
+    return by_lane(smaller<double>, a, b);
   } else {
     return min(a, b);
   }
@@ -94,6 +97,8 @@ R larger(const R& a, const R& b) {
     if (a != a) return a;
     if (b != b) return b;
     return a < b ? b : a;
+  } else if constexpr (std::same_as<R, Pack>) {
+    return by_lane(larger<double>, a, b);
   } else {
     return max(a, b);
   }

@@ -5,6 +5,7 @@
 
 #include "radcert/geometry/vector.h"
 #include "radcert/reference/adaptive_cubature.h"
+#include "radcert/reference/kernel_integrands.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/reference/polygon.h"
 #include "radcert/surface/surface.h"
@@ -33,5 +34,13 @@ struct Collocation {
 /// Result    sectors about the nearest point, or triangles or slabs where that is far; slabs graded towards a singular line
 /// Limits    across a smooth seam a disk of radius 3e-9 of the extent about P is bounded instead of integrated
 void add_part(AdaptiveCubature& cubature, const Collocation& at, std::size_t index, const Polygon& polygon);
+
+/// G J on another chart than P's, its parameters counted from an apex.
+/// Maths     w -> G(P, F_index(apex + w)) J
+/// Source    [ac98, (2)]
+/// Requires  index != p.chart
+/// Result    of the chart's own kind; between flat charts the offset F(apex) - P is rounded once
+/// Limits    -
+Integrand other_integrand(const Collocation& at, std::size_t index, const Parameters& apex);
 
 }  // namespace radcert::reference

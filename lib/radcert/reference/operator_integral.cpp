@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/reference/operator_integral.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <utility>
+#include <vector>
+
 #include "radcert/core/contract.h"
 #include "radcert/reference/adaptive_cubature.h"
 #include "radcert/reference/chart_parts.h"
+#include "radcert/reference/far_chart.h"
 #include "radcert/reference/polygon.h"
 
 namespace radcert::reference {
@@ -26,11 +34,53 @@ Collocation collocation(const Surface& surface, const SurfacePoint<double>& p, c
   return {&surface, p, frame, unit_normal(frame), &u};
 }
 
+constexpr std::size_t least_bytes_a_chart = 15000;  // two rules
+
 }  // namespace
+
+struct AppliedOperator::Prepared {
+  const Surface* surface;
+  Density u;
+  std::vector<FarChart> charts;
+};
+
+AppliedOperator::AppliedOperator(const Surface& surface, Density u) {
+  expects(static_cast<bool>(u), "a density");
+  auto prepared = std::make_shared<Prepared>(Prepared{&surface, std::move(u), {}});
+  constexpr std::size_t bytes = std::size_t{1} << 25U;  // for all charts, but for those that each needs
+  const std::size_t bytes_a_chart =
+      std::max(bytes / std::max<std::size_t>(surface.chart_count(), 1), least_bytes_a_chart);
+  for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
+    prepared->charts.emplace_back(surface.charts[chart], chart, prepared->u, bytes_a_chart);
+  prepared_ = std::move(prepared);
+}
+
+Estimate AppliedOperator::operator()(const SurfacePoint<double>& p) const {
+  const Surface& surface = *prepared_->surface;
+  const Collocation at = collocation(surface, p, prepared_->u);
+  AdaptiveCubature cubature(prepared_->u, [&at](std::size_t chart) {
+    return other_integrand(at, chart, {0, 0});
+  });
+  const FarChart& own = prepared_->charts[p.chart];
+  for (std::size_t chart = 0; chart < surface.chart_count(); ++chart) {
+    const FarChart& other = prepared_->charts[chart];
+    const bool is_own = chart == p.chart;
+    if (!is_own && may_lie_in_one_plane(own, other) &&
+        in_one_plane(surface.charts[p.chart], surface.charts[chart]))
+      continue;
+    const FarSamples* samples = is_own ? nullptr : other.samples_for(at.frame.point);
+    if (samples != nullptr) {
+      cubature.add(other.map(), chart, samples->region(at.frame.point, at.normal, norm(at.frame.point)));
+    } else {
+      add_part(cubature, at, chart, whole_domain(surface.charts[chart].facts().domain));
+    }
+  }
+  return cubature.estimate();
+}
 
 Estimate operator_integral(const Surface& surface, const SurfacePoint<double>& p, const Density& u) {
   const Collocation at = collocation(surface, p, u);
-  AdaptiveCubature cubature;
+  AdaptiveCubature cubature(u);
   for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
     add_part(cubature, at, chart, whole_domain(surface.charts[chart].facts().domain));
   return cubature.estimate();
@@ -43,7 +93,7 @@ Estimate operator_integral(const Surface& surface, const SurfacePoint<double>& p
   for (const Parameters& corner : triangle)
     expects(in_domain(corner, surface.charts[chart].facts().domain),
             "the triangle in the domain of its chart", named("s", corner.s), named("t", corner.t));
-  AdaptiveCubature cubature;
+  AdaptiveCubature cubature(u);
   add_part(cubature, at, chart, counterclockwise(triangle));
   return cubature.estimate();
 }

@@ -2,15 +2,13 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <memory>
 
+#include "radcert/reference/density.h"
 #include "radcert/surface/surface.h"
 #include "radcert/surface/surface_point.h"
 
 namespace radcert::reference {
-
-/// A density u on a surface: its value at a point, given both by its parameters and by its coordinates.
-using Density = std::function<double(const SurfacePoint<double>& q, const Vector<double>& point)>;
 
 /// A number with an estimate of its error. Not a guarantee: `radius` is what the adaptive rule estimates of itself and a bound, to first
 /// order, for the rounding of points and of G; the rounding of u counts as a few units in its last place.
@@ -20,18 +18,36 @@ struct Estimate {
   double absolute = 0;  ///< the same integral of the absolute value of the integrand
 };
 
-/// The integral operator of the radiosity equation without its factor rho/pi, by adaptive Gauss-Kronrod cubature over
-/// whole charts. Beside the collocation matrix it is the second route to Ku: it knows no triangulation, no basis and
+/// The integral operator of the radiosity equation without its factor rho/pi, applied to one density, by adaptive Gauss cubature
+/// over whole charts. Beside the collocation matrix it is the second route to Ku: it knows no triangulation, no basis and
 /// nothing of the layer `quadrature`.
-/// Maths     Int_S G(P,Q) u(Q) dS_Q; about the point nearest to P in polar coordinates of its tangent plane, r = delta sinh(x), tan(angle) = sinh(y),
-///           far from P over the parameter domain itself; s = z^6 at a singular line
+/// Maths     P -> Int_S G(P,Q) u(Q) dS_Q; about the point nearest to P in polar coordinates of its tangent plane, r = delta sinh(x),
+///           tan(angle) = sinh(y), far from P over the parameter domain itself; s = z^4 at a singular line
 /// Source    the "alternative numerical integration method" that [ac98, section 5] asks for; the rule is ours, the substitution by sinh is
 ///           that of Johnston and Elliott 2005
-/// Requires  P off every edge at which two pieces meet at an angle, a surface that is `unoccluded`, u finite, else ContractViolation; u smooth on each chart
+/// Requires  P off every edge at which two charts meet at an angle, a surface that is `unoccluded`, u finite, else ContractViolation;
+///           u smooth on each chart; the surface outlives this
 /// Result    value, with a radius of about 1e-13 of `absolute` where double allows: at any distance from an edge of flat pieces and from a smooth
-///           seam (there up to 1e-12). The same bits on any number of threads
+///           seam (there up to 1e-12). The same bits on any number of threads, which may share it
 /// Limits    estimates, no proof. A flat chart has the doubles nearest to its coefficients. Where a curved piece meets another at an angle the
-///           radius grows like u |P| / distance. A u that is not smooth costs time, bounded, and is seen in the radius
+///           radius grows like u |P| / distance. A u that is not smooth costs time, bounded, and is seen in the radius. Keeps u and points
+///           of each chart for the P far from it: 15 kB a chart, or more within 32 MB
+class AppliedOperator {
+public:
+  AppliedOperator(const Surface& surface, Density u);
+  Estimate operator()(const SurfacePoint<double>& p) const;
+
+private:
+  struct Prepared;
+  std::shared_ptr<const Prepared> prepared_;
+};
+
+/// The same at one point, with nothing prepared.
+/// Maths     Int_S G(P,Q) u(Q) dS_Q
+/// Source    as above
+/// Requires  as above
+/// Result    as above, but that the value may differ from the other in rounding
+/// Limits    as above
 Estimate operator_integral(const Surface& surface, const SurfacePoint<double>& p, const Density& u);
 
 /// The same over one triangle of one chart's parameter plane, for densities that are smooth on triangles only.

@@ -1,156 +1,139 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <variant>
 
 #include "radcert/reference/polygon.h"
+#include "radcert/reference/sinh_cosh.h"
+#include "radcert/scalar/pack.h"
 
 namespace radcert::reference {
 
-inline constexpr int grading_power = 6;  // in s = z^6 the powers s^(1/2) and s^(1/3) are analytic
+inline constexpr int grading_power =
+    4;  // in s = z^4 the power s^(1/2) is analytic, and others have four derivatives more
 
-/// Both hyperbolic functions of one argument.
-struct SinhCosh {
-  double sinh;
-  double cosh;
+/// How the points of [0,1] are spaced on [0,1].
+/// Maths     g(x) = x;  x^4;  or  shift + scale sinh(from + extent x), which gathers points about g = shift in a neighbourhood of width
+///           `scale` and is analytic in a strip about the real line of width pi / extent
+/// Source    Johnston and Elliott 2005 (the substitution by sinh)
+/// Requires  g(0) = 0 and g(1) = 1, which the makers see to: centred() puts the neighbourhood at a centre
+/// Result    g and g' at eight points
+/// Limits    -
+struct Spacing {
+  enum class Kind : std::uint8_t { linear, power, sinh };
+  Kind kind = Kind::linear;
+  double shift = 0;
+  double scale = 1;
+  double from = 0;
+  double extent = 1;
+
+  static Spacing centred(double centre, double width) {
+    const double from = std::asinh(-centre / width);
+    return {.kind = Kind::sinh,
+            .shift = centre,
+            .scale = width,
+            .from = from,
+            .extent = std::asinh((1 - centre) / width) - from};
+  }
+
+  struct Values {
+    Pack position;
+    Pack slope;
+  };
+  Values operator()(const Pack& x) const {
+    switch (kind) {
+      case Kind::linear: break;
+      case Kind::power: {
+        const Pack lower = power(x, grading_power - 1);
+        return {lower * x, Pack(grading_power) * lower};
+      }
+      case Kind::sinh: {
+        const SinhCosh value = sinh_cosh(fma(x, extent, from));
+        return {fma(value.sinh, scale, shift), Pack(scale * extent) * value.cosh};
+      }
+    }
+    return {x, 1.0};
+  }
 };
 
-inline SinhCosh sinh_cosh(double x) {
-  const double e = std::expm1(x);  // one call for both, and no digits lost at small x
-  const double f = e / (1 + e);
-  return {0.5 * (e + f), 1 + 0.5 * (e - f)};
-}
-
-/// x^n for n >= 0.
-inline double integer_power(double x, int n) {
-  double result = 1;
-  for (int k = 0; k < n; ++k) result *= x;
-  return result;
-}
-
-/// The image of a point of the unit square in the parameter plane.
-/// Maths     w, parameters counted from an apex, and the area element |det Dw| of the map
+/// A line of the parameter plane along which points are spaced, or eight such lines.
+/// Maths     w = base + r direction, r = start + extent g(x), 0 <= x <= 1;  the area element of (y, x) -> w, y the number of the line, is
+///           factor extent g'(x), and times r where the lines come from one point
 /// Source    -
 /// Requires  -
-/// Result    rounded
+/// Result    holds what it is given
 /// Limits    -
-struct MapPoint {
-  Parameters w;
-  double area;
+template <class R>
+struct Line {
+  ParameterPoint<R> base;
+  ParameterPoint<R> direction;
+  R start;
+  R extent;
+  R factor;
 };
 
 /// A triangle with a corner at the apex, collapsed.
-/// Maths     w = r (corner + x side), area element r * area
+/// Maths     w = r (corner + y side), area element r * area
 /// Source    Duffy
 /// Requires  area = |corner x side|
-/// Result    line(x).at(r), x and r in [0,1], covers the triangle once
+/// Result    line(y), y in [0,1], covers the triangle once
 /// Limits    no grading: for integrands that are smooth on the triangle
 struct Collapse {
+  static constexpr bool from_one_point = true;
   Parameters corner;
   Parameters side;
   double area;
 
-  struct Line {
-    Parameters end;
-    double area;
-    MapPoint at(double r) const { return {r * end, r * area}; }
-  };
-  Line line(double x) const { return {corner + x * side, area}; }
+  Line<Pack> line(const Pack& y) const {
+    return {{0.0, 0.0}, {corner.s + y * side.s, corner.t + y * side.t}, 0.0, 1.0, area};
+  }
 };
 
 /// A triangle with a corner at the apex in polar coordinates of the tangent plane, r up to the side at distance h.
-/// Maths     tan(angle) = sinh(y), so that a near side is no more trouble than a far one; r linear, or r = delta sinh(x), which
-///           spreads a peak of width delta at the apex, or r = x^6. The first two are analytic in a strip about the real line of
-///           width pi/2; `graded` gathers y by a sixth power at an end of the side that lies on a singular line
-/// Source    Johnston and Elliott 2005 (the substitution by sinh); the angle and the powers are ours
-/// Requires  height > 0, start < end; delta > 0 if radial = sinh
-/// Result    line(y).at(x), both in [0,1], covers the triangle once, off the disk of radius inner_radius if radial = sinh
+/// Maths     tan(angle) = sinh(v), so that a near side is no more trouble than a far one; analytic in a strip about the real line of width
+///           pi/2. v = start + extent g(y), or counted from the other end: v = start + extent (1 - g(1-y)), which gathers lines at an end
+///           of the side that lies on a singular line or near one
+/// Source    ours
+/// Requires  height > 0
+/// Result    line(y), y in [0,1], covers the triangle once, off the disk of radius inner_radius
 /// Limits    -
 struct Sector {
-  enum class Radial : std::uint8_t { linear, sinh, power };
-  enum class Graded : std::uint8_t { no, at_start, at_end };
+  static constexpr bool from_one_point = true;
 
   Parameters normal;   // of the side, in parameters for unit length in space
   Parameters tangent;  // along the side
   double height;       // distance h of the side
-  double start;        // in y
-  double end;
+  double start;        // in v
   double extent;
-  double delta;
   double inner_radius;
-  double density;  // parameter area for unit area in space
-  Radial radial;
-  Graded graded;
+  double density;   // parameter area for unit area in space
+  Spacing spacing;  // g
+  bool from_end;
 
-  struct Line {
-    Parameters direction;
-    double radius;
-    double delta;
-    double from;
-    double extent;
-    double factor;
-    Radial radial;
-
-    MapPoint at(double x) const {
-      double r = 0;
-      double slope = 0;
-      switch (radial) {
-        case Radial::linear:
-          r = x * radius;
-          slope = radius;
-          break;
-        case Radial::sinh: {
-          const SinhCosh value = sinh_cosh(from + x * extent);
-          r = delta * value.sinh;
-          slope = delta * value.cosh * extent;
-          break;
-        }
-        case Radial::power: {
-          const double lower = integer_power(x, grading_power - 1);
-          r = radius * lower * x;
-          slope = radius * grading_power * lower;
-          break;
-        }
-      }
-      return {r * direction, r * slope * factor};
-    }
-  };
-
-  Line line(double x) const {
-    double position = start + x * extent;
-    double slope = extent;
-    if (graded != Graded::no) {
-      const double z = graded == Graded::at_start ? x : 1 - x;
-      const double lower = integer_power(z, grading_power - 1);
-      position = graded == Graded::at_start ? start + lower * z * extent : end - lower * z * extent;
-      slope *= grading_power * lower;
-    }
-    const SinhCosh y = sinh_cosh(position);
-    Line line{};
-    line.direction = (1 / y.cosh) * (normal + y.sinh * tangent);
-    line.radius = height * y.cosh;
-    line.radial = radial;
-    line.factor = slope / y.cosh * density;
-    if (radial == Radial::sinh) {
-      const double to = std::asinh(line.radius / delta);
-      line.delta = delta;
-      line.from = std::min(to, std::asinh(inner_radius / delta));
-      line.extent = to - line.from;
-    }
-    return line;
+  Line<Pack> line(const Pack& y) const {
+    const Spacing::Values g = spacing(from_end ? 1.0 - y : y);
+    const SinhCosh v =
+        sinh_cosh(from_end ? fma(g.position, -extent, start + extent) : fma(g.position, extent, start));
+    const Pack slope = extent * g.slope;
+    const Pack cosine = 1.0 / v.cosh;
+    return {.base = {0.0, 0.0},
+            .direction = {cosine * (normal.s + v.sinh * tangent.s), cosine * (normal.t + v.sinh * tangent.t)},
+            .start = inner_radius,
+            .extent = height * v.cosh - inner_radius,
+            .factor = slope * cosine * density};
   }
 };
 
 /// A trapezium of the parameter plane between two straight lines.
-/// Maths     from_s <= s <= to_s, lower(s) <= t <= upper(s); s = z^6, graded towards s = 0, or linear; t linear or spread about
-///           `centre` by t = centre + delta sinh(y)
-/// Source    Johnston and Elliott 2005 (the substitution by sinh); the power is ours
-/// Requires  from_s < to_s; from_s = from_z^6 and to_s = to_z^6 if graded; delta >= 0, where 0 means t linear
-/// Result    line(x).at(y), both in [0,1], covers the trapezium once
+/// Maths     from_s <= s <= to_s, lower(s) <= t <= upper(s); s = z^4, graded towards s = 0, or linear
+/// Source    ours
+/// Requires  from_s < to_s; from_s = from_z^4 and to_s = to_z^4 if graded
+/// Result    line(y), y in [0,1], covers the trapezium once
 /// Limits    -
 struct Slab {
+  static constexpr bool from_one_point = false;
   double from_z;
   double to_z;
   bool graded;
@@ -160,42 +143,24 @@ struct Slab {
   double lower_to;
   double upper_from;
   double upper_to;
-  double centre;
-  double delta;  // 0: linear
   Parameters apex;
 
-  struct Line {
-    double w_s;
-    double from;
-    double extent;
-    double delta;
-    double shift;
-    double factor;
-
-    MapPoint at(double x) const {
-      const double y = from + x * extent;
-      if (delta == 0) return {{w_s, y + shift}, factor * extent};
-      const SinhCosh value = sinh_cosh(y);
-      return {{w_s, delta * value.sinh + shift}, factor * extent * delta * value.cosh};
-    }
-  };
-
-  Line line(double x) const {
-    const double z = from_z + x * (to_z - from_z);
-    const double power = graded ? integer_power(z, grading_power - 1) : 1;
-    const double s = graded ? power * z : z;
-    const double l = (s - from_s) / (to_s - from_s);
-    const double lower = lower_from + l * (lower_to - lower_from) - centre;
-    const double upper = upper_from + l * (upper_to - upper_from) - centre;
-    Line line{};
-    line.w_s = s - apex.s;
-    line.shift = centre - apex.t;
-    line.delta = delta;
-    line.from = delta == 0 ? lower : std::asinh(lower / delta);
-    line.extent = (delta == 0 ? upper : std::asinh(upper / delta)) - line.from;
-    line.factor = (to_z - from_z) * (graded ? grading_power * power : 1);
-    return line;
+  Line<Pack> line(const Pack& y) const {
+    const Pack z = fma(y, to_z - from_z, from_z);
+    const Pack lower_power = graded ? power(z, grading_power - 1) : Pack(1.0);
+    const Pack s = lower_power * z;
+    const Pack l = (s - from_s) / (to_s - from_s);
+    const Pack lower = lower_from + l * (lower_to - lower_from);
+    const Pack upper = upper_from + l * (upper_to - upper_from);
+    return {.base = {s - apex.s, 0.0},
+            .direction = {0.0, 1.0},
+            .start = lower - apex.t,
+            .extent = upper - lower,
+            .factor = Pack(to_z - from_z) * (graded ? grading_power * lower_power : Pack(1.0))};
   }
 };
+
+/// Any of them.
+using Map = std::variant<Collapse, Sector, Slab>;
 
 }  // namespace radcert::reference
