@@ -4,6 +4,7 @@
 // walls does to it. The problem is the one of 02_lamp_in_a_box.json, its walls repainted by the program.
 #include <exception>
 #include <iostream>
+#include <span>
 #include <string>
 
 #include "radcert/formats/problem_json.h"
@@ -29,13 +30,14 @@ Problem room(const std::string& walls) {
 }
 
 /// With an emission given, Ku is never asked for; with a solution, this is the second route to it.
-OperatorValue operator_value(const Surface& surface,
-                             const std::function<double(std::size_t, const Vector<double>&)>& u,
-                             const SurfacePoint<double>& p) {
-  const auto integral = reference::operator_integral(
-      surface, p,
-      [&u](const SurfacePoint<double>& q, const Vector<double>& point) { return u(q.chart, point); });
-  return {.value = integral.value, .radius = integral.radius};
+AppliedOperator operator_route(const Surface& surface, const SurfaceFunction& u) {
+  const reference::Density density = [&u](const reference::PointBlock& q, std::span<double> values) {
+    u.evaluate(q.chart, q.x, q.y, q.z, values);
+  };
+  return [applied = reference::AppliedOperator(surface, density)](const SurfacePoint<double>& p) {
+    const reference::Estimate integral = applied(p);
+    return OperatorValue{.value = integral.value, .radius = integral.radius};
+  };
 }
 
 double mean_on(const LevelResult& result, const std::string& name) {
@@ -50,7 +52,7 @@ int main() try {
   for (const std::string walls : {"1/10", "1/2", "9/10"}) {
     const Problem problem = room(walls);
     check(problem, std::uint64_t{1} << 30);
-    const LevelOutcome outcome = solve_level(problem, level, operator_value);
+    const LevelOutcome outcome = solve_level(problem, level, operator_route);
     std::cout << "walls of reflectivity " << walls << ": mean radiosity of the floor "
               << mean_on(outcome.result, "floor") << '\n';
   }

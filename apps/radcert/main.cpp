@@ -106,6 +106,9 @@ int main(int argc, char** argv) {
   } catch (const EnvironmentError& error) {
     say("radcert: " + std::string(error.what()) + "\n");
     return code(ExitCode::environment);
+  } catch (const AccuracyNotReached& error) {
+    say("radcert: " + std::string(error.what()) + "\n");
+    return code(ExitCode::differs);
   } catch (const Interrupted&) {
     say("radcert: interrupted; what was finished is kept\n");
     return code(ExitCode::interrupted);

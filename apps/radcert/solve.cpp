@@ -144,7 +144,8 @@ void add_solve(CLI::App& program, Common& common, Action& action) {
   command.footer(
       "In a problem, `emission` is E, the power emitted per area, not the material constant 1 - rho; with "
       "`solution`\n"
-      "u given instead, E = u - Ku. Finished levels are kept in $RADCERT_STORE, else ~/.cache/radcert.");
+      "u given instead, E = u - Ku. `solver` is direct, gmres or neumann.\n"
+      "Finished levels are kept in $RADCERT_STORE, else ~/.cache/radcert.");
   command.callback(
       [&common, &action, options] { action = [&common, options] { return solve(common, *options); }; });
 }

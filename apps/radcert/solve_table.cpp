@@ -86,6 +86,21 @@ std::string order_line(const OrderFit& fit) {
   return out + "\n";
 }
 
+/// How an iterative solver came to u_n, level by level; empty for another.
+std::string iteration_line(const Result& result) {
+  std::string iterations;
+  double contraction = 0;
+  double error_bound = 0;
+  for (const LevelResult& level : result.levels) {
+    if (!level.iteration) return {};
+    iterations += (iterations.empty() ? "" : ", ") + std::to_string(level.iteration->iterations);
+    contraction = std::max(contraction, level.iteration->contraction);
+    error_bound = std::max(error_bound, level.iteration->error_bound);
+  }
+  return fmt::format("Iterations of {}: {}; contraction {:.3g}, error of the linear system at most {:.2g}\n",
+                     solver_name(result.problem.solver.name), iterations, contraction, error_bound);
+}
+
 bool everything_guaranteed(const Result& result) {
   return std::all_of(result.levels.begin(), result.levels.end(), [](const LevelResult& level) {
     const auto proved = [](const std::optional<Figure>& figure) { return !figure || figure->guaranteed; };
@@ -100,6 +115,7 @@ std::string solve_table(const Result& result) {
   std::string out = level_table(result, with_errors) + "\n" + means_table(result) + "\n";
   for (const OrderFit& fit : result.orders)
     if (with_errors) out += order_line(fit);
+  out += iteration_line(result);
   if (!with_errors)
     out += "No solution is given, so there are no errors to show.\n";
   else if (everything_guaranteed(result))

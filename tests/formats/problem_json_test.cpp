@@ -55,6 +55,33 @@ TEST(ParseProblem, FillsInWhatTheFormatSays) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
 }
 
+TEST(ParseProblem, ReadsTheSolverAndItsTolerance) {
+  const auto solver = [](const std::string& text) { return parse_problem(with("solver", text), "").solver; };
+  EXPECT_EQ(test::sample_problem().solver.name, SolverName::direct);
+  EXPECT_EQ(solver(R"({"name": "direct"})").name, SolverName::direct);
+  EXPECT_EQ(test::sample_problem().quadrature.tolerance, Rational(1, 10000000000000));
+  EXPECT_EQ(parse_problem(with("quadrature", R"({"tolerance": "1e-6"})"), "").quadrature.tolerance,
+            Rational(1, 1000000));
+  EXPECT_EQ(solver(R"({"name": "neumann"})").name, SolverName::neumann);
+  EXPECT_EQ(solver(R"({"name": "gmres"})").name, SolverName::gmres);
+  EXPECT_EQ(solver(R"({"name": "gmres"})").tolerance, std::nullopt);
+  EXPECT_EQ(solver(R"({"name": "gmres", "tolerance": "rounding"})").tolerance, std::nullopt);
+  EXPECT_EQ(solver(R"({"name": "gmres", "tolerance": "1e-10"})").tolerance, Rational(1, 10000000000));
+  EXPECT_EQ(solver(R"({"name": "gmres", "tolerance": 1e-10})").tolerance, Rational::exactly(1e-10));
+}
+
+TEST(ParseProblem, ReadsTheGeometry) {
+  const auto geometry = [](const std::string& text) {
+    return parse_problem(with("geometry", text), "").geometry;
+  };
+  EXPECT_FALSE(geometry("\"exact\"").has_value());
+  EXPECT_EQ(geometry(R"({"interpolated": 2})")->degree, 2);
+  EXPECT_EQ(geometry(R"({"interpolated": 2})")->data, DataPoints::surface);
+  EXPECT_EQ(geometry(R"({"interpolated": 6, "data": "surface"})")->data, DataPoints::surface);
+  EXPECT_EQ(geometry(R"({"interpolated": 6, "data": "interpolant"})")->degree, 6);
+  EXPECT_EQ(geometry(R"({"interpolated": 6, "data": "interpolant"})")->data, DataPoints::interpolant);
+}
+
 TEST(ParseProblem, LeavesAlphaOutAtDegreeZeroOnly) {
   EXPECT_EQ(parse_problem(with("basis", R"({"family": "inset", "degree": 0})"), "").basis.alpha,
             std::nullopt);
@@ -80,6 +107,13 @@ TEST(ProblemText, StatesTheSameProblemAgain) {
       with("triangulation", R"({"levels": [7], "pattern": "anti", "grading": "1.5"})"),
       with("triangulation", R"({"levels": [0, 30], "pattern": {"upper": "main", "*": "anti"}})"),
       with("basis", R"({"family": "inset", "degree": 0})"),
+      with("geometry", R"({"interpolated": 1})"),
+      with("geometry", R"({"data": "interpolant", "interpolated": 4})"),
+      with("quadrature", R"({"tolerance": "1e-6"})"),
+      with("quadrature", R"({"tolerance": 1e-6})"),
+      with("solver", R"({"name": "neumann"})"),
+      with("solver", R"({"name": "gmres", "tolerance": "1e-10"})"),
+      with("solver", R"({"name": "gmres", "tolerance": 1e-10})"),
   };
   for (const std::string& text : problems) {
     const std::string once = problem_text(parse_problem(text, "first"));

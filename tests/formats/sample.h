@@ -30,6 +30,8 @@ inline LevelOutcome sample_level() {
   level.result.piece_means = {{"upper", 0.30000000000000004}, {"lower", -1e300}};
   level.result.norm_K = {.value = 0.7, .guaranteed = true};
   level.result.planned_bytes = 0xffffffffffffffffU;
+  level.result.iteration = {
+      .iterations = 0xffffffffffffffffU, .contraction = 0.1 + 0.2, .error_bound = 5e-324};
   level.timing = {.assembly_seconds = 0.1, .operator_seconds = 0.2, .solve_seconds = 0.30000000000000004};
   level.nodes = {{.piece = "upper",
                   .element = 1,

@@ -30,26 +30,26 @@ using testing::with_basis;
 using testing::with_emission;
 using testing::with_solution;
 
-using Density = std::function<double(std::size_t, const Vector<double>&)>;
-
 /// A route for solutions whose Int G u is the same number at every point.
 OperatorRoute constant_route(double value) {
-  return [value](const Surface&, const Density&, const SurfacePoint<double>&) {
-    return OperatorValue{value, 4e-16 * std::abs(value)};
+  return [value](const Surface&, const SurfaceFunction&) {
+    return [value](const SurfacePoint<double>&) { return OperatorValue{value, 4e-16 * std::abs(value)}; };
   };
 }
 
 /// Nobody asks for Ku where E is given.
-OperatorValue no_route(const Surface&, const Density&, const SurfacePoint<double>&) {
+AppliedOperator no_route(const Surface&, const SurfaceFunction&) {
   ADD_FAILURE() << "the second route was called";
-  return {};
+  return [](const SurfacePoint<double>&) { return OperatorValue{}; };
 }
 
-OperatorValue reference_route(const Surface& surface, const Density& u, const SurfacePoint<double>& p) {
-  const reference::Estimate estimate = reference::operator_integral(
-      surface, p,
-      [&u](const SurfacePoint<double>& q, const Vector<double>& point) { return u(q.chart, point); });
-  return {estimate.value, estimate.radius};
+AppliedOperator reference_route(const Surface& surface, const SurfaceFunction& u) {
+  return [&](const SurfacePoint<double>& p) {
+    const reference::Estimate estimate = reference::operator_integral(
+        surface, p,
+        [&u](const SurfacePoint<double>& q, const Vector<double>& point) { return u(q.chart, point); });
+    return OperatorValue{estimate.value, estimate.radius};
+  };
 }
 
 Problem box125() { return sample_problem("box", {{"a", 1}, {"b", 2}, {"c", 5}}); }
@@ -83,11 +83,21 @@ TEST(SolveLevel, MakesNoErrorForAConstantSolution) {
   }
 }
 
+TEST(SolveLevel, IntegratesAsWellAsTheProblemAsks) {
+  Problem problem = sample_problem("cube");
+  const LevelResult fine = solve_level(problem, 1, constant_route(std::numbers::pi)).result;
+  problem.quadrature.tolerance = Rational(1, 100000);
+  const LevelResult coarse = solve_level(problem, 1, constant_route(std::numbers::pi)).result;
+  EXPECT_LE(coarse.discretisation_error->value, coarse.discretisation_error->radius.value());
+  EXPECT_GT(coarse.discretisation_error->radius.value(), 1e3 * fine.discretisation_error->radius.value());
+  EXPECT_LT(coarse.discretisation_error->radius.value(), 1e-4);
+}
+
 TEST(SolveLevel, PassesTheErrorsOfTheRouteOn) {
   // Ku wrong by e (1/2)/pi at every node: so is K(I-P_n)u, and the node error is (I-K)^-1 of it, twice as much.
   constexpr double e = 1e-3;
-  const auto route = [](const Surface&, const Density&, const SurfacePoint<double>&) {
-    return OperatorValue{std::numbers::pi + e, 2 * e};
+  const auto route = [](const Surface&, const SurfaceFunction&) {
+    return [](const SurfacePoint<double>&) { return OperatorValue{std::numbers::pi + e, 2 * e}; };
   };
   const LevelResult result = solve_level(sample_problem("cube"), 0, route).result;
   const double moved = e / 2 / std::numbers::pi;
@@ -186,6 +196,98 @@ TEST(SolveLevel, HasTheSameErrorsWhenTheSolutionIsStated) {
   EXPECT_EQ(result.orders[1].levels, (std::vector<int>{0, 1}));
 }
 
+constexpr SolverName iterations[] = {SolverName::gmres, SolverName::neumann};
+
+TEST(SolveLevel, HasTheSameSolutionByEverySolver) {
+  for (const Problem& surface : {sample_problem("cube"), sample_problem("two_piece", {{"p", 2}})}) {
+    Problem problem = with_solution(surface, "exp(x)*cos(y) + z");
+    const LevelOutcome direct = solve_level(problem, 0, reference_route);
+    EXPECT_FALSE(direct.result.iteration);
+    for (const SolverName name : iterations) {
+      problem.solver.name = name;
+      const LevelOutcome outcome = solve_level(problem, 0, reference_route);
+      const LevelResult& result = outcome.result;
+      EXPECT_NEAR(result.node_error->value, direct.result.node_error->value, 1e-13);
+      EXPECT_EQ(result.discretisation_error->value, direct.result.discretisation_error->value);
+      for (std::size_t i = 0; i < outcome.nodes.size(); ++i)
+        EXPECT_NEAR(outcome.nodes[i].u_n, direct.nodes[i].u_n, 1e-13);
+      ASSERT_TRUE(result.iteration);
+      EXPECT_GT(result.iteration->iterations, 0U);
+      EXPECT_LT(result.iteration->contraction, 0.6);
+      EXPECT_LT(result.iteration->error_bound, 4e-15);
+      // The radius bounds with 1/(1 - theta) what the other solver's estimates with ||(I - K_n)^-1||.
+      EXPECT_GE(result.node_error->radius.value(), result.iteration->error_bound);
+      EXPECT_GE(result.node_error->radius.value(), direct.result.node_error->radius.value() * 0.3);
+      EXPECT_LE(result.node_error->radius.value(), direct.result.node_error->radius.value() * 3);
+    }
+  }
+}
+
+TEST(SolveLevel, PutsTheToleranceOfAnIterationIntoTheRadius) {
+  Problem problem = with_solution(sample_problem("cube"), "1");
+  for (const SolverName name : iterations) {
+    problem.solver = {.name = name, .tolerance = Rational(1, 1000)};
+    const LevelResult result = solve_level(problem, 0, constant_route(std::numbers::pi)).result;
+    EXPECT_LE(result.iteration->error_bound, 1e-3);
+    // u_n = 1 but for what the iteration left, and that is all of the error.
+    EXPECT_LE(result.node_error->value, result.node_error->radius.value());
+    EXPECT_GE(result.node_error->radius.value(), result.iteration->error_bound);
+    EXPECT_LE(result.node_error->radius.value(), result.iteration->error_bound * 1.001 + 1e-11);
+  }
+  // The Neumann series approaches from below by factors of 1/2: it stops between one step and the next.
+  problem.solver.name = SolverName::neumann;
+  const double left = solve_level(problem, 0, constant_route(std::numbers::pi)).result.node_error->value;
+  EXPECT_GT(left, 0.4e-3);
+  EXPECT_LT(left, 1e-3);
+}
+
+TEST(SolveLevel, CoversTheErrorsOfTheRouteByEverySolver) {
+  // As PassesTheErrorsOfTheRouteOn: the emission is uncertain by 2 e (1/2)/pi, and (I - K)^-1 doubles that.
+  constexpr double e = 1e-3;
+  const auto route = [](const Surface&, const SurfaceFunction&) {
+    return [](const SurfacePoint<double>&) { return OperatorValue{std::numbers::pi + e, 2 * e}; };
+  };
+  Problem problem = sample_problem("cube");
+  for (const SolverName name : iterations) {
+    problem.solver.name = name;
+    const double radius = solve_level(problem, 0, route).result.node_error->radius.value();
+    EXPECT_GE(radius, 2 * e / std::numbers::pi * 0.999);
+    EXPECT_LE(radius, 2 * e / std::numbers::pi * 1.001);
+  }
+}
+
+TEST(SolveLevel, RefusesAnIterationWithoutAContraction) {
+  // The quadratic functions with the inset 1/6 change sign so much that |K_n| has a spectral radius of 1.12 rho.
+  Problem problem = with_emission(with_basis(sample_problem("cube"), 2, Rational(1, 6)), "1");
+  problem.reflectivity = everywhere("19/20");
+  EXPECT_NO_THROW(solve_level(problem, 0, no_route));
+  for (const SolverName name : iterations) {
+    problem.solver.name = name;
+    const InputFault fault = fault_of([&] { solve_level(problem, 0, no_route); });
+    EXPECT_EQ(fault.pointer, "/solver/name");
+    EXPECT_EQ(fault.value, solver_name(name));
+    EXPECT_THAT(fault.problem, HasSubstr("1.0"));
+    EXPECT_EQ(fault.allowed, "direct");
+  }
+}
+
+TEST(SolveLevel, ThrowsWhereTheToleranceIsOutOfReach) {
+  Problem problem = with_emission(sample_problem("cube"), "1 + x");
+  problem.reflectivity = everywhere("99/100");
+  for (const SolverName name : iterations) {
+    problem.solver = {.name = name, .tolerance = Rational::exactly(0x1p-51)};
+    try {
+      solve_level(problem, 0, no_route);
+      ADD_FAILURE() << "no exception";
+    } catch (const AccuracyNotReached& error) {
+      EXPECT_THAT(error.what(), HasSubstr("level 0, solver " + solver_name(name)));
+      EXPECT_THAT(error.what(), HasSubstr("4.440892098500626e-16"));
+    }
+    problem.solver.tolerance = std::nullopt;
+    EXPECT_NO_THROW(solve_level(problem, 0, no_route));
+  }
+}
+
 TEST(SolveLevel, LeavesTheErrorsEmptyForAGivenEmission) {
   const LevelOutcome outcome = solve_level(with_emission(sample_problem("cube"), "1 + x"), 0, no_route);
   EXPECT_EQ(outcome.result.discretisation_error.has_value(), false);
@@ -236,7 +338,7 @@ TEST(SolveLevel, DescribesTheLevel) {
   EXPECT_EQ(outcome.result.elements, 48U);
   EXPECT_EQ(outcome.result.unknowns, 288U);
   EXPECT_EQ(outcome.result.mesh_size, std::numbers::sqrt2 / 2);
-  EXPECT_EQ(outcome.result.planned_bytes, level_plan(48, 6).total());
+  EXPECT_EQ(outcome.result.planned_bytes, level_plan(48, 6, SolverName::direct).total());
   ASSERT_EQ(outcome.nodes.size(), 288U);
   ASSERT_EQ(outcome.elements.size(), 48U);
   const Surface surface = surface_of(problem);
@@ -333,10 +435,12 @@ void expect_equal(const std::optional<Figure>& a, const std::optional<Figure>& b
 }
 
 TEST(SolveLevel, HasTheSameBitsForEveryNumberOfThreads) {
-  const Problem problem = with_solution(sample_problem("two_piece", {{"p", 2}}), "exp(x)*cos(y) + z");
+  // GMRES, so that its products are among what is compared.
+  Problem problem = with_solution(sample_problem("two_piece", {{"p", 2}}), "exp(x)*cos(y) + z");
+  problem.solver.name = SolverName::gmres;
   const auto with_threads = [&](std::size_t threads) {
     const ThreadLimit limit(threads);
-    return solve_level(problem, 1, reference_route);
+    return solve_level(problem, 2, reference_route);
   };
   const LevelOutcome one = with_threads(1);
   const LevelOutcome two = with_threads(2);

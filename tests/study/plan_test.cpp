@@ -8,28 +8,35 @@
 namespace radcert {
 namespace {
 
-TEST(LevelPlan, HoldsTheMatrixAndItsFactors) {
+constexpr SolverName all_solvers[] = {SolverName::direct, SolverName::gmres, SolverName::neumann};
+
+TEST(LevelPlan, HoldsTheMatrixAndWhatItsSolverAddsToIt) {
   for (const std::uint64_t elements : {std::uint64_t{48}, std::uint64_t{1} << 14U}) {
     const std::uint64_t unknowns = 3 * elements;
-    const std::uint64_t matrices = 2 * unknowns * unknowns * sizeof(double);
-    EXPECT_GE(level_plan(elements, 3).total(), matrices);
-    EXPECT_LE(level_plan(elements, 3).total(), matrices + unknowns * 2000);
+    const std::uint64_t matrix = unknowns * unknowns * sizeof(double);
+    const auto total = [&](SolverName solver) { return level_plan(elements, 3, solver).total(); };
+    EXPECT_GE(total(SolverName::direct), 2 * matrix);
+    EXPECT_LE(total(SolverName::direct), 2 * matrix + unknowns * 2000);
+    EXPECT_EQ(total(SolverName::neumann), total(SolverName::direct) - matrix);
+    EXPECT_EQ(total(SolverName::gmres), total(SolverName::neumann) + unknowns * 65 * sizeof(double));
   }
 }
 
 TEST(LevelPlan, GrowsSixteenfoldALevel) {
-  for (std::uint64_t elements = 1U << 12U; elements < 1U << 20U; elements *= 4) {
-    const double ratio = static_cast<double>(level_plan(4 * elements, 6).total()) /
-                         static_cast<double>(level_plan(elements, 6).total());
-    EXPECT_GT(ratio, 15.9);
-    EXPECT_LT(ratio, 16);
-  }
+  for (const SolverName solver : all_solvers)
+    for (std::uint64_t elements = 1U << 12U; elements < 1U << 20U; elements *= 4) {
+      const double ratio = static_cast<double>(level_plan(4 * elements, 6, solver).total()) /
+                           static_cast<double>(level_plan(elements, 6, solver).total());
+      EXPECT_GT(ratio, 15.8);
+      EXPECT_LT(ratio, 16);
+    }
 }
 
 TEST(LevelPlan, SaysAllBitsForMoreThanFits) {
   constexpr std::uint64_t all = std::numeric_limits<std::uint64_t>::max();
-  for (const std::uint64_t elements : {std::uint64_t{1} << 40U, std::uint64_t{1} << 53U, all})
-    EXPECT_EQ(level_plan(elements, 45).total(), all);
+  for (const SolverName solver : all_solvers)
+    for (const std::uint64_t elements : {std::uint64_t{1} << 40U, std::uint64_t{1} << 53U, all})
+      EXPECT_EQ(level_plan(elements, 45, solver).total(), all);
 }
 
 }  // namespace

@@ -133,13 +133,52 @@ TEST(Check, RefusesAbsurdLevelsNamingTheBytes) {
 
 TEST(Check, RefusesALevelExactlyIfItsPlanExceedsTheMemory) {
   const Problem problem = with_levels(sample_problem("cube"), {0, 1});
-  const std::uint64_t needed = level_plan(48, 3).total();
+  const std::uint64_t needed = level_plan(48, 3, SolverName::direct).total();
   EXPECT_NO_THROW(check(problem, needed));
   const InputFault fault = expect_refused(problem, "/triangulation/levels/1", "1", needed - 1);
   EXPECT_THAT(fault.problem, HasSubstr(std::to_string(needed) + " bytes"));
   EXPECT_THAT(fault.problem, HasSubstr("48 triangles"));
   EXPECT_THAT(fault.allowed, HasSubstr(std::to_string(needed - 1)));
   expect_refused(problem, "/triangulation/levels/0", "0", 0);
+}
+
+TEST(Check, RefusesALevelByWhatItsSolverNeeds) {
+  Problem problem = with_levels(sample_problem("cube"), {0, 3});
+  const std::uint64_t between = level_plan(768, 3, SolverName::gmres).total();
+  expect_refused(problem, "/triangulation/levels/1", "3", between);
+  problem.solver.name = SolverName::gmres;
+  EXPECT_NO_THROW(check(problem, between));
+  expect_refused(problem, "/triangulation/levels/1", "3", between - 1);
+  problem.solver.name = SolverName::neumann;
+  EXPECT_NO_THROW(check(problem, between - 1));
+}
+
+TEST(Check, RefusesTolerancesThatDoubleCannotHoldOrThatDirectHasNot) {
+  Problem problem = sample_problem("cube");
+  for (const SolverName name : {SolverName::gmres, SolverName::neumann}) {
+    problem.solver = {.name = name, .tolerance = Rational(1, 1000)};
+    EXPECT_NO_THROW(check(problem, plenty));
+    problem.solver.tolerance = Rational::exactly(0x1p-51);
+    EXPECT_NO_THROW(check(problem, plenty));
+    for (const Rational& tolerance : {Rational(0), Rational(-1), Rational(1), Rational::exactly(0x1.fffp-52),
+                                      Rational::exactly(1e-300)}) {
+      problem.solver.tolerance = tolerance;
+      expect_refused(problem, "/solver/tolerance", tolerance.to_text());
+    }
+  }
+  problem.solver = {.name = SolverName::direct, .tolerance = Rational(1, 1000)};
+  expect_refused(problem, "/solver/tolerance", "1/1000");
+}
+
+TEST(Check, RefusesAQuadratureTolerance) {
+  Problem problem = sample_problem("cube");
+  problem.quadrature.tolerance = Rational(1, 1000000);
+  EXPECT_NO_THROW(check(problem, plenty));
+  for (const Rational& tolerance :
+       {Rational(0), Rational(-1), Rational(1) / power(Rational(10), 14), Rational(1, 10)}) {
+    problem.quadrature.tolerance = tolerance;
+    expect_refused(problem, "/quadrature/tolerance", tolerance.to_text());
+  }
 }
 
 TEST(Check, RefusesAGradingBelowOne) {

@@ -34,7 +34,7 @@ inline Problem sample_problem(const std::string& surface, std::vector<SurfacePar
           .reflectivity = everywhere("1/2"),
           .solution = everywhere("1"),
           .emission = std::nullopt,
-          .solver = SolverName::direct};
+          .solver = {}};
 }
 
 inline Problem with_emission(Problem problem, const std::string& emission) {

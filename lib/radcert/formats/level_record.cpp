@@ -114,6 +114,13 @@ std::optional<Figure> read_figure(const JsonReader& figure) {
                 .guaranteed = figure.at("guaranteed", "a truth value").boolean("a truth value")};
 }
 
+std::optional<IterationReport> read_iteration(const JsonReader& iteration) {
+  if (iteration.value().is_null()) return std::nullopt;
+  return IterationReport{.iterations = iteration.at("iterations", "a number").unsigned_whole("a number"),
+                         .contraction = number_at(iteration, "contraction"),
+                         .error_bound = number_at(iteration, "error_bound")};
+}
+
 LevelResult read_level_result(const JsonReader& level) {
   LevelResult out;
   out.level = static_cast<int>(level.at("level", "a number").whole(0, 1000, "a level"));
@@ -135,6 +142,7 @@ LevelResult read_level_result(const JsonReader& level) {
   out.norm_K.value = number_at(norm, "value");
   out.norm_K.guaranteed = norm.at("guaranteed", "a truth value").boolean("a truth value");
   out.planned_bytes = level.at("planned_bytes", "a number").unsigned_whole("a number");
+  out.iteration = read_iteration(level.at("iteration", "a report or null"));
   return out;
 }
 

@@ -14,24 +14,6 @@ namespace radcert {
 namespace {
 
 constexpr const char* schema = "radcert/problem/1";
-const std::vector<std::string> available_solvers = {"direct"};
-const std::vector<std::string> planned_solvers = {"gmres", "neumann", "verified"};
-
-void read_geometry(const JsonReader& geometry) {
-  const std::vector<std::string> available = {"exact"};
-  if (geometry.find("interpolated")) {
-    geometry.require_object({"interpolated"});
-    geometry.at("interpolated", "")
-        .refuse("asks for interpolated geometry, which is not available in this version", "exact");
-  }
-  (void)geometry.word(available);
-}
-
-SolverName read_solver(const JsonReader& solver) {
-  solver.require_object({"name"});
-  (void)solver.at("name", "one of " + listed(available_solvers)).word(available_solvers, planned_solvers);
-  return SolverName::direct;
-}
 
 Problem read(const JsonValue& document) {
   const JsonReader root(document);
@@ -39,12 +21,12 @@ Problem read(const JsonValue& document) {
   const std::vector<std::string> schemas = {schema};
   (void)root.at("schema", schema).word(schemas);
   root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
-                       "emission", "solver"});
+                       "emission", "quadrature", "solver"});
   Problem problem;
   problem.surface = read_surface(root.at("surface", "an object with a name, see radcert list surfaces"));
   const std::vector<std::string>& pieces = find_surface(problem.surface.name)->pieces;
   problem.triangulation = read_triangulation(root.at("triangulation", "an object with levels"), pieces);
-  if (const auto geometry = root.find("geometry")) read_geometry(*geometry);
+  if (const auto geometry = root.find("geometry")) problem.geometry = read_geometry(*geometry);
   problem.basis = read_basis(root.at("basis", "an object with a family, see radcert list bases"));
   problem.reflectivity = read_piecewise(root.at("reflectivity", "an expression, or one a piece"), pieces);
 
@@ -58,6 +40,7 @@ Problem read(const JsonValue& document) {
                       .allowed = "exactly one of solution and emission"});
   if (solution) problem.solution = read_piecewise(*solution, pieces);
   if (emission) problem.emission = read_piecewise(*emission, pieces);
+  if (const auto quadrature = root.find("quadrature")) problem.quadrature = read_quadrature(*quadrature);
   if (const auto solver = root.find("solver")) problem.solver = read_solver(*solver);
   return problem;
 }
@@ -79,14 +62,13 @@ JsonValue problem_json(const Problem& problem) {
   out.set("schema", schema);
   out.set("surface", surface_json(problem.surface));
   out.set("triangulation", triangulation_json(problem.triangulation));
-  out.set("geometry", "exact");
+  out.set("geometry", geometry_json(problem.geometry));
   out.set("basis", basis_json(problem.basis));
   out.set("reflectivity", piecewise_json(problem.reflectivity));
   if (problem.solution) out.set("solution", piecewise_json(*problem.solution));
   if (problem.emission) out.set("emission", piecewise_json(*problem.emission));
-  JsonValue solver = JsonValue::object();
-  solver.set("name", "direct");
-  out.set("solver", std::move(solver));
+  out.set("quadrature", quadrature_json(problem.quadrature));
+  out.set("solver", solver_json(problem.solver));
   return out;
 }
 

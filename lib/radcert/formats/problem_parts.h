@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -17,7 +18,10 @@ namespace radcert {
 /// Limits    single values only: check() looks at the whole
 SurfaceChoice read_surface(const JsonReader& surface);
 TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces);
+std::optional<InterpolatedGeometry> read_geometry(const JsonReader& geometry);
 BasisChoice read_basis(const JsonReader& basis);
+QuadratureChoice read_quadrature(const JsonReader& quadrature);
+SolverChoice read_solver(const JsonReader& solver);
 PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);
 
 /// The same parts as JSON.
@@ -28,7 +32,10 @@ PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const
 /// Limits    none
 JsonValue surface_json(const SurfaceChoice& surface);
 JsonValue triangulation_json(const TriangulationChoice& triangulation);
+JsonValue geometry_json(const std::optional<InterpolatedGeometry>& geometry);
 JsonValue basis_json(const BasisChoice& basis);
+JsonValue quadrature_json(const QuadratureChoice& quadrature);
+JsonValue solver_json(const SolverChoice& solver);
 JsonValue piecewise_json(const PiecewiseExpression& expression);
 
 /// An exact number as JSON.

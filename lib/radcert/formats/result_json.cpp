@@ -54,6 +54,15 @@ JsonValue timing_json(const std::vector<LevelTiming>& timing) {
   return out;
 }
 
+JsonValue iteration_json(const std::optional<IterationReport>& iteration) {
+  if (!iteration) return {};
+  JsonValue out = JsonValue::object();
+  out.set("iterations", iteration->iterations);
+  out.set("contraction", iteration->contraction);
+  out.set("error_bound", iteration->error_bound);
+  return out;
+}
+
 }  // namespace
 
 JsonValue level_json(const LevelResult& level) {
@@ -77,6 +86,7 @@ JsonValue level_json(const LevelResult& level) {
   norm.set("guaranteed", level.norm_K.guaranteed);
   out.set("norm_K", std::move(norm));
   out.set("planned_bytes", level.planned_bytes);
+  out.set("iteration", iteration_json(level.iteration));
   return out;
 }
 

@@ -71,7 +71,26 @@ std::string_view problem_schema() {
         "grading": {"description": "Exponent >= 1 towards the edges.", "default": 1, "$ref": "#/$defs/exact"}
       }
     },
-    "geometry": {"default": "exact", "const": "exact"},
+    "geometry": {
+      "description": "What the collocation integrals are taken over: S itself, or its interpolant of a degree, element by element.",
+      "default": "exact",
+      "oneOf": [
+        {"const": "exact"},
+        {
+          "type": "object",
+          "required": ["interpolated"],
+          "additionalProperties": false,
+          "properties": {
+            "interpolated": {"type": "integer", "minimum": 1, "maximum": 6},
+            "data": {
+              "description": "Where reflectivity, emission and solution are taken, and Ku: on S at the nodes' true places, or on the interpolant.",
+              "default": "surface",
+              "enum": ["surface", "interpolant"]
+            }
+          }
+        }
+      ]
+    },
     "basis": {
       "type": "object",
       "required": ["family", "degree"],
@@ -93,12 +112,33 @@ std::string_view problem_schema() {
       "description": "E, the power emitted per area, not the material constant 1 - rho.",
       "$ref": "#/$defs/piecewise"
     },
+    "quadrature": {
+      "type": "object",
+      "default": {"tolerance": "1e-13"},
+      "required": ["tolerance"],
+      "additionalProperties": false,
+      "properties": {
+        "tolerance": {
+          "description": "Of an entry of the collocation matrix, relative to its row's integral of |G|: from 1e-13, what double can hold, to 1e-2.",
+          "$ref": "#/$defs/exact"
+        }
+      }
+    },
     "solver": {
       "type": "object",
       "default": {"name": "direct"},
       "required": ["name"],
       "additionalProperties": false,
-      "properties": {"name": {"const": "direct"}}
+      "properties": {
+        "name": {"enum": ["direct", "gmres", "neumann"]},
+        "tolerance": {
+          "description": "Of gmres and neumann: what the solver may leave of the linear system's error, as a part of max |u_n|, from 2^-51 to below 1. rounding: as little as double holds.",
+          "default": "rounding",
+          "anyOf": [{"const": "rounding"}, {"$ref": "#/$defs/exact"}]
+        }
+      },
+      "if": {"properties": {"name": {"const": "direct"}}},
+      "then": {"properties": {"tolerance": false}}
     }
   },
   "$defs": {

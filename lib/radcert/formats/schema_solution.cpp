@@ -111,7 +111,32 @@ std::string_view solution_schema() {
           "additionalProperties": false,
           "properties": {"value": {"type": "number"}, "guaranteed": {"type": "boolean"}}
         },
-        "planned_bytes": {"type": "integer", "minimum": 0}
+        "planned_bytes": {"type": "integer", "minimum": 0},
+        "iteration": {
+          "description": "How gmres or neumann came to u_n; null with direct.",
+          "oneOf": [
+            {"type": "null"},
+            {
+              "type": "object",
+              "required": ["iterations", "contraction", "error_bound"],
+              "additionalProperties": false,
+              "properties": {
+                "iterations": {"description": "Reflections, or Krylov vectors.", "type": "integer", "minimum": 0},
+                "contraction": {
+                  "description": "A weighted maximum norm of the collocation matrix, rounded up.",
+                  "type": "number",
+                  "minimum": 0,
+                  "exclusiveMaximum": 1
+                },
+                "error_bound": {
+                  "description": "Bounds max |u_n - v|, v the exact solution of the linear system as stored; proved.",
+                  "type": "number",
+                  "minimum": 0
+                }
+              }
+            }
+          ]
+        }
       }
     }
   }

@@ -16,10 +16,9 @@ constexpr double admissible_ratio = 1.8;
 constexpr double admissible_ratio_of_whole = 1.35;
 /// A block of observers is integrated side by side from this ratio on: nearer, the bounds of FarBounds are too wide.
 constexpr double admissible_ratio_of_block = 2.5;
-/// The finer rule has this much more order; more where the rules are gathered and converge slowly. Odd: see `samples`.
-constexpr int check_step_analytic = 1;
-constexpr int check_step_gathered = 3;
 constexpr int order_step = 3;
+/// A block whose two rules differ is tried again so often with the next finer ones.
+constexpr int most_tries = 4;
 /// Each two bisections halve a piece; at this depth its area is 2^-52 of the element's.
 constexpr int deepest_bisection = 52;
 /// Two rules that still differ on a far piece after so many bisections differ by rounding, which no bisection mends: the
@@ -44,19 +43,6 @@ ElementIntegrator<R>::ElementIntegrator(std::shared_ptr<const IntegrationScheme<
       ball_(ball_about(element_)),
       extent_(largest_coordinate(ball_.centre) + ball_.radius),
       kept_(ConicalRules<R>::largest_order + 1) {}
-
-template <Real R>
-int ElementIntegrator<R>::check_step() const {
-  return chart_.facts().singular == SingularLine::none ? check_step_analytic : check_step_gathered;
-}
-
-/// The order that the error model asks for at so many radii.
-template <Real R>
-int ElementIntegrator<R>::order_for(double ratio) const {
-  const double rho = ratio + std::sqrt(std::max(ratio * ratio - 1, 0.0));
-  return std::clamp(points_for(rho, basis().degree(), scheme_->tolerance().intended_truncation()),
-                    ConicalRules<R>::smallest_order, ConicalRules<R>::largest_order - check_step());
-}
 
 template <Real R>
 typename ElementIntegrator<R>::Ball ElementIntegrator<R>::ball_about(const Cell<R>& cell) const {
@@ -99,11 +85,12 @@ template <Real R>
 std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>& p, const Cell<R>& cell,
                                                               bool whole, double ratio, Insistence insist) {
   using std::abs;
-  const int last = ConicalRules<R>::largest_order - check_step();
-  int order = order_for(ratio);
+  const int check_step = scheme_->check_step(chart_.facts());
+  const int last = ConicalRules<R>::largest_order - check_step;
+  int order = scheme_->order_by_model(chart_.facts(), ratio);
   while (true) {
     const KernelSums<R> coarse = sums(p, cell, whole, order);
-    CheckedSums<R> fine(sums(p, cell, whole, order + check_step()));
+    CheckedSums<R> fine(sums(p, cell, whole, order + check_step));
     R difference = R(0);
     R size = R(0);
     R noise = R(0);
@@ -188,7 +175,7 @@ ElementIntegral<R> ElementIntegrator<R>::integrate(const Observer<R>& p) {
   if (p.at.chart == chart_index_) {
     if (contains(element_, p.at.at) || (chart_.facts().singular == SingularLine::none && is_near(p.point)))
       return with_radius(integrate_around(p, chart_, element_, basis(), tolerance));
-  } else if (own.facts().piece == chart_.facts().piece &&
+  } else if (scheme_->surface().charts_join_smoothly && own.facts().piece == chart_.facts().piece &&
              norm(p.point - ball_.centre) < R(2) * ball_.radius) {
     if (const auto at = parameters_on(chart_, element_, p.point, extent_)) {
       Observer<R> seen = p;
@@ -239,7 +226,7 @@ void ElementIntegrator<R>::integrate_far_by_bound(const ObserverBlock<R>& block,
   }
 }
 
-/// Elsewhere: two rules. A lane in which they differ is integrated alone.
+/// Elsewhere: two rules, finer ones if they differ. A lane in which those of the last try still differ is integrated alone.
 template <Real R>
 void ElementIntegrator<R>::integrate_far_by_comparison(const ObserverBlock<R>& block,
                                                        std::span<const Observer<R>> observers,
@@ -247,29 +234,37 @@ void ElementIntegrator<R>::integrate_far_by_comparison(const ObserverBlock<R>& b
                                                        BlockIntegral<R>& integral) {
   using std::abs;
   using std::max;
-  const Samples<R>& fine = kept(order + check_step());
-  const Samples<R>& coarse = kept(order);
-  far_sums(block, fine, g_, far_[0]);
-  far_sums(block, coarse, g_, far_[1]);
-  integral.absolute = far_[0].size;
-  B largest_difference = B(R(0));
+  const Tolerance& tolerance = scheme_->tolerance();
+  const int step = scheme_->check_step(chart_.facts());
+  const B noise = B(R(4) * unit_roundoff<R>() * view_->area) * bounds.lean;
+  B excess = B(R(0));
   B largest_relative = B(R(0));
-  for (std::size_t j = 0; j < basis().size(); ++j) {
-    const B difference = abs(far_[0].value[j] - far_[1].value[j]);
-    largest_difference = max(largest_difference, difference);
-    largest_relative = max(largest_relative, difference * B(R(1) / view_->share[j]));
-    integral.value[j] = far_[0].value[j];
+  std::size_t points = 0;
+  for (int tries = 0; tries < most_tries && order + step <= ConicalRules<R>::largest_order;
+       ++tries, ++order) {
+    const Samples<R>& fine = kept(order + step);
+    far_sums(block, fine, g_, far_[0]);
+    far_sums(block, kept(order), g_, far_[1]);
+    points = fine.count;
+    B largest_difference = B(R(0));
+    largest_relative = B(R(0));
+    for (std::size_t j = 0; j < basis().size(); ++j) {
+      const B difference = abs(far_[0].value[j] - far_[1].value[j]);
+      largest_difference = max(largest_difference, difference);
+      largest_relative = max(largest_relative, difference * B(R(1) / view_->share[j]));
+    }
+    excess = largest_difference - (B(R(tolerance.converged())) * far_[0].size + noise);
+    if (Block<R>::largest(excess) <= R(0)) break;
   }
   // As share_largest_difference does.
-  const B intended = B(R(scheme_->tolerance().intended_truncation()) / view_->area) * far_[0].size;
-  for (std::size_t j = 0; j < basis().size(); ++j)
-    integral.radius[j] =
-        B(view_->share[j]) * (largest_relative + intended) + far_rounding(fine.count, bounds, j);
-  const B noise = B(R(4) * unit_roundoff<R>() * view_->area) * bounds.lean;
-  const B allowed = B(R(scheme_->tolerance().converged())) * far_[0].size + noise;
+  const B intended = B(R(tolerance.intended_truncation()) / view_->area) * far_[0].size;
+  integral.absolute = far_[0].size;
+  for (std::size_t j = 0; j < basis().size(); ++j) {
+    integral.value[j] = far_[0].value[j];
+    integral.radius[j] = B(view_->share[j]) * (largest_relative + intended) + far_rounding(points, bounds, j);
+  }
   for (std::size_t lane = 0; lane < block.count; ++lane)
-    if (!(Block<R>::lane(largest_difference, lane) <= Block<R>::lane(allowed, lane)))
-      integrate_lane(block, observers, lane, integral);
+    if (!(Block<R>::lane(excess, lane) <= R(0))) integrate_lane(block, observers, lane, integral);
 }
 
 template <Real R>
@@ -285,15 +280,13 @@ void ElementIntegrator<R>::integrate(const ObserverBlock<R>& block, std::span<co
     for (std::size_t lane = 0; lane < block.count; ++lane) integrate_lane(block, observers, lane, integral);
     return;
   }
-  const int order = order_for(ratio);
-  const int bounded = chart_.facts().plane ? scheme_->flat_order(ratio) : ConicalRules<R>::largest_order + 1;
-  const int finer = order + check_step();
   if (!view_) view_.emplace(kept(ConicalRules<R>::smallest_order + 2), ball_.centre);
   const FarBounds<R> bounds(block, *view_, ball_.centre, ball_.radius, std::max(extent_, block.extent));
-  if (bounded <= ConicalRules<R>::largest_order && bounded * bounded <= order * order + finer * finer)
-    integrate_far_by_bound(block, bounds, bounded, integral);
+  const FarRule rule = scheme_->far_rule(chart_.facts(), ratio);
+  if (rule.compared_with)
+    integrate_far_by_comparison(block, observers, bounds, *rule.compared_with, integral);
   else
-    integrate_far_by_comparison(block, observers, bounds, order, integral);
+    integrate_far_by_bound(block, bounds, rule.order, integral);
 }
 
 template class ElementIntegrator<double>;

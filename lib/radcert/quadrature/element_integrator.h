@@ -82,8 +82,6 @@ private:
   };
 
   const InsetBasis<R>& basis() const { return scheme_->basis(); }
-  int check_step() const;
-  int order_for(double ratio) const;
   Ball ball_about(const Cell<R>& cell) const;
   bool is_near(const Vector<R>& p) const;
   const Samples<R>& kept(int order);

@@ -18,19 +18,28 @@ auto broadcast(const Vector<R>& v) {
   return Vector<B>{B(v.x), B(v.y), B(v.z)};
 }
 
-/// value_j = sum_q g_q l_j(x_q) for `Many` functions from the first on.
-template <std::size_t Many, Real R>
+/// value_j = sum_q g_q l_j(x_q) for `Many` functions from the first on. Each sum runs in `Strands` strands: a sum of its own
+/// has to wait for every step before the next.
+template <std::size_t Many, std::size_t Strands, Real R>
 void add_products(const std::vector<typename Block<R>::Type>& g, const Samples<R>& samples, std::size_t first,
                   FarSums<R>& sums) {
   using B = typename Block<R>::Type;
-  std::array<B, Many> value;
-  value.fill(B(R(0)));
-  for (std::size_t q = 0; q < samples.count; ++q) {
+  std::array<std::array<B, Strands>, Many> value;
+  for (std::array<B, Strands>& strands : value) strands.fill(B(R(0)));
+  const auto add = [&](std::size_t q, std::size_t strand) {
     const R* l = samples.basis_at(q) + first * Samples<R>::lanes;
     for (std::size_t j = 0; j < Many; ++j)
-      value[j] = multiply_add(g[q], B(l[j * Samples<R>::lanes]), value[j]);
+      value[j][strand] = multiply_add(g[q], B(l[j * Samples<R>::lanes]), value[j][strand]);
+  };
+  std::size_t q = 0;
+  for (; q + Strands <= samples.count; q += Strands)
+    for (std::size_t strand = 0; strand < Strands; ++strand) add(q + strand, strand);
+  for (; q < samples.count; ++q) add(q, 0);
+  for (std::size_t j = 0; j < Many; ++j) {
+    sums.value[first + j] = value[j][0];
+    for (std::size_t strand = 1; strand < Strands; ++strand)
+      sums.value[first + j] = sums.value[first + j] + value[j][strand];
   }
-  for (std::size_t j = 0; j < Many; ++j) sums.value[first + j] = value[j];
 }
 
 }  // namespace
@@ -54,8 +63,8 @@ void far_sums(const ObserverBlock<R>& observers, const Samples<R>& samples,
   sums.size = size;
 
   std::size_t j = 0;
-  for (; j + 3 <= samples.functions; j += 3) add_products<3>(g, samples, j, sums);
-  for (; j < samples.functions; ++j) add_products<1>(g, samples, j, sums);
+  for (; j + 3 <= samples.functions; j += 3) add_products<3, 1>(g, samples, j, sums);
+  for (; j < samples.functions; ++j) add_products<1, 4>(g, samples, j, sums);
 }
 
 template <Real R>

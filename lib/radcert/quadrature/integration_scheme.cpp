@@ -40,8 +40,13 @@ struct Sizes {
   }
 };
 
-/// The least eta from which a rule will do, to 1 %.
-double least_distance(int order, int degree, double truncation) {
+/// The finer of two rules has this much more order; more where the rules are gathered and converge slowly. Odd: two sets of
+/// samples are told apart by the parity of their orders.
+constexpr int check_step_analytic = 1;
+constexpr int check_step_gathered = 3;
+
+/// The least eta from which the bound is within `truncation`, to 1 %.
+double least_distance_by_bound(int order, int degree, double truncation) {
   double too_near = 1;
   double enough = 1e9;
   if (flat_rule_bound(order, degree, enough) > truncation) return HUGE_VAL;
@@ -50,6 +55,21 @@ double least_distance(int order, int degree, double truncation) {
     (flat_rule_bound(order, degree, middle) <= truncation ? enough : too_near) = middle;
   }
   return enough;
+}
+
+/// The eta of the ellipse for which points_for asks for this order.
+double least_distance_by_model(int order, int degree, double truncation) {
+  const int analytic = order - (degree + 1) / 2;
+  if (analytic < 1) return HUGE_VAL;
+  const double rho = std::pow(truncation, -0.5 / analytic);
+  return (rho + 1 / rho) / 2;
+}
+
+/// The first order whose least distance is reached.
+int first_within(const std::vector<double>& least_distance, double eta) {
+  const auto found = std::find_if(least_distance.begin(), least_distance.end(),
+                                  [eta](double least) { return least <= eta; });
+  return static_cast<int>(found - least_distance.begin());
 }
 
 }  // namespace
@@ -73,17 +93,35 @@ IntegrationScheme<R>::IntegrationScheme(const Surface& surface, const InsetBasis
     plane_.push_back(same == first_of_plane.end() ? a : *same);
     if (plane_.back() == a) first_of_plane.push_back(a);
   }
-  for (int order = 0; order <= ConicalRules<R>::largest_order; ++order)
-    least_distance_.push_back(order < ConicalRules<R>::smallest_order
-                                  ? HUGE_VAL
-                                  : least_distance(order, basis.degree(), flat_truncation_));
+  for (int order = 0; order <= ConicalRules<R>::largest_order; ++order) {
+    const bool exists = order >= ConicalRules<R>::smallest_order;
+    least_distance_by_bound_.push_back(
+        exists ? least_distance_by_bound(order, basis.degree(), flat_truncation_) : HUGE_VAL);
+    least_distance_by_model_.push_back(
+        exists ? least_distance_by_model(order, basis.degree(), tolerance.intended_truncation()) : HUGE_VAL);
+  }
 }
 
 template <Real R>
-int IntegrationScheme<R>::flat_order(double eta) const {
-  for (int order = ConicalRules<R>::smallest_order; order <= ConicalRules<R>::largest_order; ++order)
-    if (least_distance_[static_cast<std::size_t>(order)] <= eta) return order;
-  return ConicalRules<R>::largest_order + 1;
+int IntegrationScheme<R>::check_step(const ChartFacts& chart) {
+  return chart.singular == SingularLine::none ? check_step_analytic : check_step_gathered;
+}
+
+template <Real R>
+int IntegrationScheme<R>::order_by_model(const ChartFacts& chart, double eta) const {
+  return std::min(first_within(least_distance_by_model_, eta),
+                  ConicalRules<R>::largest_order - check_step(chart));
+}
+
+template <Real R>
+FarRule IntegrationScheme<R>::far_rule(const ChartFacts& chart, double eta) const {
+  const int coarse = order_by_model(chart, eta);
+  const int fine = coarse + check_step(chart);
+  if (!chart.plane) return {fine, coarse};
+  const int bounded = first_within(least_distance_by_bound_, eta);
+  if (bounded <= ConicalRules<R>::largest_order && bounded * bounded <= coarse * coarse + fine * fine)
+    return {bounded, std::nullopt};
+  return {fine, coarse};
 }
 
 template class IntegrationScheme<double>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "radcert/polynomial/inset_basis.h"
@@ -10,11 +11,18 @@
 
 namespace radcert {
 
+/// The rules for an element or a piece of one, seen from a distance.
+struct FarRule {
+  int order;  ///< of the conical rule that counts
+  std::optional<int>
+      compared_with;  ///< of the coarser one that it is compared with; none where a bound is known
+};
+
 /// What all elements of one assembly share: surface, basis, tolerance, and what follows from them.
 /// Maths     largest_value(j) = max |l_j|, mean_value(j) = mean of |l_j|, over a lattice of the element;
 ///           flat_truncation() = Tolerance::converged min_j mean_value(j)/largest_value(j): what a rule may leave out, relative
 ///           to largest_value(j) times a solid angle, and still be small beside Int |G l_j|;
-///           flat_order(eta): the least order whose flat_rule_bound is within it
+///           a conical rule of n x n points leaves out about rho^(-2n), rho = eta + sqrt(eta^2 - 1), seen from eta radii
 /// Source    see flat_rule_bound
 /// Requires  the surface outlives this
 /// Result    immutable; safe to share between threads
@@ -36,8 +44,14 @@ public:
     return plane_[a] != no_plane && plane_[a] == plane_[b];
   }
 
-  /// The order for a plane element seen from eta radii; beyond the largest order if none will do.
-  int flat_order(double eta) const;
+  /// The rules for an element seen from eta radii: one whose bound is within flat_truncation() if the element is plane and
+  /// that takes fewer points than two rules of the orders that the error model asks for.
+  FarRule far_rule(const ChartFacts& chart, double eta) const;
+
+  /// The least order for which the error model reaches Tolerance::intended_truncation, so that a finer rule exists.
+  int order_by_model(const ChartFacts& chart, double eta) const;
+  /// How much finer the rule is with which a rule is compared.
+  static int check_step(const ChartFacts& chart);
 
 private:
   static constexpr std::size_t no_plane = static_cast<std::size_t>(-1);
@@ -47,8 +61,10 @@ private:
   Tolerance tolerance_;
   std::vector<R> largest_values_;
   double flat_truncation_;
-  std::vector<std::size_t> plane_;      ///< by chart: the first chart in the same plane
-  std::vector<double> least_distance_;  ///< by order: the eta from which it will do
+  std::vector<std::size_t> plane_;  ///< by chart: the first chart in the same plane
+  std::vector<double>
+      least_distance_by_bound_;  ///< by order: the eta from which flat_rule_bound is small enough
+  std::vector<double> least_distance_by_model_;
 };
 
 extern template class IntegrationScheme<double>;

@@ -8,10 +8,6 @@
 #include <cstring>
 #include <type_traits>
 
-#if defined(__AVX__)
-#include <immintrin.h>
-#endif
-
 #include "radcert/scalar/real.h"
 
 namespace radcert {
@@ -101,8 +97,8 @@ private:
     return r;
   }
   static Half root(const Half& a) {
-#if defined(__AVX__)
-    return _mm256_sqrt_pd(a);
+#if defined(__AVX__) && defined(__GNUC__) && !defined(__clang__)
+    return __builtin_ia32_sqrtpd256(a);  // std::sqrt lane by lane would look at errno
 #else
     Half r;
     for (std::size_t i = 0; i < half; ++i) r[i] = std::sqrt(a[i]);

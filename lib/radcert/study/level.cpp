@@ -4,13 +4,16 @@
 #include <cmath>
 
 #include "radcert/collocation/assembly.h"
-#include "radcert/collocation/nodes.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/solve/accurate_dot.h"
+#include "radcert/solve/contraction.h"
 #include "radcert/solve/direct.h"
+#include "radcert/solve/gmres.h"
+#include "radcert/solve/neumann.h"
 #include "radcert/study/level_errors.h"
+#include "radcert/study/level_geometry.h"
 #include "radcert/study/node_data.h"
 #include "radcert/study/plan.h"
 #include "radcert/study/study.h"
@@ -28,23 +31,6 @@ public:
 private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-TriangulationOptions options_of(const Problem& problem, const Surface& surface) {
-  TriangulationOptions options;
-  options.grading = problem.triangulation.grading.to_double();
-  if (problem.triangulation.pattern.empty()) return options;
-  std::vector<Diagonal> diagonals = surface.diagonals;
-  for (std::size_t j = 0; j < surface.charts.size(); ++j) {
-    const auto assign = [&](const std::string& piece) {
-      for (const auto& [name, diagonal] : problem.triangulation.pattern)
-        if (name == piece) diagonals[j] = diagonal;
-    };
-    assign("*");
-    assign(surface.charts[j].facts().piece);
-  }
-  options.diagonals = std::move(diagonals);
-  return options;
-}
 
 double largest(std::span<const double> values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
@@ -67,6 +53,14 @@ std::optional<Rational> constant_bound(const PiecewiseExpression& reflectivity, 
   return bound;
 }
 
+/// The largest rho/pi Int |G| seen at the nodes: an estimate of ||K|| from below.
+NormOfK largest_row(std::span<const double> rho_at_nodes, std::span<const double> kernel_integral) {
+  double norm = 0;
+  for (std::size_t i = 0; i < rho_at_nodes.size(); ++i)
+    norm = std::max(norm, rho_at_nodes[i] * kernel_integral[i] / pi<double>());
+  return {.value = norm, .guaranteed = false};
+}
+
 /// ||K|| on C(S) or L^infinity(S): on a closed unoccluded surface Int G = pi makes it sup rho exactly; on an open one the
 /// largest rho/pi Int G seen at the nodes estimates it from below.
 NormOfK norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivity,
@@ -76,10 +70,7 @@ NormOfK norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivit
     if (bound) return {.value = bound->to_double(), .guaranteed = true};
     return {.value = largest(rho_at_nodes), .guaranteed = false};
   }
-  double norm = 0;
-  for (std::size_t i = 0; i < rho_at_nodes.size(); ++i)
-    norm = std::max(norm, rho_at_nodes[i] * kernel_integral[i] / pi<double>());
-  return {.value = norm, .guaranteed = false};
+  return largest_row(rho_at_nodes, kernel_integral);
 }
 
 void refuse_norm_from_one(const NormOfK& norm) {
@@ -99,12 +90,12 @@ struct OperatorAtNodes {
 OperatorAtNodes apply_operator(const Problem& problem, const Surface& surface, const OperatorRoute& route,
                                std::span<const Observer<double>> nodes, std::span<const double> rho) {
   const SurfaceFunction u(*problem.solution, surface);
-  const auto density = [&u](std::size_t chart, const Vector<double>& q) { return u(chart, q); };
+  const AppliedOperator integral_at = route(surface, u);
   OperatorAtNodes result{std::vector<double>(nodes.size()), std::vector<double>(nodes.size())};
   constexpr std::size_t grain = 8;
   parallel_for(nodes.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const OperatorValue integral = route(surface, density, nodes[i].at);
+      const OperatorValue integral = integral_at(nodes[i].at);
       result.value[i] = rho[i] / pi<double>() * integral.value;
       result.radius[i] = rho[i] / pi<double>() * integral.radius;
     }
@@ -128,23 +119,27 @@ class Level {
 public:
   Level(const Problem& problem, int level)
       : problem_(problem),
-        surface_(surface_of(problem)),
         basis_(problem.basis.degree, problem.basis.alpha.value_or(Rational(0)).to_double()),
-        triangulation_(triangulate(surface_, level, options_of(problem, surface_))),
-        nodes_(collocation_nodes(surface_, triangulation_, basis_)),
+        geometry_(problem, level, basis_),
         rho_(reflectivity_at_nodes(problem.reflectivity, surface_, nodes_)) {
     outcome_.result.level = level;
     outcome_.result.elements = triangulation_.triangles.size();
     outcome_.result.unknowns = nodes_.size();
-    outcome_.result.mesh_size = mesh_size(triangulation_);
-    outcome_.result.planned_bytes = level_plan(triangulation_.triangles.size(), basis_.size()).total();
+    outcome_.result.mesh_size = geometry_.mesh_size();
+    outcome_.result.planned_bytes =
+        level_plan(triangulation_.triangles.size(), basis_.size(), problem.solver.name, problem.geometry)
+            .total();
   }
+
+  Level(const Level&) = delete;
+  Level& operator=(const Level&) = delete;
 
   LevelOutcome compute(const OperatorRoute& route) && {
     if (surface_.closed) refuse_norm_from_one(norm_of_K(surface_, problem_.reflectivity, rho_, {}));
     if (problem_.solution) u_ = values_at_nodes(*problem_.solution, "/solution", surface_, nodes_);
     if (problem_.emission) emission_ = values_at_nodes(*problem_.emission, "/emission", surface_, nodes_);
     assemble_matrix();
+    if (problem_.solver.name != SolverName::direct) find_weights();
     if (problem_.solution) manufacture_emission(route);
     solve();
     describe();
@@ -154,9 +149,13 @@ public:
 private:
   void assemble_matrix() {
     const Stopwatch watch;
-    matrix_ = assemble<double>(surface_, triangulation_, basis_, nodes_, rho_);
+    const NodedSurface& integrals = geometry_.integrals();
+    matrix_ = assemble<double>(integrals.surface, integrals.triangulation, basis_, integrals.nodes, rho_,
+                               Tolerance(problem_.quadrature.tolerance.to_double()));
     outcome_.timing.assembly_seconds = watch.seconds();
-    outcome_.result.norm_K = norm_of_K(surface_, problem_.reflectivity, rho_, matrix_.kernel_integral);
+    outcome_.result.norm_K = problem_.geometry
+                                 ? largest_row(rho_, matrix_.kernel_integral)
+                                 : norm_of_K(surface_, problem_.reflectivity, rho_, matrix_.kernel_integral);
     refuse_norm_from_one(outcome_.result.norm_K);
   }
 
@@ -179,28 +178,77 @@ private:
     outcome_.result.discretisation_error = largest_difference(ku.value, k_pn_u, radius);
   }
 
-  void solve() {
+  /// The norm in which the matrix contracts, whatever its entries are within their radii: without one an iteration has
+  /// no error bound, and that is known before the second route to Ku is taken.
+  void find_weights() {
     const Stopwatch watch;
-    const DirectSolver solver(matrix_.entries);
-    u_n_ = solver.solve(emission_);
-    if (problem_.solution) {
-      outcome_.result.node_error = largest_difference(
-          u_, u_n_, std::vector<double>(u_.size(), node_radius(solver.inverse_norm_estimate())));
-    }
-    outcome_.timing.solve_seconds = watch.seconds();
+    Outcome<Contraction, NoContraction> found = find_contraction(matrix_.entries, matrix_.row_radius);
+    if (!found)
+      throw InputError({.pointer = "/solver/name",
+                        .value = solver_name(problem_.solver.name),
+                        .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
+                                   ": the collocation matrix contracts by " + shortest(found.reason().theta) +
+                                   " at best, which is not below 1",
+                        .allowed = "direct"});
+    contraction_ = std::move(found).value();
+    outcome_.timing.solve_seconds += watch.seconds();
   }
 
-  /// (I - K_n)(u_n - exact u_n) = residual + errors of matrix and right-hand side, in the maximum norm.
-  double node_radius(double inverse_norm) const {
+  void solve() {
+    const Stopwatch watch;
+    const double node_radius = contraction_ ? iterate() : eliminate();
+    if (problem_.solution)
+      outcome_.result.node_error = largest_difference(u_, u_n_, std::vector<double>(u_.size(), node_radius));
+    outcome_.timing.solve_seconds += watch.seconds();
+  }
+
+  double eliminate() {
+    const DirectSolver solver(matrix_.entries);
+    u_n_ = solver.solve(emission_);
+    if (!problem_.solution) return 0;
     const std::vector<double> k_u_n = accurate_product(matrix_.entries, u_n_);
+    std::vector<double> residual(u_n_.size());
+    for (std::size_t i = 0; i < u_n_.size(); ++i)
+      residual[i] =
+          std::abs(emission_[i] - (u_n_[i] - k_u_n[i])) + unit * (std::abs(u_n_[i]) + 4 * std::abs(k_u_n[i]));
+    return solver.inverse_norm_estimate() * largest(defects(std::move(residual)));
+  }
+
+  double iterate() {
+    const std::optional<double> tolerance =
+        problem_.solver.tolerance ? std::optional(problem_.solver.tolerance->to_double()) : std::nullopt;
+    const auto solve_by = problem_.solver.name == SolverName::gmres ? solve_by_gmres : solve_by_neumann;
+    Outcome<IterativeSolution, NotReached> solution =
+        solve_by(matrix_.entries, *contraction_, emission_, tolerance);
+    if (!solution) refuse_accuracy(solution.reason());
+    outcome_.result.iteration = {.iterations = solution->iterations,
+                                 .contraction = contraction_->theta(),
+                                 .error_bound = solution->error_bound};
+    u_n_ = std::move(solution->values);
+    if (!problem_.solution) return 0;
+    std::vector<double> residual(u_n_.size());
+    accurate_residual(matrix_.entries, u_n_, emission_, residual);
+    const std::vector<double> bounds = residual_bounds(*contraction_, u_n_, emission_, residual);
+    return contraction_->inverse_bound(contraction_->norm(defects(bounds)));
+  }
+
+  [[noreturn]] void refuse_accuracy(const NotReached& best) const {
+    const std::string demanded = problem_.solver.tolerance
+                                     ? "the tolerance " + shortest(problem_.solver.tolerance->to_double())
+                                     : "an error bound as small as double holds";
+    throw AccuracyNotReached(
+        "level " + std::to_string(outcome_.result.level) + ", solver " + solver_name(problem_.solver.name),
+        demanded + " is not reached: after " + std::to_string(best.iterations) +
+            " iterations the error bound is " + shortest(best.error_bound) +
+            " where |u_n| <= " + shortest(best.size));
+  }
+
+  /// Bounds of the sizes of (I - K_n)(u_n - exact u_n): residual, errors of matrix and right-hand side.
+  std::vector<double> defects(std::vector<double> residual_sizes) const {
     const double u_n_size = largest_size(u_n_);
-    double defect = 0;
-    for (std::size_t i = 0; i < u_n_.size(); ++i) {
-      const double residual = std::abs(emission_[i] - (u_n_[i] - k_u_n[i]));
-      const double rounded = unit * (std::abs(u_n_[i]) + 4 * std::abs(k_u_n[i]));
-      defect = std::max(defect, residual + rounded + matrix_.row_radius[i] * u_n_size + emission_radius_[i]);
-    }
-    return inverse_norm * defect;
+    for (std::size_t i = 0; i < u_n_.size(); ++i)
+      residual_sizes[i] = residual_sizes[i] + matrix_.row_radius[i] * u_n_size + emission_radius_[i];
+    return residual_sizes;
   }
 
   void describe() {
@@ -232,15 +280,17 @@ private:
 
   static constexpr double unit = unit_roundoff<double>();
   const Problem& problem_;
-  Surface surface_;
   InsetBasis<double> basis_;
-  Triangulation triangulation_;
-  std::vector<Observer<double>> nodes_;
+  LevelGeometry geometry_;
+  const Surface& surface_ = geometry_.data().surface;
+  const Triangulation& triangulation_ = geometry_.data().triangulation;
+  const std::vector<Observer<double>>& nodes_ = geometry_.data().nodes;
   std::vector<double> rho_;
   std::vector<double> u_;
   std::vector<double> emission_;
   std::vector<double> emission_radius_ = std::vector<double>(nodes_.size());
   CollocationMatrix<double> matrix_;
+  std::optional<Contraction> contraction_;
   std::vector<double> u_n_;
   LevelOutcome outcome_;
 };

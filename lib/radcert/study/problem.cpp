@@ -5,9 +5,13 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/text.h"
 #include "radcert/polynomial/inset_basis.h"
+#include "radcert/quadrature/tolerance.h"
+#include "radcert/solve/iteration.h"
 #include "radcert/study/plan.h"
 #include "radcert/surface/catalogue.h"
+#include "radcert/surface/interpolated_chart.h"
 #include "radcert/triangulation/triangulation.h"
 
 namespace radcert {
@@ -45,13 +49,23 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
     if (!elements)
       refuse(pointer, value, "needs more than 2^64 bytes (more than 2^53 triangles)",
              "a plan within " + std::to_string(memory_limit) + " bytes (" + byte_text(memory_limit) + ")");
-    const std::uint64_t needed = level_plan(*elements, basis.size()).total();
+    const std::uint64_t needed =
+        level_plan(*elements, basis.size(), problem.solver.name, problem.geometry).total();
     if (needed > memory_limit) {
       const std::string bytes = needed == ~std::uint64_t{0} ? "more than 2^64" : std::to_string(needed);
       refuse(pointer, value, "needs " + bytes + " bytes (" + std::to_string(*elements) + " triangles)",
              "a plan within " + std::to_string(memory_limit) + " bytes (" + byte_text(memory_limit) + ")");
     }
   }
+}
+
+void check_geometry(const Problem& problem) {
+  if (!problem.geometry) return;
+  constexpr int smallest = LatticePolynomial<double>::smallest_degree;
+  constexpr int largest = LatticePolynomial<double>::largest_degree;
+  if (problem.geometry->degree < smallest || problem.geometry->degree > largest)
+    refuse("/geometry/interpolated", std::to_string(problem.geometry->degree), "is not allowed",
+           "a whole number from " + std::to_string(smallest) + " to " + std::to_string(largest));
 }
 
 void check_basis(const Problem& problem, const Surface& surface) {
@@ -68,13 +82,18 @@ void check_basis(const Problem& problem, const Surface& surface) {
   // Below this the nodes of the finest level keep less than half of a double's digits of their distance from an edge.
   const int finest = problem.triangulation.levels.back();
   const Rational least = Rational(1) / power(Rational(2), 26 - std::min(finest, 26));
-  if (surface.pieces_meet_at_angle && alpha < least)
+  const bool interpolants_meet =
+      problem.geometry && std::any_of(surface.charts.begin(), surface.charts.end(),
+                                      [](const Chart& chart) { return !chart.facts().plane; });
+  if ((surface.pieces_meet_at_angle || interpolants_meet) && alpha < least) {
+    const std::string where = surface.pieces_meet_at_angle
+                                  ? "edges where pieces of the surface meet at an angle"
+                                  : "sides where interpolated elements meet at an angle";
     refuse("/basis/alpha", alpha.to_text(),
-           alpha == Rational(0)
-               ? "puts nodes on edges where pieces of the surface meet at an angle, and there the kernel "
-                 "has no value"
-               : "puts nodes too close to edges where pieces of the surface meet at an angle",
+           alpha == Rational(0) ? "puts nodes on " + where + ", and there the kernel has no value"
+                                : "puts nodes too close to " + where,
            "a number in [" + least.to_text() + ", 1/3) on this surface at these levels");
+  }
   if (alpha > Rational(333333, 1000000))
     refuse("/basis/alpha", alpha.to_text(),
            "is too close to 1/3: the nodes of an element coincide in double precision",
@@ -112,6 +131,25 @@ void check_reflectivity(const Problem& problem, const Surface& surface) {
            "a norm of K below 1: on a closed surface the norm is the largest reflectivity");
 }
 
+void check_quadrature(const QuadratureChoice& quadrature) {
+  const double tolerance = quadrature.tolerance.to_double();
+  if (tolerance < Tolerance::finest || tolerance > Tolerance::coarsest)
+    refuse("/quadrature/tolerance", quadrature.tolerance.to_text(), "is not allowed",
+           "a number from " + shortest(Tolerance::finest) + ", what double can hold, to " +
+               shortest(Tolerance::coarsest));
+}
+
+void check_solver(const SolverChoice& solver) {
+  if (!solver.tolerance) return;
+  const Rational& tolerance = *solver.tolerance;
+  if (solver.name == SolverName::direct)
+    refuse("/solver/tolerance", tolerance.to_text(), "is not for direct",
+           "gmres and neumann with a tolerance");
+  if (tolerance < Rational::exactly(least_tolerance) || tolerance >= Rational(1))
+    refuse("/solver/tolerance", tolerance.to_text(), "is not allowed",
+           "a number from " + shortest(least_tolerance) + ", about what double can hold, to below 1");
+}
+
 void check_pieces(const PiecewiseExpression& function, const std::string& pointer, const Surface& surface) {
   const std::vector<std::string> names = surface.piece_names();
   for (const std::string& name : names) {
@@ -137,6 +175,16 @@ const Expression& PiecewiseExpression::on(std::string_view piece) const {
   }
   expects(rest != nullptr, "an expression for every piece", named("piece", piece));
   return rest->expression;
+}
+
+std::string solver_name(SolverName name) {
+  switch (name) {
+    case SolverName::direct: return "direct";
+    case SolverName::gmres: return "gmres";
+    case SolverName::neumann: return "neumann";
+  }
+  expects(false, "a solver of the list", named("solver", static_cast<int>(name)));
+  return {};
 }
 
 Surface surface_of(const Problem& problem) {
@@ -167,6 +215,9 @@ void check(const Problem& problem, std::uint64_t memory_limit) {
   if (problem.solution) check_pieces(*problem.solution, "/solution", surface);
   if (problem.emission) check_pieces(*problem.emission, "/emission", surface);
   check_reflectivity(problem, surface);
+  check_geometry(problem);
+  check_quadrature(problem.quadrature);
+  check_solver(problem.solver);
   if (problem.basis.degree < 0 || problem.basis.degree > InsetBasis<double>::largest_degree)
     check_basis(problem, surface);
   check_levels(problem, surface, memory_limit);

@@ -39,36 +39,67 @@ struct TriangulationChoice {
   Rational grading = 1;  ///< vertices of unit squares moved towards the edges by this exponent, >= 1
 };
 
+/// Where a problem on an interpolated surface takes its data.
+enum class DataPoints {
+  surface,  ///< rho, E and u at the points v_i of S, Ku over S: the interpolant serves the collocation integrals alone
+  interpolant,  ///< at the points v~_i of the interpolant, Ku over it: the problem is posed on the interpolant altogether
+};
+
+/// The interpolant of S over which a problem's collocation integrals are taken.
+struct InterpolatedGeometry {
+  int degree = 2;  ///< 1 to 6
+  DataPoints data = DataPoints::surface;
+};
+
 /// The inset basis of a problem.
 struct BasisChoice {
   int degree = 1;
   std::optional<Rational> alpha;  ///< absent exactly where degree 0 left it out
 };
 
-enum class SolverName { direct };
+enum class SolverName { direct, gmres, neumann };
+
+/// How the linear system of a level is solved, and how well.
+struct SolverChoice {
+  SolverName name = SolverName::direct;
+  std::optional<Rational> tolerance;  ///< relative to max |u_n|; absent: as far as double holds
+};
+
+/// How well the collocation integrals are taken.
+struct QuadratureChoice {
+  Rational tolerance = Rational(1) / power(Rational(10), 13);  ///< of an entry, relative to its row's Int |G|
+};
 
 /// A problem as a user states it: one surface, one basis, one pair of data, several levels.
 /// Maths     u(P) - rho(P)/pi Int_S G(P,Q) u(Q) dS_Q = E(P); with `solution` u given, E = u - Ku
 /// Source    [ac98, (1), (40)]; the file format is radcert/problem/1
 /// Requires  exactly one of solution and emission; names of the catalogue; see `check`
 /// Result    plain data, exact: decimals and fractions are kept as written
-/// Limits    exact geometry, inset bases, direct solver
+/// Limits    inset bases
 struct Problem {
   SurfaceChoice surface;
   TriangulationChoice triangulation;
+  std::optional<InterpolatedGeometry> geometry =
+      std::nullopt;  ///< absent: the collocation integrals are over S itself
   BasisChoice basis;
   PiecewiseExpression reflectivity;
   std::optional<PiecewiseExpression> solution;
   std::optional<PiecewiseExpression> emission;
-  SolverName solver = SolverName::direct;
+  QuadratureChoice quadrature = {};
+  SolverChoice solver;
 };
+
+/// The word of the file format for a solver.
+std::string solver_name(SolverName name);
 
 /// The surface that a problem names. Requires a known name with admissible parameters, else InputError below /surface.
 Surface surface_of(const Problem& problem);
 
 /// Everything about a problem that can be refused before any work, apart from its file's syntax.
-/// Maths     levels >= 0 with checked counts; 0 <= alpha < 1/3; alpha > 0 where pieces meet at an angle; a plan within
-///           `memory_limit` bytes for every level; constant reflectivities in [0,1]; on closed surfaces sup rho < 1
+/// Maths     levels >= 0 with checked counts; 0 <= alpha < 1/3; alpha > 0 where pieces or interpolated elements meet at an
+///           angle; interpolants of degree 1 to 6; a plan within `memory_limit` bytes for every level; constant
+///           reflectivities in [0,1]; on closed surfaces sup rho < 1; a tolerance that double can hold, for a solver that
+///           has one
 /// Source    contract of the command line
 /// Requires  -
 /// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed

@@ -24,6 +24,13 @@ struct NormOfK {
   bool guaranteed = false;
 };
 
+/// How an iterative solver came to u_n.
+struct IterationReport {
+  std::uint64_t iterations = 0;  ///< reflections of `neumann`, Krylov vectors of `gmres`
+  double contraction = 0;        ///< theta < 1 of the weighted norm in which K_n contracts
+  double error_bound = 0;        ///< of max |u_n - solution of the system as stored|, proved
+};
+
 /// One level of a study.
 /// Maths     discretisation_error = max over the nodes of |K(I-P_n)u|, node_error = max over the nodes of |u - u_n|,
 ///           uniform_error = max of |u - u_n| over `uniform_sample`
@@ -45,6 +52,7 @@ struct LevelResult {
   std::optional<double> node_order;
   std::vector<std::pair<std::string, double>> piece_means;  ///< mean of u_n over each piece
   NormOfK norm_K;
+  std::optional<IterationReport> iteration;  ///< absent with `direct`
   std::uint64_t planned_bytes = 0;
 };
 

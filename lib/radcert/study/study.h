@@ -8,6 +8,7 @@
 #include "radcert/geometry/vector.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
+#include "radcert/study/surface_function.h"
 #include "radcert/surface/surface_point.h"
 
 namespace radcert {
@@ -18,15 +19,21 @@ struct OperatorValue {
   double radius = 0;
 };
 
-/// The second route to Ku, passed in from outside: this layer knows of no reference values.
-/// Maths     (surface, u, P) -> Int_S G(P,Q) u(Q) dS_Q
-/// Source    design: E is passed in
+/// The operator applied to one density.
+/// Maths     P -> Int_S G(P,Q) u(Q) dS_Q
+/// Source    [ac98, (2)]
 /// Requires  safe to call from several threads at once
+/// Result    as its maker says
+/// Limits    -
+using AppliedOperator = std::function<OperatorValue(const SurfacePoint<double>& p)>;
+
+/// The second route to Ku, passed in from outside: this layer knows of no reference values.
+/// Maths     (surface, u) -> (P -> Int_S G(P,Q) u(Q) dS_Q)
+/// Source    design: E is passed in
+/// Requires  surface and u outlive what it returns
 /// Result    shares no quadrature with the collocation matrix
 /// Limits    -
-using OperatorRoute = std::function<OperatorValue(
-    const Surface& surface, const std::function<double(std::size_t chart, const Vector<double>& q)>& u,
-    const SurfacePoint<double>& p)>;
+using OperatorRoute = std::function<AppliedOperator(const Surface& surface, const SurfaceFunction& u)>;
 
 /// What a level computed at one node.
 struct NodeValue {
@@ -60,8 +67,10 @@ struct LevelOutcome {
 /// Source    [ac98, (40)-(41)]
 /// Requires  a checked problem; `level` need not be one of its levels
 /// Result    the same bits for any number of threads; throws InputError naming the node where an expression is not finite
-///           or rho leaves [0,1], or where the norm of K is not below 1; Interrupted when asked to stop
-/// Limits    radii are estimates
+///           or rho leaves [0,1], or where the norm of K is not below 1, or at /solver/name where the matrix has no weighted
+///           maximum norm below 1 and the solver needs one; AccuracyNotReached; Interrupted when asked to stop
+/// Limits    radii are estimates: with `gmres` and `neumann` because those of the matrix and of Ku are, with `direct`
+///           the norm of the inverse is one too
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route);
 
 /// The result of finished levels: ratios, orders, fits.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "radcert/expression/batch.h"
@@ -24,6 +26,12 @@ public:
 
   double operator()(std::size_t chart, const Vector<double>& q) const {
     return by_chart_[chart].at(q.x, q.y, q.z);
+  }
+
+  /// The values at many points of one chart, the same bits.
+  void evaluate(std::size_t chart, std::span<const double> x, std::span<const double> y,
+                std::span<const double> z, std::span<double> values) const {
+    by_chart_[chart].evaluate(x, y, z, values);
   }
 
 private:

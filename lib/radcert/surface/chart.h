@@ -112,8 +112,9 @@ enum class SingularLine { none, s_zero };
 
 /// What is known of a chart beside its formula.
 struct ChartFacts {
-  std::string name;   ///< unique in its surface
-  std::string piece;  ///< the smooth piece it belongs to; charts of one piece join smoothly
+  std::string name;  ///< unique in its surface
+  std::string
+      piece;  ///< the smooth piece it belongs to; charts of one piece join smoothly unless the surface says otherwise
   ChartDomain domain = ChartDomain::unit_square;
   Orientation orientation = Orientation::along_the_cross_product;
   std::optional<Plane> plane = std::nullopt;  ///< set exactly if the chart is affine: then G vanishes on it

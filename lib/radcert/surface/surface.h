@@ -25,7 +25,7 @@ struct SurfaceParameter {
 };
 
 /// A piecewise smooth surface S = S_1 u ... u S_J with what is known of it as a whole.
-/// Maths     charts F_j : R_j -> S_j; pieces group the charts that join smoothly
+/// Maths     charts F_j : R_j -> S_j; pieces group the charts that belong to one smooth patch
 /// Source    [ac98, (13)-(14)]
 /// Requires  normals point inwards; what the facts say holds by construction (catalogue) or has been proved
 /// Result    immutable
@@ -39,6 +39,7 @@ struct Surface {
   bool closed = false;  ///< S is the whole boundary of a body
   bool unoccluded = true;             ///< V = 1: S lies in the boundary of a convex body
   bool pieces_meet_at_angle = false;  ///< two pieces share an edge across which the normal jumps
+  bool charts_join_smoothly = true;   ///< within a piece; not so the interpolants of elements
 
   std::size_t chart_count() const { return charts.size(); }
   /// The names of the pieces in the order in which the charts name them first.
