@@ -27,6 +27,28 @@ PROBLEMS = {
     "a surface of a later version": (small(surface={"name": "torus"}), "/surface/name", "not available"),
     "an unknown basis": (small(basis={"family": "outset"}), "/basis/family", "allowed: inset"),
     "an unknown solver": (small(solver={"name": "lu"}), "/solver/name", "allowed: direct"),
+    "a misspelt solver": (small(solver={"name": "gmers"}), "/solver/name", "allowed: direct, gmres, neumann"),
+    "a tolerance of 0": (small(solver={"name": "gmres", "tolerance": 0}), "/solver/tolerance", "4.440892098500626e-16"),
+    "a negative tolerance": (small(solver={"name": "neumann", "tolerance": "-1e-9"}), "/solver/tolerance", "below 1"),
+    "a tolerance beyond double": (small(solver={"name": "gmres", "tolerance": "1e-16"}), "/solver/tolerance", "double"),
+    "a tolerance of a word": (small(solver={"name": "gmres", "tolerance": "small"}), "/solver/tolerance", "rounding"),
+    "a tolerance for elimination": (small(solver={"name": "direct", "tolerance": 1e-9}), "/solver/tolerance",
+                                    "unknown key"),
+    "a quadrature tolerance of 0": (small(quadrature={"tolerance": 0}), "/quadrature/tolerance", "from 1e-13"),
+    "a negative quadrature tolerance": (small(quadrature={"tolerance": "-1e-9"}), "/quadrature/tolerance", "outside"),
+    "a quadrature finer than double": (small(quadrature={"tolerance": "1e-14"}), "/quadrature/tolerance",
+                                       "what double can hold"),
+    "a quadrature of no tolerance": (small(quadrature={}), "/quadrature/tolerance", "is missing"),
+    "an interpolant of degree 0": (small(geometry={"interpolated": 0}), "/geometry/interpolated", "from 1 to 6"),
+    "an interpolant of degree 7": (small(geometry={"interpolated": 7}), "/geometry/interpolated", "from 1 to 6"),
+    "an interpolant of no degree": (small(geometry={"data": "surface"}), "/geometry/interpolated", "is missing"),
+    "data of an unknown place": (small(geometry={"interpolated": 2, "data": "nodes"}), "/geometry/data",
+                                 "surface, interpolant"),
+    "an unknown geometry": (small(geometry="interpolated"), "/geometry", "exact"),
+    "alpha = 0 on an interpolant": (
+        small(surface={"name": "sphere"}, reflectivity="1/2", geometry={"interpolated": 2},
+              basis={"family": "inset", "degree": 1, "alpha": 0}),
+        "/basis/alpha", "sides where interpolated elements meet"),
     "an unknown piece": (small(reflectivity={"roof": "1", "*": "0"}), "/reflectivity/roof", "lower, upper"),
     "a wrong type": (small(surface="cube"), "/surface", "is a string"),
     "a wrong type below": (triangulation("0"), "/triangulation/levels", "is a string"),
@@ -106,6 +128,21 @@ class BadInput(ProgramTest):
         said = self.refused(self.write("problem.json", small()), "--max-memory", "1000")
         self.assertIn("/triangulation/levels/0", said)
         self.assertIn("1000 bytes", said)
+
+    def test_an_iteration_without_a_contraction_is_refused(self):
+        problem = small(surface=CUBE, reflectivity="0.95", triangulation={"levels": [0]}, solver={"name": "neumann"},
+                        basis={"family": "inset", "degree": 2, "alpha": "1/6"})
+        said = self.refused(self.write("problem.json", problem))
+        self.assertIn('problem.json: /solver/name: "neumann" has no error bound at level 0', said)
+        self.assertTrue(said.endswith("; allowed: direct"), said)
+
+    def test_a_plan_counts_the_second_matrix_of_direct_only(self):
+        bytes_between = "150000000"  # a matrix of 3072 unknowns has 75 million bytes
+        name = self.write("problem.json", triangulation([4]))
+        self.assertIn("/triangulation/levels/0", self.refused(name, "--max-memory", bytes_between))
+        # Within the limit: refused for what is looked at later.
+        iterated = {**triangulation([4]), "solver": {"name": "gmres"}, "solution": "1/(z-z)"}
+        self.assertIn("/solution", self.refused(self.write("problem.json", iterated), "--max-memory", bytes_between))
 
     def test_a_file_that_is_not_there_is_refused(self):
         self.refused("missing.json")

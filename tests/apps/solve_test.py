@@ -26,7 +26,9 @@ class Solve(ProgramTest):
         schema = json.loads(self.expect(0, "schema", "solution"))
         problems = json.loads(self.expect(0, "schema", "problem"))
         for problem in [small(), small(solution=None, emission={"upper": "1", "*": "0"}),
-                        small(basis={"family": "inset", "degree": 0}, reflectivity=0.3)]:
+                        small(basis={"family": "inset", "degree": 0}, reflectivity=0.3),
+                        small(geometry={"interpolated": 3}), small(geometry={"interpolated": 1, "data": "interpolant"}),
+                        small(solver={"name": "gmres"}), small(solver={"name": "neumann", "tolerance": "1e-6"})]:
             result = json.loads(self.solution(self.write("problem.json", problem)))
             jsonschema.validate(result, schema)
             jsonschema.validate(result["problem"], problems)
@@ -81,6 +83,31 @@ class Solve(ProgramTest):
     def test_without_a_home_it_solves_all_the_same(self):
         self.write("problem.json", small())
         self.solution("problem.json", RADCERT_STORE="", XDG_CACHE_HOME="", HOME="")
+
+    def test_the_solvers_agree_within_their_radii(self):
+        levels = {}
+        for name in ["direct", "gmres", "neumann"]:
+            levels[name] = json.loads(self.solution(self.write(name + ".json", small(solver={"name": name}))))["levels"]
+        for direct, gmres, neumann in zip(levels["direct"], levels["gmres"], levels["neumann"]):
+            self.assertIsNone(direct["iteration"])
+            for level in [gmres, neumann]:
+                apart = abs(level["node_error"]["value"] - direct["node_error"]["value"])
+                self.assertLessEqual(apart, level["node_error"]["radius"] + direct["node_error"]["radius"])
+                self.assertLess(level["iteration"]["contraction"], 1)
+            self.assertLess(neumann["planned_bytes"], direct["planned_bytes"])
+            self.assertLess(gmres["iteration"]["iterations"], neumann["iteration"]["iterations"])
+
+    def test_a_tolerance_that_is_not_reached_ends_with_1_and_no_result(self):
+        for name in ["gmres", "neumann"]:
+            problem = small(surface={"name": "cube"}, reflectivity="0.99", triangulation={"levels": [0]},
+                            solver={"name": name, "tolerance": "5e-16"})
+            self.write("problem.json", problem)
+            done = self.run_program("solve", "problem.json", "--out", "out")
+            said = done.stderr.decode()
+            self.assertEqual(done.returncode, 1, said)
+            self.assertEqual(done.stdout, b"")
+            self.assertEqual(self.entries(), ["problem.json"])
+            self.assertIn("level 0, solver " + name + ": the tolerance 5e-16 is not reached", said)
 
     def test_progress_goes_to_stderr_and_quiet_silences_it(self):
         self.write("problem.json", small())

@@ -14,6 +14,7 @@ ElementFunction::ElementFunction(const Problem& problem, const LevelOutcome& lev
       inset_(problem.basis.alpha.value_or(Rational(0)).to_double()),
       nodes_per_element_(InsetBasis<double>(degree_, inset_).size()),
       values_(level.nodes.size()) {
+  expects(!problem.geometry, "exact geometry");
   expects(level.nodes.size() == triangles_.size() * nodes_per_element_, "a value for each node",
           named("nodes", level.nodes.size()));
   for (const NodeValue& node : level.nodes)

@@ -14,7 +14,7 @@ namespace radcert::verification::ac98 {
 /// A function that is a polynomial on each element, given by its values at the nodes of a solved level.
 /// Maths     u_n(m_k(x)) = sum_j u_n(v_kj) l_j(x)
 /// Source    [ac98, (39)]
-/// Requires  the level belongs to the problem
+/// Requires  the level belongs to the problem, whose geometry is exact
 /// Result    rounded
 /// Limits    -
 class ElementFunction {

@@ -79,12 +79,7 @@ Measured difference_off_the_nodes(const Problem& problem, const ElementFunction&
   const SurfacePoint<double> p{triangle.chart, triangle.at({third, third, third})};
   const double factor = value_at(problem.reflectivity, u_n, p) / std::numbers::pi;
   const PiecewiseExpression& u = problem.solution.value();
-  const OperatorValue of_u = route(
-      u_n.surface(),
-      [&](std::size_t chart, const Vector<double>& q) {
-        return u.on(u_n.surface().charts[chart].facts().piece).evaluate<double>({q.x, q.y, q.z});
-      },
-      p);
+  const OperatorValue of_u = route(u_n.surface(), SurfaceFunction(u, u_n.surface()))(p);
   const Measured of_u_n = u_n.integral(p);
   return {.value = value_at(u, u_n, p) + factor * (of_u_n.value - of_u.value) - u_n(0, p.at),
           .radius = factor * (of_u_n.radius + of_u.radius)};

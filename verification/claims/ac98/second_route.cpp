@@ -15,6 +15,7 @@
 #include "radcert/expression/batch.h"
 #include "radcert/formats/level_record.h"
 #include "radcert/kernel/geometric_kernel.h"
+#include "radcert/triangulation/interpolated_surface.h"
 #include "radcert/triangulation/triangulation.h"
 
 namespace radcert::verification::ac98 {
@@ -53,6 +54,13 @@ std::array<double, 3> barycentric(const ParameterTriangle& triangle, const Param
   return {1 - x2 - x3, x2, x3};
 }
 
+// What stands beside the functions l_j under the integral.
+enum class Remainder {
+  error,           // u - P_n u
+  solution,        // u
+  minus_projected  // -P_n u
+};
+
 // The level laid out: triangles, nodes, and the data at the nodes.
 struct Level {
   Surface surface;
@@ -62,6 +70,7 @@ struct Level {
   std::vector<double> u;       // by node
   std::vector<double> factor;  // rho/pi by node
   const Problem* problem;
+  Remainder remainder = Remainder::error;
   std::vector<CompiledExpression> compiled;  // of the solution, by chart
 
   Level(const Problem& of, int level)
@@ -72,8 +81,8 @@ struct Level {
     expects(of.solution.has_value(), "a problem with a solution");
     expects(of.triangulation.pattern.empty() && of.triangulation.grading == Rational(1),
             "a triangulation without options");
-    for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
-      compiled.emplace_back(of.solution->on(piece(chart)));
+    expects(!of.geometry || of.geometry->data == DataPoints::surface, "data on the surface");
+    compile_solution();
     for (const ParameterTriangle& triangle : triangles)
       for (std::size_t j = 0; j < basis.size(); ++j) {
         const SurfacePoint<double> p{triangle.chart, triangle.at(basis.node(j))};
@@ -83,6 +92,25 @@ struct Level {
         factor.push_back(of.reflectivity.on(piece(p.chart)).evaluate<double>({x.x, x.y, x.z}) /
                          std::numbers::pi);
       }
+  }
+
+  // The same elements and nodes on the interpolant, with the data of S.
+  Level interpolated(int degree) const {
+    Level other = *this;
+    InterpolatedSurface interpolant = interpolate(surface, {triangles}, degree);
+    other.surface = std::move(interpolant.surface);
+    other.triangles = std::move(interpolant.triangulation.triangles);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const ParameterTriangle& triangle = other.triangles[i / basis.size()];
+      other.nodes[i] = {triangle.chart, triangle.at(basis.node(i % basis.size()))};
+    }
+    other.compile_solution();
+    return other;
+  }
+  void compile_solution() {
+    compiled.clear();
+    for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
+      compiled.emplace_back(problem->solution->on(piece(chart)));
   }
   const std::string& piece(std::size_t chart) const { return surface.charts[chart].facts().piece; }
   double solution(std::size_t chart, const Vector<double>& x) const {
@@ -94,7 +122,7 @@ struct Level {
   }
 };
 
-// What is integrated against G over an element: u - P_n u, and behind it the basis functions l_j where they are asked for.
+// What is integrated against G over an element: the remainder, and behind it the basis functions l_j where they are asked for.
 constexpr std::size_t most_densities = 4;
 using Values = std::array<double, most_densities>;
 
@@ -157,10 +185,11 @@ void add_samples(const Level& level, std::size_t k, const std::array<Parameters,
   for (std::size_t i = 0; i < u.size(); ++i) {
     Sample& sample = samples.all[first + i];
     const std::array<double, 3> barycentric_at = barycentric(element, sample.at);
-    sample.density[0] = u.at(i);
+    const bool projected = level.remainder != Remainder::solution;
+    sample.density[0] = level.remainder == Remainder::minus_projected ? 0 : u.at(i);
     for (std::size_t j = 0; j < m; ++j) {
       sample.density.at(j + 1) = level.basis.value(j, barycentric_at);
-      sample.density[0] -= level.u[k * m + j] * sample.density.at(j + 1);
+      if (projected) sample.density[0] -= level.u[k * m + j] * sample.density.at(j + 1);
     }
   }
 }
@@ -267,7 +296,7 @@ private:
   std::vector<Samples> elements_;
 };
 
-// r_i = K(I - P_n)u (v_i) and, where asked for, A_ij = K l_j (v_i) row by row.
+// r_i = rho/pi Int G times the remainder, from node i, and, where asked for, A_ij = K l_j (v_i) row by row.
 struct System {
   std::vector<Measured> r;
   std::vector<Measured> a;
@@ -289,6 +318,22 @@ System system_of(const Level& level, bool with_matrix) {
           system.a[i * size + k * m + j] = {.value = part.value.at(j + 1), .radius = part.radius.at(j + 1)};
       }
   });
+  return system;
+}
+
+// With interpolated geometry: r = Ku over S from v_i, less K~ P_n u over the interpolant from v~_i; A over the interpolant.
+System system_of(const Problem& problem, int level, bool with_matrix) {
+  Level exact(problem, level);
+  if (!problem.geometry) return system_of(exact, with_matrix);
+  Level interpolant = exact.interpolated(problem.geometry->degree);
+  exact.remainder = Remainder::solution;
+  interpolant.remainder = Remainder::minus_projected;
+  System system = system_of(interpolant, with_matrix);
+  const System solution = system_of(exact, false);
+  for (std::size_t i = 0; i < system.r.size(); ++i) {
+    system.r[i].value += solution.r[i].value;
+    system.r[i].radius += solution.r[i].radius;
+  }
   return system;
 }
 
@@ -358,9 +403,8 @@ Measured second_route(const Bench& bench, const Problem& problem, int level, con
   expects(figure == "discretisation_error" || figure == "node_error", "a figure that the second route knows",
           named("figure", figure));
   return stored(bench.store, "second route, " + figure + "\n" + level_key(problem, level), [&] {
-    const Level laid_out(problem, level);
     const bool solve = figure == "node_error";
-    const System system = system_of(laid_out, solve);
+    const System system = system_of(problem, level, solve);
     return solve ? node_error(system) : discretisation_error(system.r);
   });
 }
