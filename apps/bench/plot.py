@@ -42,6 +42,14 @@ def arguments_of(name):
     return {part.split(":")[0]: int(part.split(":")[1]) for part in name.split("/") if ":" in part}
 
 
+def kernel_share(run, runs, threads):
+    """How the far evaluations of G an assembly makes a second compare with the kernel's own rate."""
+    kernel = runs.get("kernel/functions:3", {}).get("evaluations")
+    if not kernel or "evaluations" not in run:
+        return ""
+    return f", at least {100 * run['evaluations'] / (threads * kernel):.0f} % of the kernel's own rate"
+
+
 def summary(runs):
     lines = []
     peak = runs.get("multiply_add_peak", {}).get("flops")
@@ -60,7 +68,8 @@ def summary(runs):
         if name.startswith("assembly/"):
             subject = name.split("/")[1]
             ratio = f", {plain[subject]['seconds'] / run['seconds']:.0f} times the plain program" if subject in plain else ""
-            lines.append(f"{name}: {run['seconds']:.3f} s, {run['entries'] / 1e6:.1f}e6 entries a second{ratio}")
+            rate = kernel_share(run, runs, arguments_of(name).get("threads", 1))
+            lines.append(f"{name}: {run['seconds']:.3f} s, {run['entries'] / 1e6:.1f}e6 entries a second{rate}{ratio}")
         if name.startswith("plain_assembly/"):
             lines.append(f"{name}: {run['seconds']:.3f} s, {run['entries'] / 1e6:.2f}e6 entries a second")
         if name.startswith("study/"):

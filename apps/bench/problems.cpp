@@ -11,6 +11,7 @@
 #include "radcert/collocation/nodes.h"
 #include "radcert/core/parallel.h"
 #include "radcert/formats/problem_json.h"
+#include "radcert/quadrature/element_integrator.h"
 #include "radcert/study/study.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
@@ -30,6 +31,30 @@ const InsetBasis<double>& linear_basis() {
   return basis;
 }
 
+/// How often an assembly evaluates G from afar: blocks of observers at least 2.5 radii from an element. The near ones come on
+/// top, so that the rate that follows is a lower bound.
+double far_evaluations(const Surface& surface, const Triangulation& triangulation,
+                       std::span<const Observer<double>> nodes, const Tolerance& tolerance) {
+  const IntegrationScheme<double> scheme(surface, linear_basis(), tolerance);
+  const std::vector<ObserverBlock<double>> blocks = observer_blocks(nodes);
+  double evaluations = 0;
+  for (const ParameterTriangle& triangle : triangulation.triangles) {
+    const Chart& chart = surface.charts[triangle.chart];
+    const Vector<double> centre = chart.in<double>().frame(triangle.at({1.0 / 3, 1.0 / 3, 1.0 / 3})).point;
+    double radius = 0;
+    for (const ParameterPoint<double>& v : triangle.vertices)
+      radius = std::max(radius, norm(chart.in<double>().frame(v).point - centre));
+    for (const ObserverBlock<double>& block : blocks) {
+      const double eta = (norm(block.centre - centre) - block.radius) / radius;
+      if (scheme.in_plane(block.chart, triangle.chart) || eta < 2.5) continue;
+      const FarRule rule = scheme.far_rule(chart.facts(), eta);
+      const int compared = rule.compared_with.value_or(0);
+      evaluations += static_cast<double>(Pack::lanes) * (rule.order * rule.order + compared * compared);
+    }
+  }
+  return evaluations;
+}
+
 void assembly(benchmark::State& state, const std::string& name, int level, double tolerance) {
   const ThreadLimit limit(static_cast<std::size_t>(state.range(0)));
   const Surface surface = surface_called(name);
@@ -45,6 +70,9 @@ void assembly(benchmark::State& state, const std::string& name, int level, doubl
   using benchmark::Counter;
   state.counters["unknowns"] = unknowns;
   state.counters["entries"] = Counter(unknowns * unknowns, Counter::kIsIterationInvariantRate);
+  state.counters["evaluations"] =
+      Counter(far_evaluations(surface, triangulation, nodes, Tolerance(tolerance)),
+              Counter::kIsIterationInvariantRate);
 }
 
 void plain_assembly(benchmark::State& state, const std::string& name, int level) {

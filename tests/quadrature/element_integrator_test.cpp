@@ -187,10 +187,11 @@ TEST(ElementIntegrator, DoesNotDependOnTheScale) {
 TEST(ElementIntegrator, KeepsACoarserToleranceWithFewerPoints) {
   const InsetBasis<double> basis(1, 1.0 / 6);
   for (const Surface& surface : {cube(), two_piece(2)}) {
-    const Triangulation triangulation = triangulate(surface, 1);
+    const Triangulation triangulation = triangulate(surface, 2);
     std::vector<Observer<double>> nodes;
     for (const ParameterTriangle& triangle : triangulation.triangles)
-      nodes.push_back(observer<double>(surface, {triangle.chart, triangle.at({0.2, 0.5, 0.3})}));
+      for (const Barycentric<double>& node : basis.nodes())
+        nodes.push_back(observer<double>(surface, {triangle.chart, triangle.at(node.x)}));
     for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
       std::vector<double> row(nodes.size());
       std::vector<double> largest_error(nodes.size());
