@@ -136,6 +136,7 @@ function(radcert_umbrella)
   write_basic_package_version_file(radcertConfigVersion.cmake COMPATIBILITY SameMinorVersion)
   install(FILES
     "${CMAKE_CURRENT_BINARY_DIR}/radcertConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/radcertConfigVersion.cmake"
-    "${helpers}/FindGMP.cmake" "${helpers}/FindMPFR.cmake"
+    "${helpers}/FindArb.cmake" "${helpers}/FindFLINT.cmake" "${helpers}/FindGMP.cmake"
+    "${helpers}/FindMPFR.cmake"
     DESTINATION "${destination}")
 endfunction()

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/barycentric.h"
+#include "radcert/polynomial/lattice.h"
 
 namespace radcert {
 
@@ -26,9 +27,9 @@ public:
   InsetBasis(int degree, const R& inset)
       : degree_(degree), inset_(degree == 0 ? R(0) : inset), scale_(R(degree) / (R(1) - R(3) * inset_)) {
     expects(0 <= degree && degree <= largest_degree, "0 <= degree <= 8", named("degree", degree));
-    expects(R(0) <= inset_ && R(3) * inset_ < R(1), "0 <= inset < 1/3", named("inset", inset_));
-    for (int k1 = degree; k1 >= 0; --k1)
-      for (int k2 = degree - k1; k2 >= 0; --k2) lattice_.push_back({k1, k2, degree - k1 - k2});
+    expects(!certainly_negative(inset_) && certainly_less(R(3) * inset_, R(1)), "0 <= inset < 1/3",
+            named("inset", inset_));
+    lattice_ = lattice_indices(degree);
   }
 
   int degree() const { return degree_; }
@@ -36,20 +37,7 @@ public:
   std::size_t size() const { return lattice_.size(); }
 
   /// The nodes q_j.
-  std::vector<Barycentric<R>> nodes() const {
-    std::vector<Barycentric<R>> nodes;
-    if (degree_ == 0) {
-      const R third = R(1) / R(3);
-      nodes.push_back({{third, third, third}});
-      return nodes;
-    }
-    for (const std::array<int, 3>& k : lattice_) {
-      Barycentric<R> q;
-      for (std::size_t i = 0; i < 3; ++i) q.x[i] = inset_ + (R(1) - R(3) * inset_) * (R(k[i]) / R(degree_));
-      nodes.push_back(q);
-    }
-    return nodes;
-  }
+  std::vector<Barycentric<R>> nodes() const { return inset_nodes(degree_, inset_); }
 
   /// The values l_j(x) of all basis functions; `out` has size() places. V is R or something that R goes into: a Pack.
   template <Field V>

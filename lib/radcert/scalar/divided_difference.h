@@ -5,6 +5,7 @@
 
 #include "radcert/scalar/exponent.h"
 #include "radcert/scalar/pack.h"
+#include "radcert/scalar/power_difference.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {
@@ -150,14 +151,18 @@ struct DividedDifference {
     const R increment = f.step * f.first;
     const R slope_at_p = e.value() * power(f.at_p, e.minus_one());
     const R slope_at_q = e.value() * power(f.at_q, e.minus_one());
-    const R bend_p = bend_of_power(f.at_p, f.at_q, increment, e);
-    const R bend_q = bend_of_power(f.at_q, f.at_p, -increment, e);
+    const R bend_p = bend(f.at_p, f.at_q, increment, f.first, e);
+    const R bend_q = bend(f.at_q, f.at_p, -increment, f.first, e);
     DividedDifference h;
     h.at_p = power(f.at_p, e);
     h.at_q = power(f.at_q, e);
     h.slope_p = slope_at_p * f.slope_p;
     h.slope_q = slope_at_q * f.slope_q;
-    h.first = (slope_at_p + increment * bend_p) * f.first;
+    if constexpr (Enclosing<R>) {
+      h.first = first_of_power(f.at_p, f.at_q, increment, e.value(), bend_p) * f.first;
+    } else {
+      h.first = (slope_at_p + increment * bend_p) * f.first;
+    }
     h.second_p = bend_p * f.first * f.first + slope_at_p * f.second_p;
     h.second_q = bend_q * f.first * f.first + slope_at_q * f.second_q;
     h.step = f.step;
@@ -170,25 +175,27 @@ private:
 
   /// A constant has no step of its own.
   [[gnu::always_inline]] static R either_step(const DividedDifference& f, const DividedDifference& g) {
-    return f.step == R(0) ? g.step : f.step;
+    return certainly_zero(f.step) ? g.step : f.step;
   }
 
-  /// phi[a,a,b] for phi(x) = x^e, b = a + d: the binomial series in d/a for |d| <= a/2, else the definition, where
-  /// the subtraction costs a few digits at most.
-  static R bend_of_power(const R& a, const R& b, const R& d, const Exponent<R>& e) {
-    if constexpr (std::is_same_v<R, Pack>) {
+  /// phi[a,a,b] for phi(x) = x^e, b = a + d; any number where f is constant, because then zero multiplies it.
+  static R bend(const R& a, const R& b, const R& d, const R& first, const Exponent<R>& e) {
+    if constexpr (Enclosing<R>) {
+      return certainly_zero(first) ? R(0) : bend_of_power(a, b, d, e.value());
+    } else if constexpr (std::is_same_v<R, Pack>) {
       const Exponent<double> of_lane = e.in(e.value().lane(0));
       return by_lane(
           [&of_lane](double x, double y, double step) {
-            return DividedDifference<double>::bend_of_power(x, y, step, of_lane);
+            return DividedDifference<double>::bend_in_one_lane(x, y, step, of_lane);
           },
           a, b, d);
     } else {
-      return bend_of_power_in_one_lane(a, b, d, e);
+      return bend_in_one_lane(a, b, d, e);
     }
   }
 
-  static R bend_of_power_in_one_lane(const R& a, const R& b, const R& d, const Exponent<R>& e) {
+  /// The binomial series in d/a for |d| <= a/2, else the definition, where the subtraction costs a few digits at most.
+  static R bend_in_one_lane(const R& a, const R& b, const R& d, const Exponent<R>& e) {
     using std::abs;
     if (a == R(0) && d == R(0))
       return R(0);  // for e < 2 not its value, but then f is constant and the factor is zero

@@ -38,7 +38,7 @@ public:
 
   friend R power(const R& x, const Exponent& p) {
     using std::pow;
-    return p.whole_ ? radcert::power(x, p.count_) : static_cast<R>(pow(x, p.value_));
+    return p.whole_ ? power(x, p.count_) : static_cast<R>(pow(x, p.value_));
   }
 
 private:

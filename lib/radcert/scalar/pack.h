@@ -142,6 +142,14 @@ inline Pack atan(const Pack& a) { return by_lane([](double x) { return std::atan
 inline Pack pow(const Pack& a, const Pack& b) { return by_lane([](double x, double y) { return std::pow(x, y); }, a, b); }
 // clang-format on
 
+inline Pack select_less(const Pack& a, const Pack& b, const Pack& if_less, const Pack& otherwise) {
+  return by_lane([](double x, double y, double yes, double no) { return x < y ? yes : no; }, a, b, if_less,
+                 otherwise);
+}
+
+inline Pack smaller_of(const Pack& a, const Pack& b) { return by_lane(smaller_of<double>, a, b); }
+inline Pack larger_of(const Pack& a, const Pack& b) { return by_lane(larger_of<double>, a, b); }
+
 template <>
 struct Constants<Pack> {
   static Pack from_rational(const Rational& q) { return Constants<double>::from_rational(q); }

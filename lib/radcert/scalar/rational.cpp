@@ -136,6 +136,12 @@ Rational Rational::exactly(double value) {
   return result;
 }
 
+Rational Rational::from_gmp(const void* mpq) {
+  Rational result;
+  mpq_set(in(result.storage_), static_cast<mpq_srcptr>(mpq));
+  return result;
+}
+
 Outcome<Rational> Rational::parse(std::string_view text) {
   if (text.size() > longest_text) return because("more than " + std::to_string(longest_text) + " characters");
   if (text.empty()) return because("expected a number, found nothing");

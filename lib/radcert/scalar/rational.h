@@ -81,6 +81,8 @@ public:
 
   /// Points to the mpq_t inside, for sources that include gmp.h.
   [[nodiscard]] const void* gmp() const noexcept { return storage_; }
+  /// The value of an mpq_t in lowest terms, for the same sources.
+  [[nodiscard]] static Rational from_gmp(const void* mpq);
 
 private:
   void set_signed(long value);

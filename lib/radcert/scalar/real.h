@@ -14,7 +14,7 @@ namespace radcert {
 /// Maths     a ring with division: + - * / and unary minus, with the usual laws up to the rounding of the type
 /// Source    design: one formula, several arithmetics
 /// Requires  operands that are values of the type; division by zero is the type's own business
-/// Result    a concept; Rational, double, Dual and DividedDifference model it
+/// Result    a concept; Rational, every Real, Dual and DividedDifference model it
 /// Limits    no order and no comparison: a formula never branches on them
 // clang-format off
 template <class T>
@@ -31,7 +31,8 @@ concept Field = std::copyable<T> && requires(const T& a, const T& b) {
 /// Maths     from_rational<R>(q) is q in R; pi<R>() is the circle number in R
 /// Source    design: input decimals stay exact until a Real is asked for
 /// Requires  a specialisation for R
-/// Result    double, long double: rounded to nearest (long double: within one unit in the last place)
+/// Result    double, long double, Mpfr: rounded to nearest (long double: within one unit in the last place); Ball: enclosed;
+///           Dual: a constant
 /// Limits    an arithmetic without a specialisation does not compile
 template <class R>
 struct Constants;
@@ -81,7 +82,7 @@ concept HasElementaryFunctions = requires(const T& a) {
 /// Maths     sqrt exp log sin cos atan pow
 /// Source    design: one formula, several arithmetics
 /// Requires  -
-/// Result    a concept; double and long double model it, other arithmetics join by providing the functions
+/// Result    a concept; double, long double, Pack, Mpfr, Ball and their Dual model it, others join by providing the functions
 /// Limits    as Field
 // clang-format off
 template <class T>
@@ -130,10 +131,104 @@ T multiply_add(const T& a, const T& b, const T& c) {
   }
 }
 
-/// The distance from 1 to the next number, halved: the largest relative rounding of one operation.
+/// The double nearest to a number of any arithmetic: it chooses rules and enters no result.
 template <class R>
+double nearest_double(const R& x) {
+  if constexpr (std::floating_point<R>) {
+    return static_cast<double>(x);
+  } else {
+    return x.to_double();
+  }
+}
+
+/// The largest relative rounding of one operation: half the distance from 1 to the next number. Ball has none: its
+/// rounding is in the radius.
+template <class R>
+  requires(std::numeric_limits<R>::is_specialized || requires { R::unit_roundoff(); })
 constexpr R unit_roundoff() {
-  return std::numeric_limits<R>::epsilon() / 2;
+  if constexpr (requires { R::unit_roundoff(); }) {
+    return R::unit_roundoff();
+  } else {
+    return std::numeric_limits<R>::epsilon() / 2;
+  }
+}
+
+/// Comparisons that a formula may branch on in every arithmetic.
+/// Maths     a < b, a <= b, 0 < x, x < 0, x = 0, each where it is certain
+/// Source    design: a formula never branches on < between Reals
+/// Requires  -
+/// Result    numbers: the comparison itself, false for a NaN. Ball: true if it holds for all points of the balls; then
+///           neither certainly_less(a, b) nor certainly_less(b, a) need be true: see select_less
+/// Limits    of Pack only certainly_zero, which is true if all lanes are zero
+template <class T>
+  requires requires(const T& a) {
+    { a < a } -> std::convertible_to<bool>;
+  }
+bool certainly_less(const T& a, const T& b) { return a < b; }
+template <class T>
+  requires requires(const T& a) {
+    { a <= a } -> std::convertible_to<bool>;
+  }
+bool certainly_at_most(const T& a, const T& b) { return a <= b; }
+template <class T>
+  requires requires(const T& a) {
+    { a < a } -> std::convertible_to<bool>;
+  }
+bool certainly_positive(const T& x) { return T(0) < x; }
+template <class T>
+  requires requires(const T& a) {
+    { a < a } -> std::convertible_to<bool>;
+  }
+bool certainly_negative(const T& x) { return x < T(0); }
+template <class T>
+  requires requires(const T& a) {
+    { a == a } -> std::convertible_to<bool>;
+  }
+bool certainly_zero(const T& x) { return x == T(0); }
+
+/// An arithmetic of sets: what cannot be decided is the hull of both cases.
+template <class T>
+concept Enclosing = requires(const T& a) {
+  { hull(a, a) } -> std::convertible_to<T>;
+};
+
+/// A branch that every arithmetic can take: both values are there, the comparison chooses.
+/// Maths     if_less where a < b, otherwise elsewhere
+/// Source    design: certainly_less, or the hull of both branches
+/// Requires  -
+/// Result    Ball: the hull of both where a and b overlap; Pack: lane by lane; a NaN is not less
+/// Limits    a branch that costs much, or that must not be evaluated for the other case, asks certainly_less itself
+template <class T>
+  requires(!Enclosing<T>)
+T select_less(const T& a, const T& b, const T& if_less, const T& otherwise) {
+  return certainly_less(a, b) ? if_less : otherwise;
+}
+
+/// The smaller and the larger of two values of any arithmetic.
+/// Maths     min(a, b), max(a, b)
+/// Source    -
+/// Requires  -
+/// Result    exact; the first where they are equal; a NaN on either side is a NaN, unlike std::min
+/// Limits    -
+template <class T>
+T smaller_of(const T& a, const T& b) {
+  if constexpr (std::floating_point<T>) {
+    return b < a ? b : (a <= b ? a : a + b);
+  } else if constexpr (requires { min(a, b); }) {
+    return min(a, b);
+  } else {
+    return b < a ? b : a;
+  }
+}
+template <class T>
+T larger_of(const T& a, const T& b) {
+  if constexpr (std::floating_point<T>) {
+    return a < b ? b : (b <= a ? a : a + b);
+  } else if constexpr (requires { max(a, b); }) {
+    return max(a, b);
+  } else {
+    return a < b ? b : a;
+  }
 }
 
 }  // namespace radcert
