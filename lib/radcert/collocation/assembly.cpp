@@ -106,5 +106,9 @@ template CollocationMatrix<double> assemble<double>(const Surface&, const Triang
                                                     const InsetBasis<double>&,
                                                     std::span<const Observer<double>>,
                                                     std::span<const double>, const Tolerance&);
+template CollocationMatrix<Mpfr<50>> assemble<Mpfr<50>>(const Surface&, const Triangulation&,
+                                                        const InsetBasis<Mpfr<50>>&,
+                                                        std::span<const Observer<Mpfr<50>>>,
+                                                        std::span<const Mpfr<50>>, const Tolerance&);
 
 }  // namespace radcert

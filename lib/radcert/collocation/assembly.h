@@ -42,4 +42,9 @@ extern template CollocationMatrix<double> assemble<double>(const Surface&, const
                                                            std::span<const Observer<double>>,
                                                            std::span<const double>, const Tolerance&);
 
+extern template CollocationMatrix<Mpfr<50>> assemble<Mpfr<50>>(const Surface&, const Triangulation&,
+                                                               const InsetBasis<Mpfr<50>>&,
+                                                               std::span<const Observer<Mpfr<50>>>,
+                                                               std::span<const Mpfr<50>>, const Tolerance&);
+
 }  // namespace radcert

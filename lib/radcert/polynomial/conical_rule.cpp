@@ -49,7 +49,7 @@ RadialRule<R> radial_rule(int order, Gathering gathering) {
 
 template <Real R>
 TriangleRule<R> conical_rule(int order, Gathering gathering) {
-  expects(1 <= order && order <= 32, "1 <= order <= 32", named("order", order));
+  expects(1 <= order && order <= 96, "1 <= order <= 96", named("order", order));
   const RadialRule<R> radial = radial_rule<R>(order, gathering);
   const IntervalRule<R> across = gauss_rule<R>(order, IntervalWeight::one);
   TriangleRule<R> rule;
@@ -63,5 +63,6 @@ TriangleRule<R> conical_rule(int order, Gathering gathering) {
 }
 
 template TriangleRule<double> conical_rule<double>(int, Gathering);
+template TriangleRule<Mpfr<50>> conical_rule<Mpfr<50>>(int, Gathering);
 
 }  // namespace radcert

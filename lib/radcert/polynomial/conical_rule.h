@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radcert/polynomial/barycentric.h"
+#include "radcert/scalar/mpfr_real.h"
 
 namespace radcert {
 
@@ -26,7 +27,7 @@ enum class Gathering {
 ///           degree 2 order - 1;  `apex`: l = m^8,  `base`: 1 - l = m^8, Gauss-Legendre in m with twice the points: a power
 ///           c^q of the distance from apex or base becomes m^(8q), smooth enough for any q > 0
 /// Source    conical products: Stroud; the power substitution: standard for algebraic end-point behaviour
-/// Requires  1 <= order <= 32, else ContractViolation
+/// Requires  1 <= order <= 96, else ContractViolation
 /// Result    order^2 points (gathered: twice as many, and at least 8 order, so that constants are exact), all inside the
 ///           triangle, weights positive; each rounded once or twice
 /// Limits    not symmetric in the vertices
@@ -34,5 +35,6 @@ template <Real R>
 TriangleRule<R> conical_rule(int order, Gathering gathering);
 
 extern template TriangleRule<double> conical_rule<double>(int, Gathering);
+extern template TriangleRule<Mpfr<50>> conical_rule<Mpfr<50>>(int, Gathering);
 
 }  // namespace radcert

@@ -73,7 +73,7 @@ IntervalRule<R> compute(int points, int b) {
 
 template <Real R>
 IntervalRule<R> gauss_rule(int points, IntervalWeight weight) {
-  expects(1 <= points && points <= 64, "1 <= points <= 64", named("points", points));
+  expects(1 <= points && points <= 192, "1 <= points <= 192", named("points", points));
   const int b = weight == IntervalWeight::variable ? 1 : 0;
   if constexpr (std::is_same_v<R, double>) {
     const IntervalRule<long double> exact = compute<long double>(points, b);
@@ -88,5 +88,6 @@ IntervalRule<R> gauss_rule(int points, IntervalWeight weight) {
 
 template IntervalRule<double> gauss_rule<double>(int, IntervalWeight);
 template IntervalRule<long double> gauss_rule<long double>(int, IntervalWeight);
+template IntervalRule<Mpfr<50>> gauss_rule<Mpfr<50>>(int, IntervalWeight);
 
 }  // namespace radcert

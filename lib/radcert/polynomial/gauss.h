@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "radcert/scalar/mpfr_real.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {
@@ -33,5 +34,6 @@ IntervalRule<R> gauss_rule(int points, IntervalWeight weight);
 
 extern template IntervalRule<double> gauss_rule<double>(int, IntervalWeight);
 extern template IntervalRule<long double> gauss_rule<long double>(int, IntervalWeight);
+extern template IntervalRule<Mpfr<50>> gauss_rule<Mpfr<50>>(int, IntervalWeight);
 
 }  // namespace radcert

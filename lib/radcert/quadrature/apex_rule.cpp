@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "radcert/core/lazy_table.h"
 #include "radcert/polynomial/gauss.h"
 #include "radcert/quadrature/bernstein.h"
 
@@ -14,7 +15,8 @@ namespace {
 /// Where the orders start for the finest tolerance, and for any.
 constexpr int first_order_at_finest = 6;
 constexpr int smallest_first_order = 4;
-constexpr int last_order = 22;
+template <Real R>
+constexpr int last_order = std::is_same_v<R, double> ? 22 : 70;
 constexpr int order_step = 6;
 /// The finer rule has this many points more in each variable. Where the chart is not analytic the gathered rules converge
 /// so slowly that two points more leave an error larger than the difference.
@@ -67,14 +69,12 @@ Nodes<R> make_nodes(int points, bool gathered) {
 
 template <Real R>
 const Nodes<R>& nodes(int points, bool gathered) {
-  static const auto tables = [] {
-    std::array<std::vector<Nodes<R>>, 2> result;
-    for (const bool gather : {false, true})
-      for (int n = 1; n <= last_order + check_step_gathered; ++n)
-        result[gather ? 1 : 0].push_back(make_nodes<R>(gather ? std::min(n, 32) : n, gather));
-    return result;
-  }();
-  return tables[gathered ? 1 : 0][static_cast<std::size_t>(points - 1)];
+  constexpr std::size_t sizes = last_order<R> + check_step_gathered + 1;
+  constexpr int most_gathered = std::is_same_v<R, double> ? 32 : 80;
+  static LazyTable<Nodes<R>, 2 * sizes> tables;
+  const int n = gathered ? std::min(points, most_gathered) : points;
+  return tables.at((gathered ? sizes : 0) + static_cast<std::size_t>(n),
+                   [&] { return make_nodes<R>(n, gathered); });
 }
 
 /// Where the rays from the observer through the side (a, b) enter or leave the element.
@@ -160,16 +160,16 @@ private:
   double ellipse(const ApexTriangle<R>& triangle, const R& m0, const R& m1) const {
     const Vector<R> start = along(triangle.to_a);
     const Vector<R> side = along(triangle.to_b - triangle.to_a);
-    const auto squared = static_cast<double>(dot(side, side));
-    const double real_part = -static_cast<double>(dot(start, side)) / squared;
-    const double imaginary_part = static_cast<double>(norm(cross(start, side))) / squared;
-    const auto middle = static_cast<double>((m0 + m1) / R(2));
-    const auto half = static_cast<double>((m1 - m0) / R(2));
+    const auto squared = nearest_double<R>(dot(side, side));
+    const double real_part = -nearest_double<R>(dot(start, side)) / squared;
+    const double imaginary_part = nearest_double<R>(norm(cross(start, side))) / squared;
+    const auto middle = nearest_double<R>((m0 + m1) / R(2));
+    const auto half = nearest_double<R>((m1 - m0) / R(2));
     const double rho = bernstein_radius({(real_part - middle) / half, imaginary_part / half});
     if (triangle.extent == Extent::to_side) return rho;
-    const auto change = static_cast<double>(triangle.slope_a - triangle.slope_b);
+    const auto change = nearest_double<R>(triangle.slope_a - triangle.slope_b);
     if (change == 0) return rho;
-    const double pole_of_cut = static_cast<double>(triangle.slope_a) / change;
+    const double pole_of_cut = nearest_double<R>(triangle.slope_a) / change;
     return std::min(rho, bernstein_radius({(pole_of_cut - middle) / half, 0}));
   }
 
@@ -178,8 +178,8 @@ private:
   void integrate_rectangle(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int across, int depth,
                            CheckedSums<R>& result) {
     CheckedSums<R> best(basis_.size());
-    for (int order = first_order_; order <= last_order; order += order_step) {
-      const int side_order = std::clamp(across + order - first_order_, 4, last_order);
+    for (int order = first_order_; order <= last_order<R>; order += order_step) {
+      const int side_order = std::clamp(across + order - first_order_, 4, last_order<R>);
       best.sums = sums(triangle, area, order + check_step_, side_order + check_step_);
       const KernelSums<R> coarser = sums(triangle, area, order, side_order);
       if (compare(best, coarser)) {
@@ -198,9 +198,9 @@ private:
   /// The rectangle cut across the variable in which fewer points cost more.
   std::array<Rectangle<R>, 2> halves(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int across,
                                      const KernelSums<R>& best) const {
-    const int fine = last_order + check_step_;
-    const int side = std::clamp(across + last_order - first_order_, 4, last_order);
-    const R by_l = largest_difference(sums(triangle, area, last_order / 2, side + check_step_), best);
+    const int fine = last_order<R> + check_step_;
+    const int side = std::clamp(across + last_order<R> - first_order_, 4, last_order<R>);
+    const R by_l = largest_difference(sums(triangle, area, last_order<R> / 2, side + check_step_), best);
     const R by_m = largest_difference(sums(triangle, area, fine, side / 2), best);
     const R l = (area.l0 + area.l1) / R(2);
     const R m = (area.m0 + area.m1) / R(2);
@@ -356,5 +356,8 @@ CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const 
 template CheckedSums<double> integrate_around<double>(const Observer<double>&, const Chart&,
                                                       const Cell<double>&, const InsetBasis<double>&,
                                                       const Tolerance&);
+template CheckedSums<Mpfr<50>> integrate_around<Mpfr<50>>(const Observer<Mpfr<50>>&, const Chart&,
+                                                          const Cell<Mpfr<50>>&, const InsetBasis<Mpfr<50>>&,
+                                                          const Tolerance&);
 
 }  // namespace radcert

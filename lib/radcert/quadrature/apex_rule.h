@@ -64,4 +64,9 @@ extern template CheckedSums<double> integrate_around<double>(const Observer<doub
                                                              const Cell<double>&, const InsetBasis<double>&,
                                                              const Tolerance&);
 
+extern template CheckedSums<Mpfr<50>> integrate_around<Mpfr<50>>(const Observer<Mpfr<50>>&, const Chart&,
+                                                                 const Cell<Mpfr<50>>&,
+                                                                 const InsetBasis<Mpfr<50>>&,
+                                                                 const Tolerance&);
+
 }  // namespace radcert

@@ -43,4 +43,9 @@ template std::optional<ParameterPoint<double>> parameters_on<double>(const Chart
                                                                      const Vector<double>&, const double&);
 template bool contains<double>(const Cell<double>&, const ParameterPoint<double>&);
 
+template std::optional<ParameterPoint<Mpfr<50>>> parameters_on<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&,
+                                                                         const Vector<Mpfr<50>>&,
+                                                                         const Mpfr<50>&);
+template bool contains<Mpfr<50>>(const Cell<Mpfr<50>>&, const ParameterPoint<Mpfr<50>>&);
+
 }  // namespace radcert

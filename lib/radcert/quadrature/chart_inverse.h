@@ -27,4 +27,10 @@ extern template std::optional<ParameterPoint<double>> parameters_on<double>(cons
                                                                             const double&);
 extern template bool contains<double>(const Cell<double>&, const ParameterPoint<double>&);
 
+extern template std::optional<ParameterPoint<Mpfr<50>>> parameters_on<Mpfr<50>>(const Chart&,
+                                                                                const Cell<Mpfr<50>>&,
+                                                                                const Vector<Mpfr<50>>&,
+                                                                                const Mpfr<50>&);
+extern template bool contains<Mpfr<50>>(const Cell<Mpfr<50>>&, const ParameterPoint<Mpfr<50>>&);
+
 }  // namespace radcert

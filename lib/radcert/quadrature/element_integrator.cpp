@@ -124,7 +124,7 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p) {
     const bool whole = piece.depth == 0;
     const bool deepest = piece.depth == deepest_bisection;
     const Ball fresh = whole ? ball_ : ball_about(piece.cell);
-    const auto ratio = static_cast<double>(norm(p.point - fresh.centre) / fresh.radius);
+    const auto ratio = nearest_double<R>(norm(p.point - fresh.centre) / fresh.radius);
     if (ratio >= (whole ? admissible_ratio_of_whole : admissible_ratio) || deepest) {
       const Insistence insist = deepest                           ? Insistence::deepest
                                 : piece.failures == most_failures ? Insistence::rounding
@@ -275,7 +275,7 @@ void ElementIntegrator<R>::integrate(const ObserverBlock<R>& block, std::span<co
     for (std::size_t j = 0; j < basis().size(); ++j) integral.value[j] = integral.radius[j] = B(R(0));
     return;
   }
-  const auto ratio = static_cast<double>((norm(block.centre - ball_.centre) - block.radius) / ball_.radius);
+  const auto ratio = nearest_double<R>((norm(block.centre - ball_.centre) - block.radius) / ball_.radius);
   if (!(ratio >= admissible_ratio_of_block)) {
     for (std::size_t lane = 0; lane < block.count; ++lane) integrate_lane(block, observers, lane, integral);
     return;
@@ -290,5 +290,6 @@ void ElementIntegrator<R>::integrate(const ObserverBlock<R>& block, std::span<co
 }
 
 template class ElementIntegrator<double>;
+template class ElementIntegrator<Mpfr<50>>;
 
 }  // namespace radcert

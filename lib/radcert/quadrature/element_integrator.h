@@ -116,5 +116,6 @@ private:
 };
 
 extern template class ElementIntegrator<double>;
+extern template class ElementIntegrator<Mpfr<50>>;
 
 }  // namespace radcert

@@ -122,5 +122,9 @@ template void far_sums<double>(const ObserverBlock<double>&, const Samples<doubl
                                FarSums<double>&);
 template struct FarView<double>;
 template struct FarBounds<double>;
+template void far_sums<Mpfr<50>>(const ObserverBlock<Mpfr<50>>&, const Samples<Mpfr<50>>&,
+                                 std::vector<Mpfr<50>>&, FarSums<Mpfr<50>>&);
+template struct FarView<Mpfr<50>>;
+template struct FarBounds<Mpfr<50>>;
 
 }  // namespace radcert

@@ -79,4 +79,9 @@ extern template void far_sums<double>(const ObserverBlock<double>&, const Sample
 extern template struct FarView<double>;
 extern template struct FarBounds<double>;
 
+extern template void far_sums<Mpfr<50>>(const ObserverBlock<Mpfr<50>>&, const Samples<Mpfr<50>>&,
+                                        std::vector<Mpfr<50>>&, FarSums<Mpfr<50>>&);
+extern template struct FarView<Mpfr<50>>;
+extern template struct FarBounds<Mpfr<50>>;
+
 }  // namespace radcert

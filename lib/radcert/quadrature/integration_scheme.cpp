@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radcert/core/contract.h"
 #include "radcert/quadrature/flat_rule_bound.h"
 
 namespace radcert {
@@ -35,7 +36,7 @@ struct Sizes {
   double least_ratio() const {
     double least = 1;
     for (std::size_t j = 0; j < mean.size(); ++j)
-      least = std::min(least, static_cast<double>(mean[j] / largest[j]));
+      least = std::min(least, nearest_double(R(mean[j] / largest[j])));
     return least;
   }
 };
@@ -78,6 +79,8 @@ template <Real R>
 IntegrationScheme<R>::IntegrationScheme(const Surface& surface, const InsetBasis<R>& basis,
                                         const Tolerance& tolerance)
     : surface_(surface), basis_(basis), tolerance_(tolerance) {
+  expects(tolerance.entry() >= Tolerance::finest_of<R>(), "a tolerance that the arithmetic can hold",
+          named("tolerance", tolerance.entry()));
   const Sizes<R> sizes(basis);
   largest_values_ = sizes.largest;
   flat_truncation_ = tolerance.converged() * sizes.least_ratio();
@@ -125,5 +128,6 @@ FarRule IntegrationScheme<R>::far_rule(const ChartFacts& chart, double eta) cons
 }
 
 template class IntegrationScheme<double>;
+template class IntegrationScheme<Mpfr<50>>;
 
 }  // namespace radcert

@@ -68,5 +68,6 @@ private:
 };
 
 extern template class IntegrationScheme<double>;
+extern template class IntegrationScheme<Mpfr<50>>;
 
 }  // namespace radcert

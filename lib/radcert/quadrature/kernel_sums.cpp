@@ -89,5 +89,10 @@ template struct KernelSums<double>;
 template KernelSums<double> kernel_sums<double>(const Observer<double>&, const Samples<double>&,
                                                 const double&);
 template KernelSums<double> chord_sums<double>(const Observer<double>&, const Chart&, const Samples<double>&);
+template struct KernelSums<Mpfr<50>>;
+template KernelSums<Mpfr<50>> kernel_sums<Mpfr<50>>(const Observer<Mpfr<50>>&, const Samples<Mpfr<50>>&,
+                                                    const Mpfr<50>&);
+template KernelSums<Mpfr<50>> chord_sums<Mpfr<50>>(const Observer<Mpfr<50>>&, const Chart&,
+                                                   const Samples<Mpfr<50>>&);
 
 }  // namespace radcert

@@ -2,6 +2,7 @@
 #include "radcert/quadrature/samples.h"
 
 #include "radcert/core/contract.h"
+#include "radcert/core/lazy_table.h"
 
 namespace radcert {
 namespace {
@@ -74,29 +75,19 @@ Cell<R> whole_element(const ParameterTriangle& triangle) {
 }
 
 template <Real R>
-ConicalRules<R>::ConicalRules() {
-  for (const Gathering gathering : {Gathering::nowhere, Gathering::apex, Gathering::base})
-    for (int order = smallest_order; order <= largest_order; ++order)
-      rules_[static_cast<std::size_t>(gathering)].push_back(in_arrays(conical_rule<R>(order, gathering)));
-}
-
-template <Real R>
-const ConicalRules<R>& ConicalRules<R>::instance() {
-  static const ConicalRules rules;
-  return rules;
-}
-
-template <Real R>
-const RuleArrays<R>& ConicalRules<R>::rule(int order, Gathering gathering) const {
+const RuleArrays<R>& ConicalRules<R>::rule(int order, Gathering gathering) {
   expects(smallest_order <= order && order <= largest_order, "an order with a rule", named("order", order));
-  return rules_[static_cast<std::size_t>(gathering)][static_cast<std::size_t>(order - smallest_order)];
+  constexpr std::size_t orders = largest_order + 1;
+  static LazyTable<RuleArrays<R>, 3 * orders> rules;
+  return rules.at(static_cast<std::size_t>(gathering) * orders + static_cast<std::size_t>(order),
+                  [&] { return in_arrays(conical_rule<R>(order, gathering)); });
 }
 
 template <Real R>
 void sample(const Chart& chart, const Cell<R>& cell, const InsetBasis<R>& basis, int order, Samples<R>& out) {
   using B = typename Block<R>::Type;
   const auto [turned, gathering] = arrange(chart, cell);
-  const RuleArrays<R>& rule = ConicalRules<R>::instance().rule(order, gathering);
+  const RuleArrays<R>& rule = ConicalRules<R>::rule(order, gathering);
   const ChartIn<B>& formula = chart.in<B>();
 
   const std::array<ParameterPoint<R>, 3>& v = turned.vertices;
@@ -145,5 +136,10 @@ template Cell<double> whole_element<double>(const ParameterTriangle&);
 template class ConicalRules<double>;
 template void sample<double>(const Chart&, const Cell<double>&, const InsetBasis<double>&, int,
                              Samples<double>&);
+template struct Cell<Mpfr<50>>;
+template Cell<Mpfr<50>> whole_element<Mpfr<50>>(const ParameterTriangle&);
+template class ConicalRules<Mpfr<50>>;
+template void sample<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&, const InsetBasis<Mpfr<50>>&, int,
+                               Samples<Mpfr<50>>&);
 
 }  // namespace radcert

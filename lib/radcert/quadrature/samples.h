@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include "radcert/polynomial/conical_rule.h"
@@ -70,18 +71,14 @@ struct RuleArrays {
   std::vector<R> weights;
 };
 
-/// The conical rules of every order and gathering, computed once.
+/// The conical rules of every order and gathering, each computed once.
 template <Real R>
 class ConicalRules {
 public:
   static constexpr int smallest_order = 2;
-  static constexpr int largest_order = 24;
-  static const ConicalRules& instance();
-  const RuleArrays<R>& rule(int order, Gathering gathering) const;
-
-private:
-  ConicalRules();
-  std::array<std::vector<RuleArrays<R>>, 3> rules_;
+  /// Enough for an observer 1.35 radii away at the finest tolerance of double; more for more digits.
+  static constexpr int largest_order = std::is_same_v<R, double> ? 24 : 72;
+  static const RuleArrays<R>& rule(int order, Gathering gathering);
 };
 
 /// Samples of a cell by the conical rule of an order. Where the cell touches a line on which its chart is not analytic,
@@ -99,5 +96,10 @@ extern template Cell<double> whole_element<double>(const ParameterTriangle&);
 extern template class ConicalRules<double>;
 extern template void sample<double>(const Chart&, const Cell<double>&, const InsetBasis<double>&, int,
                                     Samples<double>&);
+extern template struct Cell<Mpfr<50>>;
+extern template Cell<Mpfr<50>> whole_element<Mpfr<50>>(const ParameterTriangle&);
+extern template class ConicalRules<Mpfr<50>>;
+extern template void sample<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&, const InsetBasis<Mpfr<50>>&, int,
+                                      Samples<Mpfr<50>>&);
 
 }  // namespace radcert

@@ -6,10 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "radcert/core/contract.h"
 #include "radcert/geometry/plane.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/divided_difference.h"
 #include "radcert/scalar/dual.h"
+#include "radcert/scalar/mpfr_real.h"
 #include "radcert/scalar/pack.h"
 #include "radcert/surface/chord.h"
 
@@ -126,14 +128,18 @@ struct ChartFacts {
 /// Source    [ac98, (13)-(14)]
 /// Requires  F_j twice continuously differentiable off its singular line
 /// Result    immutable; safe to share between threads
-/// Limits    arithmetics: double, Pack
+/// Limits    arithmetics: double, Pack, Mpfr<50>; a chart made of a formula in double alone has no digits beyond
 class Chart {
 public:
   Chart(ChartFacts facts, const std::shared_ptr<const ChartIn<double>>& in_double)
       : Chart(std::move(facts), in_double, std::make_shared<ChartByLane>(in_double)) {}
   Chart(ChartFacts facts, std::shared_ptr<const ChartIn<double>> in_double,
-        std::shared_ptr<const ChartIn<Pack>> in_pack)
-      : facts_(std::move(facts)), in_double_(std::move(in_double)), in_pack_(std::move(in_pack)) {}
+        std::shared_ptr<const ChartIn<Pack>> in_pack,
+        std::shared_ptr<const ChartIn<Mpfr<50>>> in_fifty_digits = nullptr)
+      : facts_(std::move(facts)),
+        in_double_(std::move(in_double)),
+        in_pack_(std::move(in_pack)),
+        in_fifty_digits_(std::move(in_fifty_digits)) {}
 
   const ChartFacts& facts() const { return facts_; }
   template <Real R>
@@ -143,6 +149,7 @@ private:
   ChartFacts facts_;
   std::shared_ptr<const ChartIn<double>> in_double_;
   std::shared_ptr<const ChartIn<Pack>> in_pack_;
+  std::shared_ptr<const ChartIn<Mpfr<50>>> in_fifty_digits_;
 };
 
 template <>
@@ -153,6 +160,12 @@ inline const ChartIn<double>& Chart::in<double>() const {
 template <>
 inline const ChartIn<Pack>& Chart::in<Pack>() const {
   return *in_pack_;
+}
+
+template <>
+inline const ChartIn<Mpfr<50>>& Chart::in<Mpfr<50>>() const {
+  expects(in_fifty_digits_ != nullptr, "a chart with a formula in 50 digits", named("chart", facts_.name));
+  return *in_fifty_digits_;
 }
 
 /// A chart's formula, differentiated.
@@ -203,7 +216,9 @@ Chart make_chart(ChartFacts facts, const Parameters&... parameters) {
       std::make_shared<ChartOf<double, Formula<double>>>(Formula<double>(parameters...), facts.orientation);
   auto in_pack =
       std::make_shared<ChartOf<Pack, Formula<Pack>>>(Formula<Pack>(parameters...), facts.orientation);
-  return Chart(std::move(facts), std::move(in_double), std::move(in_pack));
+  auto in_fifty_digits = std::make_shared<ChartOf<Mpfr<50>, Formula<Mpfr<50>>>>(
+      Formula<Mpfr<50>>(parameters...), facts.orientation);
+  return Chart(std::move(facts), std::move(in_double), std::move(in_pack), std::move(in_fifty_digits));
 }
 
 }  // namespace radcert

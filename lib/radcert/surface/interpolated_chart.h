@@ -11,7 +11,7 @@
 namespace radcert {
 
 /// The number of points of the evenly spaced lattice of degree r on a triangle: (r + 1)(r + 2) / 2.
-constexpr std::size_t lattice_size(int degree) {
+constexpr std::size_t interpolation_points(int degree) {
   return static_cast<std::size_t>((degree + 1) * (degree + 2) / 2);
 }
 
@@ -19,7 +19,7 @@ constexpr std::size_t lattice_size(int degree) {
 /// Maths     F(s,t) = F(0,0) + sum_{0 < i+j <= r} binom(r s, i) binom(r t, j) d_ij,  d_ij = Delta_s^i Delta_t^j F at (0,0) with
 ///           steps 1/r: Newton's form of the one polynomial of degree r with the given F(a/r, b/r), a + b <= r
 /// Source    [ac98, section 4.1], the m~_k there; Newton's form in two variables is classical
-/// Requires  1 <= degree <= 6, lattice_size(degree) values, else ContractViolation
+/// Requires  1 <= degree <= 6, interpolation_points(degree) values, else ContractViolation
 /// Result    the polynomial whose differences are those of the given values as Number rounds them: with exact numbers the
 ///           values themselves on the lattice. Values are taken as differences to the corner F(0,0), so that an element of
 ///           size h far from the origin keeps its bends to a part u/h and not u/h^2
@@ -36,7 +36,7 @@ public:
       : degree_(degree), corner_(in_arithmetic(corner)) {
     expects(smallest_degree <= degree && degree <= largest_degree, "1 <= degree <= 6",
             named("degree", degree));
-    expects(from_corner.size() == lattice_size(degree), "a value for each point of the lattice",
+    expects(from_corner.size() == interpolation_points(degree), "a value for each point of the lattice",
             named("values", from_corner.size()));
     std::vector<Vector<Number>> d = from_corner;
     for (int order = 1; order <= degree; ++order) {

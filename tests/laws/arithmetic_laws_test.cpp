@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kernel, charts, basis and expressions in double, pack, fifty digits and balls. RADCERT_LAWS=N multiplies the random inputs:
+// N = 1 makes about a million containment checks, N = 100 a hundred million.
+#include "arithmetic_laws.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <tuple>
+
+#include "radcert/expression/expression.h"
+#include "radcert/expression/parse.h"
+#include "radcert/kernel/geometric_kernel.h"
+#include "radcert/polynomial/inset_basis.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/two_piece.h"
+
+namespace radcert {
+namespace {
+
+std::size_t times(std::size_t draws) {
+  const char* factor = std::getenv("RADCERT_LAWS");
+  return draws * (factor == nullptr ? 1 : static_cast<std::size_t>(std::max(1L, std::atol(factor))));
+}
+
+/// Exact random inputs, the same with every standard library.
+class Inputs {
+public:
+  explicit Inputs(std::uint64_t seed) : bits_(seed) {}
+
+  /// A number of [0, 1], often an end or close to one.
+  Rational unit() {
+    const std::uint64_t kind = bits_() % 8;
+    if (kind == 0) return 0;
+    if (kind == 1) return 1;
+    const Rational x = Rational(static_cast<long>(bits_() % 1000003)) / Rational(1000003);
+    if (kind == 2) return x * small();
+    if (kind == 3) return Rational(1) - x * small();
+    return x;
+  }
+  /// 10^-k, k up to 12.
+  Rational small() { return Rational(1) / power(Rational(10), static_cast<long>(bits_() % 13)); }
+  /// A length from 10^-9 to 10^9, of either sign.
+  Rational length() {
+    const Rational x = Rational(static_cast<long>(1 + bits_() % 999983)) / Rational(999983);
+    const Rational scaled =
+        bits_() % 2 == 0 ? x : x * power(Rational(10), static_cast<long>(bits_() % 19) - 9);
+    return bits_() % 2 == 0 ? scaled : -scaled;
+  }
+
+private:
+  std::mt19937_64 bits_;
+};
+
+struct Kernel {
+  template <class R>
+  std::vector<R> operator()(std::span<const R> x) const {
+    return {geometric_kernel<R>({x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]},
+                                {x[9], x[10], x[11]})};
+  }
+};
+
+TEST(ArithmeticLaws, HoldForTheKernel) {
+  Inputs inputs(1);
+  laws::Checks checks;
+  for (std::size_t draw = 0; draw < times(60000); ++draw) {
+    std::vector<Rational> x;
+    for (int i = 0; i < 12; ++i) x.push_back(inputs.length());
+    if (draw % 2 == 0)  // P near Q
+      for (std::size_t i = 0; i < 3; ++i) x[i + 6] = x[i] + x[i] * inputs.small() / Rational(7);
+    ASSERT_TRUE(laws::holds_in_every_arithmetic(Kernel(), x, checks));
+  }
+  std::cout << checks.containments << " containment checks\n";
+}
+
+/// Frame and chord of a chart's formula, and G by the chord.
+template <template <class> class Formula, class... Parameters>
+class ChartValues {
+public:
+  explicit ChartValues(Parameters... parameters) : parameters_(parameters...) {}
+
+  template <class R>
+  std::vector<R> operator()(std::span<const R> x) const {
+    const ChartOf<R, Formula<R>> chart(
+        std::apply([](const auto&... p) { return Formula<R>(p...); }, parameters_),
+        Orientation::along_the_cross_product);
+    const Frame<R> f = chart.frame({x[0], x[1]});
+    const Chord<R> c = chart.chord({x[0], x[1]}, {x[2], x[3]});
+    std::vector<R> values;
+    for (const Vector<R>& v :
+         {f.point, f.tangent_s, f.tangent_t, f.area_normal, c.difference, c.bend_p, c.bend_q})
+      values.insert(values.end(), {v.x, v.y, v.z});
+    values.push_back(chord_kernel(c, f.area_normal, chart.frame({x[0] + x[2], x[1] + x[3]}).area_normal));
+    return values;
+  }
+
+private:
+  std::tuple<Parameters...> parameters_;
+};
+
+/// Two different points of the unit triangle, often on its border or close to each other.
+std::vector<Rational> two_parameter_points(Inputs& inputs, std::size_t draw) {
+  const auto point = [&inputs] {
+    const Rational s = inputs.unit();
+    return std::pair{s, inputs.unit() * (Rational(1) - s)};
+  };
+  const auto [ps, pt] = point();
+  auto [qs, qt] = point();
+  while (qs == ps && qt == pt) std::tie(qs, qt) = point();
+  const Rational step = draw % 2 == 0 ? inputs.small() : Rational(1);
+  return {ps, pt, step * (qs - ps), step * (qt - pt)};
+}
+
+template <class Chart>
+void expect_of_chart(const Chart& chart, std::uint64_t seed, std::size_t draws) {
+  Inputs inputs(seed);
+  laws::Checks checks;
+  for (std::size_t draw = 0; draw < times(draws); ++draw)
+    ASSERT_TRUE(laws::holds_in_every_arithmetic(chart, two_parameter_points(inputs, draw), checks));
+  std::cout << checks.containments << " containment checks\n";
+}
+
+TEST(ArithmeticLaws, HoldForTheRectangle) {
+  const Vector<Rational> origin{Rational(1, 3), 0, Rational(-2, 7)};
+  expect_of_chart(ChartValues<Rectangle, Vector<Rational>, Vector<Rational>, Vector<Rational>>(
+                      origin, {1, Rational(1, 10), 0}, {0, Rational(3, 7), 1000000}),
+                  2, 12000);
+}
+
+TEST(ArithmeticLaws, HoldForRoofsOfWholePowers) {
+  for (const int p : {2, 3, 7}) expect_of_chart(ChartValues<PowerRoof, Rational>(p), 3, 4000);
+}
+
+TEST(ArithmeticLaws, HoldForRoofsOfOtherPowers) {
+  for (const Rational& p : {Rational(3, 2), Rational(11, 10), Rational(7, 2)})
+    expect_of_chart(ChartValues<PowerRoof, Rational>(p), 8, 1000);
+}
+
+TEST(ArithmeticLaws, HoldForEllipsoids) {
+  expect_of_chart(
+      ChartValues<EllipsoidOctant, Rational, Rational, Rational, Octant>(1, 1, 1, Octant{1, -1, 1}), 4, 6000);
+  expect_of_chart(ChartValues<EllipsoidOctant, Rational, Rational, Rational, Octant>(Rational(1, 1000), 2,
+                                                                                     500, Octant{-1, 1, 1}),
+                  5, 6000);
+}
+
+/// All basis functions of a degree; the inset is the last input.
+struct Basis {
+  int degree;
+
+  template <class R>
+  std::vector<R> operator()(std::span<const R> x) const {
+    const Barycentric<R> at{{x[0], x[1], R(1) - x[0] - x[1]}};
+    std::vector<R> values(InsetBasis<Rational>(degree, 0).size());
+    if constexpr (std::is_same_v<R, Pack>)  // a basis in double is evaluated in packs
+      InsetBasis<double>(degree, x[2].lane(0)).values(at, std::span<R>(values));
+    else
+      InsetBasis<R>(degree, x[2]).values(at, std::span<R>(values));
+    return values;
+  }
+};
+
+TEST(ArithmeticLaws, HoldForTheBasis) {
+  Inputs inputs(6);
+  laws::Checks checks;
+  for (int degree = 1; degree <= 8; ++degree)
+    for (std::size_t draw = 0; draw < times(1000); ++draw) {
+      const Rational s = inputs.unit();
+      const Rational alpha = draw % 3 == 0
+                                 ? inputs.unit() * inputs.small() / Rational(4)
+                                 : Rational(1, 3) - inputs.unit() / Rational(3) - Rational(1, 100000);
+      const std::vector<Rational> x{s, inputs.unit() * (Rational(1) - s), std::max(alpha, Rational(0))};
+      ASSERT_TRUE(laws::holds_in_every_arithmetic(Basis{degree}, x, checks)) << degree;
+    }
+  std::cout << checks.containments << " containment checks\n";
+}
+
+struct Evaluation {
+  const Expression* expression;
+
+  template <class R>
+  std::vector<R> operator()(std::span<const R> x) const {
+    return {expression->evaluate<R>(Variables<R>{x[0], x[1], x[2]})};
+  }
+};
+
+TEST(ArithmeticLaws, HoldForExpressions) {
+  Inputs inputs(7);
+  laws::Checks checks;
+  for (const char* text : {"1/sqrt(x^2 + y^2 + (z-1/2)^2 + 1e-6)", "x^2 + y^2 + z^2",
+                           "exp(-x^2) * sin(3*y) - cos(z)", "log(1 + x^2 + y^2) * atan(z)",
+                           "x^3 - 2*x*y + 0.1*z", "min(x, y) + max(y, z) - abs(x - z)", "tan(x/4)^2"}) {
+    const Expression expression = parse_expression(text).value();
+    for (std::size_t draw = 0; draw < times(5000); ++draw) {
+      const std::vector<Rational> x{inputs.unit(), inputs.unit(), inputs.unit()};
+      ASSERT_TRUE(laws::holds_in_every_arithmetic(Evaluation{&expression}, x, checks)) << text;
+    }
+  }
+  std::cout << checks.containments << " containment checks\n";
+}
+
+}  // namespace
+}  // namespace radcert
