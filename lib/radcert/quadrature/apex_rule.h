@@ -47,13 +47,14 @@ void share_largest_difference(CheckedSums<R>& checked, const R& intended) {
         std::min(largest, checked.sums.size[j] * largest_relative) + checked.sums.size[j] * intended;
 }
 
-/// The integral of G l_j over an element that contains the observer, on the observer's own curved chart.
+/// The integral of G l_j over an element that contains the observer or lies near, on the observer's own curved chart.
 /// Maths     the element is split at p into triangles (p, a, b); with w = l ((1-m) (a-p) + m (b-p)) and dt ds = |..| l dl dm
 ///           the integrand G(F(p), F(p+w)) l_j J is analytic in (l, m): bounded, but not smooth, at p itself, it is smooth
 ///           along rays. Gauss-Legendre in both; the m-interval is bisected until the zeros of |DF(p) w(m)|^2, where the
 ///           integrand has its nearest poles, are far from it in terms of its Bernstein ellipse
 /// Source    triangle coordinates: Duffy; G is bounded: [ac98, (5)-(6)]; (Q-P).n_P by divided differences: see Chord
-/// Requires  p in the element up to rounding; the chart is not flat (there G = 0)
+/// Requires  p on the chart of the element, in it or outside: then the rays from p run between its near and far sides; the
+///           chart is not flat (there G = 0)
 /// Result    the integral; `difference` compares two orders
 /// Limits    on a chart that is not analytic on a line both variables are gathered towards their ends
 template <Real R>

@@ -42,8 +42,8 @@ struct BlockIntegral {
 ///           flat_rule_bound on plane elements seen from afar, elsewhere the difference of two rules
 /// Source    [ac98, section 5.1] asks for effort that grows as P comes near; the rules are ours
 /// Requires  P not on an edge of the element at which another piece meets it at an angle
-/// Result    each value to the scheme's tolerance, radius with it; the same bits alone as in a block's lane if near, and
-///           whatever the other lanes are
+/// Result    each value to the scheme's tolerance, radius with it. A near block's lanes have the bits of their observers alone;
+///           a far block takes one rule for all its lanes, so that an observer's bits depend on its block
 /// Limits    one thread at a time; samples are kept for the element's life, so let one element serve all observers
 template <Real R>
 class ElementIntegrator {
