@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernel, charts, basis and expressions in double, pack, fifty digits and balls. RADCERT_LAWS=N multiplies the random inputs:
+// Kernel, charts, basis, rules and expressions in double, pack, fifty digits and balls. RADCERT_LAWS=N multiplies the random inputs:
 // N = 1 makes about a million containment checks, N = 100 a hundred million.
 #include "arithmetic_laws.h"
 
@@ -13,6 +13,8 @@
 #include "radcert/expression/expression.h"
 #include "radcert/expression/parse.h"
 #include "radcert/kernel/geometric_kernel.h"
+#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/gauss.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
@@ -175,6 +177,106 @@ TEST(ArithmeticLaws, HoldForTheBasis) {
       ASSERT_TRUE(laws::holds_in_every_arithmetic(Basis{degree}, x, checks)) << degree;
     }
   std::cout << checks.containments << " containment checks\n";
+}
+
+/// The numbers of a rule that carry a relative error, and those with an absolute one.
+template <class R>
+struct RuleNumbers {
+  std::vector<R> relative;
+  std::vector<R> absolute;
+};
+template <class R>
+RuleNumbers<R> numbers_of(const IntervalRule<R>& rule) {
+  RuleNumbers<R> numbers{.relative = rule.nodes, .absolute = {}};
+  numbers.relative.insert(numbers.relative.end(), rule.weights.begin(), rule.weights.end());
+  return numbers;
+}
+template <class R>
+RuleNumbers<R> numbers_of(const TriangleRule<R>& rule) {
+  RuleNumbers<R> numbers{.relative = rule.weights, .absolute = {}};
+  for (const Barycentric<R>& point : rule.points)
+    numbers.absolute.insert(numbers.absolute.end(), point.x.begin(), point.x.end());
+  return numbers;
+}
+
+/// So many units in the last place.
+struct Units {
+  double of_doubles;
+  double of_fifty_digits;
+};
+
+/// The ball contains the truth and is narrow; the rounded numbers are within so many units of it.
+::testing::AssertionResult is_enclosed(const Ball& truth, const Ball& ball, double in_double,
+                                       const Mpfr<50>& in_fifty, const Units& units, double size) {
+  const BallPrecision exactly(700);
+  const auto fails = [&](const char* law) {
+    return ::testing::AssertionFailure() << law << ": " << truth.to_text(60) << " in " << ball.to_text(60);
+  };
+  if (!truth.is_finite()) return fails("no value");
+  if (!ball.contains(truth)) return fails("the ball contains the value");
+  if (!(ball.radius() <= 0x1p-120 * size)) return fails("the ball is narrow");
+  if (!(abs(Ball(in_double) - truth).upper_double() <= units.of_doubles * 0x1p-52 * size))
+    return fails("the double is within its error");
+  const double fifty = units.of_fifty_digits * std::ldexp(1.0, 1 - Mpfr<50>::bits) * size;
+  if (!(abs(Ball(in_fifty.to_rational()) - truth).upper_double() <= fifty))
+    return fails("fifty digits are right");
+  return ::testing::AssertionSuccess();
+}
+
+template <class Rule>
+void expect_of_rule(const Rule& rule, const Units& relative, const Units& absolute, laws::Checks& checks) {
+  const auto balls_at = [&rule](long bits) {
+    const BallPrecision precision(bits);
+    return numbers_of(rule.template operator()<Ball>());
+  };
+  const RuleNumbers<Ball> truth = balls_at(700);
+  const RuleNumbers<Ball> balls = balls_at(128);
+  const RuleNumbers<double> doubles = numbers_of(rule.template operator()<double>());
+  const RuleNumbers<Mpfr<50>> fifty = numbers_of(rule.template operator()<Mpfr<50>>());
+  for (std::size_t k = 0; k < truth.relative.size(); ++k)
+    ASSERT_TRUE(is_enclosed(truth.relative[k], balls.relative[k], doubles.relative[k], fifty.relative[k],
+                            relative, std::abs(truth.relative[k].to_double())))
+        << k;
+  for (std::size_t k = 0; k < truth.absolute.size(); ++k)
+    ASSERT_TRUE(is_enclosed(truth.absolute[k], balls.absolute[k], doubles.absolute[k], fifty.absolute[k],
+                            absolute, 1))
+        << k;
+  checks.containments += truth.relative.size() + truth.absolute.size();
+}
+
+TEST(ArithmeticLaws, HoldForTheGaussRules) {
+  laws::Checks checks;
+  for (const IntervalWeight weight : {IntervalWeight::one, IntervalWeight::variable})
+    for (const int points : {1, 2, 3, 4, 5, 7, 8, 13, 20, 31, 48, 64})
+      expect_of_rule([points, weight]<class R>() { return gauss_rule<R>(points, weight); },
+                     {.of_doubles = 1, .of_fifty_digits = 4.0 * points * points}, {}, checks);
+  std::cout << checks.containments << " containment checks\n";
+}
+
+TEST(ArithmeticLaws, HoldForTheConicalRules) {
+  laws::Checks checks;
+  for (const int order : {1, 2, 3, 5, 8, 12})
+    for (const Gathering gathering : {Gathering::nowhere, Gathering::apex, Gathering::base}) {
+      const double points = std::max(8, 2 * order);
+      expect_of_rule([order, gathering]<class R>() { return conical_rule<R>(order, gathering); },
+                     {.of_doubles = 24, .of_fifty_digits = 8 * 4 * points * points + 24},
+                     {.of_doubles = 2, .of_fifty_digits = 24}, checks);
+    }
+  std::cout << checks.containments << " containment checks\n";
+}
+
+TEST(ArithmeticLaws, EncloseRulesThatAreExact) {
+  // Int_0^1 x^k w = 1/(k + 1 + b): the balls' sum contains it up to the degree of precision, and not one degree further.
+  for (const int points : {1, 2, 5, 11, 24})
+    for (const int b : {0, 1}) {
+      const IntervalRule<Ball> rule =
+          gauss_rule<Ball>(points, b == 0 ? IntervalWeight::one : IntervalWeight::variable);
+      for (int k = 0; k <= 2 * points; ++k) {
+        Ball sum;
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) sum += rule.weights[i] * power(rule.nodes[i], k);
+        EXPECT_EQ(sum.contains(Rational(1, k + 1 + b)), k < 2 * points) << points << " points, x^" << k;
+      }
+    }
 }
 
 struct Evaluation {

@@ -18,5 +18,8 @@ namespace radcert::verification {
 namespace ac98 {
 [[nodiscard]] PaperChecks contents();
 }
+namespace m06 {
+[[nodiscard]] PaperChecks contents();
+}
 
 }  // namespace radcert::verification

@@ -9,7 +9,7 @@
 namespace radcert {
 namespace {
 
-constexpr int gathering_power = 8;
+constexpr int gathering_power = 8;  // 1 - m^8 = (1 - m) (1 + m) (1 + m^2) (1 + m^4) below
 
 /// Distances from the apex and from the base, and the weight of l dl, all free of cancellation.
 template <Real R>
@@ -34,13 +34,16 @@ RadialRule<R> radial_rule(int order, Gathering gathering) {
   }
   const IntervalRule<R> gauss = gauss_rule<R>(std::max(2 * order, gathering_power), IntervalWeight::one);
   for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
-    const R near = power(gauss.nodes[i], gathering_power);
+    const R& m = gauss.nodes[i];
+    const R& rest = gauss.nodes[gauss.nodes.size() - 1 - i];  // 1 - m: the rule is symmetric
+    const R near = power(m, gathering_power);
     const R far = R(1) - near;
-    const R from_apex = gathering == Gathering::apex ? near : far;
-    radial.from_apex.push_back(from_apex);
+    const R length = gathering == Gathering::apex ? near
+                                                  : rest * (R(1) + m) * (R(1) + m * m) *
+                                                        (R(1) + power(m, 4));  // far, to the last place
+    radial.from_apex.push_back(gathering == Gathering::apex ? near : far);
     radial.from_base.push_back(gathering == Gathering::apex ? far : near);
-    radial.weights.push_back(gauss.weights[i] * R(gathering_power) *
-                             power(gauss.nodes[i], gathering_power - 1) * from_apex);
+    radial.weights.push_back(gauss.weights[i] * R(gathering_power) * power(m, gathering_power - 1) * length);
   }
   return radial;
 }
@@ -64,5 +67,6 @@ TriangleRule<R> conical_rule(int order, Gathering gathering) {
 
 template TriangleRule<double> conical_rule<double>(int, Gathering);
 template TriangleRule<Mpfr<50>> conical_rule<Mpfr<50>>(int, Gathering);
+template TriangleRule<Ball> conical_rule<Ball>(int, Gathering);
 
 }  // namespace radcert

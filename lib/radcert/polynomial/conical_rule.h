@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radcert/polynomial/barycentric.h"
+#include "radcert/scalar/ball.h"
 #include "radcert/scalar/mpfr_real.h"
 
 namespace radcert {
@@ -29,12 +30,14 @@ enum class Gathering {
 /// Source    conical products: Stroud; the power substitution: standard for algebraic end-point behaviour
 /// Requires  1 <= order <= 96, else ContractViolation
 /// Result    order^2 points (gathered: twice as many, and at least 8 order, so that constants are exact), all inside the
-///           triangle, weights positive; each rounded once or twice
+///           triangle, weights positive. double: coordinates within 2^-51, weights within 24 units in the last place; Mpfr<50>:
+///           as gauss_rule, and as many units; Ball: enclosed
 /// Limits    not symmetric in the vertices
 template <Real R>
 TriangleRule<R> conical_rule(int order, Gathering gathering);
 
 extern template TriangleRule<double> conical_rule<double>(int, Gathering);
 extern template TriangleRule<Mpfr<50>> conical_rule<Mpfr<50>>(int, Gathering);
+extern template TriangleRule<Ball> conical_rule<Ball>(int, Gathering);
 
 }  // namespace radcert

@@ -69,6 +69,42 @@ IntervalRule<R> compute(int points, int b) {
   return rule;
 }
 
+/// A ball around the zero of P near z and nowhere else: Newton's method on exact midpoints, then Newton's operator.
+Ball enclosed_zero(int points, int b, double z) {
+  Ball middle(z);
+  Ball step(1);
+  // Each step doubles the digits: from those of a double to those of the largest precision there is.
+  for (int k = 0; k < 24 && !certainly_less(abs(step), power(Ball(2), -BallPrecision::current())); ++k) {
+    const ValueAndSlope<Ball> p = jacobi(points, b, middle);
+    step = (p.value / p.slope).midpoint();
+    middle = (middle - step).midpoint();
+  }
+  const ValueAndSlope<Ball> p = jacobi(points, b, middle);
+  const Ball around = widened(middle, Ball(2) * (p.value / p.slope));
+  const Ball zero = middle - p.value / jacobi(points, b, around).slope;
+  // N(X) in X: P has exactly one zero in X, and it lies in N(X).
+  return around.contains(zero) ? zero : Ball::failed("a Gauss rule's zero was not isolated");
+}
+
+IntervalRule<Ball> enclosed(int points, IntervalWeight weight) {
+  const int b = weight == IntervalWeight::variable ? 1 : 0;
+  IntervalRule<Ball> rule;
+  // Newer and older term of the recurrence have factors below 2 and 1: a radius grows by less than two bits a step.
+  const BallPrecision guarded(BallPrecision::current() + 2 * points + 40);
+  std::vector<Ball> zeros;
+  for (const double node : gauss_rule<double>(points, weight).nodes) {
+    zeros.push_back(enclosed_zero(points, b, 2 * node - 1));
+    if (zeros.size() > 1 && !certainly_less(zeros[zeros.size() - 2], zeros.back()))
+      zeros.back() = Ball::failed("two zeros of a Gauss rule were not told apart");
+  }
+  for (const Ball& z : zeros) {
+    const Ball slope = jacobi(points, b, z).slope;
+    rule.nodes.push_back((Ball(1) + z) / Ball(2));
+    rule.weights.push_back(Ball(1) / ((Ball(1) - z) * (Ball(1) + z) * slope * slope));
+  }
+  return rule;
+}
+
 }  // namespace
 
 template <Real R>
@@ -81,6 +117,8 @@ IntervalRule<R> gauss_rule(int points, IntervalWeight weight) {
     for (const long double node : exact.nodes) rule.nodes.push_back(static_cast<double>(node));
     for (const long double w : exact.weights) rule.weights.push_back(static_cast<double>(w));
     return rule;
+  } else if constexpr (std::is_same_v<R, Ball>) {
+    return enclosed(points, weight);
   } else {
     return compute<R>(points, b);
   }
@@ -89,5 +127,6 @@ IntervalRule<R> gauss_rule(int points, IntervalWeight weight) {
 template IntervalRule<double> gauss_rule<double>(int, IntervalWeight);
 template IntervalRule<long double> gauss_rule<long double>(int, IntervalWeight);
 template IntervalRule<Mpfr<50>> gauss_rule<Mpfr<50>>(int, IntervalWeight);
+template IntervalRule<Ball> gauss_rule<Ball>(int, IntervalWeight);
 
 }  // namespace radcert

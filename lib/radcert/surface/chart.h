@@ -4,11 +4,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "radcert/core/contract.h"
 #include "radcert/geometry/plane.h"
 #include "radcert/geometry/vector.h"
+#include "radcert/scalar/ball.h"
 #include "radcert/scalar/divided_difference.h"
 #include "radcert/scalar/dual.h"
 #include "radcert/scalar/mpfr_real.h"
@@ -128,18 +130,20 @@ struct ChartFacts {
 /// Source    [ac98, (13)-(14)]
 /// Requires  F_j twice continuously differentiable off its singular line
 /// Result    immutable; safe to share between threads
-/// Limits    arithmetics: double, Pack, Mpfr<50>; a chart made of a formula in double alone has no digits beyond
+/// Limits    arithmetics: double, Pack, Mpfr<50>, Ball; a chart made of a formula in double alone has no digits beyond
 class Chart {
 public:
   Chart(ChartFacts facts, const std::shared_ptr<const ChartIn<double>>& in_double)
       : Chart(std::move(facts), in_double, std::make_shared<ChartByLane>(in_double)) {}
   Chart(ChartFacts facts, std::shared_ptr<const ChartIn<double>> in_double,
         std::shared_ptr<const ChartIn<Pack>> in_pack,
-        std::shared_ptr<const ChartIn<Mpfr<50>>> in_fifty_digits = nullptr)
+        std::shared_ptr<const ChartIn<Mpfr<50>>> in_fifty_digits = nullptr,
+        std::shared_ptr<const ChartIn<Ball>> in_balls = nullptr)
       : facts_(std::move(facts)),
         in_double_(std::move(in_double)),
         in_pack_(std::move(in_pack)),
-        in_fifty_digits_(std::move(in_fifty_digits)) {}
+        in_fifty_digits_(std::move(in_fifty_digits)),
+        in_balls_(std::move(in_balls)) {}
 
   const ChartFacts& facts() const { return facts_; }
   template <Real R>
@@ -150,6 +154,7 @@ private:
   std::shared_ptr<const ChartIn<double>> in_double_;
   std::shared_ptr<const ChartIn<Pack>> in_pack_;
   std::shared_ptr<const ChartIn<Mpfr<50>>> in_fifty_digits_;
+  std::shared_ptr<const ChartIn<Ball>> in_balls_;
 };
 
 template <>
@@ -166,6 +171,12 @@ template <>
 inline const ChartIn<Mpfr<50>>& Chart::in<Mpfr<50>>() const {
   expects(in_fifty_digits_ != nullptr, "a chart with a formula in 50 digits", named("chart", facts_.name));
   return *in_fifty_digits_;
+}
+
+template <>
+inline const ChartIn<Ball>& Chart::in<Ball>() const {
+  expects(in_balls_ != nullptr, "a chart with a formula in balls", named("chart", facts_.name));
+  return *in_balls_;
 }
 
 /// A chart's formula, differentiated.
@@ -204,6 +215,36 @@ private:
   R sign_;
 };
 
+/// A chart's formula in an arithmetic whose precision is that of the moment.
+/// Maths     Formula<R>(parameters...), made anew at each call
+/// Source    design: constants of a ball formula belong inside the precision scope
+/// Requires  as ChartOf; parameters exact
+/// Result    as ChartOf: for R = Ball enclosed, and as narrow as BallPrecision::current() allows
+/// Limits    a formula is made for each point
+template <Real R, template <class> class Formula, class... Parameters>
+class ChartAtAnyPrecision final : public ChartIn<R> {
+public:
+  ChartAtAnyPrecision(Orientation orientation, const Parameters&... parameters)
+      : orientation_(orientation), parameters_(parameters...) {}
+
+  Frame<R> frame(const ParameterPoint<R>& at) const override { return now().frame(at); }
+  Chord<R> chord(const ParameterPoint<R>& p, const ParameterPoint<R>& w) const override {
+    return now().chord(p, w);
+  }
+
+private:
+  ChartOf<R, Formula<R>> now() const {
+    return std::apply(
+        [this](const Parameters&... parameters) {
+          return ChartOf<R, Formula<R>>(Formula<R>(parameters...), orientation_);
+        },
+        parameters_);
+  }
+
+  Orientation orientation_;
+  std::tuple<Parameters...> parameters_;
+};
+
 /// A chart from a formula template and its exact parameters, in every arithmetic that radcert compiles.
 /// Maths     Formula<R>(parameters...) for each R
 /// Source    design: one formula, several arithmetics
@@ -218,7 +259,10 @@ Chart make_chart(ChartFacts facts, const Parameters&... parameters) {
       std::make_shared<ChartOf<Pack, Formula<Pack>>>(Formula<Pack>(parameters...), facts.orientation);
   auto in_fifty_digits = std::make_shared<ChartOf<Mpfr<50>, Formula<Mpfr<50>>>>(
       Formula<Mpfr<50>>(parameters...), facts.orientation);
-  return Chart(std::move(facts), std::move(in_double), std::move(in_pack), std::move(in_fifty_digits));
+  auto in_balls =
+      std::make_shared<ChartAtAnyPrecision<Ball, Formula, Parameters...>>(facts.orientation, parameters...);
+  return Chart(std::move(facts), std::move(in_double), std::move(in_pack), std::move(in_fifty_digits),
+               std::move(in_balls));
 }
 
 }  // namespace radcert
