@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// radcert surface NAME or FILE: what a surface is made of, and what is decided about it.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.h"
+#include "output.h"
+#include "radcert/core/parallel.h"
+#include "radcert/core/text.h"
+#include "radcert/formats/json_reader.h"
+#include "radcert/formats/surface_json.h"
+#include "radcert/scalar/rational.h"
+
+namespace radcert::app {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+struct SurfaceOptions {
+  std::string name;
+  std::string angle;
+  std::vector<std::string> repair;
+  std::string write;
+};
+
+std::string point_text(const Vector<double>& p) {
+  return "(" + shortest(p.x) + ", " + shortest(p.y) + ", " + shortest(p.z) + ")";
+}
+
+std::string exact_text(const Vector<Rational>& p) {
+  return "(" + p.x.to_text() + ", " + p.y.to_text() + ", " + p.z.to_text() + ")";
+}
+
+std::string several(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+/// A row of the table where there is something to count.
+template <class List>
+void defect_row(Rows& rows, const List& list, const std::string& what, const std::string& first) {
+  if (!list.empty()) rows.push_back({"", several(list.size(), what, what) + ", the first " + first});
+}
+
+void file_rows(Rows& rows, const MeshSurvey& survey) {
+  rows.push_back({"file", fmt::format("{}, {}, {}; coordinates {}", survey.format,
+                                      several(survey.file_vertices, "vertex", "vertices"),
+                                      several(survey.file_faces, "face", "faces"), survey.precision.words)});
+  if (survey.joined_corners > 0)
+    rows.push_back({"", several(survey.joined_corners, "corner", "corners") +
+                            " joined to others with the same coordinates"});
+  if (survey.cut_faces > 0) {
+    std::string line =
+        several(survey.cut_faces, "face", "faces") + " of more than three corners cut into triangles";
+    if (survey.bent_faces.empty())
+      line += ", each in one plane exactly";
+    else
+      line += fmt::format(", of which {} not exactly plane, the first face {}", survey.bent_faces.size(),
+                          survey.bent_faces.front() + 1);
+    rows.push_back({"", line});
+  }
+  for (const std::string& line : survey.mended) rows.push_back({"mended", line});
+}
+
+void piece_rows(Rows& rows, const MeshSurvey& survey) {
+  if (!survey.components) return;
+  const SmoothComponents& components = *survey.components;
+  rows.push_back({"smooth components", fmt::format("{}, parted where normals make more than {:g} degrees",
+                                                   components.count, survey.degrees)});
+  std::vector<std::size_t> triangles(survey.pieces.size(), 0);
+  for (const std::size_t piece : components.of_piece) ++triangles[piece];
+  constexpr std::size_t most_pieces = 20;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(survey.pieces.size(), most_pieces); ++i)
+    names += fmt::format("{}{} ({})", i == 0 ? "" : ", ", survey.pieces[i], triangles[i]);
+  if (survey.pieces.size() > most_pieces) names += ", ...";
+  rows.push_back({"pieces", fmt::format("{}: {} (charts)", survey.pieces.size(), names)});
+  std::size_t closed = 0;
+  for (const SharpLine& line : components.lines) closed += line.closed ? 1 : 0;
+  rows.push_back({"edges", fmt::format("{}, {} of them closed", components.lines.size(), closed)});
+  rows.push_back({"corners", std::to_string(components.corners.size())});
+  rows.push_back({"planes", fmt::format("{} different ones of {} triangles", survey.planes->count(),
+                                        survey.mesh.triangles.size())});
+  if (survey.planes->count() > survey.pieces.size())
+    rows.push_back({"", "a piece of several planes stays a polyhedron: its charts are flat"});
+}
+
+void topology_rows(Rows& rows, const MeshSurvey& survey) {
+  const MeshTopology& topology = survey.topology;
+  const auto at = [&](std::size_t vertex) { return point_text(survey.mesh.vertices[vertex]); };
+  const auto edge_text = [&](std::size_t e) {
+    return at(topology.edges[e].from) + " to " + at(topology.edges[e].to);
+  };
+  if (topology.open_edges.empty()) {
+    rows.push_back(
+        {"border", topology.closed() ? "closed" : "no open edge, but edges of more than two triangles"});
+  } else {
+    rows.push_back(
+        {"border", fmt::format("open: {} in {}", several(topology.open_edges.size(), "edge", "edges"),
+                               several(topology.open_loops.size(), "line", "lines"))});
+    constexpr std::size_t most_edges = 3;
+    for (std::size_t i = 0; i < std::min(topology.open_edges.size(), most_edges); ++i)
+      rows.push_back({"", edge_text(topology.open_edges[i])});
+  }
+  rows.push_back({"connected", several(topology.component_count, "component", "components")});
+  rows.push_back({"Euler", fmt::format("V - E + F = {}", topology.characteristic)});
+  const std::string side =
+      survey.orientation == Orientation::against_the_cross_product ? "outside" : "inside";
+  const std::string how = survey.inner_side == InnerSide::by_volume        ? "the sign of the volume"
+                          : survey.inner_side == InnerSide::by_certificate ? "the convex hull"
+                                                                           : "convention";
+  if (topology.disagreeing_edges.empty())
+    rows.push_back({"orientation", "counterclockwise as seen from " + side + ", by " + how});
+  else
+    rows.push_back({"orientation", several(topology.disagreeing_edges.size(), "edge", "edges") +
+                                       " between triangles that run against each other, the first " +
+                                       edge_text(topology.disagreeing_edges.front())});
+
+  Rows defects;
+  const MeshDefects& found = survey.defects;
+  if (!found.duplicate_vertices.empty())
+    defect_row(defects, found.duplicate_vertices, "vertices with the coordinates of another",
+               at(found.duplicate_vertices.front().first));
+  if (!found.unreferenced_vertices.empty())
+    defect_row(defects, found.unreferenced_vertices, "vertices that no triangle uses",
+               at(found.unreferenced_vertices.front()));
+  if (!found.degenerate_triangles.empty())
+    defect_row(defects, found.degenerate_triangles, "degenerate triangles",
+               "at " + at(survey.mesh.triangles[found.degenerate_triangles.front()][0]));
+  if (!topology.crowded_edges.empty())
+    defect_row(defects, topology.crowded_edges, "edges of more than two triangles",
+               edge_text(topology.crowded_edges.front()));
+  if (!topology.pinched_vertices.empty())
+    defect_row(defects, topology.pinched_vertices, "vertices where several sheets meet",
+               at(topology.pinched_vertices.front()));
+  if (!found.crossing.empty()) {
+    const auto [a, b] = found.crossing.front();
+    defect_row(defects, found.crossing,
+               found.crossing.size() == most_crossings ? "pairs or more of triangles that cross or overlap"
+                                                       : "pairs of triangles that cross or overlap",
+               "of faces " + std::to_string(survey.mesh.face[a] + 1) + " and " +
+                   std::to_string(survey.mesh.face[b] + 1));
+  }
+  if (defects.empty()) defects.push_back({"", "none"});
+  defects.front().front() = "defects";
+  rows.insert(rows.end(), defects.begin(), defects.end());
+}
+
+void containment_rows(Rows& rows, const ConvexContainment& containment) {
+  rows.push_back({"convex", containment_word(containment.verdict) + ": " + containment.reason});
+  if (!containment.witness) return;
+  const ContainmentWitness& witness = *containment.witness;
+  rows.push_back({"witness P", exact_text(witness.p)});
+  rows.push_back({"witness Q", exact_text(witness.q)});
+  rows.push_back(
+      {"", "(Q-P).n = " + witness.product.to_text() + " < 0 with n = " + exact_text(witness.inner_normal)});
+  rows.push_back({"depth", fmt::format("{:.3g} of the diagonal; {} of {} planes", containment.relative_depth,
+                                       containment.violated_planes, containment.planes)});
+  rows.push_back({"", containment.within_precision ? "below the file's precision: rounding may account for it"
+                                                   : "above the file's precision: no matter of rounding"});
+}
+
+std::string mesh_text(const std::string& file, const MeshSurvey& survey) {
+  Rows rows{{"surface", file}};
+  file_rows(rows, survey);
+  piece_rows(rows, survey);
+  topology_rows(rows, survey);
+  containment_rows(rows, survey.containment);
+  const std::optional<std::string> obstacle = survey.obstacle();
+  rows.push_back({"unoccluded", survey.containment.verdict == Containment::certified ? "yes" : "not known"});
+  rows.push_back({"solve", obstacle ? "refused: " + *obstacle : "accepts it"});
+  const MeshQuality& quality = survey.quality;
+  rows.push_back(
+      {"triangles",
+       fmt::format(
+           "angles {:.4g} to {:.4g} degrees, sides {:.4g} to {:.4g}, aspect up to {:.3g}, area {:.6g}",
+           quality.smallest_angle, quality.largest_angle, quality.shortest_side, quality.longest_side,
+           quality.largest_aspect, quality.area)});
+  return aligned_left(rows);
+}
+
+std::string catalogue_text(const Surface& surface, const ConvexContainment& containment) {
+  Rows rows{{"surface", surface.name}};
+  for (const SurfaceParameter& parameter : surface.parameters)
+    rows.push_back({"", parameter.name + " = " + parameter.value.to_text()});
+  rows.push_back({"charts", std::to_string(surface.chart_count())});
+  const std::vector<std::string> pieces = surface.piece_names();
+  rows.push_back({"pieces", std::to_string(pieces.size()) + ": " + listed(pieces)});
+  rows.push_back({"border", surface.closed ? "closed" : "open"});
+  rows.push_back(
+      {"joins", surface.pieces_meet_at_angle ? "pieces meet at an angle" : "no pieces meet at an angle"});
+  containment_rows(rows, containment);
+  rows.push_back({"unoccluded", surface.unoccluded ? "yes, by construction" : "no"});
+  return aligned_left(rows);
+}
+
+Surface catalogue_surface(const SurfaceDescription& description) {
+  std::vector<Rational> values;
+  for (const ParameterDescription& parameter : description.parameters)
+    values.push_back(Rational::parse(parameter.default_text).value());
+  return description.make(values);
+}
+
+double degrees_of(const std::string& text) {
+  if (text.empty()) return default_sharp_degrees;
+  const Outcome<Rational> angle = Rational::parse(text);
+  if (!angle || angle->sign() < 0 || *angle > Rational(180))
+    throw InputError({.source = "--angle", .value = text, .allowed = "an angle in degrees, from 0 to 180"});
+  return angle->to_double();
+}
+
+MeshRepair repair_of(const std::vector<std::string>& words) {
+  const std::vector<std::string> known(repair_words.begin(), repair_words.end());
+  for (const std::string& word : words)
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      throw InputError({.source = "--repair", .value = word, .allowed = listed(known)});
+  return repair_named(words);
+}
+
+/// The mesh as it was decided on: every double as its shortest exact text.
+std::string off_text(const TriangleMesh& mesh) {
+  std::string out = fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size());
+  for (const Vector<double>& v : mesh.vertices)
+    out += shortest(v.x) + " " + shortest(v.y) + " " + shortest(v.z) + "\n";
+  for (const VertexTriple& t : mesh.triangles) out += fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
+  return out;
+}
+
+ExitCode show_mesh(const Common& common, const SurfaceOptions& options) {
+  Outputs outputs;
+  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
+  if (!options.write.empty()) outputs.file("--write", options.write);
+  const MeshSurvey survey = survey_mesh(options.name, degrees_of(options.angle), repair_of(options.repair));
+  if (!options.write.empty()) outputs.write({{options.write, off_text(survey.mesh)}});
+  print_result(common, mesh_text(options.name, survey),
+               surface_report(options.name, survey, common.command).pretty() + "\n");
+  return ExitCode::done;
+}
+
+ExitCode show_catalogue(const Common& common, const SurfaceOptions& options) {
+  const SurfaceDescription* description = find_surface(options.name);
+  if (description == nullptr) {
+    std::vector<std::string> names;
+    for (const SurfaceDescription& known : surface_catalogue()) names.push_back(known.name);
+    const auto near = nearest_word(options.name, names);
+    throw InputError({.source = "surface",
+                      .value = options.name,
+                      .problem = "is no surface" + (near ? "; did you mean " + *near + "?" : std::string()),
+                      .allowed = listed(names) + ", or a file in .off, .obj, .ply, .stl"});
+  }
+  for (const auto& [option, given] :
+       {std::pair("--angle", !options.angle.empty()), std::pair("--repair", !options.repair.empty()),
+        std::pair("--write", !options.write.empty())})
+    if (given)
+      throw InputError(
+          {.source = option, .problem = "is for meshes", .allowed = "a file in .off, .obj, .ply, .stl"});
+  const Surface surface = catalogue_surface(*description);
+  const ConvexContainment containment = convex_containment(surface);
+  print_result(common, catalogue_text(surface, containment),
+               surface_report(surface, containment, common.command).pretty() + "\n");
+  return ExitCode::done;
+}
+
+ExitCode show(const Common& common, const SurfaceOptions& options) {
+  const auto threads = common.thread_limit();
+  const std::optional<ThreadLimit> limit =
+      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
+  return is_mesh_file_name(options.name) ? show_mesh(common, options) : show_catalogue(common, options);
+}
+
+}  // namespace
+
+void add_surface(CLI::App& program, Common& common, Action& action) {
+  CLI::App& command =
+      add_command(program, common, "surface",
+                  "Smooth pieces, border, orientation, convex-containment certificate, mesh quality");
+  auto options = std::make_shared<SurfaceOptions>();
+  command
+      .add_option("SURFACE", options->name,
+                  "A surface of radcert list surfaces, or a mesh in .off, .obj, .ply, .stl")
+      ->required()
+      ->type_name("NAME or FILE");
+  command
+      .add_option("--angle", options->angle,
+                  "Edges whose triangles' normals make a larger angle part two pieces; default 30")
+      ->type_name("DEGREES");
+  command
+      .add_option("--repair", options->repair,
+                  "Mend the mesh in memory: vertices, faces, orientation, manifold, holes; without it "
+                  "nothing is mended")
+      ->delimiter(',')
+      ->type_name("WHAT,...");
+  command.add_option("--write", options->write, "Write the triangles, mended if asked, as an OFF file")
+      ->type_name("FILE.off");
+  command.footer("Triangles that cross are reported and not mended.");
+  command.callback(
+      [&common, &action, options] { action = [&common, options] { return show(common, *options); }; });
+}
+
+}  // namespace radcert::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "radcert/geometry/triangle_mesh.h"
+
+namespace radcert {
+
+/// What is wrong with a mesh beside what its topology shows.
+/// Maths     crossing: pairs of triangles that have more in common than a shared side or vertex, overlapping and equal ones included
+/// Source    CGAL, exact predicates, boxes sorted in space
+/// Requires  -
+/// Result    exact for the given doubles, sorted. Vertices with equal coordinates count as shared. crossing holds most_crossings pairs
+///           where there are more
+/// Limits    degenerate triangles are left out of crossing
+struct MeshDefects {
+  std::vector<std::pair<std::size_t, std::size_t>>
+      duplicate_vertices;  ///< a vertex, and an earlier one with its coordinates
+  std::vector<std::size_t> unreferenced_vertices;
+  std::vector<std::size_t> degenerate_triangles;  ///< corners on one line
+  std::vector<std::pair<std::size_t, std::size_t>> crossing;
+};
+
+inline constexpr std::size_t most_crossings = 1000;
+
+[[nodiscard]] MeshDefects mesh_defects(const TriangleMesh& mesh);
+
+/// Pairs of triangles that have more in common than a shared side or vertex.
+[[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> crossing_triangles(const TriangleMesh& mesh,
+                                                                                  std::size_t most);
+
+}  // namespace radcert

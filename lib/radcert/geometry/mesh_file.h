@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "radcert/geometry/vector.h"
+
+namespace radcert {
+
+/// How finely a file gives its coordinates.
+/// Maths     a coordinate stands for any number within `unit` of it
+/// Source    half a unit in the last place of a 32-bit float or a double, or of the last printed digit; of the largest coordinate
+/// Requires  -
+/// Result    for text the number of digits is that of the coordinate printed with the most: %g drops zeros at the end
+/// Limits    a guess at what the author rounded, for judging how large a defect is; no decision depends on it
+struct CoordinatePrecision {
+  double unit = 0;
+  std::string words;  ///< "printed with 6 digits", "32-bit floats"
+};
+
+/// Faces of any number of corners, as a mesh file has them.
+/// Maths     face k has the corners corner[face_begin[k]], ..., corner[face_begin[k+1] - 1]
+/// Source    -
+/// Requires  -
+/// Result    as in the file; the corners of an STL file joined where their coordinates are equal. Every index is below
+///           vertices.size(), and a face has at least three different corners, none twice
+/// Limits    texture, colours and normals are left out
+struct MeshFile {
+  std::string format;  ///< "OFF", "OBJ", "PLY, ASCII", "PLY, binary", "STL, ASCII", "STL, binary"
+  std::vector<Vector<double>> vertices;
+  std::vector<std::size_t> corner;
+  std::vector<std::size_t> face_begin{0};
+  std::vector<std::size_t> group;
+  std::vector<std::string> group_names;
+  std::size_t joined_corners = 0;  ///< of an STL file: how many corners were found to be one of the others
+  CoordinatePrecision precision;
+  std::string digest;  ///< of the file's bytes
+
+  [[nodiscard]] std::size_t face_count() const { return face_begin.size() - 1; }
+};
+
+/// A mesh from a file.
+/// Maths     none
+/// Source    the formats OFF (Geomview), OBJ (Wavefront), PLY (Stanford) and STL (3D Systems); own readers: those of CGAL give no
+///           line of what is wrong, no group, no number of printed digits
+/// Requires  a name that ends in .off, .obj, .ply or .stl
+/// Result    OBJ: groups from o, g and usemtl, joined by "/"; STL: from solid. InputError with the file, the line or byte, the value
+///           and what is allowed: for numbers that are not finite or beyond 1e60, for faces with a corner that is missing, repeated
+///           or not there, for a file without faces, a text that is no STL, a file that ends too early or goes on too long
+/// Limits    files up to 4 GiB; OFF and OBJ as text, a vertex or a face a line
+[[nodiscard]] MeshFile read_mesh_file(const std::filesystem::path& path);
+
+/// The same from the bytes of a file; `name` stands in messages, and its ending names the format.
+[[nodiscard]] MeshFile parse_mesh_file(std::string_view bytes, const std::string& name);
+
+/// Whether a name ends like that of a mesh file.
+[[nodiscard]] bool is_mesh_file_name(const std::string& name);
+
+}  // namespace radcert

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/geometry/mesh_quality.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "radcert/core/contract.h"
+
+namespace radcert {
+
+MeshQuality mesh_quality(const TriangleMesh& mesh) {
+  expects(!mesh.triangles.empty(), "at least one triangle");
+  MeshQuality quality;
+  quality.shortest_side = std::numeric_limits<double>::infinity();
+  Vector<double> low = mesh.corners(0)[0];
+  Vector<double> high = low;
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const auto corners = mesh.corners(k);
+    std::array<Vector<double>, 3> side;
+    std::array<double, 3> length;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector<double>& v = corners[i];
+      low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+      high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+      side[i] = corners[(i + 1) % 3] - v;
+      length[i] = norm(side[i]);
+      quality.shortest_side = std::min(quality.shortest_side, length[i]);
+      quality.longest_side = std::max(quality.longest_side, length[i]);
+    }
+    const double doubled_area = norm(cross(side[0], side[1]));
+    quality.area += doubled_area / 2;
+    if (doubled_area == 0) continue;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double angle =
+          std::atan2(doubled_area, -dot(side[i], side[(i + 2) % 3])) * 180 / std::numbers::pi;
+      quality.smallest_angle = std::min(quality.smallest_angle, angle);
+      quality.largest_angle = std::max(quality.largest_angle, angle);
+    }
+    const double inscribed = doubled_area / (length[0] + length[1] + length[2]);
+    const double aspect = std::max({length[0], length[1], length[2]}) / (2 * std::numbers::sqrt3 * inscribed);
+    if (aspect > quality.largest_aspect) {
+      quality.largest_aspect = aspect;
+      quality.worst_triangle = k;
+    }
+  }
+  quality.diagonal = norm(high - low);
+  return quality;
+}
+
+}  // namespace radcert

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "radcert/geometry/plane_polygon.h"
+#include "radcert/geometry/triangle_mesh.h"
+
+namespace radcert {
+
+/// Triangles of a parameter plane, exactly.
+struct PlaneTriangulation {
+  std::vector<ParameterPoint<Rational>> vertices;
+  std::vector<VertexTriple> triangles;  ///< counterclockwise
+};
+
+/// A side of a polygon: from vertex `side` of loop `loop` to the next.
+struct PolygonSide {
+  std::size_t loop = 0;
+  std::size_t side = 0;
+};
+
+/// The triangulation of a polygon, with holes or without, by its own vertices.
+/// Maths     constrained Delaunay: of the triangulations that contain all sides the one whose least angles are largest
+/// Source    CGAL, exact arithmetic
+/// Requires  -
+/// Result    conforming, as [m06, T1-T3] ask, and exact; the vertices are those of the loops, in their order
+/// Limits    as sharp as the polygon makes it: no vertex is added
+[[nodiscard]] PlaneTriangulation triangulate(const PlanePolygon& polygon);
+
+/// The same triangulation, finer toward chosen sides.
+/// Maths     `times` times every triangle with a vertex on a chosen side is bisected; a triangle is bisected at its longest side, and
+///           with it the neighbour there, after that was bisected until the side is its longest as well
+/// Source    Rivara: longest-side bisection
+/// Requires  a conforming triangulation of the polygon; sides that are there, times >= 0, else ContractViolation
+/// Result    conforming and exact: new vertices are the midpoints of sides, as rational numbers
+/// Limits    digits grow by a bit a bisection
+[[nodiscard]] PlaneTriangulation graded_toward(PlaneTriangulation triangulation, const PlanePolygon& polygon,
+                                               std::span<const PolygonSide> sides, int times);
+
+}  // namespace radcert

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/hypotheses/mesh_survey.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "radcert/core/errors.h"
+#include "tests/geometry/sample_meshes.h"
+
+namespace radcert {
+namespace {
+
+using testing::HasSubstr;
+
+MeshSurvey survey_of(const sample::Polyhedron& solid, const MeshRepair& repair = {}) {
+  return survey_mesh(parse_mesh_file(sample::off_text(solid), "sample.off"), default_sharp_degrees, repair);
+}
+
+sample::Polyhedron reversed(sample::Polyhedron solid) {
+  for (auto& face : solid.faces) std::reverse(face.begin(), face.end());
+  return solid;
+}
+
+TEST(MeshSurvey, FindsTheInnerSideWhicheverWayTheFacesRun) {
+  for (const sample::Polyhedron& solid : {sample::cube(), sample::octahedron(), sample::sphere(2)}) {
+    const MeshSurvey outside = survey_of(solid);
+    EXPECT_EQ(outside.orientation, Orientation::against_the_cross_product);
+    const MeshSurvey inside = survey_of(reversed(solid));
+    EXPECT_EQ(inside.orientation, Orientation::along_the_cross_product);
+    for (const MeshSurvey& survey : {outside, inside}) {
+      EXPECT_EQ(survey.inner_side, InnerSide::by_volume);
+      EXPECT_EQ(survey.containment.verdict, Containment::certified);
+      EXPECT_FALSE(survey.obstacle().has_value());
+    }
+  }
+  sample::Polyhedron open = sample::cube();
+  open.faces.pop_back();
+  EXPECT_EQ(survey_of(open).orientation, Orientation::against_the_cross_product);
+  EXPECT_EQ(survey_of(reversed(open)).orientation, Orientation::along_the_cross_product);
+  EXPECT_EQ(survey_of(open).inner_side, InnerSide::by_certificate);
+  EXPECT_FALSE(survey_of(open).topology.closed());
+}
+
+TEST(MeshSurvey, NamesTheObstacle) {
+  EXPECT_THAT(*survey_of(sample::l_shaped_room()).obstacle(), HasSubstr("needs visibility"));
+  EXPECT_THAT(*survey_of(sample::octahedron(-0.5)).obstacle(), HasSubstr("needs visibility"));
+  EXPECT_THAT(*survey_of(sample::glued_grid(9, 8, false)).obstacle(), HasSubstr("needs visibility"));
+
+  sample::Polyhedron turned = sample::cube();
+  std::reverse(turned.faces[2].begin(), turned.faces[2].end());
+  EXPECT_THAT(*survey_of(turned).obstacle(), HasSubstr("run against each other"));
+  EXPECT_FALSE(survey_of(turned, {.orientation = true}).obstacle().has_value());
+
+  sample::Polyhedron twice = sample::cube();
+  twice.vertices.push_back(twice.vertices[0]);
+  twice.faces[2][0] = 8;
+  EXPECT_THAT(*survey_of(twice).obstacle(), HasSubstr("coordinates of another"));
+  EXPECT_FALSE(survey_of(twice, {.vertices = true}).obstacle().has_value());
+
+  sample::Polyhedron overlapping = sample::cube();
+  overlapping.faces.push_back({4, 5, 6});
+  EXPECT_TRUE(survey_of(overlapping).obstacle().has_value());
+
+  // A triangle in the middle of the floor: everything lies in the boundary of the cube, some of it twice.
+  sample::Polyhedron doubled = sample::cube();
+  for (const Vector<double>& v :
+       std::vector<Vector<double>>{{0.25, 0.125, 0}, {0.25, 0.5, 0}, {0.5, 0.125, 0}})
+    doubled.vertices.push_back(v);
+  doubled.faces.push_back({8, 9, 10});
+  EXPECT_EQ(survey_of(doubled).containment.verdict, Containment::certified);
+  EXPECT_THAT(*survey_of(doubled).obstacle(), HasSubstr("overlap"));
+
+  sample::Polyhedron needle = sample::tetrahedron();
+  needle.vertices.push_back({0.5, 0, 0});
+  needle.faces.push_back({0, 4, 1});
+  const MeshSurvey degenerate = survey_of(needle);
+  EXPECT_THAT(*degenerate.obstacle(), HasSubstr("degenerate"));
+  EXPECT_EQ(degenerate.containment.verdict, Containment::undecided);
+  EXPECT_FALSE(survey_of(needle, {.vertices = true, .faces = true}).obstacle().has_value());
+}
+
+TEST(MeshSurvey, RefusesASurfaceWithoutSides) {
+  try {
+    (void)survey_of(sample::glued_grid(7, 6, true));
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("edge from ("));
+    EXPECT_THAT(error.what(), HasSubstr("not orientable"));
+  }
+}
+
+TEST(MeshSurvey, MakesASurfaceOfWhatItFound) {
+  const MeshSurvey survey = survey_of(sample::cube());
+  const Surface surface = survey.surface("cube.off");
+  EXPECT_EQ(surface.chart_count(), 12U);
+  EXPECT_EQ(surface.piece_names().size(), 6U);
+  EXPECT_TRUE(surface.closed);
+  EXPECT_TRUE(surface.unoccluded);
+}
+
+}  // namespace
+}  // namespace radcert
