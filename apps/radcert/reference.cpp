@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// radcert reference NAME, or --all: numbers in proved enclosures.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.h"
+#include "output.h"
+#include "progress.h"
+#include "radcert/core/interrupt.h"
+#include "radcert/core/parallel.h"
+#include "radcert/core/version.h"
+#include "radcert/formats/json_reader.h"
+#include "radcert/formats/reference_json.h"
+#include "radcert/reference/reference_value.h"
+
+namespace radcert::app {
+
+namespace {
+
+struct ReferenceOptions {
+  std::string name;
+  std::string digits = "20";
+  std::vector<std::string> settings;
+  bool all = false;
+  std::string out;
+};
+
+/// A member of a family, with the name under which it was asked for.
+struct Wanted {
+  std::string name;
+  const reference::ValueFamily* family = nullptr;
+  reference::Arguments arguments;
+};
+
+int digits_of(const std::string& text) {
+  int digits = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), digits);
+  if (error != std::errc() || end != text.data() + text.size() || digits < 1 ||
+      digits > reference::most_reference_digits)
+    throw InputError(
+        {.source = "--digits",
+         .value = text,
+         .allowed = "a whole number from 1 to " + std::to_string(reference::most_reference_digits)});
+  return digits;
+}
+
+/// Puts the words "name=value" of --set into the arguments of a family.
+void apply(const std::vector<std::string>& settings, Wanted& wanted) {
+  const auto& parameters = wanted.family->parameters;
+  std::vector<std::string> names;
+  for (const reference::ValueParameter& parameter : parameters) names.push_back(parameter.name);
+  std::vector<std::string> seen;
+  for (const std::string& setting : settings) {
+    const std::size_t sign = setting.find('=');
+    const std::string name = setting.substr(0, sign);
+    if (sign == std::string::npos)
+      throw InputError({.source = "--set", .value = setting, .allowed = "NAME=VALUE"});
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw InputError({.source = "--set",
+                        .value = name,
+                        .problem = "is no parameter of " + wanted.family->name,
+                        .allowed = names.empty() ? "it has none" : listed(names)});
+    if (std::find(seen.begin(), seen.end(), name) != seen.end())
+      throw InputError({.source = "--set", .value = name, .problem = "is given twice"});
+    seen.push_back(name);
+    const auto i = static_cast<std::size_t>(found - names.begin());
+    const std::string text = setting.substr(sign + 1);
+    const Outcome<Rational> value = Rational::parse(text);
+    if (!value || !parameters[i].allows(*value))
+      throw InputError({.source = "--set " + name, .value = text, .allowed = parameters[i].allowed});
+    wanted.arguments[i] = *value;
+  }
+}
+
+Wanted member(const reference::NamedValue& value) {
+  return {.name = value.name, .family = reference::find_family(value.family), .arguments = value.arguments};
+}
+
+[[noreturn]] void refuse_name(const std::string& name) {
+  std::vector<std::string> names;
+  for (const reference::NamedValue& value : reference::named_values()) names.push_back(value.name);
+  for (const reference::ValueFamily& family : reference::value_families()) names.push_back(family.name);
+  const auto near = nearest_word(name, names);
+  throw InputError({.source = "reference",
+                    .value = name,
+                    .problem = "is unknown" + (near ? "; did you mean " + *near + "?" : std::string()),
+                    .allowed = "the names of radcert list references"});
+}
+
+Wanted wanted(const ReferenceOptions& options) {
+  if (const reference::NamedValue* value = reference::find_value(options.name)) {
+    if (!options.settings.empty())
+      throw InputError({.source = "--set",
+                        .value = options.settings.front(),
+                        .problem = "is for a family, and " + options.name + " is one value",
+                        .allowed = "the family is " + value->family});
+    return member(*value);
+  }
+  const reference::ValueFamily* family = reference::find_family(options.name);
+  if (family == nullptr) refuse_name(options.name);
+  Wanted out{.name = family->name, .family = family, .arguments = reference::default_arguments(*family)};
+  apply(options.settings, out);
+  return out;
+}
+
+ReferenceRecord record_of(const Wanted& wanted, int digits) {
+  const Outcome<reference::EnclosedValue> value =
+      reference::enclose(*wanted.family, wanted.arguments, digits + 1);
+  if (!value)
+    throw AccuracyNotReached(
+        wanted.name, "a radius of 1e-" + std::to_string(digits) + " was not reached; " + value.reason());
+  ReferenceRecord record;
+  record.name = wanted.name;
+  record.digits = digits;
+  record.formula = wanted.family->formula;
+  record.source = wanted.family->source;
+  for (std::size_t i = 0; i < wanted.arguments.size(); ++i)
+    record.parameters.emplace_back(wanted.family->parameters[i].name, wanted.arguments[i].to_text());
+  record.routes = {{value->first.how, value->first.value}, {value->second.how, value->second.value}};
+  return record;
+}
+
+std::string text_of(const ReferenceRecord& record) {
+  const BallDecimal decimal = reference_decimal(record.routes.front().value, record.digits);
+  std::string parameters;
+  for (const auto& [name, value] : record.parameters)
+    parameters += (parameters.empty() ? "" : ", ") + name + " = " + value;
+  std::vector<std::vector<std::string>> rows = {
+      {"value", decimal.midpoint}, {"radius", decimal.radius + " (proved)"}, {"formula", record.formula}};
+  if (!parameters.empty()) rows.push_back({"parameters", parameters});
+  rows.push_back({"source", record.source});
+  for (const ReferenceRoute& route : record.routes) {
+    const BallDecimal found = reference_decimal(route.value, record.digits);
+    rows.push_back(
+        {&route == &record.routes.front() ? "route" : "checked by", route.how + ", radius " + found.radius});
+  }
+  return record.name + "\n" + aligned_left(rows);
+}
+
+/// A value's name as part of a file's: "h_1/2" is h_1_over_2.
+std::string file_name(const std::string& name) {
+  std::string out;
+  for (const char c : name) out += c == '/' ? std::string("_over_") : std::string(1, c);
+  return out;
+}
+
+ExitCode print_one(const Common& common, const ReferenceOptions& options, int digits) {
+  if (!common.json.empty() && !common.json_to_stdout()) Outputs().file("--json", common.json);
+  const ReferenceRecord record = record_of(wanted(options), digits);
+  print_result(common, text_of(record), reference_json(record, common.command).pretty() + "\n");
+  return ExitCode::done;
+}
+
+JsonValue manifest(const Common& common, const std::vector<ReferenceRecord>& records, int digits) {
+  JsonValue out = JsonValue::object();
+  out.set("schema", "radcert/manifest/1");
+  out.set("radcert", version());
+  out.set("command", common.command);
+  out.set("digits", digits);
+  out.set("table", "references.csv");
+  out.set("values", json_array(records, [](const ReferenceRecord& record) {
+            JsonValue entry = JsonValue::object();
+            entry.set("name", record.name);
+            entry.set("file", file_name(record.name) + ".json");
+            return entry;
+          }));
+  return out;
+}
+
+ExitCode write_all(const Common& common, const ReferenceOptions& options, int digits) {
+  Outputs outputs;
+  outputs.folder("--out", options.out);
+  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
+  const auto named = reference::named_values();
+  ProgressDisplay progress(common.quiet);
+  std::vector<ReferenceRecord> records;
+  for (const reference::NamedValue& value : named) {
+    throw_if_interrupted();
+    progress.at(static_cast<double>(records.size()) / static_cast<double>(named.size()), value.name);
+    records.push_back(record_of(member(value), digits));
+  }
+  const std::filesystem::path folder = options.out;
+  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  for (const ReferenceRecord& record : records)
+    files.emplace_back(folder / (file_name(record.name) + ".json"),
+                       reference_json(record, common.command).pretty() + "\n");
+  files.emplace_back(folder / "references.csv", reference_csv(records));
+  const std::string contents = manifest(common, records, digits).pretty() + "\n";
+  files.emplace_back(folder / "manifest.json", contents);
+  outputs.write(files);
+  print_result(common,
+               std::to_string(records.size()) + " values with radii <= 1e-" + std::to_string(digits) +
+                   " in " + options.out + "\n",
+               contents);
+  return ExitCode::done;
+}
+
+ExitCode give_reference(const Common& common, const ReferenceOptions& options) {
+  const int digits = digits_of(options.digits);
+  if (options.all == !options.name.empty())
+    throw InputError({.source = "reference",
+                      .problem = options.all ? "both a NAME and --all" : "neither a NAME nor --all",
+                      .allowed = "one of them; the names are those of radcert list references"});
+  if (options.all && options.out.empty())
+    throw InputError({.source = "reference", .problem = "--all without --out", .allowed = "--all --out DIR"});
+  if (!options.all && !options.out.empty())
+    throw InputError({.source = "reference", .problem = "--out without --all", .allowed = "--json FILE"});
+  if (options.all && !options.settings.empty())
+    throw InputError({.source = "--set", .value = options.settings.front(), .problem = "is for one family"});
+  const auto threads = common.thread_limit();
+  const std::optional<ThreadLimit> limit =
+      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
+  return options.all ? write_all(common, options, digits) : print_one(common, options, digits);
+}
+
+}  // namespace
+
+void add_reference(CLI::App& program, Common& common, Action& action) {
+  CLI::App& command = add_command(program, common, "reference",
+                                  "A reference value as midpoint and proved radius, by two routes");
+  auto options = std::make_shared<ReferenceOptions>();
+  command.add_option("NAME", options->name, "A value or a family of radcert list references");
+  command.add_option("--digits", options->digits, "The radius is at most 10^-DIGITS; from 1 to 1000")
+      ->capture_default_str();
+  command.add_option("--set", options->settings, "A parameter of a family, as NAME=VALUE; may be repeated")
+      ->type_name("NAME=VALUE")
+      ->take_all();
+  command.add_flag("--all", options->all, "Every value that has a name of its own, with --out");
+  command
+      .add_option("--out", options->out, "With --all: a JSON file a value, references.csv and manifest.json")
+      ->type_name("DIR");
+  command.footer(
+      "What is printed encloses the value: the radius is rounded up after the midpoint has been rounded.");
+  command.callback([&common, &action, options] {
+    action = [&common, options] { return give_reference(common, *options); };
+  });
+}
+
+}  // namespace radcert::app

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reference values from the command line."""
+import csv
+import json
+import os
+import unittest
+
+import jsonschema
+from mpmath import mp, mpf
+
+from program import ProgramTest
+
+
+def exactly(binary):
+    """A number from its mantissa and exponent, as any program with whole numbers can."""
+    return mp.ldexp(mpf(int(binary["mantissa"])), int(binary["exponent"]))
+
+
+class Reference(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        mp.dps = 80
+
+    def value(self, *words):
+        return json.loads(self.expect(0, "reference", *words, "--json", "-"))
+
+    def test_a_value_encloses_what_another_program_computes(self):
+        # Howell C-11 for the unit cube.
+        s = mp.sqrt(2)
+        truth = 2 / mp.pi * (mp.log(mpf(4) / 3) / 2 + 2 * s * mp.atan(1 / s) - mp.pi / 2)
+        for digits in (1, 10, 30, 60):
+            found = self.value("cube_opposite_faces", "--digits", str(digits))
+            self.assertLessEqual(mpf(found["radius"]), mpf(10) ** -digits)
+            self.assertLessEqual(abs(mpf(found["midpoint"]) - truth), mpf(found["radius"]))
+            self.assertLessEqual(abs(exactly(found["midpoint_binary"]) - truth),
+                                 exactly(found["radius_binary"]))
+            self.assertEqual(found["digits"], digits)
+            self.assertEqual(len(found["routes"]), 2)
+
+    def test_the_file_is_as_its_schema_says(self):
+        schema = json.loads(self.expect(0, "schema", "reference"))
+        for name in ("cube_opposite_faces", "corner_tetrahedron_leg_to_leg", "superconvergent_inset_1"):
+            jsonschema.validate(self.value(name), schema)
+
+    def test_what_is_printed_has_the_digits(self):
+        text = self.expect(0, "reference", "coaxial_disks_1_1_1", "--digits", "20")
+        self.assertIn("0.38196601125010515179", text)
+        self.assertIn("(proved)", text)
+
+    def test_a_family_takes_parameters(self):
+        found = self.value("coaxial_disks", "--set", "to_radius=2", "--set", "distance=1/2", "--digits", "20")
+        self.assertEqual(found["parameters"], {"from_radius": "1", "to_radius": "2", "distance": "1/2"})
+        x = mpf(1) + 4 + mpf("0.25")
+        truth = (x - mp.sqrt(x * x - 16)) / 2
+        self.assertLess(abs(mpf(found["midpoint"]) - truth), mpf("1e-20"))
+
+    def test_decimals_enter_exactly(self):
+        found = self.value("linear_interpolation_norm", "--set", "alpha=0.1", "--digits", "9")
+        self.assertEqual(found["parameters"]["alpha"], "1/10")
+        self.assertLessEqual(abs(mpf(found["midpoint"]) - mpf(11) / 7), mpf(found["radius"]))
+
+    def refused(self, code, *words):
+        done = self.run_program("reference", *words)
+        self.assertEqual(done.returncode, code, done.stderr.decode())
+        self.assertEqual(done.stdout, b"")
+        return done.stderr.decode()
+
+    def test_wrong_input_is_named(self):
+        for digits in ("0", "1001", "-3", "ten", "1.5", ""):
+            self.assertIn("from 1 to 1000", self.refused(2, "cube_opposite_faces", "--digits", digits))
+        self.assertIn("did you mean cube_opposite_faces?", self.refused(2, "cube_oposite_faces"))
+        self.assertIn("neither a NAME nor --all", self.refused(2))
+        self.assertIn("a number > 0", self.refused(2, "coaxial_disks", "--set", "distance=0"))
+        self.assertIn("a number > 0", self.refused(2, "coaxial_disks", "--set", "distance=nan"))
+        self.assertIn("from_radius, to_radius, distance", self.refused(2, "coaxial_disks", "--set", "height=1"))
+        self.assertIn("twice", self.refused(2, "coaxial_disks", "--set", "distance=1", "--set", "distance=2"))
+        self.assertIn("one value", self.refused(2, "coaxial_disks_1_1_1", "--set", "distance=1"))
+        self.assertIn("--all --out DIR", self.refused(2, "--all"))
+
+    def test_a_radius_that_is_not_reached_ends_with_1(self):
+        # The second route of a norm is branch and bound, which ends at its limit of triangles.
+        message = self.refused(1, "edge_exponent_90", "--set", "rho=1e-30", "--digits", "10")
+        self.assertIn("was not reached", message)
+
+    def test_the_data_set_is_complete(self):
+        self.expect(0, "reference", "--all", "--digits", "6", "--out", "data")
+        with open(self.path("data/manifest.json"), encoding="utf-8") as file:
+            manifest = json.load(file)
+        jsonschema.validate(manifest, json.loads(self.expect(0, "schema", "manifest")))
+        with open(self.path("data/references.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file, strict=True))
+        self.assertEqual([row["name"] for row in rows], [entry["name"] for entry in manifest["values"]])
+        self.assertGreaterEqual(len(rows), 60)
+        schema = json.loads(self.expect(0, "schema", "reference"))
+        for row, entry in zip(rows, manifest["values"]):
+            with open(self.path(os.path.join("data", entry["file"])), encoding="utf-8") as file:
+                value = json.load(file)
+            jsonschema.validate(value, schema)
+            self.assertEqual(value["midpoint"], row["midpoint"])
+            mantissa, exponent = row["midpoint_exact"].split("*2^")
+            self.assertEqual({"mantissa": mantissa, "exponent": exponent}, value["midpoint_binary"])
+            self.assertLessEqual(mpf(row["radius"]), mpf("1e-6"))
+        self.assertEqual(len(os.listdir(self.path("data"))), len(rows) + 2)
+
+    def test_the_list_has_them(self):
+        names = {entry["name"] for entry in
+                 json.loads(self.expect(0, "list", "references", "--json", "-"))["entries"]}
+        self.assertTrue({"cube_opposite_faces", "coaxial_disks", "two_squares_eta"} <= names)
+
+
+if __name__ == "__main__":
+    unittest.main()
