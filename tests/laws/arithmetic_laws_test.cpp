@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <iostream>
 #include <random>
+#include <sstream>
+#include <string>
 #include <tuple>
 
 #include "radcert/expression/expression.h"
@@ -56,6 +58,14 @@ private:
   std::mt19937_64 bits_;
 };
 
+/// Says how much has been checked. A running error without a bound is rare: at most one in `exception`.
+void report(const laws::Checks& checks, std::size_t exception) {
+  std::cout << checks.containments << " containment checks; without a bound " << checks.unbounded_doubles
+            << " doubles, " << checks.unbounded_fifty_digits << " of fifty digits\n";
+  EXPECT_LE(checks.unbounded_doubles * exception, checks.containments);
+  EXPECT_LE(checks.unbounded_fifty_digits * exception, checks.containments);
+}
+
 struct Kernel {
   template <class R>
   std::vector<R> operator()(std::span<const R> x) const {
@@ -74,7 +84,7 @@ TEST(ArithmeticLaws, HoldForTheKernel) {
       for (std::size_t i = 0; i < 3; ++i) x[i + 6] = x[i] + x[i] * inputs.small() / Rational(7);
     ASSERT_TRUE(laws::holds_in_every_arithmetic(Kernel(), x, checks));
   }
-  std::cout << checks.containments << " containment checks\n";
+  report(checks, 1000);
 }
 
 /// Frame and chord of a chart's formula, and G by the chord.
@@ -116,12 +126,13 @@ std::vector<Rational> two_parameter_points(Inputs& inputs, std::size_t draw) {
 }
 
 template <class Chart>
-void expect_of_chart(const Chart& chart, std::uint64_t seed, std::size_t draws) {
+void expect_of_chart(const Chart& chart, std::uint64_t seed, std::size_t draws,
+                     std::size_t exception = 1000) {
   Inputs inputs(seed);
   laws::Checks checks;
   for (std::size_t draw = 0; draw < times(draws); ++draw)
     ASSERT_TRUE(laws::holds_in_every_arithmetic(chart, two_parameter_points(inputs, draw), checks));
-  std::cout << checks.containments << " containment checks\n";
+  report(checks, exception);
 }
 
 TEST(ArithmeticLaws, HoldForTheRectangle) {
@@ -137,7 +148,30 @@ TEST(ArithmeticLaws, HoldForRoofsOfWholePowers) {
 
 TEST(ArithmeticLaws, HoldForRoofsOfOtherPowers) {
   for (const Rational& p : {Rational(3, 2), Rational(11, 10), Rational(7, 2)})
-    expect_of_chart(ChartValues<PowerRoof, Rational>(p), 8, 1000);
+    // Where q is on s = 0 its rounded s may be negative: about one in a hundred outputs.
+    expect_of_chart(ChartValues<PowerRoof, Rational>(p), 8, 1000, 50);
+}
+
+/// Numbers and fractions in a text.
+std::vector<Rational> numbers(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<Rational> values;
+  for (std::string number; in >> number;) values.push_back(Rational::parse(number).value());
+  return values;
+}
+
+/// The ball's midpoint is exact after an operation, so that its radius at 53 or 168 bits is less than what the double
+/// or the fifty digits lose there.
+TEST(ArithmeticLaws, HoldForRoofsWhereABallRoundsNothing) {
+  laws::Checks checks;
+  for (const char* inputs : {"624940356/625001875 53382127946/625003750005625 -10032991/390626171875000 "
+                             "59566868645179/6250037500056250000000",
+                             "369961/1000003 0 196039/1000003 207758538109/1000006000009"})
+    for (const Rational& p : {Rational(3, 2), Rational(11, 10), Rational(7, 2), Rational(3)})
+      EXPECT_TRUE(
+          laws::holds_in_every_arithmetic(ChartValues<PowerRoof, Rational>(p), numbers(inputs), checks))
+          << p.to_text();
+  report(checks, 1000);
 }
 
 TEST(ArithmeticLaws, HoldForEllipsoids) {
@@ -176,7 +210,7 @@ TEST(ArithmeticLaws, HoldForTheBasis) {
       const std::vector<Rational> x{s, inputs.unit() * (Rational(1) - s), std::max(alpha, Rational(0))};
       ASSERT_TRUE(laws::holds_in_every_arithmetic(Basis{degree}, x, checks)) << degree;
     }
-  std::cout << checks.containments << " containment checks\n";
+  report(checks, 1000);
 }
 
 /// The numbers of a rule that carry a relative error, and those with an absolute one.
@@ -300,7 +334,15 @@ TEST(ArithmeticLaws, HoldForExpressions) {
       ASSERT_TRUE(laws::holds_in_every_arithmetic(Evaluation{&expression}, x, checks)) << text;
     }
   }
-  std::cout << checks.containments << " containment checks\n";
+  report(checks, 1000);
+}
+
+TEST(ArithmeticLaws, HoldForAnExpressionWhereABallRoundsNothing) {
+  laws::Checks checks;
+  const Expression expression = parse_expression("x^2 + y^2 + z^2").value();
+  EXPECT_TRUE(
+      laws::holds_in_every_arithmetic(Evaluation{&expression}, numbers("509360/1000003 1 1"), checks));
+  report(checks, 1000);
 }
 
 }  // namespace
