@@ -27,7 +27,7 @@ Ball decimal(const char* text) { return *Ball::parse(text); }
 TEST(KernelIntegral, HasThirtyDigitsOfAPointAndASquare) {
   const BallPrecision precision(140);
   const Surface surface = cube();
-  const Observer centre_of_ceiling = Observer::off_surface({half, half, 1}, {0, 0, -1});
+  const ExactObserver centre_of_ceiling = ExactObserver::off_surface({half, half, 1}, {0, 0, -1});
   const auto integral = [&](std::size_t chart) {
     return kernel_integral(centre_of_ceiling, surface, chart, domain_polygon(surface.charts[chart]),
                            unit_density(), {.radius = 1e-30});
@@ -57,11 +57,11 @@ TEST(KernelIntegral, HasTheKnownValuesOfAPointAndATriangle) {
   const BallPrecision precision(140);
   const Surface surface = triangle_at_height_one();
   const ParameterPolygon triangle{{0, 0}, {1, 0}, {0, 1}};
-  const Observer upright = Observer::off_surface({0, 0, 0}, {0, 0, 1});
-  const Observer tilted = Observer::off_surface({0, 0, 0}, {1, 1, 1});
+  const ExactObserver upright = ExactObserver::off_surface({0, 0, 0}, {0, 0, 1});
+  const ExactObserver tilted = ExactObserver::off_surface({0, 0, 0}, {1, 1, 1});
   const Density x = density([](const auto& q) { return q.point.x; });
   const Ball pi = Ball::pi();
-  const auto integral = [&](const Observer& p, const Density& q) {
+  const auto integral = [&](const ExactObserver& p, const Density& q) {
     return kernel_integral(p, surface, 0, triangle, q, {.radius = 1e-30});
   };
   const Ball constant = 1 / (6 * sqrt(Ball(3)));
@@ -75,7 +75,7 @@ TEST(KernelIntegral, HasTheKnownValuesNearAnEdge) {
   // [ac98, (22), (23)]: from (1/3, 0, 1/7) of the upright square to the lying one, densities 1 and xi - x.
   const BallPrecision precision(140);
   const Surface surface = two_squares();
-  const Observer p = Observer::on_surface({{0, {Rational(1, 3), Rational(1, 7)}}});
+  const ExactObserver p = ExactObserver::on_surface({{0, {Rational(1, 3), Rational(1, 7)}}});
   const auto integral = [&](const Density& q) {
     return kernel_integral(p, surface, 1, domain_polygon(surface.charts[1]), q, {.radius = 1e-28});
   };
@@ -90,13 +90,13 @@ TEST(KernelIntegral, IsPiOverClosedConvexSurfaces) {
   const BallPrecision precision(112);
   const double radius = 1e-20;
   const Ball pi = Ball::pi();
-  expect_value(kernel_integral(Observer::on_surface({{5, {Rational(1, 3), Rational(1, 7)}}}), cube(),
+  expect_value(kernel_integral(ExactObserver::on_surface({{5, {Rational(1, 3), Rational(1, 7)}}}), cube(),
                                unit_density(), {.radius = radius}),
                pi, radius);
-  expect_value(kernel_integral(Observer::on_surface({{0, {Rational(1, 3), Rational(1, 4)}}}), sphere(),
+  expect_value(kernel_integral(ExactObserver::on_surface({{0, {Rational(1, 3), Rational(1, 4)}}}), sphere(),
                                unit_density(), {.radius = radius}),
                pi, radius);
-  expect_value(kernel_integral(Observer::on_surface({{3, {Rational(1, 7), Rational(1, 2)}}}),
+  expect_value(kernel_integral(ExactObserver::on_surface({{3, {Rational(1, 7), Rational(1, 2)}}}),
                                ellipsoid(1, 2, 5), unit_density(), {.radius = 1e-10}),
                pi, 1e-10);
 }
@@ -106,16 +106,18 @@ TEST(KernelIntegral, IsPiFromPointsOfSeamsAndNearThem) {
   const Ball pi = Ball::pi();
   const Demand demand{.radius = 1e-7};
   // s = 0 joins the octants of either sign of y: charts 0 and 2; the pole t = 1 joins the four with z > 0.
-  expect_value(kernel_integral(Observer::on_surface({{0, {0, Rational(1, 3)}}, {2, {0, Rational(1, 3)}}}),
-                               sphere(), unit_density(), demand),
-               pi, 1e-7);
-  expect_value(kernel_integral(Observer::on_surface({{0, {0, 1}}, {1, {0, 1}}, {2, {0, 1}}, {3, {0, 1}}}),
-                               sphere(), unit_density(), demand),
-               pi, 1e-7);
-  expect_value(kernel_integral(Observer::on_surface({{0, {Rational(1, 1000), Rational(1, 3)}}}), sphere(),
-                               unit_density(), {.radius = 1e-4}),
+  expect_value(
+      kernel_integral(ExactObserver::on_surface({{0, {0, Rational(1, 3)}}, {2, {0, Rational(1, 3)}}}),
+                      sphere(), unit_density(), demand),
+      pi, 1e-7);
+  expect_value(
+      kernel_integral(ExactObserver::on_surface({{0, {0, 1}}, {1, {0, 1}}, {2, {0, 1}}, {3, {0, 1}}}),
+                      sphere(), unit_density(), demand),
+      pi, 1e-7);
+  expect_value(kernel_integral(ExactObserver::on_surface({{0, {Rational(1, 1000), Rational(1, 3)}}}),
+                               sphere(), unit_density(), {.radius = 1e-4}),
                pi, 1e-4);
-  expect_value(kernel_integral(Observer::on_surface({{1, {Rational(1, 100000), half}}}), cube(),
+  expect_value(kernel_integral(ExactObserver::on_surface({{1, {Rational(1, 100000), half}}}), cube(),
                                unit_density(), demand),
                pi, 1e-7);
 }
@@ -141,9 +143,9 @@ TEST(KernelIntegral, IsAQuarterOfTheAreaOnTheSphere) {
                                                      {Rational(9, 10), Rational(1, 20)}};  // outside
   for (const ParameterPoint<Rational>& at : places) {
     SCOPED_TRACE(at.s.to_text() + " " + at.t.to_text());
-    expect_value(
-        kernel_integral(Observer::on_surface({{0, at}}), surface, 0, part, unit_density(), {.radius = 1e-15}),
-        area / 4, 1e-15);
+    expect_value(kernel_integral(ExactObserver::on_surface({{0, at}}), surface, 0, part, unit_density(),
+                                 {.radius = 1e-15}),
+                 area / 4, 1e-15);
   }
 }
 
@@ -151,7 +153,7 @@ TEST(KernelIntegral, AgreesWithItselfOverPartsAndFromBothSidesOfTheChart) {
   // The roof z = 2 - x^3: the sum over two parts, of which only one contains P, is the integral over the whole.
   const BallPrecision precision(110);
   const Surface surface = two_piece(3);
-  const Observer p = Observer::on_surface({{1, {Rational(2, 5), Rational(1, 3)}}});
+  const ExactObserver p = ExactObserver::on_surface({{1, {Rational(2, 5), Rational(1, 3)}}});
   const Density q = density([](const auto& at) { return exp(at.point.x - at.point.y); });
   const Demand demand{.radius = 1e-16};
   const Enclosure whole = kernel_integral(p, surface, 1, domain_polygon(surface.charts[1]), q, demand);
@@ -166,7 +168,7 @@ TEST(KernelIntegral, AgreesWithItselfOverPartsAndFromBothSidesOfTheChart) {
 TEST(KernelIntegral, ContainsTheTruthAtEveryPrecision) {
   const Surface surface = ellipsoid(1, 1, 2);
   const ParameterPolygon part{{0, 0}, {half, 0}, {0, half}};
-  const Observer p = Observer::on_surface({{0, {Rational(1, 4), Rational(1, 4)}}});
+  const ExactObserver p = ExactObserver::on_surface({{0, {Rational(1, 4), Rational(1, 4)}}});
   const Density q =
       density([]<class R>(const DensityPoint<R>& at) { return at.point.x * at.point.z + R(1); });
   Ball truth;
@@ -185,9 +187,9 @@ TEST(KernelIntegral, ContainsTheTruthAtEveryPrecision) {
 
 TEST(KernelIntegral, VanishesExactlyInAPlane) {
   const Surface surface = cube();
-  const Observer on_floor = Observer::on_surface({{4, {half, half}}});
-  const Observer above_edge = Observer::off_surface({2, 2, 0}, {0, 0, 1});
-  for (const Observer& p : {on_floor, above_edge}) {
+  const ExactObserver on_floor = ExactObserver::on_surface({{4, {half, half}}});
+  const ExactObserver above_edge = ExactObserver::off_surface({2, 2, 0}, {0, 0, 1});
+  for (const ExactObserver& p : {on_floor, above_edge}) {
     const Enclosure found =
         kernel_integral(p, surface, 4, domain_polygon(surface.charts[4]), unit_density(), {.radius = 1e-5});
     ASSERT_TRUE(found.has_value());
@@ -199,7 +201,7 @@ TEST(KernelIntegral, TakesAPowerThatIsNotWhole) {
   // The roof z = 2 - x^(5/2) is not analytic at x = 0; from the floor below nothing else is close.
   const BallPrecision precision(80);
   const Surface surface = two_piece(Rational(5, 2));
-  const Observer p = Observer::on_surface({{0, {Rational(1, 3), Rational(1, 3)}}});
+  const ExactObserver p = ExactObserver::on_surface({{0, {Rational(1, 3), Rational(1, 3)}}});
   const Enclosure coarse =
       kernel_integral(p, surface, 1, domain_polygon(surface.charts[1]), unit_density(), {.radius = 1e-5});
   const Enclosure fine =
@@ -207,7 +209,7 @@ TEST(KernelIntegral, TakesAPowerThatIsNotWhole) {
   ASSERT_TRUE(fine.has_value()) << fine.reason().to_text();
   expect_value(coarse, fine->value, 1e-5);
   // From the roof itself: the parts on both sides of x = 1/3, of which only one contains P.
-  const Observer above = Observer::on_surface({{1, {half, half}}});
+  const ExactObserver above = ExactObserver::on_surface({{1, {half, half}}});
   const auto on_roof = [&](const ParameterPolygon& polygon) {
     return kernel_integral(above, surface, 1, polygon, unit_density(), {.radius = 1e-4});
   };
@@ -218,7 +220,7 @@ TEST(KernelIntegral, TakesAPowerThatIsNotWhole) {
   ASSERT_TRUE(whole.has_value()) << whole.reason().to_text();
   ASSERT_TRUE(near && far);
   EXPECT_TRUE(overlaps(whole->value, near->value + far->value));
-  const Enclosure refused = kernel_integral(Observer::on_surface({{1, {0, half}}}), surface, 1,
+  const Enclosure refused = kernel_integral(ExactObserver::on_surface({{1, {0, half}}}), surface, 1,
                                             domain_polygon(surface.charts[1]), unit_density(), {.radius = 1});
   ASSERT_FALSE(refused.has_value());
   EXPECT_NE(refused.reason().why.find("s = 0"), std::string::npos);
@@ -226,7 +228,7 @@ TEST(KernelIntegral, TakesAPowerThatIsNotWhole) {
 
 TEST(KernelIntegral, IsUndecidedWherePIsOnTheChartUnnamed) {
   const BallPrecision precision(80);
-  const Observer p = Observer::on_surface({{0, {0, Rational(1, 3)}}});
+  const ExactObserver p = ExactObserver::on_surface({{0, {0, Rational(1, 3)}}});
   const Surface surface = sphere();
   const Enclosure found = kernel_integral(p, surface, 2, domain_polygon(surface.charts[2]), unit_density(),
                                           {.radius = 1e-12, .work_limit = 30000});
@@ -236,13 +238,13 @@ TEST(KernelIntegral, IsUndecidedWherePIsOnTheChartUnnamed) {
 
 TEST(KernelIntegral, RefusesNamesThatAreNotPointsOfTheSurface) {
   const Surface surface = sphere();
-  EXPECT_THROW(static_cast<void>(Observer::on_surface({})), ContractViolation);
-  EXPECT_THROW(static_cast<void>(Observer::off_surface({0, 0, 0}, {0, 0, 0})), ContractViolation);
-  EXPECT_THROW(static_cast<void>(kernel_integral(Observer::on_surface({{8, {0, 0}}}), surface, unit_density(),
-                                                 {.radius = 1})),
+  EXPECT_THROW(static_cast<void>(ExactObserver::on_surface({})), ContractViolation);
+  EXPECT_THROW(static_cast<void>(ExactObserver::off_surface({0, 0, 0}, {0, 0, 0})), ContractViolation);
+  EXPECT_THROW(static_cast<void>(kernel_integral(ExactObserver::on_surface({{8, {0, 0}}}), surface,
+                                                 unit_density(), {.radius = 1})),
                ContractViolation);
-  EXPECT_THROW(static_cast<void>(kernel_integral(Observer::on_surface({{0, {1, 1}}}), surface, unit_density(),
-                                                 {.radius = 1})),
+  EXPECT_THROW(static_cast<void>(kernel_integral(ExactObserver::on_surface({{0, {1, 1}}}), surface,
+                                                 unit_density(), {.radius = 1})),
                ContractViolation);
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -60,6 +61,7 @@ TEST(Catalogue, MakesWhatItDescribes) {
     }
     const Surface surface = entry.make(values);
     EXPECT_EQ(surface.name, entry.name);
+    EXPECT_EQ(surface.unoccluded, entry.unoccluded);
     EXPECT_EQ(surface.piece_names(), entry.pieces);
     ASSERT_EQ(surface.parameters.size(), entry.parameters.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -234,35 +236,189 @@ TEST(Catalogue, JoinsThePiecesSmoothlyInsideAndAtAnAngleWhereItSaysSo) {
   }
 }
 
-TEST(Catalogue, KnowsThePlaneOfExactlyTheFlatCharts) {
+TEST(Catalogue, KnowsThePlaneOfExactlyTheFlatChartsAndWhichAreAffine) {
   for (const SampleSurface& sample : sample_surfaces()) {
     const Surface surface = sample.make();
     for (std::size_t j = 0; j < surface.chart_count(); ++j) {
       const Chart& chart = surface.charts[j];
+      const std::string where = title(sample) + " " + chart.facts().name;
       long double bend = 0;
+      long double rise = 0;  // of the chart's image above its tangent planes
       for (const ParameterPoint<double>& at : sample_points(chart.facts().domain)) {
         const ParameterPoint<long double> p{at.s, at.t};
         const ParameterPoint<long double> w{0.3L - p.s, 0.2L - p.t};
-        bend = std::max(bend, norm(sample.charts[j]->chord(p, w).bend_p));
-        if (!chart.facts().plane) continue;
-        const Vector<Rational>& n = chart.facts().plane->normal();
+        const Vector<long double> bend_p = sample.charts[j]->chord(p, w).bend_p;
+        bend = std::max(bend, norm(bend_p));
+        rise = std::max(rise, std::abs(dot(bend_p, sample.charts[j]->frame(p).area_normal)));
+        if (!chart.facts().flat_in()) continue;
+        const Vector<Rational>& n = chart.facts().flat_in()->normal();
         const Vector<double> point = chart.in<double>().frame(at).point;
         const Vector<double> normal{n.x.to_double(), n.y.to_double(), n.z.to_double()};
-        EXPECT_NEAR(dot(normal, point), chart.facts().plane->offset().to_double(), 1e-14 * norm(normal))
-            << title(sample);
+        EXPECT_NEAR(dot(normal, point), chart.facts().flat_in()->offset().to_double(), 1e-14 * norm(normal))
+            << where;
         EXPECT_LT(norm(cross(normal, chart.in<double>().frame(at).area_normal)), 1e-14 * norm(normal))
-            << title(sample);
+            << where;
       }
-      EXPECT_EQ(chart.facts().plane.has_value(), bend == 0) << title(sample) << " " << chart.facts().name;
-      EXPECT_EQ(in_one_plane(chart, chart), chart.facts().plane.has_value()) << title(sample);
+      EXPECT_EQ(chart.facts().plane.has_value(), bend == 0) << where;
+      EXPECT_EQ(chart.facts().flat_in().has_value(), rise == 0) << where;
+      EXPECT_FALSE(chart.facts().plane && chart.facts().plane_of_disk) << where;
+      EXPECT_EQ(in_one_plane(chart, chart), chart.facts().flat_in().has_value()) << where;
     }
   }
+}
+
+TEST(Catalogue, HasTheChartsOfADiskInOnePlaneAndTheDisksOfACylinderInTwo) {
+  const Surface surface = find_surface("cylinder")->make(std::vector<Rational>{2, 3});
+  for (std::size_t a = 0; a < surface.chart_count(); ++a)
+    for (std::size_t b = 0; b < surface.chart_count(); ++b)
+      EXPECT_EQ(in_one_plane(surface.charts[a], surface.charts[b]),
+                surface.charts[a].facts().piece == surface.charts[b].facts().piece &&
+                    surface.charts[a].facts().piece != "mantle");
+}
+
+TEST(Catalogue, HasAnAreaElementOfTheSphericalCapThatIsThatOfTheDiskTimesFourF) {
+  for (const Rational& fraction : {Rational(1, 4), Rational(9, 10)})
+    for (const Chart& chart : find_surface("spherical_cap")->make(std::vector<Rational>{fraction}).charts)
+      for (const ParameterPoint<double>& at : sample_points(chart.facts().domain)) {
+        const double of_disk = 1 / ((1 - 2 * at.s * at.t) * (1 - 2 * at.s * at.t));
+        EXPECT_NEAR(area_element(chart.in<double>().frame(at)), 4 * fraction.to_double() * of_disk, 2e-14);
+      }
+}
+
+TEST(Catalogue, HasPointsThatFulfilTheEquationsOfTheSurfaces) {
+  const auto expect_zero = [](const Surface& surface, const std::string& piece, const auto& equation) {
+    int points = 0;
+    for (const Visit& visit : visits(surface)) {
+      if (visit.chart->facts().piece != piece) continue;
+      const Vector<double>& p = visit.frame.point;
+      EXPECT_NEAR(equation(p, p.x * p.x + p.y * p.y), 0, 4e-15) << surface.name << " " << piece;
+      ++points;
+    }
+    EXPECT_GT(points, 0) << surface.name << " " << piece;
+  };
+  using V = Vector<double>;
+  const auto make = [](const char* name, const std::vector<Rational>& values) {
+    return find_surface(name)->make(values);
+  };
+  expect_zero(make("spherical_cap", {Rational(2, 3)}), "cap", [](const V& p, double r2) {
+    return std::max(std::abs(r2 + p.z * p.z - 1), -1.0 / 3 - p.z > 1e-15 ? 1.0 : 0.0);
+  });
+  const Surface frustum = make("cone", {2, Rational(1, 2), 3});
+  expect_zero(frustum, "floor", [](const V& p, double r2) { return std::max(p.z, r2 - 4 - 1e-15); });
+  expect_zero(frustum, "ceiling",
+              [](const V& p, double r2) { return std::max(std::abs(p.z - 3), r2 - 0.25 - 1e-15); });
+  expect_zero(frustum, "mantle", [](const V& p, double r2) { return std::sqrt(r2) - (2 - p.z / 2); });
+  expect_zero(make("cylinder", {1, 2}), "mantle", [](const V&, double r2) { return r2 - 1; });
+  expect_zero(make("paraboloid_cap", {}), "cap", [](const V& p, double r2) { return p.z - (1 - r2); });
+  expect_zero(make("octahedron", {}), "face_mpm", [](const V& p, double) { return -p.x + p.y - p.z - 1; });
+  expect_zero(make("tetrahedron", {}), "face_mpp", [](const V& p, double) { return -p.x + p.y + p.z - 1; });
+  expect_zero(make("torus", {1, Rational(1, 3)}), "torus", [](const V& p, double r2) {
+    const double distance = std::sqrt(r2) - 1;
+    return distance * distance + p.z * p.z - 1.0 / 9;
+  });
 }
 
 TEST(Catalogue, HasOppositeFacesInDifferentPlanes) {
   const Surface surface = cube();
   for (std::size_t a = 0; a < 6; ++a)
     for (std::size_t b = 0; b < 6; ++b) EXPECT_EQ(in_one_plane(surface.charts[a], surface.charts[b]), a == b);
+}
+
+/// What a quadric says of the normals: the gradient of q.
+Vector<double> gradient_of(const Quadric& quadric, const Vector<double>& at) {
+  const auto number = [](const Rational& x) { return x.to_double(); };
+  const auto in_doubles = [&number](const Vector<Rational>& v) {
+    return Vector<double>{number(v.x), number(v.y), number(v.z)};
+  };
+  const Vector<double> squares = in_doubles(quadric.squares);
+  Vector<double> gradient = Vector<double>{2 * squares.x * at.x, 2 * squares.y * at.y, 2 * squares.z * at.z} +
+                            in_doubles(quadric.linear.gradient);
+  if (quadric.nappe) gradient = gradient - 2 * quadric.nappe->value(at) * in_doubles(quadric.nappe->gradient);
+  return gradient;
+}
+
+TEST(ChartStructure, HasTheChartsOnTheirQuadricsAndTheSurfaceInside) {
+  int quadrics = 0;
+  for (const SampleSurface& sample : sample_surfaces()) {
+    const Surface surface = sample.make();
+    const std::vector<Visit> all = visits(surface);
+    for (const Chart& chart : surface.charts) {
+      const std::optional<Quadric>& quadric = chart.facts().structure.quadric;
+      if (!quadric) continue;
+      ++quadrics;
+      const std::string where = title(sample) + " " + chart.facts().name;
+      EXPECT_TRUE(quadric->has_convex_inside()) << where;
+      for (const Visit& p : all) {
+        const Vector<double> gradient = gradient_of(*quadric, p.frame.point);
+        const double rounding = 4e-15 * norm(gradient) * (1 + norm(p.frame.point));
+        EXPECT_LE(quadric->value(p.frame.point), rounding) << where;
+        if (quadric->nappe) {
+          EXPECT_GT(quadric->nappe->value(p.frame.point), 0) << where;
+        }
+        if (p.chart != &chart) continue;
+        EXPECT_GE(quadric->value(p.frame.point), -rounding) << where;
+        EXPECT_LE(norm(gradient + norm(gradient) * unit_normal(p.frame)), 1e-14 * norm(gradient)) << where;
+      }
+    }
+  }
+  EXPECT_GT(quadrics, 0);
+}
+
+TEST(ChartStructure, HasRulingsAndAxesThatTheChartsFollow) {
+  const auto in_doubles = [](const Vector<Rational>& v) {
+    return Vector<double>{v.x.to_double(), v.y.to_double(), v.z.to_double()};
+  };
+  int ruled = 0;
+  int revolved = 0;
+  for (const SampleSurface& sample : sample_surfaces()) {
+    const Surface surface = sample.make();
+    for (const Visit& p : visits(surface)) {
+      const ChartStructure& structure = p.chart->facts().structure;
+      const std::string where = title(sample) + " " + p.chart->facts().name;
+      if (structure.ruling) {
+        ++ruled;
+        EXPECT_LE(norm(p.frame.tangent_t - in_doubles(*structure.ruling)), 4e-16 * norm(p.frame.tangent_t))
+            << where;
+      }
+      if (structure.revolution) {
+        ++revolved;
+        const Vector<double> out = p.frame.point - in_doubles(structure.revolution->point);
+        const Vector<double> axis = in_doubles(structure.revolution->direction);
+        EXPECT_NEAR(dot(cross(axis, out), unit_normal(p.frame)), 0, 1e-15 * norm(axis) * (1 + norm(out)))
+            << where;
+      }
+    }
+  }
+  EXPECT_GT(ruled, 0);
+  EXPECT_GT(revolved, 0);
+}
+
+TEST(ChartStructure, SaysOfEveryUnoccludedChartWhyItIsConvex) {
+  for (const SampleSurface& sample : sample_surfaces()) {
+    const Surface surface = sample.make();
+    for (const Chart& chart : surface.charts) {
+      const ChartFacts& facts = chart.facts();
+      EXPECT_EQ(facts.flat_in() || facts.structure.quadric || facts.structure.ruling, surface.unoccluded)
+          << title(sample) << " " << facts.name;
+    }
+  }
+}
+
+TEST(ChartStructure, TellsConvexQuadricsFromOthers) {
+  const AffineForm none{{0, 0, 0}, -1};
+  const AffineForm height{{0, 0, 1}, 0};
+  EXPECT_TRUE((Quadric{.squares = {1, 2, 3}, .linear = none}).has_convex_inside());
+  EXPECT_TRUE((Quadric{.squares = {1, 0, 0}, .linear = height}).has_convex_inside());
+  EXPECT_FALSE((Quadric{.squares = {1, 1, -1}, .linear = none}).has_convex_inside()) << "one sheet";
+  EXPECT_FALSE((Quadric{.squares = {-1, -1, 0}, .linear = height}).has_convex_inside());
+  EXPECT_TRUE((Quadric{.squares = {1, 1, 0}, .linear = {{0, 0, 0}, 1}, .nappe = height}).has_convex_inside())
+      << "two sheets, one of them";
+  EXPECT_FALSE((Quadric{.squares = {1, 1, 0}, .linear = none, .nappe = height}).has_convex_inside())
+      << "x^2 + y^2 - 1 <= z^2 is one sheet again";
+  EXPECT_FALSE((Quadric{.squares = {1, 1, 0}, .linear = height, .nappe = height}).has_convex_inside())
+      << "sqrt(x^2 + y^2 + z) is not convex";
+  EXPECT_FALSE(
+      (Quadric{.squares = {1, -1, 0}, .linear = {{0, 0, 0}, 0}, .nappe = height}).has_convex_inside());
 }
 
 }  // namespace

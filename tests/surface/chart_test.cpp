@@ -55,7 +55,7 @@ TEST(Chart, FrameAgreesWithLongDouble) {
 TEST(Chart, TangentsAreDerivatives) {
   for_each_point([](const Chart& chart, const ChartIn<Long>& formula, const ParameterPoint<double>& at,
                     const std::string& where) {
-    constexpr Long h = 1e-5L;
+    constexpr Long h = 1e-6L;
     if (chart.facts().singular == SingularLine::s_zero && at.s < 0.1) return;
     // Formulas go on a little beyond their domain, except at a singular line.
     const Frame<Long> frame = formula.frame({at.s, at.t});

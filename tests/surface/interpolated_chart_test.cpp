@@ -9,6 +9,7 @@
 
 #include "radcert/scalar/pack.h"
 #include "radcert/scalar/rational.h"
+#include "radcert/surface/catalogue/cone.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
 
@@ -159,6 +160,25 @@ TEST(InterpolatedChart, OfDegreeOneLiesInItsPlaneExactly) {
   EXPECT_TRUE(
       in_one_plane(flat, interpolated_chart(roof, {{{0.5, 0.375}, {0.25, 0.375}, {0.25, 0.125}}}, 1, "b")));
   EXPECT_FALSE(in_one_plane(flat, interpolated_chart(roof, {{{0.5, 0}, {0.75, 0}, {0.75, 0.25}}}, 1, "c")));
+}
+
+TEST(InterpolatedChart, OfADiskIsFlat) {
+  const Corners vertices{{{0.25, 0.125}, {0.5, 0.125}, {0.5, 0.375}}};
+  const Corners rim{{{0.5, 0.5}, {0.25, 0.75}, {0.25, 0.5}}};
+  const Surface surface = cone(1, Rational(1, 3), Rational(1, 7));
+  for (int degree = 1; degree <= 6; ++degree) {
+    std::vector<Chart> elements;
+    for (const std::size_t chart : {4UL, 6UL})  // two quadrants of the ceiling
+      for (const Corners& corners : {vertices, rim})
+        elements.push_back(interpolated_chart(surface.charts[chart], corners, degree, "element"));
+    for (const Chart& element : elements) {
+      EXPECT_EQ(element.facts().plane.has_value(), degree == 1);
+      EXPECT_TRUE(in_one_plane(element, elements.front()));
+    }
+    EXPECT_FALSE(in_one_plane(elements.front(), interpolated_chart(surface.charts[0], rim, degree, "floor")));
+    EXPECT_EQ(interpolated_chart(surface.charts[8], rim, degree, "mantle").facts().flat_in().has_value(),
+              degree == 1);
+  }
 }
 
 TEST(InterpolatedChart, HasInPacksTheBitsOfDouble) {

@@ -169,7 +169,12 @@ TEST(Triangulation, HasEverySideInTwoTrianglesOfAClosedSurfaceInSpace) {
   using Point = std::array<double, 3>;
   for (const Surface& surface : surfaces()) {
     if (!surface.closed) continue;
-    for (const double grading : {1.0, 2.0})
+    const bool of_one_kind =
+        std::all_of(surface.charts.begin(), surface.charts.end(), [&surface](const Chart& chart) {
+          return chart.facts().domain == surface.charts.front().facts().domain;
+        });
+    // Only unit squares are graded.
+    for (const double grading : of_one_kind ? std::vector{1.0, 2.0} : std::vector{1.0})
       for (int level = 0; level <= 3; ++level) {
         std::map<std::pair<Point, Point>, int> count;
         for (const ParameterTriangle& triangle :

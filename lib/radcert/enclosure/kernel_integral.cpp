@@ -140,7 +140,7 @@ bool touches_s_zero(const ParameterPolygon& polygon) {
 /// The functions on squares that an integral is the sum of, or why it has none.
 class Parts {
 public:
-  Parts(const Observer& observer, const Surface& surface, const Density& q)
+  Parts(const ExactObserver& observer, const Surface& surface, const Density& q)
       : observer_(observer),
         surface_(surface),
         q_(q),
@@ -197,7 +197,7 @@ private:
     }
   }
 
-  const Observer& observer_;
+  const ExactObserver& observer_;
   const Surface& surface_;
   const Density& q_;
   Vector<Ball> position_;
@@ -218,14 +218,14 @@ ParameterPolygon domain_polygon(const Chart& chart) {
   return {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 }
 
-Enclosure kernel_integral(const Observer& observer, const Surface& surface, std::size_t chart,
+Enclosure kernel_integral(const ExactObserver& observer, const Surface& surface, std::size_t chart,
                           const ParameterPolygon& polygon, const Density& q, const Demand& demand) {
   Parts parts(observer, surface, q);
   parts.add(chart, polygon);
   return parts.integral(demand);
 }
 
-Enclosure kernel_integral(const Observer& observer, const Surface& surface, const Density& q,
+Enclosure kernel_integral(const ExactObserver& observer, const Surface& surface, const Density& q,
                           const Demand& demand) {
   Parts parts(observer, surface, q);
   for (std::size_t chart = 0; chart < surface.chart_count(); ++chart) {

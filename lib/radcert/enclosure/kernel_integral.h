@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "radcert/enclosure/observer.h"
+#include "radcert/enclosure/exact_observer.h"
 #include "radcert/enclosure/polygon_integral.h"
 #include "radcert/surface/surface.h"
 
@@ -54,8 +54,8 @@ Density density(Formula formula) {
 /// Limits    P on the chart and not named there, or named and at the border of a polygon that does not contain it: the singularity
 ///           is bisected until the work limit. On a chart that is not analytic on the line s = 0 (its facts say so) the work grows
 ///           with the number of digits times the logarithm of the demand, and P with s = 0 is refused as undecided
-[[nodiscard]] Enclosure kernel_integral(const Observer& observer, const Surface& surface, std::size_t chart,
-                                        const ParameterPolygon& polygon, const Density& q,
+[[nodiscard]] Enclosure kernel_integral(const ExactObserver& observer, const Surface& surface,
+                                        std::size_t chart, const ParameterPolygon& polygon, const Density& q,
                                         const Demand& demand);
 
 /// The same over the whole surface.
@@ -64,8 +64,8 @@ Density density(Formula formula) {
 /// Requires  the surface unoccluded from P
 /// Result    see kernel_integral; the demand is for the sum
 /// Limits    see kernel_integral
-[[nodiscard]] Enclosure kernel_integral(const Observer& observer, const Surface& surface, const Density& q,
-                                        const Demand& demand);
+[[nodiscard]] Enclosure kernel_integral(const ExactObserver& observer, const Surface& surface,
+                                        const Density& q, const Demand& demand);
 
 /// The domain of a chart as a polygon.
 [[nodiscard]] ParameterPolygon domain_polygon(const Chart& chart);

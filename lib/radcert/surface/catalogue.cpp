@@ -2,7 +2,14 @@
 #include "radcert/surface/catalogue.h"
 
 #include "radcert/surface/catalogue/box.h"
+#include "radcert/surface/catalogue/cone.h"
+#include "radcert/surface/catalogue/cylinder.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/octahedron.h"
+#include "radcert/surface/catalogue/paraboloid_cap.h"
+#include "radcert/surface/catalogue/spherical_cap.h"
+#include "radcert/surface/catalogue/tetrahedron.h"
+#include "radcert/surface/catalogue/torus.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/surface/catalogue/two_squares.h"
 
@@ -16,6 +23,16 @@ ParameterDescription positive_length(std::string name, std::string default_text)
           .requirement = "a number in [1e-60, 1e60]",
           .default_text = std::move(default_text),
           .admits = [largest](const Rational& length) { return length * largest >= 1 && length <= largest; }};
+}
+
+/// Nearer to its ends a chart has its next singularity within a thousandth of its domain.
+ParameterDescription inner_part(std::string name, std::string default_text) {
+  return {.name = std::move(name),
+          .requirement = "a number in [1/1000, 999/1000]",
+          .default_text = std::move(default_text),
+          .admits = [](const Rational& part) {
+            return part >= Rational(1, 1000) && part <= Rational(999, 1000);
+          }};
 }
 
 std::vector<ParameterDescription> half_axes_or_sides() {
@@ -61,6 +78,44 @@ std::vector<SurfaceDescription> all_surfaces() {
        .parameters = half_axes_or_sides(),
        .pieces = {"ellipsoid"},
        .make = [](Values v) { return ellipsoid(v[0], v[1], v[2]); }},
+      {.name = "spherical_cap",
+       .summary = "the cap of the unit sphere with a given part of its area, open at its rim, four charts",
+       .parameters = {inner_part("fraction", "1/4")},
+       .pieces = {"cap"},
+       .make = [](Values v) { return spherical_cap(v[0]); }},
+      {.name = "cylinder",
+       .summary = "the boundary of a circular cylinder, four charts a piece",
+       .parameters = {positive_length("radius", "1"), positive_length("height", "2")},
+       .pieces = {"floor", "ceiling", "mantle"},
+       .make = [](Values v) { return cylinder(v[0], v[1]); }},
+      {.name = "cone",
+       .summary = "the boundary of a truncated cone, four charts a piece",
+       .parameters = {positive_length("radius", "1"), positive_length("top", "1/2"),
+                      positive_length("height", "1")},
+       .pieces = {"floor", "ceiling", "mantle"},
+       .make = [](Values v) { return cone(v[0], v[1], v[2]); }},
+      {.name = "paraboloid_cap",
+       .summary = "the boundary of 0 <= z <= 1 - x^2 - y^2, four charts a piece",
+       .parameters = {},
+       .pieces = {"floor", "cap"},
+       .make = [](Values) { return paraboloid_cap(); }},
+      {.name = "tetrahedron",
+       .summary = "the boundary of the regular tetrahedron with corners in four of those of [-1,1]^3",
+       .parameters = {},
+       .pieces = {"face_mmm", "face_mpp", "face_pmp", "face_ppm"},
+       .make = [](Values) { return tetrahedron(); }},
+      {.name = "octahedron",
+       .summary = "the boundary of |x| + |y| + |z| <= 1",
+       .parameters = {},
+       .pieces = {"face_ppp", "face_mpp", "face_pmp", "face_mmp", "face_ppm", "face_mpm", "face_pmm",
+                  "face_mmm"},
+       .make = [](Values) { return octahedron(); }},
+      {.name = "torus",
+       .summary = "the torus of that radius, its tube ratio times as wide; parts hide others: not for solve",
+       .parameters = {positive_length("radius", "1"), inner_part("ratio", "1/2")},
+       .pieces = {"torus"},
+       .make = [](Values v) { return torus(v[0], v[1]); },
+       .unoccluded = false},
   };
 }
 

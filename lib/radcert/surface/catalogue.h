@@ -26,6 +26,7 @@ struct SurfaceDescription {
   std::vector<ParameterDescription> parameters;
   std::vector<std::string> pieces;
   std::function<Surface(std::span<const Rational>)> make;  ///< values in the order of `parameters`
+  bool unoccluded = true;  ///< as of every surface made: what is not needs visibility to be solved on
 };
 
 /// The surfaces that radcert knows by name.
@@ -33,7 +34,7 @@ struct SurfaceDescription {
 /// Source    [ac98, sections 2.2, 3 and 5]
 /// Requires  -
 /// Result    in a fixed order; a structure test makes every one of them
-/// Limits    unoccluded surfaces only
+/// Limits    what a parameter may be does not depend on the others
 const std::vector<SurfaceDescription>& surface_catalogue();
 
 /// The entry of that name, or null.

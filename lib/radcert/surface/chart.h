@@ -11,10 +11,13 @@
 #include "radcert/geometry/plane.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/ball.h"
+#include "radcert/scalar/complex_ball.h"
 #include "radcert/scalar/divided_difference.h"
 #include "radcert/scalar/dual.h"
 #include "radcert/scalar/mpfr_real.h"
 #include "radcert/scalar/pack.h"
+#include "radcert/scalar/taylor_model.h"
+#include "radcert/surface/chart_structure.h"
 #include "radcert/surface/chord.h"
 
 namespace radcert {
@@ -60,6 +63,14 @@ public:
   virtual ~ChartIn() = default;
   virtual Frame<R> frame(const ParameterPoint<R>& at) const = 0;
   virtual Chord<R> chord(const ParameterPoint<R>& p, const ParameterPoint<R>& w) const = 0;
+  /// chord(p, step direction) with the step divided out: difference / step, bend_p / step^2, bend_q / step^2. Step = 0 has a
+  /// value, and chord_kernel of it is the limit of G along the direction. ContractViolation where the chart does not offer it.
+  virtual Chord<R> chord_along(const ParameterPoint<R>& p, const ParameterPoint<R>& direction,
+                               const R& step) const {
+    static_cast<void>(p), static_cast<void>(direction), static_cast<void>(step);
+    expects(false, "a chart with chords along rays");
+    return {};
+  }
 };
 
 /// A chart known in double only, taken into packs lane by lane.
@@ -123,6 +134,12 @@ struct ChartFacts {
   Orientation orientation = Orientation::along_the_cross_product;
   std::optional<Plane> plane = std::nullopt;  ///< set exactly if the chart is affine: then G vanishes on it
   SingularLine singular = SingularLine::none;
+  std::optional<Plane> plane_of_disk =
+      std::nullopt;  ///< set exactly if the chart is not affine and its image flat: G vanishes there too
+  ChartStructure structure = {};
+
+  /// The plane in which the chart's image lies, if it lies in one.
+  const std::optional<Plane>& flat_in() const { return plane ? plane : plane_of_disk; }
 };
 
 /// One smooth patch of a surface: facts, and a formula in every arithmetic that radcert compiles.
@@ -130,7 +147,7 @@ struct ChartFacts {
 /// Source    [ac98, (13)-(14)]
 /// Requires  F_j twice continuously differentiable off its singular line
 /// Result    immutable; safe to share between threads
-/// Limits    arithmetics: double, Pack, Mpfr<50>, Ball; a chart made of a formula in double alone has no digits beyond
+/// Limits    arithmetics: double, Pack, Mpfr<50>, Ball, ComplexBall, TaylorModel; a chart made of a formula in double alone has no digits beyond
 class Chart {
 public:
   Chart(ChartFacts facts, const std::shared_ptr<const ChartIn<double>>& in_double)
@@ -138,12 +155,16 @@ public:
   Chart(ChartFacts facts, std::shared_ptr<const ChartIn<double>> in_double,
         std::shared_ptr<const ChartIn<Pack>> in_pack,
         std::shared_ptr<const ChartIn<Mpfr<50>>> in_fifty_digits = nullptr,
-        std::shared_ptr<const ChartIn<Ball>> in_balls = nullptr)
+        std::shared_ptr<const ChartIn<Ball>> in_balls = nullptr,
+        std::shared_ptr<const ChartIn<ComplexBall>> in_complex_balls = nullptr,
+        std::shared_ptr<const ChartIn<TaylorModel>> in_models = nullptr)
       : facts_(std::move(facts)),
         in_double_(std::move(in_double)),
         in_pack_(std::move(in_pack)),
         in_fifty_digits_(std::move(in_fifty_digits)),
-        in_balls_(std::move(in_balls)) {}
+        in_balls_(std::move(in_balls)),
+        in_complex_balls_(std::move(in_complex_balls)),
+        in_models_(std::move(in_models)) {}
 
   const ChartFacts& facts() const { return facts_; }
   template <Real R>
@@ -155,6 +176,8 @@ private:
   std::shared_ptr<const ChartIn<Pack>> in_pack_;
   std::shared_ptr<const ChartIn<Mpfr<50>>> in_fifty_digits_;
   std::shared_ptr<const ChartIn<Ball>> in_balls_;
+  std::shared_ptr<const ChartIn<ComplexBall>> in_complex_balls_;
+  std::shared_ptr<const ChartIn<TaylorModel>> in_models_;
 };
 
 template <>
@@ -177,6 +200,19 @@ template <>
 inline const ChartIn<Ball>& Chart::in<Ball>() const {
   expects(in_balls_ != nullptr, "a chart with a formula in balls", named("chart", facts_.name));
   return *in_balls_;
+}
+
+template <>
+inline const ChartIn<ComplexBall>& Chart::in<ComplexBall>() const {
+  expects(in_complex_balls_ != nullptr, "a chart with a formula in complex balls",
+          named("chart", facts_.name));
+  return *in_complex_balls_;
+}
+
+template <>
+inline const ChartIn<TaylorModel>& Chart::in<TaylorModel>() const {
+  expects(in_models_ != nullptr, "a chart with a formula in Taylor models", named("chart", facts_.name));
+  return *in_models_;
 }
 
 /// A chart's formula, differentiated.
@@ -210,6 +246,15 @@ public:
             .bend_q = {f.x.second_q, f.y.second_q, f.z.second_q}};
   }
 
+  Chord<R> chord_along(const ParameterPoint<R>& p, const ParameterPoint<R>& direction,
+                       const R& step) const override {
+    using D = DividedDifference<R>;
+    const Vector<D> f = formula_(D::variable(p.s, direction.s, step), D::variable(p.t, direction.t, step));
+    return {.difference = {f.x.first, f.y.first, f.z.first},
+            .bend_p = {f.x.second_p, f.y.second_p, f.z.second_p},
+            .bend_q = {f.x.second_q, f.y.second_q, f.z.second_q}};
+  }
+
 private:
   Formula formula_;
   R sign_;
@@ -219,7 +264,7 @@ private:
 /// Maths     Formula<R>(parameters...), made anew at each call
 /// Source    design: constants of a ball formula belong inside the precision scope
 /// Requires  as ChartOf; parameters exact
-/// Result    as ChartOf: for R = Ball enclosed, and as narrow as BallPrecision::current() allows
+/// Result    as ChartOf: for R = Ball and ComplexBall enclosed, and as narrow as BallPrecision::current() allows
 /// Limits    a formula is made for each point
 template <Real R, template <class> class Formula, class... Parameters>
 class ChartAtAnyPrecision final : public ChartIn<R> {
@@ -230,6 +275,10 @@ public:
   Frame<R> frame(const ParameterPoint<R>& at) const override { return now().frame(at); }
   Chord<R> chord(const ParameterPoint<R>& p, const ParameterPoint<R>& w) const override {
     return now().chord(p, w);
+  }
+  Chord<R> chord_along(const ParameterPoint<R>& p, const ParameterPoint<R>& direction,
+                       const R& step) const override {
+    return now().chord_along(p, direction, step);
   }
 
 private:
@@ -261,8 +310,12 @@ Chart make_chart(ChartFacts facts, const Parameters&... parameters) {
       Formula<Mpfr<50>>(parameters...), facts.orientation);
   auto in_balls =
       std::make_shared<ChartAtAnyPrecision<Ball, Formula, Parameters...>>(facts.orientation, parameters...);
+  auto in_complex_balls = std::make_shared<ChartAtAnyPrecision<ComplexBall, Formula, Parameters...>>(
+      facts.orientation, parameters...);
+  auto in_models = std::make_shared<ChartOf<TaylorModel, Formula<TaylorModel>>>(
+      Formula<TaylorModel>(parameters...), facts.orientation);
   return Chart(std::move(facts), std::move(in_double), std::move(in_pack), std::move(in_fifty_digits),
-               std::move(in_balls));
+               std::move(in_balls), std::move(in_complex_balls), std::move(in_models));
 }
 
 }  // namespace radcert

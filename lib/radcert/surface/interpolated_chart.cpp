@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/surface/interpolated_chart.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace radcert {
@@ -8,6 +9,20 @@ namespace {
 
 Vector<Rational> exactly(const Vector<double>& v) {
   return {Rational::exactly(v.x), Rational::exactly(v.y), Rational::exactly(v.z)};
+}
+
+/// The plane of an element's corners, the images of (0,0), (1,0) and (0,1).
+Plane plane_of_corners(const Vector<double>& corner, const std::vector<Vector<double>>& from_corner,
+                       int degree) {
+  return {exactly(corner), exactly(from_corner.back()),
+          exactly(from_corner[static_cast<std::size_t>(degree)])};
+}
+
+/// Whether no difference leaves the plane.
+bool all_along(const Plane& plane, const std::vector<Vector<double>>& differences) {
+  return std::all_of(differences.begin(), differences.end(), [&plane](const Vector<double>& d) {
+    return dot(plane.normal(), exactly(d)).sign() == 0;
+  });
 }
 
 }  // namespace
@@ -32,7 +47,12 @@ Chart interpolated_chart(const Chart& chart, const std::array<ParameterPoint<dou
                    .piece = chart.facts().piece,
                    .domain = ChartDomain::unit_triangle,
                    .orientation = chart.facts().orientation};
-  if (degree == 1) facts.plane = Plane(exactly(corner), exactly(from_corner[2]), exactly(from_corner[1]));
+  if (degree == 1) {
+    facts.plane = plane_of_corners(corner, from_corner, degree);
+  } else if (chart.facts().flat_in()) {
+    const Plane plane = plane_of_corners(corner, from_corner, degree);
+    if (all_along(plane, from_corner)) facts.plane_of_disk = plane;
+  }
   return make_chart<LatticePolynomial>(std::move(facts), degree, corner, from_corner);
 }
 

@@ -104,8 +104,9 @@ private:
 /// Source    [ac98, section 4.1, (87)-(90)]
 /// Requires  1 <= degree <= 6, else ContractViolation; vertices counter-clockwise, in the chart's domain
 /// Result    domain unit_triangle, piece and orientation of the chart; analytic whatever the chart is; degree 1 is flat, and
-///           its plane is the exact one of its formula. Two elements with a common side have interpolants that agree on it
-///           up to rounding
+///           its plane is the exact one of its formula; the elements of a flat chart that is not affine are flat where their
+///           rounded points lie in one plane, as those of a horizontal disk do. Two elements with a common side have
+///           interpolants that agree on it up to rounding
 /// Limits    across a common side the normals differ by O(h^r): the charts of a piece join continuously only
 Chart interpolated_chart(const Chart& chart, const std::array<ParameterPoint<double>, 3>& vertices,
                          int degree, std::string name);

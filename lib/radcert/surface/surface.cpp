@@ -2,6 +2,7 @@
 #include "radcert/surface/surface.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "radcert/core/contract.h"
 
@@ -23,7 +24,9 @@ std::size_t Surface::piece_of(std::size_t chart) const {
 }
 
 bool in_one_plane(const Chart& a, const Chart& b) {
-  return a.facts().plane && b.facts().plane && same_plane(*a.facts().plane, *b.facts().plane);
+  const std::optional<Plane>& first = a.facts().flat_in();
+  const std::optional<Plane>& second = b.facts().flat_in();
+  return first && second && same_plane(*first, *second);
 }
 
 }  // namespace radcert

@@ -39,7 +39,8 @@ struct TriangulationOptions {
 /// Source    [ac98, section 3.2, before Theorem 3.7]; the diagonals: cli.md, recovered from the printed tables
 /// Requires  0 <= level, grading >= 1; triangle_count(surface, level) fits, else ContractViolation
 /// Result    triangles chart by chart; the four children of a triangle follow each other: those at v_1, v_2, v_3, the middle
-/// Limits    conforming within each chart and, for the catalogue's surfaces, across their seams
+/// Limits    conforming within each chart and, for the catalogue's surfaces, across their seams; a graded one not across those
+///           between unit squares and unit triangles, which are not graded: the mantle and the disks of a cylinder
 struct Triangulation {
   std::vector<ParameterTriangle> triangles;
 };

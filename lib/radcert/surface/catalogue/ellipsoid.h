@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "radcert/geometry/vector.h"
@@ -49,6 +50,9 @@ namespace detail {
 /// The eight charts; `piece` names the one smooth piece they form.
 inline std::vector<Chart> ellipsoid_charts(const Rational& a, const Rational& b, const Rational& c,
                                            const std::string& piece) {
+  const ChartStructure structure{
+      .quadric = Quadric{.squares = {1 / (a * a), 1 / (b * b), 1 / (c * c)}, .linear = {{0, 0, 0}, -1}},
+      .revolution = a == b ? std::optional(z_axis()) : std::nullopt};
   std::vector<Chart> charts;
   for (const int z : {1, -1})
     for (const int y : {1, -1})
@@ -61,7 +65,8 @@ inline std::vector<Chart> ellipsoid_charts(const Rational& a, const Rational& b,
                                          .piece = piece,
                                          .domain = ChartDomain::unit_triangle,
                                          .orientation = right_handed ? Orientation::against_the_cross_product
-                                                                     : Orientation::along_the_cross_product},
+                                                                     : Orientation::along_the_cross_product,
+                                         .structure = structure},
                                         a, b, c, Octant{x, y, z}));
       }
   return charts;

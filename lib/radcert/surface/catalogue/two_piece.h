@@ -45,6 +45,7 @@ inline Surface two_piece(const Rational& p) {
   if (p == Rational(1)) {
     surface.charts.push_back(make_rectangle(std::move(roof), {0, 0, 2}, {1, 0, -1}, {0, 1, 0}));
   } else {
+    roof.structure.ruling = Vector<Rational>{0, 1, 0};
     roof.singular = p.is_integer() ? SingularLine::none : SingularLine::s_zero;
     surface.charts.push_back(make_chart<PowerRoof>(std::move(roof), p));
   }

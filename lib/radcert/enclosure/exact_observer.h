@@ -16,14 +16,15 @@ namespace radcert {
 /// Requires  see the two ways to make it
 /// Result    immutable
 /// Limits    -
-class Observer {
+class ExactObserver {
 public:
   /// A point of a surface, by each of its names: a point of a seam lies on several charts, and the integral over a chart that
   /// contains P ends only where that chart is named. The normal is that of the first name. At least one name, in the domain of
   /// its chart, else ContractViolation where it is used.
-  [[nodiscard]] static Observer on_surface(std::vector<SurfacePoint<Rational>> names);
+  [[nodiscard]] static ExactObserver on_surface(std::vector<SurfacePoint<Rational>> names);
   /// A point off the surface; the normal is brought to unit length. normal != 0, else ContractViolation.
-  [[nodiscard]] static Observer off_surface(const Vector<Rational>& position, const Vector<Rational>& normal);
+  [[nodiscard]] static ExactObserver off_surface(const Vector<Rational>& position,
+                                                 const Vector<Rational>& normal);
 
   [[nodiscard]] const std::vector<SurfacePoint<Rational>>& names() const { return names_; }
   /// The parameters in a chart that is named.

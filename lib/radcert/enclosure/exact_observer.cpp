@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/enclosure/observer.h"
+#include "radcert/enclosure/exact_observer.h"
 
 #include <utility>
 
@@ -18,28 +18,28 @@ Frame<Ball> frame_at(const Surface& surface, const SurfacePoint<Rational>& name)
 
 }  // namespace
 
-Observer Observer::on_surface(std::vector<SurfacePoint<Rational>> names) {
+ExactObserver ExactObserver::on_surface(std::vector<SurfacePoint<Rational>> names) {
   expects(!names.empty(), "a point of a surface with a name");
-  Observer result;
+  ExactObserver result;
   result.names_ = std::move(names);
   return result;
 }
 
-Observer Observer::off_surface(const Vector<Rational>& position, const Vector<Rational>& normal) {
+ExactObserver ExactObserver::off_surface(const Vector<Rational>& position, const Vector<Rational>& normal) {
   expects(dot(normal, normal).sign() != 0, "a normal that is not zero");
-  Observer result;
+  ExactObserver result;
   result.position_ = position;
   result.normal_ = normal;
   return result;
 }
 
-std::optional<ParameterPoint<Rational>> Observer::on_chart(std::size_t chart) const {
+std::optional<ParameterPoint<Rational>> ExactObserver::on_chart(std::size_t chart) const {
   for (const SurfacePoint<Rational>& name : names_)
     if (name.chart == chart) return name.at;
   return std::nullopt;
 }
 
-bool Observer::in_plane_of(const Surface& surface, std::size_t chart) const {
+bool ExactObserver::in_plane_of(const Surface& surface, std::size_t chart) const {
   const Chart& other = surface.charts[chart];
   const std::optional<Plane>& plane = other.facts().flat_in();
   if (!plane) return false;
@@ -49,11 +49,11 @@ bool Observer::in_plane_of(const Surface& surface, std::size_t chart) const {
   return false;
 }
 
-Vector<Ball> Observer::position(const Surface& surface) const {
+Vector<Ball> ExactObserver::position(const Surface& surface) const {
   return names_.empty() ? in_balls(position_) : frame_at(surface, names_.front()).point;
 }
 
-Vector<Ball> Observer::normal(const Surface& surface) const {
+Vector<Ball> ExactObserver::normal(const Surface& surface) const {
   if (!names_.empty()) return unit_normal(frame_at(surface, names_.front()));
   const Vector<Ball> direction = in_balls(normal_);
   return (1 / sqrt(Ball(dot(normal_, normal_)))) * direction;

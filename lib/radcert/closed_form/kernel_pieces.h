@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "radcert/closed_form/twofold.h"
+#include "radcert/scalar/pack.h"
+
+namespace radcert {
+
+/// A rule on the triangle of corners 0, 1, 2: Gauss points in both directions of the square collapsed at corner 0.
+/// Maths     exact for degree 2 points - 1
+/// Source    conical products: Stroud
+/// Requires  -
+/// Result    weights sum to 1/2; padded to whole packs with weights zero
+/// Limits    -
+struct PaddedRule {
+  int points = 0;
+  std::vector<double> first;   ///< barycentric coordinate of corner 1
+  std::vector<double> second;  ///< of corner 2
+  std::vector<double> weights;
+};
+
+/// The rule with fewest points that integrates the kernel times a polynomial over a small triangle.
+/// Maths     |Q-P|^-4 = D^-4 sum_k C_k^(2)(cos) (|Q-c|/D)^k, D = |P-c|, |C_k^(2)| <= (k+1)(k+2)(k+3)/6: the tail beyond the degree
+///           m that the rule leaves to the sum is at most `needed` where |Q-c| <= ratio D
+/// Source    Gegenbauer's generating function
+/// Requires  0 < ratio < 1
+/// Result    a pointer for the life of the program; null where no rule of at most 40^2 points does
+/// Limits    the kernel's numerator is linear, which takes one degree
+const PaddedRule* fitting_rule(double ratio, double needed, int degree);
+
+/// A corner of what is integrated at one go.
+struct PieceCorner {
+  Twofold x;  ///< about the foot of P
+  Twofold y;
+  double level = 0;                     ///< (corner - P) . n_P
+  std::array<double, 3> barycentric{};  ///< in the triangle that was cut
+};
+
+/// Part of a triangle.
+struct KernelPiece {
+  std::array<PieceCorner, 3> corner;
+  double double_area = 0;  ///< signed
+  double distance = 0;     ///< from P to the mean of the corners, rounded down
+  double radius = 0;       ///< about that mean, rounded up
+  bool whole = true;       ///< whether it is its triangle
+  std::size_t triangle = 0;
+};
+
+/// The part of a piece with levels that are not negative, in at most two triangles.
+/// Maths     cut at level 0
+/// Source    -
+/// Requires  levels with small relative errors, or zero
+/// Result    appended; a cut's place on an edge is a quotient of levels of opposite signs and has a small relative error from
+///           either end, and areas are products of such numbers
+/// Limits    -
+void append_visible(const KernelPiece& piece, std::vector<KernelPiece>& to);
+
+/// Appends the four triangles between the corners and the middles of the sides.
+void append_quarters(const KernelPiece& piece, std::vector<KernelPiece>& to);
+
+/// Sets distance and radius, for a height of P over the plane.
+void measure(KernelPiece& piece, double squared_height);
+
+/// Sums of a rule over pieces of one triangle.
+/// Maths     Int (Q-P).n_P / |Q-P|^4 lambda^alpha dS for all products of so many barycentric coordinates. The order: those of one
+///           factor less, in the same order, times lambda_0; then lambda_1^n, lambda_1^(n-1) lambda_2, ..., lambda_2^n
+/// Source    -
+/// Requires  degree <= 8
+/// Result    blocks of rule_block packs are summed plainly, and added to the total with its rounding kept
+/// Limits    the order of the pieces matters to the last bits
+class PieceSums {
+public:
+  static constexpr std::size_t most_monomials = 45;
+  static constexpr std::size_t rule_block = 4;
+
+  explicit PieceSums(int degree);
+  void clear();
+  void add(const KernelPiece& piece, const PaddedRule& rule, double squared_height);
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] long double moment(std::size_t k) const {
+    return static_cast<long double>(totals_[k].sum()) + static_cast<long double>(rests_[k].sum());
+  }
+
+private:
+  template <int known>
+  void add_in(const KernelPiece& piece, const PaddedRule& rule, double squared_height);
+
+  int degree_;
+  std::size_t count_;
+  std::array<Pack, most_monomials> totals_;
+  std::array<Pack, most_monomials> rests_;
+};
+
+}  // namespace radcert

@@ -1,0 +1,766 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/closed_form/plane_element.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "radcert/closed_form/bounded_double.h"
+#include "radcert/closed_form/kernel_moments.h"
+#include "radcert/closed_form/kernel_pieces.h"
+#include "radcert/closed_form/point_to_polygon.h"
+#include "radcert/closed_form/twofold.h"
+#include "radcert/core/contract.h"
+#include "radcert/scalar/mpfr_real.h"
+
+namespace radcert {
+
+namespace {
+
+using Wide = Mpfr<50>;
+
+constexpr double unit = 0x1p-53;
+/// The part of the error allowed that a rule's truncation may take.
+constexpr double truncation_part = 0.05;
+/// Bounds the length of a normal whose largest part is scaled to [1, 2).
+constexpr double normal_reach = 4;
+
+double largest_part(const std::array<double, 3>& a) {
+  return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
+}
+
+}  // namespace
+
+class PlaneElement::Prepared {
+public:
+  Prepared(const PlanePolygon& polygon, std::vector<PlanePolynomial<Rational>> functions, double accuracy);
+
+  [[nodiscard]] std::size_t function_count() const { return functions_.size(); }
+  Route integrals(const Vector<double>& p, const Vector<double>& normal, std::span<double> values) const;
+
+private:
+  struct Corner {
+    TwofoldVector at;
+    double x = 0;  ///< about the centre
+    double y = 0;
+  };
+  struct Edge {
+    std::size_t start = 0;
+    std::size_t end = 0;
+    double length = 0;
+    double direction_x = 0;
+    double direction_y = 0;
+    TwofoldVector direction;
+    TwofoldVector inward;  ///< in the plane, to the left, unit length
+  };
+  struct Triangle {
+    std::array<std::size_t, 3> corner{};
+    double double_area = 0;  ///< signed by the orientation
+  };
+  struct Function {
+    std::vector<double> coefficients;  ///< in x / x_scale and y / y_scale, as PlanePolynomial
+        /// For every triangle of the fans: those of the products of degree_ barycentric coordinates, ordered as in PieceSums.
+    std::vector<std::vector<double>> barycentric;
+    double size = 0;     ///< largest Bernstein coefficient over all triangles: bounds |q| there
+    double maximum = 0;  ///< a lower bound of max |q| over the polygon
+  };
+  /// P and its normal as the corners see them.
+  struct Eye {
+    std::array<double, 3> p{};
+    double reach = 0;  ///< bounds the coordinates of P and of the corners
+    TwofoldVector normal;
+    BoundedDouble normal_length;
+    BoundedDouble height;
+    BoundedDouble normal_z;
+    std::vector<TwofoldVector> differences;  ///< P - corner
+    std::vector<BoundedDouble> levels;       ///< (corner - P) . n_P
+  };
+
+  void add_loops(const PlanePolygon& polygon);
+  void add_functions();
+  [[nodiscard]] double largest_value(const PlanePolynomial<Rational>& q) const;
+  void add_barycentric(const PlanePolynomial<Rational>& q, Function& function);
+
+  [[nodiscard]] std::optional<BoundedDouble> lambert(const Eye& eye) const;
+  template <int most>
+  bool by_closed_form(const Eye& eye, std::span<double> values) const;
+  /// Kept between the calls of a thread.
+  struct Scratch {
+    Eye eye;
+    std::vector<FootEdge<BoundedDouble>> edges;
+    std::vector<KernelPiece> left;
+    std::vector<KernelPiece> pieces;
+    std::vector<long double> results;
+  };
+  static Scratch& scratch() {
+    thread_local Scratch kept;
+    return kept;
+  }
+  [[nodiscard]] double permitted_ratio() const;
+  bool cut_into_pieces(const Eye& eye, std::size_t most, std::vector<KernelPiece>& pieces) const;
+  bool by_rule(const Eye& eye, std::size_t most_pieces, std::span<double> values) const;
+  Route by_balls(const Vector<double>& p, const Vector<double>& normal, std::span<double> values) const;
+  [[nodiscard]] bool foot_is_outside(const Eye& eye, const std::vector<FootEdge<BoundedDouble>>& edges) const;
+  [[nodiscard]] BoundedDouble plain_product(const TwofoldVector& direction, const TwofoldVector& r) const;
+
+  PlanePolygon polygon_;
+  std::vector<PlanePolynomial<Rational>> exact_functions_;
+  double accuracy_;  ///< the error allowed, over Int |G| dS max |q|
+  int degree_ = 0;
+  std::vector<Corner> corners_;
+  std::vector<Edge> edges_;
+  std::vector<Triangle> triangles_;  ///< fans over the loops
+  std::vector<Function> functions_;
+  TwofoldVector axis_x_;
+  TwofoldVector axis_y_;
+  TwofoldVector axis_z_;
+  Vector<Wide> wide_x_;
+  Vector<Wide> wide_y_;
+  Vector<Wide> wide_centre_;
+  TwofoldVector centre_;
+  double x_scale_ = 1;
+  double y_scale_ = 1;
+  double permitted_ratio_ = 0;  ///< of a piece's radius to its distance; 0: rules are of no use
+  double amplification_ = 1;    ///< largest Bernstein coefficient over the maximum, over all functions
+  std::vector<double> multinomials_;
+  double shortest_ = 0;  ///< edge
+  double reach_ = 0;     ///< bounds the corners' coordinates
+};
+
+namespace {
+
+Vector<Wide> wide(const Vector<Rational>& a) { return {Wide(a.x), Wide(a.y), Wide(a.z)}; }
+
+double as_double(const Wide& x) { return x.to_double(); }
+
+/// q(at + i u + j v) as a polynomial in (i, j).
+PlanePolynomial<Rational> substituted(const PlanePolynomial<Rational>& q, const ParameterPoint<Rational>& at,
+                                      const ParameterPoint<Rational>& u, const ParameterPoint<Rational>& v) {
+  const int degree = q.degree();
+  using Local = PlanePolynomial<Rational>;
+  const auto times = [degree](const Local& a, const Rational& constant, const Rational& first,
+                              const Rational& second) {
+    Local result(degree);
+    for (int n = 0; n <= degree; ++n) {
+      for (int j = 0; j <= n; ++j) {
+        const Rational& c = a(n - j, j);
+        if (c.sign() == 0) continue;
+        result(n - j, j) += constant * c;
+        if (n == degree) continue;
+        result(n - j + 1, j) += first * c;
+        result(n - j, j + 1) += second * c;
+      }
+    }
+    return result;
+  };
+  // Horner's rule in s, and in t for every power of s.
+  Local sum(degree);
+  for (int i = degree; i >= 0; --i) {
+    Local inner(degree);
+    for (int j = degree - i; j >= 0; --j) {
+      inner = times(inner, at.t, u.t, v.t);
+      inner(0, 0) += q(i, j);
+    }
+    sum = times(sum, at.s, u.s, v.s);
+    for (int n = 0; n <= degree; ++n) {
+      for (int j = 0; j <= n; ++j) sum(n - j, j) += inner(n - j, j);
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+PlaneElement::Prepared::Prepared(const PlanePolygon& polygon,
+                                 std::vector<PlanePolynomial<Rational>> functions, double accuracy)
+    : polygon_(polygon), exact_functions_(std::move(functions)), accuracy_(accuracy) {
+  expects(accuracy >= usual_accuracy && accuracy <= largest_accuracy, "1e-14 <= accuracy <= 1e-3",
+          named("accuracy", accuracy));
+  expects(!exact_functions_.empty(), "at least one function");
+  for (const PlanePolynomial<Rational>& q : exact_functions_) {
+    expects(q.degree() <= largest_degree, "functions of degree at most 8", named("degree", q.degree()));
+    degree_ = std::max(degree_, q.degree());
+  }
+  add_loops(polygon);
+  add_functions();
+}
+
+void PlaneElement::Prepared::add_loops(const PlanePolygon& polygon) {
+  // x along the longest edge: then a sliver's small moments are those that the recurrences start from.
+  Rational longest;
+  Vector<Rational> along;
+  Vector<Rational> low = polygon.point(polygon.loops()[0][0]);
+  Vector<Rational> high = low;
+  for (const PolygonLoop& loop : polygon.loops()) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const Vector<Rational> at = polygon.point(loop[k]);
+      const Vector<Rational> edge = polygon.point(loop[(k + 1) % loop.size()]) - at;
+      low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+      high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
+      if (longest < dot(edge, edge)) {
+        longest = dot(edge, edge);
+        along = edge;
+      }
+    }
+  }
+  wide_centre_ = wide(Rational(1, 2) * (low + high));
+  centre_ = twofold(wide_centre_);
+  const Vector<Rational> plane_normal = polygon.normal();
+  const auto normalised = [](const Vector<Rational>& a) {
+    return reciprocal(sqrt(Wide(dot(a, a)))) * wide(a);
+  };
+  wide_x_ = normalised(along);
+  const Vector<Wide> wide_z = normalised(plane_normal);
+  wide_y_ = normalised(cross(plane_normal, along));
+  axis_x_ = twofold(wide_x_);
+  axis_y_ = twofold(wide_y_);
+  axis_z_ = twofold(wide_z);
+
+  double x_size = 0;
+  double y_size = 0;
+  for (const PolygonLoop& loop : polygon.loops()) {
+    const std::size_t base = corners_.size();
+    for (const auto& at : loop) {
+      const Vector<Wide> point = wide(polygon.point(at));
+      Corner corner;
+      corner.at = twofold(point);
+      corner.x = as_double(dot(point - wide_centre_, wide_x_));
+      corner.y = as_double(dot(point - wide_centre_, wide_y_));
+      x_size = std::max(x_size, std::abs(corner.x));
+      y_size = std::max(y_size, std::abs(corner.y));
+
+      reach_ = std::max(reach_, largest_part(corner.at.head));
+      corners_.push_back(corner);
+    }
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      Edge edge;
+      edge.start = base + k;
+      edge.end = base + (k + 1) % loop.size();
+      const Vector<Rational> exact = polygon.point(loop[(k + 1) % loop.size()]) - polygon.point(loop[k]);
+      const Vector<Wide> direction = normalised(exact);
+      edge.length = as_double(sqrt(Wide(dot(exact, exact))));
+      shortest_ = edges_.empty() ? edge.length : std::min(shortest_, edge.length);
+      edge.direction = twofold(direction);
+      edge.direction_x = as_double(dot(direction, wide_x_));
+      edge.direction_y = as_double(dot(direction, wide_y_));
+      edge.inward = twofold(normalised(cross(plane_normal, exact)));
+      edges_.push_back(edge);
+    }
+    const Wide normal_length = sqrt(Wide(dot(plane_normal, plane_normal)));
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+      const Rational part = cross(loop[k] - loop[0], loop[k + 1] - loop[0]);
+      triangles_.push_back({{base, base + k, base + k + 1}, as_double(Wide(part) * normal_length)});
+    }
+  }
+
+  x_scale_ = x_size;
+  y_scale_ = y_size;
+}
+
+/// max |q| over points that lie in the polygon for certain: on its edges, and those of the fans' lattices that lie inside.
+double PlaneElement::Prepared::largest_value(const PlanePolynomial<Rational>& q) const {
+  Rational largest;
+  const auto look = [&](const ParameterPoint<Rational>& at) {
+    largest = std::max(largest, abs(q.value(at.s, at.t)));
+  };
+  const bool triangle = polygon_.loops().size() == 1 && polygon_.loops()[0].size() == 3;
+  constexpr int steps = 8;
+  for (const PolygonLoop& loop : polygon_.loops()) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const auto& from = loop[k];
+      const auto edge = loop[(k + 1) % loop.size()] - from;
+      for (int i = 0; i < steps; ++i) look(from + Rational(i, steps) * edge);
+    }
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+      for (int i = 1; i < steps; ++i) {
+        for (int j = 1; i + j < steps; ++j) {
+          const ParameterPoint<Rational> at = loop[0] + Rational(i, steps) * (loop[k] - loop[0]) +
+                                              Rational(j, steps) * (loop[k + 1] - loop[0]);
+          bool inside = triangle;
+          if (!triangle) {
+            int winding = 0;
+            for (const PolygonLoop& around : polygon_.loops()) {
+              for (std::size_t n = 0; n < around.size(); ++n) {
+                const auto a = around[n] - at;
+                const auto b = around[(n + 1) % around.size()] - at;
+                const int side = cross(a, b).sign();
+                if (a.t.sign() <= 0 && b.t.sign() > 0 && side > 0) ++winding;
+                if (a.t.sign() > 0 && b.t.sign() <= 0 && side < 0) --winding;
+              }
+            }
+            inside = winding != 0;
+          }
+          if (inside) look(at);
+        }
+      }
+    }
+  }
+  // The nearest double may lie above.
+  return largest.to_double() * (1 - 4 * unit);
+}
+
+void PlaneElement::Prepared::add_functions() {
+  // s = s_c + s_x X + s_y Y with X = x / x_scale, and so t: by the dual frame of the plane.
+  const Vector<Rational> plane_normal = polygon_.normal();
+  const Rational squared = dot(plane_normal, plane_normal);
+  const Vector<Wide> dual_s = wide((Rational(1) / squared) * cross(polygon_.second(), plane_normal));
+  const Vector<Wide> dual_t = wide((Rational(1) / squared) * cross(plane_normal, polygon_.first()));
+  const auto affine = [&](const Vector<Wide>& dual) {
+    return std::array{dot(dual, wide_centre_ - wide(polygon_.origin())), Wide(x_scale_) * dot(dual, wide_x_),
+                      Wide(y_scale_) * dot(dual, wide_y_)};
+  };
+  using Local = PlanePolynomial<Wide>;
+  const auto times = [this](const Local& a, const std::array<Wide, 3>& b) {
+    Local result(degree_);
+    for (int n = 0; n <= degree_; ++n) {
+      for (int j = 0; j <= n; ++j) {
+        const Wide& c = a(n - j, j);
+        result(n - j, j) += b[0] * c;
+        if (n == degree_) continue;
+        result(n - j + 1, j) += b[1] * c;
+        result(n - j, j + 1) += b[2] * c;
+      }
+    }
+    return result;
+  };
+  const std::array<Wide, 3> s = affine(dual_s);
+  const std::array<Wide, 3> t = affine(dual_t);
+  std::vector<Local> sums(exact_functions_.size(), Local(degree_));
+  Local row(degree_);
+  row(0, 0) = 1;
+  for (int i = 0; i <= degree_; ++i) {
+    Local monomial = row;
+    for (int j = 0; i + j <= degree_; ++j) {
+      for (std::size_t k = 0; k < sums.size(); ++k) {
+        const PlanePolynomial<Rational>& q = exact_functions_[k];
+        if (i + j > q.degree() || q(i, j).sign() == 0) continue;
+        const Wide c(q(i, j));
+        for (int n = 0; n <= i + j; ++n) {
+          for (int l = 0; l <= n; ++l) sums[k](n - l, l) += c * monomial(n - l, l);
+        }
+      }
+      monomial = times(monomial, t);
+    }
+    row = times(row, s);
+  }
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    Function function;
+    for (const Wide& c : sums[k].coefficients()) {
+      function.coefficients.push_back(c.to_double());
+    }
+    add_barycentric(exact_functions_[k], function);
+    function.maximum = largest_value(exact_functions_[k]);
+    expects(function.maximum > 0, "functions that are not zero", named("function", k));
+    amplification_ = std::max(amplification_, function.size / function.maximum);
+    functions_.push_back(std::move(function));
+  }
+  permitted_ratio_ = permitted_ratio();
+}
+
+/// q on the fans' triangles in products of barycentric coordinates. lambda_1^i lambda_2^j has the Bernstein coefficients
+/// b!/(b-i)! c!/(c-j)! (n-i-j)!/n! at lambda_0^a lambda_1^b lambda_2^c, n = a + b + c.
+void PlaneElement::Prepared::add_barycentric(const PlanePolynomial<Rational>& q, Function& function) {
+  const auto factorial = [](int n) {
+    double product = 1;
+    for (int k = 2; k <= n; ++k) product *= k;
+    return product;
+  };
+  multinomials_.clear();
+  for (int m = 0; m <= degree_; ++m) {
+    for (int c = 0; c <= m; ++c) {
+      multinomials_.push_back(factorial(degree_) /
+                              (factorial(degree_ - m) * factorial(m - c) * factorial(c)));
+    }
+  }
+  for (const PolygonLoop& loop : polygon_.loops()) {
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+      const PlanePolynomial<Rational> local =
+          substituted(q, loop[0], loop[k] - loop[0], loop[k + 1] - loop[0]);
+      std::vector<double> coefficients;
+      for (int m = 0; m <= degree_; ++m) {
+        for (int c = 0; c <= m; ++c) {
+          const int b = m - c;
+          Wide sum;
+          for (int i = 0; i <= b; ++i) {
+            for (int j = 0; j <= c && i + j <= q.degree(); ++j) {
+              const double quotient = factorial(b) / factorial(b - i) * (factorial(c) / factorial(c - j)) *
+                                      factorial(degree_ - i - j);
+              sum += Wide(local(i, j)) * Wide(quotient);
+            }
+          }
+          sum /= Wide(factorial(degree_));
+          function.size = std::max(function.size, std::abs(sum.to_double()));
+          coefficients.push_back((sum * Wide(multinomials_[coefficients.size()])).to_double());
+        }
+      }
+      function.barycentric.push_back(std::move(coefficients));
+    }
+  }
+}
+
+/// Int G dS = 1/2 sum [h (n_P . m) - (n_P . n) d] angle / a, m the edge's inward normal.
+std::optional<BoundedDouble> PlaneElement::Prepared::lambert(const Eye& eye) const {
+  const BoundedDouble squared_height = eye.height * eye.height;
+  BoundedDouble sum;
+  for (const Edge& edge : edges_) {
+    const TwofoldVector& from = eye.differences[edge.start];
+    const BoundedDouble d = product(edge.inward, from, eye.reach);
+    const BoundedDouble a2 = d * d + squared_height;
+    const BoundedDouble a = sqrt(a2);
+    const BoundedDouble start = -plain_product(edge.direction, from);
+    const BoundedDouble end = -plain_product(edge.direction, eye.differences[edge.end]);
+    const BoundedDouble angle = atan2(a * BoundedDouble::rounded(edge.length), a2 + start * end);
+    const BoundedDouble across = product(edge.inward, eye.normal, normal_reach);
+    sum = sum + (eye.height * across - eye.normal_z * d) * angle / a;
+  }
+  sum = sum / (eye.normal_length + eye.normal_length);
+  // The product with the function's value rounds once more.
+  if (sum.error() <= (accuracy_ - 4 * unit) * sum.smallest_size()) return sum;
+  return std::nullopt;
+}
+
+/// direction . r in doubles.
+BoundedDouble PlaneElement::Prepared::plain_product(const TwofoldVector& direction,
+                                                    const TwofoldVector& r) const {
+  double sum = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double term = direction.head[i] * r.head[i];
+    sum += term;
+    size += std::abs(term);
+  }
+  // Both factors are rounded, the product, and two sums.
+  return {sum, 5.1 * unit * size};
+}
+
+bool PlaneElement::Prepared::foot_is_outside(const Eye& eye,
+                                             const std::vector<FootEdge<BoundedDouble>>& edges) const {
+  int winding = 0;
+  const double height = std::abs(eye.height.value());
+  for (const FootEdge<BoundedDouble>& edge : edges) {
+    if (edge.distance_sign == 0) return false;
+    // A corner's coordinate is the same number for both of its edges.
+    const bool from_above = edge.start_y.value() > 0;
+    const bool to_above = edge.end_y.value() > 0;
+    if (!from_above && to_above && edge.distance_sign > 0) ++winding;
+    if (from_above && !to_above && edge.distance_sign < 0) --winding;
+    if (std::hypot(edge.start_x.value(), edge.start_y.value()) < height) return false;
+  }
+  return winding == 0;
+}
+
+template <int most>
+bool PlaneElement::Prepared::by_closed_form(const Eye& eye, std::span<double> values) const {
+  using B = BoundedDouble;
+  std::vector<FootEdge<B>>& edges = scratch().edges;
+  edges.clear();
+  const B squared_height = eye.height * eye.height;
+  for (const Edge& edge : edges_) {
+    const TwofoldVector& from = eye.differences[edge.start];
+    const TwofoldVector& to = eye.differences[edge.end];
+    FootEdge<B> seen;
+    seen.direction_x = B::rounded(edge.direction_x);
+    seen.direction_y = B::rounded(edge.direction_y);
+    seen.distance = product(edge.inward, from, eye.reach);
+    seen.slant = sqrt(seen.distance * seen.distance + squared_height);
+    seen.length = B::rounded(edge.length);
+    seen.start = -plain_product(edge.direction, from);
+    seen.end = -plain_product(edge.direction, to);
+    seen.start_x = -plain_product(axis_x_, from);
+    seen.start_y = -plain_product(axis_y_, from);
+    seen.end_x = -plain_product(axis_x_, to);
+    seen.end_y = -plain_product(axis_y_, to);
+    // Int |d| log(w/h^2) / (2 rho^2) dt <= pi |d| / |h|, and so |d| angle / a.
+    if (seen.distance.smallest_size() > 0) {
+      seen.distance_sign = seen.distance.value() < 0 ? -1 : 1;
+    } else {
+      seen.neglected = B(0, 7 * seen.distance.error() / eye.height.smallest_size());
+    }
+    // The formula is analytic across t = 0: either sign will do there.
+    seen.start_sign = seen.start.value() < 0 ? -1 : 1;
+    seen.end_sign = seen.end.value() < 0 ? -1 : 1;
+    edges.push_back(seen);
+  }
+  FootView<B> view;
+  view.height = eye.height;
+  view.normal_x = product(axis_x_, eye.normal, normal_reach) / eye.normal_length;
+  view.normal_y = product(axis_y_, eye.normal, normal_reach) / eye.normal_length;
+  view.normal_z = eye.normal_z / eye.normal_length;
+  view.foot_outside = foot_is_outside(eye, edges);
+  KernelMoments<B, most> sums(view, degree_);
+  for (const FootEdge<B>& edge : edges) sums.add(edge);
+  typename KernelMoments<B, most>::Table table = sums.finish();
+  const B whole = table[0][0];
+  const double least = accuracy_ * whole.smallest_size();
+  if (!(whole.error() <= least)) return false;
+  const TwofoldVector from_centre = difference(eye.p, centre_);
+  const B x_factor = B::rounded(1 / x_scale_);
+  const B y_factor = B::rounded(1 / y_scale_);
+  substitute(PlaneSubstitution<B>{.t_0 = product(axis_y_, from_centre, eye.reach) * y_factor,
+                                  .t_y = y_factor,
+                                  .s_0 = product(axis_x_, from_centre, eye.reach) * x_factor,
+                                  .s_x = x_factor,
+                                  .s_t = B(0)},
+             degree_, table);
+  for (std::size_t k = 0; k < functions_.size(); ++k) {
+    B sum;
+    std::size_t place = 0;
+    for (int n = 0; n <= degree_; ++n) {
+      for (int j = 0; j <= n; ++j) {
+        sum = sum + B::rounded(functions_[k].coefficients[place++]) *
+                        table[static_cast<std::size_t>(n - j)][static_cast<std::size_t>(j)];
+      }
+    }
+    if (!(sum.error() <= least * functions_[k].maximum)) return false;
+    values[k] = sum.value();
+  }
+  return true;
+}
+
+/// The roundings that a summand of a rule may suffer, in units of 2^-53 of it, where pieces have at most this radius against
+/// their distance. Levels 5, height 2, weight and node 6, area 2, cut 4, products 6; the distance, whose fourth power enters: a
+/// corner's coordinates 1, of a number at most 1 + ratio, the differences of the corners' 8 of the radius, over 1 - ratio, the
+/// sum 1; squares and their sum 1.
+double summand_roundings(double ratio) {
+  const double distance = ((1 + ratio) + 8 * ratio) / (1 - ratio) + 1;
+  return 25 + 2 * (2 * distance + 1);
+}
+
+/// Those of the sums, in units of the largest Bernstein coefficient: a block, the compensated total, the lanes, three for every
+/// factor of a Bernstein polynomial, and its coefficient.
+double sum_roundings(int degree) {
+  return static_cast<double>(PieceSums::rule_block) + 6 + (degree > 0 ? 3 * degree + 1 : 0);
+}
+
+double PlaneElement::Prepared::permitted_ratio() const {
+  for (const double ratio : {0.4, 0.35, 0.3, 0.25, 0.2, 0.15, 0.1, 0.05, 0.02}) {
+    const double most = summand_roundings(ratio) + sum_roundings(degree_) * amplification_;
+    if (most * unit <= (1 - truncation_part) * accuracy_) return ratio;
+  }
+  return 0;
+}
+
+/// Cuts the visible part of the polygon into pieces, triangle by triangle; false if that takes too many.
+bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, std::size_t most,
+                                             std::vector<KernelPiece>& pieces) const {
+  pieces.clear();
+  const double squared_height = eye.height.value() * eye.height.value();
+  std::vector<KernelPiece>& left = scratch().left;
+  for (std::size_t k = 0; k < triangles_.size(); ++k) {
+    KernelPiece triangle;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::size_t corner = triangles_[k].corner[c];
+      const BoundedDouble& level = eye.levels[corner];
+      triangle.corner[c].x = twofold_product(axis_x_, eye.differences[corner]);
+      triangle.corner[c].y = twofold_product(axis_y_, eye.differences[corner]);
+      triangle.corner[c].level = level.smallest_size() > 0 ? level.value() : 0;
+      triangle.corner[c].barycentric[c] = 1;
+    }
+    triangle.double_area = triangles_[k].double_area;
+    triangle.triangle = k;
+    left.clear();
+    append_visible(triangle, left);
+    while (!left.empty()) {
+      KernelPiece piece = left.back();
+      left.pop_back();
+      measure(piece, squared_height);
+      if (piece.radius <= permitted_ratio_ * piece.distance) {
+        pieces.push_back(piece);
+        continue;
+      }
+      if (pieces.size() + left.size() + 4 > most) return false;
+      append_quarters(piece, left);
+    }
+  }
+  return true;
+}
+
+bool PlaneElement::Prepared::by_rule(const Eye& eye, std::size_t most_pieces,
+                                     std::span<double> values) const {
+  if (permitted_ratio_ == 0) return false;
+  std::vector<KernelPiece>& pieces = scratch().pieces;
+  if (!cut_into_pieces(eye, most_pieces, pieces)) return false;
+  // A lower bound of Int G / h, from the largest distance; piece by piece where none counts negative.
+  double average = 0;
+  double by_pieces = 0;
+  double farthest = 0;
+  double absolute_area = 0;
+  bool positive = true;
+  for (const KernelPiece& piece : pieces) {
+    const auto& [a, b, c] = piece.corner;
+    const double level = piece.double_area / 6 * (a.level + b.level + c.level);
+    const double reach = piece.distance + piece.radius;
+    average += level;
+    by_pieces += level / ((reach * reach) * (reach * reach));
+    farthest = std::max(farthest, reach);
+    absolute_area += std::abs(piece.double_area) / 2;
+    positive = positive && piece.double_area >= 0;
+  }
+  constexpr double rounding = 0.99;
+  const double least =
+      rounding * (positive ? by_pieces : average / ((farthest * farthest) * (farthest * farthest)));
+  if (!(least > 0)) return false;
+
+  std::vector<long double>& results = scratch().results;
+  results.assign(functions_.size(), 0);
+  PieceSums sums(degree_);
+  const double squared_height = eye.height.value() * eye.height.value();
+  long double whole = 0;
+  long double absolute = 0;
+  for (std::size_t place = 0; place < pieces.size();) {
+    const std::size_t triangle = pieces[place].triangle;
+    sums.clear();
+    for (; place < pieces.size() && pieces[place].triangle == triangle; ++place) {
+      const KernelPiece& piece = pieces[place];
+      // 2 area sup |numerator| D^-4 tail sup |q|, against this area's part of what is permitted.
+      const double squared = piece.distance * piece.distance;
+      const double level = std::max({piece.corner[0].level, piece.corner[1].level, piece.corner[2].level});
+      if (!(level > 0)) continue;
+      const double needed = truncation_part * accuracy_ * least * squared * squared /
+                            (2 * absolute_area * level * amplification_);
+      const PaddedRule* rule = fitting_rule(piece.radius / piece.distance, needed, degree_);
+      if (rule == nullptr) return false;
+      sums.add(piece, *rule, squared_height);
+    }
+    long double part = 0;
+    for (std::size_t n = 0; n < sums.count(); ++n) {
+      const long double moment = sums.moment(n);
+      part += moment * static_cast<long double>(multinomials_[n]);
+      for (std::size_t k = 0; k < functions_.size(); ++k) {
+        results[k] += static_cast<long double>(functions_[k].barycentric[triangle][n]) * moment;
+      }
+    }
+    whole += part;
+    absolute += std::abs(part);
+  }
+  // Triangles that stick out of the polygon and cancel: there the functions are bounded by the Bernstein coefficients alone.
+  if (!(absolute <= whole)) {
+    const auto excess = static_cast<double>(absolute / whole);
+    const double roundings =
+        excess * (summand_roundings(permitted_ratio_) + sum_roundings(degree_)) * amplification_;
+    if (!(whole > 0) || !(roundings * unit <= (1 - truncation_part) * accuracy_)) return false;
+  }
+  const long double factor =
+      static_cast<long double>(eye.height.value()) / static_cast<long double>(eye.normal_length.value());
+  for (std::size_t k = 0; k < functions_.size(); ++k) values[k] = static_cast<double>(results[k] * factor);
+  return true;
+}
+
+PlaneElement::Route PlaneElement::Prepared::by_balls(const Vector<double>& p, const Vector<double>& normal,
+                                                     std::span<double> values) const {
+  const auto exactly = [](const Vector<double>& a) {
+    return Vector<Rational>{Rational::exactly(a.x), Rational::exactly(a.y), Rational::exactly(a.z)};
+  };
+  const Vector<Rational> exact_p = exactly(p);
+  const Vector<Rational> exact_normal = exactly(normal);
+  constexpr long first_bits = 128;
+  constexpr long most_bits = 1L << 14;
+  for (long bits = first_bits;; bits *= 2) {
+    expects(bits <= most_bits, "2^14 bits suffice", named("bits", bits));
+    const BallPrecision precision(bits);
+    const std::vector<Ball> moments =
+        point_to_polygon_moments<Ball>(exact_p, exact_normal, polygon_, degree_);
+    const double least = abs(moments[0]).lower_double();
+    bool enough = true;
+    bool zero = true;
+    for (std::size_t k = 0; k < functions_.size() && enough; ++k) {
+      Ball sum;
+      const std::vector<Rational>& coefficients = exact_functions_[k].coefficients();
+      for (std::size_t n = 0; n < coefficients.size(); ++n) {
+        if (coefficients[n].sign() != 0) sum += Ball(coefficients[n]) * moments[n];
+      }
+      zero = zero && certainly_zero(sum);
+      // Half for the radius; rounding to a double costs 2^-53 of the value.
+      enough = sum.is_finite() && sum.radius() <= accuracy_ / 2 * least * functions_[k].maximum;
+      if (enough) values[k] = sum.to_double();
+    }
+    if (enough) return zero ? Route::zero : Route::ball;
+  }
+}
+
+PlaneElement::Route PlaneElement::Prepared::integrals(const Vector<double>& p, const Vector<double>& normal,
+                                                      std::span<double> values) const {
+  expects(std::isfinite(p.x + p.y + p.z) && std::isfinite(normal.x + normal.y + normal.z), "finite numbers",
+          named("x", p.x), named("y", p.y), named("z", p.z));
+  expects(values.size() == functions_.size(), "a value for every function", named("values", values.size()));
+  Eye& eye = scratch().eye;
+  eye.differences.clear();
+  eye.levels.clear();
+  eye.p = {p.x, p.y, p.z};
+  eye.normal.head = {normal.x, normal.y, normal.z};
+  eye.reach = 3 * (largest_part(eye.p) + reach_);
+  const double normal_size = largest_part(eye.normal.head);
+  expects(normal_size > 0, "a normal that is not zero");
+  // Squares and fourth powers of lengths beyond these could leave the range of doubles; normals need not.
+  constexpr double smallest = 1e-60;
+  constexpr double largest = 1e60;
+  if (normal_size < smallest || normal_size > largest || eye.reach > largest)
+    return by_balls(p, normal, values);
+  const double scale = std::ldexp(1.0, -std::ilogb(normal_size));
+  for (double& part : eye.normal.head) part *= scale;
+  double squared = 0;
+  for (const double part : eye.normal.head) squared = std::fma(part, part, squared);
+  eye.normal_length = {std::sqrt(squared), 3 * unit * std::sqrt(squared)};
+  eye.normal_z = product(axis_z_, eye.normal, normal_reach);
+
+  int seen = 0;
+  int unseen = 0;
+  int undecided = 0;
+  for (const Corner& corner : corners_) {
+    eye.differences.push_back(difference(eye.p, corner.at));
+    const BoundedDouble level = -product(eye.normal, eye.differences.back(), normal_reach * eye.reach);
+    eye.levels.push_back(level);
+    if (level.smallest_size() == 0) {
+      ++undecided;
+    } else {
+      ++(level.value() > 0 ? seen : unseen);
+    }
+  }
+  eye.height = product(axis_z_, eye.differences[0], eye.reach);
+  if (seen == 0 && undecided == 0) {
+    // Unless P lies on the polygon, where the ball's contract is asked; there a corner in front or on the tangent plane exists.
+    std::fill(values.begin(), values.end(), 0.0);
+    return Route::zero;
+  }
+  if (eye.height.smallest_size() < smallest || shortest_ < smallest || seen == 0)
+    return by_balls(p, normal, values);
+  // A corner within rounding of the tangent plane changes the integral by the square of that.
+  const bool whole = unseen == 0;
+  if (whole && degree_ == 0) {
+    if (const std::optional<BoundedDouble> value = lambert(eye)) {
+      for (std::size_t k = 0; k < functions_.size(); ++k) {
+        values[k] = functions_[k].coefficients[0] * value->value();
+      }
+      return Route::closed_form;
+    }
+  }
+  // One piece a triangle: then the rule costs less than the closed form of higher degree.
+  const std::size_t few = triangles_.size();
+  constexpr std::size_t many = 200;
+  if (whole && by_rule(eye, few, values)) return Route::rule;
+  if (whole) {
+    const bool closed = degree_ <= 1   ? by_closed_form<1>(eye, values)
+                        : degree_ == 2 ? by_closed_form<2>(eye, values)
+                                       : by_closed_form<largest_degree>(eye, values);
+    if (closed) return Route::closed_form;
+  }
+  return by_rule(eye, many + few, values) ? Route::rule : by_balls(p, normal, values);
+}
+
+PlaneElement::PlaneElement(const PlanePolygon& polygon, std::vector<PlanePolynomial<Rational>> functions,
+                           double accuracy)
+    : prepared_(std::make_unique<const Prepared>(polygon, std::move(functions), accuracy)) {}
+PlaneElement::PlaneElement(PlaneElement&&) noexcept = default;
+PlaneElement& PlaneElement::operator=(PlaneElement&&) noexcept = default;
+PlaneElement::~PlaneElement() = default;
+
+std::size_t PlaneElement::function_count() const { return prepared_->function_count(); }
+
+PlaneElement::Route PlaneElement::integrals(const Vector<double>& p, const Vector<double>& normal,
+                                            std::span<double> values) const {
+  return prepared_->integrals(p, normal, values);
+}
+
+}  // namespace radcert
