@@ -38,6 +38,9 @@ using Action = std::function<ExitCode()>;
 /// Each adds its subcommand; choosing it on the command line sets the action.
 void add_solve(CLI::App& program, Common& common, Action& action);
 void add_verify(CLI::App& program, Common& common, Action& action);
+void add_reference(CLI::App& program, Common& common, Action& action);
+void add_surface(CLI::App& program, Common& common, Action& action);
+void add_basis(CLI::App& program, Common& common, Action& action);
 void add_list(CLI::App& program, Common& common, Action& action);
 void add_schema(CLI::App& program, Common& common, Action& action);
 void add_example(CLI::App& program, Common& common, Action& action);

@@ -13,6 +13,7 @@
 #include "radcert/core/version.h"
 #include "radcert/formats/json_reader.h"
 #include "radcert/formats/json_value.h"
+#include "radcert/reference/reference_value.h"
 #include "radcert/surface/catalogue.h"
 #include "verification/framework/paper.h"
 #include "verification/framework/run_verification.h"
@@ -51,7 +52,11 @@ std::vector<Entry> bases() {
       {.name = "inset",
        .summary = "polynomials with the nodes of m06 (13) pulled in from the corners",
        .parameters = {{"degree", "a whole number from 0 to 8", ""},
-                      {"alpha", "a number in [0, 1/3), superconvergent at degree 1; none at degree 0", ""}}}};
+                      {"alpha", "a number in [0, 1/3), superconvergent at degrees 1 and 3; none at degree 0",
+                       ""}}},
+      {.name = "symmetric",
+       .summary = "polynomials with symmetric nodes whose rule has a high degree of precision",
+       .parameters = {{"degree", "a whole number from 1 to 6", ""}}}};
 }
 
 std::vector<Entry> claims() {
@@ -69,7 +74,24 @@ std::vector<Entry> claims() {
   return out;
 }
 
-std::vector<Entry> references() { return {}; }
+/// Values with a name of their own first, then the families that --set reaches into.
+std::vector<Entry> references() {
+  std::vector<Entry> out;
+  for (const reference::NamedValue& value : reference::named_values()) {
+    const reference::ValueFamily& family = *reference::find_family(value.family);
+    std::string arguments;
+    for (std::size_t i = 0; i < value.arguments.size(); ++i)
+      arguments += (i == 0 ? "(" : ", ") + family.parameters[i].name + " = " + value.arguments[i].to_text();
+    out.push_back({.name = value.name, .summary = family.name + (arguments.empty() ? "" : arguments + ")")});
+  }
+  for (const reference::ValueFamily& family : reference::value_families()) {
+    Entry line{.name = family.name, .summary = family.summary};
+    for (const reference::ValueParameter& parameter : family.parameters)
+      line.parameters.push_back({parameter.name, parameter.allowed, parameter.default_text});
+    out.push_back(line);
+  }
+  return out;
+}
 
 const std::vector<std::pair<std::string, std::function<std::vector<Entry>()>>> lists = {
     {"surfaces", surfaces}, {"bases", bases}, {"claims", claims}, {"references", references}};

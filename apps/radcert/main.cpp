@@ -67,6 +67,9 @@ int run(int argc, char** argv) {
   Action action;
   add_solve(program, common, action);
   add_verify(program, common, action);
+  add_reference(program, common, action);
+  add_surface(program, common, action);
+  add_basis(program, common, action);
   add_list(program, common, action);
   add_schema(program, common, action);
   add_example(program, common, action);

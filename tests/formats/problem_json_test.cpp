@@ -90,6 +90,17 @@ TEST(ParseProblem, LeavesAlphaOutAtDegreeZeroOnly) {
       Rational(1, 5));
 }
 
+TEST(ParseProblem, FindsTheSuperconvergentAlpha) {
+  const auto basis = [](const std::string& text) { return parse_problem(with("basis", text), "").basis; };
+  const BasisChoice one = basis(R"({"family": "inset", "degree": 1, "alpha": "superconvergent"})");
+  EXPECT_EQ(one.alpha, Rational(1, 6));
+  EXPECT_FALSE(one.alpha_is_near);
+  const BasisChoice three = basis(R"({"family": "inset", "degree": 3, "alpha": "superconvergent"})");
+  EXPECT_TRUE(three.alpha_is_near);
+  // (7 - sqrt 34)/15
+  EXPECT_EQ(three.alpha->to_double(), 0.07793654034364664);
+}
+
 TEST(ParseProblem, TakesOneExpressionAPiece) {
   const Problem problem = parse_problem(with("reflectivity", R"({"lower": 0.5, "*": "x/4"})"), "");
   EXPECT_EQ(problem.reflectivity.on("lower").is_constant(), Rational(1, 2));
@@ -107,6 +118,9 @@ TEST(ProblemText, StatesTheSameProblemAgain) {
       with("triangulation", R"({"levels": [7], "pattern": "anti", "grading": "1.5"})"),
       with("triangulation", R"({"levels": [0, 30], "pattern": {"upper": "main", "*": "anti"}})"),
       with("basis", R"({"family": "inset", "degree": 0})"),
+      with("basis", R"({"family": "inset", "degree": 1, "alpha": "superconvergent"})"),
+      with("basis", R"({"family": "inset", "degree": 3, "alpha": "superconvergent"})"),
+      with("basis", R"({"family": "symmetric", "degree": 2})"),
       with("geometry", R"({"interpolated": 1})"),
       with("geometry", R"({"data": "interpolant", "interpolated": 4})"),
       with("quadrature", R"({"tolerance": "1e-6"})"),

@@ -30,6 +30,7 @@ TEST(ProblemSchema, NamesTheSurfacesOfTheCatalogueAndTheirParameters) {
     named.push_back(*name.string());
   std::vector<std::string> there;
   for (const SurfaceDescription& description : surface_catalogue()) {
+    if (!description.unoccluded) continue;  // no problem can name it
     there.push_back(description.name);
     for (const ParameterDescription& parameter : description.parameters)
       EXPECT_NE(text.find("\"" + parameter.name + "\": {"), std::string_view::npos) << parameter.name;

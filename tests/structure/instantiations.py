@@ -35,7 +35,7 @@ def compiled(headers, arithmetics):
                     pairs.add((name, arithmetic))
         for name, arithmetic in re.findall(r"&\s*(\w+)::in<(.+?)>\(\) const", text):
             pairs.add((name, arithmetic))
-        for arithmetic, name in re.findall(r"^(?:\[\[nodiscard\]\] )?(\w+) (\w+)\(", text, re.MULTILINE):
+        for arithmetic, name in re.findall(r"^(?:\[\[nodiscard\]\] )?(\w+(?:<\d+>)?) (\w+)\(", text, re.MULTILINE):
             pairs.add((name, arithmetic))
     return pairs
 

@@ -58,7 +58,7 @@ void put_lanes(const ObserverBlock<R>& block, std::size_t k, const BlockIntegral
 
 template <Real R>
 CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& triangulation,
-                              const InsetBasis<R>& basis, std::span<const Observer<R>> nodes,
+                              const TriangleBasis<R>& basis, std::span<const Observer<R>> nodes,
                               std::span<const R> reflectivity, const Tolerance& tolerance) {
   const std::size_t elements = triangulation.triangles.size();
   const std::size_t functions = basis.size();
@@ -103,11 +103,11 @@ CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& trian
 }
 
 template CollocationMatrix<double> assemble<double>(const Surface&, const Triangulation&,
-                                                    const InsetBasis<double>&,
+                                                    const TriangleBasis<double>&,
                                                     std::span<const Observer<double>>,
                                                     std::span<const double>, const Tolerance&);
 template CollocationMatrix<Mpfr<50>> assemble<Mpfr<50>>(const Surface&, const Triangulation&,
-                                                        const InsetBasis<Mpfr<50>>&,
+                                                        const TriangleBasis<Mpfr<50>>&,
                                                         std::span<const Observer<Mpfr<50>>>,
                                                         std::span<const Mpfr<50>>, const Tolerance&);
 

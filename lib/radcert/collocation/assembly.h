@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "radcert/core/matrix.h"
-#include "radcert/polynomial/inset_basis.h"
+#include "radcert/polynomial/triangle_basis.h"
 #include "radcert/quadrature/observer.h"
 #include "radcert/quadrature/tolerance.h"
 #include "radcert/triangulation/triangulation.h"
@@ -34,16 +34,16 @@ struct CollocationMatrix {
 /// Limits    unoccluded surfaces: V = 1
 template <Real R>
 CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& triangulation,
-                              const InsetBasis<R>& basis, std::span<const Observer<R>> nodes,
+                              const TriangleBasis<R>& basis, std::span<const Observer<R>> nodes,
                               std::span<const R> reflectivity, const Tolerance& tolerance = Tolerance());
 
 extern template CollocationMatrix<double> assemble<double>(const Surface&, const Triangulation&,
-                                                           const InsetBasis<double>&,
+                                                           const TriangleBasis<double>&,
                                                            std::span<const Observer<double>>,
                                                            std::span<const double>, const Tolerance&);
 
 extern template CollocationMatrix<Mpfr<50>> assemble<Mpfr<50>>(const Surface&, const Triangulation&,
-                                                               const InsetBasis<Mpfr<50>>&,
+                                                               const TriangleBasis<Mpfr<50>>&,
                                                                std::span<const Observer<Mpfr<50>>>,
                                                                std::span<const Mpfr<50>>, const Tolerance&);
 

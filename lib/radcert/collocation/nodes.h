@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "radcert/polynomial/inset_basis.h"
+#include "radcert/polynomial/triangle_basis.h"
 #include "radcert/quadrature/observer.h"
 #include "radcert/quadrature/samples.h"
 #include "radcert/triangulation/triangulation.h"
@@ -13,13 +13,13 @@ namespace radcert {
 /// The collocation nodes of a triangulation.
 /// Maths     v_{k,j} = m_k(q_j), element by element, j in the order of the basis
 /// Source    [ac98, (36)]; [m06, (13)]
-/// Requires  -
+/// Requires  a TriangleBasis, or what one is made of
 /// Result    node k * basis.size() + j belongs to element k; an inset of 0 repeats a node in every element that has it:
 ///           the repeated unknowns have equal equations and so equal values
 /// Limits    -
-template <Real R>
+template <Real R, template <Field> class Basis>
 std::vector<Observer<R>> collocation_nodes(const Surface& surface, const Triangulation& triangulation,
-                                           const InsetBasis<R>& basis) {
+                                           const Basis<R>& basis) {
   std::vector<Observer<R>> nodes;
   nodes.reserve(triangulation.triangles.size() * basis.size());
   const std::vector<Barycentric<R>> reference = basis.nodes();

@@ -15,7 +15,12 @@ namespace {
 
 constexpr const char* schema = "radcert/problem/1";
 
-Problem read(const JsonValue& document) {
+/// The pieces that the problem may name: of the catalogue, or of the mesh.
+std::vector<std::string> pieces_of(const SurfaceChoice& surface) {
+  return surface.mesh ? surface.mesh->surface->piece_names() : find_surface(surface.name)->pieces;
+}
+
+Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   const JsonReader root(document);
   if (document.members() == nullptr) root.refuse("is " + document.kind(), "an object: a problem");
   const std::vector<std::string> schemas = {schema};
@@ -23,11 +28,13 @@ Problem read(const JsonValue& document) {
   root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
                        "emission", "quadrature", "solver"});
   Problem problem;
-  problem.surface = read_surface(root.at("surface", "an object with a name, see radcert list surfaces"));
-  const std::vector<std::string>& pieces = find_surface(problem.surface.name)->pieces;
+  problem.surface = read_surface(
+      root.at("surface", "an object with a name, see radcert list surfaces, or with a file"), folder);
+  const std::vector<std::string> pieces = pieces_of(problem.surface);
   problem.triangulation = read_triangulation(root.at("triangulation", "an object with levels"), pieces);
   if (const auto geometry = root.find("geometry")) problem.geometry = read_geometry(*geometry);
-  problem.basis = read_basis(root.at("basis", "an object with a family, see radcert list bases"));
+  problem.basis =
+      read_basis(root.at("basis", "an object with a family, see radcert list bases, or with a file"), folder);
   problem.reflectivity = read_piecewise(root.at("reflectivity", "an expression, or one a piece"), pieces);
 
   const auto solution = root.find("solution");
@@ -49,12 +56,12 @@ Problem read(const JsonValue& document) {
 
 Problem read_problem(const std::filesystem::path& path) {
   const JsonValue document = read_json(path);
-  return with_source(path.string(), [&] { return read(document); });
+  return with_source(path.string(), [&] { return read(document, path.parent_path()); });
 }
 
 Problem parse_problem(std::string_view text, const std::string& source) {
   const JsonValue document = parse_json(text, source);
-  return with_source(source, [&] { return read(document); });
+  return with_source(source, [&] { return read(document, std::filesystem::path(source).parent_path()); });
 }
 
 JsonValue problem_json(const Problem& problem) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,13 +14,13 @@ namespace radcert {
 /// The parts of a problem file, each read from its own place in it.
 /// Maths     none
 /// Source    the file format radcert/problem/1
-/// Requires  pieces: the names of the pieces of the problem's surface
+/// Requires  pieces: the names of the pieces of the problem's surface; folder: where the names of files begin
 /// Result    the part with its defaults filled in; otherwise InputError with the JSON pointer
 /// Limits    single values only: check() looks at the whole
-SurfaceChoice read_surface(const JsonReader& surface);
+SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::path& folder);
 TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces);
 std::optional<InterpolatedGeometry> read_geometry(const JsonReader& geometry);
-BasisChoice read_basis(const JsonReader& basis);
+BasisChoice read_basis(const JsonReader& basis, const std::filesystem::path& folder);
 QuadratureChoice read_quadrature(const JsonReader& quadrature);
 SolverChoice read_solver(const JsonReader& solver);
 PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);

@@ -1,25 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include "radcert/formats/problem_parts.h"
+#include "radcert/hypotheses/mesh_survey.h"
 #include "radcert/surface/catalogue.h"
 
 namespace radcert {
 
 namespace {
 
-/// Names that the file format knows and this version does not serve.
-const std::vector<std::string> planned_surfaces = {"spherical_cap",  "cylinder",    "cone",
-                                                   "paraboloid_cap", "tetrahedron", "octahedron"};
-
 /// Names that the file format knows of surfaces parts of which hide others.
 const std::vector<std::string> occluded_surfaces = {"torus", "sphere_over_disk", "concentric_spheres"};
 
 std::vector<std::string> available_surfaces() {
   std::vector<std::string> names;
-  for (const SurfaceDescription& surface : surface_catalogue()) names.push_back(surface.name);
+  for (const SurfaceDescription& surface : surface_catalogue())
+    if (surface.unoccluded) names.push_back(surface.name);
   return names;
+}
+
+/// What a problem with a mesh may state beside the file.
+const std::vector<std::string> mesh_keys = {"file", "angle", "repair", "digest"};
+
+Rational read_angle(const JsonReader& surface) {
+  const std::string allowed = "an angle in degrees, from 0 to 180";
+  const auto given = surface.find("angle");
+  if (!given) return Rational::exactly(default_sharp_degrees);
+  const Rational angle = given->rational(allowed);
+  if (angle.sign() < 0 || angle > Rational(180)) given->refuse("is outside the range", allowed);
+  return angle;
+}
+
+std::vector<std::string> read_repair(const JsonReader& surface) {
+  const std::vector<std::string> known(repair_words.begin(), repair_words.end());
+  std::vector<std::string> words;
+  if (const auto given = surface.find("repair"))
+    for (const JsonReader& word : given->elements("a list of " + listed(known)))
+      words.push_back(word.word(known));
+  return words;
+}
+
+SurfaceChoice read_mesh(const JsonReader& surface, const JsonReader& file,
+                        const std::filesystem::path& folder) {
+  surface.require_object(mesh_keys);
+  MeshChoice mesh{.file = file.string("the name of a mesh file, relative to the problem's folder"),
+                  .digest = {},
+                  .angle = read_angle(surface),
+                  .repair = read_repair(surface),
+                  .surface = nullptr};
+  const std::filesystem::path path = folder / mesh.file;
+  if (!is_mesh_file_name(mesh.file))
+    file.refuse("has no name of a mesh file", "names in .off, .obj, .ply, .stl");
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+    file.refuse("is not there", "a mesh file, its name relative to the problem's folder");
+  const MeshSurvey survey = survey_mesh(path, mesh.angle.to_double(), repair_named(mesh.repair));
+  if (const auto digest = surface.find("digest"))
+    if (digest->string("the digest of the file") != survey.digest)
+      digest->refuse("is not that of the file: it has changed", survey.digest);
+  if (const auto obstacle = survey.obstacle())
+    file.refuse(*obstacle,
+                "a mesh certified to lie in the boundary of a convex body; see radcert surface " + mesh.file);
+  mesh.digest = survey.digest;
+  mesh.surface = std::make_shared<const Surface>(survey.surface(mesh.file));
+  return {.name = mesh.file, .parameters = {}, .mesh = std::move(mesh)};
 }
 
 Rational default_value(const ParameterDescription& parameter) {
@@ -28,17 +76,15 @@ Rational default_value(const ParameterDescription& parameter) {
 
 }  // namespace
 
-SurfaceChoice read_surface(const JsonReader& surface) {
+SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::path& folder) {
   if (surface.value().members() == nullptr) surface.refuse("is " + surface.value().kind(), "an object");
   const std::vector<std::string> available = available_surfaces();
-  if (const auto file = surface.find("file"))
-    file->refuse("names a mesh, which is not available in this version",
-                 "the key name with one of " + listed(available));
+  if (const auto file = surface.find("file")) return read_mesh(surface, *file, folder);
   const JsonReader named = surface.at("name", "one of " + listed(available));
   for (const std::string& occluded : occluded_surfaces)
     if (named.value().string() && *named.value().string() == occluded)
       named.refuse("needs visibility, which is not available in this version", listed(available));
-  const std::string& name = named.word(available, planned_surfaces);
+  const std::string& name = named.word(available);
 
   const SurfaceDescription& description = *find_surface(name);
   std::vector<std::string> keys{"name"};
@@ -67,6 +113,14 @@ JsonValue exact_json(const Rational& value) {
 
 JsonValue surface_json(const SurfaceChoice& surface) {
   JsonValue out = JsonValue::object();
+  if (surface.mesh) {
+    out.set("file", surface.mesh->file);
+    out.set("angle", exact_json(surface.mesh->angle));
+    out.set("repair",
+            json_array(surface.mesh->repair, [](const std::string& word) { return JsonValue(word); }));
+    out.set("digest", surface.mesh->digest);
+    return out;
+  }
   out.set("name", surface.name);
   for (const SurfaceParameter& parameter : surface.parameters)
     out.set(parameter.name, exact_json(parameter.value));

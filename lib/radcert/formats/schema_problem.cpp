@@ -18,30 +18,93 @@ std::string_view problem_schema() {
   "properties": {
     "schema": {"const": "radcert/problem/1"},
     "surface": {
-      "description": "A surface of the catalogue and its parameters; see radcert list surfaces.",
+      "description": "A surface of the catalogue and its parameters, see radcert list surfaces; or a mesh.",
       "type": "object",
-      "required": ["name"],
-      "properties": {"name": {"enum": ["two_squares", "two_piece", "cube", "box", "sphere", "ellipsoid"]}},
+      "oneOf": [
+        {"required": ["name"]},
+        {
+          "required": ["file"],
+          "properties": {
+            "file": {
+              "description": "A mesh: .off, .obj, .ply or .stl, relative to the folder of this file. It must be certified to lie in the boundary of a convex body.",
+              "type": "string",
+              "minLength": 1
+            },
+            "angle": {
+              "description": "In degrees, from 0 to 180: an edge whose triangles' normals make a larger one parts two pieces. Default 30.",
+              "$ref": "#/$defs/exact"
+            },
+            "repair": {
+              "description": "What may be mended; without it nothing is.",
+              "type": "array",
+              "items": {"enum": ["vertices", "faces", "orientation", "manifold", "holes"]}
+            },
+            "digest": {"description": "Of the file's bytes; where given, another file is refused.", "type": "string"}
+          },
+          "additionalProperties": false
+        }
+      ],
+      "properties": {"name": {
+        "enum": [
+          "two_squares", "two_piece", "cube", "box", "sphere", "ellipsoid", "spherical_cap", "cylinder", "cone",
+          "paraboloid_cap", "tetrahedron", "octahedron"
+        ]
+      }},
       "allOf": [
         {
-          "if": {"properties": {"name": {"enum": ["two_squares", "cube", "sphere"]}}},
+          "if": {"required": ["name"], "properties": {"name": {
+            "enum": ["two_squares", "cube", "sphere", "paraboloid_cap", "tetrahedron", "octahedron"]
+          }}},
           "then": {"properties": {"name": true}, "additionalProperties": false}
         },
         {
-          "if": {"properties": {"name": {"const": "two_piece"}}},
+          "if": {"required": ["name"], "properties": {"name": {"const": "two_piece"}}},
           "then": {
             "properties": {"name": true, "p": {"description": "p >= 1", "$ref": "#/$defs/exact"}},
             "additionalProperties": false
           }
         },
         {
-          "if": {"properties": {"name": {"enum": ["box", "ellipsoid"]}}},
+          "if": {"required": ["name"], "properties": {"name": {"enum": ["box", "ellipsoid"]}}},
           "then": {
             "properties": {
               "name": true,
               "a": {"$ref": "#/$defs/exact"},
               "b": {"$ref": "#/$defs/exact"},
               "c": {"$ref": "#/$defs/exact"}
+            },
+            "additionalProperties": false
+          }
+        },
+        {
+          "if": {"required": ["name"], "properties": {"name": {"const": "spherical_cap"}}},
+          "then": {
+            "properties": {
+              "name": true,
+              "fraction": {"description": "Of the sphere's area, in [1/1000, 999/1000].", "$ref": "#/$defs/exact"}
+            },
+            "additionalProperties": false
+          }
+        },
+        {
+          "if": {"required": ["name"], "properties": {"name": {"const": "cylinder"}}},
+          "then": {
+            "properties": {
+              "name": true,
+              "radius": {"$ref": "#/$defs/exact"},
+              "height": {"$ref": "#/$defs/exact"}
+            },
+            "additionalProperties": false
+          }
+        },
+        {
+          "if": {"required": ["name"], "properties": {"name": {"const": "cone"}}},
+          "then": {
+            "properties": {
+              "name": true,
+              "radius": {"$ref": "#/$defs/exact"},
+              "top": {"description": "The radius of the upper end; the cone is truncated.", "$ref": "#/$defs/exact"},
+              "height": {"$ref": "#/$defs/exact"}
             },
             "additionalProperties": false
           }
@@ -92,19 +155,43 @@ std::string_view problem_schema() {
       ]
     },
     "basis": {
-      "type": "object",
-      "required": ["family", "degree"],
-      "additionalProperties": false,
-      "if": {"properties": {"degree": {"minimum": 1}}},
-      "then": {"required": ["alpha"]},
-      "properties": {
-        "family": {"const": "inset"},
-        "degree": {"type": "integer", "minimum": 0, "maximum": 8},
-        "alpha": {
-          "description": "How far the nodes are pulled in from the corners: 0 <= alpha < 1/3, or superconvergent at degree 1. At degree 0 it may be left out and has no effect.",
-          "oneOf": [{"const": "superconvergent"}, {"$ref": "#/$defs/exact"}]
+      "oneOf": [
+        {
+          "type": "object",
+          "required": ["family", "degree"],
+          "additionalProperties": false,
+          "if": {"properties": {"degree": {"minimum": 1}}},
+          "then": {"required": ["alpha"]},
+          "properties": {
+            "family": {"const": "inset"},
+            "degree": {"type": "integer", "minimum": 0, "maximum": 8},
+            "alpha": {
+              "description": "How far the nodes are pulled in from the corners: 0 <= alpha < 1/3, or superconvergent at degrees 1 and 3: the one that gains a degree of precision. At degree 0 it may be left out and has no effect.",
+              "oneOf": [{"const": "superconvergent"}, {"$ref": "#/$defs/exact"}]
+            }
+          }
+        },
+        {
+          "type": "object",
+          "required": ["family", "degree"],
+          "additionalProperties": false,
+          "properties": {
+            "family": {"const": "symmetric"},
+            "degree": {"type": "integer", "minimum": 1, "maximum": 6}
+          }
+        },
+        {
+          "type": "object",
+          "required": ["file"],
+          "additionalProperties": false,
+          "properties": {
+            "file": {
+              "description": "A file of nodes, relative to the folder of this file: see radcert schema nodes.",
+              "type": "string"
+            }
+          }
         }
-      }
+      ]
     },
     "reflectivity": {"description": "rho, from 0 to 1.", "$ref": "#/$defs/piecewise"},
     "solution": {"description": "u; the emission is then E = u - Ku.", "$ref": "#/$defs/piecewise"},

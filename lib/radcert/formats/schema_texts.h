@@ -15,5 +15,10 @@ std::string_view problem_schema();
 std::string_view solution_schema();
 std::string_view verification_schema();
 std::string_view list_schema();
+std::string_view nodes_schema();
+std::string_view basis_schema();
+std::string_view surface_schema();
+std::string_view reference_schema();
+std::string_view manifest_schema();
 
 }  // namespace radcert

@@ -115,7 +115,7 @@ struct Rectangle {
 template <Real R>
 class ApexIntegrator {
 public:
-  ApexIntegrator(const Observer<R>& p, const Chart& chart, const InsetBasis<R>& basis,
+  ApexIntegrator(const Observer<R>& p, const Chart& chart, const TriangleBasis<R>& basis,
                  const Tolerance& tolerance)
       : p_(p),
         formula_(chart.in<B>()),
@@ -285,7 +285,7 @@ private:
 
   const Observer<R>& p_;
   const ChartIn<B>& formula_;
-  const InsetBasis<R>& basis_;
+  const TriangleBasis<R>& basis_;
   const Tolerance& tolerance_;
   int first_order_;
   bool singular_;
@@ -345,7 +345,7 @@ std::vector<ApexTriangle<R>> seen_from(const ParameterPoint<R>& p, const Cell<R>
 
 template <Real R>
 CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,
-                                const InsetBasis<R>& basis, const Tolerance& tolerance) {
+                                const TriangleBasis<R>& basis, const Tolerance& tolerance) {
   ApexIntegrator<R> integrator(p, chart, basis, tolerance);
   CheckedSums<R> result(basis.size());
   for (const ApexTriangle<R>& triangle : seen_from(p.at.at, element))
@@ -354,10 +354,10 @@ CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const 
 }
 
 template CheckedSums<double> integrate_around<double>(const Observer<double>&, const Chart&,
-                                                      const Cell<double>&, const InsetBasis<double>&,
+                                                      const Cell<double>&, const TriangleBasis<double>&,
                                                       const Tolerance&);
 template CheckedSums<Mpfr<50>> integrate_around<Mpfr<50>>(const Observer<Mpfr<50>>&, const Chart&,
-                                                          const Cell<Mpfr<50>>&, const InsetBasis<Mpfr<50>>&,
-                                                          const Tolerance&);
+                                                          const Cell<Mpfr<50>>&,
+                                                          const TriangleBasis<Mpfr<50>>&, const Tolerance&);
 
 }  // namespace radcert

@@ -59,15 +59,15 @@ void share_largest_difference(CheckedSums<R>& checked, const R& intended) {
 /// Limits    on a chart that is not analytic on a line both variables are gathered towards their ends
 template <Real R>
 CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,
-                                const InsetBasis<R>& basis, const Tolerance& tolerance);
+                                const TriangleBasis<R>& basis, const Tolerance& tolerance);
 
 extern template CheckedSums<double> integrate_around<double>(const Observer<double>&, const Chart&,
-                                                             const Cell<double>&, const InsetBasis<double>&,
-                                                             const Tolerance&);
+                                                             const Cell<double>&,
+                                                             const TriangleBasis<double>&, const Tolerance&);
 
 extern template CheckedSums<Mpfr<50>> integrate_around<Mpfr<50>>(const Observer<Mpfr<50>>&, const Chart&,
                                                                  const Cell<Mpfr<50>>&,
-                                                                 const InsetBasis<Mpfr<50>>&,
+                                                                 const TriangleBasis<Mpfr<50>>&,
                                                                  const Tolerance&);
 
 }  // namespace radcert

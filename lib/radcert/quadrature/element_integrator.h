@@ -49,7 +49,7 @@ template <Real R>
 class ElementIntegrator {
 public:
   ElementIntegrator(std::shared_ptr<const IntegrationScheme<R>> scheme, const ParameterTriangle& triangle);
-  ElementIntegrator(const Surface& surface, const ParameterTriangle& triangle, const InsetBasis<R>& basis,
+  ElementIntegrator(const Surface& surface, const ParameterTriangle& triangle, const TriangleBasis<R>& basis,
                     const Tolerance& tolerance = Tolerance())
       : ElementIntegrator(std::make_shared<const IntegrationScheme<R>>(surface, basis, tolerance), triangle) {
   }
@@ -81,7 +81,7 @@ private:
     deepest,   ///< it counts, with all of its integral as its error
   };
 
-  const InsetBasis<R>& basis() const { return scheme_->basis(); }
+  const TriangleBasis<R>& basis() const { return scheme_->basis(); }
   Ball ball_about(const Cell<R>& cell) const;
   bool is_near(const Vector<R>& p) const;
   const Samples<R>& kept(int order);

@@ -17,7 +17,7 @@ struct Sizes {
   std::vector<R> mean;
 
   /// Over the points k/48, |k| = 48: the vertices are among them.
-  explicit Sizes(const InsetBasis<R>& basis) : largest(basis.size(), R(0)), mean(basis.size(), R(0)) {
+  explicit Sizes(const TriangleBasis<R>& basis) : largest(basis.size(), R(0)), mean(basis.size(), R(0)) {
     using std::abs;
     constexpr int steps = 48;
     constexpr int points = (steps + 1) * (steps + 2) / 2;
@@ -76,7 +76,7 @@ int first_within(const std::vector<double>& least_distance, double eta) {
 }  // namespace
 
 template <Real R>
-IntegrationScheme<R>::IntegrationScheme(const Surface& surface, const InsetBasis<R>& basis,
+IntegrationScheme<R>::IntegrationScheme(const Surface& surface, const TriangleBasis<R>& basis,
                                         const Tolerance& tolerance)
     : surface_(surface), basis_(basis), tolerance_(tolerance) {
   expects(tolerance.entry() >= Tolerance::finest_of<R>(), "a tolerance that the arithmetic can hold",

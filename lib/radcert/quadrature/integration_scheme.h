@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "radcert/polynomial/inset_basis.h"
+#include "radcert/polynomial/triangle_basis.h"
 #include "radcert/quadrature/samples.h"
 #include "radcert/quadrature/tolerance.h"
 #include "radcert/surface/surface.h"
@@ -30,10 +30,10 @@ struct FarRule {
 template <Real R>
 class IntegrationScheme {
 public:
-  IntegrationScheme(const Surface& surface, const InsetBasis<R>& basis, const Tolerance& tolerance);
+  IntegrationScheme(const Surface& surface, const TriangleBasis<R>& basis, const Tolerance& tolerance);
 
   const Surface& surface() const { return surface_; }
-  const InsetBasis<R>& basis() const { return basis_; }
+  const TriangleBasis<R>& basis() const { return basis_; }
   const Tolerance& tolerance() const { return tolerance_; }
   const R& largest_value(std::size_t j) const { return largest_values_[j]; }
 
@@ -57,7 +57,7 @@ private:
   static constexpr std::size_t no_plane = static_cast<std::size_t>(-1);
 
   const Surface& surface_;
-  InsetBasis<R> basis_;
+  TriangleBasis<R> basis_;
   Tolerance tolerance_;
   std::vector<R> largest_values_;
   double flat_truncation_;

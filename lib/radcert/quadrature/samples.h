@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radcert/polynomial/conical_rule.h"
-#include "radcert/polynomial/inset_basis.h"
+#include "radcert/polynomial/triangle_basis.h"
 #include "radcert/scalar/pack.h"
 #include "radcert/triangulation/triangulation.h"
 
@@ -89,17 +89,18 @@ public:
 /// Result    fills `out`, reusing its storage
 /// Limits    -
 template <Real R>
-void sample(const Chart& chart, const Cell<R>& cell, const InsetBasis<R>& basis, int order, Samples<R>& out);
+void sample(const Chart& chart, const Cell<R>& cell, const std::type_identity_t<TriangleBasis<R>>& basis,
+            int order, Samples<R>& out);
 
 extern template struct Cell<double>;
 extern template Cell<double> whole_element<double>(const ParameterTriangle&);
 extern template class ConicalRules<double>;
-extern template void sample<double>(const Chart&, const Cell<double>&, const InsetBasis<double>&, int,
+extern template void sample<double>(const Chart&, const Cell<double>&, const TriangleBasis<double>&, int,
                                     Samples<double>&);
 extern template struct Cell<Mpfr<50>>;
 extern template Cell<Mpfr<50>> whole_element<Mpfr<50>>(const ParameterTriangle&);
 extern template class ConicalRules<Mpfr<50>>;
-extern template void sample<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&, const InsetBasis<Mpfr<50>>&, int,
-                                      Samples<Mpfr<50>>&);
+extern template void sample<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&, const TriangleBasis<Mpfr<50>>&,
+                                      int, Samples<Mpfr<50>>&);
 
 }  // namespace radcert

@@ -230,7 +230,7 @@ Integrand other_integrand(const Collocation& at, std::size_t index, const Parame
 void add_part(AdaptiveCubature& cubature, const Collocation& at, std::size_t index, const Polygon& polygon) {
   const Chart& own = at.surface->charts[at.p.chart];
   if (index == at.p.chart) {
-    if (!own.facts().plane) add_own_chart(cubature, at, polygon);
+    if (!own.facts().flat_in()) add_own_chart(cubature, at, polygon);
   } else if (!in_one_plane(own, at.surface->charts[index])) {
     add_other_chart(cubature, at, index, polygon);
   }

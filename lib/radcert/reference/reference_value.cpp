@@ -6,9 +6,9 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "radcert/closed_form/raised_precision.h"
 #include "radcert/core/contract.h"
 #include "radcert/reference/values/families.h"
-#include "radcert/closed_form/raised_precision.h"
 
 namespace radcert::reference {
 namespace {
@@ -110,7 +110,8 @@ Route by_formula(std::string how, std::function<Ball(const Arguments&)> f) {
 
 Route by_integral(std::string how, int most_digits,
                   std::function<Enclosure(const Arguments&, const Demand&)> integral) {
-  expects(1 <= most_digits && most_digits <= 300, "1 <= most_digits <= 300", named("most_digits", most_digits));
+  expects(1 <= most_digits && most_digits <= 300, "1 <= most_digits <= 300",
+          named("most_digits", most_digits));
   Route route;
   route.how = std::move(how);
   route.most_digits = most_digits;

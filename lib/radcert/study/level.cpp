@@ -119,7 +119,7 @@ class Level {
 public:
   Level(const Problem& problem, int level)
       : problem_(problem),
-        basis_(problem.basis.degree, problem.basis.alpha.value_or(Rational(0)).to_double()),
+        basis_(triangle_basis(problem.basis)),
         geometry_(problem, level, basis_),
         rho_(reflectivity_at_nodes(problem.reflectivity, surface_, nodes_)) {
     outcome_.result.level = level;
@@ -280,7 +280,7 @@ private:
 
   static constexpr double unit = unit_roundoff<double>();
   const Problem& problem_;
-  InsetBasis<double> basis_;
+  TriangleBasis<double> basis_;
   LevelGeometry geometry_;
   const Surface& surface_ = geometry_.data().surface;
   const Triangulation& triangulation_ = geometry_.data().triangulation;

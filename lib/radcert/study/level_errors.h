@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/polynomial/inset_basis.h"
+#include "radcert/polynomial/triangle_basis.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
 #include "radcert/triangulation/triangulation.h"
@@ -18,13 +18,13 @@ namespace radcert {
 /// Maths     u_n(m_k(x)) = sum_j u_n(v_{k,j}) l_j(x)
 /// Source    [ac98, (39)]
 /// Requires  values in the order of collocation_nodes
-/// Result    rounded; refers to its parts, which must outlive it
+/// Result    rounded; refers to surface, triangulation and values, which must outlive it
 /// Limits    two-valued on the sides of triangles unless the inset is 0
 class NodalFunction {
 public:
-  NodalFunction(const Surface& surface, const Triangulation& triangulation, const InsetBasis<double>& basis,
+  NodalFunction(const Surface& surface, const Triangulation& triangulation, TriangleBasis<double> basis,
                 std::span<const double> values)
-      : surface_(surface), triangulation_(triangulation), basis_(basis), values_(values) {}
+      : surface_(surface), triangulation_(triangulation), basis_(std::move(basis)), values_(values) {}
 
   double at(std::size_t element, const Barycentric<double>& x) const;
   const Surface& surface() const { return surface_; }
@@ -33,7 +33,7 @@ public:
 private:
   const Surface& surface_;
   const Triangulation& triangulation_;
-  const InsetBasis<double>& basis_;
+  TriangleBasis<double> basis_;
   std::span<const double> values_;
 };
 

@@ -26,7 +26,7 @@ TriangulationOptions options_of(const Problem& problem, const Surface& surface) 
   return options;
 }
 
-NodedSurface noded(Surface surface, Triangulation triangulation, const InsetBasis<double>& basis) {
+NodedSurface noded(Surface surface, Triangulation triangulation, const TriangleBasis<double>& basis) {
   NodedSurface result{.surface = std::move(surface), .triangulation = std::move(triangulation), .nodes = {}};
   result.nodes = collocation_nodes(result.surface, result.triangulation, basis);
   return result;
@@ -34,7 +34,7 @@ NodedSurface noded(Surface surface, Triangulation triangulation, const InsetBasi
 
 }  // namespace
 
-LevelGeometry::LevelGeometry(const Problem& problem, int level, const InsetBasis<double>& basis) {
+LevelGeometry::LevelGeometry(const Problem& problem, int level, const TriangleBasis<double>& basis) {
   Surface surface = surface_of(problem);
   Triangulation triangulation = triangulate(surface, level, options_of(problem, surface));
   mesh_size_ = radcert::mesh_size(triangulation);

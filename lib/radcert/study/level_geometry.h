@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "radcert/polynomial/inset_basis.h"
+#include "radcert/polynomial/triangle_basis.h"
 #include "radcert/quadrature/observer.h"
 #include "radcert/study/problem.h"
 #include "radcert/triangulation/triangulation.h"
@@ -28,7 +28,7 @@ struct NodedSurface {
 /// Limits    -
 class LevelGeometry {
 public:
-  LevelGeometry(const Problem& problem, int level, const InsetBasis<double>& basis);
+  LevelGeometry(const Problem& problem, int level, const TriangleBasis<double>& basis);
 
   const NodedSurface& data() const { return data_; }
   const NodedSurface& integrals() const { return interpolant_ ? *interpolant_ : data_; }

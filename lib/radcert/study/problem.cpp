@@ -6,7 +6,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
-#include "radcert/polynomial/inset_basis.h"
+#include "radcert/polynomial/lattice.h"
 #include "radcert/quadrature/tolerance.h"
 #include "radcert/solve/iteration.h"
 #include "radcert/study/plan.h"
@@ -26,19 +26,18 @@ namespace {
 
 const SurfaceDescription& description_of(const Problem& problem) {
   const SurfaceDescription* found = find_surface(problem.surface.name);
-  if (found == nullptr) {
-    std::string names;
-    for (const SurfaceDescription& surface : surface_catalogue())
-      names += (names.empty() ? "" : ", ") + surface.name;
-    refuse("/surface/name", problem.surface.name, "is not a known surface", names);
-  }
-  return *found;
+  if (found != nullptr && found->unoccluded) return *found;
+  std::string names;
+  for (const SurfaceDescription& surface : surface_catalogue())
+    if (surface.unoccluded) names += (names.empty() ? "" : ", ") + surface.name;
+  refuse("/surface/name", problem.surface.name,
+         found == nullptr ? "is not a known surface" : "needs visibility, which is not available", names);
 }
 
 void check_levels(const Problem& problem, const Surface& surface, std::uint64_t memory_limit) {
   const std::vector<int>& levels = problem.triangulation.levels;
   if (levels.empty()) refuse("/triangulation/levels", "[]", "is empty", "at least one level");
-  const InsetBasis<double> basis(problem.basis.degree, 0.0);
+  const std::size_t functions = polynomial_dimension(problem.basis.degree);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const std::string pointer = "/triangulation/levels/" + std::to_string(i);
     const std::string value = std::to_string(levels[i]);
@@ -50,7 +49,7 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
       refuse(pointer, value, "needs more than 2^64 bytes (more than 2^53 triangles)",
              "a plan within " + std::to_string(memory_limit) + " bytes (" + byte_text(memory_limit) + ")");
     const std::uint64_t needed =
-        level_plan(*elements, basis.size(), problem.solver.name, problem.geometry).total();
+        level_plan(*elements, functions, problem.solver.name, problem.geometry).total();
     if (needed > memory_limit) {
       const std::string bytes = needed == ~std::uint64_t{0} ? "more than 2^64" : std::to_string(needed);
       refuse(pointer, value, "needs " + bytes + " bytes (" + std::to_string(*elements) + " triangles)",
@@ -68,6 +67,14 @@ void check_geometry(const Problem& problem) {
            "a whole number from " + std::to_string(smallest) + " to " + std::to_string(largest));
 }
 
+/// The least barycentric coordinate of a node.
+Rational least_coordinate(const LagrangeFunctions& functions) {
+  Rational least = 1;
+  for (const Barycentric<Rational>& node : functions.nodes())
+    for (const Rational& x : node.x) least = std::min(least, x);
+  return least;
+}
+
 void check_basis(const Problem& problem, const Surface& surface) {
   const BasisChoice& basis = problem.basis;
   constexpr int largest = InsetBasis<double>::largest_degree;
@@ -75,8 +82,8 @@ void check_basis(const Problem& problem, const Surface& surface) {
     refuse("/basis/degree", std::to_string(basis.degree), "is not allowed",
            "a whole number from 0 to " + std::to_string(largest));
   if (basis.degree == 0) return;
-  if (!basis.alpha) refuse("/basis/alpha", "", "is missing", "a number in [0, 1/3)");
-  const Rational& alpha = *basis.alpha;
+  if (!basis.functions && !basis.alpha) refuse("/basis/alpha", "", "is missing", "a number in [0, 1/3)");
+  const Rational alpha = basis.functions ? least_coordinate(*basis.functions) : *basis.alpha;
   if (alpha < Rational(0) || alpha >= Rational(1, 3))
     refuse("/basis/alpha", alpha.to_text(), "is not allowed", "a number in [0, 1/3)");
   // Below this the nodes of the finest level keep less than half of a double's digits of their distance from an edge.
@@ -89,12 +96,16 @@ void check_basis(const Problem& problem, const Surface& surface) {
     const std::string where = surface.pieces_meet_at_angle
                                   ? "edges where pieces of the surface meet at an angle"
                                   : "sides where interpolated elements meet at an angle";
+    if (basis.functions)
+      refuse("/basis", alpha.to_text(), "puts nodes on or too close to " + where,
+             "least barycentric coordinates of at least " + least.to_text() +
+                 " on this surface at these levels");
     refuse("/basis/alpha", alpha.to_text(),
            alpha == Rational(0) ? "puts nodes on " + where + ", and there the kernel has no value"
                                 : "puts nodes too close to " + where,
            "a number in [" + least.to_text() + ", 1/3) on this surface at these levels");
   }
-  if (alpha > Rational(333333, 1000000))
+  if (!basis.functions && alpha > Rational(333333, 1000000))
     refuse("/basis/alpha", alpha.to_text(),
            "is too close to 1/3: the nodes of an element coincide in double precision",
            "a number in [0, 0.333333]");
@@ -177,6 +188,11 @@ const Expression& PiecewiseExpression::on(std::string_view piece) const {
   return rest->expression;
 }
 
+TriangleBasis<double> triangle_basis(const BasisChoice& basis) {
+  if (basis.functions) return make_triangle_basis<double>(*basis.functions);
+  return InsetBasis<double>(basis.degree, basis.alpha.value_or(Rational(0)).to_double());
+}
+
 std::string solver_name(SolverName name) {
   switch (name) {
     case SolverName::direct: return "direct";
@@ -188,6 +204,7 @@ std::string solver_name(SolverName name) {
 }
 
 Surface surface_of(const Problem& problem) {
+  if (problem.surface.mesh) return *problem.surface.mesh->surface;
   const SurfaceDescription& description = description_of(problem);
   std::vector<Rational> values;
   for (const ParameterDescription& parameter : description.parameters) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "radcert/expression/expression.h"
+#include "radcert/polynomial/triangle_basis.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/surface/surface.h"
 
@@ -25,10 +27,21 @@ struct PiecewiseExpression {
   const Expression& on(std::string_view piece) const;
 };
 
-/// The surface of a problem: a name of the catalogue and the values of its parameters, in the catalogue's order.
+/// A surface that was read from a mesh file.
+struct MeshChoice {
+  std::string file;                        ///< as the problem names it
+  std::string digest;                      ///< of the file's bytes
+  Rational angle;                          ///< in degrees, beyond which an edge is sharp
+  std::vector<std::string> repair;         ///< what was to be mended
+  std::shared_ptr<const Surface> surface;  ///< certified to be unoccluded
+};
+
+/// The surface of a problem: a name of the catalogue and the values of its parameters, in the catalogue's order; or a mesh,
+/// whose file is the name then.
 struct SurfaceChoice {
   std::string name;
   std::vector<SurfaceParameter> parameters;
+  std::optional<MeshChoice> mesh = std::nullopt;
 };
 
 /// Which triangulations of the surface a problem runs over.
@@ -51,11 +64,23 @@ struct InterpolatedGeometry {
   DataPoints data = DataPoints::surface;
 };
 
-/// The inset basis of a problem.
+/// Where the nodes of a problem's basis come from.
+enum class BasisFamily { inset, symmetric, file };
+
+/// The basis of a problem.
 struct BasisChoice {
   int degree = 1;
   std::optional<Rational> alpha;  ///< absent exactly where degree 0 left it out
+  bool alpha_is_near =
+      false;  ///< alpha stands for the irrational alpha_0 of m06 and lies within 10^-100 of it
+  BasisFamily family = BasisFamily::inset;
+  std::string file = {};  ///< of nodes, as the problem names it
+  std::shared_ptr<const LagrangeFunctions> functions =
+      {};  ///< of symmetric nodes and of files; inset bases have none
 };
+
+/// The basis in the arithmetic of the pipeline. Requires functions, or degree and alpha that an InsetBasis takes.
+TriangleBasis<double> triangle_basis(const BasisChoice& basis);
 
 enum class SolverName { direct, gmres, neumann };
 
@@ -75,7 +100,7 @@ struct QuadratureChoice {
 /// Source    [ac98, (1), (40)]; the file format is radcert/problem/1
 /// Requires  exactly one of solution and emission; names of the catalogue; see `check`
 /// Result    plain data, exact: decimals and fractions are kept as written
-/// Limits    inset bases
+/// Limits    -
 struct Problem {
   SurfaceChoice surface;
   TriangulationChoice triangulation;
@@ -92,7 +117,8 @@ struct Problem {
 /// The word of the file format for a solver.
 std::string solver_name(SolverName name);
 
-/// The surface that a problem names. Requires a known name with admissible parameters, else InputError below /surface.
+/// The surface that a problem names, or its mesh. Requires the name of an unoccluded
+/// surface and admissible parameters, else InputError below /surface.
 Surface surface_of(const Problem& problem);
 
 /// Everything about a problem that can be refused before any work, apart from its file's syntax.

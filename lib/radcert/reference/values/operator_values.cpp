@@ -47,7 +47,7 @@ Outcome<Ball> over_the_faces_of_a_box(const Arguments& a, const Rational& radius
 /// P on the first octant of an ellipsoid at the parameters (s,t).
 Enclosure over_an_ellipsoid(const Surface& surface, const Rational& s, const Rational& t, const Density& q,
                             const Demand& demand) {
-  return kernel_integral(Observer::on_surface({{.chart = 0, .at = {s, t}}}), surface, q, demand);
+  return kernel_integral(ExactObserver::on_surface({{.chart = 0, .at = {s, t}}}), surface, q, demand);
 }
 
 /// Over the roof of two_piece from (x, y, 0): with v = eta - y, A = (xi - x)^2 + z^2, z = 2 - xi^p, the kernel times the area element
@@ -85,7 +85,7 @@ Enclosure over_the_roof_chart(const Arguments& a, RoofDensity density, const Dem
     return q.point.x * q.point.x + q.point.y * q.point.y + q.point.z * q.point.z;
   });
   const Surface surface = two_piece(a[0]);
-  return kernel_integral(Observer::on_surface({{.chart = 0, .at = {a[1], a[2]}}}), surface, 1,
+  return kernel_integral(ExactObserver::on_surface({{.chart = 0, .at = {a[1], a[2]}}}), surface, 1,
                          domain_polygon(surface.charts[1]),
                          density == RoofDensity::one ? one : squared_radius, demand);
 }

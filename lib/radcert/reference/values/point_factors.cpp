@@ -58,7 +58,7 @@ Route by_double_integral(std::function<Configuration(const Arguments&)> configur
                  from_rational<R>(c.density[2]) * at.at.t;
         });
         const Enclosure integral =
-            kernel_integral(Observer::off_surface(c.point, c.normal), surface, 0, c.part, q,
+            kernel_integral(ExactObserver::off_surface(c.point, c.normal), surface, 0, c.part, q,
                             {.radius = 2 * demand.radius, .work_limit = demand.work_limit});
         if (!integral) return integral;
         return Enclosed{.value = integral->value / Ball::pi(), .evaluations = integral->evaluations};

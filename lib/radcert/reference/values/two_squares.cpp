@@ -29,8 +29,8 @@ Route by_double_integral(Factor factor) {
                          }
                          return R(1);
                        });
-                       return kernel_integral(Observer::off_surface({a[0], 0, a[1]}, {0, 1, 0}), surface, 0,
-                                              domain_polygon(surface.charts[0]), q, demand);
+                       return kernel_integral(ExactObserver::off_surface({a[0], 0, a[1]}, {0, 1, 0}), surface,
+                                              0, domain_polygon(surface.charts[0]), q, demand);
                      });
 }
 

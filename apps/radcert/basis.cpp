@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// radcert basis NAME or FILE: what is known of interpolation at its nodes.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.h"
+#include "output.h"
+#include "radcert/core/interrupt.h"
+#include "radcert/core/version.h"
+#include "radcert/formats/basis_json.h"
+#include "radcert/formats/json_reader.h"
+#include "radcert/formats/node_file.h"
+#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/superconvergent_inset.h"
+#include "radcert/scalar/real.h"
+
+namespace radcert::app {
+
+namespace {
+
+constexpr int largest_inset_degree = 12;
+
+struct BasisOptions {
+  std::string name;
+  std::string degree;
+  std::string alpha;
+  std::string csv;
+  std::string latex;
+  std::string nodes;
+};
+
+struct DegreeRange {
+  int first = 0;
+  int last = 0;
+};
+
+// The norm is enclosed to ten digits.
+const Rational& norm_tolerance() {
+  static const Rational tolerance = 1 / power(Rational(10), 10);
+  return tolerance;
+}
+
+// Irrational insets are rounded to as many digits as node files have.
+const Rational& inset_width() {
+  static const Rational width = 1 / power(Rational(10), 60);
+  return width;
+}
+
+// The digits of symmetric sets hold to this; see their test.
+const Rational& symmetric_radius() {
+  static const Rational radius = 1 / power(Rational(10), 59);
+  return radius;
+}
+
+DegreeRange degrees_of(const std::string& text, int least, int largest) {
+  const std::string allowed = "a whole number from " + std::to_string(least) + " to " +
+                              std::to_string(largest) + ", or two with a - between them";
+  if (text.empty()) throw InputError({.source = "--degree", .problem = "is missing", .allowed = allowed});
+  const auto whole = [&](std::string_view word) {
+    int value = -1;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || value < least || value > largest)
+      throw InputError({.source = "--degree", .value = text, .allowed = allowed});
+    return value;
+  };
+  const std::size_t sign = text.find('-', 1);
+  if (sign == std::string::npos) {
+    const int degree = whole(text);
+    return {degree, degree};
+  }
+  const DegreeRange range{whole(std::string_view(text).substr(0, sign)),
+                          whole(std::string_view(text).substr(sign + 1))};
+  if (range.first > range.last)
+    throw InputError({.source = "--degree", .value = text, .allowed = allowed + ", the smaller one first"});
+  return range;
+}
+
+BasisFacts facts_of(const std::vector<Barycentric<Rational>>& nodes) {
+  Outcome<LagrangeFunctions, NotUnisolvent> functions = lagrange_functions(nodes);
+  if (!functions) throw InputError({.problem = "is not unisolvent: " + functions.reason().to_text()});
+  return basis_facts(*functions, norm_tolerance());
+}
+
+BasisFacts facts_with(const LagrangeFunctions& functions, const SymmetricCertificate& certificate) {
+  BasisFacts facts = basis_facts(functions, norm_tolerance());
+  facts.triangle = certificate.triangle;
+  facts.parallelogram = certificate.parallelogram;
+  facts.proof = PrecisionProof::certificate;
+  return facts;
+}
+
+BasisRecord superconvergent_record(int degree) {
+  const Outcome<NearInset> alpha = superconvergent_inset(degree, inset_width());
+  if (!alpha)
+    throw InputError({.source = "--alpha",
+                      .value = "superconvergent",
+                      .problem = "does not exist: " + alpha.reason(),
+                      .allowed = "a number in [0, 1/3)"});
+  BasisRecord record{.family = "inset",
+                     .alpha = "superconvergent",
+                     .file = std::nullopt,
+                     .facts = facts_of(inset_nodes(degree, alpha->value))};
+  if (!alpha->is_exact) {
+    const BallPrecision scope(256);
+    record.facts.triangle = precision_at_superconvergent_inset(degree, Region::triangle);
+    record.facts.parallelogram = precision_at_superconvergent_inset(degree, Region::parallelogram);
+    record.facts.proof = PrecisionProof::algebraic;
+  }
+  return record;
+}
+
+BasisRecord inset_record(int degree, const std::string& alpha_text) {
+  const std::string allowed =
+      "a decimal or fraction in [0, 1/3), or superconvergent; none is needed at degree 0";
+  if (degree > 0 && alpha_text.empty())
+    throw InputError({.source = "--alpha", .problem = "is missing", .allowed = allowed});
+  if (degree > 0 && alpha_text == "superconvergent") return superconvergent_record(degree);
+  Rational alpha = 0;
+  if (!alpha_text.empty() && alpha_text != "superconvergent") {
+    const Outcome<Rational> value = Rational::parse(alpha_text);
+    if (!value || value->sign() < 0 || *value >= Rational(1, 3))
+      throw InputError({.source = "--alpha", .value = alpha_text, .allowed = allowed});
+    alpha = *value;
+  }
+  return {.family = "inset",
+          .alpha = degree == 0 ? std::nullopt : std::optional(alpha.to_text()),
+          .file = std::nullopt,
+          .facts = facts_of(inset_nodes(degree, alpha))};
+}
+
+BasisRecord symmetric_record(int degree) {
+  const SymmetricNodes& set = symmetric_nodes(degree);
+  return {
+      .family = "symmetric",
+      .alpha = std::nullopt,
+      .file = std::nullopt,
+      .facts = facts_with(lagrange_functions(set.nodes()).value(), certify(set, symmetric_radius()).value())};
+}
+
+BasisRecord file_record(const std::string& path) {
+  const NodeFile file = read_nodes(path);
+  return {.family = "file",
+          .alpha = std::nullopt,
+          .file = path,
+          .facts = file.certificate ? facts_with(file.functions, *file.certificate)
+                                    : basis_facts(file.functions, norm_tolerance())};
+}
+
+bool is_file(const std::string& name) {
+  return name.ends_with(".json") || name.find('/') != std::string::npos;
+}
+
+void refuse_option(const std::string& option, const std::string& value, const std::string& name) {
+  if (!value.empty())
+    throw InputError({.source = option, .value = value, .problem = "has no meaning for " + name});
+}
+
+std::vector<BasisRecord> records_of(const BasisOptions& options) {
+  if (is_file(options.name)) {
+    refuse_option("--degree", options.degree, "a file of nodes");
+    refuse_option("--alpha", options.alpha, "a file of nodes");
+    return {file_record(options.name)};
+  }
+  const std::vector<std::string> families = {"inset", "symmetric"};
+  if (std::find(families.begin(), families.end(), options.name) == families.end()) {
+    const auto near = nearest_word(options.name, families);
+    throw InputError({.source = "basis",
+                      .value = options.name,
+                      .problem = "is unknown" + (near ? "; did you mean " + *near + "?" : std::string()),
+                      .allowed = listed(families) + ", or a file of nodes (.json)"});
+  }
+  const bool is_inset = options.name == "inset";
+  if (!is_inset) refuse_option("--alpha", options.alpha, "symmetric nodes");
+  const DegreeRange range =
+      is_inset ? degrees_of(options.degree, 0, largest_inset_degree)
+               : degrees_of(options.degree, smallest_symmetric_degree, largest_symmetric_degree);
+  std::vector<BasisRecord> records;
+  for (int degree = range.first; degree <= range.last; ++degree) {
+    throw_if_interrupted();
+    records.push_back(is_inset ? inset_record(degree, options.alpha) : symmetric_record(degree));
+  }
+  return records;
+}
+
+std::string title(const BasisRecord& record) {
+  if (record.file) return *record.file + ", degree " + std::to_string(record.facts.degree);
+  return record.family + ", degree " + std::to_string(record.facts.degree) +
+         (record.alpha ? ", alpha " + *record.alpha : std::string());
+}
+
+std::string precision_text(const EnclosedPrecision& precision, PrecisionProof proof) {
+  const char* how = "exact";
+  if (proof == PrecisionProof::algebraic) how = "exact, for the algebraic alpha";
+  if (proof == PrecisionProof::certificate) how = "proved, for the true nodes beside these";
+  return std::to_string(precision.degree) + " (" + how + "); misses " + precision.first_failure.to_text() +
+         " by " + precision.defect.decimal(6).midpoint;
+}
+
+std::string weights_text(const BasisFacts& facts) {
+  std::vector<int> counts(3);
+  for (const Rational& weight : facts.weights) ++counts[static_cast<std::size_t>(weight.sign() + 1)];
+  return std::to_string(counts[2]) + " positive, " + std::to_string(counts[1]) + " zero, " +
+         std::to_string(counts[0]) + " negative";
+}
+
+// Midpoint and radius, rounded outwards.
+std::string norm_text(const LebesgueConstant& norm) {
+  constexpr int digits = 12;
+  return hull(Ball(norm.lower), Ball(norm.upper)).to_text(digits);
+}
+
+std::string one_text(const BasisRecord& record) {
+  const BasisFacts& facts = record.facts;
+  const PredictedOrders orders = record.orders();
+  std::vector<std::vector<std::string>> nodes = {{"node", "x1", "x2", "x3", "weight"}};
+  constexpr int digits = 16;
+  for (std::size_t j = 0; j < facts.nodes.size(); ++j) {
+    const auto& x = facts.nodes[j].x;
+    nodes.push_back({std::to_string(j), readable(x[0], digits), readable(x[1], digits),
+                     readable(x[2], digits), readable(facts.weights[j], digits)});
+  }
+  const std::vector<std::vector<std::string>> rows = {
+      {"weights", weights_text(facts)},
+      {"unisolvent", "yes, determinant " + readable(facts.determinant, digits)},
+      {"precision, triangle", precision_text(facts.triangle, facts.proof)},
+      {"precision, parallelogram", precision_text(facts.parallelogram, facts.proof)},
+      {"norm of P_n", norm_text(facts.norm) + " (proved)"},
+      {"condition", readable(facts.condition, digits)},
+      {"order everywhere", order_text(orders.everywhere, false) + " [m06, Theorem 4]"},
+      {"order at the nodes", order_text(orders.curved, orders.curved_has_logarithm) +
+                                 " on a smooth surface with a symmetric triangulation [m06, Theorems 7, 9]"},
+      {"", order_text(orders.smooth_kernel, false) +
+               " where G is smooth at P = Q (a sphere) and between distinct pieces"},
+      {"", order_text(orders.at_edges, false) + " where pieces meet at an angle: no more is known"}};
+  return title(record) + "\n" + aligned(nodes) + "\n" + aligned_left(rows);
+}
+
+std::string table_text(const std::vector<BasisRecord>& records) {
+  std::vector<std::vector<std::string>> rows = {{"degree", "nodes", "negative", "triangle", "parallelogram",
+                                                 "norm of P_n", "condition", "everywhere", "at nodes"}};
+  constexpr int digits = 11;
+  for (const BasisRecord& record : records) {
+    const BasisFacts& facts = record.facts;
+    const PredictedOrders orders = record.orders();
+    const auto negative = std::count_if(facts.weights.begin(), facts.weights.end(),
+                                        [](const Rational& w) { return w.sign() < 0; });
+    rows.push_back({std::to_string(facts.degree), std::to_string(facts.nodes.size()),
+                    std::to_string(negative), std::to_string(facts.triangle.degree),
+                    std::to_string(facts.parallelogram.degree), readable(facts.norm.upper, digits),
+                    readable(facts.condition, digits), order_text(orders.everywhere, false),
+                    order_text(orders.curved, orders.curved_has_logarithm)});
+  }
+  return records.front().family + "\n" + aligned(rows);
+}
+
+std::string node_file(const Common& common, const BasisRecord& record) {
+  const bool is_symmetric = record.family == "symmetric";
+  const JsonValue nodes = is_symmetric ? nodes_json(symmetric_nodes(record.facts.degree), symmetric_radius())
+                                       : nodes_json(record.facts.degree, record.facts.nodes);
+  JsonValue out = JsonValue::object();
+  for (const JsonValue::Member& member : *nodes.members()) {
+    out.set(member.key, member.value);
+    if (member.key != "schema") continue;
+    out.set("radcert", version());
+    out.set("command", common.command);
+  }
+  return out.pretty() + "\n";
+}
+
+ExitCode give_basis(const Common& common, const BasisOptions& options) {
+  Outputs outputs;
+  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
+  if (!options.csv.empty()) outputs.file("--csv", options.csv);
+  if (!options.latex.empty()) outputs.file("--latex", options.latex);
+  if (!options.nodes.empty()) outputs.file("--nodes", options.nodes);
+  const std::vector<BasisRecord> records = records_of(options);
+  if (!options.nodes.empty() && records.size() != 1)
+    throw InputError({.source = "--nodes", .value = options.nodes, .problem = "is for one degree"});
+  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  if (!options.csv.empty()) files.emplace_back(options.csv, basis_csv(records));
+  if (!options.latex.empty()) files.emplace_back(options.latex, basis_latex(records));
+  if (!options.nodes.empty()) files.emplace_back(options.nodes, node_file(common, records.front()));
+  outputs.write(files);
+  print_result(common, records.size() == 1 ? one_text(records.front()) : table_text(records),
+               basis_record_json(records, common.command).pretty() + "\n");
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_basis(CLI::App& program, Common& common, Action& action) {
+  CLI::App& command = add_command(program, common, "basis",
+                                  "Nodes, weights, degrees of precision, norm and orders of a basis");
+  auto options = std::make_shared<BasisOptions>();
+  command.add_option("NAME", options->name, "inset, symmetric, or a file of nodes (radcert schema nodes)")
+      ->required();
+  command.add_option("--degree", options->degree, "The degree, or several as 1-10: then a table, a row each")
+      ->type_name("R");
+  command.add_option("--alpha", options->alpha, "Of inset nodes: a number in [0, 1/3), or superconvergent")
+      ->type_name("A");
+  command.add_option("--csv", options->csv, "Nodes and weights")->type_name("FILE");
+  command.add_option("--latex", options->latex, "A table, a row a basis")->type_name("FILE");
+  command.add_option("--nodes", options->nodes, "The nodes as a file that radcert reads")->type_name("FILE");
+  command.footer("Degrees of precision and weights are exact, the norm lies between proved bounds.");
+  command.callback(
+      [&common, &action, options] { action = [&common, options] { return give_basis(common, *options); }; });
+}
+
+}  // namespace radcert::app

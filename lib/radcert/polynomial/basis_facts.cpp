@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/polynomial/basis_facts.h"
+
+#include <algorithm>
+
+#include "radcert/core/contract.h"
+#include "radcert/polynomial/interpolatory_rule.h"
+#include "radcert/polynomial/superconvergent_inset.h"
+
+namespace radcert {
+namespace {
+
+EnclosedPrecision enclosed(const Precision& precision) {
+  return {
+      .degree = precision.degree, .first_failure = precision.first_failure, .defect = Ball(precision.defect)};
+}
+
+Rational condition_of(const LagrangeFunctions& functions) {
+  std::vector<Rational> sums(functions.size());
+  for (std::size_t j = 0; j < functions.size(); ++j) {
+    const std::span<const Rational> coefficients = functions.bernstein_coefficients(j);
+    for (std::size_t k = 0; k < functions.size(); ++k) sums[k] += abs(coefficients[k]);
+  }
+  return *std::max_element(sums.begin(), sums.end());
+}
+
+Ball value(const RationalPolynomial& p, const Ball& x) {
+  Ball sum(0);
+  for (int k = p.degree(); k >= 0; --k) sum = sum * x + Ball(p.coefficient(static_cast<std::size_t>(k)));
+  return sum;
+}
+
+}  // namespace
+
+BasisFacts basis_facts(const LagrangeFunctions& functions, const Rational& tolerance) {
+  const TriangleRule<Rational> rule = interpolatory_rule(functions);
+  BasisFacts facts;
+  facts.degree = functions.degree();
+  facts.nodes = functions.nodes();
+  facts.weights = rule.weights;
+  facts.determinant = functions.determinant();
+  facts.condition = condition_of(functions);
+  facts.norm = lebesgue_constant(functions, tolerance);
+  facts.triangle = enclosed(degree_of_precision(rule, Region::triangle));
+  facts.parallelogram = enclosed(degree_of_precision(rule, Region::parallelogram));
+  return facts;
+}
+
+EnclosedPrecision precision_at_superconvergent_inset(int degree, Region region) {
+  const SuperconvergentInsets answer = superconvergent_insets(degree, region);
+  expects(!answer.insets.empty(), "a degree with a superconvergent inset", named("degree", degree));
+  const SuperconvergentInset& inset = answer.insets.front();
+  // As narrow as the balls that it goes into.
+  const Rational width = 1 / power(Rational(2), BallPrecision::current());
+  const RealZero zero =
+      inset.enclosure.is_exact()
+          ? inset.enclosure
+          : real_zeros(answer.condition, inset.enclosure.lower, inset.enclosure.upper, width).back();
+  const Ball alpha = hull(Ball(zero.lower), Ball(zero.upper));
+  const InsetFamily family(degree);
+  for (int t = 0; t <= inset.precision + 1; ++t) {
+    const Monomial monomial{inset.precision + 1 - t, t};
+    const InsetFunction missed = family.defect(region, monomial);
+    const Ball defect = value(missed.numerator, alpha) / power(Ball(1) - Ball(3) * alpha, missed.pole_order);
+    if (!defect.contains_zero())
+      return {.degree = inset.precision, .first_failure = monomial, .defect = defect};
+  }
+  expects(false, "a precision of balls that tells a defect from zero",
+          named("bits", BallPrecision::current()));
+  return {};
+}
+
+PredictedOrders predicted_orders(int degree, int triangle_precision, int parallelogram_precision) {
+  const int pairs = parallelogram_precision + 1;
+  const int single = triangle_precision + 2;
+  const int own = degree + 3;
+  PredictedOrders orders;
+  orders.everywhere = degree + 1;
+  orders.curved = std::min({pairs, single, own});
+  orders.curved_has_logarithm = pairs == own && orders.curved == own;
+  orders.smooth_kernel = std::min(pairs, single);
+  orders.at_edges = degree + 1;
+  return orders;
+}
+
+}  // namespace radcert

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "radcert/polynomial/degree_of_precision.h"
+#include "radcert/polynomial/lagrange_functions.h"
+#include "radcert/polynomial/lebesgue_constant.h"
+#include "radcert/polynomial/symmetric_certificate.h"
+
+namespace radcert {
+
+/// How a degree of precision is known.
+enum class PrecisionProof {
+  exact,  ///< in rational arithmetic, for the nodes as they are given
+  algebraic,  ///< for the algebraic nodes that the given ones approximate: zeros of polynomials, by Sturm's theorem
+  certificate,  ///< for the nodes that Krawczyk's test proves beside the given ones
+};
+
+/// What there is to know of interpolation at nodes on a triangle.
+/// Maths     w_j = Int l_j;  determinant det (B_k(q_j));  norm of P_n: max sum_j |l_j|;  condition: max_k sum_j |c_kj|, the norm
+///           of (B_k(q_j))^-1, whose inverse has the norm 1 where the nodes lie in the triangle
+/// Source    [m06, (13)-(17)], [ac98, (37), (53)-(55)]
+/// Requires  made by basis_facts
+/// Result    weights, determinant and condition exact; norm enclosed; precision as `proof` says. norm <= condition
+/// Limits    weights are those of the nodes as they are given
+struct BasisFacts {
+  int degree = 0;
+  std::vector<Barycentric<Rational>> nodes;
+  std::vector<Rational> weights;
+  Rational determinant;
+  Rational condition;
+  LebesgueConstant norm;
+  EnclosedPrecision triangle;
+  EnclosedPrecision parallelogram;
+  PrecisionProof proof = PrecisionProof::exact;
+};
+
+/// Everything about nodes, in exact arithmetic.
+/// Maths     see BasisFacts
+/// Source    -
+/// Requires  tolerance > 0 for the norm, else ContractViolation
+/// Result    proof: exact
+/// Limits    as lebesgue_constant
+[[nodiscard]] BasisFacts basis_facts(const LagrangeFunctions& functions, const Rational& tolerance);
+
+/// The degree of precision at the inset alpha_0 of a degree.
+/// Maths     the defects there: rational functions of alpha at a zero of the condition
+/// Source    [m06, Theorem 7]
+/// Requires  superconvergent_inset(degree) exists, else ContractViolation
+/// Result    degree exact; the defect enclosed at the current precision of balls
+/// Limits    -
+[[nodiscard]] EnclosedPrecision precision_at_superconvergent_inset(int degree, Region region);
+
+/// The orders of convergence that theory predicts for collocation with a basis.
+/// Maths     everywhere r + 1. At the nodes, with d the precision on the parallelogram and d' on the triangle: far elements in pairs
+///           give h^(d+1) Int |v - Q|^(r-d) dS, which is h^(d+1) for d < r + 2, h^(r+3) |log h| for d = r + 2, h^(r+3) beyond; the
+///           O(1/h) unpaired ones h^(d'+2); the element with the node itself h^(r+3), as G has no continuous value there
+/// Source    [m06, Theorems 4, 7, 9 and their proofs]
+/// Requires  -
+/// Result    curved: a smooth surface, symmetric triangulation; smooth_kernel: where G is smooth at P = Q as well (a sphere) and
+///           between distinct pieces; at_edges: the largest error over all nodes where pieces meet at an angle
+/// Limits    upper bounds of the error have these orders for smooth data; at_edges is no more than the order everywhere
+struct PredictedOrders {
+  int everywhere = 0;
+  int curved = 0;
+  bool curved_has_logarithm = false;
+  int smooth_kernel = 0;
+  int at_edges = 0;
+};
+[[nodiscard]] PredictedOrders predicted_orders(int degree, int triangle_precision,
+                                               int parallelogram_precision);
+
+}  // namespace radcert

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What radcert basis says of bases, and which files of nodes it refuses."""
+import csv
+import json
+import unittest
+from fractions import Fraction
+
+import jsonschema
+
+from program import ProgramTest
+
+MIDPOINTS = [["0", "1/2", "1/2"], ["1/2", "0", "1/2"], ["1/2", "1/2", "0"]]
+# Six points of the circle x1^2 + x2^2 + x3^2 = 1/2.
+CONIC = [["2/3", "1/6", "1/6"], ["1/6", "2/3", "1/6"], ["1/6", "1/6", "2/3"],
+         ["0", "1/2", "1/2"], ["1/2", "0", "1/2"], ["1/2", "1/2", "0"]]
+
+
+class Basis(ProgramTest):
+    def schema(self, name):
+        return json.loads(self.expect(0, "schema", name))
+
+    def bases(self, *words):
+        result = json.loads(self.expect(0, "basis", *words, "--json", "-"))
+        jsonschema.validate(result, self.schema("basis"))
+        return result["bases"]
+
+    def basis(self, *words):
+        bases = self.bases(*words)
+        self.assertEqual(len(bases), 1)
+        return bases[0]
+
+    def precision(self, basis):
+        return tuple(basis["precision"][region]["degree"] for region in ["triangle", "parallelogram"])
+
+    def nodes(self, degree, nodes, **more):
+        return {"schema": "radcert/nodes/1", "degree": degree, "nodes": nodes, **more}
+
+    def refuse(self, content, *said):
+        self.write("bad.json", content)
+        done = self.run_program("basis", "bad.json")
+        self.assertEqual(done.returncode, 2, done.stderr)
+        message = done.stderr.decode()
+        self.assertEqual(message.count("\n"), 1, message)
+        for words in ["bad.json", *said]:
+            self.assertIn(words, message)
+
+    def test_linear_interpolation_is_known_exactly(self):
+        basis = self.basis("inset", "--degree", "1", "--alpha", "1/6")
+        self.assertEqual([node["weight"] for node in basis["nodes"]], ["1/6"] * 3)
+        self.assertEqual(basis["nodes"][0]["barycentric"], ["2/3", "1/6", "1/6"])
+        self.assertEqual(self.precision(basis), (2, 3))
+        self.assertEqual(basis["precision"]["triangle"]["first_failure"], "s^3")
+        self.assertEqual(basis["determinant"], "1/4")
+        self.assertLessEqual(basis["norm"]["lower"], 7 / 3)
+        self.assertGreaterEqual(basis["norm"]["upper"], 7 / 3)
+        self.assertEqual(basis["orders"], {"everywhere": 2, "nodes_smooth": 4, "nodes_smooth_logarithm": True,
+                                           "nodes_smooth_kernel": 4, "nodes_at_edges": 2})
+
+    def test_weights_sum_to_the_area_and_signs_are_counted(self):
+        for basis in self.bases("inset", "--degree", "0-6", "--alpha", "0.1"):
+            weights = [Fraction(node["weight"]) for node in basis["nodes"]]
+            self.assertAlmostEqual(float(sum(weights)), 0.5, 15)
+            signs = {"positive": sum(w > 0 for w in weights), "zero": sum(w == 0 for w in weights),
+                     "negative": sum(w < 0 for w in weights)}
+            self.assertEqual(basis["weight_signs"], signs)
+            self.assertLessEqual(basis["norm"]["lower"], basis["condition"])
+            parity = 1 if basis["degree"] % 2 == 0 else 0
+            self.assertEqual(basis["precision"]["parallelogram"]["degree"], basis["degree"] + parity)
+
+    def test_the_superconvergent_alpha_is_found_or_proved_to_be_missing(self):
+        self.assertEqual(self.precision(self.basis("inset", "--degree", "1", "--alpha", "superconvergent")), (2, 3))
+        three = self.basis("inset", "--degree", "3", "--alpha", "superconvergent")
+        self.assertEqual(self.precision(three), (4, 5))
+        self.assertEqual(three["precision"]["triangle"]["proof"], "algebraic")
+        # (7 - sqrt 34)/15
+        alpha = Fraction(three["nodes"][0]["barycentric"][1])
+        self.assertLess(abs((7 - 15 * alpha) ** 2 - 34), Fraction(1, 10**57))
+        for degree in ["2", "4", "5", "6", "7"]:
+            done = self.run_program("basis", "inset", "--degree", degree, "--alpha", "superconvergent")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(b"it is proven that no alpha", done.stderr)
+
+    def test_symmetric_sets_have_their_precision_and_positive_weights(self):
+        expected = {1: (2, 3), 2: (4, 5), 3: (5, 5), 4: (7, 7), 5: (9, 9), 6: (10, 11)}
+        bases = self.bases("symmetric", "--degree", "1-6")
+        self.assertEqual([basis["degree"] for basis in bases], sorted(expected))
+        for basis in bases:
+            self.assertEqual(self.precision(basis), expected[basis["degree"]])
+            self.assertEqual(basis["weight_signs"]["positive"], len(basis["nodes"]))
+        self.assertEqual([basis["orders"]["nodes_smooth"] for basis in bases], [4, 5, 6, 7, 8, 9])
+
+    def test_a_file_of_nodes_is_read_as_it_was_written(self):
+        for words in [("symmetric", "--degree", "3"), ("inset", "--degree", "2", "--alpha", "0.07")]:
+            there = self.basis(*words, "--nodes", "nodes.json")
+            with open(self.path("nodes.json"), encoding="utf-8") as file:
+                nodes = json.load(file)
+            jsonschema.validate(nodes, self.schema("nodes"))
+            again = self.basis("nodes.json")
+            for key in ["nodes", "precision", "norm", "condition", "determinant", "orders"]:
+                self.assertEqual(there[key], again[key], key)
+
+    def test_csv_and_latex_have_a_row_each(self):
+        self.expect(0, "basis", "inset", "--degree", "1-3", "--alpha", "1/10", "--csv", "b.csv", "--latex", "b.tex")
+        with open(self.path("b.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 3 + 6 + 10)
+        self.assertEqual(rows[0], {"degree": "1", "node": "0", "x1": "4/5", "x2": "1/10", "x3": "1/10",
+                                   "weight": "1/6"})
+        with open(self.path("b.tex"), encoding="utf-8") as file:
+            self.assertEqual(file.read().count(r" \\"), 4)
+
+    def test_nodes_of_ones_own(self):
+        self.write("mine.json", self.nodes(1, MIDPOINTS))
+        basis = self.basis("mine.json")
+        self.assertEqual(self.precision(basis), (2, 3))
+        self.assertEqual(basis["condition"], 3)
+        self.assertEqual(basis["file"], "mine.json")
+
+    def test_files_of_nodes_that_are_none_are_refused_with_the_reason(self):
+        self.refuse(self.nodes(1, MIDPOINTS[:2]), "/nodes", "has 2 nodes: too few", "3 nodes for degree 1")
+        self.refuse(self.nodes(1, MIDPOINTS + MIDPOINTS[:1]), "has 4 nodes: too many")
+        self.refuse(self.nodes(1, MIDPOINTS[:2] + MIDPOINTS[:1]), "/nodes/2", "is the same point as node 0")
+        self.refuse(self.nodes(1, [["-0.1", "0.6", "0.5"]] + MIDPOINTS[1:]), "/nodes/0/0", "outside the triangle")
+        self.refuse(self.nodes(1, [["0.1", "0.6", "0.5"]] + MIDPOINTS[1:]), "/nodes/0", "has the sum 1.2")
+        self.refuse(self.nodes(1, [["0.5", "0.5"]] + MIDPOINTS[1:]), "/nodes/0", "has 2 coordinates")
+        self.refuse(self.nodes(2, CONIC), "/nodes", "not unisolvent",
+                    "a polynomial of degree 2 other than zero vanishes at all 6 nodes", "Bernstein coefficients")
+        self.refuse(self.nodes(1, [["0", "1/2", "1/2"], ["1/4", "1/4", "1/2"], ["1/2", "0", "1/2"]]), "not unisolvent")
+        self.refuse(self.nodes(1, MIDPOINTS, weight=[]), "/weight", "unknown key")
+        self.refuse(self.nodes(13, MIDPOINTS), "/degree", "from 0 to 12")
+        self.refuse(self.nodes(1.5, MIDPOINTS), "/degree", "not a whole number")
+        self.refuse(self.nodes(1, [["a", "b", "c"]] + MIDPOINTS[1:]), "/nodes/0/0", "is not a number")
+        self.refuse(self.nodes(1, 3), "/nodes", "is a number")
+        self.refuse({"degree": 1, "nodes": MIDPOINTS}, "/schema", "is missing")
+        self.refuse("[]", "is an array")
+        self.refuse("{", "line 1")
+
+    def test_certificates_that_prove_nothing_are_refused(self):
+        self.expect(0, "basis", "symmetric", "--degree", "2", "--nodes", "good.json")
+        with open(self.path("good.json"), encoding="utf-8") as file:
+            good = json.load(file)
+
+        def changed(**changes):
+            return {**good, "certificate": {**good["certificate"], **changes}}
+
+        self.refuse(changed(precision=5), "/certificate", "proves nothing")
+        self.refuse(changed(radius="1e-70"), "/certificate", "does not lie inside")
+        self.refuse(changed(radius="0"), "/certificate/radius", "a positive number")
+        self.refuse(changed(orbits=[{"size": 6, "held": False}]), "/certificate/orbits", "does not make the nodes")
+        self.refuse(changed(orbits=[{"size": 2, "held": False}]), "/certificate/orbits/0/size", "1, 3 or 6")
+        self.refuse(changed(method="newton"), "/certificate/method", "krawczyk")
+        moved = json.loads(json.dumps(good))
+        for node in moved["nodes"][:3]:
+            for i, x in enumerate(node):
+                node[i] = "1/12" if x.startswith("0.09") else "5/6"
+        self.refuse(moved, "/certificate", "proves nothing")
+
+    def test_bad_words_are_refused(self):
+        for words, said in [(["inset"], "--degree"), (["inset", "--degree", "2"], "--alpha"),
+                            (["inset", "--degree", "13", "--alpha", "0.1"], "from 0 to 12"),
+                            (["inset", "--degree", "3-1", "--alpha", "0.1"], "the smaller one first"),
+                            (["inset", "--degree", "2", "--alpha", "1/3"], "[0, 1/3)"),
+                            (["inset", "--degree", "2", "--alpha", "x"], "[0, 1/3)"),
+                            (["symmetric", "--degree", "7"], "from 1 to 6"),
+                            (["symmetric", "--degree", "2", "--alpha", "0.1"], "has no meaning"),
+                            (["insett", "--degree", "2"], "did you mean inset?"),
+                            (["missing.json"], "missing.json"),
+                            (["inset", "--degree", "1-2", "--alpha", "0.1", "--nodes", "n.json"], "one degree")]:
+            done = self.run_program("basis", *words)
+            self.assertEqual(done.returncode, 2, (words, done.stderr))
+            self.assertIn(said, done.stderr.decode())
+        self.assertEqual(self.entries(), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
