@@ -7,6 +7,7 @@
 #include <limits>
 #include <random>
 
+#include "radcert/core/contract.h"
 #include "tests/verification/fixtures.h"
 
 namespace radcert::verification {
@@ -39,6 +40,36 @@ TEST(Judge, LeavesOpenWhatIsNotFinite) {
     EXPECT_EQ(judge(four, observed), Standing::open);
     EXPECT_EQ(judge(two, observed), Standing::open);
   }
+}
+
+TEST(Judge, HoldsBallsAgainstEachOtherAtAllOfTheirPoints) {
+  const auto ball = [](double middle, double radius) { return widened(Ball(middle), Ball(radius)); };
+  const AgreesWith third{.value = ball(3, 0.125), .within = 0.5};
+  EXPECT_EQ(judge(third, ball(3.25, 0.125)), Standing::holds);
+  EXPECT_EQ(judge(third, ball(3.25, 0.25)), Standing::open);
+  EXPECT_EQ(judge(third, ball(2.75, 0.125)), Standing::holds);
+  EXPECT_EQ(judge(third, ball(3.875, 0.125)), Standing::violated);
+  EXPECT_EQ(judge(third, ball(2.125, 0.125)), Standing::violated);
+  EXPECT_EQ(judge(third, ball(3.875, 0.25)), Standing::open);
+  EXPECT_EQ(judge(third, Ball::failed("nothing is known")), Standing::open);
+  EXPECT_EQ(judge(AgreesWith{.value = Ball::failed("no value"), .within = 1}, Ball(3)), Standing::open);
+  EXPECT_EQ(judge(AgreesWith{.value = Ball(3), .within = 0}, Ball(3)), Standing::holds);
+  EXPECT_THROW(static_cast<void>(judge(AgreesWith{.value = Ball(3), .within = -1}, Ball(3))),
+               ContractViolation);
+}
+
+TEST(Finding, TakesTheAgreementOfBallsForAProof) {
+  const AgreesWith one_third{.value = Ball(Rational(1, 3)), .within = 1e-30};
+  Finding finding;
+  finding.require("a", one_third, Ball(1) / Ball(3));
+  finding.control("b", one_third, Ball(1) / Ball(4));
+  EXPECT_EQ(finding.verdict(), Verdict::certified);
+  EXPECT_EQ(finding.evidence()[0].value.substr(0, 5), "0.333");
+  EXPECT_TRUE(finding.evidence()[0].radius.has_value());
+  finding.require("c", one_third, Ball::failed("no bound was found"));
+  EXPECT_EQ(finding.verdict(), Verdict::undecided);
+  EXPECT_NE(finding.evidence()[2].value.find("no bound was found"), std::string::npos);
+  EXPECT_FALSE(finding.evidence()[2].radius.has_value());
 }
 
 TEST(Finding, FailsWhereAControlIsNotRejected) {

@@ -97,6 +97,13 @@ Standing judge(const IsExactly& statement, const Rational& observed) {
   return observed == statement.value ? Standing::holds : Standing::violated;
 }
 
+Standing judge(const AgreesWith& statement, const Ball& observed) {
+  expects(statement.within >= 0, "within >= 0", named("within", statement.within));
+  const Ball distance = abs(observed - statement.value);
+  if (certainly_at_most(distance, Ball(statement.within))) return Standing::holds;
+  return certainly_less(Ball(statement.within), distance) ? Standing::violated : Standing::open;
+}
+
 void Finding::add(const std::string& what, const Bound& statement, const Measured& observed, bool control) {
   evidence_.push_back(line(
       what, observed, with_slack("order >= " + shortest(statement.order), statement.slack, statement.why),
@@ -124,6 +131,25 @@ void Finding::add(const std::string& what, const IsExactly& statement, const Rat
                        .standing = judge(statement, observed),
                        .control = control,
                        .proved = true});
+}
+
+void Finding::add(const std::string& what, const AgreesWith& statement, const Ball& observed, bool control) {
+  // Enough to see agreement to within 1e-30 of a number near 1.
+  constexpr int digits = 34;
+  Evidence evidence{
+      .what = what,
+      .value = observed.to_text(digits),
+      .radius = std::nullopt,
+      .allowed = "= " + statement.value.to_text(digits) + " to within " + shortest(statement.within),
+      .standing = judge(statement, observed),
+      .control = control,
+      .proved = true};
+  if (observed.is_finite()) {
+    const BallDecimal text = observed.decimal(digits);
+    evidence.value = text.midpoint;
+    evidence.radius = text.radius;
+  }
+  evidence_.push_back(std::move(evidence));
 }
 
 void Finding::remark(std::string what, const Measured& observed) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/scalar/ball.h"
 #include "radcert/scalar/rational.h"
 #include "verification/framework/verdict.h"
 
@@ -48,6 +49,12 @@ struct IsExactly {
   Rational value;
 };
 
+/// "The number differs from `value` by at most `within`": two enclosures of what should be one number.
+struct AgreesWith {
+  Ball value;
+  double within = 0;
+};
+
 /// Whether an observation agrees with a statement.
 enum class Standing { holds, violated, open };
 
@@ -57,15 +64,17 @@ enum class Standing { holds, violated, open };
 /// An observation held against a statement.
 /// Maths     Bound: value - radius >= order - slack holds, value + radius < order - slack violates;
 ///           Equals: |v - value| + radius <= slack holds, |v - value| - radius > slack violates;
-///           AtMost: v + radius <= value + slack holds, v - radius > value + slack violates;  IsExactly: equality of rationals
+///           AtMost: v + radius <= value + slack holds, v - radius > value + slack violates;  IsExactly: equality of rationals;
+///           AgreesWith: |v - value| <= within for all points of both balls holds, > within for all violates
 /// Source    ours
 /// Requires  slack >= 0, else ContractViolation
 /// Result    open where neither is the case, and for numbers that are not finite
-/// Limits    the three comparisons of doubles round; a slack is meant to be far above that
+/// Limits    the comparisons of doubles round; a slack is meant to be far above that. Those of balls and rationals prove
 [[nodiscard]] Standing judge(const Bound& statement, const Measured& observed);
 [[nodiscard]] Standing judge(const Equals& statement, const Measured& observed);
 [[nodiscard]] Standing judge(const AtMost& statement, const Measured& observed);
 [[nodiscard]] Standing judge(const IsExactly& statement, const Rational& observed);
+[[nodiscard]] Standing judge(const AgreesWith& statement, const Ball& observed);
 
 /// One line of evidence.
 struct Evidence {
@@ -80,7 +89,8 @@ struct Evidence {
 
 /// What a check found: the evidence, and the verdict that follows from it.
 /// Maths     a control that is not violated, no control, or nothing required: failed; a requirement violated: contradicted; one open:
-///           undecided; else certified if every requirement is proved and exact (slack 0), supported if not
+///           undecided; else certified if every requirement is proved and without slack, supported if not. AgreesWith is
+///           proved: `within` is part of the statement, no slack in it
 /// Source    ours
 /// Requires  each kind of statement is required and controlled by the same check: what is rejected is what was believed
 /// Result    evidence in the order in which it was given
@@ -111,6 +121,7 @@ private:
   void add(const std::string& what, const Equals& statement, const Measured& observed, bool control);
   void add(const std::string& what, const AtMost& statement, const Measured& observed, bool control);
   void add(const std::string& what, const IsExactly& statement, const Rational& observed, bool control);
+  void add(const std::string& what, const AgreesWith& statement, const Ball& observed, bool control);
 
   std::vector<Evidence> evidence_;
   std::vector<std::string> remarks_;
