@@ -171,6 +171,18 @@ class Basis(ProgramTest):
             self.assertIn(said, done.stderr.decode())
         self.assertEqual(self.entries(), [])
 
+    def test_symmetric_nodes_solve_and_their_file_solves_alike(self):
+        problem = {"schema": "radcert/problem/1", "surface": {"name": "sphere"},
+                   "triangulation": {"levels": [0, 1]}, "basis": {"family": "symmetric", "degree": 2},
+                   "reflectivity": "1/2", "solution": "exp(z)"}
+        self.expect(0, "basis", "symmetric", "--degree", "2", "--nodes", "nodes.json")
+        self.write("family.json", problem)
+        self.write("file.json", {**problem, "basis": {"file": "nodes.json"}})
+        levels = [json.loads(self.expect(0, "solve", name, "--json", "-"))["levels"]
+                  for name in ("family.json", "file.json")]
+        self.assertEqual(levels[0], levels[1])
+        # Six nodes of precision 5 on the parallelogram: the error falls by more than 2^4.
+        self.assertGreater(levels[0][1]["node_ratio"], 16)
 
 if __name__ == "__main__":
     unittest.main()

@@ -5,7 +5,13 @@
 #include "radcert/enclosure/kernel_integral.h"
 #include "radcert/reference/values/families.h"
 #include "radcert/reference/values/line.h"
+#include "radcert/surface/catalogue/cone.h"
+#include "radcert/surface/catalogue/cylinder.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/octahedron.h"
+#include "radcert/surface/catalogue/paraboloid_cap.h"
+#include "radcert/surface/catalogue/spherical_cap.h"
+#include "radcert/surface/catalogue/tetrahedron.h"
 #include "radcert/surface/catalogue/two_piece.h"
 
 namespace radcert::reference::values {
@@ -112,11 +118,36 @@ ValueFamily roof_family(std::string name, const std::string& u, RoofDensity dens
                                   })};
 }
 
+const std::string total = "Int_S G(P,Q) dS_Q";
+
+ValueParameter inside(std::string name) { return strictly_between(std::move(name), "1/5", 0, half); }
+
+/// Int G over a surface from the point of its last chart with the parameters s, t, which follow the surface's own.
+ValueFamily total_family(const std::string& surface_name, const std::string& piece,
+                         std::vector<ValueParameter> parameters, Route route,
+                         std::function<Surface(const Arguments&)> surface) {
+  parameters.push_back(inside("s"));
+  parameters.push_back(inside("t"));
+  const auto integral = [surface](const Arguments& a, const Demand& demand) {
+    const Surface s = surface(a);
+    const ParameterPoint<Rational> at{a[a.size() - 2], a[a.size() - 1]};
+    return kernel_integral(ExactObserver::on_surface({{.chart = s.charts.size() - 1, .at = at}}), s,
+                           unit_density(), demand);
+  };
+  return {.name = surface_name + "_total",
+          .summary = "Int G over " + surface_name + " from the point of its " + piece +
+                     " with the parameters s, t in its last chart",
+          .formula = total,
+          .source = "ac98 (7)",
+          .parameters = std::move(parameters),
+          .route = std::move(route),
+          .second_route = by_integral("double integrals over the charts, chords divided at P",
+                                      digits_on_curved_pieces, integral)};
+}
+
 }  // namespace
 
 Theme operator_values() {
-  const std::string total = "Int_S G(P,Q) dS_Q";
-  const auto inside = [](std::string name) { return strictly_between(std::move(name), "1/5", 0, half); };
   Theme theme;
   theme.families = {
       {.name = "box_total",
@@ -165,6 +196,21 @@ Theme operator_values() {
                        })},
       roof_family("two_piece_total", "1", RoofDensity::one),
       roof_family("two_piece_operator", "x^2 + y^2 + z^2", RoofDensity::squared_radius),
+      total_family("cylinder", "mantle", {positive("radius", "1"), positive("height", "1")},
+                   pi_by_the_divergence_theorem(), [](const Arguments& a) { return cylinder(a[0], a[1]); }),
+      total_family("cone", "mantle", {positive("radius", "2"), positive("top", "1"), positive("height", "1")},
+                   pi_by_the_divergence_theorem(), [](const Arguments& a) { return cone(a[0], a[1], a[2]); }),
+      total_family("paraboloid_cap", "cap", {}, pi_by_the_divergence_theorem(),
+                   [](const Arguments&) { return paraboloid_cap(); }),
+      total_family("tetrahedron", "last face", {}, pi_by_the_divergence_theorem(),
+                   [](const Arguments&) { return tetrahedron(); }),
+      total_family("octahedron", "last face", {}, pi_by_the_divergence_theorem(),
+                   [](const Arguments&) { return octahedron(); }),
+      total_family("spherical_cap", "cap",
+                   {strictly_between("fraction", "1/4", Rational(1, 1000), Rational(999, 1000))},
+                   by_formula("G = 1/4 over a part of the unit sphere of area 4 pi fraction",
+                              [](const Arguments& a) { return Ball::pi() * Ball(a[0]); }),
+                   [](const Arguments& a) { return spherical_cap(a[0]); }),
   };
   const Rational fifth(1, 5);
   const Rational third(1, 3);
@@ -175,6 +221,12 @@ Theme operator_values() {
       {"sphere_total", "ellipsoid_total", {1, 1, 1, fifth, third}},
       {"ellipsoid_1_2_5_total", "ellipsoid_total", {1, 2, 5, fifth, third}},
       {"sphere_z_squared", "sphere_power", {2, fifth, third}},
+      {"cylinder_1_1_total", "cylinder_total", {1, 1, fifth, third}},
+      {"cone_2_1_1_total", "cone_total", {2, 1, 1, fifth, third}},
+      {"paraboloid_cap_total_of_its_cap", "paraboloid_cap_total", {fifth, third}},
+      {"tetrahedron_total_of_a_face", "tetrahedron_total", {fifth, third}},
+      {"octahedron_total_of_a_face", "octahedron_total", {fifth, third}},
+      {"spherical_cap_1/4_total", "spherical_cap_total", {Rational(1, 4), fifth, third}},
       {"two_piece_2_total_at_centre", "two_piece_total", {2, half, half}},
       {"two_piece_3_total_at_centre", "two_piece_total", {3, half, half}},
       {"two_piece_2_total_at_corner", "two_piece_total", {2, 0, 0}},
