@@ -18,7 +18,12 @@
 #include "radcert/polynomial/conical_rule.h"
 #include "radcert/polynomial/gauss.h"
 #include "radcert/polynomial/inset_basis.h"
+#include "radcert/surface/catalogue/cone.h"
+#include "radcert/surface/catalogue/disk.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/paraboloid_cap.h"
+#include "radcert/surface/catalogue/spherical_cap.h"
+#include "radcert/surface/catalogue/torus.h"
 #include "radcert/surface/catalogue/two_piece.h"
 
 namespace radcert {
@@ -180,6 +185,20 @@ TEST(ArithmeticLaws, HoldForEllipsoids) {
   expect_of_chart(ChartValues<EllipsoidOctant, Rational, Rational, Rational, Octant>(Rational(1, 1000), 2,
                                                                                      500, Octant{-1, 1, 1}),
                   5, 6000);
+}
+
+TEST(ArithmeticLaws, HoldForDisksMantlesCapsAndTori) {
+  const Quadrant quadrant{-1, 1};
+  expect_of_chart(ChartValues<DiskQuadrant, Rational, Rational, Quadrant>(Rational(3, 7), 2, quadrant), 9,
+                  800);
+  expect_of_chart(
+      ChartValues<ConeMantle, Rational, Rational, Rational, Quadrant>(2, Rational(1, 3), 5, quadrant), 10,
+      800);
+  expect_of_chart(ChartValues<ParaboloidQuadrant, Quadrant>(quadrant), 11, 800);
+  expect_of_chart(ChartValues<SphericalCapQuadrant, Rational, Quadrant>(Rational(9, 10), quadrant), 12, 800);
+  expect_of_chart(
+      ChartValues<TorusPatch, Rational, Rational, Quadrant, Quadrant>(3, Rational(1, 4), quadrant, {1, -1}),
+      13, 800);
 }
 
 /// All basis functions of a degree; the inset is the last input.
