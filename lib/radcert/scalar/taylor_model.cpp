@@ -288,6 +288,20 @@ Series entire_series(const Argument& x, const std::array<ComplexBall, 4>& deriva
   return series;
 }
 
+/// The derivative of the sine of that order, of x: 0 for the sine, 1 for the cosine.
+TaylorModel circular(const TaylorModel& x, std::size_t order) {
+  if (!x.is_finite()) return x;
+  const BallPrecision inside(working_bits);
+  const Argument at = argument_of(x);
+  const ComplexBall centre = ball(at.c);
+  std::array<ComplexBall, 4> derivatives{sin(centre), cos(centre), -sin(centre), -cos(centre)};
+  std::rotate(derivatives.begin(), derivatives.begin() + static_cast<std::ptrdiff_t>(order),
+              derivatives.end());
+  const double size = exp(abs(centre.imag())).upper_double();
+  if (!(size < largest)) return TaylorModel::failed("numbers beyond the range of double");
+  return Access::composed(x, entire_series(at, derivatives, size));
+}
+
 }  // namespace
 
 TaylorModel::TaylorModel(const Rational& value) {
@@ -416,29 +430,9 @@ TaylorModel log(const TaylorModel& x) {
   return Access::composed(x, series);
 }
 
-TaylorModel sin(const TaylorModel& x) {
-  if (!x.is_finite()) return x;
-  const BallPrecision inside(working_bits);
-  const Argument at = argument_of(x);
-  const ComplexBall centre = ball(at.c);
-  const ComplexBall s = sin(centre);
-  const ComplexBall c = cos(centre);
-  const double size = exp(abs(centre.imag())).upper_double();
-  if (!(size < largest)) return TaylorModel::failed("numbers beyond the range of double");
-  return Access::composed(x, entire_series(at, {s, c, -s, -c}, size));
-}
+TaylorModel sin(const TaylorModel& x) { return circular(x, 0); }
 
-TaylorModel cos(const TaylorModel& x) {
-  if (!x.is_finite()) return x;
-  const BallPrecision inside(working_bits);
-  const Argument at = argument_of(x);
-  const ComplexBall centre = ball(at.c);
-  const ComplexBall s = sin(centre);
-  const ComplexBall c = cos(centre);
-  const double size = exp(abs(centre.imag())).upper_double();
-  if (!(size < largest)) return TaylorModel::failed("numbers beyond the range of double");
-  return Access::composed(x, entire_series(at, {c, -s, -c, s}, size));
-}
+TaylorModel cos(const TaylorModel& x) { return circular(x, 1); }
 
 TaylorModel tan(const TaylorModel& x) { return sin(x) / cos(x); }
 

@@ -11,7 +11,7 @@ namespace radcert::reference::values {
 namespace {
 
 constexpr int digits_of_a_line = 300;
-constexpr int digits_of_a_search = 40;
+constexpr int digits_of_a_search = 100;
 
 /// What E = exp(z) adds to itself on the unit sphere: rho/(1 - rho) times its mean.
 Enclosure sphere_by_integral(const Arguments& a, const Demand& demand) {
@@ -134,27 +134,35 @@ Outcome<Ball> exponent_by_beta(const Arguments& a, const Rational& radius) {
       0, 1, radius);
 }
 
-/// Int t^(b+1) (1 + t^2)^(-3/2) (log t)^k dt over t > 0 for k = 0 or 1, with t = e^v. For |v| > V the integrand is at most
-/// |v|^k e^(-c |v|), c = 2 + b to the left and 1 - b to the right, and |v| <= V e^((|v|-V)/V): the tails are at most
-/// V^k e^(-c V) / (c - k/V).
-Enclosure symbol_integral(const Ball& b, int k, const Demand& demand) {
-  const auto f = [&b, k]<class R>(const R& v) {
-    const R square = exp(R(2) * v);
-    const R sum = R(1) + square;
-    const R value = exp((R(b) + R(2)) * v) / (sum * sqrt(sum));
+/// Int v^k e^(-c v) (1 + e^(-2v))^(-3/2) dv over v > 0 for c > 0 and k = 0 or 1. Beyond V the integrand is at most v^k e^(-c v), and
+/// v <= V e^((v-V)/V): the tail is at most V^k e^(-c V) / (c - k/V).
+Enclosure half_line_integral(const Ball& c, int k, const Demand& demand) {
+  const auto f = [&c, k]<class R>(const R& v) {
+    const R sum = R(1) + exp(R(-2) * v);
+    const R value = exp(-(R(c) * v)) / (sum * sqrt(sum));
     return k == 0 ? value : v * value;
   };
-  const double decay = std::min(1 - b.upper_double(), 2 + b.lower_double());
-  const Ball v(std::ceil((8 - std::log(demand.radius)) / decay));
-  const auto tail = [&](const Ball& c) { return power(v, k) * exp(-(c * v)) / (c - Ball(k) / v); };
-  const Enclosure integral = integral_on_interval(line_function(f), -v, v, demand);
+  const Ball end(std::ceil((8 - std::log(demand.radius)) / std::min(1.0, c.lower_double())));
+  const Ball tail = power(end, k) * exp(-(c * end)) / (c - Ball(k) / end);
+  const Enclosure integral = integral_on_interval(line_function(f), Ball(0), end, demand);
   if (!integral) return integral;
-  return Enclosed{.value = widened(widened(integral->value, tail(Ball(1) - b)), tail(Ball(2) + b)),
-                  .evaluations = integral->evaluations};
+  return Enclosed{.value = widened(integral->value, tail), .evaluations = integral->evaluations};
 }
 
-/// The zero of (rho/2) Int t^(b+1) (1 + t^2)^(-3/2) dt - 1, the same symbol: bisected to a few digits, then Newton's operator
-/// N(B) = m - f(m)/f'(B), which contains the zero if B does.
+/// Int t^(b+1) (1 + t^2)^(-3/2) (log t)^k dt over t > 0 for k = 0 or 1, with t = e^v for t > 1 and t = e^(-v) for t < 1.
+Enclosure symbol_integral(const Ball& b, int k, const Demand& demand) {
+  return sum_of([&](const Demand& half) { return half_line_integral(Ball(1) - b, k, half); },
+                [&](const Demand& half) -> Enclosure {
+                  const Enclosure below = half_line_integral(Ball(2) + b, k, half);
+                  if (!below || k == 0) return below;
+                  return Enclosed{.value = -below->value, .evaluations = below->evaluations};
+                },
+                demand);
+}
+
+/// The zero of (rho/2) Int t^(b+1) (1 + t^2)^(-3/2) dt - 1, the same symbol, from both sides: it increases with b and is convex, as
+/// log t and log^2 t beside positive factors say of its derivatives. So a tangent at the upper end vanishes above the zero, a
+/// chord below it.
 Outcome<Ball> exponent_by_integral(const Arguments& a, const Rational& radius) {
   const BallPrecision precision(bits_for(radius) + 96);
   const Ball half_rho(a[0] / Rational(2));
@@ -163,24 +171,35 @@ Outcome<Ball> exponent_by_integral(const Arguments& a, const Rational& radius) {
     if (!integral) return because(integral.reason().to_text());
     return half_rho * integral->value - Ball(k == 0 ? 1 : 0);
   };
-  const Outcome<Ball> start = zero_of_increasing([&](const Rational& b) { return symbol(Ball(b), 0, 1e-9); },
-                                                 0, Rational(65535, 65536), Rational(1, 1000000));
-  if (!start) return start;
-  Ball zero = *start;
-  while (!certainly_at_most(zero.radius_ball(), Ball(radius))) {
-    const double width = zero.radius();
-    const Ball middle = zero.midpoint();
-    // As accurate as the next width, about the square of this one.
-    const Outcome<Ball> value = symbol(middle, 0, std::max(radius.to_double(), width * width) / 64);
+  Ball lower(0);  // where the symbol is rho/2 - 1 < 0
+  Ball upper;
+  Ball gap(1);
+  for (bool above = false; !above;) {
+    gap = gap / 4;
+    upper = Ball(1) - gap;
+    if (certainly_less(gap, Ball(0x1p-16))) return because("no upper end was found below " + upper.to_text());
+    const Outcome<Ball> value = symbol(upper, 0, 1e-3);
     if (!value) return value;
-    // The second derivative has log^2 t beside positive factors: the slope increases, and its ends are those of the interval.
-    const Outcome<Ball> least = symbol(zero.lower(), 1, width / 64);
-    const Outcome<Ball> largest = symbol(zero.upper(), 1, width / 64);
-    if (!least || !largest) return !least ? least : largest;
-    zero = common_part(zero, middle - *value / hull(*least, *largest));
-    if (!(zero.radius() < width / 2)) return because("Newton's operator stood still at " + zero.to_text());
+    above = certainly_positive(*value);
   }
-  return zero;
+  while (!certainly_at_most(hull(lower, upper).radius_ball(), Ball(radius))) {
+    const double width = (upper - lower).upper_double();
+    // As accurate as the next width, about the square of this one.
+    const double accuracy = std::max(radius.to_double(), width * width) / 64;
+    const Outcome<Ball> below = symbol(lower, 0, accuracy);
+    if (!below) return below;
+    const Outcome<Ball> above = symbol(upper, 0, accuracy);
+    if (!above) return above;
+    const Outcome<Ball> slope = symbol(upper, 1, std::max(radius.to_double(), width) / 64);
+    if (!slope) return slope;
+    const Ball tangent = upper - *above / *slope;
+    const Ball chord = lower - *below * (upper - lower) / (*above - *below);
+    if (certainly_less(tangent, upper)) upper = tangent.upper();
+    if (certainly_less(lower, chord)) lower = chord.lower();
+    if (!((upper - lower).upper_double() < 0.99 * width))
+      return because("tangent and chord stood still at " + hull(lower, upper).to_text());
+  }
+  return hull(lower, upper);
 }
 
 }  // namespace
@@ -237,7 +256,7 @@ Theme exact_solutions() {
        .source = "Mellin symbol of the operator between two half planes",
        .parameters = {strictly_between("rho", "1/2", 0, Rational(2))},
        .route = {.how = "bisection of the symbol by the gamma function", .enclose = exponent_by_beta},
-       .second_route = {.how = "Newton's operator on the symbol as an enclosed integral",
+       .second_route = {.how = "tangents and chords of the symbol as an enclosed integral",
                         .enclose = exponent_by_integral,
                         .most_digits = digits_of_a_search}},
   };
