@@ -232,7 +232,7 @@ TEST(FlatRuleBound, LiesAboveTheErrorAndDecays) {
     const IntegrationScheme<double> scheme(surface, basis, Tolerance());
     const auto rule = [&](int order) {
       Samples<double> samples;
-      sample(surface.charts[floor], whole_element<double>(triangle), basis, order, samples);
+      take_samples(surface.charts[floor], whole_element<double>(triangle), basis, order, samples);
       return samples;
     };
     const Samples<double> exact = rule(24);

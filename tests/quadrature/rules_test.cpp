@@ -19,7 +19,7 @@ namespace {
 /// Area by the lengths of the sampled normals; also checks the padding.
 double sampled_area(const Chart& chart, const ParameterTriangle& triangle, int order) {
   Samples<double> samples;
-  sample(chart, whole_element<double>(triangle), InsetBasis<double>(2, 0.1), order, samples);
+  take_samples(chart, whole_element<double>(triangle), InsetBasis<double>(2, 0.1), order, samples);
   EXPECT_EQ(samples.x.size() % Samples<double>::lanes, 0U);
   EXPECT_EQ(samples.basis.size(), samples.x.size() * samples.functions);
   double area = 0;
@@ -72,7 +72,7 @@ TEST(KernelSums, AgreeWithChordSumsAwayFromTheDiagonal) {
     const InsetBasis<double> basis(3, 0.1);
     const ParameterTriangle triangle{chart, {{{0, 0}, {0.25, 0}, {0, 0.25}}}};
     Samples<double> samples;
-    sample(surface.charts[chart], whole_element<double>(triangle), basis, 12, samples);
+    take_samples(surface.charts[chart], whole_element<double>(triangle), basis, 12, samples);
     for (int k = 0; k < 20; ++k) {
       const double s = 0.5 + 0.25 * stream.uniform();
       const Observer<double> p = observer<double>(surface, {chart, {s, (1 - s) * stream.uniform()}});
@@ -97,7 +97,7 @@ TEST(KernelSums, OfChordsKeepTheirDigitsOnASmallCellBesideTheObserver) {
     const double s = 0.7 + 2 * size;
     const ParameterTriangle triangle{1, {{{s, 0.3}, {s + size, 0.3}, {s, 0.3 + size}}}};
     Samples<double> samples;
-    sample(surface.charts[1], whole_element<double>(triangle), InsetBasis<double>(1, 0.1), 20, samples);
+    take_samples(surface.charts[1], whole_element<double>(triangle), InsetBasis<double>(1, 0.1), 20, samples);
     const SurfacePoint<double> at{1, {0.7, 0.3}};
     const KernelSums<double> sums = chord_sums(observer<double>(surface, at), surface.charts[1], samples);
     const BruteForce::Integral exact = truth.integrate(at, triangle, InsetBasis<Long>(1, 0.1));
@@ -113,7 +113,7 @@ TEST(KernelSums, AreTheKernelTimesTheAreaOnTheSphere) {
   const Surface surface = sphere();
   const ParameterTriangle triangle{0, {{{0, 0}, {0.5, 0}, {0, 0.5}}}};
   Samples<double> samples;
-  sample(surface.charts[0], whole_element<double>(triangle), InsetBasis<double>(0, 0), 20, samples);
+  take_samples(surface.charts[0], whole_element<double>(triangle), InsetBasis<double>(0, 0), 20, samples);
   const double quarter = sampled_area(surface.charts[0], triangle, 20) / 4;
   EXPECT_NEAR(kernel_sums(observer<double>(surface, {7, {0.25, 0.25}}), samples, 1.0).value[0], quarter,
               1e-14);

@@ -84,8 +84,8 @@ const RuleArrays<R>& ConicalRules<R>::rule(int order, Gathering gathering) {
 }
 
 template <Real R>
-void sample(const Chart& chart, const Cell<R>& cell, const std::type_identity_t<TriangleBasis<R>>& basis,
-            int order, Samples<R>& out) {
+void take_samples(const Chart& chart, const Cell<R>& cell,
+                  const std::type_identity_t<TriangleBasis<R>>& basis, int order, Samples<R>& out) {
   using B = typename Block<R>::Type;
   const auto [turned, gathering] = arrange(chart, cell);
   const RuleArrays<R>& rule = ConicalRules<R>::rule(order, gathering);
@@ -135,12 +135,12 @@ void sample(const Chart& chart, const Cell<R>& cell, const std::type_identity_t<
 template struct Cell<double>;
 template Cell<double> whole_element<double>(const ParameterTriangle&);
 template class ConicalRules<double>;
-template void sample<double>(const Chart&, const Cell<double>&, const TriangleBasis<double>&, int,
-                             Samples<double>&);
+template void take_samples<double>(const Chart&, const Cell<double>&, const TriangleBasis<double>&, int,
+                                   Samples<double>&);
 template struct Cell<Mpfr<50>>;
 template Cell<Mpfr<50>> whole_element<Mpfr<50>>(const ParameterTriangle&);
 template class ConicalRules<Mpfr<50>>;
-template void sample<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&, const TriangleBasis<Mpfr<50>>&, int,
-                               Samples<Mpfr<50>>&);
+template void take_samples<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&, const TriangleBasis<Mpfr<50>>&, int,
+                                     Samples<Mpfr<50>>&);
 
 }  // namespace radcert

@@ -36,7 +36,7 @@ Cell<R> whole_element(const ParameterTriangle& triangle);
 /// Maths     Int_cell f l_j dS ~ sum_q f(Q_q) |normal_q| l_j(x_q); normal_q is the inner normal n_Q times area element
 ///           times weight
 /// Source    [ac98, (30)]
-/// Requires  see `sample`
+/// Requires  see `take_samples`
 /// Result    `count` points; arrays are padded to whole blocks by points of zero weight; basis values lie by blocks:
 ///           basis[(block * functions + j) * lanes + lane]; (s, t) are relative to `origin`, the cell's first vertex: in a
 ///           small cell they keep digits that the parameters themselves would lose
@@ -89,18 +89,18 @@ public:
 /// Result    fills `out`, reusing its storage
 /// Limits    -
 template <Real R>
-void sample(const Chart& chart, const Cell<R>& cell, const std::type_identity_t<TriangleBasis<R>>& basis,
-            int order, Samples<R>& out);
+void take_samples(const Chart& chart, const Cell<R>& cell,
+                  const std::type_identity_t<TriangleBasis<R>>& basis, int order, Samples<R>& out);
 
 extern template struct Cell<double>;
 extern template Cell<double> whole_element<double>(const ParameterTriangle&);
 extern template class ConicalRules<double>;
-extern template void sample<double>(const Chart&, const Cell<double>&, const TriangleBasis<double>&, int,
-                                    Samples<double>&);
+extern template void take_samples<double>(const Chart&, const Cell<double>&, const TriangleBasis<double>&,
+                                          int, Samples<double>&);
 extern template struct Cell<Mpfr<50>>;
 extern template Cell<Mpfr<50>> whole_element<Mpfr<50>>(const ParameterTriangle&);
 extern template class ConicalRules<Mpfr<50>>;
-extern template void sample<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&, const TriangleBasis<Mpfr<50>>&,
-                                      int, Samples<Mpfr<50>>&);
+extern template void take_samples<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&,
+                                            const TriangleBasis<Mpfr<50>>&, int, Samples<Mpfr<50>>&);
 
 }  // namespace radcert
