@@ -10,7 +10,6 @@
 
 #include "radcert/geometry/mesh_defects.h"
 #include "radcert/geometry/orientation.h"
-#include "radcert/surface/catalogue.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/hypotheses/random_polyhedron.h"
 
@@ -208,12 +207,6 @@ TEST(ConvexContainment, DecidesAtEveryScale) {
           << scale;
     }
   }
-}
-
-TEST(ConvexContainment, SaysThatItDoesNotLookAtCharts) {
-  const ConvexContainment found = convex_containment(find_surface("sphere")->make({}));
-  EXPECT_EQ(found.verdict, Containment::undecided);
-  EXPECT_FALSE(found.witness.has_value());
 }
 
 }  // namespace

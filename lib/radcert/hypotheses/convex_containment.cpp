@@ -2,70 +2,165 @@
 #include "radcert/hypotheses/convex_containment.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
 #include <utility>
-#include <vector>
 
 #include "radcert/core/contract.h"
-#include "radcert/core/parallel.h"
-#include "radcert/geometry/mesh_quality.h"
-#include "radcert/geometry/orientation.h"
-#include "radcert/geometry/plane_classes.h"
-#include "radcert/hypotheses/vertex_tree.h"
+#include "radcert/hypotheses/chart_pairs.h"
+#include "radcert/hypotheses/chart_shape.h"
+#include "radcert/hypotheses/chart_witness.h"
 
 namespace radcert {
 namespace {
 
-/// The corners of a triangle in the order that makes them run counterclockwise as seen from outside.
-std::array<std::size_t, 3> seen_from_outside(const TriangleMesh& mesh, std::size_t triangle,
-                                             Orientation orientation) {
-  VertexTriple t = mesh.triangles[triangle];
-  if (orientation == Orientation::along_the_cross_product) std::swap(t[1], t[2]);
-  return t;
-}
+/// Enough for boxes as small as bisection makes them: what is decided has a margin far above the rounding.
+constexpr long box_bits = 64;
 
-struct Violation {
-  std::size_t triangle = 0;
-  std::size_t vertex = 0;
-  double depth = 0;
+/// A chart with what is known of it.
+struct KnownChart {
+  const Chart* chart;
+  std::optional<Vector<ExactFunction>> image;
+  ProvedShape shape;
+  std::unique_ptr<PatchTable> patches;
 };
 
-ContainmentWitness witness_of(const TriangleMesh& mesh, const Violation& violation, Orientation orientation) {
-  const VertexTriple t = seen_from_outside(mesh, violation.triangle, orientation);
-  const Vector<Rational> a = exactly(mesh.vertices[t[0]]);
-  const Vector<Rational> b = exactly(mesh.vertices[t[1]]);
-  const Vector<Rational> c = exactly(mesh.vertices[t[2]]);
-  ContainmentWitness witness{.triangle = violation.triangle,
-                             .vertex = violation.vertex,
-                             .p = Rational(1, 3) * (a + b + c),
-                             .q = exactly(mesh.vertices[violation.vertex]),
-                             .inner_normal = -cross(b - a, c - a),
-                             .product = {}};
-  witness.product = dot(witness.q - witness.p, witness.inner_normal);
-  return witness;
+/// How P on one chart and Q on another were settled, or how many boxes are left.
+struct Settled {
+  std::string how;
+  std::size_t boxes_left = 0;
+  std::optional<std::pair<ParameterPoint<double>, ParameterPoint<double>>> witness = std::nullopt;
+};
+
+class Certificate {
+public:
+  Certificate(const Surface& surface, const ContainmentBudget& budget)
+      : surface_(&surface), budget_(&budget) {
+    for (const Chart& chart : surface.charts) {
+      const ExactImage* exact = exact_image(chart.in<Ball>());
+      KnownChart known{.chart = &chart, .image = std::nullopt, .shape = {}, .patches = nullptr};
+      if (exact != nullptr) known.image = exact->image();
+      known.shape = prove_shape(chart, known.image ? &*known.image : nullptr, result_.boxes);
+      known.patches = std::make_unique<PatchTable>(chart);
+      charts_.push_back(std::move(known));
+    }
+  }
+
+  ConvexContainment result() {
+    for (const KnownChart& each : charts_)
+      for (const std::string* proof : {&each.shape.proof, &each.shape.refusal})
+        if (!proof->empty()) add_step("chart " + each.chart->facts().name, *proof);
+    for (std::size_t p = 0; p < charts_.size(); ++p)
+      for (std::size_t q = 0; q < charts_.size(); ++q) {
+        const Settled settled = settle(p, q);
+        if (settled.witness) {
+          result_.chart_witness =
+              witness_at(*surface_, p, settled.witness->first, q, settled.witness->second);
+          if (result_.chart_witness) return std::move(result_);
+        }
+        if (settled.how.empty())
+          result_.open.push_back({.chart_p = p, .chart_q = q, .boxes = settled.boxes_left});
+        else
+          ++pairs_settled_[settled.how];
+      }
+    for (const auto& [how, pairs] : pairs_settled_)
+      add_step(std::to_string(pairs) + (pairs == 1 ? " pair" : " pairs") + " of charts", how);
+    return std::move(result_);
+  }
+
+private:
+  void add_step(const std::string& says, const std::string& proof) {
+    result_.steps.push_back({.says = says, .proof = proof});
+  }
+
+  std::size_t limit() const {
+    return std::min(budget_->boxes_a_pair, budget_->boxes - std::min(budget_->boxes, result_.boxes));
+  }
+
+  Settled settle(std::size_t p, std::size_t q) {
+    const ProvedShape& shape = charts_[p].shape;
+    if (shape.inner) {
+      Settled settled = settle_behind_plane(*shape.inner, charts_[q]);
+      if (!settled.how.empty()) return settled;
+    }
+    if (shape.quadric) {
+      Settled settled = settle_in_quadric(*shape.quadric, charts_[q]);
+      if (!settled.how.empty()) return settled;
+    }
+    if (p == q && shape.profile_is_convex) return {.how = "P and Q on one ruled chart with a convex profile"};
+    PairSearch search = search_pairs(*charts_[p].patches, *charts_[q].patches, limit(), result_.boxes);
+    if (search.witness) return {.how = "", .boxes_left = search.boxes_left, .witness = search.witness};
+    if (search.boxes_left > 0) return {.how = "", .boxes_left = search.boxes_left};
+    return {
+        .how = p == q ? "one chart with itself: pairs of boxes, near the diagonal the second fundamental form"
+                      : "two charts: pairs of boxes, (Q-P).n_P enclosed"};
+  }
+
+  Settled settle_behind_plane(const AffineForm& inner, KnownChart& of_q) {
+    if (of_q.shape.inner && is_zero_on(inner, of_q)) return {.how = "P and Q in one plane: an identity"};
+    if (of_q.image && is_nowhere_negative(inner.value(*of_q.image), region_of(*of_q.chart)))
+      return {.how = "Q on the inner side of the plane of P: exact coefficients in the basis of Bernstein"};
+    return over_boxes(of_q, "Q on the inner side of the plane of P: balls over boxes",
+                      [&](const Frame<Ball>& frame) { return certainly_positive(inner.value(frame.point)); });
+  }
+
+  Settled settle_in_quadric(const Quadric& quadric, KnownChart& of_q) {
+    if (of_q.shape.quadric && is_same(quadric, *of_q.shape.quadric))
+      return {.how = "P and Q on one quadric with a convex inside: an identity"};
+    const auto is_at_least_zero = [&](const ExactFunction& f) {
+      return is_nowhere_negative(f, region_of(*of_q.chart));
+    };
+    if (of_q.image && is_at_least_zero(-quadric.value(*of_q.image)) &&
+        (!quadric.nappe || is_at_least_zero(quadric.nappe->value(*of_q.image))))
+      return {.how = "Q inside the quadric of P: exact coefficients in the basis of Bernstein"};
+    return over_boxes(of_q, "Q inside the quadric of P: balls over boxes", [&](const Frame<Ball>& frame) {
+      const Vector<Ball>& at = frame.point;
+      return certainly_negative(quadric.value(at)) &&
+             (!quadric.nappe || certainly_positive(quadric.nappe->value(at)));
+    });
+  }
+
+  static bool is_zero_on(const AffineForm& form, const KnownChart& of_q) {
+    return of_q.image && form.value(*of_q.image).is_zero();
+  }
+
+  Settled over_boxes(KnownChart& of_q, const std::string& how,
+                     const std::function<bool(const Frame<Ball>&)>& holds) {
+    // A condition on Q alone is decided by few boxes or not at all.
+    constexpr std::size_t most_boxes = 2000;
+    const std::size_t left = boxes_left(*of_q.chart, std::min(limit(), most_boxes), result_.boxes, holds);
+    return left == 0 ? Settled{.how = how} : Settled{.how = "", .boxes_left = left};
+  }
+
+  const Surface* surface_;
+  const ContainmentBudget* budget_;
+  ConvexContainment result_;
+  std::vector<KnownChart> charts_;
+  std::map<std::string, std::size_t> pairs_settled_;
+};
+
+ConvexContainment refuted_by(const Surface& surface, ChartWitness witness) {
+  ConvexContainment result;
+  result.verdict = Containment::refuted;
+  result.relative_depth = relative_depth(surface, witness);
+  result.reason = "Q on chart " + surface.charts[witness.chart_q].facts().name +
+                  " lies behind the tangent plane at P on chart " +
+                  surface.charts[witness.chart_p].facts().name + ", in balls";
+  result.chart_witness = std::move(witness);
+  return result;
 }
 
-/// The distance of a vertex from a triangle's plane, from exact products.
-double depth_of(const TriangleMesh& mesh, std::size_t triangle, std::size_t vertex) {
-  const auto [a, b, c] = mesh.corners(triangle);
-  const Vector<Rational> origin = exactly(a);
-  const Vector<Rational> normal = cross(exactly(b) - origin, exactly(c) - origin);
-  const Rational product = dot(normal, exactly(mesh.vertices[vertex]) - origin);
-  return std::sqrt((product * product / dot(normal, normal)).to_double());
-}
-
-/// How far each coordinate must move at least, to first order, for the four points to lie in one plane.
-/// The determinant of the four points over the sum of the sizes of its derivatives in the twelve coordinates.
-double movement_to_flat(const TriangleMesh& mesh, std::size_t triangle, std::size_t vertex, double depth) {
-  const auto [a, b, c] = mesh.corners(triangle);
-  const Vector<double>& v = mesh.vertices[vertex];
-  const auto sum = [](const Vector<double>& g) { return std::abs(g.x) + std::abs(g.y) + std::abs(g.z); };
-  const Vector<double> by_v = cross(b - a, c - a);
-  const Vector<double> by_a = cross(c - b, v - b);
-  const Vector<double> by_b = cross(c - a, v - a);
-  const Vector<double> by_c = cross(b - a, v - a);
-  return depth * norm(by_v) / (sum(by_v) + sum(by_a) + sum(by_b) + sum(by_c));
+/// The charts that open pairs name, at most three of them.
+std::string what_is_left(const Surface& surface, const std::vector<OpenPair>& open) {
+  constexpr std::size_t most_pairs = 3;
+  std::string text = std::to_string(open.size()) + " pairs of charts are left: ";
+  for (std::size_t i = 0; i < std::min(open.size(), most_pairs); ++i) {
+    const OpenPair& pair = open[i];
+    text += (i == 0 ? "" : ", ") + surface.charts[pair.chart_p].facts().name + " and " +
+            surface.charts[pair.chart_q].facts().name + " (" + std::to_string(pair.boxes) + " boxes)";
+  }
+  return text + (open.size() > most_pairs ? ", ..." : "");
 }
 
 }  // namespace
@@ -80,53 +175,31 @@ std::string containment_word(Containment verdict) {
   return {};
 }
 
-ConvexContainment convex_containment(const TriangleMesh& mesh, Orientation orientation, double unit) {
-  expects(!mesh.triangles.empty(), "at least one triangle");
-  expects(unit >= 0, "unit >= 0", named("unit", unit));
-  std::vector<std::size_t> used;
-  for (const VertexTriple& t : mesh.triangles) used.insert(used.end(), t.begin(), t.end());
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  const VertexTree tree(mesh.vertices, std::move(used));
-  const PlaneClasses planes = plane_classes(mesh);
-
-  std::vector<std::optional<Violation>> found(planes.count());
-  parallel_for(planes.count(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::size_t triangle = planes.first_triangle[k];
-      const VertexTriple t = seen_from_outside(mesh, triangle, orientation);
-      if (const auto v = tree.farthest_beyond(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]))
-        found[k] = Violation{.triangle = triangle, .vertex = *v, .depth = depth_of(mesh, triangle, *v)};
+ConvexContainment convex_containment(const Surface& surface, const ContainmentBudget& budget) {
+  expects(budget.boxes > 0 && budget.boxes_a_pair > 0, "a positive budget", named("boxes", budget.boxes),
+          named("boxes_a_pair", budget.boxes_a_pair));
+  for (const Chart& chart : surface.charts)
+    if (!has_balls(chart)) {
+      ConvexContainment result;
+      result.reason = "chart " + chart.facts().name + " has no formula in balls";
+      return result;
     }
-  });
-
-  ConvexContainment result;
-  result.planes = planes.count();
-  const Violation* deepest = nullptr;
-  result.within_precision = true;
-  for (const std::optional<Violation>& violation : found) {
-    if (!violation) continue;
-    ++result.violated_planes;
-    if (deepest == nullptr || violation->depth > deepest->depth) deepest = &*violation;
-    if (movement_to_flat(mesh, violation->triangle, violation->vertex, violation->depth) > unit)
-      result.within_precision = false;
+  if (auto witness = witness_on_lattices(surface)) return refuted_by(surface, std::move(*witness));
+  const BallPrecision precision(box_bits);
+  ConvexContainment result = Certificate(surface, budget).result();
+  if (!result.open.empty() && !result.chart_witness) result.chart_witness = witness_nearby(surface);
+  if (result.chart_witness) {
+    ConvexContainment refuted = refuted_by(surface, std::move(*result.chart_witness));
+    refuted.steps = std::move(result.steps);
+    refuted.boxes = result.boxes;
+    return refuted;
   }
-  if (deepest == nullptr) {
-    result.verdict = Containment::certified;
-    result.within_precision = false;
-    result.reason = "no vertex lies behind any plane of the mesh, exactly";
+  if (!result.open.empty()) {
+    result.reason = what_is_left(surface, result.open);
     return result;
   }
-  result.verdict = Containment::refuted;
-  result.witness = witness_of(mesh, *deepest, orientation);
-  result.relative_depth = deepest->depth / mesh_quality(mesh).diagonal;
-  result.reason = "a vertex lies behind the plane of a triangle, exactly";
-  return result;
-}
-
-ConvexContainment convex_containment(const Surface& surface) {
-  ConvexContainment result;
-  result.reason = "not looked at: the charts of " + surface.name + " are not enclosed";
+  result.verdict = Containment::certified;
+  result.reason = "no point lies behind the tangent plane of another, for all pairs of charts";
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radcert/surface/catalogue/disk.h"
+#include "radcert/surface/exact_chart.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -63,7 +64,7 @@ inline Surface cone(const Rational& radius, const Rational& top, const Rational&
                            .revolution = z_axis()};
   if (top == radius) structure.ruling = Vector<Rational>{0, 0, height};
   for (const Quadrant& quadrant : quadrants())  // right-handed: D_s F x D_t F points outwards
-    surface.charts.push_back(make_chart<ConeMantle>(
+    surface.charts.push_back(make_exact_chart<ConeMantle>(
         {.name = "mantle/" + quadrant.name(),
          .piece = "mantle",
          .orientation = quadrant.is_right_handed() ? Orientation::against_the_cross_product

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/surface/exact_chart.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -118,7 +119,7 @@ inline std::vector<Chart> disk_charts(const std::string& piece, const Rational& 
                                         : Orientation::against_the_cross_product};
     facts.structure.revolution = z_axis();
     facts.plane_of_disk = Plane({0, 0, height}, {1, 0, 0}, {0, 1, 0});
-    charts.push_back(make_chart<DiskQuadrant>(std::move(facts), radius, height, quadrant));
+    charts.push_back(make_exact_chart<DiskQuadrant>(std::move(facts), radius, height, quadrant));
   }
   return charts;
 }

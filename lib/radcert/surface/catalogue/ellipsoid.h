@@ -6,6 +6,7 @@
 #include <string>
 
 #include "radcert/geometry/vector.h"
+#include "radcert/surface/exact_chart.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -60,14 +61,14 @@ inline std::vector<Chart> ellipsoid_charts(const Rational& a, const Rational& b,
         const bool right_handed = x * y * z > 0;  // then D_s F x D_t F points outwards
         std::string name = "octant_";
         for (const int sign : {x, y, z}) name += sign > 0 ? 'p' : 'm';
-        charts.push_back(
-            make_chart<EllipsoidOctant>({.name = std::move(name),
-                                         .piece = piece,
-                                         .domain = ChartDomain::unit_triangle,
-                                         .orientation = right_handed ? Orientation::against_the_cross_product
-                                                                     : Orientation::along_the_cross_product,
-                                         .structure = structure},
-                                        a, b, c, Octant{x, y, z}));
+        charts.push_back(make_exact_chart<EllipsoidOctant>(
+            {.name = std::move(name),
+             .piece = piece,
+             .domain = ChartDomain::unit_triangle,
+             .orientation =
+                 right_handed ? Orientation::against_the_cross_product : Orientation::along_the_cross_product,
+             .structure = structure},
+            a, b, c, Octant{x, y, z}));
       }
   return charts;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radcert/surface/catalogue/disk.h"
+#include "radcert/surface/exact_chart.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -44,7 +45,7 @@ inline Surface paraboloid_cap() {
   const ChartStructure structure{.quadric = Quadric{.squares = {1, 1, 0}, .linear = {{0, 0, 1}, -1}},
                                  .revolution = z_axis()};
   for (const Quadrant& quadrant : quadrants())  // right-handed: D_s F x D_t F points upwards
-    surface.charts.push_back(make_chart<ParaboloidQuadrant>(
+    surface.charts.push_back(make_exact_chart<ParaboloidQuadrant>(
         {.name = "cap/" + quadrant.name(),
          .piece = "cap",
          .domain = ChartDomain::unit_triangle,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "radcert/geometry/vector.h"
-#include "radcert/surface/chart.h"
+#include "radcert/surface/exact_chart.h"
 
 namespace radcert {
 
@@ -38,7 +38,7 @@ inline Chart make_rectangle(ChartFacts facts, const Vector<Rational>& origin, co
                             const Vector<Rational>& second) {
   facts.domain = ChartDomain::unit_square;
   facts.plane = Plane(origin, first, second);
-  return make_chart<Rectangle>(std::move(facts), origin, first, second);
+  return make_exact_chart<Rectangle>(std::move(facts), origin, first, second);
 }
 
 }  // namespace radcert

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radcert/surface/catalogue/disk.h"
+#include "radcert/surface/exact_chart.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -65,7 +66,7 @@ inline Surface spherical_cap(const Rational& fraction) {
   const ChartStructure structure{.quadric = Quadric{.squares = {1, 1, 1}, .linear = {{0, 0, 0}, -1}},
                                  .revolution = z_axis()};
   for (const Quadrant& quadrant : quadrants())  // right-handed: D_s F x D_t F points outwards
-    surface.charts.push_back(make_chart<SphericalCapQuadrant>(
+    surface.charts.push_back(make_exact_chart<SphericalCapQuadrant>(
         {.name = "cap/" + quadrant.name(),
          .piece = "cap",
          .domain = ChartDomain::unit_triangle,

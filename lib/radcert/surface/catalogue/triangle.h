@@ -23,7 +23,7 @@ inline Chart make_triangle(ChartFacts facts, const Vector<Rational>& a, const Ve
   facts.orientation =
       side > 0 ? Orientation::along_the_cross_product : Orientation::against_the_cross_product;
   facts.plane = Plane(a, b - a, c - a);
-  return make_chart<Rectangle>(std::move(facts), a, b - a, c - a);
+  return make_exact_chart<Rectangle>(std::move(facts), a, b - a, c - a);
 }
 
 }  // namespace radcert

@@ -3,6 +3,7 @@
 
 #include "radcert/scalar/exponent.h"
 #include "radcert/surface/catalogue/rectangle.h"
+#include "radcert/surface/exact_chart.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -47,7 +48,7 @@ inline Surface two_piece(const Rational& p) {
   } else {
     roof.structure.ruling = Vector<Rational>{0, 1, 0};
     roof.singular = p.is_integer() ? SingularLine::none : SingularLine::s_zero;
-    surface.charts.push_back(make_chart<PowerRoof>(std::move(roof), p));
+    surface.charts.push_back(make_exact_chart<PowerRoof>(std::move(roof), p));
   }
   surface.diagonals.assign(2, Diagonal::main);
   return surface;
