@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -74,6 +75,25 @@ inline Polyhedron column(const std::vector<std::pair<double, double>>& base, dou
 }
 
 inline Polyhedron l_shaped_room() { return column({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1); }
+
+/// Both as one, no vertex shared; `turned` reverses the triangles of the second.
+inline Polyhedron together(const Polyhedron& first, const Polyhedron& second, bool turned) {
+  Polyhedron out = first;
+  out.vertices.insert(out.vertices.end(), second.vertices.begin(), second.vertices.end());
+  for (std::vector<std::size_t> face : second.faces) {
+    for (std::size_t& v : face) v += first.vertices.size();
+    if (turned) std::reverse(face.begin(), face.end());
+    out.faces.push_back(face);
+  }
+  return out;
+}
+
+/// The unit cube as a room with a cube of the given side in it, its lowest corner at `at`.
+inline Polyhedron cube_in_cube(double side, const Vector<double>& at, bool turned = true) {
+  Polyhedron inner = cube();
+  for (Vector<double>& v : inner.vertices) v = at + side * v;
+  return together(cube(), inner, turned);
+}
 
 inline Polyhedron cylinder(int sides) {
   std::vector<std::pair<double, double>> base;

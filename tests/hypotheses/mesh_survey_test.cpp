@@ -43,10 +43,33 @@ TEST(MeshSurvey, FindsTheInnerSideWhicheverWayTheFacesRun) {
   EXPECT_FALSE(survey_of(open).topology.closed());
 }
 
+TEST(MeshSurvey, KnowsWhetherARoomAndWhatIsInItHaveOneInside) {
+  const Vector<double> middle{0.25, 0.25, 0.25};
+  const sample::Polyhedron room = sample::cube_in_cube(0.5, middle);
+  EXPECT_TRUE(survey_of(room).misoriented.empty());
+  EXPECT_FALSE(survey_of(room).obstacle().has_value());
+  EXPECT_TRUE(survey_of(reversed(room)).misoriented.empty());
+  // The box in the room runs the same way as the room: its inner normals point into the box.
+  const MeshSurvey faulty = survey_of(sample::cube_in_cube(0.5, middle, false));
+  EXPECT_EQ(faulty.misoriented, (std::vector<std::size_t>{12}));
+  EXPECT_THAT(*faulty.obstacle(), HasSubstr("first with a corner at (0.75, 0.25, 0.25)"));
+  EXPECT_EQ(survey_of(reversed(sample::cube_in_cube(0.5, middle, false))).misoriented,
+            (std::vector<std::size_t>{12}));
+  // Two rooms side by side, and a room in a box in a room.
+  EXPECT_TRUE(survey_of(sample::together(sample::cube(), sample::column({{3, 3}, {4, 3}, {3, 4}}, 1), false))
+                  .misoriented.empty());
+  sample::Polyhedron within = sample::cube();
+  for (Vector<double>& v : within.vertices) v = Vector<double>{0.375, 0.375, 0.375} + 0.25 * v;
+  EXPECT_TRUE(survey_of(sample::together(room, within, false)).misoriented.empty());
+  EXPECT_EQ(survey_of(sample::together(room, within, true)).misoriented, (std::vector<std::size_t>{24}));
+}
+
 TEST(MeshSurvey, NamesTheObstacle) {
-  EXPECT_THAT(*survey_of(sample::l_shaped_room()).obstacle(), HasSubstr("needs visibility"));
-  EXPECT_THAT(*survey_of(sample::octahedron(-0.5)).obstacle(), HasSubstr("needs visibility"));
-  EXPECT_THAT(*survey_of(sample::glued_grid(9, 8, false)).obstacle(), HasSubstr("needs visibility"));
+  for (const sample::Polyhedron& occluded :
+       {sample::l_shaped_room(), sample::octahedron(-0.5), sample::glued_grid(9, 8, false)}) {
+    EXPECT_FALSE(survey_of(occluded).obstacle().has_value());
+    EXPECT_FALSE(survey_of(occluded).surface("mesh").unoccluded);
+  }
 
   sample::Polyhedron turned = sample::cube();
   std::reverse(turned.faces[2].begin(), turned.faces[2].end());

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/hypotheses/mesh_survey.h"
 
-#include <array>
-#include <charconv>
 #include <utility>
 
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/hypotheses/nesting.h"
 #include "radcert/surface/mesh_surface.h"
 
 namespace radcert {
@@ -59,14 +58,6 @@ void decide_containment(MeshSurvey& survey) {
   survey.inner_side = InnerSide::by_certificate;
 }
 
-/// Two digits for people.
-std::string rounded(double value) {
-  std::array<char, 32> text{};
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 2);
-  return {text.data(), end.ptr};
-}
-
 std::string several(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
@@ -88,11 +79,11 @@ std::optional<std::string> MeshSurvey::obstacle() const {
   if (!defects.crossing.empty())
     return "has triangles that cross or overlap, " + several(defects.crossing.size(), "pair", "pairs") +
            (defects.crossing.size() == most_crossings ? " or more" : "");
-  if (containment.verdict != Containment::certified)
-    return containment.within_precision
-               ? "needs visibility: it is exactly not convex, by " + rounded(containment.relative_depth) +
-                     " of its diagonal, which is below the file's own precision"
-               : std::string("needs visibility: it is not certified to lie in the boundary of a convex body");
+  if (!misoriented.empty())
+    return "has " + several(misoriented.size(), "component", "components") +
+           " whose inner side is not the inside of the body, the first with a corner at " +
+           point_text(mesh.vertices[mesh.triangles[misoriented.front()][0]]) +
+           ": the triangles of a body within a room run the other way round";
   return std::nullopt;
 }
 
@@ -133,6 +124,8 @@ MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& r
   survey.pieces = piece_names(survey.mesh, *survey.components);
   survey.planes = plane_classes(survey.mesh);
   decide_containment(survey);
+  if (survey.inner_side == InnerSide::by_volume && survey.defects.crossing.empty())
+    survey.misoriented = misoriented_components(survey.mesh, survey.topology, survey.orientation);
   return survey;
 }
 

@@ -30,7 +30,8 @@ enum class InnerSide {
 /// Source    -
 /// Requires  -
 /// Result    defects, topology and the rest are those of the mesh after what was asked to be mended. components, planes and certificate
-///           are there only where no triangle is degenerate; orientation tells where the inner normals point
+///           are there only where no triangle is degenerate; orientation tells where the inner normals point; misoriented: of closed meshes without other
+///           faults
 /// Limits    -
 struct MeshSurvey {
   std::string format;
@@ -45,6 +46,7 @@ struct MeshSurvey {
   TriangleMesh mesh;
   MeshTopology topology;
   MeshDefects defects;
+  std::vector<std::size_t> misoriented;  ///< first triangles of components: see misoriented_components
   MeshQuality quality;
   double degrees = 0;
   Orientation orientation = Orientation::against_the_cross_product;
@@ -54,7 +56,7 @@ struct MeshSurvey {
   std::optional<PlaneClasses> planes;
   ConvexContainment containment;
 
-  /// What keeps the mesh from being a surface that V = 1 holds on; empty: nothing.
+  /// What keeps the mesh from being a surface that light can be followed on; empty: nothing.
   [[nodiscard]] std::optional<std::string> obstacle() const;
   /// The mesh as a surface. Requires components, else ContractViolation.
   [[nodiscard]] Surface surface(const std::string& name) const;
