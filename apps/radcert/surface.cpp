@@ -154,6 +154,41 @@ void topology_rows(Rows& rows, const MeshSurvey& survey) {
   rows.insert(rows.end(), defects.begin(), defects.end());
 }
 
+std::string enclosed_text(const Vector<Ball>& p) {
+  constexpr int digits = 10;
+  return "(" + p.x.to_text(digits) + ", " + p.y.to_text(digits) + ", " + p.z.to_text(digits) + ")";
+}
+
+void chart_witness_rows(Rows& rows, const Surface& surface, const ConvexContainment& containment) {
+  if (!containment.chart_witness) return;
+  constexpr int digits = 10;
+  const ChartWitness& witness = *containment.chart_witness;
+  const auto place = [&](std::size_t chart, const ParameterPoint<Rational>& at) {
+    return surface.charts.at(chart).facts().name + " at (" + at.s.to_text() + ", " + at.t.to_text() + ")";
+  };
+  rows.push_back(
+      {"witness P", place(witness.chart_p, witness.at_p) + ", the point " + enclosed_text(witness.p)});
+  rows.push_back(
+      {"witness Q", place(witness.chart_q, witness.at_q) + ", the point " + enclosed_text(witness.q)});
+  rows.push_back({"", "(Q-P).n = " + witness.product.to_text(digits) +
+                          " < 0 with n = " + enclosed_text(witness.inner_normal)});
+  rows.push_back({"depth", fmt::format("{:.3g} of the diagonal", containment.relative_depth)});
+}
+
+void step_rows(Rows& rows, const ConvexContainment& containment) {
+  // Charts of which the same was proved are counted, the first is named.
+  std::string title = "proof";
+  for (std::size_t i = 0; i < containment.steps.size();) {
+    std::size_t next = i;
+    while (next < containment.steps.size() && containment.steps[next].proof == containment.steps[i].proof)
+      ++next;
+    const std::string more = next - i == 1 ? "" : " and " + std::to_string(next - i - 1) + " more";
+    rows.push_back({title, containment.steps[i].says + more + ": " + containment.steps[i].proof});
+    title.clear();
+    i = next;
+  }
+}
+
 void containment_rows(Rows& rows, const ConvexContainment& containment) {
   rows.push_back({"convex", containment_word(containment.verdict) + ": " + containment.reason});
   if (!containment.witness) return;
@@ -198,7 +233,12 @@ std::string catalogue_text(const Surface& surface, const ConvexContainment& cont
   rows.push_back(
       {"joins", surface.pieces_meet_at_angle ? "pieces meet at an angle" : "no pieces meet at an angle"});
   containment_rows(rows, containment);
-  rows.push_back({"unoccluded", surface.unoccluded ? "yes, by construction" : "no"});
+  chart_witness_rows(rows, surface, containment);
+  step_rows(rows, containment);
+  const std::string unoccluded = containment.verdict == Containment::certified
+                                     ? "yes, it follows"
+                                     : (surface.unoccluded ? "stated, not proved" : "no");
+  rows.push_back({"unoccluded", unoccluded});
   return aligned_left(rows);
 }
 
@@ -293,14 +333,16 @@ void add_surface(CLI::App& program, Common& common, Action& action) {
                   "Edges whose triangles' normals make a larger angle part two pieces; default 30")
       ->type_name("DEGREES");
   command
-      .add_option("--repair", options->repair,
-                  "Mend the mesh in memory: vertices, faces, orientation, manifold, holes; without it "
-                  "nothing is mended")
+      .add_option(
+          "--repair", options->repair,
+          "Mend the mesh in memory: vertices, faces, orientation, manifold, crossings, holes; without it "
+          "nothing is mended")
       ->delimiter(',')
       ->type_name("WHAT,...");
   command.add_option("--write", options->write, "Write the triangles, mended if asked, as an OFF file")
       ->type_name("FILE.off");
-  command.footer("Triangles that cross are reported and not mended.");
+  command.footer(
+      "Triangles that cross are left out by --repair crossings; with holes too, what that opens is closed.");
   command.callback(
       [&common, &action, options] { action = [&common, options] { return show(common, *options); }; });
 }

@@ -182,6 +182,25 @@ TEST(MeshRepair, ClosesHoles) {
   EXPECT_EQ(mended.mesh.group_names.back(), "closed_hole");
 }
 
+TEST(MeshRepair, LeavesOutWhatCrossesAndClosesWhatThatOpens) {
+  // A vertex of the sphere pulled through its other side.
+  sample::Polyhedron solid = sample::sphere(2);
+  solid.vertices[4] = {0.1, 0.2, -1.5};
+  const TriangleMesh mesh = sample::mesh_of(solid);
+  ASSERT_FALSE(mesh_defects(mesh).crossing.empty());
+  const MendedMesh parted = mend(mesh, {.crossings = true});
+  EXPECT_TRUE(mesh_defects(parted.mesh).crossing.empty());
+  EXPECT_EQ(mesh_topology(parted.mesh).open_loops.size(), 2U);
+  ASSERT_EQ(parted.done.size(), 1U);
+  const MendedMesh closed = mend(mesh, {.crossings = true, .holes = true});
+  EXPECT_TRUE(mesh_defects(closed.mesh).crossing.empty());
+  EXPECT_TRUE(mesh_topology(closed.mesh).closed());
+  EXPECT_TRUE(mesh_topology(closed.mesh).disagreeing_edges.empty());
+  EXPECT_EQ(mesh_topology(closed.mesh).characteristic, 2);
+  EXPECT_EQ(closed.done.size(), 2U);
+  EXPECT_TRUE(mend(sample::mesh_of(sample::cube()), {.crossings = true}).done.empty());
+}
+
 TEST(SmoothComponents, AreThoseOfTheSolid) {
   struct Case {
     sample::Polyhedron solid;

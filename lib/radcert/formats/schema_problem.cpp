@@ -37,7 +37,7 @@ std::string_view problem_schema() {
             "repair": {
               "description": "What may be mended; without it nothing is.",
               "type": "array",
-              "items": {"enum": ["vertices", "faces", "orientation", "manifold", "holes"]}
+              "items": {"enum": ["vertices", "faces", "orientation", "manifold", "crossings", "holes"]}
             },
             "digest": {"description": "Of the file's bytes; where given, another file is refused.", "type": "string"}
           },

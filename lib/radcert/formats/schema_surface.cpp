@@ -91,13 +91,19 @@ std::string_view surface_schema() {
         "crossing_triangles": {"description": "At most 1000 pairs are counted.", "$ref": "#/$defs/places"},
         "disagreeing_edges": {"$ref": "#/$defs/places"},
         "crowded_edges": {"$ref": "#/$defs/places"},
-        "pinched_vertices": {"$ref": "#/$defs/places"}
+        "pinched_vertices": {"$ref": "#/$defs/places"},
+        "misoriented_components": {
+          "description": "First triangles of the components of a closed mesh whose inner side is not the inside of the body.",
+          "$ref": "#/$defs/places"
+        }
       }
     },
     "containment": {
       "description": "Whether the surface lies in the boundary of a convex body, its normals pointing inwards.",
       "type": "object",
-      "required": ["verdict", "reason", "planes", "violated_planes", "relative_depth", "within_precision", "witness"],
+      "required": [
+        "verdict", "reason", "planes", "violated_planes", "relative_depth", "within_precision", "witness", "steps", "open"
+      ],
       "additionalProperties": false,
       "properties": {
         "verdict": {"enum": ["certified", "refuted", "undecided"]},
@@ -113,17 +119,63 @@ std::string_view surface_schema() {
           "type": ["boolean", "null"]
         },
         "witness": {
-          "description": "(q - p) . inner_normal = product < 0, exactly.",
-          "type": ["object", "null"],
-          "required": ["p", "q", "inner_normal", "product", "triangle", "vertex"],
-          "additionalProperties": false,
-          "properties": {
-            "p": {"$ref": "#/$defs/exact_point"},
-            "q": {"$ref": "#/$defs/exact_point"},
-            "inner_normal": {"$ref": "#/$defs/exact_point"},
-            "product": {"$ref": "#/$defs/fraction"},
-            "triangle": {"$ref": "#/$defs/count"},
-            "vertex": {"$ref": "#/$defs/count"}
+          "description": "(q - p) . inner_normal = product < 0: exactly for a mesh, in balls at exact parameters for charts.",
+          "oneOf": [
+            {"type": "null"},
+            {
+              "type": "object",
+              "required": ["p", "q", "inner_normal", "product", "triangle", "vertex"],
+              "additionalProperties": false,
+              "properties": {
+                "p": {"$ref": "#/$defs/exact_point"},
+                "q": {"$ref": "#/$defs/exact_point"},
+                "inner_normal": {"$ref": "#/$defs/exact_point"},
+                "product": {"$ref": "#/$defs/fraction"},
+                "triangle": {"$ref": "#/$defs/count"},
+                "vertex": {"$ref": "#/$defs/count"}
+              }
+            },
+            {
+              "type": "object",
+              "required": [
+                "chart_p", "parameters_p", "chart_q", "parameters_q", "p", "q", "inner_normal", "product"
+              ],
+              "additionalProperties": false,
+              "properties": {
+                "chart_p": {"type": "string"},
+                "parameters_p": {"$ref": "#/$defs/exact_parameters"},
+                "chart_q": {"type": "string"},
+                "parameters_q": {"$ref": "#/$defs/exact_parameters"},
+                "p": {"$ref": "#/$defs/enclosed_point"},
+                "q": {"$ref": "#/$defs/enclosed_point"},
+                "inner_normal": {"$ref": "#/$defs/enclosed_point"},
+                "product": {"type": "string"}
+              }
+            }
+          ]
+        },
+        "steps": {
+          "description": "Of charts: what was proved, and how; what is stated of them and was not proved.",
+          "type": "array",
+          "items": {
+            "type": "object",
+            "required": ["of", "proof"],
+            "additionalProperties": false,
+            "properties": {"of": {"type": "string"}, "proof": {"type": "string"}}
+          }
+        },
+        "open": {
+          "description": "Pairs of charts that are left; boxes 0: not begun.",
+          "type": "array",
+          "items": {
+            "type": "object",
+            "required": ["chart_p", "chart_q", "boxes"],
+            "additionalProperties": false,
+            "properties": {
+              "chart_p": {"type": "string"},
+              "chart_q": {"type": "string"},
+              "boxes": {"$ref": "#/$defs/count"}
+            }
           }
         }
       }
@@ -152,6 +204,11 @@ std::string_view surface_schema() {
     "count_or_null": {"type": ["integer", "null"], "minimum": 0},
     "fraction": {"type": "string", "pattern": "^-?[0-9]+(/[0-9]+)?$"},
     "exact_point": {"type": "array", "minItems": 3, "maxItems": 3, "items": {"$ref": "#/$defs/fraction"}},
+    "exact_parameters": {"type": "array", "minItems": 2, "maxItems": 2, "items": {"$ref": "#/$defs/fraction"}},
+    "enclosed_point": {
+      "description": "Each coordinate a midpoint and a radius.",
+      "type": "array", "minItems": 3, "maxItems": 3, "items": {"type": "string"}
+    },
     "places": {
       "type": "object",
       "required": ["count", "first"],

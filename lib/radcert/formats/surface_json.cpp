@@ -30,17 +30,42 @@ JsonValue counted_json(const List& list, const Make& make) {
   return out;
 }
 
-JsonValue containment_json(const ConvexContainment& containment) {
+JsonValue exact_parameters_json(const ParameterPoint<Rational>& at) {
+  return JsonValue::array({JsonValue(at.s.to_text()), JsonValue(at.t.to_text())});
+}
+
+JsonValue enclosed_point_json(const Vector<Ball>& p) {
+  return JsonValue::array({JsonValue(p.x.to_text()), JsonValue(p.y.to_text()), JsonValue(p.z.to_text())});
+}
+
+JsonValue chart_witness_json(const Surface& surface, const ChartWitness& witness) {
+  JsonValue out = JsonValue::object();
+  out.set("chart_p", surface.charts.at(witness.chart_p).facts().name);
+  out.set("parameters_p", exact_parameters_json(witness.at_p));
+  out.set("chart_q", surface.charts.at(witness.chart_q).facts().name);
+  out.set("parameters_q", exact_parameters_json(witness.at_q));
+  out.set("p", enclosed_point_json(witness.p));
+  out.set("q", enclosed_point_json(witness.q));
+  out.set("inner_normal", enclosed_point_json(witness.inner_normal));
+  out.set("product", witness.product.to_text());
+  return out;
+}
+
+/// surface: null for a mesh.
+JsonValue containment_json(const ConvexContainment& containment, const Surface* surface) {
   JsonValue out = JsonValue::object();
   out.set("verdict", containment_word(containment.verdict));
   out.set("reason", containment.reason);
   out.set("planes", containment.planes == 0 ? JsonValue() : JsonValue(containment.planes));
   out.set("violated_planes", containment.planes == 0 ? JsonValue() : JsonValue(containment.violated_planes));
-  const bool refuted = containment.witness.has_value();
+  const bool refuted = containment.verdict == Containment::refuted;
   out.set("relative_depth", refuted ? JsonValue(containment.relative_depth) : JsonValue());
-  out.set("within_precision", refuted ? JsonValue(containment.within_precision) : JsonValue());
+  out.set("within_precision",
+          refuted && surface == nullptr ? JsonValue(containment.within_precision) : JsonValue());
   JsonValue witness;
-  if (refuted) {
+  if (surface != nullptr && containment.chart_witness)
+    witness = chart_witness_json(*surface, *containment.chart_witness);
+  if (containment.witness) {
     witness = JsonValue::object();
     witness.set("p", exact_point_json(containment.witness->p));
     witness.set("q", exact_point_json(containment.witness->q));
@@ -50,6 +75,19 @@ JsonValue containment_json(const ConvexContainment& containment) {
     witness.set("vertex", containment.witness->vertex);
   }
   out.set("witness", std::move(witness));
+  out.set("steps", json_array(containment.steps, [](const ContainmentStep& step) {
+            JsonValue each = JsonValue::object();
+            each.set("of", step.says);
+            each.set("proof", step.proof);
+            return each;
+          }));
+  out.set("open", json_array(containment.open, [surface](const OpenPair& pair) {
+            JsonValue each = JsonValue::object();
+            each.set("chart_p", surface->charts.at(pair.chart_p).facts().name);
+            each.set("chart_q", surface->charts.at(pair.chart_q).facts().name);
+            each.set("boxes", pair.boxes);
+            return each;
+          }));
   return out;
 }
 
@@ -94,6 +132,7 @@ JsonValue defects_json(const MeshSurvey& survey) {
   out.set("disagreeing_edges", counted_json(survey.topology.disagreeing_edges, edge_at));
   out.set("crowded_edges", counted_json(survey.topology.crowded_edges, edge_at));
   out.set("pinched_vertices", counted_json(survey.topology.pinched_vertices, at));
+  out.set("misoriented_components", counted_json(survey.misoriented, number));
   return out;
 }
 
@@ -169,7 +208,7 @@ JsonValue surface_report(const std::string& file, const MeshSurvey& survey, cons
   orientation.set("known_by", inner_side_word(survey.inner_side));
   out.set("orientation", std::move(orientation));
   out.set("defects", defects_json(survey));
-  out.set("containment", containment_json(survey.containment));
+  out.set("containment", containment_json(survey.containment, nullptr));
   out.set("unoccluded", survey.containment.verdict == Containment::certified ? JsonValue(true) : JsonValue());
   const std::optional<std::string> obstacle = survey.obstacle();
   out.set("obstacle", obstacle);
@@ -201,8 +240,10 @@ JsonValue surface_report(const Surface& surface, const ConvexContainment& contai
   for (const char* key :
        {"open_edges", "open_lines", "connected_components", "euler_characteristic", "orientation", "defects"})
     out.set(key, unknown);
-  out.set("containment", containment_json(containment));
-  out.set("unoccluded", surface.unoccluded);
+  out.set("containment", containment_json(containment, &surface));
+  // What is stated follows from a certificate; a surface that is said to hide parts of itself has none.
+  const bool decided = containment.verdict == Containment::certified || !surface.unoccluded;
+  out.set("unoccluded", decided ? JsonValue(surface.unoccluded) : JsonValue());
   for (const char* key : {"obstacle", "quality"}) out.set(key, unknown);
   return out;
 }

@@ -122,6 +122,19 @@ void mend_manifold(TriangleMesh& mesh, std::vector<std::string>& done) {
                    counted(added, "vertex", "vertices") + " added");
 }
 
+void mend_crossings(TriangleMesh& mesh, std::vector<std::string>& done) {
+  std::size_t dropped = 0;
+  while (true) {
+    std::set<std::size_t> crossing;
+    for (const auto& [first, second] : crossing_triangles(mesh, most_crossings))
+      crossing.insert({first, second});
+    if (crossing.empty()) break;
+    dropped += keep_triangles(mesh, [&](std::size_t k) { return !crossing.contains(k); });
+  }
+  if (dropped > 0)
+    done.push_back(counted(dropped, "triangle", "triangles") + " that crossed or overlapped others left out");
+}
+
 void mend_holes(TriangleMesh& mesh, std::vector<std::string>& done) {
   const MeshTopology topology = mesh_topology(mesh);
   std::size_t added = 0;
@@ -156,8 +169,9 @@ void mend_holes(TriangleMesh& mesh, std::vector<std::string>& done) {
 
 MeshRepair repair_named(std::span<const std::string> words) {
   MeshRepair repair;
-  const std::array<bool*, repair_words.size()> choice{&repair.vertices, &repair.faces, &repair.orientation,
-                                                      &repair.manifold, &repair.holes};
+  const std::array<bool*, repair_words.size()> choice{&repair.vertices,    &repair.faces,
+                                                      &repair.orientation, &repair.manifold,
+                                                      &repair.crossings,   &repair.holes};
   for (const std::string& word : words) {
     const auto found = std::find(repair_words.begin(), repair_words.end(), word);
     expects(found != repair_words.end(), "a word of repair_words", named("word", word));
@@ -172,6 +186,7 @@ MendedMesh mend(TriangleMesh mesh, const MeshRepair& repair) {
   if (repair.faces) mend_faces(mended.mesh, mended.done);
   if (repair.orientation) mend_orientation(mended.mesh, mended.done);
   if (repair.manifold) mend_manifold(mended.mesh, mended.done);
+  if (repair.crossings) mend_crossings(mended.mesh, mended.done);
   if (repair.holes) mend_holes(mended.mesh, mended.done);
   return mended;
 }

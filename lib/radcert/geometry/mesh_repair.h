@@ -18,12 +18,14 @@ struct MeshRepair {
   bool faces = false;        ///< leave out degenerate triangles and all but the first of equal ones
   bool orientation = false;  ///< turn the fewest triangles that make neighbours agree
   bool manifold = false;     ///< part the surface at edges with more than two sides and at pinched vertices
-  bool holes = false;        ///< close every line of open edges with triangles
+  bool crossings =
+      false;  ///< leave out every triangle that crosses or overlaps another; `holes` then closes what that opens
+  bool holes = false;  ///< close every line of open edges with triangles
 };
 
 /// The words for it, in the order of the members.
-inline constexpr std::array<std::string_view, 5> repair_words{"vertices", "faces", "orientation", "manifold",
-                                                              "holes"};
+inline constexpr std::array<std::string_view, 6> repair_words{"vertices", "faces",     "orientation",
+                                                              "manifold", "crossings", "holes"};
 
 /// The choice of these words; ContractViolation for any other.
 [[nodiscard]] MeshRepair repair_named(std::span<const std::string> words);
@@ -33,7 +35,7 @@ inline constexpr std::array<std::string_view, 5> repair_words{"vertices", "faces
 /// Source    holes: CGAL's triangulate_hole_polyline
 /// Requires  -
 /// Result    the mended mesh; done: one line for each thing that was changed, empty where nothing was
-/// Limits    crossing triangles are not mended. A part of a surface that is not orientable is left as it is. Where a degenerate triangle
+/// Limits    triangles that close a hole may cross others again: look at the defects afterwards. A part of a surface that is not orientable is left as it is. Where a degenerate triangle
 ///           is left out, its neighbours may no longer meet: look at the open edges
 struct MendedMesh {
   TriangleMesh mesh;
