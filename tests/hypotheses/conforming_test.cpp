@@ -17,8 +17,8 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<PlaneTriangle> triangles_of(const PlaneTriangulation& t) {
-  std::vector<PlaneTriangle> out;
+std::vector<DomainTriangle> triangles_of(const PlaneTriangulation& t) {
+  std::vector<DomainTriangle> out;
   for (const VertexTriple& v : t.triangles)
     out.push_back({t.vertices[v[0]], t.vertices[v[1]], t.vertices[v[2]]});
   return out;
@@ -68,7 +68,7 @@ TEST(GradedToward, ConformsAndIsFineWhereItWasAskedFor) {
       const PolygonLoop& loop = polygon.loops()[0];
       const auto largest_at = [&](const PlaneTriangulation& t) {
         Rational largest = 0;
-        for (const PlaneTriangle& v : triangles_of(t))
+        for (const DomainTriangle& v : triangles_of(t))
           if (std::find(v.begin(), v.end(), loop[1]) != v.end())
             largest = std::max(largest, cross(v[1] - v[0], v[2] - v[0]));
         return largest;
@@ -96,10 +96,10 @@ TEST(Conforming, HoldsOfEveryTriangulationOfTheCatalogue) {
       for (const double grading : {1.0, 2.0, 3.7}) {
         const Triangulation t = triangulate(surface, level, {.diagonals = std::nullopt, .grading = grading});
         for (std::size_t chart = 0; chart < surface.chart_count(); ++chart) {
-          std::vector<PlaneTriangle> triangles;
+          std::vector<DomainTriangle> triangles;
           for (const ParameterTriangle& element : t.triangles) {
             if (element.chart != chart) continue;
-            PlaneTriangle exact;
+            DomainTriangle exact;
             for (std::size_t i = 0; i < 3; ++i)
               exact[i] = {Rational::exactly(element.vertices[i].s), Rational::exactly(element.vertices[i].t)};
             triangles.push_back(exact);
@@ -115,11 +115,11 @@ TEST(Conforming, HoldsOfEveryTriangulationOfTheCatalogue) {
 
 TEST(Conforming, SaysWhatIsBroken) {
   const std::vector<PolygonLoop> square{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
-  const auto said = [&](const std::vector<PlaneTriangle>& triangles) {
+  const auto said = [&](const std::vector<DomainTriangle>& triangles) {
     const Outcome<void> found = conforming(square, triangles);
     return found ? std::string("conforming") : found.reason();
   };
-  using T = PlaneTriangle;
+  using T = DomainTriangle;
   const T low{{{0, 0}, {2, 0}, {2, 2}}};
   const T high{{{0, 0}, {2, 2}, {0, 2}}};
   EXPECT_EQ(said({low, high}), "conforming");

@@ -54,10 +54,10 @@ std::string walk(Border& border, const Point& from, const Point& to) {
 
 }  // namespace
 
-Outcome<void> conforming(std::span<const PolygonLoop> loops, std::span<const PlaneTriangle> triangles) {
+Outcome<void> conforming(std::span<const PolygonLoop> loops, std::span<const DomainTriangle> triangles) {
   std::map<std::pair<Point, Point>, std::size_t, ByEnds> sides;
   for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const PlaneTriangle& t = triangles[k];
+    const DomainTriangle& t = triangles[k];
     if (cross(t[1] - t[0], t[2] - t[0]).sign() <= 0)
       return because("triangle " + std::to_string(k) + " is clockwise or flat");
     for (std::size_t i = 0; i < 3; ++i) {

@@ -10,7 +10,7 @@
 namespace radcert {
 
 /// A triangle of the parameter plane by its corners.
-using PlaneTriangle = std::array<ParameterPoint<Rational>, 3>;
+using DomainTriangle = std::array<ParameterPoint<Rational>, 3>;
 
 /// Whether triangles are a conforming triangulation of a parameter domain.
 /// Maths     T1: the polygon's vertices are vertices of triangles. T2: its sides are unions of triangles' sides. T3: two triangles meet
@@ -22,6 +22,6 @@ using PlaneTriangle = std::array<ParameterPoint<Rational>, 3>;
 /// Result    exact, in n log n steps; else what is wrong and where: "triangle 3 is clockwise or flat", ...
 /// Limits    within one domain: says nothing of how domains meet across a seam
 [[nodiscard]] Outcome<void> conforming(std::span<const PolygonLoop> loops,
-                                       std::span<const PlaneTriangle> triangles);
+                                       std::span<const DomainTriangle> triangles);
 
 }  // namespace radcert

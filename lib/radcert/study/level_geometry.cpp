@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "radcert/collocation/nodes.h"
+#include "radcert/core/contract.h"
+#include "radcert/triangulation/conforming_charts.h"
 #include "radcert/triangulation/interpolated_surface.h"
 
 namespace radcert {
@@ -37,6 +39,8 @@ NodedSurface noded(Surface surface, Triangulation triangulation, const TriangleB
 LevelGeometry::LevelGeometry(const Problem& problem, int level, const TriangleBasis<double>& basis) {
   Surface surface = surface_of(problem);
   Triangulation triangulation = triangulate(surface, level, options_of(problem, surface));
+  const Outcome<void> fits = conforming(surface, triangulation);
+  expects(fits.has_value(), "a triangulation with T1-T3", named("fault", fits ? "" : fits.reason()));
   mesh_size_ = radcert::mesh_size(triangulation);
   if (!problem.geometry) {
     data_ = noded(std::move(surface), std::move(triangulation), basis);
