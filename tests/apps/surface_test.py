@@ -2,13 +2,15 @@
 """Surfaces and meshes: what is said of them, what is refused, and that meshes can be solved on."""
 import json
 import math
+import os
+import shutil
 import struct
 import unittest
 from fractions import Fraction
 
 import jsonschema
 
-from program import ProgramTest, small
+from program import EXAMPLES, ProgramTest, small
 
 # Faces run counterclockwise as seen from outside.
 TETRAHEDRON = ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)])
@@ -91,6 +93,19 @@ def binary_stl(solid):
 
 def moved(solid, turn):
     return [turn(*v) for v in solid[0]], solid[1]
+
+
+def scaled(solid, factor, shift):
+    return moved(solid, lambda *v: [shift + factor * x for x in v])
+
+
+def turned(solid):
+    return solid[0], [tuple(reversed(f)) for f in solid[1]]
+
+
+def together(first, second):
+    more = [tuple(v + len(first[0]) for v in f) for f in second[1]]
+    return list(first[0]) + list(second[0]), list(first[1]) + more
 
 
 class SurfaceCommand(ProgramTest):
@@ -245,6 +260,35 @@ class SolveOnMeshes(ProgramTest):
                 self.assertLess(error, 1e-12)
             self.assertEqual(solution["levels"][0]["norm_K"], {"value": 0.5, "guaranteed": True})
 
+    def test_the_furnace_holds_where_parts_hide_each_other(self):
+        for solid, levels in [(L_SHAPED_ROOM, [0, 1]), (octahedron(-0.5), [0]),
+                              (together(CUBE, turned(scaled(CUBE, 0.5, 0.25))), [0])]:
+            errors, solution = self.furnace(solid, levels)
+            for error in errors:
+                self.assertLess(error, 1e-12)
+            self.assertEqual(solution["levels"][0]["norm_K"], {"value": 0.5, "guaranteed": True})
+
+    def test_the_example_with_hidden_parts_can_be_solved(self):
+        folder = os.path.join(EXAMPLES, "06_occluded_room")
+        with open(os.path.join(folder, "problem.json"), encoding="utf-8") as file:
+            problem = json.load(file)
+        problem["triangulation"] = {"levels": [0]}
+        shutil.copy(os.path.join(folder, "room.obj"), self.path("room.obj"))
+        self.write("problem.json", problem)
+        level = json.loads(self.expect(0, "solve", "problem.json", "--json", "-"))["levels"][0]
+        self.assertEqual(level["norm_K"], {"value": 0.8, "guaranteed": True})
+        self.assertEqual({name.split("_")[0] for name in level["piece_means"]},
+                         {"floor", "ceiling", "wall", "window", "box"})
+        self.assertGreater(level["piece_means"]["window"], 1)
+
+    def test_an_interpolant_of_a_room_with_hidden_parts_is_refused(self):
+        self.write("mesh.off", off(L_SHAPED_ROOM))
+        self.write("problem.json", small(surface={"file": "mesh.off"}, reflectivity="1/2", solution="1",
+                                         geometry={"interpolated": 2}, triangulation={"levels": [0]}))
+        done = self.run_program("solve", "problem.json")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("/geometry/interpolated", done.stderr.decode())
+
     def test_a_level_refines_each_triangle(self):
         _, solution = self.furnace(octahedron(), [0, 1])
         self.assertEqual([level["elements"] for level in solution["levels"]], [8, 32])
@@ -280,8 +324,8 @@ class SolveOnMeshes(ProgramTest):
 
     def test_meshes_that_need_more_are_refused_by_name(self):
         for surface, solid, pointer, text in [
-                ({}, L_SHAPED_ROOM, "/surface/file", "needs visibility"),
-                ({}, octahedron(-0.5), "/surface/file", "needs visibility"),
+                ({}, together(CUBE, scaled(CUBE, 0.5, 0.25)), "/surface/file", "not the inside of the body"),
+                ({}, together(CUBE, scaled(CUBE, 1, 0.5)), "/surface/file", "cross or overlap"),
                 ({}, (CUBE[0], [tuple(reversed(CUBE[1][0])), *CUBE[1][1:]]), "/surface/file", "against each other"),
                 ({"angle": 200}, CUBE, "/surface/angle", "from 0 to 180"),
                 ({"repair": ["everything"]}, CUBE, "/surface/repair/0", "vertices, faces"),

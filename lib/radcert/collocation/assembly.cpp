@@ -2,7 +2,10 @@
 #include "radcert/collocation/assembly.h"
 
 #include <algorithm>
+#include <optional>
+#include <type_traits>
 
+#include "radcert/collocation/visible_element.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/quadrature/element_integrator.h"
@@ -54,6 +57,14 @@ void put_lanes(const ObserverBlock<R>& block, std::size_t k, const BlockIntegral
   }
 }
 
+/// The scene that hides parts of an occluded surface; none where V = 1.
+template <Real R>
+std::optional<SurfaceScene> occluding_scene(const Surface& surface) {
+  if (surface.unoccluded) return std::nullopt;
+  expects(std::is_same_v<R, double>, "an unoccluded surface beyond double", named("surface", surface.name));
+  return SurfaceScene(surface);
+}
+
 }  // namespace
 
 template <Real R>
@@ -72,13 +83,28 @@ CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& trian
   for (const R& rho : reflectivity) factors.push_back(rho / pi<R>());
   const auto scheme = std::make_shared<const IntegrationScheme<R>>(surface, basis, tolerance);
   const std::vector<ObserverBlock<R>> blocks = observer_blocks(nodes);
+  const std::optional<SurfaceScene> scene = occluding_scene<R>(surface);
   const auto integrate_chunk = [&](std::size_t begin, std::size_t end) {
     RowSums<R> rows{std::vector<R>(unknowns), std::vector<R>(unknowns)};
     BlockIntegral<R> integral;
+    std::optional<NodeSights> sights;
+    const auto integrate = [&](const ParameterTriangle& triangle, const ObserverBlock<R>& block,
+                               ElementIntegrator<R>& element) {
+      if constexpr (std::is_same_v<R, double>) {
+        if (scene) {
+          if (!sights) sights.emplace(*scene, nodes);
+          sights->look_at(triangle.chart);
+          integrate_visible(triangle, block, nodes, *sights, surface.charts[triangle.chart], element,
+                            integral);
+          return;
+        }
+      }
+      element.integrate(block, nodes, integral);
+    };
     for (std::size_t k = begin; k < end; ++k) {
       ElementIntegrator<R> element(scheme, triangulation.triangles[k]);
       for (const ObserverBlock<R>& block : blocks) {
-        element.integrate(block, nodes, integral);
+        integrate(triangulation.triangles[k], block, element);
         if (block.count == Block<R>::lanes)
           put_block(block.first, k, integral, functions, factors, matrix.entries, rows);
         else

@@ -31,7 +31,7 @@ struct CollocationMatrix {
 /// Source    [ac98, (40)]
 /// Requires  one node a basis function and element, one reflectivity a node
 /// Result    the same bits for any number of threads; Interrupted when asked to stop
-/// Limits    unoccluded surfaces: V = 1
+/// Limits    in double surfaces that are unoccluded, where V = 1, and meshes; beyond double unoccluded surfaces, else ContractViolation
 template <Real R>
 CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& triangulation,
                               const TriangleBasis<R>& basis, std::span<const Observer<R>> nodes,

@@ -64,7 +64,8 @@ SurfaceChoice read_mesh(const JsonReader& surface, const JsonReader& file,
       digest->refuse("is not that of the file: it has changed", survey.digest);
   if (const auto obstacle = survey.obstacle())
     file.refuse(*obstacle,
-                "a mesh certified to lie in the boundary of a convex body; see radcert surface " + mesh.file);
+                "a mesh of triangles that neither cross nor run against each other; see radcert surface " +
+                    mesh.file);
   mesh.digest = survey.digest;
   mesh.surface = std::make_shared<const Surface>(survey.surface(mesh.file));
   return {.name = mesh.file, .parameters = {}, .mesh = std::move(mesh)};

@@ -61,7 +61,7 @@ typename ElementIntegrator<R>::Ball ElementIntegrator<R>::ball_about(const Cell<
 template <Real R>
 const Samples<R>& ElementIntegrator<R>::kept(int order) {
   std::optional<Samples<R>>& kept = kept_[static_cast<std::size_t>(order)];
-  if (!kept) sample(chart_, element_, basis(), order, kept.emplace());
+  if (!kept) take_samples(chart_, element_, basis(), order, kept.emplace());
   return *kept;
 }
 
@@ -69,7 +69,7 @@ template <Real R>
 const Samples<R>& ElementIntegrator<R>::samples(const Cell<R>& cell, bool whole, int order) {
   if (whole) return kept(order);
   Samples<R>& fresh = scratch_[static_cast<std::size_t>(order % 2)];
-  sample(chart_, cell, basis(), order, fresh);
+  take_samples(chart_, cell, basis(), order, fresh);
   return fresh;
 }
 
@@ -115,13 +115,14 @@ std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>&
 }
 
 template <Real R>
-CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p) {
+CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const Cell<R>& cell,
+                                                    bool is_element) {
   CheckedSums<R> result(basis().size());
-  pending_.assign(1, {element_, 0, 0});
+  pending_.assign(1, {cell, 0, 0});
   while (!pending_.empty()) {
     Piece piece = pending_.back();
     pending_.pop_back();
-    const bool whole = piece.depth == 0;
+    const bool whole = is_element && piece.depth == 0;
     const bool deepest = piece.depth == deepest_bisection;
     const Ball fresh = whole ? ball_ : ball_about(piece.cell);
     const auto ratio = nearest_double<R>(norm(p.point - fresh.centre) / fresh.radius);
@@ -184,6 +185,11 @@ ElementIntegral<R> ElementIntegrator<R>::integrate(const Observer<R>& p) {
     }
   }
   return with_radius(integrate_away(p));
+}
+
+template <Real R>
+ElementIntegral<R> ElementIntegrator<R>::integrate_part(const Observer<R>& p, const Cell<R>& part) {
+  return with_radius(integrate_away(p, part, false));
 }
 
 template <Real R>

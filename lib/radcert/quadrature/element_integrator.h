@@ -55,6 +55,9 @@ public:
   }
 
   ElementIntegral<R> integrate(const Observer<R>& p);
+  /// The same over a triangle in the element, a plane one that P is not in the plane of.
+  ElementIntegral<R> integrate_part(const Observer<R>& p, const Cell<R>& part);
+  const IntegrationScheme<R>& scheme() const { return *scheme_; }
 
   /// The integrals of a block of `observers`, whose members are needed where the block is near.
   void integrate(const ObserverBlock<R>& block, std::span<const Observer<R>> observers,
@@ -90,7 +93,8 @@ private:
   /// The sums of a piece if two rules agree on it; otherwise what `insist` says.
   std::optional<CheckedSums<R>> try_piece(const Observer<R>& p, const Cell<R>& cell, bool whole, double ratio,
                                           Insistence insist);
-  CheckedSums<R> integrate_away(const Observer<R>& p);
+  CheckedSums<R> integrate_away(const Observer<R>& p) { return integrate_away(p, element_, true); }
+  CheckedSums<R> integrate_away(const Observer<R>& p, const Cell<R>& cell, bool is_element);
   ElementIntegral<R> with_radius(const CheckedSums<R>& checked) const;
 
   B far_rounding(std::size_t points, const FarBounds<R>& bounds, std::size_t j) const;

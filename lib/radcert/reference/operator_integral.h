@@ -25,8 +25,9 @@ struct Estimate {
 ///           tan(angle) = sinh(y), far from P over the parameter domain itself; s = z^4 at a singular line
 /// Source    the "alternative numerical integration method" that [ac98, section 5] asks for; the rule is ours, the substitution by sinh is
 ///           that of Johnston and Elliott 2005
-/// Requires  P off every edge at which two charts meet at an angle, a surface that is `unoccluded`, u finite, else ContractViolation;
-///           u smooth on each chart; the surface outlives this
+/// Requires  P off every edge at which two charts meet at an angle, a surface that is `unoccluded` or a mesh, u finite, else
+///           ContractViolation; u smooth on each chart; the surface outlives this. On an occluded mesh the integral is that of G V u,
+///           over the parts that P sees
 /// Result    value, with a radius of about 1e-13 of `absolute` where double allows: at any distance from an edge of flat pieces and from a smooth
 ///           seam (there up to 1e-12). The same bits on any number of threads, which may share it
 /// Limits    estimates, no proof. A flat chart has the doubles nearest to its coefficients. Where a curved piece meets another at an angle the
@@ -53,7 +54,7 @@ Estimate operator_integral(const Surface& surface, const SurfacePoint<double>& p
 /// The same over one triangle of one chart's parameter plane, for densities that are smooth on triangles only.
 /// Maths     Int over F_j(triangle) of G(P,Q) u(Q) dS_Q
 /// Source    as above
-/// Requires  as above, the triangle inside the domain of the chart
+/// Requires  as above, the surface `unoccluded`, the triangle inside the domain of the chart
 /// Result    as above
 /// Limits    as above
 Estimate operator_integral(const Surface& surface, const SurfacePoint<double>& p, std::size_t chart,

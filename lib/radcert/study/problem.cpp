@@ -58,8 +58,11 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
   }
 }
 
-void check_geometry(const Problem& problem) {
+void check_geometry(const Problem& problem, const Surface& surface) {
   if (!problem.geometry) return;
+  if (!surface.unoccluded)
+    refuse("/geometry/interpolated", std::to_string(problem.geometry->degree),
+           "asks for an interpolant of a mesh whose parts hide each other", "\"exact\", which a mesh is");
   constexpr int smallest = LatticePolynomial<double>::smallest_degree;
   constexpr int largest = LatticePolynomial<double>::largest_degree;
   if (problem.geometry->degree < smallest || problem.geometry->degree > largest)
@@ -232,7 +235,7 @@ void check(const Problem& problem, std::uint64_t memory_limit) {
   if (problem.solution) check_pieces(*problem.solution, "/solution", surface);
   if (problem.emission) check_pieces(*problem.emission, "/emission", surface);
   check_reflectivity(problem, surface);
-  check_geometry(problem);
+  check_geometry(problem, surface);
   check_quadrature(problem.quadrature);
   check_solver(problem.solver);
   if (problem.basis.degree < 0 || problem.basis.degree > InsetBasis<double>::largest_degree)

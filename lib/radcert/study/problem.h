@@ -33,7 +33,7 @@ struct MeshChoice {
   std::string digest;                      ///< of the file's bytes
   Rational angle;                          ///< in degrees, beyond which an edge is sharp
   std::vector<std::string> repair;         ///< what was to be mended
-  std::shared_ptr<const Surface> surface;  ///< certified to be unoccluded
+  std::shared_ptr<const Surface> surface;  ///< one whose triangles do not cross
 };
 
 /// The surface of a problem: a name of the catalogue and the values of its parameters, in the catalogue's order; or a mesh,
@@ -117,8 +117,8 @@ struct Problem {
 /// The word of the file format for a solver.
 std::string solver_name(SolverName name);
 
-/// The surface that a problem names, or its mesh. Requires the name of an unoccluded
-/// surface and admissible parameters, else InputError below /surface.
+/// The surface that a problem names, or its mesh. Requires the name of an unoccluded surface of the catalogue and
+/// admissible parameters, else InputError below /surface.
 Surface surface_of(const Problem& problem);
 
 /// Everything about a problem that can be refused before any work, apart from its file's syntax.

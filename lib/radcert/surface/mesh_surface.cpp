@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/surface/mesh_surface.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,7 @@ Surface mesh_surface(const std::string& name, const TriangleMesh& mesh,
   surface.name = name;
   surface.closed = facts.closed;
   surface.unoccluded = facts.unoccluded;
+  surface.mesh = std::make_shared<const TriangleMesh>(mesh);
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     const std::size_t piece = piece_of_triangle[k];
     expects(piece < piece_names.size(), "a piece with a name", named("piece", piece));

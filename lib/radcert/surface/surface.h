@@ -2,11 +2,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "radcert/geometry/triangle_mesh.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/surface/chart.h"
 
@@ -40,6 +42,7 @@ struct Surface {
   bool unoccluded = true;             ///< V = 1: S lies in the boundary of a convex body
   bool pieces_meet_at_angle = false;  ///< two pieces share an edge across which the normal jumps
   bool charts_join_smoothly = true;   ///< within a piece; not so the interpolants of elements
+  std::shared_ptr<const TriangleMesh> mesh = nullptr;  ///< where S is one: chart k is its triangle k
 
   std::size_t chart_count() const { return charts.size(); }
   /// The names of the pieces in the order in which the charts name them first.

@@ -15,6 +15,7 @@ InterpolatedSurface interpolate(const Surface& surface, const Triangulation& tri
   expects(Polynomial::smallest_degree <= degree && degree <= Polynomial::largest_degree, "1 <= degree <= 6",
           named("degree", degree));
   InterpolatedSurface result{.surface = surface, .triangulation = {}};
+  result.surface.mesh = nullptr;
   result.surface.charts.clear();
   result.surface.diagonals.clear();
   const auto add = [&](Chart chart, Diagonal diagonal) {
