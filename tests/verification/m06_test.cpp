@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "radcert/core/contract.h"
+#include "radcert/polynomial/interpolatory_rule.h"
+#include "tests/verification/fixtures.h"
+#include "verification/claims/m06/interpolation_defects.h"
+#include "verification/claims/m06/rates.h"
+#include "verification/framework/paper.h"
+
+namespace radcert::verification::m06 {
+namespace {
+
+// Levels with a node error of 3 h^2 on the piece "a" and of h^3 on "b", h = 2^-level.
+class MadeUpLevels final : public LevelSource {
+public:
+  LevelOutcome level(const Problem& problem, int level) override {
+    LevelOutcome outcome = made_up_level(problem, level);
+    const double h = outcome.result.mesh_size;
+    outcome.result.uniform_error = Figure{.value = h, .radius = std::nullopt, .guaranteed = false};
+    for (const auto& [piece, error] :
+         {std::pair<std::string, double>{"a", 3 * h * h}, std::pair<std::string, double>{"b", h * h * h}}) {
+      NodeValue node;
+      node.piece = piece;
+      node.u = 1;
+      node.u_n = piece == "a" ? 1 + error : 1 - error;
+      outcome.nodes.push_back(node);
+    }
+    return outcome;
+  }
+};
+
+class OverLevels : public testing::Test {
+protected:
+  MadeUpLevels levels_;
+  ResultStore store_;
+  Bench bench_{.budget = Budget::standard, .route = {}, .levels = levels_, .store = store_};
+  Problem problem_ = flat_problem({0, 1, 2, 3});
+};
+
+TEST_F(OverLevels, OrdersAreThePowersOfTheErrors) {
+  EXPECT_NEAR(last_order(uniform_errors(problem_, {1, 2, 3}, bench_)).value, 1, 1e-14);
+  EXPECT_NEAR(last_order(node_errors(problem_, {1, 2, 3}, bench_)).value, 2, 1e-14);
+  EXPECT_NEAR(last_order(discretisation_errors(problem_, {1, 3}, bench_)).value, 2, 1e-14);
+  const auto on = [](const std::string& piece) {
+    return [piece](const NodeValue& node) { return node.piece == piece; };
+  };
+  const Errors on_a = node_errors(problem_, {1, 2}, bench_, on("a"));
+  EXPECT_DOUBLE_EQ(on_a.errors.back().value, 3.0 / 16);
+  EXPECT_NEAR(last_order(on_a).value, 2, 1e-12);
+  EXPECT_NEAR(last_order(node_errors(problem_, {1, 2}, bench_, on("b"))).value, 3, 1e-12);
+}
+
+TEST_F(OverLevels, TheRadiusOfAnOrderHoldsTheOrdersOfAllErrorsWithinTheirs) {
+  const Errors errors{.mesh_sizes = {1, 0.5},
+                      .errors = {{.value = 8, .radius = 2}, {.value = 1, .radius = 0.5}}};
+  const Measured order = last_order(errors);
+  for (const double before : {6.0, 8.0, 10.0})
+    for (const double after : {0.5, 1.0, 1.5})
+      EXPECT_LE(std::abs(std::log2(before / after) - order.value), order.radius + 1e-12);
+  EXPECT_NEAR(order.radius, std::log2(2.5), 1e-12);
+  EXPECT_NEAR(noise(errors).value, 0.5, 1e-15);
+}
+
+TEST_F(OverLevels, AnErrorWithinItsNoiseHasNoOrder) {
+  for (const double radius : {1.0, 2.0}) {
+    const Errors errors{.mesh_sizes = {1, 0.5}, .errors = {{.value = 8}, {.value = 1, .radius = radius}}};
+    EXPECT_TRUE(std::isinf(last_order(errors).radius)) << radius;
+  }
+}
+
+TEST_F(OverLevels, QuickLeavesOutTheLastLevel) {
+  EXPECT_EQ(levels_for(problem_, Budget::quick), (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(levels_for(problem_, Budget::full), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_THROW(static_cast<void>(levels_for(flat_problem({0, 1}), Budget::quick)), ContractViolation);
+}
+
+TEST(ProblemsOfMicula, AreReadAndSmooth) {
+  for (const char* name : {"two_piece_r0", "sphere_r1", "ellipsoid_r2", "two_piece_symmetric"})
+    EXPECT_FALSE(surface_of(problem_named(name)).pieces_meet_at_angle) << name;
+  EXPECT_THROW(static_cast<void>(problem_named("none")), ContractViolation);
+}
+
+// r = 0, by hand: (I - L) x = x - 1/3 on the triangle, x -+ 1/6 about the centre of the square.
+TEST(InterpolationDefects, AreThoseOfTheCentroid) {
+  const TriangleBasis<Ball> centroid(InsetBasis<Ball>(0, Ball(0)));
+  EXPECT_TRUE(largest_defect(centroid, Region::triangle, 1).contains(Rational(0)));
+  EXPECT_TRUE(largest_defect(centroid, Region::triangle, 2).contains(Rational(1, 36)));
+  EXPECT_TRUE(largest_defect(centroid, Region::parallelogram, 1).contains(Rational(0)));
+  EXPECT_TRUE(largest_defect(centroid, Region::parallelogram, 2).contains(Rational(1, 18)));
+  EXPECT_LT(largest_defect(centroid, Region::parallelogram, 2).radius(), 1e-30);
+}
+
+// A half turn takes the square and its cut to themselves: what is odd about the centre cancels.
+TEST(InterpolationDefects, VanishForOddDegreesOnTheSquare) {
+  for (const int r : {0, 2, 4}) {
+    const TriangleBasis<Ball> basis(InsetBasis<Ball>(r, Ball(Rational(1, 7))));
+    EXPECT_LT(largest_defect(basis, Region::parallelogram, r + 1).upper_double(), 1e-30) << r;
+    EXPECT_TRUE(certainly_less(Ball(Rational(1, 1000000)), largest_defect(basis, Region::triangle, r + 2)))
+        << r;
+  }
+}
+
+// With Phi = 1 they are the defects of the rule itself: no less than those, for any nodes.
+TEST(InterpolationDefects, AreNoLessThanThoseOfTheRule) {
+  const Rational alpha(1, 7);
+  for (const int r : {1, 2, 3}) {
+    const LagrangeFunctions functions = lagrange_functions(inset_nodes(r, alpha)).value();
+    const TriangleRule<Rational> rule = interpolatory_rule(functions);
+    const TriangleBasis<Ball> basis(InsetBasis<Ball>(r, Ball(alpha)));
+    const int degree = degree_of_precision(rule, Region::triangle).degree;
+    Rational largest = 0;
+    for (int b = 0; b <= degree + 1; ++b)
+      largest = std::max(largest, abs(defect(rule, Region::triangle, {degree + 1 - b, b})));
+    EXPECT_FALSE(certainly_less(largest_defect(basis, Region::triangle, degree + 1), Ball(largest))) << r;
+    EXPECT_LT(largest_defect(basis, Region::triangle, degree).upper_double(), 1e-30) << r;
+  }
+}
+
+TEST(MiculasEquations, EachHaveAnEntry) {
+  std::set<int> covered;
+  for (const Paper& paper : embedded_paper_list())
+    if (paper.key == "m06")
+      for (const Claim& claim : paper.claims) covered.insert(claim.covers.begin(), claim.covers.end());
+  for (int equation = 1; equation <= 39; ++equation) EXPECT_TRUE(covered.contains(equation)) << equation;
+}
+
+}  // namespace
+}  // namespace radcert::verification::m06

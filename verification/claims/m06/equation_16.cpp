@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Checked      As identities in alpha, for r = 0 to 8: the rule (16) integrates every polynomial of degree <= r over sigma. On three planar
+//              triangles, (28), r = 1 to 4: the rule with the nodes m_tau(q_j) and the weights 2 Area omega_j, against the integral by
+//              Green's theorem, for every monomial of degree <= r in x and y. At alpha = 1/10 and r >= 1 the degree is r and no more.
+// Not checked  nothing is left of "at least r". When it is more: alpha_0.
+
+#include "radcert/polynomial/inset_family.h"
+#include "verification/claims/ac98/differing_coefficients.h"
+#include "verification/claims/ac98/planar_rule.h"
+#include "verification/claims/m06/checks.h"
+
+namespace radcert::verification::m06 {
+namespace {
+
+using ac98::PlanarPoint;
+using ac98::PlanarRule;
+
+struct NamedTriangle {
+  std::string name;
+  std::vector<PlanarPoint> corners;  ///< counterclockwise
+};
+
+std::vector<NamedTriangle> triangles() {
+  return {{"sigma", {{0, 0}, {1, 0}, {0, 1}}},
+          {"scalene", {{Rational(7, 3), -2}, {5, Rational(9, 4)}, {Rational(-1, 5), 8}}},
+          {"thin", {{0, 0}, {1000000, 1}, {1000000, 2}}}};
+}
+
+PlanarRule rule_on(const std::vector<PlanarPoint>& tau, const InsetFamily& family, const Rational& alpha) {
+  const PlanarPoint& a = tau[0];
+  const PlanarPoint& b = tau[1];
+  const PlanarPoint& c = tau[2];
+  const Rational twice_area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+  PlanarRule rule;
+  for (std::size_t j = 0; j < family.size(); ++j) {
+    const auto node = family.node(j);
+    const Rational u = node[0](alpha);
+    const Rational t = node[1](alpha);
+    const Rational s = node[2](alpha);
+    rule.points.push_back({u * a.x + t * b.x + s * c.x, u * a.y + t * b.y + s * c.y});
+    rule.weights.push_back(twice_area * family.weight(j)(alpha));
+  }
+  return rule;
+}
+
+}  // namespace
+
+Finding equation_16(const Bench&) {
+  Finding finding;
+  constexpr int largest_degree = 8;
+  for (int r = 0; r <= largest_degree; ++r) {
+    const InsetFamily family(r);
+    const std::string of = ", r = " + std::to_string(r);
+    for (int degree = 0; degree <= r; ++degree)
+      finding.require("coefficients in alpha of the defects of degree " + std::to_string(degree) + of,
+                      IsExactly{0},
+                      ac98::differing_coefficients({family.condition(Region::triangle, degree), 0}, {}));
+    if (r > 0)
+      finding.control("coefficients in alpha of the defects of degree r + 1" + of, IsExactly{0},
+                      ac98::differing_coefficients({family.condition(Region::triangle, r + 1), 0}, {}));
+  }
+  const Rational alpha(1, 10);
+  constexpr int largest_on_planes = 4;
+  for (int r = 1; r <= largest_on_planes; ++r)
+    for (const NamedTriangle& each : triangles()) {
+      const PlanarRule rule = rule_on(each.corners, InsetFamily(r), alpha);
+      finding.require("degree of precision, alpha = 1/10, r = " + std::to_string(r) + ", " + each.name,
+                      IsExactly{r}, ac98::precision(rule, each.corners));
+      PlanarRule moved = rule;
+      moved.weights[0] += Rational(1, 1000);
+      finding.control("the same with one weight moved", IsExactly{r}, ac98::precision(moved, each.corners));
+    }
+  return finding;
+}
+
+}  // namespace radcert::verification::m06
