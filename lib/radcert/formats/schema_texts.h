@@ -18,6 +18,7 @@ std::string_view list_schema();
 std::string_view nodes_schema();
 std::string_view basis_schema();
 std::string_view surface_schema();
+std::string_view factors_schema();
 std::string_view reference_schema();
 std::string_view manifest_schema();
 

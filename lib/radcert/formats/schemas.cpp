@@ -8,7 +8,7 @@
 namespace radcert {
 
 std::span<const Schema> schemas() {
-  static const std::array<Schema, 9> all = {
+  static const std::array<Schema, 10> all = {
       Schema{"problem", "what radcert solve reads: a surface, a basis, the data, the levels",
              problem_schema()},
       Schema{"solution", "what radcert solve writes: errors, ratios and orders, level by level",
@@ -20,6 +20,8 @@ std::span<const Schema> schemas() {
       Schema{"manifest", "what radcert reference --all writes beside the values", manifest_schema()},
       Schema{"surface", "what radcert surface writes with --json: pieces, defects, certificate",
              surface_schema()},
+      Schema{"factors", "what radcert factors writes with --json: configuration factors with radii",
+             factors_schema()},
       Schema{"nodes", "a file of nodes on a triangle: a basis of a user's own", nodes_schema()},
       Schema{"basis", "what radcert basis writes with --json", basis_schema()},
       Schema{"list", "what radcert list writes with --json", list_schema()}};

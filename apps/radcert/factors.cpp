@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// radcert factors NAME or FILE: configuration factors between the surfaces of a scene.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.h"
+#include "output.h"
+#include "progress.h"
+#include "radcert/core/interrupt.h"
+#include "radcert/core/parallel.h"
+#include "radcert/core/result_store.h"
+#include "radcert/core/text.h"
+#include "radcert/core/version.h"
+#include "radcert/factors/factor_mesh.h"
+#include "radcert/formats/factors_csv.h"
+#include "radcert/formats/factors_json.h"
+#include "radcert/formats/json_reader.h"
+#include "radcert/surface/catalogue.h"
+
+namespace radcert::app {
+
+namespace {
+
+struct FactorsOptions {
+  std::string name;
+  std::string by = "triangle";
+  std::string level;
+  std::string accuracy;
+  std::string out;
+  std::string compare;
+  bool certified = false;
+  bool space = false;
+};
+
+std::string point_text(const Vector<double>& p) {
+  return "(" + shortest(p.x) + ", " + shortest(p.y) + ", " + shortest(p.z) + ")";
+}
+
+FactorUnit unit_of(const std::string& word) {
+  if (word == "triangle") return FactorUnit::triangle;
+  if (word == "piece") return FactorUnit::piece;
+  if (word == "group") return FactorUnit::group;
+  throw InputError({.source = "--by", .value = word, .allowed = "triangle, piece, group"});
+}
+
+int level_of(const std::string& text) {
+  if (text.empty()) return 0;
+  constexpr int most = 8;
+  int level = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
+  if (error != std::errc() || end != text.data() + text.size() || level < 0 || level > most)
+    throw InputError({.source = "--level", .value = text, .allowed = "a whole number from 0 to 8"});
+  return level;
+}
+
+double accuracy_of(const std::string& text) {
+  if (text.empty()) return FactorDemand{}.accuracy;
+  const std::optional<double> accuracy = parse_double(text);
+  constexpr double least = 1e-12;
+  constexpr double most = 0.1;
+  if (!accuracy || *accuracy < least || *accuracy > most)
+    throw InputError({.source = "--accuracy", .value = text, .allowed = "a number from 1e-12 to 0.1"});
+  return *accuracy;
+}
+
+/// A mesh, and a text that says which.
+struct NamedMesh {
+  FactorMesh mesh;
+  std::string identity;
+};
+
+NamedMesh mesh_of_file(const FactorsOptions& options) {
+  if (!options.level.empty())
+    throw InputError(
+        {.source = "--level", .problem = "is for surfaces of the catalogue", .allowed = "no mesh file"});
+  const MeshSurvey survey = survey_mesh(options.name, default_sharp_degrees, MeshRepair{});
+  if (!survey.defects.degenerate_triangles.empty()) {
+    const auto corners = survey.mesh.corners(survey.defects.degenerate_triangles.front());
+    throw InputError({.source = options.name,
+                      .problem = "has a triangle with its corners on one line: " + point_text(corners[0]) +
+                                 ", " + point_text(corners[1]) + ", " + point_text(corners[2]),
+                      .allowed = "triangles with an area"});
+  }
+  if (!survey.misoriented.empty())
+    throw InputError({.source = options.name,
+                      .problem = "has reversed normals: the triangles connected with the one at " +
+                                 point_text(survey.mesh.corners(survey.misoriented.front())[0]) +
+                                 " look away from where the light of the others is",
+                      .allowed = "bodies within a room run the other way round than the room"});
+  return {factor_mesh(survey), survey.digest};
+}
+
+NamedMesh mesh_of_catalogue(const FactorsOptions& options) {
+  const SurfaceDescription* description = find_surface(options.name);
+  if (description == nullptr) {
+    std::vector<std::string> names;
+    for (const SurfaceDescription& known : surface_catalogue()) names.push_back(known.name);
+    const auto near = nearest_word(options.name, names);
+    throw InputError({.source = "surface",
+                      .value = options.name,
+                      .problem = "is no surface" + (near ? "; did you mean " + *near + "?" : std::string()),
+                      .allowed = listed(names) + ", or a file in .off, .obj, .ply, .stl"});
+  }
+  std::vector<Rational> values;
+  for (const ParameterDescription& parameter : description->parameters)
+    values.push_back(Rational::parse(parameter.default_text).value());
+  const Surface surface = description->make(values);
+  for (const Chart& chart : surface.charts)
+    if (!chart.facts().plane)
+      throw InputError(
+          {.source = "surface",
+           .value = options.name,
+           .problem = "is curved",
+           .allowed = "surfaces of plane pieces, or a mesh file: then the factors are those of its facets"});
+  return {factor_mesh(surface, level_of(options.level)),
+          options.name + " " + std::to_string(level_of(options.level))};
+}
+
+/// What makes the numbers meaningless is the input's fault, with coordinates.
+void require_scene(const std::string& name, const TriangleMesh& mesh) {
+  const std::vector<SceneFault> faults = scene_faults(mesh);
+  if (faults.empty()) return;
+  const std::string more = faults.size() == 1 ? "" : fmt::format("; and {} more faults", faults.size() - 1);
+  throw InputError({.source = name,
+                    .problem = faults.front().words + more,
+                    .allowed = "triangles that have a vertex or a side in common, or nothing"});
+}
+
+std::string edge_text(const FacetScene& scene, std::size_t edge) {
+  const MeshEdge& e = scene.topology().edges[edge];
+  return point_text(scene.scene().vertex(e.from)) + " to " + point_text(scene.scene().vertex(e.to));
+}
+
+void require_orientation(const std::string& name, const FacetScene& scene) {
+  const MeshTopology& topology = scene.topology();
+  if (topology.disagreeing_edges.empty()) return;
+  throw InputError(
+      {.source = name,
+       .problem = fmt::format(
+           "has reversed normals: triangles run against each other along {} edges, the first {}",
+           topology.disagreeing_edges.size(), edge_text(scene, topology.disagreeing_edges.front())),
+       .allowed = "neighbours that look to the same side"});
+}
+
+/// Whether light can leave; then --space must have been given.
+bool is_open(const FactorsOptions& options, const FacetScene& scene) {
+  const std::vector<std::size_t>& open = scene.topology().open_edges;
+  if (open.empty()) {
+    if (options.space)
+      throw InputError(
+          {.source = "--space", .problem = "is for open scenes: " + options.name + " is closed"});
+    return false;
+  }
+  if (options.space) return true;
+  constexpr std::size_t most_edges = 3;
+  std::string edges;
+  for (std::size_t k = 0; k < std::min(open.size(), most_edges); ++k)
+    edges += (k == 0 ? "" : ", ") + edge_text(scene, open[k]);
+  throw InputError({.source = options.name,
+                    .problem = fmt::format("is open: {} edges with one triangle: {}{}", open.size(), edges,
+                                           open.size() > most_edges ? ", ..." : ""),
+                    .allowed = "a closed scene, or --space for what leaves it"});
+}
+
+std::vector<std::string> warnings(const FactorReport& report) {
+  std::vector<std::string> out;
+  const FactorMatrix& matrix = report.matrix;
+  for (std::size_t i = 0; i < matrix.rows.size(); ++i)
+    if (matrix.rows[i].sum.value == 0 && matrix.rows[i].sum.radius == 0)
+      out.push_back(report.names[i] + " sees nothing: its normals are probably reversed");
+  // Radii of doubles are estimates: ten of them.
+  constexpr double slack = 10;
+  std::size_t failing = 0;
+  for (std::size_t i = 0; i < matrix.rows.size() && !report.open; ++i)
+    if (matrix.closure_defect(i) > (matrix.guaranteed ? 1 : slack) * matrix.rows[i].sum.radius) ++failing;
+  if (failing > 0)
+    out.push_back(fmt::format("{} rows do not sum to 1 within their radius, the worst is {}", failing,
+                              report.names[matrix.worst_row()]));
+  return out;
+}
+
+std::string report_text(const FactorReport& report) {
+  const FactorMatrix& matrix = report.matrix;
+  std::string out = fmt::format("{}: {} triangles, {} surfaces by {}\n", report.name, report.triangles,
+                                report.names.size(), report.by);
+  std::vector<std::vector<std::string>> rows{{"surface", "area", "row sum", "radius"}};
+  if (report.open) rows.front().emplace_back("to space");
+  constexpr std::size_t most_rows = 20;
+  for (std::size_t i = 0; i < std::min(matrix.rows.size(), most_rows); ++i) {
+    const FactorRow& row = matrix.rows[i];
+    rows.push_back({report.names[i], fmt::format("{:.10g}", row.area.value),
+                    fmt::format("{:.16g}", row.sum.value), fmt::format("{:.1e}", row.sum.radius)});
+    if (row.to_space) rows.back().push_back(fmt::format("{:.16g}", row.to_space->value));
+  }
+  out += aligned(rows);
+  if (matrix.rows.size() > most_rows) out += fmt::format("... and {} more\n", matrix.rows.size() - most_rows);
+  out += fmt::format("pairs of triangles facing each other: {} wholly seen, {} hidden, {} mixed\n",
+                     matrix.whole_pairs, matrix.hidden_pairs, matrix.mixed_pairs);
+  out += fmt::format("largest radius of a factor: {:.1e}, {}\n", matrix.largest_radius(),
+                     matrix.guaranteed ? "guaranteed" : "estimated");
+  if (!report.open)
+    out += fmt::format("closure: the row sums are within {:.1e} of 1, the worst is {}\n",
+                       matrix.closure_defect(matrix.worst_row()), report.names[matrix.worst_row()]);
+  out += fmt::format("reciprocity: |A_i F_ij - A_j F_ji| <= {:.1e} sqrt(A_i A_j); nothing was adjusted\n",
+                     matrix.largest_reciprocity_defect);
+  if (report.facets_only)
+    out += std::string(matrix.guaranteed ? "certified" : "computed") +
+           " for these facets: what they may stand for is another surface\n";
+  for (const std::string& warning : report.warnings) out += "warning: " + warning + "\n";
+  return out;
+}
+
+std::string comparison_text(const std::vector<FactorComparison>& pairs) {
+  std::vector<std::size_t> count(3, 0);
+  for (const FactorComparison& pair : pairs) ++count[static_cast<std::size_t>(pair.agreement)];
+  std::string out = fmt::format("compared: {} agree, {} differ, {} undecided; the largest differences\n",
+                                count[0], count[1], count[2]);
+  std::vector<std::vector<std::string>> rows{
+      {"from", "to", "ours", "radius", "theirs", "difference", "verdict"}};
+  constexpr std::size_t most_rows = 10;
+  for (std::size_t k = 0; k < std::min(pairs.size(), most_rows); ++k) {
+    const FactorComparison& pair = pairs[k];
+    rows.push_back({pair.from, pair.to, fmt::format("{:.16g}", pair.ours.value),
+                    fmt::format("{:.1e}", pair.ours.radius), fmt::format("{:.16g}", pair.theirs.value),
+                    fmt::format("{:.1e}", pair.difference()), agreement_word(pair.agreement)});
+  }
+  return out + aligned(rows);
+}
+
+/// The name of FILE.surfaces.csv beside FILE.csv.
+std::string surfaces_file(const std::string& out) {
+  const std::string ending = ".csv";
+  const std::string stem = out.ends_with(ending) ? out.substr(0, out.size() - ending.size()) : out;
+  return stem + ".surfaces.csv";
+}
+
+void say_plan(const Common& common, const FactorPlan& plan) {
+  if (!common.quiet)
+    say(fmt::format("{} pairs of triangles: about {} and {:.2g} seconds\n", plan.pairs,
+                    byte_text(plan.memory.total()), plan.seconds));
+}
+
+FactorMatrix computed(const Common& common, const FacetScene& scene, const FactorUnits& units,
+                      const FactorDemand& demand, const std::string& identity, ResultStore& store) {
+  const FactorPlan plan = factor_plan(scene, units, demand);
+  say_plan(common, plan);
+  plan.memory.require(common.memory_limit());
+  ProgressDisplay progress(common.quiet);
+  progress.at(0, "factors", plan.seconds);
+  return factor_matrix(scene, units, demand,
+                       {.at = [&](double fraction) { progress.at(fraction, "factors"); },
+                        .key = "factors\n" + std::string(source_digest()) + "\n" + identity,
+                        .store = &store});
+}
+
+ExitCode factors(const Common& common, const FactorsOptions& options) {
+  const auto threads = common.thread_limit();
+  const std::optional<ThreadLimit> limit =
+      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
+  Outputs outputs;
+  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
+  if (!options.out.empty()) outputs.file("--out", options.out);
+  const FactorUnit unit = unit_of(options.by);
+  FactorDemand demand{.certified = options.certified, .accuracy = accuracy_of(options.accuracy)};
+
+  const NamedMesh named =
+      is_mesh_file_name(options.name) ? mesh_of_file(options) : mesh_of_catalogue(options);
+  require_scene(options.name, named.mesh.mesh);
+  const FacetScene scene(named.mesh.mesh);
+  require_orientation(options.name, scene);
+  demand.open_to_space = is_open(options, scene);
+  const FactorUnits units = factor_units(named.mesh, unit);
+  std::optional<ClaimedFactors> claimed;
+  if (!options.compare.empty()) claimed = read_factors(options.compare, units.names);
+
+  FactorReport report{.command = common.command,
+                      .name = options.name,
+                      .by = options.by,
+                      .triangles = scene.facet_count(),
+                      .open = demand.open_to_space,
+                      .facets_only = named.mesh.pieces_bend,
+                      .names = units.names,
+                      .matrix = {},
+                      .warnings = {},
+                      .comparison = std::nullopt};
+  ResultStore store;
+  try {
+    report.matrix = computed(common, scene, units, demand, named.identity, store);
+  } catch (const Interrupted&) {
+    const auto status = store.status();
+    say("radcert: interrupted; finished rows are " +
+        (status ? "kept in " + store.folder().string() + ": the same command goes on from there\n"
+                : "not kept: " + status.reason() + "\n"));
+    return ExitCode::interrupted;
+  }
+  report.warnings = warnings(report);
+  for (const std::string& warning : report.warnings) say("radcert: warning: " + warning + "\n");
+  if (claimed)
+    report.comparison =
+        with_source(options.compare, [&] { return compared(report.matrix, report.names, *claimed); });
+  if (!options.out.empty())
+    outputs.write({{options.out, factors_csv(report.matrix, report.names)},
+                   {surfaces_file(options.out), factor_surfaces_csv(report.matrix, report.names)}});
+  print_result(common, report_text(report) + (report.comparison ? comparison_text(*report.comparison) : ""),
+               factors_report(report).pretty() + "\n");
+  const bool differs = report.comparison && std::any_of(report.comparison->begin(), report.comparison->end(),
+                                                        [](const FactorComparison& pair) {
+                                                          return pair.agreement == Agreement::differs;
+                                                        });
+  return differs ? ExitCode::differs : ExitCode::done;
+}
+
+}  // namespace
+
+void add_factors(CLI::App& program, Common& common, Action& action) {
+  CLI::App& command =
+      add_command(program, common, "factors", "Area-to-area configuration factors, closure, reciprocity");
+  auto options = std::make_shared<FactorsOptions>();
+  command
+      .add_option("SURFACE", options->name,
+                  "A surface of plane pieces (cube, box, tetrahedron, octahedron, ...), or a mesh in .off, "
+                  ".obj, .ply, .stl")
+      ->required()
+      ->type_name("NAME or FILE");
+  command
+      .add_option("--by", options->by, "What a row stands for: triangle, piece or group; default triangle")
+      ->type_name("WHAT");
+  command.add_flag("--certified", options->certified, "Prove each radius");
+  command
+      .add_option("--out", options->out,
+                  "Write from,to,factor,radius,guaranteed, and FILE.surfaces.csv beside it")
+      ->type_name("FILE.csv");
+  command.add_flag("--space", options->space,
+                   "The scene is open: give what reaches no front of a surface as to_space");
+  command
+      .add_option("--accuracy", options->accuracy,
+                  "Wanted of each row's sum, where occlusion makes integration adaptive; default 1e-5")
+      ->type_name("X");
+  command
+      .add_option("--level", options->level,
+                  "Cut each triangle of a surface of the catalogue into 4^N; default 0")
+      ->type_name("N");
+  command
+      .add_option("--compare", options->compare,
+                  "Hold the factors against those of a file: columns from,to,factor, or View3D's output")
+      ->type_name("OTHER.csv");
+  command.footer(
+      "A factor is what part of the light that leaves `from`, everywhere alike, arrives at `to`. Exact zeros "
+      "are left out.\n"
+      "Rows that are finished are kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted run goes on "
+      "there.\n"
+      "With --compare the exit code is 1 where a pair differs.");
+  command.callback(
+      [&common, &action, options] { action = [&common, options] { return factors(common, *options); }; });
+}
+
+}  // namespace radcert::app

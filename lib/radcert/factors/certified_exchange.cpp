@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/factors/certified_exchange.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "radcert/closed_form/polygon_to_polygon.h"
+#include "radcert/core/contract.h"
+#include "radcert/factors/shadow_exchange.h"
+#include "radcert/geometry/orientation.h"
+
+namespace radcert {
+
+namespace {
+
+ExactCorners exact_corners(const FacetCorners& polygon) {
+  ExactCorners out;
+  for (const Vector<double>& corner : polygon) out.push_back(exactly(corner));
+  return out;
+}
+
+/// What of a polygon lies in front of the plane of another.
+ExactCorners in_front(const ExactCorners& polygon, const ExactCorners& other) {
+  const Vector<Rational> normal = cross(other[1] - other[0], other[2] - other[0]);
+  ExactCorners out;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vector<Rational>& next = polygon[(k + 1) % polygon.size()];
+    const Rational here = dot(normal, polygon[k] - other[0]);
+    const Rational there = dot(normal, next - other[0]);
+    if (here.sign() >= 0) out.push_back(polygon[k]);
+    if (here.sign() * there.sign() < 0)
+      out.push_back(polygon[k] + (here / (here - there)) * (next - polygon[k]));
+  }
+  return out;
+}
+
+/// Polygons with their exact area, by the root of a rational number.
+Ball area_of(const ExactCorners& triangle) {
+  const Vector<Rational> normal = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+  return sqrt(Ball(dot(normal, normal) / 4));
+}
+
+}  // namespace
+
+Ball certified_area(const FacetScene& scene, std::size_t triangle) {
+  return area_of(exact_corners(scene.facet(triangle)));
+}
+
+Ball certified_exchange_area(const FacetScene& scene, std::size_t first, std::size_t second,
+                             const FacetPair& pair, const CertifiedDemand& demand) {
+  if (pair.sight == PairSight::nothing || pair.sight == PairSight::hidden) return 0;
+  const ExactCorners a = exact_corners(scene.facet(first));
+  const ExactCorners b = exact_corners(scene.facet(second));
+  const Ball area = area_of(a);
+  const Ball unoccluded = area * polygon_to_polygon(plane_polygon(a).value(), plane_polygon(b).value());
+  if (pair.sight == PairSight::whole) return unoccluded;
+
+  const bool first_receives = scene.area(first) <= scene.area(second);
+  const ExactCorners receiver = first_receives ? in_front(a, b) : in_front(b, a);
+  const ExactCorners source = first_receives ? in_front(b, a) : in_front(a, b);
+  const ShadowDemand each{.radius = demand.radius * std::min(scene.area(first), scene.area(second)),
+                          .work_limit = demand.work_limit};
+  const Ball nothing = 0;
+  const Ball anything = hull(nothing, unoccluded);
+  std::map<std::size_t, Ball> kept_back;
+  for (const std::size_t k : pair.occluders) {
+    const ConvexOccluder& occluder = scene.occluders()[k];
+    const OccludingSide side =
+        scene.solid_is_body(occluder.solid) ? OccludingSide::front : OccludingSide::both;
+    const std::optional<Ball> shadow =
+        shadow_exchange_area(receiver, source, exact_corners(occluder.corners), side, each);
+    kept_back[occluder.solid] += shadow ? *shadow : anything;
+  }
+  Ball all = 0;
+  Ball largest = 0;
+  for (const auto& [solid, part] : kept_back) {
+    all += part;
+    largest = max(largest, part);
+  }
+  const Ball value = kept_back.size() == 1 ? unoccluded - all : hull(unoccluded - all, unoccluded - largest);
+  return common_part(value, anything);
+}
+
+}  // namespace radcert

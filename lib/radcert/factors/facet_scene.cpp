@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/factors/facet_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "radcert/core/contract.h"
+#include "radcert/geometry/orientation.h"
+#include "radcert/geometry/plane_classes.h"
+
+namespace radcert {
+
+namespace {
+
+using Point = Vector<double>;
+using Loop = std::vector<std::size_t>;  ///< numbers of vertices
+using Side = std::pair<std::size_t, std::size_t>;
+
+/// Projection of a plane along the axis on which its normal is longest, turned so that counterclockwise stays so.
+class Projection {
+public:
+  explicit Projection(const std::array<Point, 3>& corners) {
+    const Point n = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const std::array<double, 3> size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
+    axis_ = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
+    turned_ = orientation(flat(corners[0]), flat(corners[1]), flat(corners[2])) < 0;
+  }
+  /// The sign of the turn at b, exactly; coordinates are only left out.
+  [[nodiscard]] int turn(const Point& a, const Point& b, const Point& c) const {
+    const int sign = orientation(flat(a), flat(b), flat(c));
+    return turned_ ? -sign : sign;
+  }
+
+private:
+  [[nodiscard]] ParameterPoint<double> flat(const Point& p) const {
+    if (axis_ == 0) return {p.y, p.z};
+    if (axis_ == 1) return {p.z, p.x};
+    return {p.x, p.y};
+  }
+  int axis_;
+  bool turned_ = false;
+};
+
+/// Polygons of one plane that are joined while they stay convex.
+class ConvexUnion {
+public:
+  ConvexUnion(const std::vector<Point>& vertices, const Projection& projection)
+      : vertices_(vertices), projection_(projection) {}
+
+  /// The border of several triangles or loops as one loop, if there is one and it is convex.
+  [[nodiscard]] std::optional<Loop> joined(const std::vector<Loop>& parts) const {
+    std::set<Side> sides;
+    for (const Loop& part : parts)
+      for (std::size_t k = 0; k < part.size(); ++k) {
+        const Side side{part[k], part[(k + 1) % part.size()]};
+        if (sides.erase({side.second, side.first}) == 0 && !sides.insert(side).second) return std::nullopt;
+      }
+    if (sides.empty()) return std::nullopt;
+    std::map<std::size_t, std::size_t> next;
+    for (const Side& side : sides)
+      if (!next.emplace(side.first, side.second).second) return std::nullopt;
+    Loop loop;
+    std::size_t at = next.begin()->first;
+    do {
+      loop.push_back(at);
+      const auto found = next.find(at);
+      if (found == next.end()) return std::nullopt;
+      at = found->second;
+    } while (at != loop.front() && loop.size() <= next.size());
+    if (loop.size() != next.size()) return std::nullopt;
+    return convex(loop) ? std::optional(loop) : std::nullopt;
+  }
+
+  /// The corners at which a convex loop turns.
+  [[nodiscard]] FacetCorners corners(const Loop& loop) const {
+    FacetCorners out;
+    for (std::size_t k = 0; k < loop.size(); ++k)
+      if (turn(loop, k) > 0) out.push_back(vertices_[loop[k]]);
+    return out;
+  }
+
+private:
+  [[nodiscard]] int turn(const Loop& loop, std::size_t k) const {
+    const std::size_t n = loop.size();
+    return projection_.turn(vertices_[loop[(k + n - 1) % n]], vertices_[loop[k]],
+                            vertices_[loop[(k + 1) % n]]);
+  }
+  /// A loop that never turns right and goes round once: seen from its first corner no other side turns right either.
+  [[nodiscard]] bool convex(const Loop& loop) const {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      if (turn(loop, k) < 0) return false;
+      const std::size_t next = (k + 1) % loop.size();
+      if (projection_.turn(vertices_[loop[0]], vertices_[loop[k]], vertices_[loop[next]]) < 0) return false;
+    }
+    return true;
+  }
+  const std::vector<Point>& vertices_;
+  const Projection& projection_;
+};
+
+/// All of the triangles if their union is convex, else pairs of neighbours as long as there are such.
+std::vector<Loop> convex_parts(const ConvexUnion& plane, std::vector<Loop> parts) {
+  if (const auto whole = plane.joined(parts)) return {*whole};
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::map<Side, std::size_t> owner;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      for (std::size_t k = 0; k < parts[i].size(); ++k)
+        owner[{parts[i][k], parts[i][(k + 1) % parts[i].size()]}] = i;
+    std::vector<bool> taken(parts.size(), false);
+    std::vector<Loop> next;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (taken[i]) continue;
+      taken[i] = true;
+      Loop mine = parts[i];
+      for (std::size_t k = 0; k < parts[i].size(); ++k) {
+        const auto other = owner.find({parts[i][(k + 1) % parts[i].size()], parts[i][k]});
+        if (other == owner.end() || taken[other->second]) continue;
+        if (const auto both = plane.joined({mine, parts[other->second]})) {
+          mine = *both;
+          taken[other->second] = true;
+          changed = true;
+          break;
+        }
+      }
+      next.push_back(std::move(mine));
+    }
+    parts = std::move(next);
+  }
+  return parts;
+}
+
+int side_of(const std::array<Point, 3>& plane, const Point& p) {
+  return orientation(plane[0], plane[1], plane[2], p);
+}
+
+std::array<Point, 3> plane_of(const FacetCorners& polygon) { return {polygon[0], polygon[1], polygon[2]}; }
+
+/// The signs that points have: 1 for some in front, 2 for some behind.
+template <class Points>
+unsigned sides(const std::array<Point, 3>& plane, const Points& points) {
+  unsigned found = 0;
+  for (const Point& p : points) {
+    const int side = side_of(plane, p);
+    found |= side > 0 ? 1U : side < 0 ? 2U : 0U;
+  }
+  return found;
+}
+
+/// What of a polygon lies in front of a plane; which corners do is exact, cut ones are rounded.
+FacetCorners in_front(const FacetCorners& polygon, const std::array<Point, 3>& plane) {
+  const Point normal = cross(plane[1] - plane[0], plane[2] - plane[0]);
+  FacetCorners out;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Point& here = polygon[k];
+    const Point& next = polygon[(k + 1) % polygon.size()];
+    const int side = side_of(plane, here);
+    if (side >= 0) out.push_back(here);
+    if (side * side_of(plane, next) < 0) {
+      const double above = std::abs(dot(normal, here - plane[0]));
+      const double below = std::abs(dot(normal, next - plane[0]));
+      const double sum = above + below;
+      out.push_back(here + (sum > 0 ? above / sum : 0.5) * (next - here));
+    }
+  }
+  return out;
+}
+
+Box hull_box(const std::array<Point, 3>& a, const std::array<Point, 3>& b) {
+  return box_about(std::array<Point, 6>{a[0], a[1], a[2], b[0], b[1], b[2]});
+}
+
+bool apart(const Box& a, const Box& b) {
+  return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y ||
+         a.high.z < b.low.z || b.high.z < a.low.z;
+}
+
+}  // namespace
+
+FacetScene::FacetScene(TriangleMesh mesh) : scene_(std::move(mesh)) {
+  for (std::size_t t = 0; t < facet_count(); ++t) {
+    areas_.push_back(norm(vector_area(facet(t))));
+    total_area_ += areas_.back();
+  }
+  find_occluders();
+  find_solids();
+  TriangleMesh boxes;
+  for (const ConvexOccluder& occluder : occluders_) {
+    // Three points whose box is the occluder's.
+    Box box{occluder.corners[0], occluder.corners[0]};
+    for (const Point& p : occluder.corners) box = box_about(std::array<Point, 3>{box.low, box.high, p});
+    const std::size_t first = boxes.vertices.size();
+    boxes.vertices.insert(boxes.vertices.end(), {box.low, box.high, occluder.corners[0]});
+    boxes.triangles.push_back({first, first + 1, first + 2});
+  }
+  if (!occluders_.empty()) tree_.emplace(boxes);
+}
+
+FacetCorners FacetScene::facet(std::size_t triangle) const {
+  const std::array<Point, 3> corners = scene_.corners(triangle);
+  return {corners.begin(), corners.end()};
+}
+
+void FacetScene::find_occluders() {
+  const PlaneClasses classes = plane_classes(scene_.mesh());
+  std::vector<std::vector<std::size_t>> members(classes.count());
+  for (std::size_t t = 0; t < facet_count(); ++t) members[classes.of_triangle[t]].push_back(t);
+  for (const std::vector<std::size_t>& triangles : members) {
+    const std::array<Point, 3> plane = scene_.corners(triangles.front());
+    if (sides(plane, scene_.mesh().vertices) != 3U) continue;
+    const Projection projection(plane);
+    const ConvexUnion joiner(scene_.mesh().vertices, projection);
+    std::vector<Loop> parts;
+    for (const std::size_t t : triangles) {
+      const VertexTriple& v = scene_.vertices(t);
+      parts.push_back({v[0], v[1], v[2]});
+    }
+    for (const Loop& loop : convex_parts(joiner, parts)) {
+      occluders_.push_back({.corners = joiner.corners(loop), .plane = scene_.plane(triangles.front())});
+      occluder_triangle_.push_back(triangles.front());
+    }
+  }
+}
+
+void FacetScene::find_solids() {
+  // The topology by coordinates, not by the numbers that a file gave.
+  TriangleMesh joined = scene_.mesh();
+  for (std::size_t t = 0; t < facet_count(); ++t) joined.triangles[t] = scene_.vertices(t);
+  topology_ = mesh_topology(joined);
+  const MeshTopology& topology = topology_;
+  std::vector<bool> is_convex(topology.component_count, true);
+  const auto spoil = [&](const std::vector<std::size_t>& edges) {
+    for (const std::size_t e : edges)
+      for (std::size_t s = topology.edges[e].begin; s < topology.edges[e].end; ++s)
+        is_convex[topology.component[topology.sides[s].triangle]] = false;
+  };
+  spoil(topology.open_edges);
+  spoil(topology.crowded_edges);
+  spoil(topology.disagreeing_edges);
+  std::vector<std::vector<std::size_t>> members(topology.component_count);
+  for (std::size_t t = 0; t < facet_count(); ++t) members[topology.component[t]].push_back(t);
+  for (std::size_t c = 0; c < topology.component_count; ++c) {
+    if (!is_convex[c]) continue;
+    // Looking outwards with nothing of itself in front: a convex body seen from outside. Exact, and quadratic only in planes.
+    std::set<std::size_t> seen;
+    for (const std::size_t t : members[c]) {
+      if (!is_convex[c] || !seen.insert(scene_.plane(t)).second) continue;
+      for (const std::size_t other : members[c])
+        if ((sides(scene_.corners(t), scene_.corners(other)) & 1U) != 0) {
+          is_convex[c] = false;
+          break;
+        }
+    }
+  }
+  std::map<std::pair<bool, std::size_t>, std::size_t> numbers;
+  for (std::size_t k = 0; k < occluders_.size(); ++k) {
+    const std::size_t component = topology.component[occluder_triangle_[k]];
+    const bool body = is_convex[component];
+    const auto [at, fresh] =
+        numbers.emplace(std::pair(body, body ? component : occluders_[k].plane), numbers.size());
+    if (fresh) is_body_.push_back(body);
+    occluders_[k].solid = at->second;
+  }
+}
+
+bool FacetScene::may_stand_between(const ConvexOccluder& occluder, std::size_t first,
+                                   std::size_t second) const {
+  if (occluder.plane == scene_.plane(first) || occluder.plane == scene_.plane(second)) return false;
+  const std::array<Point, 3> a = scene_.corners(first);
+  const std::array<Point, 3> b = scene_.corners(second);
+  if ((sides(a, occluder.corners) & 1U) == 0 || (sides(b, occluder.corners) & 1U) == 0) return false;
+  if ((sides(plane_of(occluder.corners), a) | sides(plane_of(occluder.corners), b)) != 3U) return false;
+  // Planes through three corners, of which two belong to a side: of the triangles' hull, or of the occluder.
+  const auto parts_them = [&](const std::array<Point, 3>& plane) {
+    const unsigned hull = sides(plane, a) | sides(plane, b);
+    if (hull == 3U || hull == 0U) return false;
+    const unsigned other = sides(plane, occluder.corners);
+    return (hull & other) == 0 && other != 3U;
+  };
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t v = 0; v < 3; ++v)
+      if (parts_them({a[k], a[(k + 1) % 3], b[v]}) || parts_them({b[k], b[(k + 1) % 3], a[v]})) return false;
+  const std::size_t count = occluder.corners.size();
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t v = 0; v < 3; ++v) {
+      const Point& from = occluder.corners[k];
+      const Point& to = occluder.corners[(k + 1) % count];
+      if (parts_them({from, to, a[v]}) || parts_them({from, to, b[v]})) return false;
+    }
+  return true;
+}
+
+bool FacetScene::hides(const ConvexOccluder& occluder, std::size_t first, std::size_t second) const {
+  // A segment meets the convex polygon where its ends lie on different sides and the second in the pyramid from the first. If so for
+  // all corners it holds for all points: from a fixed point the map onto the plane takes hulls to hulls.
+  const std::array<Point, 3> plane = plane_of(occluder.corners);
+  const std::array<Point, 3> from = scene_.corners(first);
+  const std::array<Point, 3> to = scene_.corners(second);
+  const unsigned from_side = sides(plane, from);
+  const unsigned to_side = sides(plane, to);
+  if (from_side == 0 || to_side == 0 || (from_side & to_side) != 0 || from_side == 3U || to_side == 3U)
+    return false;
+  const int sign = from_side == 1U ? 1 : -1;
+  for (const Point& p : from) {
+    if (side_of(plane, p) == 0) return false;
+    for (const Point& q : to)
+      for (std::size_t k = 0; k < occluder.corners.size(); ++k) {
+        const Point& a = occluder.corners[k];
+        const Point& b = occluder.corners[(k + 1) % occluder.corners.size()];
+        if (sign * orientation(a, b, p, q) > 0) return false;
+      }
+  }
+  return true;
+}
+
+FacetPair FacetScene::pair(std::size_t first, std::size_t second) const {
+  expects(first < facet_count() && second < facet_count(), "triangles that are there", named("first", first),
+          named("second", second));
+  FacetPair out;
+  if (scene_.plane(first) == scene_.plane(second)) return out;
+  const std::array<Point, 3> a = scene_.corners(first);
+  const std::array<Point, 3> b = scene_.corners(second);
+  const unsigned a_sides = sides(b, a);
+  const unsigned b_sides = sides(a, b);
+  if ((a_sides & 1U) == 0 || (b_sides & 1U) == 0) return out;
+  out.first = a_sides == 3U ? in_front(facet(first), b) : facet(first);
+  out.second = b_sides == 3U ? in_front(facet(second), a) : facet(second);
+  if (tree_) {
+    const Box box = hull_box(a, b);
+    tree_->visit([&](const Box& other) { return !apart(box, other); },
+                 [&](std::size_t k) {
+                   if (may_stand_between(occluders_[k], first, second)) out.occluders.push_back(k);
+                   return true;
+                 });
+    std::sort(out.occluders.begin(), out.occluders.end());
+  }
+  out.sight = out.occluders.empty() ? PairSight::whole : PairSight::mixed;
+  for (const std::size_t k : out.occluders)
+    if (hides(occluders_[k], first, second)) {
+      out.sight = PairSight::hidden;
+      break;
+    }
+  return out;
+}
+
+}  // namespace radcert

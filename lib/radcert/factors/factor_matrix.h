@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radcert/core/memory_plan.h"
+#include "radcert/core/result_store.h"
+#include "radcert/factors/facet_scene.h"
+
+namespace radcert {
+
+/// The surfaces between which factors are asked for, as unions of triangles.
+struct FactorUnits {
+  std::vector<std::size_t> of_triangle;
+  std::vector<std::string> names;
+};
+
+/// What is asked of a matrix of configuration factors.
+struct FactorDemand {
+  bool certified = false;      ///< each radius proved
+  double accuracy = 1e-5;      ///< of each row's sum, for what occlusion leaves to adaptive integration
+  bool open_to_space = false;  ///< the scene is open: what a row's sum lacks goes to space
+};
+
+/// The direct exchange area of two triangles, and how it was found.
+struct PairExchange {
+  Estimate area;
+  PairSight sight = PairSight::nothing;
+};
+
+/// A configuration factor that is not exactly zero.
+struct ConfigurationFactor {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  Estimate factor;
+};
+
+/// A row of the matrix as a whole.
+struct FactorRow {
+  Estimate area;
+  Estimate sum;
+  std::optional<Estimate> to_space;
+};
+
+/// The configuration factors of a scene.
+/// Maths     F_IJ = E_IJ / A_I, E_IJ = sum of the direct exchange areas of the triangles of I and J, A_I the sum of their areas;
+///           to_space = 1 - sum_J F_IJ
+/// Source    -
+/// Requires  -
+/// Result    entries by rows, then columns. Each E_ij with i < j is computed once, so that A_I F_IJ = A_J F_JI by construction, and
+///           nothing is adjusted afterwards: closure, |sum_J F_IJ - 1| in a closed scene, is a check. guaranteed: radii are proved
+/// Limits    -
+struct FactorMatrix {
+  bool guaranteed = false;
+  std::vector<ConfigurationFactor> entries;
+  std::vector<FactorRow> rows;
+  std::size_t whole_pairs = 0;  ///< of triangles
+  std::size_t hidden_pairs = 0;
+  std::size_t mixed_pairs = 0;
+  double largest_reciprocity_defect =
+      0;  ///< of |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J), of the doubles as given
+  [[nodiscard]] double largest_radius() const;
+  /// The row whose sum is farthest from 1.
+  [[nodiscard]] std::size_t worst_row() const;
+  [[nodiscard]] double closure_defect(std::size_t row) const;
+};
+
+/// What a computation of a matrix tells on its way, and where it keeps finished rows.
+struct FactorProgress {
+  /// Called between blocks of rows with the fraction of pairs done.
+  std::function<void(double)> at = [](double) {};
+  std::string key{};             ///< all that the numbers depend on; the demand is added
+  ResultStore* store = nullptr;  ///< finished blocks of rows are kept there and not computed again
+};
+
+/// What a matrix will take, found by computing some of its pairs.
+struct FactorPlan {
+  MemoryPlan memory;
+  double seconds = 0;  ///< on the threads there are
+  std::uint64_t pairs = 0;
+};
+
+/// Pairs evenly spread over the matrix are timed; what they take on average is taken for all.
+[[nodiscard]] FactorPlan factor_plan(const FacetScene& scene, const FactorUnits& units,
+                                     const FactorDemand& demand);
+
+/// The direct exchange area of two triangles of a scene.
+/// Maths     A_i F_ij
+/// Source    exchange_area, visible_exchange_area; certified: certified_exchange_area
+/// Requires  triangles that are there
+/// Result    mixed pairs: to accuracy A_i A_j / A, A the scene's area, which gives each row a radius of about twice `accuracy`. Exactly 0
+///           with radius 0 where nothing is seen. certified: the radius is proved, however wide
+/// Limits    -
+[[nodiscard]] PairExchange pair_exchange(const FacetScene& scene, std::size_t first, std::size_t second,
+                                         const FactorDemand& demand);
+
+/// All factors between units.
+/// Maths     FactorMatrix
+/// Source    -
+/// Requires  of_triangle has a unit below names.size() for each triangle, each unit a triangle, else ContractViolation
+/// Result    the same bits for any number of threads, and whether rows came from the store or not; Interrupted where somebody asked to
+///           stop: finished blocks of rows are in the store
+/// Limits    holds two doubles for each pair of units
+[[nodiscard]] FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units,
+                                         const FactorDemand& demand, const FactorProgress& progress);
+
+}  // namespace radcert

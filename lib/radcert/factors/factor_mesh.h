@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radcert/factors/factor_matrix.h"
+#include "radcert/hypotheses/mesh_survey.h"
+#include "radcert/surface/surface.h"
+
+namespace radcert {
+
+/// Plane triangles that light meets, with names.
+/// Maths     (v_2 - v_1) x (v_3 - v_1) points to where light travels
+/// Source    -
+/// Requires  -
+/// Result    piece numbers piece_names; the mesh has its groups
+/// Limits    -
+struct FactorMesh {
+  TriangleMesh mesh;
+  std::vector<std::size_t> piece;
+  std::vector<std::string> piece_names;
+  /// Whether a piece has triangles of several planes: then the mesh may stand for something round.
+  bool pieces_bend = false;
+};
+
+/// A surface of the catalogue, each triangle cut into 4^level.
+/// Maths     the triangulation of that level; corners F(s,t)
+/// Source    triangulate
+/// Requires  plane charts, else ContractViolation; 0 <= level
+/// Result    corners in doubles: exact where the surface's parameters have few binary digits, else rounded
+/// Limits    charts whose common corners round differently come apart: not those of the catalogue
+[[nodiscard]] FactorMesh factor_mesh(const Surface& surface, int level);
+
+/// A mesh file, turned so that its inner normals are those of the cross product.
+/// Requires components, else ContractViolation.
+[[nodiscard]] FactorMesh factor_mesh(const MeshSurvey& survey);
+
+/// What one row and one column of a matrix stand for.
+enum class FactorUnit { triangle, piece, group };
+
+/// Triangles "piece/1", "piece/2", ..., pieces by their names, or groups; a group without a name is "ungrouped".
+[[nodiscard]] FactorUnits factor_units(const FactorMesh& mesh, FactorUnit unit);
+
+}  // namespace radcert

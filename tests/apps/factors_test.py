@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Configuration factors: known values, closure, what is refused, what a stopped run keeps."""
+import csv
+import json
+import os
+import signal
+import subprocess
+import unittest
+
+import jsonschema
+
+from program import RADCERT, ProgramTest
+
+OPPOSITE = 0.19982489569838738304
+ADJACENT = 0.20004377607540315424
+OBSTRUCTION = 0.14986867177379053728
+
+
+def off(quadrangles):
+    """Faces of four corners as an OFF file; equal points are one vertex."""
+    numbers = {}
+    faces = [[numbers.setdefault(corner, len(numbers)) for corner in face] for face in quadrangles]
+    lines = ["OFF", f"{len(numbers)} {len(faces)} 0"]
+    lines += [" ".join(repr(x) for x in corner) for corner in numbers]
+    lines += [" ".join(str(n) for n in [len(face), *face]) for face in faces]
+    return "\n".join(lines) + "\n"
+
+
+def box(low, high, parts=1, inwards=False):
+    """The faces of a box, counterclockwise as seen from outside unless inwards."""
+    faces = []
+    for axis in range(3):
+        first, second = (axis + 1) % 3, (axis + 2) % 3
+        for upper in (False, True):
+            def corner(i, j):
+                p = [0.0, 0.0, 0.0]
+                p[axis] = float((high if upper else low)[axis])
+                p[first] = low[first] + (high[first] - low[first]) * i / parts
+                p[second] = low[second] + (high[second] - low[second]) * j / parts
+                return tuple(p)
+            for i in range(parts):
+                for j in range(parts):
+                    face = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)]
+                    faces.append(face if upper != inwards else face[::-1])
+    return faces
+
+
+# Counterclockwise as seen from below and from above: open meshes are taken to be seen from outside.
+OBSTRUCTED = [[(0.0, 0.0, 0.0), (0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (1.0, 0.0, 0.0)],
+              [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)],
+              [(0.0, 0.0, 0.5), (0.5, 0.0, 0.5), (0.5, 0.5, 0.5), (0.0, 0.5, 0.5)]]
+UNIT = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
+INNER = (0.25, 0.25, 0.25), (0.75, 0.75, 0.75)
+
+
+class Factors(ProgramTest):
+    def rows(self, name):
+        with open(self.path(name), newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_the_cube_by_pieces_is_the_closed_form(self):
+        for words in ([], ["--certified"]):
+            out = self.expect(0, "factors", "cube", "--by", "piece", "--out", "cube.csv", *words)
+            self.assertIn("row sums", out)
+            rows = self.rows("cube.csv")
+            self.assertEqual(len(rows), 30)
+            values = [float(row["factor"]) for row in rows]
+            self.assertLess(max(min(abs(v - OPPOSITE), abs(v - ADJACENT)) for v in values), 1e-14)
+            self.assertEqual({row["guaranteed"] for row in rows}, {"true" if words else "false"})
+            surfaces = self.rows("cube.surfaces.csv")
+            self.assertEqual(len(surfaces), 6)
+            self.assertTrue(all(abs(float(s["row_sum"]) - 1) < 1e-14 and s["to_space"] == "" for s in surfaces))
+
+    def test_the_report_in_json_satisfies_its_schema(self):
+        schema = json.loads(self.expect(0, "schema", "factors"))
+        for words in (["cube"], ["two_squares", "--space"]):
+            report = json.loads(self.expect(0, "factors", *words, "--json", "-"))
+            jsonschema.validate(report, schema)
+
+    def test_an_open_scene_must_be_asked_for(self):
+        self.write("open.off", off(OBSTRUCTED))
+        done = self.run_program("factors", "open.off")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"is open: 12 edges", done.stderr)
+        self.assertIn(b"(0, 0, 0) to (", done.stderr)
+        self.expect(0, "factors", "open.off", "--space", "--certified", "--out", "open.csv")
+        total = sum(float(row["factor"]) / 2 for row in self.rows("open.csv")
+                    if row["from"][:7] == "piece_1" and row["to"][:7] == "piece_2")
+        self.assertAlmostEqual(total, OBSTRUCTION, delta=1e-9)
+        done = self.run_program("factors", "cube", "--space")
+        self.assertEqual(done.returncode, 2)
+
+    def test_bad_scenes_are_named_with_coordinates(self):
+        self.write("reversed.off", off(box(*UNIT) + box(*INNER)))
+        self.write("crossing.off", off(box(*UNIT) + box((0.5, 0.25, 0.25), (1.5, 0.75, 0.75), inwards=True)))
+        face = [(0.25, 0.25, 0.5), (0.75, 0.25, 0.5), (0.75, 0.75, 0.5), (0.25, 0.75, 0.5)]
+        self.write("doubled.off", off(box(*UNIT) + [face, face[::-1]]))
+        for name in ("reversed.off", "crossing.off", "doubled.off"):
+            done = self.run_program("factors", name)
+            self.assertEqual(done.returncode, 2, name)
+            self.assertRegex(done.stderr.decode(), r"\([-0-9.e]+, [-0-9.e]+, [-0-9.e]+\)", name)
+
+    def test_wrong_words_are_refused(self):
+        for words in (["cubes"], ["cube", "--by", "side"], ["cube", "--level", "x"], ["cube", "--accuracy", "2"],
+                      ["sphere"], ["cube", "--out", "no/folder.csv"], ["cube", "--compare", "missing.csv"]):
+            self.expect(2, "factors", *words)
+
+    def test_memory_is_planned_first(self):
+        done = self.run_program("factors", "cube", "--level", "2", "--max-memory", "1k")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"18336 pairs of triangles: about ", done.stderr)
+
+    def test_a_comparison_ranks_the_worst_and_fails_where_a_pair_differs(self):
+        self.expect(0, "factors", "cube", "--by", "piece", "--certified", "--out", "exact.csv")
+        good = self.write("good.csv", "from,to,factor\r\n" + "".join(
+            f"{row['from']},{row['to']},{float(row['factor']):.6f}\r\n" for row in self.rows("exact.csv")))
+        out = self.expect(0, "factors", "cube", "--by", "piece", "--compare", good)
+        self.assertIn("compared: 30 agree, 0 differ, 0 undecided", out)
+        with open(self.path("good.csv")) as file:
+            text = file.read()
+        self.write("bad.csv", text.replace("0.199825", "0.199925", 1))
+        out = self.expect(1, "factors", "cube", "--by", "piece", "--compare", "bad.csv")
+        self.assertIn("compared: 29 agree, 1 differ, 0 undecided", out)
+
+    def test_threads_change_nothing(self):
+        self.write("cubes.off", off(box(*UNIT) + box(*INNER, inwards=True)))
+        self.expect(0, "factors", "cubes.off", "--accuracy", "1e-3", "--out", "one.csv", "--threads", "1")
+        for file in os.listdir(self.store):
+            os.remove(os.path.join(self.store, file))
+        self.expect(0, "factors", "cubes.off", "--accuracy", "1e-3", "--out", "two.csv", "--threads", "2")
+        self.assertEqual(self.rows("one.csv"), self.rows("two.csv"))
+
+    def test_an_interrupted_run_keeps_finished_rows(self):
+        self.write("room.off", off(box(*UNIT, parts=6) + box(*INNER, parts=3, inwards=True)))
+        with subprocess.Popen([RADCERT, "factors", "room.off", "--accuracy", "1e-9", "--out", "room.csv"],
+                              cwd=self.folder, env=self.environment(), stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as program:
+            self.assertIn(b"pairs of triangles", program.stderr.readline())
+            program.send_signal(signal.SIGINT)
+            output, said = program.communicate(timeout=300)
+        self.assertEqual(program.returncode, 130, said)
+        self.assertEqual(output, b"")
+        self.assertIn(b"the same command goes on from there", said)
+        self.assertEqual(self.entries(), ["room.off"])
+
+
+if __name__ == "__main__":
+    unittest.main()

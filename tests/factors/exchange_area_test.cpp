@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/factors/exchange_area.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "radcert/closed_form/polygon_to_polygon.h"
+#include "radcert/core/contract.h"
+#include "radcert/geometry/orientation.h"
+
+namespace radcert {
+namespace {
+
+PlanePolygon exact(const FacetCorners& corners) {
+  std::vector<Vector<Rational>> points;
+  for (const Vector<double>& corner : corners) points.push_back(exactly(corner));
+  return plane_polygon(points).value();
+}
+
+/// A_1 F_12 by the closed form in balls, which shares nothing with quadrature.
+double closed_form(const FacetCorners& first, const FacetCorners& second) {
+  return (polygon_to_polygon(exact(first), exact(second)) * Ball(norm(vector_area(first)))).to_double();
+}
+
+void expect_closed_form(const FacetCorners& first, const FacetCorners& second, const std::string& what) {
+  const double expected = closed_form(first, second);
+  const Estimate found = exchange_area(first, second);
+  const double scale = std::min(norm(vector_area(first)), norm(vector_area(second)));
+  EXPECT_LE(std::abs(found.value - expected), found.radius + 4e-16 * expected) << what;
+  EXPECT_LE(std::abs(found.value - expected), 2e-15 * scale) << what;
+  EXPECT_LE(found.radius, 1e-13 * std::max(scale, roundness(first).radius * roundness(first).radius)) << what;
+  const Estimate back = exchange_area(second, first);
+  EXPECT_LE(std::abs(found.value - back.value), found.radius + back.radius) << what;
+}
+
+const FacetCorners square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+
+TEST(ExchangeArea, IsTheClosedFormOfOpposedSquaresAtEveryDistance) {
+  for (const double d : {1.0, 0.5, 0.1, 1e-3, 1e-6, 1e-9, 1e-12, 4.0, 8.0, 30.0})
+    expect_closed_form(square, {{0, 0, d}, {0, 1, d}, {1, 1, d}, {1, 0, d}}, "distance " + std::to_string(d));
+}
+
+TEST(ExchangeArea, IsTheClosedFormWherePolygonsTouch) {
+  expect_closed_form(square, {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}, "a side in common");
+  const FacetCorners triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  expect_closed_form(triangle, {{0, 0, 0}, {0, 1, 0}, {0, 0.5, 1}}, "a side in common, triangles");
+  expect_closed_form(triangle, {{0, 0, 0}, {-1, 1, 0.5}, {-0.25, 0.25, 1}}, "a corner in common");
+  expect_closed_form(triangle, {{0, 0.25, 0}, {0, 0.75, 0}, {0, 0.5, 1}}, "a part of a side in common");
+  expect_closed_form(triangle, {{0, 0, 1e-9}, {0, 1, 1e-9}, {0, 0.5, 1}}, "nearly a side in common");
+}
+
+TEST(ExchangeArea, IsTheClosedFormOfRandomTrianglesNearAndFar) {
+  constexpr unsigned seed = 7;
+  std::mt19937_64 stream(seed);
+  const auto uniform = [&stream] { return static_cast<double>(stream() >> 11U) * 0x1p-53; };
+  for (int k = 0; k < 60; ++k) {
+    const double d = std::exp2(8 * uniform() - 2);
+    const FacetCorners first{{0, 0, 0}, {1, 0, 0}, {uniform(), 1, 0}};
+    FacetCorners second{{uniform(), uniform(), d},
+                        {uniform() - 1, uniform(), d + 0.25 * uniform()},
+                        {uniform(), 1 + uniform(), d}};
+    if (k % 3 == 0)
+      second = {{d + 1, uniform(), uniform()}, {d + 1, 2 + uniform(), 0}, {d + 1.5, uniform(), 2}};
+    if (orientation(second[0], second[1], second[2], first[0]) < 0) std::swap(second[1], second[2]);
+    if (orientation(second[0], second[1], second[2], first[1]) <= 0 ||
+        orientation(second[0], second[1], second[2], first[2]) <= 0)
+      continue;
+    expect_closed_form(first, second,
+                       "seed 7, pair " + std::to_string(k) + ", distance " + std::to_string(d));
+  }
+}
+
+TEST(ExchangeArea, BothWaysAgreeBeyondTheFarRatio) {
+  for (const double d : {4.0, 5.0, 7.0, 10.0, 20.0}) {
+    const FacetCorners second{{0, 0, d}, {0.5, 1, d + 0.25}, {1, 0, d}};
+    const Estimate contours = exchange_area_by_contours(square, second);
+    const Estimate rules = exchange_area_by_rules(square, second);
+    EXPECT_LE(std::abs(contours.value - rules.value), contours.radius + rules.radius) << d;
+    EXPECT_LE(std::abs(contours.value - rules.value), 1e-13) << d;
+  }
+}
+
+TEST(ExchangeArea, RefusesFewerThanThreeCornersAndNearPolygonsByRules) {
+  EXPECT_THROW(static_cast<void>(exchange_area_by_contours({{0, 0, 0}, {1, 0, 0}}, square)),
+               ContractViolation);
+  EXPECT_THROW(static_cast<void>(exchange_area_by_rules(square, {{0, 0, 0.1}, {0, 1, 0.1}, {1, 1, 0.1}})),
+               ContractViolation);
+}
+
+TEST(Estimate, SumsEncloseAndBallsGoInAndOut) {
+  const Estimate third = enclosing_estimate(Ball(Rational(1, 3)));
+  Estimate sum;
+  for (int k = 0; k < 3000; ++k) sum += third;
+  EXPECT_TRUE(enclosing_ball(sum).contains(Rational(1000)));
+  EXPECT_LE(sum.radius, 1e-9);
+  EXPECT_TRUE(enclosing_ball(third).contains(Rational(1, 3)));
+}
+
+}  // namespace
+}  // namespace radcert

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/factors/factor_matrix.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "radcert/core/errors.h"
+#include "radcert/core/interrupt.h"
+#include "radcert/core/parallel.h"
+#include "radcert/factors/factor_mesh.h"
+#include "radcert/surface/catalogue.h"
+#include "sample_rooms.h"
+
+namespace radcert {
+namespace {
+
+constexpr double opposite = 0.19982489569838738304;
+constexpr double adjacent = 0.20004377607540315424;
+
+FactorMatrix matrix_of(const FacetScene& scene, const FactorUnits& units, const FactorDemand& demand) {
+  return factor_matrix(scene, units, demand, {});
+}
+
+double between(const FactorMatrix& matrix, std::size_t from, std::size_t to) {
+  for (const ConfigurationFactor& entry : matrix.entries)
+    if (entry.from == from && entry.to == to) return entry.factor.value;
+  return 0;
+}
+
+FactorMesh cube(int level) { return factor_mesh(find_surface("cube")->make({}), level); }
+
+TEST(FactorMatrix, OfTheUnitCubeIsTheClosedForm) {
+  for (const bool certified : {false, true}) {
+    const FactorMesh mesh = cube(0);
+    const FacetScene scene(mesh.mesh);
+    const FactorMatrix matrix =
+        matrix_of(scene, factor_units(mesh, FactorUnit::piece), {.certified = certified});
+    EXPECT_EQ(matrix.guaranteed, certified);
+    ASSERT_EQ(matrix.entries.size(), 30U);
+    for (const ConfigurationFactor& entry : matrix.entries) {
+      const double expected = entry.from / 2 == entry.to / 2 ? opposite : adjacent;
+      EXPECT_NEAR(entry.factor.value, expected, 1e-14) << entry.from << " " << entry.to;
+      EXPECT_LE(std::abs(entry.factor.value - expected), entry.factor.radius);
+      EXPECT_LE(entry.factor.radius, certified ? 2e-16 : 1e-13);
+    }
+    EXPECT_LE(matrix.closure_defect(matrix.worst_row()), 1e-14);
+  }
+}
+
+TEST(FactorMatrix, OfACubeCutFinerIsClosed) {
+  const FactorMesh mesh = cube(2);
+  const FacetScene scene(mesh.mesh);
+  const FactorMatrix matrix = matrix_of(scene, factor_units(mesh, FactorUnit::triangle), {});
+  EXPECT_EQ(matrix.rows.size(), 192U);
+  EXPECT_LE(matrix.closure_defect(matrix.worst_row()), 1e-13);
+  EXPECT_LE(matrix.largest_reciprocity_defect, 1e-16);
+  for (const FactorRow& row : matrix.rows) EXPECT_LE(std::abs(row.sum.value - 1), row.sum.radius);
+  // Unions: the matrix by pieces of the finer cube is that of the cube.
+  const FactorMatrix pieces = matrix_of(scene, factor_units(mesh, FactorUnit::piece), {});
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < 6; ++j)
+      EXPECT_NEAR(between(pieces, i, j), i == j ? 0 : i / 2 == j / 2 ? opposite : adjacent, 1e-14);
+}
+
+TEST(FactorMatrix, OfACubeInACubeHasTheRatiosOfAreas) {
+  for (const double gap : {0.25, 1e-1, 1e-3, 1e-6, 1e-12}) {
+    const FacetScene scene(sample::cube_in_cube(gap));
+    FactorUnits bodies;
+    bodies.names = {"outer", "inner"};
+    for (std::size_t t = 0; t < scene.facet_count(); ++t) bodies.of_triangle.push_back(t < 12 ? 0 : 1);
+    const FactorMatrix matrix = matrix_of(scene, bodies, {.accuracy = 1e-4});
+    EXPECT_NEAR(between(matrix, 1, 0), 1, 1e-12) << gap;
+    EXPECT_EQ(between(matrix, 1, 1), 0) << gap;
+    EXPECT_NEAR(between(matrix, 0, 1), 0.25, 1e-12) << gap;
+    EXPECT_NEAR(between(matrix, 0, 0), 0.75, 1e-4) << gap;
+    EXPECT_LE(std::abs(between(matrix, 0, 0) - 0.75), matrix.rows[0].sum.radius) << gap;
+  }
+}
+
+TEST(FactorMatrix, GivesWhatLeavesAnOpenSceneToSpace) {
+  const TriangleMesh mesh = sample::obstructed_squares();
+  const FacetScene scene(mesh);
+  const FactorMatrix matrix =
+      matrix_of(scene, sample::by_face(mesh), {.accuracy = 1e-6, .open_to_space = true});
+  EXPECT_NEAR(between(matrix, 0, 1), 0.14986867177379053728, 1e-6);
+  for (const FactorRow& row : matrix.rows) {
+    ASSERT_TRUE(row.to_space.has_value());
+    EXPECT_NEAR(row.to_space->value, 1 - row.sum.value, 1e-15);
+  }
+}
+
+TEST(FactorMatrix, HasTheSameBitsForAnyThreadsAndFromTheStore) {
+  const TriangleMesh mesh = sample::cube_in_cube(0.25);
+  const FacetScene scene(mesh);
+  const FactorUnits units = sample::by_face(mesh);
+  const FactorDemand demand{.accuracy = 1e-3};
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "radcert_factor_matrix_test";
+  std::filesystem::remove_all(folder);
+  ResultStore store(folder);
+  const FactorMatrix first = factor_matrix(scene, units, demand, {.key = "a test", .store = &store});
+  EXPECT_FALSE(std::filesystem::is_empty(folder));
+  const FactorMatrix kept = factor_matrix(scene, units, demand, {.key = "a test", .store = &store});
+  const ThreadLimit one(1);
+  const FactorMatrix alone = factor_matrix(scene, units, demand, {});
+  for (const FactorMatrix* other : {&kept, &alone}) {
+    ASSERT_EQ(first.entries.size(), other->entries.size());
+    EXPECT_EQ(first.mixed_pairs, other->mixed_pairs);
+    for (std::size_t k = 0; k < first.entries.size(); ++k) {
+      EXPECT_EQ(first.entries[k].factor.value, other->entries[k].factor.value);
+      EXPECT_EQ(first.entries[k].factor.radius, other->entries[k].factor.radius);
+    }
+  }
+  // Another demand is another key.
+  const FactorMatrix finer =
+      factor_matrix(scene, units, {.accuracy = 1e-5}, {.key = "a test", .store = &store});
+  EXPECT_LT(finer.largest_radius(), first.largest_radius());
+  std::filesystem::remove_all(folder);
+}
+
+TEST(FactorMatrix, StopsWhenAskedTo) {
+  const FacetScene scene(sample::cube_in_cube(0.25));
+  request_interruption();
+  EXPECT_THROW(static_cast<void>(factor_matrix(scene, sample::by_face(scene.scene().mesh()), {}, {})),
+               Interrupted);
+  clear_interruption();
+}
+
+}  // namespace
+}  // namespace radcert
