@@ -41,6 +41,7 @@ void add_verify(CLI::App& program, Common& common, Action& action);
 void add_reference(CLI::App& program, Common& common, Action& action);
 void add_surface(CLI::App& program, Common& common, Action& action);
 void add_factors(CLI::App& program, Common& common, Action& action);
+void add_experiment(CLI::App& program, Common& common, Action& action);
 void add_basis(CLI::App& program, Common& common, Action& action);
 void add_list(CLI::App& program, Common& common, Action& action);
 void add_schema(CLI::App& program, Common& common, Action& action);

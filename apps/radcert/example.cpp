@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// radcert example NAME: a problem to start from.
+// radcert example NAME: a problem or an experiment to start from.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
@@ -18,20 +18,26 @@ namespace {
 std::vector<std::string> names() {
   std::vector<std::string> out{"problem"};
   for (const Example& example : examples()) out.emplace_back(example.name);
+  out.emplace_back("experiment");
+  for (const Example& example : experiment_examples()) out.emplace_back(example.name);
   return out;
 }
 
+const Example* find_example(const std::string& name) {
+  if (name == "problem") return &examples().front();
+  if (name == "experiment") return &experiment_examples().front();
+  for (const auto& all : {examples(), experiment_examples()})
+    for (const Example& example : all)
+      if (example.name == name) return &example;
+  return nullptr;
+}
+
 ExitCode print_example(const Common& common, const std::string& name) {
-  if (name == "problem") {
-    print_result(common, examples().front().text, examples().front().text);
+  if (const Example* example = find_example(name)) {
+    print_result(common, example->text, example->text);
     return ExitCode::done;
   }
-  for (const Example& example : examples())
-    if (example.name == name) {
-      print_result(common, example.text, example.text);
-      return ExitCode::done;
-    }
-  const bool output = name == "solution" || name == "verification";
+  const bool output = name == "solution" || name == "verification" || name == "experiment_result";
   const auto near = nearest_word(name, names());
   const std::string hint = near ? "; did you mean " + *near + "?" : std::string();
   throw InputError({.source = "example",

@@ -6,7 +6,7 @@
 
 namespace radcert::app {
 
-/// A problem of apps/examples, embedded at build.
+/// A problem or an experiment of apps/examples, embedded at build.
 struct Example {
   std::string_view name;  ///< the file's name without number and extension
   std::string_view text;
@@ -14,5 +14,8 @@ struct Example {
 
 /// In the order of their numbers; the first is the example of a problem.
 std::span<const Example> examples();
+
+/// Experiments, by their names; the first is the example of an experiment.
+std::span<const Example> experiment_examples();
 
 }  // namespace radcert::app

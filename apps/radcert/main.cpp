@@ -70,6 +70,7 @@ int run(int argc, char** argv) {
   add_reference(program, common, action);
   add_surface(program, common, action);
   add_factors(program, common, action);
+  add_experiment(program, common, action);
   add_basis(program, common, action);
   add_list(program, common, action);
   add_schema(program, common, action);

@@ -19,6 +19,8 @@ std::string_view nodes_schema();
 std::string_view basis_schema();
 std::string_view surface_schema();
 std::string_view factors_schema();
+std::string_view experiment_schema();
+std::string_view experiment_result_schema();
 std::string_view reference_schema();
 std::string_view manifest_schema();
 

@@ -8,11 +8,15 @@
 namespace radcert {
 
 std::span<const Schema> schemas() {
-  static const std::array<Schema, 10> all = {
+  static const std::array<Schema, 12> all = {
       Schema{"problem", "what radcert solve reads: a surface, a basis, the data, the levels",
              problem_schema()},
       Schema{"solution", "what radcert solve writes: errors, ratios and orders, level by level",
              solution_schema()},
+      Schema{"experiment", "what radcert experiment reads: parts that problems share and lists of others",
+             experiment_schema()},
+      Schema{"experiment_result", "what radcert experiment writes: the combinations, compared at equal cost",
+             experiment_result_schema()},
       Schema{"verification", "what radcert verify writes: verdicts and their evidence",
              verification_schema()},
       Schema{"reference", "what radcert reference writes: a number in a proved enclosure",

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// radcert experiment EXPERIMENT.json: many problems, compared.
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.h"
+#include "experiment_table.h"
+#include "operator_route.h"
+#include "output.h"
+#include "progress.h"
+#include "radcert/core/parallel.h"
+#include "radcert/core/result_store.h"
+#include "radcert/formats/experiment_json.h"
+#include "radcert/formats/experiment_plots.h"
+#include "radcert/study/study.h"
+#include "verification/framework/levels.h"
+
+namespace radcert::app {
+
+namespace {
+
+struct ExperimentOptions {
+  std::string experiment;
+  std::string out;
+};
+
+/// What is finished of an experiment.
+struct Finished {
+  std::vector<Result> results;
+  std::size_t levels = 0;
+};
+
+/// The entries of the matrix at a level, in units of those of one basis function an element at level 0.
+double work(const Problem& problem, int level) {
+  const double degree = problem.basis.degree;
+  const double functions = (degree + 1) * (degree + 2) / 2;
+  return functions * functions * std::pow(16.0, level);
+}
+
+double work(const Experiment& experiment) {
+  double all = 0;
+  for (const Combination& combination : experiment.combinations)
+    for (const int level : combination.problem.triangulation.levels) all += work(combination.problem, level);
+  return all;
+}
+
+std::size_t level_count(const Experiment& experiment) {
+  std::size_t count = 0;
+  for (const Combination& combination : experiment.combinations)
+    count += combination.problem.triangulation.levels.size();
+  return count;
+}
+
+/// The results of the combinations, level by level from the store or computed; fewer where somebody asked to stop.
+Finished solve_all(const Experiment& experiment, const std::string& source,
+                   verification::StoredLevels& levels, bool quiet) {
+  ProgressDisplay progress(quiet);
+  const double all = work(experiment);
+  double done = 0;
+  Finished finished;
+  try {
+    for (const Combination& combination : experiment.combinations) {
+      const Problem& problem = combination.problem;
+      const std::size_t computed = levels.computed();
+      std::vector<LevelResult> results;
+      std::vector<LevelTiming> timing;
+      for (const int level : problem.triangulation.levels) {
+        progress.at(done / all, combination.name + ", level " + std::to_string(level));
+        with_combination(combination, source, [&] {
+          const LevelOutcome outcome = levels.level(problem, level);
+          results.push_back(outcome.result);
+          timing.push_back(outcome.timing);
+        });
+        done += work(problem, level);
+        ++finished.levels;
+      }
+      finished.results.push_back(collect(problem, std::move(results), std::move(timing)));
+      const std::size_t count = problem.triangulation.levels.size();
+      progress.note(combination.name + ": " + std::to_string(count) + (count == 1 ? " level" : " levels") +
+                    (levels.computed() == computed ? ", found in the store" : ""));
+    }
+  } catch (const Interrupted&) {
+    // What is finished is in the store already.
+  }
+  return finished;
+}
+
+ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore& store) {
+  const auto status = store.status();
+  say("radcert: interrupted; " + std::to_string(finished) + " of " + std::to_string(asked) +
+      " levels are finished" +
+      (status ? " and kept in " + store.folder().string() + ": the same command goes on from there\n"
+              : ", but not kept: " + status.reason() + "\n"));
+  return ExitCode::interrupted;
+}
+
+ExitCode run_experiment(const Common& common, const ExperimentOptions& options) {
+  Outputs outputs;
+  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
+  if (!options.out.empty()) outputs.folder("--out", options.out);
+  const auto threads = common.thread_limit();
+  const std::uint64_t memory = common.memory_limit();
+  const Experiment experiment = read_experiment(options.experiment);
+  for (const Combination& combination : experiment.combinations)
+    with_combination(combination, options.experiment, [&] { check(combination.problem, memory); });
+
+  const std::optional<ThreadLimit> limit =
+      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
+  ResultStore store;
+  verification::StoredLevels levels(store, verification::solve_with(operator_route(), memory));
+  const Finished finished = solve_all(experiment, options.experiment, levels, common.quiet);
+  const std::size_t asked = level_count(experiment);
+  if (finished.levels < asked) return interrupted(finished.levels, asked, store);
+
+  const std::vector<Result>& results = finished.results;
+  const std::string json = experiment_json(experiment, results, common.command).pretty() + "\n";
+  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  if (!common.json.empty() && !common.json_to_stdout()) files.emplace_back(common.json, json);
+  if (!options.out.empty()) {
+    const std::filesystem::path folder = options.out;
+    files.emplace_back(folder / "experiment.json", json);
+    files.emplace_back(folder / "errors.csv", experiment_errors_csv(experiment, results));
+    files.emplace_back(folder / "timing.csv", experiment_timing_csv(experiment, results));
+    for (const NamedPlot& plot : experiment_plots(experiment, results))
+      files.emplace_back(folder / (plot.name + ".svg"), svg_text(plot.plot));
+  }
+  outputs.write(files);
+  print(common.json_to_stdout() ? json : experiment_table(experiment, results));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_experiment(CLI::App& program, Common& common, Action& action) {
+  CLI::App& command = add_command(program, common, "experiment",
+                                  "Solve problems that differ in a few parts and compare them at equal cost");
+  auto options = std::make_shared<ExperimentOptions>();
+  command.add_option("EXPERIMENT", options->experiment, "An experiment file; see radcert example experiment")
+      ->required()
+      ->type_name("FILE.json");
+  command
+      .add_option("--out", options->out,
+                  "Write experiment.json, errors.csv, timing.csv and plots (SVG) to DIR")
+      ->type_name("DIR");
+  command.footer(
+      "Every combination of the lists of `vary` with `base` is a problem, as radcert solve takes it.\n"
+      "Finished levels are kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted experiment goes "
+      "on.");
+  command.callback([&common, &action, options] {
+    action = [&common, options] { return run_experiment(common, *options); };
+  });
+}
+
+}  // namespace radcert::app

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/study/efficiency.h"
+#include "radcert/study/problem.h"
+#include "radcert/study/result.h"
+
+namespace radcert {
+
+/// One problem of an experiment.
+struct Combination {
+  std::string name;  ///< what is varied, in words: "inset of degree 1, alpha 1/6"
+  std::vector<std::pair<std::string, std::size_t>> choice;  ///< of each varied key, the place in its list
+  Problem problem;
+};
+
+/// Problems that differ in a few parts, to be compared.
+/// Maths     the product of lists: each combination takes one element of every list, the last list running fastest
+/// Source    the file format radcert/experiment/1
+/// Requires  every problem states its solution; no two problems are the same
+/// Result    plain data
+/// Limits    -
+struct Experiment {
+  std::string name;
+  std::vector<std::string> varied;  ///< keys of a problem, in the order of the file
+  std::vector<Combination> combinations;
+};
+
+/// The combinations that answer one question: the same integral equation, by different methods.
+/// Maths     classes of combinations with the same choice of surface, reflectivity and solution
+/// Source    -
+/// Requires  nothing
+/// Result    places in experiment.combinations, ascending; the classes in the order of their first
+/// Limits    errors of different classes say nothing about methods
+[[nodiscard]] std::vector<std::vector<std::size_t>> questions(const Experiment& experiment);
+
+/// An error of a level, by its name in the file formats.
+struct ErrorKind {
+  std::string name;
+  std::optional<Figure> LevelResult::*figure;
+};
+
+/// discretisation_error, node_error, uniform_error.
+[[nodiscard]] const std::vector<ErrorKind>& error_kinds();
+
+/// The levels of a result as points (unknowns, error); levels without a positive error are passed over.
+/// Maths     (N_k, e_k)
+/// Source    -
+/// Requires  nothing
+/// Result    in the order of the levels
+/// Limits    radii play no part
+[[nodiscard]] std::vector<CostPoint> error_against_unknowns(const Result& result, const ErrorKind& kind);
+
+/// The same against the seconds of a level: assembly and solution. What Ku costs, which only a stated solution asks for, is
+/// no part of a method.
+[[nodiscard]] std::vector<CostPoint> error_against_seconds(const Result& result, const ErrorKind& kind);
+
+/// How the errors of a result fall with the unknowns: error ~ N^-order, over the levels of the order in h.
+/// Maths     see power_law
+/// Source    -
+/// Requires  a result of collect
+/// Result    the fits of result.orders, in N; halfwidth absent with two levels
+/// Limits    -
+[[nodiscard]] std::vector<OrderFit> orders_in_unknowns(const Result& result);
+
+}  // namespace radcert
