@@ -122,6 +122,25 @@ class Factors(ProgramTest):
         out = self.expect(1, "factors", "cube", "--by", "piece", "--compare", "bad.csv")
         self.assertIn("compared: 29 agree, 1 differ, 0 undecided", out)
 
+    def test_groups_are_rows(self):
+        corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+        numbers = {tuple(map(float, corner)): k + 1 for k, corner in enumerate(corners)}
+        lines = [f"v {x} {y} {z}" for x, y, z in corners]
+        for k, face in enumerate(box(*UNIT)):
+            # Faces in the order x = 0, x = 1, y = 0, ...
+            lines += {0: ["g ends"], 2: ["g mantle"]}.get(k, [])
+            lines.append("f " + " ".join(str(numbers[corner]) for corner in face))
+        self.write("cube.obj", "\n".join(lines) + "\n")
+        self.expect(0, "factors", "cube.obj", "--by", "group", "--out", "groups.csv")
+        factors = {(row["from"], row["to"]): float(row["factor"]) for row in self.rows("groups.csv")}
+        expected = {("ends", "ends"): OPPOSITE, ("ends", "mantle"): 4 * ADJACENT,
+                    ("mantle", "ends"): 2 * ADJACENT, ("mantle", "mantle"): OPPOSITE + 2 * ADJACENT}
+        self.assertEqual(factors.keys(), expected.keys())
+        for pair, value in expected.items():
+            self.assertAlmostEqual(factors[pair], value, delta=1e-14)
+        areas = {s["name"]: float(s["area"]) for s in self.rows("groups.surfaces.csv")}
+        self.assertEqual(areas, {"ends": 2, "mantle": 4})
+
     def test_threads_change_nothing(self):
         self.write("cubes.off", off(box(*UNIT) + box(*INNER, inwards=True)))
         self.expect(0, "factors", "cubes.off", "--accuracy", "1e-3", "--out", "one.csv", "--threads", "1")

@@ -24,7 +24,8 @@ TEST(CertifiedExchangeArea, EnclosesTheObstructedSquaresNarrowly) {
 }
 
 TEST(ShadowExchangeArea, OfAnApertureAndItsComplementIsTheWhole) {
-  // The plane z = 1/2 over [0,1]^2, cut at x = 3/8 and y = 5/8 into four rectangles: all segments between the squares cross one.
+  // The plane z = 1/2 over [0,1]^2, cut at x = 3/8 and y = 5/8 into four rectangles: all segments between the
+  // squares cross one.
   const ExactCorners low{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const ExactCorners high{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}};
   const Rational half(1, 2);

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
 #include <set>
 
 #include "sample_rooms.h"
@@ -40,6 +43,34 @@ TEST(FacetScene, KeepsAnLShapeInConvexParts) {
   // The wall, and the floor in two rectangles.
   EXPECT_EQ(scene.occluders().size(), 3U);
   EXPECT_EQ(corners, 12U);
+}
+
+TEST(FacetScene, KeepsBodiesApartThatHaveFacesInOnePlane) {
+  const FacetScene scene(sample::room_with_two_boxes());
+  ASSERT_EQ(scene.occluders().size(), 12U);
+  std::map<std::size_t, std::size_t> faces;
+  for (std::size_t k = 0; k < scene.occluders().size(); ++k) {
+    const ConvexOccluder& occluder = scene.occluders()[k];
+    EXPECT_TRUE(scene.solid_is_body(occluder.solid));
+    ++faces[occluder.solid];
+    ASSERT_EQ(occluder.corners.size(), 4U);
+    for (std::size_t c = 0; c < 4; ++c) {
+      // Beyond each side lies another face of the same box, with that side; three meet in each corner.
+      ASSERT_TRUE(occluder.beyond_side[c].has_value());
+      const ConvexOccluder& other = scene.occluders()[*occluder.beyond_side[c]];
+      EXPECT_EQ(other.solid, occluder.solid);
+      EXPECT_NE(*occluder.beyond_side[c], k);
+      for (const Vector<double>& end : {occluder.corners[c], occluder.corners[(c + 1) % 4]})
+        EXPECT_EQ(std::count(other.corners.begin(), other.corners.end(), end), 1);
+      ASSERT_EQ(occluder.around_corner[c].size(), 3U);
+      for (const std::size_t around : occluder.around_corner[c]) {
+        const FacetCorners& corners = scene.occluders()[around].corners;
+        EXPECT_EQ(std::count(corners.begin(), corners.end(), occluder.corners[c]), 1);
+      }
+    }
+  }
+  EXPECT_EQ(faces.size(), 2U);
+  for (const auto& [solid, count] : faces) EXPECT_EQ(count, 6U) << solid;
 }
 
 TEST(FacetScene, SightOfPairsIsSymmetricAndRight) {

@@ -79,6 +79,22 @@ TEST(FactorMatrix, OfACubeInACubeHasTheRatiosOfAreas) {
   }
 }
 
+// Each way in which shadows fall on walls: a lost one shows in the rows' sums, and no radius hides it.
+TEST(FactorMatrix, OfARoomWithBoxesIsClosedWithinItsRadius) {
+  const FacetScene scene(sample::room_with_two_boxes());
+  FactorUnits units;
+  for (std::size_t t = 0; t < scene.facet_count(); ++t) {
+    units.of_triangle.push_back(t);
+    units.names.push_back("triangle " + std::to_string(t));
+  }
+  const FactorMatrix matrix = matrix_of(scene, units, {.accuracy = 1e-5});
+  EXPECT_GT(matrix.mixed_pairs, 100U);
+  for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
+    EXPECT_LE(matrix.closure_defect(i), matrix.rows[i].sum.radius) << "row " << i;
+    EXPECT_LE(matrix.rows[i].sum.radius, 4e-5) << "row " << i;
+  }
+}
+
 TEST(FactorMatrix, GivesWhatLeavesAnOpenSceneToSpace) {
   const TriangleMesh mesh = sample::obstructed_squares();
   const FacetScene scene(mesh);

@@ -61,6 +61,14 @@ inline TriangleMesh cube_in_cube(double gap) {
   return mesh_of(faces);
 }
 
+/// The unit cube with two boxes: two of their faces lie in one plane, and their shadows meet.
+inline TriangleMesh room_with_two_boxes() {
+  std::vector<Quadrangle> faces = box({0, 0, 0}, {1, 1, 1}, true);
+  for (const Quadrangle& face : box({0.125, 0.25, 0.25}, {0.375, 0.5, 0.75}, false)) faces.push_back(face);
+  for (const Quadrangle& face : box({0.5, 0.25, 0.125}, {0.75, 0.625, 0.5}, false)) faces.push_back(face);
+  return mesh_of(faces);
+}
+
 /// Unit squares z = 0 looking up and z = 1 looking down, and the square [0, 1/2]^2 at z = 1/2.
 inline TriangleMesh obstructed_squares() {
   return mesh_of({{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},

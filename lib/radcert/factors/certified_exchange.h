@@ -13,13 +13,14 @@ struct CertifiedDemand {
 };
 
 /// The direct exchange area of two triangles between which others may stand, enclosed.
-/// Maths     A_1 F_12 = E - sum over the occluders of B_O, where E is that without occluders and B_O what occluder O keeps back, in case
-///           no segment between the triangles meets two of them: they lie in one plane, or are those faces of one convex body that
-///           look at the receiver. In general, by solids k: E - sum_k B_k <= A_1 F_12 <= E - max_k B_k
+/// Maths     A_1 F_12 = E - sum over the occluders of B_O, where E is that without occluders and B_O what
+///           occluder O keeps back, in case no segment between the triangles meets two of them: they lie in
+///           one plane, or are those faces of one convex body that look at the receiver. In general, by
+///           solids k: E - sum_k B_k <= A_1 F_12 <= E - max_k B_k
 /// Source    E: polygon_to_polygon. B_O: shadow_exchange_area
 /// Requires  triangles of this scene, and their pair
-/// Result    an enclosure at the current precision, always; a shadow that is not enclosed within the work limit counts with what was
-///           reached, and then with [0, E]
+/// Result    an enclosure at the current precision, always; a shadow that is not enclosed within the work
+///           limit counts with what was reached, and then with [0, E]
 /// Limits    wide where shadows of several solids fall on one another
 [[nodiscard]] Ball certified_exchange_area(const FacetScene& scene, std::size_t first, std::size_t second,
                                            const FacetPair& pair, const CertifiedDemand& demand);

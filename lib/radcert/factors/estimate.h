@@ -22,7 +22,8 @@ struct Estimate {
 /// Maths     |a + b - value| <= radius_a + radius_b + 2^-53 |value|
 /// Source    IEEE 754: the nearest double is within half a unit
 /// Requires  -
-/// Result    the radius is rounded up: two additions and a product, each within 2^-53, are covered by 1 + 2^-51
+/// Result    the radius is rounded up: two additions and a product, each within 2^-53, are covered by 1 +
+///           2^-51
 /// Limits    -
 [[nodiscard]] inline Estimate operator+(const Estimate& a, const Estimate& b) {
   constexpr double half_unit = 0x1p-53;

@@ -76,8 +76,9 @@ private:
   static constexpr int deepest = 60;
   /// In the units of I, of which A F takes |a.b| / (4 pi): below what rounding leaves.
   static constexpr double tolerance = 0x1p-52;
-  /// Halves of analytic cells are 2^16 times as accurate as the whole, those at a singular end s log s four times: a quarter
-  /// of the difference is never less than their error by much, and cells are accepted early enough by sixteen times.
+  /// Halves of analytic cells are 2^16 times as accurate as the whole, those at a singular end s log s four
+  /// times: a quarter of the difference is never less than their error by much, and cells are accepted early
+  /// enough by sixteen times.
   static constexpr double acceptance = 16 * tolerance;
 
   Pack antiderivative(const Pack& tau, const Pack& rho) {
@@ -167,9 +168,10 @@ struct FarOrder {
 };
 
 FarOrder far_order(double distance, double first, double second) {
-  // A coordinate on one polygon ranges over at most its radius to both sides of its middle, and the kernel is singular no nearer
-  // than the distance of the middles less the other radius: the Bernstein ellipse through that point. A rule of n points errs by
-  // 64/15 M rho^(-2n) / (1 - rho^-2); its size M near the foci of a smaller ellipse is some times the value.
+  // A coordinate on one polygon ranges over at most its radius to both sides of its middle, and the kernel is
+  // singular no nearer than the distance of the middles less the other radius: the Bernstein ellipse through
+  // that point. A rule of n points errs by 64/15 M rho^(-2n) / (1 - rho^-2); its size M near the foci of a
+  // smaller ellipse is some times the value.
   const double z = (distance - std::min(first, second)) / std::max(first, second);
   const double rho = z + std::sqrt(std::max(z * z - 1, 0.0));
   constexpr double growth = 16;

@@ -13,24 +13,28 @@ namespace radcert {
 using FacetCorners = std::vector<Vector<double>>;
 
 /// The direct exchange area of two convex plane polygons with nothing between them, in doubles.
-/// Maths     A_1 F_12 = 1/pi Int_{A_1} Int_{A_2} cos_1 cos_2 / |P-Q|^2 dS_2 dS_1 = A_2 F_21. Near: by Stokes' theorem
-///           1/(4 pi) Sum over pairs of edges of (a.b) Int_0^1 I(s) ds with
-///           I(s) = Int_0^1 log|P_0 + s a - Q_0 - t b|^2 dt = [ tau log(tau^2+rho^2) + 2 rho atan(tau/rho) ]_{tau_0}^{tau_0+|b|} / |b|,
-///           up to constants that closed contours cancel. Far: product Gauss rules on both
-/// Source    contour form: Sparrow, A new and simpler formulation for radiative angle factors, 1963. I is analytic but where the
-///           line of a comes near an end or the line of b: there [0,1] is parted, and bisected until Gauss rules of 8 points agree
-/// Requires  each polygon wholly in front of the other's plane, points of the plane allowed; at least three corners
-/// Result    value with radius an estimate of its error, rounding included: the difference of two rules near, the rate of
-///           convergence on the Bernstein ellipse far. Symmetric in the two polygons up to rounding
+/// Maths     A_1 F_12 = 1/pi Int_{A_1} Int_{A_2} cos_1 cos_2 / |P-Q|^2 dS_2 dS_1 = A_2 F_21. Near: by Stokes'
+///           theorem 1/(4 pi) Sum over pairs of edges of (a.b) Int_0^1 I(s) ds with I(s) = Int_0^1 log|P_0 +
+///           s a - Q_0 - t b|^2 dt = [ tau log(tau^2+rho^2) + 2 rho atan(tau/rho) ]_{tau_0}^{tau_0+|b|} /
+///           |b|, up to constants that closed contours cancel. Far: product Gauss rules on both
+/// Source    contour form: Sparrow, A new and simpler formulation for radiative angle factors, 1963. I is
+///           analytic but where the line of a comes near an end or the line of b: there [0,1] is parted, and
+///           bisected until Gauss rules of 8 points agree
+/// Requires  each polygon wholly in front of the other's plane, points of the plane allowed; at least three
+///           corners
+/// Result    value with radius an estimate of its error, rounding included: the difference of two rules near,
+///           the rate of convergence on the Bernstein ellipse far. Symmetric in the two polygons up to
+///           rounding
 /// Limits    near: the value is a small difference of terms of the size of a side times the distance: about
 ///           2^-52 (diameter distance) is its least radius. far_ratio tells near from far
 [[nodiscard]] Estimate exchange_area(const FacetCorners& first, const FacetCorners& second);
 
-/// Beyond so many times the sum of their circumradii polygons are far: z below is 4 there for equal ones, and rules of
-/// order 8 reach rounding.
+/// Beyond so many times the sum of their circumradii polygons are far: z below is 4 there for equal ones, and
+/// rules of order 8 reach rounding.
 inline constexpr double far_ratio = 2.5;
 
-/// The two ways by themselves, for comparison: the contour form for all pairs, product rules for far ones alone.
+/// The two ways by themselves, for comparison: the contour form for all pairs, product rules for far ones
+/// alone.
 [[nodiscard]] Estimate exchange_area_by_contours(const FacetCorners& first, const FacetCorners& second);
 [[nodiscard]] Estimate exchange_area_by_rules(const FacetCorners& first, const FacetCorners& second);
 

@@ -20,7 +20,8 @@ using Point = Vector<double>;
 using Loop = std::vector<std::size_t>;  ///< numbers of vertices
 using Side = std::pair<std::size_t, std::size_t>;
 
-/// Projection of a plane along the axis on which its normal is longest, turned so that counterclockwise stays so.
+/// Projection of a plane along the axis on which its normal is longest, turned so that counterclockwise stays
+/// so.
 class Projection {
 public:
   explicit Projection(const std::array<Point, 3>& corners) {
@@ -89,7 +90,8 @@ private:
     return projection_.turn(vertices_[loop[(k + n - 1) % n]], vertices_[loop[k]],
                             vertices_[loop[(k + 1) % n]]);
   }
-  /// A loop that never turns right and goes round once: seen from its first corner no other side turns right either.
+  /// A loop that never turns right and goes round once: seen from its first corner no other side turns right
+  /// either.
   [[nodiscard]] bool convex(const Loop& loop) const {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       if (turn(loop, k) < 0) return false;
@@ -134,21 +136,56 @@ std::vector<Loop> convex_parts(const ConvexUnion& plane, std::vector<Loop> parts
   return parts;
 }
 
-int side_of(const std::array<Point, 3>& plane, const Point& p) {
-  return orientation(plane[0], plane[1], plane[2], p);
-}
+/// On which side of the plane through three points others lie, exactly; nearly always decided in doubles.
+class Plane {
+public:
+  explicit Plane(const std::array<Point, 3>& through) : through_(through) {
+    const Point b = through[1] - through[0];
+    const Point c = through[2] - through[0];
+    normal_ = cross(b, c);
+    sizes_ = {std::abs(b.y * c.z) + std::abs(b.z * c.y), std::abs(b.z * c.x) + std::abs(b.x * c.z),
+              std::abs(b.x * c.y) + std::abs(b.y * c.x)};
+  }
+
+  [[nodiscard]] int side(const Point& p) const {
+    if (p == through_[0] || p == through_[1] || p == through_[2]) return 0;
+    const Point d = p - through_[0];
+    const double height = dot(normal_, d);
+    // Shewchuk's bound for this order of operations is (7 + 56/2^53) / 2^53 of the sum of sizes; the least
+    // keeps underflow away.
+    constexpr double roundings = 0x1p-49;
+    constexpr double least = 0x1p-900;
+    const double bound =
+        roundings * (sizes_.x * std::abs(d.x) + sizes_.y * std::abs(d.y) + sizes_.z * std::abs(d.z)) + least;
+    if (height > bound) return 1;
+    if (height < -bound) return -1;
+    return orientation(through_[0], through_[1], through_[2], p);
+  }
+
+private:
+  std::array<Point, 3> through_;
+  Point normal_;
+  Point sizes_;
+};
+
+int side_of(const std::array<Point, 3>& plane, const Point& p) { return Plane(plane).side(p); }
 
 std::array<Point, 3> plane_of(const FacetCorners& polygon) { return {polygon[0], polygon[1], polygon[2]}; }
 
 /// The signs that points have: 1 for some in front, 2 for some behind.
 template <class Points>
-unsigned sides(const std::array<Point, 3>& plane, const Points& points) {
+unsigned sides(const Plane& plane, const Points& points) {
   unsigned found = 0;
   for (const Point& p : points) {
-    const int side = side_of(plane, p);
+    const int side = plane.side(p);
     found |= side > 0 ? 1U : side < 0 ? 2U : 0U;
+    if (found == 3U) break;
   }
   return found;
+}
+template <class Points>
+unsigned sides(const std::array<Point, 3>& plane, const Points& points) {
+  return sides(Plane(plane), points);
 }
 
 /// What of a polygon lies in front of a plane; which corners do is exact, cut ones are rounded.
@@ -188,6 +225,7 @@ FacetScene::FacetScene(TriangleMesh mesh) : scene_(std::move(mesh)) {
   }
   find_occluders();
   find_solids();
+  find_neighbours();
   TriangleMesh boxes;
   for (const ConvexOccluder& occluder : occluders_) {
     // Three points whose box is the occluder's.
@@ -219,9 +257,13 @@ void FacetScene::find_occluders() {
       const VertexTriple& v = scene_.vertices(t);
       parts.push_back({v[0], v[1], v[2]});
     }
+    std::map<Side, std::size_t> owner;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) owner[{parts[i][k], parts[i][(k + 1) % 3]}] = triangles[i];
     for (const Loop& loop : convex_parts(joiner, parts)) {
       occluders_.push_back({.corners = joiner.corners(loop), .plane = scene_.plane(triangles.front())});
-      occluder_triangle_.push_back(triangles.front());
+      // One of the occluder's own: several bodies may have faces in one plane.
+      occluder_triangle_.push_back(owner.at({loop[0], loop[1]}));
     }
   }
 }
@@ -245,7 +287,8 @@ void FacetScene::find_solids() {
   for (std::size_t t = 0; t < facet_count(); ++t) members[topology.component[t]].push_back(t);
   for (std::size_t c = 0; c < topology.component_count; ++c) {
     if (!is_convex[c]) continue;
-    // Looking outwards with nothing of itself in front: a convex body seen from outside. Exact, and quadratic only in planes.
+    // Looking outwards with nothing of itself in front: a convex body seen from outside. Exact, and quadratic
+    // only in planes.
     std::set<std::size_t> seen;
     for (const std::size_t t : members[c]) {
       if (!is_convex[c] || !seen.insert(scene_.plane(t)).second) continue;
@@ -267,6 +310,47 @@ void FacetScene::find_solids() {
   }
 }
 
+void FacetScene::find_neighbours() {
+  using Place = std::array<double, 3>;
+  const auto place = [](const Point& p) { return Place{p.x, p.y, p.z}; };
+  struct Border {
+    std::size_t occluder;
+    std::size_t corner;
+  };
+  std::map<std::pair<Place, Place>, Border> sides;
+  const auto corner_place = [&](std::size_t k, std::size_t c) {
+    const FacetCorners& corners = occluders_[k].corners;
+    return place(corners[c % corners.size()]);
+  };
+  for (std::size_t k = 0; k < occluders_.size(); ++k)
+    for (std::size_t c = 0; solid_is_body(occluders_[k].solid) && c < occluders_[k].corners.size(); ++c)
+      sides[{corner_place(k, c), corner_place(k, c + 1)}] = {k, c};
+  for (std::size_t k = 0; k < occluders_.size(); ++k) {
+    ConvexOccluder& occluder = occluders_[k];
+    const std::size_t count = occluder.corners.size();
+    occluder.beyond_side.resize(count);
+    occluder.around_corner.resize(count);
+    if (!solid_is_body(occluder.solid)) continue;
+    for (std::size_t c = 0; c < count; ++c) {
+      // Round the corner from face to face; back at the first one, these are all.
+      std::vector<std::size_t> faces;
+      Border at{k, c};
+      for (std::size_t step = 0; step <= occluders_.size(); ++step) {
+        faces.push_back(at.occluder);
+        const auto found =
+            sides.find({corner_place(at.occluder, at.corner + 1), corner_place(at.occluder, at.corner)});
+        if (found == sides.end()) break;
+        const Border over = found->second;
+        if (step == 0) occluder.beyond_side[c] = over.occluder;
+        at = {over.occluder, (over.corner + 1) % occluders_[over.occluder].corners.size()};
+        if (at.occluder != k) continue;
+        occluder.around_corner[c] = faces;
+        break;
+      }
+    }
+  }
+}
+
 bool FacetScene::may_stand_between(const ConvexOccluder& occluder, std::size_t first,
                                    std::size_t second) const {
   if (occluder.plane == scene_.plane(first) || occluder.plane == scene_.plane(second)) return false;
@@ -275,8 +359,11 @@ bool FacetScene::may_stand_between(const ConvexOccluder& occluder, std::size_t f
   if ((sides(a, occluder.corners) & 1U) == 0 || (sides(b, occluder.corners) & 1U) == 0) return false;
   if ((sides(plane_of(occluder.corners), a) | sides(plane_of(occluder.corners), b)) != 3U) return false;
   // Planes through three corners, of which two belong to a side: of the triangles' hull, or of the occluder.
-  const auto parts_them = [&](const std::array<Point, 3>& plane) {
-    const unsigned hull = sides(plane, a) | sides(plane, b);
+  const auto parts_them = [&](const std::array<Point, 3>& through) {
+    const Plane plane(through);
+    const unsigned first_sides = sides(plane, a);
+    if (first_sides == 3U) return false;
+    const unsigned hull = first_sides | sides(plane, b);
     if (hull == 3U || hull == 0U) return false;
     const unsigned other = sides(plane, occluder.corners);
     return (hull & other) == 0 && other != 3U;
@@ -295,8 +382,9 @@ bool FacetScene::may_stand_between(const ConvexOccluder& occluder, std::size_t f
 }
 
 bool FacetScene::hides(const ConvexOccluder& occluder, std::size_t first, std::size_t second) const {
-  // A segment meets the convex polygon where its ends lie on different sides and the second in the pyramid from the first. If so for
-  // all corners it holds for all points: from a fixed point the map onto the plane takes hulls to hulls.
+  // A segment meets the convex polygon where its ends lie on different sides and the second in the pyramid
+  // from the first. If so for all corners it holds for all points: from a fixed point the map onto the plane
+  // takes hulls to hulls.
   const std::array<Point, 3> plane = plane_of(occluder.corners);
   const std::array<Point, 3> from = scene_.corners(first);
   const std::array<Point, 3> to = scene_.corners(second);

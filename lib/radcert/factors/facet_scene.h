@@ -11,12 +11,18 @@
 
 namespace radcert {
 
-/// A convex plane polygon that may stand between others: triangles of one plane put together where their union is convex.
+/// A convex plane polygon that may stand between others: triangles of one plane put together where their
+/// union is convex.
 struct ConvexOccluder {
-  FacetCorners
-      corners;  ///< vertices of the scene, counterclockwise as seen from its front, no three in a row on a line
+  /// Vertices of the scene, counterclockwise as seen from its front, no three in a row on a line.
+  FacetCorners corners;
   std::size_t plane = 0;
   std::size_t solid = 0;  ///< occluders of one convex solid, or of one plane, have one number: see FacetScene
+  /// Of a convex body: the occluder beyond the side from each corner to the next, if there is one with the
+  /// same ends.
+  std::vector<std::optional<std::size_t>> beyond_side{};
+  /// Of a convex body: all faces that meet in each corner, if they are all occluders, else none.
+  std::vector<std::vector<std::size_t>> around_corner{};
 };
 
 /// What two triangles see of each other.
@@ -36,14 +42,17 @@ struct FacetPair {
 };
 
 /// A scene made ready for exchange areas between its triangles.
-/// Maths     occluders: the triangles of one oriented plane, joined along their common sides while the union stays convex; left out
-///           are those that have the whole scene on one side. solid: the occluders that are faces of one closed convex body, of
-///           which light enters through the faces that look at it, once; else those of one plane, which a segment crosses once
+/// Maths     occluders: the triangles of one oriented plane, joined along their common sides while the union
+///           stays convex; left out are those that have the whole scene on one side. solid: the occluders
+///           that are faces of one closed convex body, of which light enters through the faces that look at
+///           it, once; else those of one plane, which a segment crosses once
 /// Source    -
 /// Requires  the scene has no faults (scene_faults), else pairs may be called whole that are not
-/// Result    pair(): every decision exact for the given doubles; corners that a plane cuts off are rounded. nothing, whole and hidden
-///           hold up to sets without area. Symmetric: pair(i, j) and pair(j, i) have the same sight and occluders
-/// Limits    mixed says only that no separating plane was found: through a side of one and a corner of the other, or of a polygon itself
+/// Result    pair(): every decision exact for the given doubles; corners that a plane cuts off are rounded.
+///           nothing, whole and hidden hold up to sets without area. Symmetric: pair(i, j) and pair(j, i)
+///           have the same sight and occluders
+/// Limits    mixed says only that no separating plane was found: through a side of one and a corner of the
+///           other, or of a polygon itself
 class FacetScene {
 public:
   explicit FacetScene(TriangleMesh mesh);
@@ -56,7 +65,8 @@ public:
   [[nodiscard]] const MeshTopology& topology() const { return topology_; }
   [[nodiscard]] double total_area() const { return total_area_; }
   [[nodiscard]] const std::vector<ConvexOccluder>& occluders() const { return occluders_; }
-  /// Whether occluders of one number are faces of a convex body, of which only those that look at a point hide anything from it.
+  /// Whether occluders of one number are faces of a convex body, of which only those that look at a point
+  /// hide anything from it.
   [[nodiscard]] bool solid_is_body(std::size_t solid) const { return is_body_[solid]; }
   [[nodiscard]] FacetPair pair(std::size_t first, std::size_t second) const;
 
@@ -66,6 +76,7 @@ private:
   [[nodiscard]] bool hides(const ConvexOccluder& occluder, std::size_t first, std::size_t second) const;
   void find_occluders();
   void find_solids();
+  void find_neighbours();
 
   Scene scene_;
   MeshTopology topology_;

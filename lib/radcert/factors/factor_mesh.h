@@ -41,7 +41,8 @@ struct FactorMesh {
 /// What one row and one column of a matrix stand for.
 enum class FactorUnit { triangle, piece, group };
 
-/// Triangles "piece/1", "piece/2", ..., pieces by their names, or groups; a group without a name is "ungrouped".
+/// Triangles "piece/1", "piece/2", ..., pieces by their names, or groups; a group without a name is
+/// "ungrouped".
 [[nodiscard]] FactorUnits factor_units(const FactorMesh& mesh, FactorUnit unit);
 
 }  // namespace radcert

@@ -29,7 +29,8 @@ Height plane_through(const Point& a, const Point& b, const Point& c) {
   return {normal, -dot(normal, a)};
 }
 
-/// A side of a shadow: from `at` along a line through two fixed points, in the sense in which P sees the shadow counterclockwise.
+/// A side of a shadow: from `at` along a line through two fixed points, in the sense in which P sees the
+/// shadow counterclockwise.
 struct ShadowSide {
   Point at;
   Point from;
@@ -265,7 +266,8 @@ public:
   }
 
 private:
-  /// (s,t) of a point of the receiver's plane, by Cramer's rule along the axis that leaves the largest determinant.
+  /// (s,t) of a point of the receiver's plane, by Cramer's rule along the axis that leaves the largest
+  /// determinant.
   [[nodiscard]] ParameterPoint<Rational> parameters(const Point& p) const {
     const Point n = cross(plane_.first, plane_.second);
     const Rational square = dot(n, n);
@@ -280,8 +282,9 @@ private:
     cells_ = std::move(next);
   }
 
-  /// Cuts along the plane of a corner and a side (one of the two segments is a point): where a segment from a point of the
-  /// source through one of the occluder ends on the receiver's plane is a segment, and cells that it misses stay whole.
+  /// Cuts along the plane of a corner and a side (one of the two segments is a point): where a segment from a
+  /// point of the source through one of the occluder ends on the receiver's plane is a segment, and cells
+  /// that it misses stay whole.
   void cut_where_seen(const Point& source_from, const Point& source_to, const Point& occluder_from,
                       const Point& occluder_to) {
     const bool corner_of_source = source_from == source_to;
@@ -301,7 +304,8 @@ private:
     cells_ = std::move(next);
   }
 
-  /// Where the ray from a point of the source through one of the occluder meets the receiver's plane, if beyond the latter.
+  /// Where the ray from a point of the source through one of the occluder meets the receiver's plane, if
+  /// beyond the latter.
   [[nodiscard]] std::optional<ParameterPoint<Rational>> image(const Point& source,
                                                               const Point& occluder) const {
     const Point n = cross(plane_.first, plane_.second);

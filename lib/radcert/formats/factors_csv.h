@@ -22,7 +22,8 @@ namespace radcert {
 /// Limits    -
 [[nodiscard]] std::string factors_csv(const FactorMatrix& matrix, std::span<const std::string> names);
 
-/// The rows of a matrix as CSV: the columns name, area, row_sum, row_radius, to_space; the last is empty unless asked for.
+/// The rows of a matrix as CSV: the columns name, area, row_sum, row_radius, to_space; the last is empty
+/// unless asked for.
 [[nodiscard]] std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std::string> names);
 
 /// A factor that somebody else found.
@@ -41,8 +42,9 @@ using ClaimedFactors = std::map<std::pair<std::string, std::string>, ClaimedFact
 
 /// A file of factors.
 /// Maths     none
-/// Source    CSV with columns from, to, factor and, if there, radius, in any order, others ignored; or the text output of View3D: a line
-///           "View3D <version> 0 <...> <surfaces>", the areas, the square matrix by rows, emissivities
+/// Source    CSV with columns from, to, factor and, if there, radius, in any order, others ignored; or the
+///           text output of View3D: a line "View3D <version> 0 <...> <surfaces>", the areas, the square
+///           matrix by rows, emissivities
 /// Requires  `names`: whose rows View3D's are, in this order
 /// Result    InputError with the file, the line, the value and what is allowed
 /// Limits    1 GiB; of View3D its text with a square matrix, format 0
@@ -71,7 +73,8 @@ struct FactorComparison {
 };
 
 /// Every pair that either matrix has, the largest differences first.
-/// Maths     with d = |ours - theirs|, r our radius, h their halfwidth: agrees if d + r <= h, differs if d - r > h, else undecided
+/// Maths     with d = |ours - theirs|, r our radius, h their halfwidth: agrees if d + r <= h, differs if d -
+///           r > h, else undecided
 /// Source    -
 /// Requires  a name for each row
 /// Result    InputError, without a source, for a name that no surface has
