@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/interpolatory_rule.h"
@@ -119,14 +118,6 @@ TEST(InterpolationDefects, AreNoLessThanThoseOfTheRule) {
     EXPECT_FALSE(certainly_less(largest_defect(basis, Region::triangle, degree + 1), Ball(largest))) << r;
     EXPECT_LT(largest_defect(basis, Region::triangle, degree).upper_double(), 1e-30) << r;
   }
-}
-
-TEST(MiculasEquations, EachHaveAnEntry) {
-  std::set<int> covered;
-  for (const Paper& paper : embedded_paper_list())
-    if (paper.key == "m06")
-      for (const Claim& claim : paper.claims) covered.insert(claim.covers.begin(), claim.covers.end());
-  for (int equation = 1; equation <= 39; ++equation) EXPECT_TRUE(covered.contains(equation)) << equation;
 }
 
 }  // namespace

@@ -60,6 +60,45 @@ TEST(Papers, CoverEquationsThatExist) {
   }
 }
 
+// Lemmas, theorems, corollaries and tables, by what the labels of their entries begin with; Theorem 4.1 of ac98 is its (82).
+const std::map<std::string, std::vector<std::string>>& named_statements() {
+  static const std::map<std::string, std::vector<std::string>> all{
+      {"ac98", {"lemma_2_1",   "corollary_2_2", "lemma_2_3",     "theorem_2_4", "theorem_3_1",
+                "lemma_3_2",   "lemma_3_3",     "corollary_3_4", "lemma_3_5",   "theorem_3_6",
+                "theorem_3_7", "equation_82",   "theorem_4_2",   "section_4_2", "section_5_1",
+                "table_1",     "table_2",       "table_3",       "table_4",     "table_5"}},
+      {"m06",
+       {"lemma_1", "lemma_2", "theorem_3", "theorem_4", "lemma_5", "lemma_6", "theorem_7", "lemma_8",
+        "theorem_9"}}};
+  return all;
+}
+
+TEST(Papers, HaveAnEntryForEachNumberedStatement) {
+  for (const Paper& paper : embedded_paper_list()) {
+    std::set<int> covered;
+    for (const Claim& claim : paper.claims) covered.insert(claim.covers.begin(), claim.covers.end());
+    for (int equation = 1; equation <= extents().at(paper.key).last_equation; ++equation)
+      EXPECT_TRUE(covered.contains(equation)) << paper.key << " (" << equation << ")";
+    for (const std::string& name : named_statements().at(paper.key))
+      EXPECT_TRUE(std::any_of(paper.claims.begin(), paper.claims.end(),
+                              [&](const Claim& claim) {
+                                return claim.label == name || claim.label.starts_with(name + "_") ||
+                                       claim.label.starts_with(name + ".");
+                              }))
+          << paper.key << " " << name;
+  }
+}
+
+// The papers are settled: nothing is left to be looked at.
+TEST(Papers, LeaveNoStatementUnchecked) {
+  for (const Paper& paper : embedded_paper_list())
+    for (const Claim& claim : paper.claims) {
+      if (!claim.verdict) continue;
+      for (const Budget budget : all_budgets)
+        EXPECT_NE(claim.verdict->at(budget), Verdict::unchecked) << paper.key << " " << claim.label;
+    }
+}
+
 TEST(Papers, HaveLabelsOfTheirOwnAndACheckForEachAndNoOther) {
   const std::vector<PaperChecks> checks = all_checks();
   for (const Paper& paper : embedded_paper_list()) {
