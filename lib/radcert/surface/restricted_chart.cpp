@@ -81,12 +81,13 @@ Chart restricted_chart(const Chart& chart, const std::array<Corner, 3>& triangle
   facts.name = name;
   facts.domain = ChartDomain::unit_triangle;
   facts.structure.ruling = std::nullopt;
-  return Chart(std::move(facts), std::make_shared<RestrictedIn<double>>(chart, map),
-               std::make_shared<RestrictedIn<Pack>>(chart, map),
-               std::make_shared<RestrictedIn<Mpfr<50>>>(chart, map),
-               std::make_shared<RestrictedIn<Ball>>(chart, map),
-               std::make_shared<RestrictedIn<ComplexBall>>(chart, map),
-               std::make_shared<RestrictedIn<TaylorModel>>(chart, map));
+  return {std::move(facts),
+          std::make_shared<RestrictedIn<double>>(chart, map),
+          std::make_shared<RestrictedIn<Pack>>(chart, map),
+          std::make_shared<RestrictedIn<Mpfr<50>>>(chart, map),
+          std::make_shared<RestrictedIn<Ball>>(chart, map),
+          std::make_shared<RestrictedIn<ComplexBall>>(chart, map),
+          std::make_shared<RestrictedIn<TaylorModel>>(chart, map)};
 }
 
 std::vector<Chart> charts_over(const Chart& chart, const PlaneTriangulation& domain) {
