@@ -281,6 +281,27 @@ class SolveOnMeshes(ProgramTest):
                          {"floor", "ceiling", "wall", "window", "box"})
         self.assertGreater(level["piece_means"]["window"], 1)
 
+    def test_concentric_spheres_as_meshes_approach_the_round_ones(self):
+        # Radii 2 and 1, E = 1 on the inner one, rho = 1/2: with the factors 3/4, 1/4 and 1 of the spheres the radiosities
+        # are constant, 2/9 on the outer and 10/9 on the inner.
+        errors = []
+        for level in (1, 2):
+            outer, inner = scaled(sphere(level), 2, 0), turned(sphere(level))
+            vertices, faces = together(outer, inner)
+            lines = ["v {!r} {!r} {!r}".format(*map(float, v)) for v in vertices]
+            for name, part in [("outer", faces[:len(outer[1])]), ("inner", faces[len(outer[1]):])]:
+                lines += ["g " + name] + ["f " + " ".join(str(v + 1) for v in f) for f in part]
+            self.write("spheres.obj", "\n".join(lines) + "\n")
+            self.write("problem.json", small(
+                surface={"file": "spheres.obj", "angle": 120}, basis={"family": "inset", "degree": 0},
+                reflectivity="1/2", solution=None, emission={"inner": "1", "*": "0"}, triangulation={"levels": [0]}))
+            means = json.loads(self.expect(0, "solve", "problem.json", "--json", "-"))["levels"][0]["piece_means"]
+            errors.append((means["outer"] - 2 / 9, means["inner"] - 10 / 9))
+        for coarse, fine in zip(*errors):
+            self.assertGreater(fine, 0)
+            self.assertLess(fine, coarse / 3)  # chords: of second order
+            self.assertLess(fine, 0.01)
+
     def test_an_interpolant_of_a_room_with_hidden_parts_is_refused(self):
         self.write("mesh.off", off(L_SHAPED_ROOM))
         self.write("problem.json", small(surface={"file": "mesh.off"}, reflectivity="1/2", solution="1",
