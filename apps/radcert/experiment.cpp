@@ -92,15 +92,6 @@ Finished solve_all(const Experiment& experiment, const std::string& source,
   return finished;
 }
 
-ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore& store) {
-  const auto status = store.status();
-  say("radcert: interrupted; " + std::to_string(finished) + " of " + std::to_string(asked) +
-      " levels are finished" +
-      (status ? " and kept in " + store.folder().string() + ": the same command goes on from there\n"
-              : ", but not kept: " + status.reason() + "\n"));
-  return ExitCode::interrupted;
-}
-
 ExitCode run_experiment(const Common& common, const ExperimentOptions& options) {
   Outputs outputs;
   if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "command.h"
+#include "named_surface.h"
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/interrupt.h"
@@ -100,20 +101,7 @@ NamedMesh mesh_of_file(const FactorsOptions& options) {
 }
 
 NamedMesh mesh_of_catalogue(const FactorsOptions& options) {
-  const SurfaceDescription* description = find_surface(options.name);
-  if (description == nullptr) {
-    std::vector<std::string> names;
-    for (const SurfaceDescription& known : surface_catalogue()) names.push_back(known.name);
-    const auto near = nearest_word(options.name, names);
-    throw InputError({.source = "surface",
-                      .value = options.name,
-                      .problem = "is no surface" + (near ? "; did you mean " + *near + "?" : std::string()),
-                      .allowed = listed(names) + ", or a file in .off, .obj, .ply, .stl"});
-  }
-  std::vector<Rational> values;
-  for (const ParameterDescription& parameter : description->parameters)
-    values.push_back(Rational::parse(parameter.default_text).value());
-  const Surface surface = description->make(values);
+  const Surface surface = default_surface(surface_named(options.name));
   for (const Chart& chart : surface.charts)
     if (!chart.facts().plane)
       throw InputError(

@@ -48,6 +48,15 @@ void say(std::string_view text) {
   std::fflush(stderr);
 }
 
+ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore& store) {
+  const auto status = store.status();
+  say("radcert: interrupted; " + std::to_string(finished) + " of " + std::to_string(asked) +
+      " levels are finished" +
+      (status ? " and kept in " + store.folder().string() + ": the same command goes on from there\n"
+              : ", but not kept: " + status.reason() + "\n"));
+  return ExitCode::interrupted;
+}
+
 void Outputs::file(const std::string& option, const std::filesystem::path& path) {
   std::error_code error;
   const std::filesystem::path folder =

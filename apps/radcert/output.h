@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "command.h"
+#include "radcert/core/result_store.h"
 
 namespace radcert::app {
 
@@ -16,6 +17,9 @@ void print(std::string_view text);
 
 /// Writes to stderr: what is not a result.
 void say(std::string_view text);
+
+/// Says how many of the levels asked for were finished before the interruption, and where they are kept.
+ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore& store);
 
 /// Files that are written together, once all of their contents are there.
 class Outputs {

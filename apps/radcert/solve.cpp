@@ -75,15 +75,6 @@ std::vector<LevelOutcome> solve_levels(const Problem& problem, verification::Sto
   return finished;
 }
 
-ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore& store) {
-  const auto status = store.status();
-  say("radcert: interrupted; " + std::to_string(finished) + " of " + std::to_string(asked) +
-      " levels are finished" +
-      (status ? " and kept in " + store.folder().string() + ": the same command goes on from there\n"
-              : ", but not kept: " + status.reason() + "\n"));
-  return ExitCode::interrupted;
-}
-
 ExitCode solve(const Common& common, const SolveOptions& options) {
   const Outputs outputs = checked_outputs(common, options);
   const auto threads = common.thread_limit();

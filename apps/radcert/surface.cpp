@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "command.h"
+#include "named_surface.h"
 #include "output.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
@@ -242,13 +243,6 @@ std::string catalogue_text(const Surface& surface, const ConvexContainment& cont
   return aligned_left(rows);
 }
 
-Surface catalogue_surface(const SurfaceDescription& description) {
-  std::vector<Rational> values;
-  for (const ParameterDescription& parameter : description.parameters)
-    values.push_back(Rational::parse(parameter.default_text).value());
-  return description.make(values);
-}
-
 double degrees_of(const std::string& text) {
   if (text.empty()) return default_sharp_degrees;
   const Outcome<Rational> angle = Rational::parse(text);
@@ -286,23 +280,14 @@ ExitCode show_mesh(const Common& common, const SurfaceOptions& options) {
 }
 
 ExitCode show_catalogue(const Common& common, const SurfaceOptions& options) {
-  const SurfaceDescription* description = find_surface(options.name);
-  if (description == nullptr) {
-    std::vector<std::string> names;
-    for (const SurfaceDescription& known : surface_catalogue()) names.push_back(known.name);
-    const auto near = nearest_word(options.name, names);
-    throw InputError({.source = "surface",
-                      .value = options.name,
-                      .problem = "is no surface" + (near ? "; did you mean " + *near + "?" : std::string()),
-                      .allowed = listed(names) + ", or a file in .off, .obj, .ply, .stl"});
-  }
+  const SurfaceDescription& description = surface_named(options.name);
   for (const auto& [option, given] :
        {std::pair("--angle", !options.angle.empty()), std::pair("--repair", !options.repair.empty()),
         std::pair("--write", !options.write.empty())})
     if (given)
       throw InputError(
           {.source = option, .problem = "is for meshes", .allowed = "a file in .off, .obj, .ply, .stl"});
-  const Surface surface = catalogue_surface(*description);
+  const Surface surface = default_surface(description);
   const ConvexContainment containment = convex_containment(surface);
   print_result(common, catalogue_text(surface, containment),
                surface_report(surface, containment, common.command).pretty() + "\n");

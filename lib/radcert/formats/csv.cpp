@@ -78,7 +78,7 @@ std::string nodes_csv(std::span<const LevelOutcome> levels) {
   return table.text();
 }
 
-std::string errors_csv(const Result& result) {
+std::span<const std::string_view> level_columns() {
   static constexpr std::array<std::string_view, 20> columns = {"level",
                                                                "elements",
                                                                "unknowns",
@@ -99,20 +99,26 @@ std::string errors_csv(const Result& result) {
                                                                "norm_k",
                                                                "norm_k_guaranteed",
                                                                "planned_bytes"};
-  CsvTable table(columns);
-  for (const LevelResult& level : result.levels) {
-    std::vector<JsonValue> row = {level.level, level.elements, level.unknowns, level.mesh_size};
-    push(row, level.discretisation_error);
-    push(row, level.node_error);
-    push(row, level.uniform_error);
-    for (const auto& number :
-         {level.discretisation_ratio, level.node_ratio, level.discretisation_order, level.node_order})
-      row.push_back(finite_or_null(number));
-    row.emplace_back(level.norm_K.value);
-    row.emplace_back(level.norm_K.guaranteed);
-    row.emplace_back(level.planned_bytes);
-    table.add(row);
-  }
+  return columns;
+}
+
+std::vector<JsonValue> level_cells(const LevelResult& level) {
+  std::vector<JsonValue> row = {level.level, level.elements, level.unknowns, level.mesh_size};
+  push(row, level.discretisation_error);
+  push(row, level.node_error);
+  push(row, level.uniform_error);
+  for (const auto& number :
+       {level.discretisation_ratio, level.node_ratio, level.discretisation_order, level.node_order})
+    row.push_back(finite_or_null(number));
+  row.emplace_back(level.norm_K.value);
+  row.emplace_back(level.norm_K.guaranteed);
+  row.emplace_back(level.planned_bytes);
+  return row;
+}
+
+std::string errors_csv(const Result& result) {
+  CsvTable table(level_columns());
+  for (const LevelResult& level : result.levels) table.add(level_cells(level));
   return table.text();
 }
 

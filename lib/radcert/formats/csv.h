@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "radcert/formats/json_value.h"
 #include "radcert/study/study.h"
@@ -36,11 +37,20 @@ private:
 /// Limits    `u` is empty where the problem gives no solution
 std::string nodes_csv(std::span<const LevelOutcome> levels);
 
-/// The levels of a result, a row each, with the columns of the JSON file's levels.
+/// The columns of one level's figures, and the cells below them.
 /// Maths     none
 /// Source    the file format radcert/solution/1
 /// Requires  nothing
 /// Result    figures as three columns value, radius, guaranteed; piece means are left to the JSON file
+/// Limits    what is null there is an empty cell
+std::span<const std::string_view> level_columns();
+std::vector<JsonValue> level_cells(const LevelResult& level);
+
+/// The levels of a result, a row each, with the columns of the JSON file's levels.
+/// Maths     none
+/// Source    the file format radcert/solution/1
+/// Requires  nothing
+/// Result    the columns of level_columns
 /// Limits    what is null there is empty here
 std::string errors_csv(const Result& result);
 

@@ -230,16 +230,6 @@ JsonValue function_cell(const PiecewiseExpression& function) {
   return json.members() == nullptr ? json : JsonValue(json.compact());
 }
 
-void push(std::vector<JsonValue>& row, const std::optional<Figure>& figure) {
-  if (!figure) {
-    row.resize(row.size() + 3);
-    return;
-  }
-  row.emplace_back(figure->value);
-  row.emplace_back(figure->radius);
-  row.emplace_back(figure->guaranteed);
-}
-
 }  // namespace
 
 Experiment read_experiment(const std::filesystem::path& path) {
@@ -317,43 +307,13 @@ JsonValue experiment_json(const Experiment& experiment, std::span<const Result> 
 }
 
 std::string experiment_errors_csv(const Experiment& experiment, std::span<const Result> results) {
-  static constexpr std::array<std::string_view, 37> columns = {"combination",
-                                                               "name",
-                                                               "surface",
-                                                               "triangulation",
-                                                               "geometry",
-                                                               "basis",
-                                                               "degree",
-                                                               "alpha",
-                                                               "grading",
-                                                               "reflectivity",
-                                                               "solution",
-                                                               "quadrature_tolerance",
-                                                               "solver",
-                                                               "level",
-                                                               "elements",
-                                                               "unknowns",
-                                                               "mesh_size",
-                                                               "discretisation_error",
-                                                               "discretisation_error_radius",
-                                                               "discretisation_error_guaranteed",
-                                                               "node_error",
-                                                               "node_error_radius",
-                                                               "node_error_guaranteed",
-                                                               "uniform_error",
-                                                               "uniform_error_radius",
-                                                               "uniform_error_guaranteed",
-                                                               "discretisation_ratio",
-                                                               "node_ratio",
-                                                               "discretisation_order",
-                                                               "node_order",
-                                                               "norm_k",
-                                                               "norm_k_guaranteed",
-                                                               "planned_bytes",
-                                                               "fitted_discretisation_order",
-                                                               "fitted_discretisation_halfwidth",
-                                                               "fitted_node_order",
-                                                               "fitted_node_halfwidth"};
+  std::vector<std::string_view> columns = {"combination", "name",         "surface",  "triangulation",
+                                           "geometry",    "basis",        "degree",   "alpha",
+                                           "grading",     "reflectivity", "solution", "quadrature_tolerance",
+                                           "solver"};
+  columns.insert(columns.end(), level_columns().begin(), level_columns().end());
+  columns.insert(columns.end(), {"fitted_discretisation_order", "fitted_discretisation_halfwidth",
+                                 "fitted_node_order", "fitted_node_halfwidth"});
   CsvTable table(columns);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Problem& problem = results[i].problem;
@@ -369,12 +329,8 @@ std::string experiment_errors_csv(const Experiment& experiment, std::span<const 
       row.push_back(problem.solution ? function_cell(*problem.solution) : JsonValue());
       row.emplace_back(problem.quadrature.tolerance.to_double());
       row.emplace_back(words_of(problem, "solver"));
-      row.insert(row.end(), {level.level, level.elements, level.unknowns, level.mesh_size});
-      for (const ErrorKind& kind : error_kinds()) push(row, level.*kind.figure);
-      for (const auto& number :
-           {level.discretisation_ratio, level.node_ratio, level.discretisation_order, level.node_order})
-        row.push_back(finite_or_null(number));
-      row.insert(row.end(), {level.norm_K.value, level.norm_K.guaranteed, level.planned_bytes});
+      const std::vector<JsonValue> cells = level_cells(level);
+      row.insert(row.end(), cells.begin(), cells.end());
       for (const OrderFit& fit : results[i].orders)
         row.insert(row.end(), {finite_or_null(fit.order), finite_or_null(fit.halfwidth)});
       table.add(row);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "named_surface.h"
+
+#include <vector>
+
+#include "radcert/core/errors.h"
+#include "radcert/core/text.h"
+#include "radcert/formats/json_reader.h"
+
+namespace radcert::app {
+
+const SurfaceDescription& surface_named(const std::string& name) {
+  if (const SurfaceDescription* found = find_surface(name)) return *found;
+  std::vector<std::string> names;
+  for (const SurfaceDescription& known : surface_catalogue()) names.push_back(known.name);
+  const auto near = nearest_word(name, names);
+  throw InputError({.source = "surface",
+                    .value = name,
+                    .problem = "is no surface" + (near ? "; did you mean " + *near + "?" : std::string()),
+                    .allowed = listed(names) + ", or a file in .off, .obj, .ply, .stl"});
+}
+
+Surface default_surface(const SurfaceDescription& description) {
+  std::vector<Rational> values;
+  for (const ParameterDescription& parameter : description.parameters)
+    values.push_back(Rational::parse(parameter.default_text).value());
+  return description.make(values);
+}
+
+}  // namespace radcert::app

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "radcert/surface/catalogue.h"
+#include "radcert/surface/surface.h"
+
+namespace radcert::app {
+
+/// The surface of the catalogue with this name; InputError with the nearest name where there is none.
+const SurfaceDescription& surface_named(const std::string& name);
+
+/// It, with the default values of its parameters.
+Surface default_surface(const SurfaceDescription& description);
+
+}  // namespace radcert::app
