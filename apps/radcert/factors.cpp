@@ -63,8 +63,9 @@ int level_of(const std::string& text) {
   return level;
 }
 
-double accuracy_of(const std::string& text) {
-  if (text.empty()) return FactorDemand{}.accuracy;
+double accuracy_of(const std::string& text, bool certified) {
+  constexpr double usual_of_certified = 1e-9;
+  if (text.empty()) return certified ? usual_of_certified : FactorDemand{}.accuracy;
   const std::optional<double> accuracy = parse_double(text);
   constexpr double least = 1e-12;
   constexpr double most = 0.1;
@@ -258,7 +259,8 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
   if (!options.out.empty()) outputs.file("--out", options.out);
   const FactorUnit unit = unit_of(options.by);
-  FactorDemand demand{.certified = options.certified, .accuracy = accuracy_of(options.accuracy)};
+  FactorDemand demand{.certified = options.certified,
+                      .accuracy = accuracy_of(options.accuracy, options.certified)};
 
   const NamedMesh named =
       is_mesh_file_name(options.name) ? mesh_of_file(options) : mesh_of_catalogue(options);
@@ -331,7 +333,8 @@ void add_factors(CLI::App& program, Common& common, Action& action) {
                    "The scene is open: give what reaches no front of a surface as to_space");
   command
       .add_option("--accuracy", options->accuracy,
-                  "Wanted of each row's sum, where occlusion makes integration adaptive; default 1e-5")
+                  "Wanted of each row's sum, where occlusion makes integration adaptive; default 1e-5, with "
+                  "--certified 1e-9")
       ->type_name("X");
   command
       .add_option("--level", options->level,
@@ -344,6 +347,9 @@ void add_factors(CLI::App& program, Common& common, Action& action) {
   command.footer(
       "A factor is what part of the light that leaves `from`, everywhere alike, arrives at `to`. Exact zeros "
       "are left out.\n"
+      "--certified holds whatever stands between. A shadow that its limit of work does not settle, and "
+      "shadows of "
+      "several bodies that fall on one another, widen the radius: look at it.\n"
       "Rows that are finished are kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted run goes on "
       "there.\n"
       "With --compare the exit code is 1 where a pair differs.");

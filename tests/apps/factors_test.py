@@ -90,15 +90,40 @@ class Factors(ProgramTest):
         done = self.run_program("factors", "cube", "--space")
         self.assertEqual(done.returncode, 2)
 
+    def test_an_aperture_and_its_complement_add_up(self):
+        x, y = (0.0, 0.25, 0.625, 1.0), (0.0, 0.375, 0.75, 1.0)
+        cells = [[(x[i], y[j], 0.5), (x[i + 1], y[j], 0.5), (x[i + 1], y[j + 1], 0.5), (x[i], y[j + 1], 0.5)]
+                 for i in range(3) for j in range(3)]
+        total = 0
+        for wall in (cells[:4] + cells[5:], cells[4:5]):
+            self.write("wall.off", off(OBSTRUCTED[:2] + wall))
+            self.expect(0, "factors", "wall.off", "--space", "--by", "piece", "--certified", "--accuracy", "1e-6",
+                        "--out", "wall.csv")
+            factors = {(row["from"], row["to"]): row for row in self.rows("wall.csv")}
+            self.assertEqual(factors["piece_1", "piece_2"]["guaranteed"], "true")
+            self.assertLess(float(factors["piece_1", "piece_2"]["radius"]), 1e-5)
+            total += float(factors["piece_1", "piece_2"]["factor"])
+        self.assertAlmostEqual(total, OPPOSITE, delta=2e-5)
+
     def test_bad_scenes_are_named_with_coordinates(self):
         self.write("reversed.off", off(box(*UNIT) + box(*INNER)))
         self.write("crossing.off", off(box(*UNIT) + box((0.5, 0.25, 0.25), (1.5, 0.75, 0.75), inwards=True)))
         face = [(0.25, 0.25, 0.5), (0.75, 0.25, 0.5), (0.75, 0.75, 0.5), (0.25, 0.75, 0.5)]
         self.write("doubled.off", off(box(*UNIT) + [face, face[::-1]]))
-        for name in ("reversed.off", "crossing.off", "doubled.off"):
+        # Its lower face lies within the floor.
+        self.write("standing.off", off(box(*UNIT) + box((0.25, 0.25, 0.0), (0.75, 0.75, 0.5), inwards=True)))
+        for name in ("reversed.off", "crossing.off", "doubled.off", "standing.off"):
             done = self.run_program("factors", name)
             self.assertEqual(done.returncode, 2, name)
             self.assertRegex(done.stderr.decode(), r"\([-0-9.e]+, [-0-9.e]+, [-0-9.e]+\)", name)
+
+    def test_a_piece_that_sees_nothing_is_warned_of(self):
+        # The upper square looks up, as the lower one does.
+        self.write("back.off", off([OBSTRUCTED[0], OBSTRUCTED[1][::-1]]))
+        done = self.run_program("factors", "back.off", "--space", "--by", "piece")
+        self.assertEqual(done.returncode, 0)
+        for piece in (b"piece_1", b"piece_2"):
+            self.assertIn(piece + b" sees nothing: its normals are probably reversed", done.stderr)
 
     def test_wrong_words_are_refused(self):
         for words in (["cubes"], ["cube", "--by", "side"], ["cube", "--level", "x"], ["cube", "--accuracy", "2"],

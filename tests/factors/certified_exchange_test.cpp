@@ -51,6 +51,78 @@ TEST(ShadowExchangeArea, OfAnApertureAndItsComplementIsTheWhole) {
   EXPECT_TRUE(overlaps(sum, opposed_rectangles(1, 1, 1))) << sum.to_text();
 }
 
+TEST(CertifiedExchangeArea, OfAnApertureAndItsComplementIsThatOfNoWall) {
+  Ball sum = 0;
+  for (const bool plug : {false, true}) {
+    const FacetScene scene(sample::squares_past_a_wall(plug));
+    Ball through = 0;
+    Estimate adaptive;
+    for (const std::size_t i : {0U, 1U})
+      for (const std::size_t j : {2U, 3U}) {
+        const FacetPair pair = scene.pair(i, j);
+        ASSERT_EQ(pair.sight, PairSight::mixed);
+        through += certified_exchange_area(scene, i, j, pair, {.radius = 1e-6});
+        adaptive += visible_exchange_area(scene, pair, {.tolerance = 1e-7});
+      }
+    EXPECT_TRUE(overlaps(through, enclosing_ball(adaptive))) << through.to_text() << " " << adaptive.value;
+    EXPECT_LE(through.radius(), 1e-5);
+    sum += through;
+  }
+  EXPECT_TRUE(overlaps(sum, opposed_rectangles(1, 1, 1))) << sum.to_text();
+}
+
+TEST(CertifiedExchangeArea, BetweenACubeAndTheCubeAroundItIsItsArea) {
+  // The inner cube sees the outer one alone: A_1 F_12 = 3/2, so that F is 1 and, from outside, 1/4 of the area 6.
+  for (const double gap : {1e-1, 1e-6, 1e-12}) {
+    const FacetScene scene(sample::cube_in_cube(gap));
+    Ball sum = 0;
+    for (std::size_t i = 0; i < 12; ++i)
+      for (std::size_t j = 12; j < 24; ++j) sum += certified_exchange_area(scene, i, j, scene.pair(i, j), {});
+    // The side of the inner cube is that of its doubles.
+    EXPECT_LE(abs(sum - Ball(Rational(3, 2))).to_double(), 1e-13) << gap;
+    EXPECT_LE(sum.radius(), 1e-12) << gap;
+  }
+}
+
+TEST(CertifiedExchangeArea, AddsShadowsThatDoNotMeet) {
+  // Two small squares between unit squares, in planes of their own and so far apart that no segment meets both.
+  const auto room = [](bool left, bool right) {
+    std::vector<sample::Quadrangle> faces{{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
+                                          {{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}}};
+    if (left) faces.push_back({{{0.125, 0.25, 0.5}, {0.25, 0.25, 0.5}, {0.25, 0.5, 0.5}, {0.125, 0.5, 0.5}}});
+    if (right)
+      faces.push_back({{{0.75, 0.25, 0.625}, {0.875, 0.25, 0.625}, {0.875, 0.5, 0.625}, {0.75, 0.5, 0.625}}});
+    return FacetScene(sample::mesh_of(faces));
+  };
+  const auto area = [](const FacetScene& scene) {
+    return certified_exchange_area(scene, 0, 2, scene.pair(0, 2), {.radius = 1e-7});
+  };
+  const FacetScene both = room(true, true);
+  ASSERT_EQ(both.pair(0, 2).occluders.size(), 2U);
+  EXPECT_FALSE(both.may_hide_together(0, 1, 0, 2));
+  EXPECT_FALSE(both.may_hide_together(1, 0, 2, 0));
+  const Ball together = area(both);
+  EXPECT_LE(together.radius(), 1e-6);
+  const Ball sum = area(room(true, false)) + area(room(false, true)) - area(room(false, false));
+  EXPECT_TRUE(overlaps(together, sum)) << together.to_text() << " " << sum.to_text();
+  EXPECT_LE(sum.radius(), 1e-6);
+}
+
+TEST(CertifiedExchangeArea, HoldsWhereShadowsMeet) {
+  // Two squares, the one above the other: what both hide is hidden once.
+  const FacetScene scene(
+      sample::mesh_of({{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
+                       {{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}},
+                       {{{0.25, 0.25, 0.5}, {0.5, 0.25, 0.5}, {0.5, 0.5, 0.5}, {0.25, 0.5, 0.5}}},
+                       {{{0.25, 0.25, 0.625}, {0.5, 0.25, 0.625}, {0.5, 0.5, 0.625}, {0.25, 0.5, 0.625}}}}));
+  const FacetPair pair = scene.pair(0, 2);
+  ASSERT_EQ(pair.occluders.size(), 2U);
+  EXPECT_TRUE(scene.may_hide_together(0, 1, 0, 2));
+  const Ball ball = certified_exchange_area(scene, 0, 2, pair, {.radius = 1e-7});
+  const Estimate adaptive = visible_exchange_area(scene, pair, {.tolerance = 1e-7});
+  EXPECT_TRUE(overlaps(ball, enclosing_ball(adaptive))) << ball.to_text() << " " << adaptive.value;
+}
+
 TEST(ShadowExchangeArea, IsReciprocal) {
   const ExactCorners first{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const ExactCorners second{{0, 0, 2}, {0, 1, Rational(3, 2)}, {1, 0, 2}};

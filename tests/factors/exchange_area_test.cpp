@@ -43,6 +43,17 @@ TEST(ExchangeArea, IsTheClosedFormOfOpposedSquaresAtEveryDistance) {
     expect_closed_form(square, {{0, 0, d}, {0, 1, d}, {1, 1, d}, {1, 0, d}}, "distance " + std::to_string(d));
 }
 
+TEST(ExchangeArea, IsTheClosedFormOfSquaresWithEveryGap) {
+  for (const double gap : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
+    const std::string what = "gap " + std::to_string(-std::log10(gap));
+    // One above the other, nested, and next to each other at a right angle.
+    expect_closed_form(square, {{0, 0, gap}, {0, 1, gap}, {1, 1, gap}, {1, 0, gap}}, what + " above");
+    expect_closed_form(square, {{0.25, 0.25, gap}, {0.25, 0.75, gap}, {0.75, 0.75, gap}, {0.75, 0.25, gap}},
+                       what + " nested");
+    expect_closed_form(square, {{-gap, 0, 0}, {-gap, 1, 0}, {-gap, 1, 1}, {-gap, 0, 1}}, what + " beside");
+  }
+}
+
 TEST(ExchangeArea, IsTheClosedFormWherePolygonsTouch) {
   expect_closed_form(square, {{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}, "a side in common");
   const FacetCorners triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

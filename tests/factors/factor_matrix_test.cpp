@@ -3,15 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
+#include "radcert/closed_form/factor_catalogue.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/parallel.h"
 #include "radcert/factors/factor_mesh.h"
 #include "radcert/surface/catalogue.h"
 #include "sample_rooms.h"
+#include "tests/geometry/sample_meshes.h"
 
 namespace radcert {
 namespace {
@@ -77,6 +80,27 @@ TEST(FactorMatrix, OfACubeInACubeHasTheRatiosOfAreas) {
     EXPECT_NEAR(between(matrix, 0, 0), 0.75, 1e-4) << gap;
     EXPECT_LE(std::abs(between(matrix, 0, 0) - 0.75), matrix.rows[0].sum.radius) << gap;
   }
+}
+
+TEST(FactorMatrix, OfMeshesOfConcentricSpheresIsTheRoundOnes) {
+  // Similar polyhedra about one centre have the ratio of areas of the spheres, and the inner one sees the outer alone.
+  const sample::Polyhedron inner = sample::sphere(1);
+  sample::Polyhedron outer = inner;
+  for (Vector<double>& v : outer.vertices) v = 2.0 * v;
+  // The mesh looks into the room between.
+  for (auto& face : outer.faces) std::reverse(face.begin(), face.end());
+  const FacetScene scene(sample::mesh_of(sample::together(inner, outer, false)));
+  FactorUnits spheres;
+  spheres.names = {"inner", "outer"};
+  for (std::size_t t = 0; t < scene.facet_count(); ++t)
+    spheres.of_triangle.push_back(2 * t < scene.facet_count() ? 0 : 1);
+  const FactorMatrix matrix = matrix_of(scene, spheres, {.accuracy = 1e-3});
+  EXPECT_NEAR(between(matrix, 0, 1), 1, 1e-13);
+  EXPECT_EQ(between(matrix, 0, 0), 0);
+  EXPECT_NEAR(between(matrix, 1, 0), outer_sphere_to_inner(1, 2).to_double(), 1e-13);
+  const double self = outer_sphere_to_itself(1, 2).to_double();
+  EXPECT_NEAR(between(matrix, 1, 1), self, 1e-3);
+  EXPECT_LE(std::abs(between(matrix, 1, 1) - self), matrix.rows[1].sum.radius);
 }
 
 // Each way in which shadows fall on walls: a lost one shows in the rows' sums, and no radius hides it.

@@ -76,6 +76,20 @@ inline TriangleMesh obstructed_squares() {
                   {{{0, 0, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0.5}, {0, 0.5, 0.5}}}});
 }
 
+/// The same squares, and at z = 1/2 a wall over [0,1]^2 with the hole [1/4, 5/8] x [3/8, 3/4], or the plug that fits it.
+inline TriangleMesh squares_past_a_wall(bool plug) {
+  std::vector<Quadrangle> faces{{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
+                                {{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}}};
+  const std::array<double, 4> x{0, 0.25, 0.625, 1};
+  const std::array<double, 4> y{0, 0.375, 0.75, 1};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if ((i == 1 && j == 1) == plug)
+        faces.push_back(
+            {{{x[i], y[j], 0.5}, {x[i + 1], y[j], 0.5}, {x[i + 1], y[j + 1], 0.5}, {x[i], y[j + 1], 0.5}}});
+  return mesh_of(faces);
+}
+
 /// A unit for each two triangles, as mesh_of makes them.
 inline FactorUnits by_face(const TriangleMesh& mesh) {
   FactorUnits units;

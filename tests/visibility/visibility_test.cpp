@@ -138,6 +138,97 @@ TEST(Visibility, IsWhatEveryTriangleSays) {
   expect_as_every_triangle_says(sample::l_room(), random, 250, true, 2);
 }
 
+/// Whether the open segment meets the closed triangle, by its two ends on a line or by the three sides' half planes, in rational
+/// numbers: nothing is left undecided.
+bool meets_exactly(const std::array<Vector<Rational>, 3>& t, const Vector<Rational>& p,
+                   const Vector<Rational>& q) {
+  const Vector<Rational> normal = cross(t[1] - t[0], t[2] - t[0]);
+  const Vector<Rational> along = q - p;
+  // The parameters in (0,1) at which p + r along is in the plane and to the left of each side.
+  Rational low = 0;
+  Rational high = 1;
+  bool low_is_open = true;
+  bool high_is_open = true;
+  const auto keep_at_least_zero = [&](const Rational& at_p, const Rational& slope) {
+    if (slope.sign() == 0) return at_p.sign() >= 0;
+    const Rational root = -at_p / slope;
+    if (slope.sign() > 0 && root > low) {
+      low = root;
+      low_is_open = false;
+    }
+    if (slope.sign() < 0 && root < high) {
+      high = root;
+      high_is_open = false;
+    }
+    return true;
+  };
+  const Rational height = dot(normal, p - t[0]);
+  const Rational rise = dot(normal, along);
+  if (!keep_at_least_zero(height, rise) || !keep_at_least_zero(-height, -rise)) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector<Rational> inwards = cross(normal, t[(k + 1) % 3] - t[k]);
+    if (!keep_at_least_zero(dot(inwards, p - t[k]), dot(inwards, along))) return false;
+  }
+  return low < high || (low == high && !low_is_open && !high_is_open);
+}
+
+TEST(Visibility, IsItsDefinitionForDegenerateQueries) {
+  // Triangles and points on a coarse grid: segments through corners and sides, within planes, that end on other triangles.
+  Numbers random(33);
+  constexpr std::size_t steps = 4;
+  const auto coordinate = [&] { return static_cast<double>(random.below(steps + 1)); };
+  const auto grid_point = [&] { return Vector<double>{coordinate(), coordinate(), coordinate()}; };
+  int hidden = 0;
+  int count = 0;
+  for (int trial = 0; trial < 12; ++trial) {
+    TriangleMesh mesh;
+    while (mesh.triangles.size() < 8) {
+      const Vector<double> a = grid_point();
+      const Vector<double> b = grid_point();
+      const Vector<double> c = grid_point();
+      if (cross(b - a, c - a) == Vector<double>{}) continue;
+      const std::size_t first = mesh.vertices.size();
+      mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
+      mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    mesh.group.assign(mesh.triangles.size(), 0);
+    mesh.group_names = {""};
+    mesh.face.assign(mesh.triangles.size(), 0);
+    const Scene scene(std::move(mesh));
+    const ExactSight sight(scene);
+    const auto end = [&]() -> ScenePoint {
+      if (random.below(2) == 0) return {grid_point(), std::nullopt};
+      const std::size_t of = random.below(scene.triangle_count());
+      const std::size_t i = random.below(3);
+      return {sample::point_of(scene, of, 0.5 * static_cast<double>(i),
+                               0.5 * static_cast<double>(random.below(3 - i))),
+              of};
+    };
+    for (int k = 0; k < 200; ++k) {
+      const ScenePoint p = end();
+      const ScenePoint q = end();
+      const bool one_plane = p.triangle && q.triangle && sight.in_plane(*p.triangle, *q.triangle);
+      const Vector<Rational> at_p = sample::exact(p.at);
+      const Vector<Rational> at_q = sample::exact(q.at);
+      bool sees = one_plane || p.at == q.at ||
+                  ((!p.triangle || sight.height(*p.triangle, at_q) >= 0) &&
+                   (!q.triangle || sight.height(*q.triangle, at_p) >= 0));
+      for (std::size_t t = 0; t < scene.triangle_count() && !(p.at == q.at); ++t) {
+        if ((p.triangle && sight.in_plane(t, *p.triangle)) || (q.triangle && sight.in_plane(t, *q.triangle)))
+          continue;
+        sees = sees && !meets_exactly(sight.corners(t), at_p, at_q);
+      }
+      ++count;
+      hidden += sees ? 0 : 1;
+      EXPECT_EQ(visible(scene, p, q), sees) << "trial " << trial << ": " << p.at.x << " " << p.at.y << " "
+                                            << p.at.z << " to " << q.at.x << " " << q.at.y << " " << q.at.z;
+      EXPECT_EQ(visible(scene, q, p), sees) << "trial " << trial << ", turned";
+    }
+  }
+  EXPECT_GT(hidden, count / 4);
+  EXPECT_LT(hidden, 3 * count / 4);
+}
+
 TEST(Visibility, SeesPastNarrowGaps) {
   for (const double gap : {1e-1, 1e-6, 1e-12}) {
     const Scene scene = sample::cube_in_cube(gap);

@@ -35,7 +35,8 @@ double largest_part(const std::array<double, 3>& a) {
 
 class PlaneElement::Prepared {
 public:
-  Prepared(const PlanePolygon& polygon, std::vector<PlanePolynomial<Rational>> functions, double accuracy);
+  Prepared(const PlanePolygon& polygon, std::vector<PlanePolynomial<Rational>> functions, double accuracy,
+           std::span<const double> sizes);
 
   [[nodiscard]] std::size_t function_count() const { return functions_.size(); }
   Route integrals(const Vector<double>& p, const Vector<double>& normal, std::span<double> values) const;
@@ -64,7 +65,7 @@ private:
         /// For every triangle of the fans: those of the products of degree_ barycentric coordinates, ordered as in PieceSums.
     std::vector<std::vector<double>> barycentric;
     double size = 0;     ///< largest Bernstein coefficient over all triangles: bounds |q| there
-    double maximum = 0;  ///< a lower bound of max |q| over the polygon
+    double maximum = 0;  ///< a lower bound of max |q| over the polygon, or the size that was given
   };
   /// P and its normal as the corners see them.
   struct Eye {
@@ -79,7 +80,7 @@ private:
   };
 
   void add_loops(const PlanePolygon& polygon);
-  void add_functions();
+  void add_functions(std::span<const double> sizes);
   [[nodiscard]] double largest_value(const PlanePolynomial<Rational>& q) const;
   void add_barycentric(const PlanePolynomial<Rational>& q, Function& function);
 
@@ -174,17 +175,21 @@ PlanePolynomial<Rational> substituted(const PlanePolynomial<Rational>& q, const 
 }  // namespace
 
 PlaneElement::Prepared::Prepared(const PlanePolygon& polygon,
-                                 std::vector<PlanePolynomial<Rational>> functions, double accuracy)
+                                 std::vector<PlanePolynomial<Rational>> functions, double accuracy,
+                                 std::span<const double> sizes)
     : polygon_(polygon), exact_functions_(std::move(functions)), accuracy_(accuracy) {
   expects(accuracy >= usual_accuracy && accuracy <= largest_accuracy, "1e-14 <= accuracy <= 1e-3",
           named("accuracy", accuracy));
   expects(!exact_functions_.empty(), "at least one function");
+  expects(sizes.empty() || (sizes.size() == exact_functions_.size() &&
+                            std::all_of(sizes.begin(), sizes.end(), [](double size) { return size > 0; })),
+          "no sizes, or a positive one a function", named("sizes", sizes.size()));
   for (const PlanePolynomial<Rational>& q : exact_functions_) {
     expects(q.degree() <= largest_degree, "functions of degree at most 8", named("degree", q.degree()));
     degree_ = std::max(degree_, q.degree());
   }
   add_loops(polygon);
-  add_functions();
+  add_functions(sizes);
 }
 
 void PlaneElement::Prepared::add_loops(const PlanePolygon& polygon) {
@@ -301,7 +306,7 @@ double PlaneElement::Prepared::largest_value(const PlanePolynomial<Rational>& q)
   return largest.to_double() * (1 - 4 * unit);
 }
 
-void PlaneElement::Prepared::add_functions() {
+void PlaneElement::Prepared::add_functions(std::span<const double> sizes) {
   // s = s_c + s_x X + s_y Y with X = x / x_scale, and so t: by the dual frame of the plane.
   const Vector<Rational> plane_normal = polygon_.normal();
   const Rational squared = dot(plane_normal, plane_normal);
@@ -351,7 +356,7 @@ void PlaneElement::Prepared::add_functions() {
       function.coefficients.push_back(c.to_double());
     }
     add_barycentric(exact_functions_[k], function);
-    function.maximum = largest_value(exact_functions_[k]);
+    function.maximum = sizes.empty() ? largest_value(exact_functions_[k]) : sizes[k];
     expects(function.maximum > 0, "functions that are not zero", named("function", k));
     amplification_ = std::max(amplification_, function.size / function.maximum);
     functions_.push_back(std::move(function));
@@ -750,8 +755,8 @@ PlaneElement::Route PlaneElement::Prepared::integrals(const Vector<double>& p, c
 }
 
 PlaneElement::PlaneElement(const PlanePolygon& polygon, std::vector<PlanePolynomial<Rational>> functions,
-                           double accuracy)
-    : prepared_(std::make_unique<const Prepared>(polygon, std::move(functions), accuracy)) {}
+                           double accuracy, std::span<const double> sizes)
+    : prepared_(std::make_unique<const Prepared>(polygon, std::move(functions), accuracy, sizes)) {}
 PlaneElement::PlaneElement(PlaneElement&&) noexcept = default;
 PlaneElement& PlaneElement::operator=(PlaneElement&&) noexcept = default;
 PlaneElement::~PlaneElement() = default;

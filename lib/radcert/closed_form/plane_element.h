@@ -19,10 +19,11 @@ namespace radcert {
 ///           without 1/pi, negative where P lies behind the polygon
 /// Source    KernelMoments in BoundedDouble; Gauss rules over pieces that are small against their distance from P (fitting_rule),
 ///           also where P's tangent plane cuts the polygon; balls where neither bound suffices
-/// Requires  at least one function, each of degree at most 8 and not zero, and 1e-14 <= accuracy <= 1e-3, else
-///           ContractViolation; p and normal as point_to_polygon demands them, taken as exact numbers
+/// Requires  at least one function, each of degree at most 8 and not zero, 1e-14 <= accuracy <= 1e-3, and no sizes or a
+///           positive one a function, else ContractViolation; p and normal as point_to_polygon demands them, taken as exact numbers
 /// Result    |result - exact| <= accuracy (Int |G| dS) max |q_k| over the polygon, whatever P: always, by a bound computed with the
-///           value, or by a ball. The same bits for the same numbers, in any order and from any thread
+///           value, or by a ball. With sizes: sizes[k] >= max |q_k| in its place, such as the maximum over an element of which the
+///           polygon is a part. The same bits for the same numbers, in any order and from any thread
 /// Limits    a ball costs a hundred to a thousand closed forms. It is needed very close to an edge or a corner and where the polygon
 ///           is cut there, from degree 3 on between the reach of the closed form and that of the rules, and for functions whose
 ///           Bernstein coefficients are several times their maximum: then the rules' roundings are not within the bound
@@ -35,7 +36,7 @@ public:
   enum class Route { zero, closed_form, rule, ball };
 
   PlaneElement(const PlanePolygon& polygon, std::vector<PlanePolynomial<Rational>> functions,
-               double accuracy = usual_accuracy);
+               double accuracy = usual_accuracy, std::span<const double> sizes = {});
   PlaneElement(PlaneElement&&) noexcept;
   PlaneElement& operator=(PlaneElement&&) noexcept;
   ~PlaneElement();

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <span>
-#include <vector>
 
+#include "radcert/collocation/exact_nodes.h"
 #include "radcert/core/matrix.h"
 #include "radcert/core/outcome.h"
-#include "radcert/geometry/vector.h"
 #include "radcert/polynomial/lagrange_functions.h"
-#include "radcert/scalar/rational.h"
 
 namespace radcert {
-
-/// A plane element of space, known exactly: corners counterclockwise as seen from the side of the inner
-/// normal.
-using ExactTriangle = std::array<Vector<Rational>, 3>;
 
 /// The matrix of K P_n with a proved radius for every entry.
 /// Maths     |entries(i, k p + j) - rho(v_i)/pi Int_{Delta_k} G(v_i,Q) l_j(Q) dS_Q| <= radius(i, k p + j), p

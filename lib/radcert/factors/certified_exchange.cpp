@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "radcert/closed_form/polygon_to_polygon.h"
 #include "radcert/core/contract.h"
@@ -41,6 +43,40 @@ Ball area_of(const ExactCorners& triangle) {
   return sqrt(Ball(dot(normal, normal) / 4));
 }
 
+/// What one solid keeps back, and its faces that may stand between.
+struct Solid {
+  Ball kept_back = 0;
+  std::vector<std::size_t> faces{};
+};
+
+/// Solids in groups: a segment between the triangles meets those of one group only.
+std::vector<std::vector<const Solid*>> groups(const FacetScene& scene, std::size_t first, std::size_t second,
+                                              const std::map<std::size_t, Solid>& solids) {
+  const auto meet = [&](const Solid& a, const Solid& b) {
+    return std::any_of(a.faces.begin(), a.faces.end(), [&](std::size_t k) {
+      return std::any_of(b.faces.begin(), b.faces.end(),
+                         [&](std::size_t l) { return scene.may_hide_together(k, l, first, second); });
+    });
+  };
+  std::vector<std::vector<const Solid*>> out;
+  for (const auto& [number, solid] : solids) {
+    std::vector<const Solid*> group{&solid};
+    std::vector<std::vector<const Solid*>> rest;
+    for (std::vector<const Solid*>& other : out) {
+      const bool joined =
+          std::any_of(other.begin(), other.end(), [&](const Solid* one) { return meet(*one, solid); });
+      if (joined) {
+        group.insert(group.end(), other.begin(), other.end());
+      } else {
+        rest.push_back(std::move(other));
+      }
+    }
+    rest.push_back(std::move(group));
+    out = std::move(rest);
+  }
+  return out;
+}
+
 }  // namespace
 
 Ball certified_area(const FacetScene& scene, std::size_t triangle) {
@@ -63,22 +99,27 @@ Ball certified_exchange_area(const FacetScene& scene, std::size_t first, std::si
                           .work_limit = demand.work_limit};
   const Ball nothing = 0;
   const Ball anything = hull(nothing, unoccluded);
-  std::map<std::size_t, Ball> kept_back;
+  std::map<std::size_t, Solid> solids;
   for (const std::size_t k : pair.occluders) {
     const ConvexOccluder& occluder = scene.occluders()[k];
     const OccludingSide side =
         scene.solid_is_body(occluder.solid) ? OccludingSide::front : OccludingSide::both;
     const std::optional<Ball> shadow =
         shadow_exchange_area(receiver, source, exact_corners(occluder.corners), side, each);
-    kept_back[occluder.solid] += shadow ? *shadow : anything;
+    Solid& solid = solids[occluder.solid];
+    solid.kept_back += shadow ? *shadow : anything;
+    solid.faces.push_back(k);
   }
-  Ball all = 0;
-  Ball largest = 0;
-  for (const auto& [solid, part] : kept_back) {
-    all += part;
-    largest = max(largest, part);
+  Ball value = unoccluded;
+  for (const std::vector<const Solid*>& group : groups(scene, first, second, solids)) {
+    Ball all = 0;
+    Ball largest = 0;
+    for (const Solid* solid : group) {
+      all += solid->kept_back;
+      largest = max(largest, solid->kept_back);
+    }
+    value -= group.size() == 1 ? all : hull(all, largest);
   }
-  const Ball value = kept_back.size() == 1 ? unoccluded - all : hull(unoccluded - all, unoccluded - largest);
   return common_part(value, anything);
 }
 

@@ -16,12 +16,14 @@ struct CertifiedDemand {
 /// Maths     A_1 F_12 = E - sum over the occluders of B_O, where E is that without occluders and B_O what
 ///           occluder O keeps back, in case no segment between the triangles meets two of them: they lie in
 ///           one plane, or are those faces of one convex body that look at the receiver. In general, by
-///           solids k: E - sum_k B_k <= A_1 F_12 <= E - max_k B_k
+///           solids k: E - sum_k B_k <= A_1 F_12 <= E - max_k B_k; and if no segment meets solids of two
+///           groups, A_1 F_12 is E less what each group keeps back
 /// Source    E: polygon_to_polygon. B_O: shadow_exchange_area
 /// Requires  triangles of this scene, and their pair
 /// Result    an enclosure at the current precision, always; a shadow that is not enclosed within the work
 ///           limit counts with what was reached, and then with [0, E]
-/// Limits    wide where shadows of several solids fall on one another
+/// Limits    wide where shadows of several solids fall on one another: of one group, what the smaller ones keep
+///           back is not known
 [[nodiscard]] Ball certified_exchange_area(const FacetScene& scene, std::size_t first, std::size_t second,
                                            const FacetPair& pair, const CertifiedDemand& demand);
 

@@ -405,6 +405,33 @@ bool FacetScene::hides(const ConvexOccluder& occluder, std::size_t first, std::s
   return true;
 }
 
+bool FacetScene::may_hide_together(std::size_t occluder, std::size_t other, std::size_t first,
+                                   std::size_t second) const {
+  // A segment through X of the one lies in the hulls of it and either triangle. What a plane has on its other side these do not
+  // meet inside.
+  const auto apart_from = [&](const FacetCorners& one, const FacetCorners& two, std::size_t triangle) {
+    FacetCorners hull = facet(triangle);
+    hull.insert(hull.end(), one.begin(), one.end());
+    FacetCorners all = hull;
+    all.insert(all.end(), two.begin(), two.end());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = i + 1; j < all.size(); ++j)
+        for (std::size_t k = j + 1; k < all.size(); ++k) {
+          const Plane plane({all[i], all[j], all[k]});
+          const unsigned of_hull = sides(plane, hull);
+          const unsigned of_two = sides(plane, two);
+          if (of_hull != 0 && of_hull != 3U && of_two != 3U && (of_hull & of_two) == 0) return true;
+        }
+    return false;
+  };
+  const auto pass_by = [&](const FacetCorners& one, const FacetCorners& two) {
+    return apart_from(one, two, first) && apart_from(one, two, second);
+  };
+  const FacetCorners& a = occluders_[occluder].corners;
+  const FacetCorners& b = occluders_[other].corners;
+  return !pass_by(a, b) && !pass_by(b, a);
+}
+
 FacetPair FacetScene::pair(std::size_t first, std::size_t second) const {
   expects(first < facet_count() && second < facet_count(), "triangles that are there", named("first", first),
           named("second", second));

@@ -69,6 +69,10 @@ public:
   /// hide anything from it.
   [[nodiscard]] bool solid_is_body(std::size_t solid) const { return is_body_[solid]; }
   [[nodiscard]] FacetPair pair(std::size_t first, std::size_t second) const;
+  /// Whether a segment between two triangles may meet two occluders: false only where a plane shows that those which meet one of
+  /// them, up to a set without measure, pass by the other.
+  [[nodiscard]] bool may_hide_together(std::size_t occluder, std::size_t other, std::size_t first,
+                                       std::size_t second) const;
 
 private:
   [[nodiscard]] bool may_stand_between(const ConvexOccluder& occluder, std::size_t first,

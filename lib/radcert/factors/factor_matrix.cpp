@@ -140,7 +140,7 @@ void finish(FactorMatrix& matrix, ExchangeSums& sums, const FactorDemand& demand
 }
 
 std::string block_key(const FactorProgress& progress, const FactorDemand& demand, const RowBlock& block) {
-  return progress.key + (demand.certified ? "\ncertified" : "\naccuracy " + bits_text(demand.accuracy)) +
+  return progress.key + (demand.certified ? "\ncertified " : "\naccuracy ") + bits_text(demand.accuracy) +
          "\nrows " + std::to_string(block.begin) + " to " + std::to_string(block.end);
 }
 
@@ -182,7 +182,9 @@ PairExchange pair_exchange(const FacetScene& scene, std::size_t first, std::size
   PairExchange out{.area = {}, .sight = pair.sight};
   if (pair.sight == PairSight::nothing || pair.sight == PairSight::hidden) return out;
   if (demand.certified) {
-    out.area = enclosing_estimate(certified_exchange_area(scene, first, second, pair, {}));
+    const double share = std::max(scene.area(first), scene.area(second)) / scene.total_area();
+    const CertifiedDemand certified{.radius = demand.accuracy * share};
+    out.area = enclosing_estimate(certified_exchange_area(scene, first, second, pair, certified));
   } else if (pair.sight == PairSight::whole) {
     out.area = exchange_area(pair.first, pair.second);
   } else {

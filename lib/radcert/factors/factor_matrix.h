@@ -96,7 +96,7 @@ struct FactorPlan {
 /// Requires  triangles that are there
 /// Result    mixed pairs: to accuracy A_i A_j / A, A the scene's area, which gives each row a radius of at
 ///           most about four times `accuracy`. Exactly 0 with radius 0 where nothing is seen. certified: the
-///           radius is proved, however wide
+///           radius is proved, however wide; a shadow is driven to the same accuracy, or to its limit of work
 /// Limits    -
 [[nodiscard]] PairExchange pair_exchange(const FacetScene& scene, std::size_t first, std::size_t second,
                                          const FactorDemand& demand);

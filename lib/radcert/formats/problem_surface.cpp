@@ -84,7 +84,11 @@ SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::pat
   const JsonReader named = surface.at("name", "one of " + listed(available));
   for (const std::string& occluded : occluded_surfaces)
     if (named.value().string() && *named.value().string() == occluded)
-      named.refuse("needs visibility, which is not available in this version", listed(available));
+      named.refuse(
+          "has curved parts that hide each other: visibility of curved parts is not available in this "
+          "version, only of "
+          "plane triangles",
+          listed(available) + ", or {\"file\": a mesh of it}");
   const std::string& name = named.word(available);
 
   const SurfaceDescription& description = *find_surface(name);

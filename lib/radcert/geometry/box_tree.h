@@ -30,7 +30,7 @@ template <std::size_t count>
 
 /// A tree of boxes about the triangles of a mesh, for questions that most boxes answer.
 /// Maths     each node's box holds those below it; halves at the median of the widest side
-/// Source    -
+/// Source    in place of CGAL's AABB_tree, which tests closed segments: it hides what ends on a triangle, or must list all that is met
 /// Requires  finite coordinates
 /// Result    visit() shows every triangle whose box and all boxes above it `accept` lets pass, always in the same order: the boxes
 ///           are exact, so nothing is lost where accept refuses only what it may

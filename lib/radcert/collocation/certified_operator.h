@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "radcert/core/outcome.h"
+#include "radcert/enclosure/kernel_integral.h"
+#include "radcert/surface/surface_point.h"
+#include "radcert/triangulation/triangulation.h"
+
+namespace radcert {
+
+/// Numbers with proved radii.
+/// Maths     |exact_i - values_i| <= radius_i
+struct CertifiedValues {
+  std::vector<double> values;
+  std::vector<double> radius;
+};
+
+/// The radiosity operator's integral of a density at many points, proved.
+/// Maths     Int_S G(P_i, Q) u(Q) dS_Q, without 1/pi and reflectivity
+/// Source    certified_kernel_sums
+/// Requires  an unoccluded surface; a triangulation of it; points by parameters in the domains of their charts;
+///           0 < demand, else ContractViolation
+/// Result    radii of at most demand. Refused, with the reason, where that was not reached: see
+///           certified_chart_entries; a density that is not analytic on the charts as well. The same bits for any
+///           number of threads; Interrupted when asked to stop
+/// Limits    V = 1. The triangulation is for speed alone: about one element a few points
+Outcome<CertifiedValues> certified_operator(const Surface& surface, const Triangulation& triangulation,
+                                            const Density& u, std::span<const SurfacePoint<Rational>> points,
+                                            double demand);
+
+}  // namespace radcert

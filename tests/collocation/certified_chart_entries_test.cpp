@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/collocation/certified_chart_entries.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/closed_form/point_to_polygon.h"
+#include "radcert/collocation/certified_kernel_sums.h"
+#include "radcert/collocation/certified_operator.h"
+#include "radcert/core/contract.h"
+#include "radcert/core/parallel.h"
+#include "radcert/polynomial/lattice.h"
+#include "radcert/surface/catalogue/cylinder.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/paraboloid_cap.h"
+#include "radcert/surface/catalogue/spherical_cap.h"
+#include "radcert/surface/catalogue/torus.h"
+#include "radcert/surface/catalogue/two_piece.h"
+#include "radcert/triangulation/interpolated_surface.h"
+
+namespace radcert {
+namespace {
+
+constexpr double demand = 1e-11;
+
+/// 1 and the second barycentric coordinate.
+class OneAndCoordinate final : public ElementFunctions {
+public:
+  std::size_t size() const override { return 2; }
+  void values(const ElementPoint<Ball>& at, std::span<Ball> out) const override {
+    out[0] = Ball(1);
+    out[1] = at.in_element.x[1];
+  }
+  double bound(const ElementPoint<TaylorModel>& at) const override {
+    return std::max(1.0, at.in_element.x[1].magnitude_bound());
+  }
+};
+
+/// The same as densities on one element.
+std::array<Density, 2> densities(const ParameterTriangle& element) {
+  std::array<ParameterPoint<Rational>, 3> v;
+  for (std::size_t i = 0; i < 3; ++i)
+    v[i] = {Rational::exactly(element.vertices[i].s), Rational::exactly(element.vertices[i].t)};
+  const ParameterPoint<Rational> side = v[2] - v[0];
+  const Rational area = cross(v[1] - v[0], side);
+  // x_2 = (at - v_1) x (v_3 - v_1) / ((v_2 - v_1) x (v_3 - v_1))
+  const Rational by_s = side.t / area;
+  const Rational by_t = -side.s / area;
+  const Rational constant = -(by_s * v[0].s + by_t * v[0].t);
+  return {unit_density(), density([=]<Real R>(const DensityPoint<R>& q) {
+            return from_rational<R>(constant) + from_rational<R>(by_s) * q.at.s +
+                   from_rational<R>(by_t) * q.at.t;
+          })};
+}
+
+ParameterPolygon polygon_of(const ParameterTriangle& element) {
+  ParameterPolygon polygon;
+  for (const ParameterPoint<double>& v : element.vertices)
+    polygon.push_back({Rational::exactly(v.s), Rational::exactly(v.t)});
+  return polygon;
+}
+
+struct Enclosures {
+  std::vector<double> values;
+  std::vector<double> radius;
+};
+
+Enclosures sums_over(const Surface& surface, const ParameterTriangle& element,
+                     const std::vector<SurfacePoint<Rational>>& points, double demanded = demand) {
+  const OneAndCoordinate functions;
+  const Triangulation triangulation{{element}};
+  const CertifiedKernelSums sums(surface, triangulation, functions, points, demanded);
+  Enclosures found{std::vector<double>(2 * points.size()), std::vector<double>(2 * points.size())};
+  EXPECT_EQ(sums.element(0, found.values, found.radius), "");
+  return found;
+}
+
+bool encloses(double value, double radius, const Ball& exact) {
+  return overlaps(widened(Ball(value), Ball(radius)), exact);
+}
+
+/// Random numbers of the unit interval with few digits, often at its ends and near to a given one.
+class Fractions {
+public:
+  explicit Fractions(unsigned seed) : bits_(seed) {}
+  Rational next(long denominator) {
+    return {static_cast<long>(bits_() % static_cast<unsigned long>(denominator + 1)), denominator};
+  }
+  ParameterPoint<Rational> in_square() { return {next(96), next(96)}; }
+  ParameterPoint<Rational> in_triangle() {
+    ParameterPoint<Rational> p = in_square();
+    if (p.s + p.t > 1) p = {1 - p.s, 1 - p.t};
+    return p;
+  }
+
+private:
+  std::mt19937_64 bits_;
+};
+
+struct Case {
+  const char* name;
+  Surface surface;
+  ParameterTriangle element;
+  std::vector<SurfacePoint<Rational>> points;  ///< in the element, beside it, far away
+};
+
+Rational q(long n, long d) { return {n, d}; }
+
+std::vector<Case> cases() {
+  const ParameterTriangle small{1, {{{0.25, 0.25}, {0.5, 0.25}, {0.5, 0.5}}}};
+  const std::vector<SurfacePoint<Rational>> roof{
+      {1, {q(5, 12), q(1, 3)}}, {1, {q(13, 24), q(3, 8)}}, {1, {q(1, 2), q(1, 4)}}, {0, {q(1, 3), q(1, 3)}}};
+  const ParameterTriangle part{0, {{{0.25, 0.25}, {0.5, 0.25}, {0.25, 0.5}}}};
+  const std::vector<SurfacePoint<Rational>> octants{
+      {0, {q(1, 3), q(1, 3)}}, {0, {q(5, 24), q(1, 3)}}, {7, {q(1, 3), q(1, 3)}}};
+  const ParameterTriangle cap{4, {{{0.25, 0.5}, {0.5, 0.5}, {0.25, 0.75}}}};
+  const ParameterTriangle mantle{8, {{{0.0, 0.0}, {0.25, 0.0}, {0.25, 0.25}}}};
+  return {
+      {"two_piece 2", two_piece(2), small, roof},
+      {"two_piece 3", two_piece(3), small, roof},
+      {"two_piece 2, floor", two_piece(2), {0, small.vertices}, {{1, {q(1, 3), q(1, 3)}}}},
+      {"ellipsoid", ellipsoid(1, 2, 3), part, octants},
+      {"sphere", sphere(), part, octants},
+      {"paraboloid_cap",
+       paraboloid_cap(),
+       cap,
+       {{4, {q(1, 3), q(13, 24)}},
+        {4, {q(1, 3), q(11, 24)}},
+        {0, {q(5, 12), q(1, 2)}},
+        {6, {q(1, 6), q(1, 6)}}}},
+      {"cylinder",
+       cylinder(1, 2),
+       mantle,
+       {{8, {q(1, 6), q(1, 12)}},
+        {8, {q(1, 3), q(1, 6)}},
+        {0, {q(3, 4), q(1, 8)}},
+        {10, {q(1, 2), q(1, 2)}}}},
+  };
+}
+
+TEST(CertifiedKernelSums, ContainTheKernelIntegrals) {
+  for (const Case& c : cases()) {
+    const Enclosures found = sums_over(c.surface, c.element, c.points);
+    const std::array<Density, 2> functions = densities(c.element);
+    for (std::size_t i = 0; i < c.points.size(); ++i) {
+      const std::size_t j = i % 2;
+      const std::size_t place = j * c.points.size() + i;
+      const BallPrecision precision(70);
+      const Enclosure exact =
+          kernel_integral(ExactObserver::on_surface({c.points[i]}), c.surface, c.element.chart,
+                          polygon_of(c.element), functions[j], {.radius = 1e-14});
+      ASSERT_TRUE(exact.has_value()) << c.name << exact.reason().to_text();
+      EXPECT_TRUE(encloses(found.values[place], found.radius[place], exact->value))
+          << c.name << ", point " << i << ", function " << j << ": " << found.values[place] << " +/- "
+          << found.radius[place] << ", " << exact->value.to_text();
+      EXPECT_LE(found.radius[place], demand / 16) << c.name << ", point " << i << ", function " << j;
+    }
+  }
+}
+
+/// Far from the origin the coordinates are rounded by 1e-10 of the element: the radii tell.
+TEST(CertifiedKernelSums, BoundTheRoundingOfLargeCoordinates) {
+  const Surface surface = cylinder(1, 1L << 20);
+  const ParameterTriangle element{8, {{{0.0, 0.5}, {0.5, 0.5}, {0.0, 0.5 + 0x1p-20}}}};
+  const std::vector<SurfacePoint<Rational>> points{{10, {q(1, 3), q(1, 2) + Rational(1, 3L << 20)}},
+                                                   {9, {q(2, 3), q(1, 2) + Rational(2, 3L << 20)}}};
+  const Enclosures found = sums_over(surface, element, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const BallPrecision precision(120);
+    const Enclosure exact = kernel_integral(ExactObserver::on_surface({points[i]}), surface, 8,
+                                            polygon_of(element), unit_density(), {.radius = 1e-14});
+    ASSERT_TRUE(exact.has_value()) << exact.reason().to_text();
+    EXPECT_TRUE(encloses(found.values[i], found.radius[i], exact->value))
+        << found.values[i] << " +/- " << found.radius[i] << ", " << exact->value.to_text();
+  }
+}
+
+/// On the sphere G is 1/4: every point has the same integrals, which take no kernel.
+TEST(CertifiedKernelSums, AreAQuarterOfTheAreaOnTheSphere) {
+  const Surface surface = sphere();
+  const ParameterTriangle element{3, {{{0.25, 0.25}, {0.375, 0.25}, {0.25, 0.375}}}};
+  Fractions random(71);
+  std::vector<SurfacePoint<Rational>> points;
+  for (std::size_t k = 0; k < 300; ++k) points.push_back({k % 8, random.in_triangle()});
+  const Enclosures found = sums_over(surface, element, points);
+  // Here hardly more than rounding is in the radii.
+  const Enclosures rounding = sums_over(surface, element, points, 1e-15);
+  const std::array<Density, 2> functions = densities(element);
+  for (std::size_t j = 0; j < 2; ++j) {
+    const BallPrecision precision(100);
+    const auto integrand = [&]<Real R>(const ParameterPoint<R>& at) {
+      const Frame<R> frame = surface.charts[3].in<R>().frame(at);
+      const DensityPoint<R> point{3, at, frame.point};
+      if constexpr (std::same_as<R, Ball>) {
+        return area_element(frame) * functions[j].in_balls(point) / R(4);
+      } else {
+        return area_element(frame) * functions[j].in_models(point) / R(4);
+      }
+    };
+    const Enclosure exact = integral_over_polygon(integrand, polygon_of(element), {.radius = 1e-21});
+    ASSERT_TRUE(exact.has_value());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const std::size_t place = j * points.size() + i;
+      ASSERT_TRUE(encloses(found.values[place], found.radius[place], exact->value))
+          << "chart " << points[i].chart << " (" << points[i].at.s.to_text() << ", "
+          << points[i].at.t.to_text() << "), function " << j << ": " << found.values[place] << " +/- "
+          << found.radius[place] << ", " << exact->value.to_text();
+      ASSERT_TRUE(encloses(rounding.values[place], rounding.radius[place], exact->value))
+          << rounding.values[place] << " +/- " << rounding.radius[place] << ", " << exact->value.to_text();
+    }
+  }
+}
+
+/// From points of the roof to an element of the floor there is a closed form.
+TEST(CertifiedKernelSums, ContainTheClosedFormOfPlaneElements) {
+  const Surface surface = two_piece(2);
+  const ParameterTriangle element{0, {{{0.5, 0.0}, {1.0, 0.5}, {0.5, 0.5}}}};
+  Fractions random(72);
+  std::vector<SurfacePoint<Rational>> points;
+  for (int k = 0; k < 1000; ++k) points.push_back({1, random.in_square()});
+  const Enclosures found = sums_over(surface, element, points);
+  const ParameterPolygon corners = polygon_of(element);
+  const auto in_space = [](const ParameterPoint<Rational>& p) { return Vector<Rational>{p.s, p.t, 0}; };
+  const Vector<Rational> origin = in_space(corners[0]);
+  const PlanePolygon polygon = plane_polygon(origin, in_space(corners[1]) - origin,
+                                             in_space(corners[2]) - origin, {{{0, 0}, {1, 0}, {0, 1}}})
+                                   .value();
+  const BallPrecision precision(100);
+  double widest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& [s, t] = points[i].at;
+    // In the order of PlanePolynomial: 1, s, t.
+    const std::vector<Ball> exact =
+        point_to_polygon_moments<Ball>({s, t, 2 - s * s}, {-2 * s, 0, -1}, polygon, 1);
+    for (std::size_t j = 0; j < 2; ++j) {
+      const std::size_t place = j * points.size() + i;
+      ASSERT_TRUE(encloses(found.values[place], found.radius[place], exact[j]))
+          << "(" << s.to_text() << ", " << t.to_text() << "), function " << j << ": " << found.values[place]
+          << " +/- " << found.radius[place] << ", " << exact[j].to_text();
+      widest = std::max(widest, found.radius[place]);
+    }
+  }
+  EXPECT_LT(widest, 1e-13);
+}
+
+LagrangeFunctions inset_functions(int degree, const Rational& inset) {
+  return lagrange_functions(inset_nodes(degree, inset)).value();
+}
+
+TEST(CertifiedChartEntries, AreWithinTheDemandAndHoldTheReflectivity) {
+  const Surface surface = two_piece(2);
+  const Triangulation triangulation = triangulate(surface, 0);
+  const LagrangeFunctions functions = inset_functions(1, Rational(1, 6));
+  const std::size_t n = triangulation.triangles.size() * functions.size();
+  std::vector<double> reflectivity(n, 1.0);
+  reflectivity[2] = 0.25;
+  reflectivity[7] = 0;
+  const Outcome<CertifiedEntries> found =
+      certified_chart_entries(surface, triangulation, functions, reflectivity, 1e-7);
+  ASSERT_TRUE(found.has_value()) << found.reason();
+  const std::vector<SurfacePoint<Rational>> nodes = exact_collocation_nodes(triangulation, functions);
+  const Outcome<CertifiedValues> rows =
+      certified_operator(surface, triangulation, unit_density(), nodes, 1e-7);
+  ASSERT_TRUE(rows.has_value()) << rows.reason();
+  for (std::size_t i = 0; i < n; ++i) {
+    Ball sum;
+    double radius = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      sum += widened(Ball(found->entries(i, j)), Ball(found->radius(i, j)));
+      radius += found->radius(i, j);
+    }
+    EXPECT_LE(radius, 1e-7 * reflectivity[i]);
+    const Ball row =
+        widened(Ball(rows->values[i]), Ball(rows->radius[i])) * Ball(reflectivity[i]) / Ball::pi();
+    EXPECT_TRUE(overlaps(sum, row)) << "row " << i << ": " << sum.to_text() << ", " << row.to_text();
+  }
+  EXPECT_EQ(found->entries(7, 0), 0);
+  // Within the floor G vanishes, exactly.
+  EXPECT_EQ(found->entries(0, 3), 0);
+  EXPECT_EQ(found->radius(0, 3), 0);
+}
+
+/// Within a closed surface the kernel sums to pi.
+TEST(CertifiedOperator, SumsToPiInAClosedSurface) {
+  const Surface surface = paraboloid_cap();
+  const std::vector<SurfacePoint<Rational>> points{{0, {q(1, 6), q(1, 3)}}, {5, {q(1, 3), q(1, 3)}}};
+  const Outcome<CertifiedValues> found =
+      certified_operator(surface, triangulate(surface, 0), unit_density(), points, 1e-7);
+  ASSERT_TRUE(found.has_value()) << found.reason();
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_TRUE(encloses(found->values[i], found->radius[i], Ball::pi()))
+        << found->values[i] << " +/- " << found->radius[i];
+}
+
+TEST(CertifiedOperator, IsThatOfTheWholeSurfaceAndOfItsInterpolant) {
+  const Surface exact = two_piece(3);
+  const InterpolatedSurface interpolated = interpolate(exact, triangulate(exact, 0), 2);
+  const Density u = density([](const auto& p) { return exp(p.point.x) * p.point.z; });
+  const std::vector<SurfacePoint<Rational>> points{{1, {q(1, 4), q(1, 2)}}, {0, {q(1, 3), q(1, 3)}}};
+  const auto agrees = [&](const Surface& surface, const Triangulation& triangulation) {
+    const Outcome<CertifiedValues> found = certified_operator(surface, triangulation, u, points, 1e-10);
+    ASSERT_TRUE(found.has_value()) << found.reason();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const BallPrecision precision(80);
+      const Enclosure whole =
+          kernel_integral(ExactObserver::on_surface({points[i]}), surface, u, {.radius = 1e-14});
+      ASSERT_TRUE(whole.has_value()) << whole.reason().to_text();
+      EXPECT_TRUE(encloses(found->values[i], found->radius[i], whole->value))
+          << surface.name << ", point " << i << ": " << found->values[i] << " +/- " << found->radius[i]
+          << ", " << whole->value.to_text();
+    }
+  };
+  agrees(exact, triangulate(exact, 0));
+  agrees(interpolated.surface, interpolated.triangulation);
+}
+
+TEST(CertifiedOperator, HasTheSameBitsForAnyNumberOfThreads) {
+  const Surface surface = two_piece(2);
+  const std::vector<SurfacePoint<Rational>> points{{1, {0, 1}}, {1, {q(1, 2), q(1, 2)}}, {0, {q(1, 3), 1}}};
+  const auto values = [&](std::size_t threads) {
+    const ThreadLimit limit(threads);
+    return certified_operator(surface, triangulate(surface, 1), unit_density(), points, 1e-8).value();
+  };
+  const CertifiedValues one = values(1);
+  const CertifiedValues two = values(2);
+  EXPECT_EQ(one.values, two.values);
+  EXPECT_EQ(one.radius, two.radius);
+}
+
+TEST(CertifiedOperator, RefusesWithAReason) {
+  // A point of a seam lies on elements of other charts.
+  const Surface cap = spherical_cap(Rational(1, 4));
+  const Outcome<CertifiedValues> on_seam = certified_operator(
+      cap, triangulate(cap, 0), unit_density(), std::vector{SurfacePoint<Rational>{0, {q(1, 2), 0}}}, 1e-6);
+  ASSERT_FALSE(on_seam.has_value());
+  EXPECT_NE(on_seam.reason().find("border"), std::string::npos) << on_seam.reason();
+  const Surface roof = two_piece(2);
+  const std::vector<SurfacePoint<Rational>> floor{{0, {q(1, 2), q(1, 3)}}};
+  const Outcome<CertifiedValues> sharper =
+      certified_operator(roof, triangulate(roof, 0), unit_density(), floor, 1e-16);
+  ASSERT_FALSE(sharper.has_value());
+  EXPECT_NE(sharper.reason().find("demanded"), std::string::npos) << sharper.reason();
+  // |x - 1/3| is not analytic.
+  const Density kink = density([]<Real R>(const DensityPoint<R>& p) {
+    const R x = p.point.x - from_rational<R>(Rational(1, 3));
+    return sqrt(x * x);
+  });
+  const Outcome<CertifiedValues> not_smooth =
+      certified_operator(roof, triangulate(roof, 0), kink, floor, 1e-6);
+  ASSERT_FALSE(not_smooth.has_value());
+}
+
+TEST(CertifiedOperator, RequiresUnoccludedSurfacesAndPointsOfThem) {
+  const Surface ring = torus(1, Rational(1, 2));
+  const std::vector<SurfacePoint<Rational>> inside{{0, {q(1, 2), q(1, 2)}}};
+  EXPECT_THROW(
+      static_cast<void>(certified_operator(ring, triangulate(ring, 0), unit_density(), inside, 1e-6)),
+      ContractViolation);
+  const Surface surface = two_piece(2);
+  const std::vector<SurfacePoint<Rational>> outside{{0, {q(3, 2), q(1, 2)}}};
+  EXPECT_THROW(
+      static_cast<void>(certified_operator(surface, triangulate(surface, 0), unit_density(), outside, 1e-6)),
+      ContractViolation);
+  EXPECT_THROW(
+      static_cast<void>(certified_operator(surface, triangulate(surface, 0), unit_density(), inside, 0)),
+      ContractViolation);
+}
+
+}  // namespace
+}  // namespace radcert
