@@ -9,6 +9,7 @@
 
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/text.h"
 #include "radcert/geometry/mesh_parts.h"
 
 namespace radcert {
@@ -25,15 +26,6 @@ Parse parser_of(const std::string& name) {
   for (const auto& [ending, parse] : formats)
     if (lower.ends_with(ending)) return parse;
   return nullptr;
-}
-
-/// FNV-1a, 64 bits, and the number of bytes.
-std::string digest_of(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
-  std::string out(16, '0');
-  for (std::size_t place = 16; place-- > 0; hash >>= 4U) out[place] = "0123456789abcdef"[hash & 15U];
-  return "fnv1a-" + out + "-" + std::to_string(bytes.size());
 }
 
 }  // namespace

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/meshless/light_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <utility>
+
+#include "radcert/core/contract.h"
+#include "radcert/core/text.h"
+#include "radcert/meshless/surface_cells.h"
+#include "radcert/surface/catalogue/disk.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/visibility/surface_scene.h"
+#include "radcert/visibility/visibility.h"
+
+namespace radcert {
+namespace {
+
+/// One eighth of a sphere at a height.
+template <Field R>
+class RaisedOctant {
+public:
+  RaisedOctant(const Rational& radius, const Rational& height, const Rational& x, const Rational& y,
+               const Rational& z)
+      : octant_(radius, radius, radius, Octant{.x = x.sign(), .y = y.sign(), .z = z.sign()}),
+        height_(from_rational<R>(height)) {}
+
+  template <Field T>
+  Vector<T> operator()(const T& s, const T& t) const {
+    const Vector<T> p = octant_(s, t);
+    return {p.x, p.y, height_ + p.z};
+  }
+
+private:
+  EllipsoidOctant<R> octant_;
+  R height_;
+};
+
+void append_bytes(std::string& text, double x) {
+  char bytes[sizeof x];
+  std::memcpy(bytes, &x, sizeof x);
+  text.append(bytes, sizeof x);
+}
+
+void append_bytes(std::string& text, const Vector<double>& v) {
+  for (const double x : {v.x, v.y, v.z}) append_bytes(text, x);
+}
+
+void append_words(std::string& text, const std::string& words) {
+  text.append(std::to_string(words.size())).append(":").append(words);
+}
+
+/// Everything that the digest is of, byte after byte.
+std::string description(const Surface& surface, const std::vector<double>& albedo,
+                        const std::vector<RoundBlocker>& blockers) {
+  std::string text;
+  append_words(text, surface.name);
+  for (const SurfaceParameter& parameter : surface.parameters) {
+    append_words(text, parameter.name);
+    append_words(text, parameter.value.to_text());
+  }
+  for (std::size_t k = 0; k < surface.chart_count(); ++k) {
+    append_words(text, surface.charts[k].facts().name);
+    append_bytes(text, albedo[k]);
+    // A chart is told by its image: the corners of its domain and its middle.
+    const ChartIn<double>& chart = surface.charts[k].in<double>();
+    for (const ParameterPoint<double>& at : {ParameterPoint<double>{0, 0}, {1, 0}, {0, 1}, {0.25, 0.25}})
+      append_bytes(text, chart.frame(at).point);
+    append_bytes(text, chart.frame({0.25, 0.25}).area_normal);
+  }
+  append_words(text, surface.unoccluded ? "unoccluded" : "occluded");
+  for (const RoundBlocker& blocker : blockers) {
+    append_words(text, blocker.piece);
+    if (const auto* ball = std::get_if<BallBlocker>(&blocker.shape)) {
+      append_words(text, "ball");
+      append_bytes(text, ball->centre), append_bytes(text, ball->radius);
+    } else {
+      const auto& disk = *std::get_if<DiskBlocker>(&blocker.shape);
+      append_words(text, "disk");
+      append_bytes(text, disk.centre), append_bytes(text, disk.normal), append_bytes(text, disk.radius);
+    }
+  }
+  return text;
+}
+
+bool fits(const Vector<double>& v) {
+  return std::abs(v.x) <= Scene::largest_coordinate && std::abs(v.y) <= Scene::largest_coordinate &&
+         std::abs(v.z) <= Scene::largest_coordinate;
+}
+
+bool is_allowed(const RoundBlocker& blocker) {
+  if (const auto* ball = std::get_if<BallBlocker>(&blocker.shape))
+    return fits(ball->centre) && ball->radius >= 0 && ball->radius <= Scene::largest_coordinate;
+  const auto& disk = *std::get_if<DiskBlocker>(&blocker.shape);
+  return fits(disk.centre) && fits(disk.normal) && dot(disk.normal, disk.normal) > 0 && disk.radius >= 0 &&
+         disk.radius <= Scene::largest_coordinate;
+}
+
+bool stands_between(const RoundBlocker& blocker, const Vector<double>& p, const Vector<double>& q) {
+  if (const auto* ball = std::get_if<BallBlocker>(&blocker.shape)) return hides(*ball, p, q);
+  return hides(*std::get_if<DiskBlocker>(&blocker.shape), p, q);
+}
+
+/// The diagonal of a box about the surface, sampled on cells of curved charts, and half as much again.
+double sampled_reach(const Surface& surface) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vector<double> low{infinity, infinity, infinity};
+  Vector<double> high{-infinity, -infinity, -infinity};
+  const auto cells = cells_below(surface, infinity, std::numeric_limits<std::size_t>::max());
+  for (const SurfaceCell& cell : *cells)
+    for (const Vector<double>& image : cell.images) {
+      low = {std::min(low.x, image.x), std::min(low.y, image.y), std::min(low.z, image.z)};
+      high = {std::max(high.x, image.x), std::max(high.y, image.y), std::max(high.z, image.z)};
+    }
+  return 1.5 * norm(high - low);
+}
+
+}  // namespace
+
+struct LightScene::Parts {
+  Surface surface;
+  std::vector<double> albedo;  ///< a chart
+  std::vector<RoundBlocker> blockers;
+  std::vector<std::vector<bool>> owns;  ///< of each blocker, which charts are its skin
+  std::unique_ptr<const SurfaceScene> mesh;
+  double reach = 0;
+  std::string digest;
+
+  [[nodiscard]] std::optional<std::size_t> triangle(std::size_t chart) const {
+    return mesh ? std::optional(chart) : std::nullopt;
+  }
+};
+
+LitPoint lit_point(const Surface& surface, const SurfacePoint<double>& at) {
+  return {.site = site_at(surface, at), .chart = at.chart};
+}
+
+LightScene::LightScene(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
+
+Outcome<LightScene> LightScene::make(Surface surface, std::vector<double> albedo,
+                                     std::vector<RoundBlocker> blockers) {
+  const std::size_t charts = surface.chart_count();
+  if (charts == 0) return because("the surface has no chart");
+  if (albedo.size() == 1) albedo.assign(charts, albedo.front());
+  if (albedo.size() != charts)
+    return because("there are " + std::to_string(albedo.size()) + " albedos for " + std::to_string(charts) +
+                   " charts; allowed: one, or one a chart");
+  for (const double beta : albedo)
+    if (!(beta >= 0 && beta < 1))
+      return because("the albedo " + shortest(beta) +
+                     " is not in [0, 1): a surface scatters less than arrives");
+  const bool is_mesh = surface.mesh != nullptr;
+  if (!surface.unoccluded && !is_mesh && blockers.empty())
+    return because("the curved surface " + quotation(surface.name) +
+                   " hides parts of itself: say by which balls and disks, or take a mesh of it");
+  auto parts = std::make_shared<Parts>();
+  for (const RoundBlocker& blocker : blockers) {
+    if (!is_allowed(blocker)) return because("a ball or disk in the way has numbers that are not allowed");
+    std::vector<bool> owns(charts, false);
+    for (std::size_t k = 0; k < charts; ++k)
+      owns[k] = !blocker.piece.empty() && surface.charts[k].facts().piece == blocker.piece;
+    if (!blocker.piece.empty() && std::find(owns.begin(), owns.end(), true) == owns.end())
+      return because("the surface has no piece " + quotation(blocker.piece) + " to be the skin of a blocker");
+    parts->owns.push_back(std::move(owns));
+  }
+  parts->digest = digest_of(description(surface, albedo, blockers));
+  parts->reach = sampled_reach(surface);
+  if (is_mesh && !surface.unoccluded) parts->mesh = std::make_unique<const SurfaceScene>(surface);
+  parts->surface = std::move(surface);
+  parts->albedo = std::move(albedo);
+  parts->blockers = std::move(blockers);
+  return LightScene(std::move(parts));
+}
+
+const Surface& LightScene::surface() const { return parts_->surface; }
+double LightScene::albedo(std::size_t chart) const { return parts_->albedo[chart]; }
+double LightScene::reach() const { return parts_->reach; }
+const std::string& LightScene::digest() const { return parts_->digest; }
+
+bool LightScene::visible(const LitPoint& p, const LitPoint& q) const {
+  for (std::size_t k = 0; k < parts_->blockers.size(); ++k)
+    if (!parts_->owns[k][p.chart] && !parts_->owns[k][q.chart] &&
+        stands_between(parts_->blockers[k], p.site.point, q.site.point))
+      return false;
+  return !parts_->mesh || radcert::visible(parts_->mesh->scene(), {p.site.point, parts_->triangle(p.chart)},
+                                           {q.site.point, parts_->triangle(q.chart)});
+}
+
+bool LightScene::visible(const LitPoint& p, const Vector<double>& from) const {
+  for (std::size_t k = 0; k < parts_->blockers.size(); ++k)
+    if (!parts_->owns[k][p.chart] && stands_between(parts_->blockers[k], p.site.point, from)) return false;
+  return !parts_->mesh || radcert::visible(parts_->mesh->scene(), {p.site.point, parts_->triangle(p.chart)},
+                                           {from, std::nullopt});
+}
+
+Surface sphere_over_disk_surface(const Rational& radius, const Rational& disk_radius,
+                                 const Rational& height) {
+  expects(radius > Rational(0) && radius < height && radius < disk_radius,
+          "0 < radius < height, radius < disk_radius", named("radius", radius), named("height", height),
+          named("disk_radius", disk_radius));
+  Surface surface;
+  surface.name = "sphere_over_disk";
+  surface.parameters = {{"radius", radius}, {"disk_radius", disk_radius}, {"height", height}};
+  for (const int z : {1, -1})
+    for (const int y : {1, -1})
+      for (const int x : {1, -1}) {
+        std::string name = "sphere/";
+        for (const int sign : {x, y, z}) name += sign > 0 ? 'p' : 'm';
+        // D_s F x D_t F points out of the ball where x y z > 0, and light is outside.
+        ChartFacts facts{.name = std::move(name),
+                         .piece = "sphere",
+                         .domain = ChartDomain::unit_triangle,
+                         .orientation = x * y * z > 0 ? Orientation::along_the_cross_product
+                                                      : Orientation::against_the_cross_product};
+        facts.structure.revolution = z_axis();
+        surface.charts.push_back(make_exact_chart<RaisedOctant>(std::move(facts), radius, height, Rational(x),
+                                                                Rational(y), Rational(z)));
+      }
+  for (Chart& chart : disk_charts("disk", disk_radius, 0, Facing::up))
+    surface.charts.push_back(std::move(chart));
+  surface.diagonals.assign(surface.charts.size(), Diagonal::main);
+  surface.unoccluded = false;
+  return surface;
+}
+
+Outcome<LightScene> sphere_over_disk_light_scene(double albedo, const Rational& radius,
+                                                 const Rational& disk_radius, const Rational& height) {
+  Surface surface = sphere_over_disk_surface(radius, disk_radius, height);
+  return LightScene::make(
+      std::move(surface), {albedo},
+      {{.shape = BallBlocker{.centre = {0, 0, height.to_double()}, .radius = radius.to_double()},
+        .piece = "sphere"},
+       {.shape = DiskBlocker{.centre = {0, 0, 0}, .normal = {0, 0, 1}, .radius = disk_radius.to_double()},
+        .piece = "disk"}});
+}
+
+}  // namespace radcert

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "radcert/core/matrix.h"
+#include "radcert/core/outcome.h"
+#include "radcert/meshless/light_scene.h"
+#include "radcert/meshless/light_source.h"
+#include "radcert/meshless/radial_basis.h"
+#include "radcert/meshless/transfer_file.h"
+#include "radcert/meshless/transfer_matrix.h"
+#include "radcert/meshless/weights.h"
+#include "radcert/solve/power_series.h"
+
+namespace radcert {
+
+/// How the intensity w_j of a point light is found: see weights.h.
+enum class WeightRule : std::uint8_t { integrated, plane, neighbours, mean_density };
+
+/// How values at the sites become coefficients.
+/// Maths     as_values: lambda_i = f(p_i), so that R = N; interpolated: A lambda = f, a_ij = phi_j(p_i), so that R = A^-1 N
+/// Source    [psg10, section VII] takes the values, which is the interpolant only where A = I
+/// Requires  -
+/// Result    -
+/// Limits    as_values smooths with a partition of unity, and multiplies by sum_j phi_j where that is not 1
+enum class CoefficientRule : std::uint8_t { as_values, interpolated };
+
+/// The words of the file formats.
+[[nodiscard]] std::string_view name(WeightRule rule);
+[[nodiscard]] std::string_view name(CoefficientRule rule);
+
+/// All that a transfer matrix is made of, but the scene.
+struct TransferChoice {
+  MeshlessChoice meshless{};
+  WeightRule weights = WeightRule::integrated;
+  CoefficientRule coefficients = CoefficientRule::as_values;
+  TransferFactor factor = TransferFactor::physical;
+  IntegrationDemand integration{};  ///< of integrated weights
+};
+
+/// One line of text that says all of it.
+[[nodiscard]] std::string to_text(const TransferChoice& choice);
+
+/// The coefficients of the radiance in the basis.
+struct LightSolution {
+  std::vector<double> total;     ///< lambda
+  std::vector<double> emission;  ///< epsilon, of light scattered once
+  std::vector<double> indirect;  ///< lambda - epsilon
+  std::size_t reflections = 0;   ///< steps of the Neumann series
+  double error_bound = 0;        ///< >= max_i |lambda_i - exact solution of the system|, proved
+};
+
+/// A scene whose transfer matrix is known: ready for any light.
+/// Maths     (I - R) lambda = epsilon, R = N or A^-1 N
+/// Source    [psg10, (19)], precomputed radiance transfer
+/// Requires  -
+/// Result    immutable. The Neumann series of an R of which a power contracts in a weighted maximum norm (solve/power_series.h), with its
+///           a-posteriori bound
+/// Limits    what R leaves out of the integral operator is not bounded
+class LightTransfer {
+public:
+  /// Refused: sites, a basis or weights that are (see there); an R of which no power up to the sixteenth contracts. InputError where
+  /// memory does not do.
+  [[nodiscard]] static Outcome<LightTransfer> make(const LightScene& scene, const TransferChoice& choice);
+  /// The same with R from a file that write() made of the same scene and choice; InputError, by name, where it is not.
+  [[nodiscard]] static Outcome<LightTransfer> read(const LightScene& scene, const TransferChoice& choice,
+                                                   const std::filesystem::path& path);
+  void write(const std::filesystem::path& path) const;
+
+  [[nodiscard]] const LightScene& scene() const;
+  [[nodiscard]] const RadialBasis& basis() const;
+  [[nodiscard]] const Matrix<double>& matrix() const;
+  /// w_j; empty where the matrix was read.
+  [[nodiscard]] std::span<const double> weights() const;
+  [[nodiscard]] const TransferSums& sums() const;
+  /// R with what bounds its spectral radius.
+  [[nodiscard]] const NeumannSeries& series() const;
+  /// An estimate of the condition of A; 1 where the values are the coefficients.
+  [[nodiscard]] double condition() const;
+
+  /// Coefficients for a light. Tolerance: of error_bound against max |lambda|, absent: as far as doubles go. Refused: not reached.
+  [[nodiscard]] Outcome<LightSolution> solve(const Light& light,
+                                             std::optional<double> tolerance = 1e-8) const;
+  /// The radiance of a point in the basis, as the paper has it; nothing where the basis has no value.
+  [[nodiscard]] std::optional<double> radiance(const LightSolution& solution, const LitPoint& at) const;
+  /// The direct light there, exactly, and the rest in the basis: shadows keep their edges.
+  [[nodiscard]] std::optional<double> radiance(const LightSolution& solution, const Light& light,
+                                               const LitPoint& at) const;
+  /// The emittance at the sites.
+  [[nodiscard]] std::vector<double> emission_at_sites(const Light& light) const;
+
+private:
+  struct Parts;
+  explicit LightTransfer(std::shared_ptr<const Parts> parts);
+  static Outcome<LightTransfer> complete(std::shared_ptr<Parts> parts, Matrix<double> matrix);
+  std::shared_ptr<const Parts> parts_;
+};
+
+}  // namespace radcert

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/meshless/interpolation_system.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "radcert/expression/parse.h"
+#include "radcert/meshless/sampling.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
+
+namespace radcert {
+namespace {
+
+using ::testing::HasSubstr;
+
+double one_norm(const std::vector<double>& v) {
+  double sum = 0;
+  for (const double x : v) sum += std::abs(x);
+  return sum;
+}
+
+std::vector<double> unit(std::size_t n, std::size_t j) {
+  std::vector<double> e(n, 0.0);
+  e[j] = 1;
+  return e;
+}
+
+RadialBasisChoice with_mother(const char* text, std::optional<Rational> support = std::nullopt) {
+  RadialBasisChoice choice = gaussian_basis();
+  choice.mother = expression_mother(*parse_expression(text, ExpressionVariables::radius), std::move(support));
+  return choice;
+}
+
+// Sparse and dense.
+std::vector<RadialBasisChoice> choices() {
+  return {gaussian_basis(), lehtinen_basis(), with_mother("exp(-4*r^2)", Rational(1)),
+          with_mother("exp(-r)")};
+}
+
+TEST(InterpolationSystem, HasTheValuesThatItWasGiven) {
+  const SiteSet sites = poisson_disk_sites(sphere(), {0.25, 1}).value();
+  std::vector<double> f(sites.size());
+  std::vector<Site<double>> points;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    f[i] = std::sin(3 * sites.points[i].x) + sites.points[i].z;
+    points.push_back(sites[i]);
+  }
+  for (const RadialBasisChoice& choice : choices()) {
+    SCOPED_TRACE(choice.mother.to_text());
+    const RadialBasis basis = RadialBasis::make(sites, choice).value();
+    const auto system = InterpolationSystem::make(basis);
+    ASSERT_TRUE(system) << system.reason();
+    const std::vector<double> c = system->solve(f);
+    const double tolerance = 1e-15 * system->condition();
+    const std::vector<double> back = system->values_at_sites(c);
+    const auto by_basis = basis.at(points, c);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      EXPECT_NEAR(back[i], f[i], 1e-13 + tolerance);
+      EXPECT_NEAR(by_basis[i].value(), f[i], 1e-13 + tolerance);
+    }
+  }
+}
+
+TEST(InterpolationSystem, OfAnInterpolationBasisIsTheUnitMatrix) {
+  const SiteSet sites = poisson_disk_sites(sphere(), {0.5, 1}).value();
+  const auto system = InterpolationSystem::make(RadialBasis::make(sites, shepard_basis()).value());
+  ASSERT_TRUE(system);
+  EXPECT_EQ(system->condition(), 1);
+  EXPECT_DOUBLE_EQ(system->density(), 1.0 / static_cast<double>(sites.size()));
+  const std::vector<double> f(sites.size(), 0.25);
+  EXPECT_EQ(system->solve(f), f);
+}
+
+TEST(InterpolationSystem, EstimatesTheConditionFromBelow) {
+  const SiteSet sites = poisson_disk_sites(sphere(), {0.5, 1}).value();
+  const std::size_t n = sites.size();
+  for (const RadialBasisChoice& choice : choices()) {
+    SCOPED_TRACE(choice.mother.to_text());
+    const auto system = InterpolationSystem::make(RadialBasis::make(sites, choice).value());
+    ASSERT_TRUE(system) << system.reason();
+    double norm = 0;
+    double inverse_norm = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      norm = std::max(norm, one_norm(system->values_at_sites(unit(n, j))));
+      inverse_norm = std::max(inverse_norm, one_norm(system->solve(unit(n, j))));
+    }
+    EXPECT_LE(system->condition(), norm * inverse_norm * (1 + 1e-10));
+    EXPECT_GE(system->condition(), 0.99 * norm * inverse_norm);
+  }
+}
+
+TEST(InterpolationSystem, RefusesASingularMatrix) {
+  const SiteSet sites = poisson_disk_sites(sphere(), {0.5, 1}).value();
+  RadialBasisChoice constant = with_mother("1");
+  constant.distance = SiteDistance::euclidean;
+  const auto system = InterpolationSystem::make(RadialBasis::make(sites, constant).value());
+  ASSERT_FALSE(system);
+  EXPECT_THAT(system.reason(), HasSubstr("singular"));
+  const auto undefined = InterpolationSystem::make(RadialBasis::make(sites, with_mother("abs(r)/r")).value());
+  ASSERT_FALSE(undefined);
+  EXPECT_THAT(undefined.reason(), HasSubstr("no value at its site 0"));
+}
+
+TEST(InterpolationSystem, RefusesVectorsOfAnotherSize) {
+  const SiteSet sites = poisson_disk_sites(sphere(), {0.5, 1}).value();
+  const auto system = InterpolationSystem::make(RadialBasis::make(sites, lehtinen_basis()).value());
+  ASSERT_TRUE(system) << system.reason();
+  EXPECT_THROW(static_cast<void>(system->solve(std::vector<double>(3))), ContractViolation);
+  EXPECT_THROW(static_cast<void>(system->values_at_sites(std::vector<double>(3))), ContractViolation);
+}
+
+}  // namespace
+}  // namespace radcert

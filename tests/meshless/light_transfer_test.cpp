@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/meshless/light_solution.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/core/atomic_file.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/interrupt.h"
+#include "radcert/core/parallel.h"
+#include "radcert/core/version.h"
+#include "radcert/expression/parse.h"
+#include "radcert/meshless/profile_errors.h"
+#include "radcert/meshless/sampling.h"
+#include "radcert/reference/sphere_over_disk.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/torus.h"
+#include "tests/meshless/lit_scenes.h"
+
+namespace radcert {
+namespace {
+
+using std::numbers::pi;
+using ::testing::HasSubstr;
+
+std::vector<double> ones(std::size_t n) { return std::vector<double>(n, 1.0); }
+
+/// A message of an InputError, or why there is none.
+template <class Action>
+std::string input_error(Action&& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no InputError";
+}
+
+TEST(SiteKernel, IsTheProductOfTheCosinesOverTheSquaredDistance) {
+  const Site<double> floor{{0, 0, 0}, {0, 0, 1}};
+  EXPECT_EQ(site_kernel(floor, {{0, 0, 2}, {0, 0, -1}}), 0.25);
+  EXPECT_EQ(site_kernel(floor, {{1, 0, 1}, {0, 0, -1}}), 0.25);        // 1/2 over 2
+  EXPECT_EQ(site_kernel(floor, {{3, 0, 4}, {-1, 0, 0}}), 12.0 / 625);  // 4/5 times 3/5 over 25
+  EXPECT_EQ(site_kernel(floor, {{3, 0, 4}, {1, 0, 0}}), 0);
+  EXPECT_EQ(site_kernel(floor, {{1, 0, 0}, {0, 0, 1}}), 0);
+  EXPECT_EQ(site_kernel(floor, floor), 0);
+}
+
+// Inside a unit sphere cos cos' / d^2 is 1/4 between any two points.
+TEST(TransferMatrix, HasOneValueInAUnitSphere) {
+  const SiteSet sites = uniform_sites(sphere(), {70, 3}).value();  // more than one tile
+  std::vector<double> weights(sites.size());
+  for (std::size_t j = 0; j < weights.size(); ++j) weights[j] = 1 + static_cast<double>(j);
+  const LightScene scene = LightScene::make(sphere(), {0.75}).value();
+  const Matrix<double> physical = point_light_transfer(scene, sites, weights);
+  const Matrix<double> printed = point_light_transfer(scene, sites, weights, TransferFactor::as_printed);
+  for (std::size_t j = 0; j < sites.size(); ++j)
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      const double expected = i == j ? 0 : 0.75 / (4 * pi) * weights[j];
+      ASSERT_NEAR(physical(i, j), expected, 1e-11 * weights[j]) << i << " " << j;
+      ASSERT_EQ(printed(i, j), physical(i, j) / 2) << i << " " << j;
+    }
+}
+
+TEST(TransferMatrix, TakesTheAlbedoOfTheReceiver) {
+  const Surface unit_sphere = sphere();
+  std::vector<double> albedo(unit_sphere.chart_count());
+  for (std::size_t k = 0; k < albedo.size(); ++k) albedo[k] = 0.1 * static_cast<double>(k);
+  const SiteSet sites = uniform_sites(unit_sphere, {20, 5}).value();
+  const LightScene scene = LightScene::make(unit_sphere, albedo).value();
+  const Matrix<double> matrix = point_light_transfer(scene, sites, ones(20));
+  for (std::size_t i = 0; i < 20; ++i)
+    ASSERT_NEAR(matrix(i, (i + 1) % 20), albedo[sites.at[i].chart] / (4 * pi), 1e-12);
+}
+
+/// Whether the open segment runs through the inside of the block: an interval of the segment for each coordinate.
+bool runs_through_block(const Vector<double>& p, const Vector<double>& q) {
+  double first = 0;
+  double last = 1;
+  const auto cut = [&](double from, double to, double low, double high) {
+    const double a = (low - from) / (to - from);
+    const double b = (high - from) / (to - from);
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  };
+  cut(p.x, q.x, test::block_low.x, test::block_high.x);
+  cut(p.y, q.y, test::block_low.y, test::block_high.y);
+  cut(p.z, q.z, test::block_low.z, test::block_high.z);
+  return first < last - 1e-9;
+}
+
+TEST(TransferMatrix, HidesWhatTheBlockHides) {
+  const Surface room = test::room_with_block();
+  const LightScene scene = LightScene::make(room, {0.5}).value();
+  const SiteSet sites = uniform_sites(room, {150, 2}).value();
+  const Matrix<double> matrix = point_light_transfer(scene, sites, ones(sites.size()));
+  int hidden = 0;
+  for (std::size_t j = 0; j < sites.size(); ++j)
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      if (i == j) continue;
+      const bool blocked = sites.at[i].chart < 12 && sites.at[j].chart < 12 &&
+                           runs_through_block(sites.points[i], sites.points[j]);
+      const double expected = blocked ? 0 : 0.5 / pi * site_kernel(sites[i], sites[j]);
+      ASSERT_NEAR(matrix(i, j), expected, 1e-14 * (1 + expected)) << i << " " << j;
+      if (blocked && site_kernel(sites[i], sites[j]) > 0) ++hidden;
+    }
+  EXPECT_GT(hidden, 500);
+}
+
+TEST(TransferMatrix, HasTheSameBitsForEveryNumberOfThreads) {
+  const Surface room = test::room_with_block();
+  const LightScene scene = LightScene::make(room, {0.5}).value();
+  const SiteSet sites = uniform_sites(room, {200, 2}).value();
+  const Matrix<double> on_all = point_light_transfer(scene, sites, ones(200));
+  const ThreadLimit one(1);
+  const Matrix<double> on_one = point_light_transfer(scene, sites, ones(200));
+  for (std::size_t j = 0; j < 200; ++j) EXPECT_TRUE(std::ranges::equal(on_all.column(j), on_one.column(j)));
+}
+
+TEST(TransferMatrix, StopsWhenAskedTo) {
+  const SiteSet sites = uniform_sites(sphere(), {10, 1}).value();
+  const LightScene scene = LightScene::make(sphere(), {0.5}).value();
+  request_interruption();
+  EXPECT_THROW(static_cast<void>(point_light_transfer(scene, sites, ones(10))), Interrupted);
+  clear_interruption();
+}
+
+TEST(TransferMatrix, SaysWhatMemoryItTakes) {
+  EXPECT_EQ(transfer_memory(4000, 1).total(), 128'000'000U);
+  EXPECT_THAT(input_error([] { transfer_memory(4000, 2).require(200'000'000); }), HasSubstr("4000 sites"));
+}
+
+TEST(TransferMatrix, WantsAWeightForEachSite) {
+  const LightScene scene = LightScene::make(sphere(), {0.5}).value();
+  const SiteSet sites = uniform_sites(sphere(), {10, 1}).value();
+  EXPECT_THROW(static_cast<void>(point_light_transfer(scene, sites, ones(9))), ContractViolation);
+}
+
+Matrix<double> matrix_of(std::size_t n, const std::vector<double>& by_rows) {
+  Matrix<double> matrix(n, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) matrix(i, j) = by_rows[i * n + j];
+  return matrix;
+}
+
+TEST(TransferSums, KnowRowsAndSpectralRadius) {
+  const TransferSums swap = transfer_sums(matrix_of(2, {0, 0.5, 0.125, 0}));
+  EXPECT_EQ(swap.largest_row_sum, 0.5);
+  EXPECT_EQ(swap.row, 0U);
+  EXPECT_EQ(swap.largest_entry, 0.5);
+  EXPECT_NEAR(swap.spectral_radius, 0.25, 1e-14);
+  EXPECT_NEAR(transfer_sums(matrix_of(2, {0.5, -3, 0, 0.25})).spectral_radius, 0.5, 1e-7);
+  EXPECT_EQ(transfer_sums(matrix_of(2, {0, 7, 0, 0})).spectral_radius, 0);
+}
+
+TEST(NeumannSeries, SolvesWhereOnlyAPowerContracts) {
+  // A rotation by 45 degrees, times 0.6 sqrt 2 < 1; its sizes have the spectral radius 1.2.
+  const auto series = NeumannSeries::make(matrix_of(2, {0.6, -0.6, 0.6, 0.6}));
+  ASSERT_TRUE(series);
+  EXPECT_EQ(series->power(), 2U);
+  EXPECT_GE(series->spectral_radius_bound(), 0.6 * std::sqrt(2.0));
+  EXPECT_LT(series->spectral_radius_bound(), 0.86);
+  for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(1e-6)}) {
+    const auto solution = series->solve(std::array{1.0, 2.0}, tolerance);
+    ASSERT_TRUE(solution);
+    // (0.4, 0.6; -0.6, 0.4)^-1 = (0.4, -0.6; 0.6, 0.4) / 0.52
+    const double error =
+        std::max(std::abs(solution->values[0] + 0.8 / 0.52), std::abs(solution->values[1] - 1.4 / 0.52));
+    EXPECT_LE(error, solution->error_bound);
+    EXPECT_LE(solution->error_bound, tolerance ? 1.1e-6 * 1.4 / 0.52 : 1e-13);
+  }
+}
+
+TEST(NeumannSeries, BoundsItsErrorAgainstRandomSolutions) {
+  std::mt19937_64 bits(7);
+  const auto uniform = [&] { return static_cast<double>(bits() >> 11U) * 0x1p-53; };
+  for (const double least : {0.0, -1.0})
+    for (int k = 0; k < 20; ++k) {
+      constexpr std::size_t n = 40;
+      Matrix<double> r(n, n);
+      for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i)
+          r(i, j) = (least + (1 - least) * uniform()) / (least < 0 ? 10 : 30);
+      std::vector<double> e(n);
+      for (double& value : e) value = uniform() - 0.5;
+      const auto series = NeumannSeries::make(r);
+      ASSERT_TRUE(series) << k << ": " << series.reason().theta;
+      const auto accurate = series->solve(e, std::nullopt);
+      ASSERT_TRUE(accurate);
+      double residual = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        double sum = e[i] - accurate->values[i];
+        for (std::size_t j = 0; j < n; ++j) sum += r(i, j) * accurate->values[j];
+        residual = std::max(residual, std::abs(sum));
+      }
+      EXPECT_LT(residual, 1e-13);
+      for (const double tolerance : {1e-1, 1e-4, 1e-9}) {
+        const auto rough = series->solve(e, tolerance);
+        ASSERT_TRUE(rough);
+        double error = 0;
+        for (std::size_t i = 0; i < n; ++i)
+          error = std::max(error, std::abs(rough->values[i] - accurate->values[i]));
+        EXPECT_LE(error, rough->error_bound + accurate->error_bound);
+        EXPECT_LT(rough->iterations, accurate->iterations);
+      }
+    }
+}
+
+TEST(NeumannSeries, RefusesWhatDiverges) {
+  const auto swap = NeumannSeries::make(matrix_of(2, {0, 4, 1, 0}));
+  ASSERT_FALSE(swap);
+  EXPECT_TRUE(swap.reason().diverges);
+  EXPECT_NEAR(swap.reason().theta, 2, 1e-3);
+  const auto turn = NeumannSeries::make(matrix_of(2, {0.8, -0.8, 0.8, 0.8}));
+  ASSERT_FALSE(turn);
+  EXPECT_FALSE(turn.reason().diverges);
+  EXPECT_EQ(turn.reason().power, 16U);
+  EXPECT_FALSE(NeumannSeries::make(matrix_of(1, {std::numeric_limits<double>::infinity()})));
+}
+
+TEST(LightScene, RefusesWhatIsNoScene) {
+  EXPECT_THAT(LightScene::make(sphere(), {1.0}).reason(), HasSubstr("albedo 1 "));
+  EXPECT_THAT(LightScene::make(sphere(), {-0.5}).reason(), HasSubstr("albedo -0.5 "));
+  EXPECT_FALSE(LightScene::make(sphere(), {std::numeric_limits<double>::quiet_NaN()}));
+  EXPECT_THAT(LightScene::make(sphere(), {0.1, 0.2}).reason(), HasSubstr("2 albedos for 8 charts"));
+  EXPECT_THAT(LightScene::make(torus(2, Rational(1, 2)), {0.5}).reason(), HasSubstr("hides parts of itself"));
+  EXPECT_THAT(LightScene::make(sphere(), {0.5},
+                               {{.shape = BallBlocker{.centre = {}, .radius = 0.25}, .piece = "cube"}})
+                  .reason(),
+              HasSubstr("no piece \"cube\""));
+  EXPECT_FALSE(
+      LightScene::make(sphere(), {0.5}, {{.shape = BallBlocker{.centre = {}, .radius = -1}, .piece = ""}}));
+  EXPECT_FALSE(sphere_over_disk_light_scene(1.0));
+}
+
+TEST(LightScene, HidesByRoundBlockers) {
+  const RoundBlocker ball{.shape = BallBlocker{.centre = {}, .radius = 0.5}, .piece = ""};
+  const LightScene scene = LightScene::make(sphere(), {0.5}, {ball}).value();
+  const LitPoint top{.site = {{0, 0, 1}, {0, 0, -1}}, .chart = 0};
+  const LitPoint bottom{.site = {{0, 0, -1}, {0, 0, 1}}, .chart = 4};
+  const LitPoint side{.site = {{1, 0, 0}, {-1, 0, 0}}, .chart = 0};
+  EXPECT_FALSE(scene.visible(top, bottom));
+  EXPECT_TRUE(scene.visible(top, side));  // 1/sqrt 2 from the centre
+  EXPECT_FALSE(scene.visible(top, Vector<double>{0, 0, -0.75}));
+  EXPECT_TRUE(scene.visible(top, Vector<double>{0, 0, 0.75}));
+}
+
+TEST(SphereOverDiskSurface, HasTheAreaAndTheNormalsOfTheScene) {
+  const Surface surface = sphere_over_disk_surface();
+  ASSERT_EQ(surface.chart_count(), 12U);
+  const SiteSet sites = uniform_sites(surface, {300, 1}).value();
+  std::size_t on_sphere = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const Vector<double> from_centre = sites.points[i] - Vector<double>{0, 0, 20};
+    if (surface.charts[sites.at[i].chart].facts().piece == "sphere") {
+      ++on_sphere;
+      EXPECT_NEAR(norm(from_centre), 5, 1e-13);
+      EXPECT_NEAR(dot(from_centre, sites.normals[i]), 5, 1e-13);
+    } else {
+      EXPECT_EQ(sites.points[i].z, 0);
+      EXPECT_LE(norm(sites.points[i]), 40 + 1e-12);
+      EXPECT_NEAR(sites.normals[i].z, 1, 1e-15);
+    }
+  }
+  // 100/1700 of 300 expected.
+  EXPECT_GT(on_sphere, 8U);
+  EXPECT_LT(on_sphere, 32U);
+}
+
+TEST(DirectRadiance, IsThatOfEquation20) {
+  const LightScene scene = sphere_over_disk_light_scene(0.75).value();
+  const Light light = ParallelLight{.towards = {0, 0, 3}, .power = 0.5};
+  const SiteSet sites = uniform_sites(scene.surface(), {400, 4}).value();
+  int dark = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const LitPoint at{.site = sites[i], .chart = sites.at[i].chart};
+    double expected = 0.375;
+    if (at.chart < 8) {
+      expected *= std::max(0.0, (sites.points[i].z - 20) / 5);
+    } else if (std::hypot(sites.points[i].x, sites.points[i].y) < 5) {
+      expected = 0;
+    }
+    dark += expected == 0 ? 1 : 0;
+    EXPECT_NEAR(direct_radiance(scene, light, at), expected, 1e-14) << i;
+  }
+  EXPECT_GT(dark, 5);
+}
+
+TEST(DirectRadiance, OfAPointLightFallsWithTheSquareOfTheDistance) {
+  const LightScene scene = LightScene::make(test::room_with_block(), {0.5}).value();
+  const auto floor_at = [&](double x, double y, const Vector<double>& light) {
+    // The floor is charts 0 and 1, divided by the diagonal through (0,0).
+    const std::size_t chart = 3 * x > 4 * y ? 1 : 0;
+    return direct_radiance(scene, PointLight{.at = light, .intensity = 8},
+                           {.site = {{x, y, 0}, {0, 0, 1}}, .chart = chart});
+  };
+  EXPECT_DOUBLE_EQ(floor_at(0.5, 0.25, {0.5, 0.25, 2}), 1);  // 8/2 over 4
+  EXPECT_DOUBLE_EQ(floor_at(3.5, 0.25, {0.5, 0.25, 2}), 4 * 2 / std::pow(13, 1.5));
+  EXPECT_EQ(floor_at(1.5, 2, {1.5, 2, 2.25}), 0);      // below the block
+  EXPECT_EQ(floor_at(0.5, 0.25, {0.5, 0.25, -1}), 0);  // behind the floor
+}
+
+/// The sphere with equal weights: R has the rows sum beta (1 - 1/n).
+TransferChoice on_sphere(const RadialBasisChoice& basis, CoefficientRule rule) {
+  return {.meshless = {.basis = basis, .sites = PoissonDiskSites{.separation = 0.4, .seed = 2}},
+          .weights = WeightRule::mean_density,
+          .coefficients = rule};
+}
+
+/// Lehtinen's basis with smaller elements: its interpolation is well conditioned.
+RadialBasisChoice narrow_basis() {
+  RadialBasisChoice basis = lehtinen_basis();
+  basis.radius.neighbour = 5;
+  return basis;
+}
+
+TEST(LightTransfer, SolvesTheSphereWithConstantLight) {
+  const LightScene scene = LightScene::make(sphere(), {0.75}).value();
+  const Light light = SurfaceEmission{[](const LitPoint&) { return 2.0; }};
+  for (const RadialBasisChoice& basis : {shepard_basis(), narrow_basis()})
+    for (const CoefficientRule rule : {CoefficientRule::as_values, CoefficientRule::interpolated}) {
+      const auto transfer = LightTransfer::make(scene, on_sphere(basis, rule));
+      ASSERT_TRUE(transfer) << transfer.reason();
+      const auto n = static_cast<double>(transfer->basis().size());
+      const double exact = 2 / (1 - 0.75 * (1 - 1 / n));
+      const auto solution = transfer->solve(light, 1e-10);
+      ASSERT_TRUE(solution) << solution.reason();
+      // A partition of unity has a constant's coefficients equal, also where it is solved for.
+      for (const double lambda : solution->total) EXPECT_NEAR(lambda, exact, 1e-4);
+      EXPECT_LE(std::abs(solution->total[0] - exact), solution->error_bound + 1e-3);
+      const double there = *transfer->basis().at({{0, 0.6, 0.8}, {0, -0.6, -0.8}}, solution->total);
+      EXPECT_NEAR(there, exact, 1e-4);
+      for (std::size_t i = 0; i < solution->total.size(); ++i)
+        EXPECT_EQ(solution->indirect[i], solution->total[i] - solution->emission[i]);
+    }
+}
+
+TEST(LightTransfer, InterpolatesTheValuesItWasMadeOf) {
+  const LightScene scene = LightScene::make(sphere(), {0.5}).value();
+  const auto values = LightTransfer::make(scene, on_sphere(narrow_basis(), CoefficientRule::as_values));
+  const auto solved = LightTransfer::make(scene, on_sphere(narrow_basis(), CoefficientRule::interpolated));
+  ASSERT_TRUE(values);
+  ASSERT_TRUE(solved);
+  const Light light = SurfaceEmission{[](const LitPoint& at) { return 1 + at.site.point.x; }};
+  const LightSolution solution = solved->solve(light, 1e-10).value();
+  // At the sites the solution is E + N lambda.
+  const std::vector<double> emission = solved->emission_at_sites(light);
+  for (std::size_t i = 0; i < emission.size(); ++i) {
+    double expected = emission[i];
+    for (std::size_t j = 0; j < emission.size(); ++j) expected += values->matrix()(i, j) * solution.total[j];
+    EXPECT_NEAR(*solved->basis().at(solved->basis().sites()[i], solution.total), expected, 1e-7);
+  }
+  EXPECT_GT(solved->condition(), 1);
+  EXPECT_EQ(values->condition(), 1);
+}
+
+TEST(LightTransfer, IsDarkWithoutLight) {
+  const LightScene scene = LightScene::make(sphere(), {0.5}).value();
+  const auto transfer = LightTransfer::make(scene, on_sphere(lehtinen_basis(), CoefficientRule::as_values));
+  const LightSolution solution =
+      transfer->solve(SurfaceEmission{[](const LitPoint&) { return 0.0; }}).value();
+  for (const double lambda : solution.total) EXPECT_EQ(lambda, 0);
+  EXPECT_EQ(solution.error_bound, 0);
+}
+
+// The elements of the Gaussian basis add up to about 20 where ten neighbours make the radius: all light comes back
+// twenty times.
+TEST(LightTransfer, RefusesAnIterationThatDiverges) {
+  const LightScene scene = LightScene::make(sphere(), {0.5}).value();
+  TransferChoice choice = on_sphere(gaussian_basis(), CoefficientRule::as_values);
+  choice.weights = WeightRule::plane;
+  const auto transfer = LightTransfer::make(scene, choice);
+  ASSERT_FALSE(transfer);
+  EXPECT_THAT(transfer.reason(), HasSubstr("diverges"));
+  EXPECT_THAT(transfer.reason(), HasSubstr("row sum"));
+}
+
+// Near an edge two sites on different walls come as close as they like, and the kernel grows like 1/d^2; sites that keep a
+// distance do not.
+TEST(LightTransfer, RefusesPointLightsThatCrowdInACorner) {
+  const LightScene scene = LightScene::make(test::room_with_block(), {0.75}).value();
+  TransferChoice choice{
+      .meshless = {.basis = lehtinen_basis(), .sites = UniformSites{.count = 400, .seed = 1}},
+      .weights = WeightRule::mean_density};
+  const auto crowded = LightTransfer::make(scene, choice);
+  ASSERT_FALSE(crowded);
+  EXPECT_THAT(crowded.reason(), HasSubstr("diverges"));
+  choice.meshless.sites = PoissonDiskSites{.separation = 0.4, .seed = 1};
+  const auto apart = LightTransfer::make(scene, choice);
+  ASSERT_TRUE(apart) << apart.reason();
+  EXPECT_LT(apart->series().spectral_radius_bound(), 0.95);
+  const auto solution = apart->solve(PointLight{.at = {3, 1, 2}, .intensity = 1});
+  ASSERT_TRUE(solution) << solution.reason();
+  // The block's shadow is not black.
+  EXPECT_GT(*std::min_element(solution->total.begin(), solution->total.end()), 0);
+}
+
+TEST(LightTransfer, RefusesWhatSitesAndBasesRefuse) {
+  const LightScene scene = LightScene::make(sphere(), {0.5}).value();
+  TransferChoice choice;
+  choice.meshless.sites = UniformSites{.count = 5, .seed = 1};
+  EXPECT_FALSE(LightTransfer::make(scene, choice));
+  choice.meshless.sites = PoissonDiskSites{.separation = -1, .seed = 1};
+  EXPECT_FALSE(LightTransfer::make(scene, choice));
+  choice = on_sphere(shepard_basis(), CoefficientRule::as_values);
+  choice.weights = WeightRule::plane;
+  EXPECT_FALSE(LightTransfer::make(scene, choice));
+}
+
+class TransferFile : public ::testing::Test {
+protected:
+  TransferFile() {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~TransferFile() override { std::filesystem::remove_all(folder_); }
+  TransferFile(const TransferFile&) = delete;
+  TransferFile& operator=(const TransferFile&) = delete;
+
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      (std::string("radcert_transfer_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  std::filesystem::path path_ = folder_ / "r.transfer";
+  LightScene scene_ = LightScene::make(sphere(), {0.5}).value();
+  TransferChoice choice_ = on_sphere(narrow_basis(), CoefficientRule::interpolated);
+
+  [[nodiscard]] std::string refusal(const LightScene& scene, const TransferChoice& choice) const {
+    return input_error([&] { static_cast<void>(LightTransfer::read(scene, choice, path_)); });
+  }
+};
+
+TEST_F(TransferFile, GivesBackTheSameBits) {
+  const LightTransfer made = LightTransfer::make(scene_, choice_).value();
+  made.write(path_);
+  const LightTransfer back = LightTransfer::read(scene_, choice_, path_).value();
+  for (std::size_t j = 0; j < made.matrix().columns(); ++j)
+    ASSERT_TRUE(std::ranges::equal(made.matrix().column(j), back.matrix().column(j)));
+  const Light light = ParallelLight{.towards = {0, 0, 1}, .power = 1};
+  EXPECT_EQ(made.solve(light)->total, back.solve(light)->total);
+}
+
+TEST_F(TransferFile, OfAnotherSceneIsRefusedByName) {
+  LightTransfer::make(scene_, choice_)->write(path_);
+  EXPECT_THAT(refusal(LightScene::make(sphere(), {0.25}).value(), choice_), HasSubstr("another scene"));
+  EXPECT_THAT(refusal(LightScene::make(ellipsoid(1, 1, 2), {0.5}).value(), choice_),
+              HasSubstr("another scene"));
+  EXPECT_THAT(refusal(LightScene::make(sphere(), {0.5},
+                                       {{.shape = BallBlocker{.centre = {}, .radius = 0.25}, .piece = ""}})
+                          .value(),
+                      choice_),
+              HasSubstr("another scene"));
+  TransferChoice other = choice_;
+  other.meshless.sites = PoissonDiskSites{.separation = 0.4, .seed = 3};
+  EXPECT_THAT(refusal(scene_, other), HasSubstr("other sites"));
+  other = choice_;
+  other.factor = TransferFactor::as_printed;
+  EXPECT_THAT(refusal(scene_, other), HasSubstr("another choice"));
+  other = choice_;
+  other.coefficients = CoefficientRule::as_values;
+  EXPECT_THAT(refusal(scene_, other), HasSubstr("another choice"));
+}
+
+TEST_F(TransferFile, ThatIsDamagedIsRefusedByName) {
+  EXPECT_THAT(refusal(scene_, choice_), HasSubstr("r.transfer"));
+  LightTransfer::make(scene_, choice_)->write(path_);
+  const std::string whole = read_file(path_);
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = whole;
+    text.replace(text.find(from), from.size(), to);
+    write_atomically(path_, text);
+    return refusal(scene_, choice_);
+  };
+  EXPECT_THAT(changed("matrix 1", "matrix 2"), HasSubstr("another format"));
+  EXPECT_THAT(changed("version " + std::string(version()), "version 0.0.0"), HasSubstr("another version"));
+  EXPECT_THAT(changed("radcert transfer", "radcert solution"), HasSubstr("no transfer matrix"));
+  EXPECT_THAT(changed("size ", "size x"), HasSubstr("damaged"));
+  EXPECT_THAT(changed("\n\n", "\n "), HasSubstr("damaged"));
+  write_atomically(path_, whole.substr(0, whole.size() - 1));
+  EXPECT_THAT(refusal(scene_, choice_), HasSubstr("damaged"));
+  write_atomically(path_, whole.substr(0, 40));
+  EXPECT_THAT(refusal(scene_, choice_), HasSubstr("damaged"));
+  std::string altered = whole;
+  altered[whole.size() - 5] = static_cast<char>(altered[whole.size() - 5] ^ 1);
+  write_atomically(path_, altered);
+  EXPECT_THAT(refusal(scene_, choice_), HasSubstr("altered"));
+  path_ = folder_ / "missing" / "r.transfer";
+  EXPECT_THROW(LightTransfer::make(scene_, choice_)->write(path_), EnvironmentError);
+}
+
+TEST(ProfileErrors, SeparateBiasAndOscillation) {
+  const auto truth = [](double t) { return 2 + t; };
+  const std::vector<ProfilePoint> profile = sphere_profile(5, 20, 12, truth);
+  const auto radiance = [](const LitPoint& at) {
+    const double t = (at.site.point.z - 20) / 5;
+    const double phi = std::atan2(at.site.point.y, at.site.point.x);
+    return std::optional(2 + t + 0.25 + 0.5 * std::cos(phi));
+  };
+  const ProfileErrors errors = profile_errors(radiance, profile, 16);
+  EXPECT_NEAR(errors.bias, 0.25, 1e-14);
+  EXPECT_NEAR(errors.mean, 0.25, 1e-14);
+  EXPECT_NEAR(errors.oscillation, 0.5 / std::sqrt(2.0), 1e-14);
+  EXPECT_NEAR(errors.max, 0.75, 1e-14);
+  EXPECT_NEAR(errors.l2, std::sqrt(0.0625 + 0.125), 1e-14);
+  EXPECT_EQ(errors.without_value, 0);
+  for (std::size_t k = 0; k < profile.size(); ++k) {
+    EXPECT_NEAR(errors.circles[k].ray, profile[k].truth + 0.75, 1e-14);
+    EXPECT_NEAR(errors.circles[k].mean, profile[k].truth + 0.25, 1e-14);
+  }
+}
+
+TEST(ProfileErrors, LeaveOutWhatHasNoValue) {
+  const std::vector<ProfilePoint> profile = disk_profile(40, 10, [](double) { return 1.0; });
+  double area = 0;
+  for (const ProfilePoint& at : profile) area += at.area;
+  EXPECT_NEAR(area, 1600 * pi, 1e-9);
+  const auto half = [](const LitPoint& at) {
+    return at.site.point.y > -1e-9 ? std::optional(1.5) : std::nullopt;
+  };
+  const ProfileErrors errors = profile_errors(half, profile, 8);
+  EXPECT_NEAR(errors.without_value, 3.0 / 8, 1e-14);
+  EXPECT_NEAR(errors.l2, 0.5, 1e-14);
+  EXPECT_EQ(errors.oscillation, 0);
+}
+
+// The bounds are three times what these sites give: a lost factor of the albedo, of the weights or of pi exceeds them.
+TEST(LightTransfer, AgreesWithTheSolutionOfTheSphereOverTheDisk) {
+  const LightScene scene = sphere_over_disk_light_scene().value();
+  const Light light = ParallelLight{.towards = {0, 0, 1}, .power = 0.9};
+  const reference::SphereOverDisk<double> truth({}, {.nodes = 12, .points = 16});
+  const TransferChoice choice{
+      .meshless = {.basis = lehtinen_basis(), .sites = PoissonDiskSites{.separation = 2.5, .seed = 1}},
+      .integration = {.relative_error = 1e-3, .most_points = 400'000}};
+  const LightTransfer transfer = LightTransfer::make(scene, choice).value();
+  const LightSolution solution = transfer.solve(light).value();
+  const auto radiance = [&](const LitPoint& at) { return transfer.radiance(solution, light, at); };
+  const ProfileErrors on_disk =
+      profile_errors(radiance, disk_profile(40, 40, [&](double u) { return truth.disk(u).total(); }), 24);
+  const ProfileErrors on_sphere = profile_errors(
+      radiance, sphere_profile(5, 20, 40, [&](double t) { return truth.sphere(t).total(); }), 24);
+  EXPECT_LT(on_disk.l2, 0.0015);
+  EXPECT_LT(on_disk.max, 0.005);
+  EXPECT_LT(on_sphere.l2, 0.1);
+  EXPECT_LT(std::abs(on_sphere.mean), 0.01);
+  // In the basis the shadow's edge is as wide as an element.
+  const ProfileErrors smooth =
+      profile_errors([&](const LitPoint& at) { return transfer.radiance(solution, at); },
+                     disk_profile(40, 40, [&](double u) { return truth.disk(u).total(); }), 24);
+  EXPECT_GT(smooth.max, 0.3);
+  EXPECT_LT(smooth.l2, 0.15);
+  EXPECT_LT(transfer.sums().spectral_radius, 0.13);
+  EXPECT_GT(transfer.sums().spectral_radius, 0.11);
+}
+
+}  // namespace
+}  // namespace radcert
