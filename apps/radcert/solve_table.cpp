@@ -69,6 +69,13 @@ std::string means_table(const Result& result) {
   return "Means of u_n over the pieces:\n" + aligned(rows);
 }
 
+/// The next number of two digits that is not smaller.
+double rounded_up(double radius) {
+  if (radius <= 0) return 0;
+  const double unit = std::pow(10.0, std::floor(std::log10(radius)) - 1);
+  return (std::floor(radius / unit) + 1) * unit;
+}
+
 std::string numbers(const std::vector<int>& levels) {
   std::string out;
   for (const int level : levels) out += (out.empty() ? "" : ", ") + std::to_string(level);
@@ -101,11 +108,38 @@ std::string iteration_line(const Result& result) {
                      solver_name(result.problem.solver.name), iterations, contraction, error_bound);
 }
 
-bool everything_guaranteed(const Result& result) {
-  return std::all_of(result.levels.begin(), result.levels.end(), [](const LevelResult& level) {
-    const auto proved = [](const std::optional<Figure>& figure) { return !figure || figure->guaranteed; };
-    return proved(level.discretisation_error) && proved(level.node_error) && proved(level.uniform_error);
-  });
+/// Whether the errors at the nodes are proved on every level, and u_n itself.
+bool nodes_are_guaranteed(const Result& result) {
+  return !result.levels.empty() &&
+         std::all_of(result.levels.begin(), result.levels.end(), [](const LevelResult& level) {
+           const auto proved = [](const std::optional<Figure>& figure) {
+             return !figure || figure->guaranteed;
+           };
+           return level.verified && proved(level.discretisation_error) && proved(level.node_error);
+         });
+}
+
+/// What is proved and what is not, in words.
+std::string guarantee_text(const Result& result) {
+  std::string out =
+      "Guaranteed: at every level the collocation equations have one solution, and u_n at the nodes is known "
+      "within\n  ";
+  for (std::size_t i = 0; i < result.levels.size(); ++i)
+    out += fmt::format("{}{:.1e} (level {})", i == 0 ? "" : ", ",
+                       rounded_up(result.levels[i].verified->solution_radius), result.levels[i].level);
+  out += ".\n";
+  if (result.problem.solution)
+    out +=
+        "  |K(I-P_n)u| and |u-u_n| at the nodes lie within the radii (+-), which bound quadrature, rounding "
+        "and the\n"
+        "  solution of the system, and the rounding of the printed digits.\n";
+  out += "Not guaranteed: ";
+  if (result.problem.solution) out += "the error on the sample, the orders, ";
+  out += "the means";
+  if (std::any_of(result.levels.begin(), result.levels.end(),
+                  [](const LevelResult& level) { return !level.norm_K.guaranteed; }))
+    out += ", the norm of K";
+  return out + ".\n";
 }
 
 }  // namespace
@@ -116,11 +150,10 @@ std::string solve_table(const Result& result) {
   for (const OrderFit& fit : result.orders)
     if (with_errors) out += order_line(fit);
   out += iteration_line(result);
-  if (!with_errors)
-    out += "No solution is given, so there are no errors to show.\n";
-  else if (everything_guaranteed(result))
-    out += "All radii are proved.\n";
-  else
+  if (!with_errors) out += "No solution is given, so there are no errors to show.\n";
+  if (nodes_are_guaranteed(result))
+    out += guarantee_text(result);
+  else if (with_errors)
     out += "The radii (+-) are estimates, not proofs; they include the rounding of the printed digits.\n";
   return out;
 }

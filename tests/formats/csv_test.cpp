@@ -32,10 +32,10 @@ TEST(NodesCsv, HasARowANode) {
   const std::string text = nodes_csv(levels);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
   EXPECT_TRUE(text.starts_with(
-      "level,piece,element,node,x,y,z,normal_x,normal_y,normal_z,u_n,u,emission\r\n3,upper,1,2,0.1,"))
+      "level,piece,element,node,x,y,z,normal_x,normal_y,normal_z,u_n,radius,u,emission\r\n3,upper,1,2,0.1,"))
       << text;
   EXPECT_NE(text.find("\"lower, \"\"left\"\"\",0,0,"), std::string::npos);
-  EXPECT_NE(text.find(",1e-310,,-5\r\n"), std::string::npos) << "no solution, no value";
+  EXPECT_NE(text.find(",1e-310,,,-5\r\n"), std::string::npos) << "no proof, no solution: no value";
 }
 
 TEST(ErrorsCsv, HasARowALevelWithAsManyCellsAsColumns) {

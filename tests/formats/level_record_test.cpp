@@ -49,5 +49,14 @@ TEST(LevelKey, DependsOnTheProblemAndTheLevelButNotOnTheOtherLevels) {
   EXPECT_NE(level_key(problem, 1), key);
 }
 
+TEST(LevelKey, DependsOnTheContentOfAFileOfNodes) {
+  Problem problem = test::sample_problem();
+  problem.basis =
+      BasisChoice{.alpha = std::nullopt, .family = BasisFamily::file, .file = "nodes.json", .digest = "one"};
+  const std::string key = level_key(problem, 1);
+  problem.basis.digest = "another";
+  EXPECT_NE(level_key(problem, 1), key);
+}
+
 }  // namespace
 }  // namespace radcert

@@ -39,9 +39,10 @@ TEST(ResultJson, HasTheKeysOfTheFormatInItsOrder) {
             (std::vector<std::string>{"level", "elements", "unknowns", "mesh_size", "discretisation_error",
                                       "node_error", "uniform_error", "discretisation_ratio", "node_ratio",
                                       "discretisation_order", "node_order", "piece_means", "norm_K",
-                                      "planned_bytes", "iteration"}));
+                                      "planned_bytes", "iteration", "verified"}));
   EXPECT_EQ(keys(*level.find("iteration")),
             (std::vector<std::string>{"iterations", "contraction", "error_bound"}));
+  EXPECT_EQ(keys(*level.find("verified")), (std::vector<std::string>{"theta", "solution_radius"}));
   EXPECT_EQ(keys(*level.find("node_error")), (std::vector<std::string>{"value", "radius", "guaranteed"}));
   EXPECT_EQ(*json.find("orders")->find("node_error")->find("order")->number(), 3.9);
 }
@@ -49,11 +50,13 @@ TEST(ResultJson, HasTheKeysOfTheFormatInItsOrder) {
 TEST(ResultJson, WritesNullForWhatIsAbsentOrNotFinite) {
   Result result = sample_result();
   result.levels[0].iteration = std::nullopt;
+  result.levels[0].verified = std::nullopt;
   result.levels[0].node_ratio = std::numeric_limits<double>::infinity();
   result.levels[0].node_order = std::numeric_limits<double>::quiet_NaN();
   const JsonValue json = parse_json(result_text(result, ""), "");
   const JsonValue& level = json.find("levels")->elements()->front();
-  for (const char* key : {"uniform_error", "node_ratio", "node_order", "discretisation_ratio", "iteration"})
+  for (const char* key :
+       {"uniform_error", "node_ratio", "node_order", "discretisation_ratio", "iteration", "verified"})
     EXPECT_TRUE(level.find(key)->is_null()) << key;
   EXPECT_TRUE(level.find("node_error")->find("radius")->is_null());
 }

@@ -8,7 +8,8 @@
 namespace radcert {
 namespace {
 
-constexpr SolverName all_solvers[] = {SolverName::direct, SolverName::gmres, SolverName::neumann};
+constexpr SolverName all_solvers[] = {SolverName::direct, SolverName::gmres, SolverName::neumann,
+                                      SolverName::verified};
 
 TEST(LevelPlan, HoldsTheMatrixAndWhatItsSolverAddsToIt) {
   for (const std::uint64_t elements : {std::uint64_t{48}, std::uint64_t{1} << 14U}) {
@@ -18,6 +19,7 @@ TEST(LevelPlan, HoldsTheMatrixAndWhatItsSolverAddsToIt) {
     EXPECT_GE(total(SolverName::direct), 2 * matrix);
     EXPECT_LE(total(SolverName::direct), 2 * matrix + unknowns * 2000);
     EXPECT_EQ(total(SolverName::neumann), total(SolverName::direct) - matrix);
+    EXPECT_EQ(total(SolverName::verified), total(SolverName::neumann) + 4 * matrix);
     EXPECT_EQ(total(SolverName::gmres), total(SolverName::neumann) + unknowns * 65 * sizeof(double));
   }
 }

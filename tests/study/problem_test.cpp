@@ -54,7 +54,7 @@ TEST(Check, AdmitsEveryUnoccludedSurfaceOfTheCatalogue) {
     if (entry.unoccluded) {
       EXPECT_NO_THROW(check(problem, plenty)) << entry.name;
     } else {
-      EXPECT_THAT(expect_refused(problem, "/surface/name", entry.name).problem, HasSubstr("visibility"));
+      EXPECT_THAT(expect_refused(problem, "/surface/name", entry.name).problem, HasSubstr("hide each other"));
     }
   }
 }

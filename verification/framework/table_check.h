@@ -34,7 +34,8 @@ namespace radcert::verification {
 /// Source    -
 /// Requires  a claim with a table
 /// Result    a report a cell that `wanted` accepts, in the order of cell_labels; InputError for files that do not fit
-/// Limits    levels below a wanted cell are not solved unless a ratio needs them
+/// Limits    levels below a wanted cell are not solved unless a ratio needs them. Levels of at most as many elements as the series
+///           states in `verified` for the budget are solved by the verified solver: their cells are certified or contradicted by proof
 [[nodiscard]] std::vector<ClaimReport> check_table(
     const Paper& paper, const Claim& claim, const Bench& bench, const SecondRoute& second_route,
     const std::function<bool(const std::string& label)>& wanted,

@@ -63,16 +63,16 @@ void CsvTable::add(std::span<const JsonValue> row) {
 }
 
 std::string nodes_csv(std::span<const LevelOutcome> levels) {
-  static constexpr std::array<std::string_view, 13> columns = {
-      "level",    "piece",    "element",  "node", "x", "y",       "z",
-      "normal_x", "normal_y", "normal_z", "u_n",  "u", "emission"};
+  static constexpr std::array<std::string_view, 14> columns = {
+      "level",    "piece",    "element",  "node", "x",      "y", "z",
+      "normal_x", "normal_y", "normal_z", "u_n",  "radius", "u", "emission"};
   CsvTable table(columns);
   for (const LevelOutcome& level : levels)
     for (const NodeValue& node : level.nodes) {
       const std::array<JsonValue, columns.size()> row = {
           level.result.level, node.piece,   node.element,  node.index_in_element, node.point.x,
           node.point.y,       node.point.z, node.normal.x, node.normal.y,         node.normal.z,
-          node.u_n,           node.u,       node.emission};
+          node.u_n,           node.radius,  node.u,        node.emission};
       table.add(row);
     }
   return table.text();

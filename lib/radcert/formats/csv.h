@@ -31,7 +31,7 @@ private:
 
 /// The values at the nodes of several levels.
 /// Maths     none
-/// Source    the columns level, piece, element, node, x, y, z, normal_x, normal_y, normal_z, u_n, u, emission
+/// Source    the columns level, piece, element, node, x, y, z, normal_x, normal_y, normal_z, u_n, radius, u, emission
 /// Requires  nothing
 /// Result    a row a node, in the order of the levels and of their unknowns; normals point inwards
 /// Limits    `u` is empty where the problem gives no solution

@@ -17,7 +17,7 @@ namespace radcert {
 
 namespace {
 
-constexpr std::size_t node_columns = 12;
+constexpr std::size_t node_columns = 13;
 constexpr std::size_t element_columns = 13;
 
 void push(JsonValue& row, const Vector<double>& v) {
@@ -34,6 +34,7 @@ JsonValue node_row(const NodeValue& node) {
   push(row, node.point);
   push(row, node.normal);
   row.push(node.u_n);
+  row.push(node.radius);
   row.push(node.emission);
   row.push(node.u);
   return row;
@@ -83,6 +84,7 @@ NodeValue read_node(const JsonReader& reader) {
   node.point = row.vector();
   node.normal = row.vector();
   node.u_n = row.number();
+  node.radius = row.number_or_null();
   node.emission = row.number();
   node.u = row.number_or_null();
   return node;
@@ -121,6 +123,12 @@ std::optional<IterationReport> read_iteration(const JsonReader& iteration) {
                          .error_bound = number_at(iteration, "error_bound")};
 }
 
+std::optional<VerifiedReport> read_verified(const JsonReader& verified) {
+  if (verified.value().is_null()) return std::nullopt;
+  return VerifiedReport{.theta = number_at(verified, "theta"),
+                        .solution_radius = number_at(verified, "solution_radius")};
+}
+
 LevelResult read_level_result(const JsonReader& level) {
   LevelResult out;
   out.level = static_cast<int>(level.at("level", "a number").whole(0, 1000, "a level"));
@@ -143,6 +151,7 @@ LevelResult read_level_result(const JsonReader& level) {
   out.norm_K.guaranteed = norm.at("guaranteed", "a truth value").boolean("a truth value");
   out.planned_bytes = level.at("planned_bytes", "a number").unsigned_whole("a number");
   out.iteration = read_iteration(level.at("iteration", "a report or null"));
+  out.verified = read_verified(level.at("verified", "a report or null"));
   return out;
 }
 

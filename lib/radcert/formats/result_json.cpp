@@ -63,6 +63,14 @@ JsonValue iteration_json(const std::optional<IterationReport>& iteration) {
   return out;
 }
 
+JsonValue verified_json(const std::optional<VerifiedReport>& verified) {
+  if (!verified) return {};
+  JsonValue out = JsonValue::object();
+  out.set("theta", verified->theta);
+  out.set("solution_radius", verified->solution_radius);
+  return out;
+}
+
 }  // namespace
 
 JsonValue level_json(const LevelResult& level) {
@@ -87,6 +95,7 @@ JsonValue level_json(const LevelResult& level) {
   out.set("norm_K", std::move(norm));
   out.set("planned_bytes", level.planned_bytes);
   out.set("iteration", iteration_json(level.iteration));
+  out.set("verified", verified_json(level.verified));
   return out;
 }
 

@@ -112,8 +112,32 @@ std::string_view solution_schema() {
           "properties": {"value": {"type": "number"}, "guaranteed": {"type": "boolean"}}
         },
         "planned_bytes": {"type": "integer", "minimum": 0},
+        "verified": {
+          "description": "What verified has proved of u_n; null with other solvers.",
+          "oneOf": [
+            {"type": "null"},
+            {
+              "type": "object",
+              "required": ["theta", "solution_radius"],
+              "additionalProperties": false,
+              "properties": {
+                "theta": {
+                  "description": "Bounds a norm of I - R (I - K_n), R an approximate inverse: the system has one solution.",
+                  "type": "number",
+                  "minimum": 0,
+                  "exclusiveMaximum": 1
+                },
+                "solution_radius": {
+                  "description": "Bounds max |u_n - v| over the nodes, v the exact solution of the exact collocation equations.",
+                  "type": "number",
+                  "minimum": 0
+                }
+              }
+            }
+          ]
+        },
         "iteration": {
-          "description": "How gmres or neumann came to u_n; null with direct.",
+          "description": "How gmres or neumann came to u_n; null with other solvers.",
           "oneOf": [
             {"type": "null"},
             {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <cmath>
 
 #include "radcert/core/contract.h"
+#include "radcert/study/efficiency.h"
 #include "radcert/study/study.h"
 
 namespace radcert {
@@ -22,40 +22,22 @@ std::optional<double> order(const std::optional<double>& error_ratio, double h_b
   return std::log(*error_ratio) / std::log(h_before / h_now);
 }
 
-/// Least squares for log e = p log h + c over the levels whose figures are trustworthy; the halfwidth is the largest
-/// distance of a successive order from p.
+/// The power law through the levels whose figures are trustworthy. Two levels meet every power law: no spread.
 OrderFit fit(const std::string& quantity, FigureOfLevel figure, const std::vector<LevelResult>& levels) {
   OrderFit result{.quantity = quantity, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<CostPoint> points;
   for (const LevelResult& level : levels) {
     const std::optional<Figure>& e = level.*figure;
     if (!e) continue;
-    const bool trustworthy = e->value > 0 && e->radius && *e->radius <= largest_relative_radius * e->value;
+    const bool trustworthy = e->value > 0 && std::isfinite(e->value) && e->radius &&
+                             *e->radius <= largest_relative_radius * e->value;
     (trustworthy ? result.levels : result.left_out).push_back(level.level);
-    if (!trustworthy) continue;
-    x.push_back(std::log(level.mesh_size));
-    y.push_back(std::log(e->value));
+    if (trustworthy) points.push_back({.cost = level.mesh_size, .error = e->value});
   }
-  if (x.size() < 2) return result;
-  double mean_x = 0;
-  double mean_y = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean_x += x[i] / static_cast<double>(x.size());
-    mean_y += y[i] / static_cast<double>(x.size());
+  if (const std::optional<PowerLaw> law = power_law(points)) {
+    result.order = law->exponent;
+    result.halfwidth = law->halfwidth.value_or(0);
   }
-  double xx = 0;
-  double xy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xx += (x[i] - mean_x) * (x[i] - mean_x);
-    xy += (x[i] - mean_x) * (y[i] - mean_y);
-  }
-  if (!(xx > 0)) return result;
-  result.order = xy / xx;
-  double halfwidth = 0;
-  for (std::size_t i = 1; i < x.size(); ++i)
-    halfwidth = std::max(halfwidth, std::abs((y[i] - y[i - 1]) / (x[i] - x[i - 1]) - *result.order));
-  result.halfwidth = halfwidth;
   return result;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "radcert/collocation/assembly.h"
@@ -12,25 +11,18 @@
 #include "radcert/solve/direct.h"
 #include "radcert/solve/gmres.h"
 #include "radcert/solve/neumann.h"
-#include "radcert/study/level_errors.h"
+#include "radcert/study/level_description.h"
 #include "radcert/study/level_geometry.h"
 #include "radcert/study/node_data.h"
+#include "radcert/study/operator_norm.h"
 #include "radcert/study/plan.h"
+#include "radcert/study/stopwatch.h"
 #include "radcert/study/study.h"
 #include "radcert/study/surface_function.h"
+#include "radcert/study/verified_level.h"
 
 namespace radcert {
 namespace {
-
-class Stopwatch {
-public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 double largest(std::span<const double> values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
@@ -40,45 +32,6 @@ double largest_size(std::span<const double> values) {
   double size = 0;
   for (const double value : values) size = std::max(size, std::abs(value));
   return size;
-}
-
-/// sup rho where it is a constant on every piece.
-std::optional<Rational> constant_bound(const PiecewiseExpression& reflectivity, const Surface& surface) {
-  Rational bound = 0;
-  for (const std::string& piece : surface.piece_names()) {
-    const std::optional<Rational> value = reflectivity.on(piece).is_constant();
-    if (!value) return std::nullopt;
-    bound = std::max(bound, *value);
-  }
-  return bound;
-}
-
-/// The largest rho/pi Int |G| seen at the nodes: an estimate of ||K|| from below.
-NormOfK largest_row(std::span<const double> rho_at_nodes, std::span<const double> kernel_integral) {
-  double norm = 0;
-  for (std::size_t i = 0; i < rho_at_nodes.size(); ++i)
-    norm = std::max(norm, rho_at_nodes[i] * kernel_integral[i] / pi<double>());
-  return {.value = norm, .guaranteed = false};
-}
-
-/// ||K|| on C(S) or L^infinity(S): on a closed unoccluded surface Int G = pi makes it sup rho exactly; on an open one the
-/// largest rho/pi Int G seen at the nodes estimates it from below.
-NormOfK norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivity,
-                  std::span<const double> rho_at_nodes, std::span<const double> kernel_integral) {
-  if (surface.closed) {
-    const std::optional<Rational> bound = constant_bound(reflectivity, surface);
-    if (bound) return {.value = bound->to_double(), .guaranteed = true};
-    return {.value = largest(rho_at_nodes), .guaranteed = false};
-  }
-  return largest_row(rho_at_nodes, kernel_integral);
-}
-
-void refuse_norm_from_one(const NormOfK& norm) {
-  if (norm.value < 1) return;
-  throw InputError({.pointer = "/reflectivity",
-                    .value = shortest(norm.value),
-                    .problem = "is the norm of K: the equation need not have one solution",
-                    .allowed = "reflectivities for which the norm of K is below 1"});
 }
 
 /// rho/pi Int G u at the nodes by the second route, and its radius.
@@ -142,7 +95,8 @@ public:
     if (problem_.solver.name != SolverName::direct) find_weights();
     if (problem_.solution) manufacture_emission(route);
     solve();
-    describe();
+    describe_level(problem_, geometry_.data(), basis_,
+                   {.u_n = u_n_, .radius = {}, .emission = emission_, .u = u_}, outcome_);
     return std::move(outcome_);
   }
 
@@ -251,33 +205,6 @@ private:
     return residual_sizes;
   }
 
-  void describe() {
-    const NodalFunction function(surface_, triangulation_, basis_, u_n_);
-    if (problem_.solution) outcome_.result.uniform_error = uniform_error(function, *problem_.solution);
-    outcome_.result.piece_means = piece_means(function);
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      outcome_.nodes.push_back({.piece = surface_.charts[nodes_[i].at.chart].facts().piece,
-                                .element = i / basis_.size(),
-                                .index_in_element = i % basis_.size(),
-                                .point = nodes_[i].point,
-                                .normal = nodes_[i].normal,
-                                .u_n = u_n_[i],
-                                .emission = emission_[i],
-                                .u = problem_.solution ? std::optional(u_[i]) : std::nullopt});
-    for (std::size_t k = 0; k < triangulation_.triangles.size(); ++k) {
-      const ParameterTriangle& triangle = triangulation_.triangles[k];
-      const Chart& chart = surface_.charts[triangle.chart];
-      ElementValue element{.piece = chart.facts().piece, .corners = {}, .corner_values = {}};
-      for (std::size_t c = 0; c < 3; ++c) {
-        Barycentric<double> corner{{0, 0, 0}};
-        corner.x[c] = 1;
-        element.corners[c] = chart.in<double>().frame(triangle.vertices[c]).point;
-        element.corner_values[c] = function.at(k, corner);
-      }
-      outcome_.elements.push_back(std::move(element));
-    }
-  }
-
   static constexpr double unit = unit_roundoff<double>();
   const Problem& problem_;
   TriangleBasis<double> basis_;
@@ -298,6 +225,7 @@ private:
 }  // namespace
 
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route) {
+  if (problem.solver.name == SolverName::verified) return verified_level(problem, level);
   return Level(problem, level).compute(route);
 }
 

@@ -19,6 +19,9 @@ MemoryPlan level_plan(std::uint64_t elements, std::uint64_t functions_per_elemen
   constexpr std::uint64_t bytes_per_node_record = 256;
   MemoryPlan plan;
   plan.add("collocation matrix", squared, sizeof(double));
+  if (solver == SolverName::verified)
+    plan.add("radii, inverse and defect of I - K, and a copy to work on",
+             checked_multiply(squared, 4).value_or(beyond), sizeof(double));
   if (solver == SolverName::direct) plan.add("factors of I - K", squared, sizeof(double));
   if (solver == SolverName::gmres)
     plan.add("Krylov vectors", unknowns,

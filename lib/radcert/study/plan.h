@@ -10,7 +10,8 @@
 namespace radcert {
 
 /// The memory of one level, before any of it is taken.
-/// Maths     n unknowns: the matrix, and with `direct` its factors, 8 n^2 bytes each; with `gmres` the Krylov vectors;
+/// Maths     n unknowns: the matrix, with `direct` its factors, and with `verified` four more, 8 n^2 bytes each; with `gmres` the
+///           Krylov vectors;
 ///           vectors; per-chunk row sums; with interpolated geometry a chart an element and a second set of nodes
 /// Source    the loops of collocation, solve and study
 /// Requires  -

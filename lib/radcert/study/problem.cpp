@@ -31,13 +31,13 @@ const SurfaceDescription& description_of(const Problem& problem) {
   for (const SurfaceDescription& surface : surface_catalogue())
     if (surface.unoccluded) names += (names.empty() ? "" : ", ") + surface.name;
   refuse("/surface/name", problem.surface.name,
-         found == nullptr ? "is not a known surface" : "needs visibility, which is not available", names);
+         found == nullptr ? "is not a known surface" : "has curved parts that hide each other", names);
 }
 
 void check_levels(const Problem& problem, const Surface& surface, std::uint64_t memory_limit) {
   const std::vector<int>& levels = problem.triangulation.levels;
   if (levels.empty()) refuse("/triangulation/levels", "[]", "is empty", "at least one level");
-  const std::size_t functions = polynomial_dimension(problem.basis.degree);
+  const std::size_t functions = function_count(problem.basis);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const std::string pointer = "/triangulation/levels/" + std::to_string(i);
     const std::string value = std::to_string(levels[i]);
@@ -156,8 +156,8 @@ void check_quadrature(const QuadratureChoice& quadrature) {
 void check_solver(const SolverChoice& solver) {
   if (!solver.tolerance) return;
   const Rational& tolerance = *solver.tolerance;
-  if (solver.name == SolverName::direct)
-    refuse("/solver/tolerance", tolerance.to_text(), "is not for direct",
+  if (solver.name == SolverName::direct || solver.name == SolverName::verified)
+    refuse("/solver/tolerance", tolerance.to_text(), "is not for " + solver_name(solver.name),
            "gmres and neumann with a tolerance");
   if (tolerance < Rational::exactly(least_tolerance) || tolerance >= Rational(1))
     refuse("/solver/tolerance", tolerance.to_text(), "is not allowed",
@@ -191,6 +191,10 @@ const Expression& PiecewiseExpression::on(std::string_view piece) const {
   return rest->expression;
 }
 
+std::size_t function_count(const BasisChoice& basis) {
+  return basis.functions ? basis.functions->size() : polynomial_dimension(basis.degree);
+}
+
 TriangleBasis<double> triangle_basis(const BasisChoice& basis) {
   if (basis.functions) return make_triangle_basis<double>(*basis.functions);
   return InsetBasis<double>(basis.degree, basis.alpha.value_or(Rational(0)).to_double());
@@ -201,6 +205,7 @@ std::string solver_name(SolverName name) {
     case SolverName::direct: return "direct";
     case SolverName::gmres: return "gmres";
     case SolverName::neumann: return "neumann";
+    case SolverName::verified: return "verified";
   }
   expects(false, "a solver of the list", named("solver", static_cast<int>(name)));
   return {};

@@ -74,20 +74,25 @@ struct BasisChoice {
   bool alpha_is_near =
       false;  ///< alpha stands for the irrational alpha_0 of m06 and lies within 10^-100 of it
   BasisFamily family = BasisFamily::inset;
-  std::string file = {};  ///< of nodes, as the problem names it
+  std::string file = {};    ///< of nodes, as the problem names it
+  std::string digest = {};  ///< of that file's bytes
   std::shared_ptr<const LagrangeFunctions> functions =
       {};  ///< of symmetric nodes and of files; inset bases have none
 };
 
+/// How many functions the basis has on an element.
+std::size_t function_count(const BasisChoice& basis);
+
 /// The basis in the arithmetic of the pipeline. Requires functions, or degree and alpha that an InsetBasis takes.
 TriangleBasis<double> triangle_basis(const BasisChoice& basis);
 
-enum class SolverName { direct, gmres, neumann };
+enum class SolverName { direct, gmres, neumann, verified };
 
 /// How the linear system of a level is solved, and how well.
 struct SolverChoice {
   SolverName name = SolverName::direct;
-  std::optional<Rational> tolerance;  ///< relative to max |u_n|; absent: as far as double holds
+  std::optional<Rational>
+      tolerance;  ///< of gmres and neumann, relative to max |u_n|; absent: as far as double holds
 };
 
 /// How well the collocation integrals are taken.

@@ -31,6 +31,13 @@ struct IterationReport {
   double error_bound = 0;        ///< of max |u_n - solution of the system as stored|, proved
 };
 
+/// What `verified` has proved of u_n.
+struct VerifiedReport {
+  double theta =
+      0;  ///< < 1: bounds a norm of I - R (I - K_n) with an approximate inverse R, so that I - K_n is regular
+  double solution_radius = 0;  ///< max over the nodes of the proved radius of u_n
+};
+
 /// One level of a study.
 /// Maths     discretisation_error = max over the nodes of |K(I-P_n)u|, node_error = max over the nodes of |u - u_n|,
 ///           uniform_error = max of |u - u_n| over `uniform_sample`
@@ -52,7 +59,8 @@ struct LevelResult {
   std::optional<double> node_order;
   std::vector<std::pair<std::string, double>> piece_means;  ///< mean of u_n over each piece
   NormOfK norm_K;
-  std::optional<IterationReport> iteration;  ///< absent with `direct`
+  std::optional<IterationReport> iteration;  ///< of `gmres` and `neumann`
+  std::optional<VerifiedReport> verified;    ///< of `verified`
   std::uint64_t planned_bytes = 0;
 };
 

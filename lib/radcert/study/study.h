@@ -43,6 +43,7 @@ struct NodeValue {
   Vector<double> point;
   Vector<double> normal;
   double u_n = 0;
+  std::optional<double> radius = std::nullopt;  ///< of u_n, proved; with `verified` only
   double emission = 0;
   std::optional<double> u;  ///< with `solution` only
 };
@@ -70,7 +71,7 @@ struct LevelOutcome {
 ///           or rho leaves [0,1], or where the norm of K is not below 1, or at /solver/name where the matrix has no weighted
 ///           maximum norm below 1 and the solver needs one; AccuracyNotReached; Interrupted when asked to stop
 /// Limits    radii are estimates: with `gmres` and `neumann` because those of the matrix and of Ku are, with `direct`
-///           the norm of the inverse is one too
+///           the norm of the inverse is one too. With `verified` see verified_level, which does not take the route
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route);
 
 /// The result of finished levels: ratios, orders, fits.

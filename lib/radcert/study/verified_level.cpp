@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/study/verified_level.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/collocation/certified_chart_entries.h"
+#include "radcert/collocation/certified_operator.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/parallel.h"
+#include "radcert/hypotheses/convex_containment.h"
+#include "radcert/polynomial/lattice.h"
+#include "radcert/scalar/ball_precision.h"
+#include "radcert/solve/verified_system.h"
+#include "radcert/study/enclosed_number.h"
+#include "radcert/study/level_description.h"
+#include "radcert/study/level_geometry.h"
+#include "radcert/study/node_data.h"
+#include "radcert/study/operator_norm.h"
+#include "radcert/study/plan.h"
+#include "radcert/study/plane_chart.h"
+#include "radcert/study/plane_entries.h"
+#include "radcert/study/stopwatch.h"
+
+namespace radcert {
+namespace {
+
+/// Of balls: the values at the nodes are then exact beside the radii of the matrix.
+constexpr long ball_bits = 128;
+/// Of the polynomials that the closed form takes.
+constexpr int largest_degree = 8;
+constexpr double unit = unit_roundoff<double>();
+/// Enough for a handful of roundings.
+constexpr double upward = 1 + 8 * unit;
+constexpr double underflow = std::numeric_limits<double>::denorm_min();
+
+LagrangeFunctions exact_functions(const BasisChoice& basis) {
+  if (basis.functions) return *basis.functions;
+  return lagrange_functions(inset_nodes(basis.degree, basis.alpha.value_or(Rational(0)))).value();
+}
+
+[[noreturn]] void refuse(int level, const std::string& reason) {
+  throw AccuracyNotReached("level " + std::to_string(level) + ", solver verified", "no guarantee: " + reason);
+}
+
+/// What can be seen before the level is built.
+void require_provable(const Problem& problem, int level) {
+  if (problem.geometry)
+    refuse(level,
+           "the geometry is interpolated, and the collocation integrals over interpolants are not enclosed");
+  const Surface surface = surface_of(problem);
+  if (!surface.unoccluded)
+    refuse(level,
+           "parts of the surface hide each other, and the collocation integrals over visible parts are not "
+           "enclosed");
+  // That of a mesh has been decided when it was read.
+  if (surface.mesh) return;
+  const ConvexContainment containment = convex_containment(surface);
+  if (containment.verdict != Containment::certified)
+    refuse(level, "the surface is not proved to lie in the boundary of a convex body: " + containment.reason);
+}
+
+/// A piecewise expression as a density.
+struct PiecewiseDensity {
+  std::vector<Expression> by_chart;
+  template <class R>
+  R operator()(const DensityPoint<R>& q) const {
+    return by_chart[q.chart].template evaluate<R>({q.point.x, q.point.y, q.point.z});
+  }
+};
+
+/// rho_i times row i, for all numbers within the radii.
+void scale_row_entries(CertifiedEntries& matrix, std::span<const Ball> rho) {
+  std::vector<EnclosedNumber> factors;
+  for (const Ball& value : rho) factors.push_back(enclosed_number(value));
+  parallel_for(matrix.entries.columns(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t j = begin; j < end; ++j) {
+      const std::span<double> entries = matrix.entries.column(j);
+      const std::span<double> radii = matrix.radius.column(j);
+      for (std::size_t i = 0; i < factors.size(); ++i) {
+        const auto [factor, inexact] = factors[i];
+        const double entry = factor * entries[i];
+        const double moved = std::abs(factor) * radii[i] + inexact * (std::abs(entries[i]) + radii[i]);
+        radii[i] = (moved + unit * std::abs(entry)) * upward + 4 * underflow;
+        entries[i] = entry;
+      }
+    }
+  });
+}
+
+/// sum_j k_ij u_j for all matrices within the radii.
+std::vector<Ball> enclosed_product(const CertifiedEntries& k, std::span<const Ball> u) {
+  const std::size_t n = u.size();
+  constexpr std::size_t rows_at_a_time = 64;
+  std::vector<Ball> result(n);
+  std::vector<double> sizes;
+  for (const Ball& value : u) sizes.push_back(abs(value).upper_double());
+  parallel_for(n, rows_at_a_time, [&](std::size_t begin, std::size_t end) {
+    const BallPrecision inside(ball_bits);
+    std::vector<double> moved(end - begin);
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::span<const double> entries = k.entries.column(j);
+      const std::span<const double> radii = k.radius.column(j);
+      for (std::size_t i = begin; i < end; ++i) {
+        result[i] += Ball(entries[i]) * u[j];
+        moved[i - begin] += radii[i] * sizes[j];
+      }
+    }
+    const auto terms = static_cast<double>(n);
+    for (std::size_t i = begin; i < end; ++i)
+      result[i] = widened(result[i], Ball(moved[i - begin] * (1 + (terms + 8) * unit) + terms * underflow));
+  });
+  return result;
+}
+
+std::vector<EnclosedNumber> enclosed_numbers(std::span<const Ball> balls) {
+  std::vector<EnclosedNumber> numbers;
+  for (const Ball& ball : balls) numbers.push_back(enclosed_number(ball));
+  return numbers;
+}
+
+std::vector<double> midpoints(std::span<const Ball> balls) {
+  std::vector<double> values;
+  for (const Ball& ball : balls) values.push_back(ball.to_double());
+  return values;
+}
+
+/// The finished pieces of one level, in the order in which they are computed.
+class VerifiedLevel {
+public:
+  VerifiedLevel(const Problem& problem, int level)
+      : problem_(problem),
+        basis_(triangle_basis(problem.basis)),
+        functions_(exact_functions(problem.basis)),
+        geometry_(problem, level, basis_),
+        nodes_(exact_collocation_nodes(triangulation_, functions_)) {
+    LevelResult& result = outcome_.result;
+    result.level = level;
+    result.elements = triangulation_.triangles.size();
+    result.unknowns = nodes_.size();
+    result.mesh_size = geometry_.mesh_size();
+    result.planned_bytes =
+        level_plan(result.elements, basis_.size(), problem.solver.name, problem.geometry).total();
+    for (std::size_t j = 0; j < surface_.chart_count(); ++j) planes_.push_back(plane_chart(surface_, j));
+    all_plane_ =
+        std::all_of(planes_.begin(), planes_.end(), [](const auto& plane) { return plane.has_value(); });
+  }
+
+  VerifiedLevel(const VerifiedLevel&) = delete;
+  VerifiedLevel& operator=(const VerifiedLevel&) = delete;
+
+  LevelOutcome compute() && {
+    find_data();
+    const Stopwatch assembly;
+    CertifiedEntries matrix = entries();
+    outcome_.result.norm_K = norm(matrix);
+    scale_row_entries(matrix, rho_);
+    outcome_.timing.assembly_seconds = assembly.seconds();
+    std::vector<Ball> defect;
+    if (problem_.solution) defect = discretisation(matrix);
+    const Stopwatch solution;
+    solve(std::move(matrix), defect);
+    outcome_.timing.solve_seconds = solution.seconds();
+    describe();
+    return std::move(outcome_);
+  }
+
+private:
+  [[noreturn]] void refuse(const std::string& reason) const {
+    radcert::refuse(outcome_.result.level, reason);
+  }
+
+  const std::string& piece_of(std::size_t i) const { return surface_.charts[nodes_[i].chart].facts().piece; }
+
+  /// The value at a node: exactly rounded where it is rational by + - * /.
+  Ball value_at_node(const Expression& f, std::size_t i) const {
+    if (const std::optional<PlaneChart>& plane = planes_[nodes_[i].chart]) {
+      const Vector<Rational> zero;
+      if (const auto exact = polynomial_on_plane(f, plane->point(nodes_[i].at), zero, zero, 0))
+        return Ball((*exact)(0, 0));
+    }
+    const Vector<Ball> q =
+        surface_.charts[nodes_[i].chart].in<Ball>().frame({Ball(nodes_[i].at.s), Ball(nodes_[i].at.t)}).point;
+    return f.evaluate<Ball>({q.x, q.y, q.z});
+  }
+
+  std::vector<Ball> values(const PiecewiseExpression& function, const std::string& pointer) const {
+    static_cast<void>(values_at_nodes(function, pointer, surface_, geometry_.data().nodes));
+    std::vector<Ball> result;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const Expression& f = function.on(piece_of(i));
+      result.push_back(value_at_node(f, i));
+      if (!result.back().is_finite())
+        refuse(f.text() + " is not proved to have a value at node " + std::to_string(i) + " on piece " +
+               piece_of(i) + ": " + std::string(result.back().failure()));
+    }
+    return result;
+  }
+
+  void find_data() {
+    const std::vector<double> rounded =
+        reflectivity_at_nodes(problem_.reflectivity, surface_, geometry_.data().nodes);
+    rho_ = values(problem_.reflectivity, "/reflectivity");
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      if (!certainly_at_most(Ball(0), rho_[i]) || !certainly_at_most(rho_[i], Ball(1)))
+        refuse("the reflectivity " + problem_.reflectivity.on(piece_of(i)).text() +
+               " is not proved to lie in [0, 1] at node " + std::to_string(i) + " on piece " + piece_of(i));
+    if (surface_.closed) refuse_norm_from_one(norm_of_K(surface_, problem_.reflectivity, rounded, {}));
+    if (surface_.closed || problem_.emission) {
+      const Outcome<void> below = reflectivity_below_one(surface_, problem_.reflectivity);
+      if (!below) refuse("the norm of K is not proved to be below 1: " + below.reason());
+    }
+    if (problem_.solution) u_ = values(*problem_.solution, "/solution");
+    if (problem_.emission) emission_ = values(*problem_.emission, "/emission");
+  }
+
+  /// The matrix for the reflectivity 1.
+  CertifiedEntries entries() const {
+    Outcome<CertifiedEntries> found = all_plane_ ? plane_entries() : chart_entries();
+    if (!found) refuse("the entries of the collocation matrix are not enclosed: " + found.reason());
+    return std::move(found).value();
+  }
+
+  Outcome<CertifiedEntries> plane_entries() const {
+    std::vector<PlaneChart> elements;
+    for (const ParameterTriangle& triangle : triangulation_.triangles) {
+      std::array<ParameterPoint<Rational>, 3> corners;
+      for (std::size_t c = 0; c < 3; ++c)
+        corners[c] = {Rational::exactly(triangle.vertices[c].s), Rational::exactly(triangle.vertices[c].t)};
+      elements.push_back(planes_[triangle.chart]->over(corners));
+    }
+    return certified_plane_entries(elements, functions_);
+  }
+
+  Outcome<CertifiedEntries> chart_entries() const {
+    const std::vector<double> ones(nodes_.size(), 1.0);
+    return within_tolerance<CertifiedEntries>([&](double tolerance) {
+      return certified_chart_entries(surface_, triangulation_, functions_, ones, tolerance);
+    });
+  }
+
+  /// With the tolerance of the problem; where the roundings of double are wider, with one that they may reach.
+  template <class T, class Attempt>
+  Outcome<T> within_tolerance(const Attempt& attempt) const {
+    const double tolerance = problem_.quadrature.tolerance.to_double();
+    Outcome<T> found = attempt(tolerance);
+    for (const double wider : {8.0, 64.0})
+      if (!found) found = attempt(wider * tolerance);
+    return found;
+  }
+
+  NormOfK norm(const CertifiedEntries& matrix) const {
+    std::vector<double> integrals(nodes_.size());
+    for (std::size_t j = 0; j < nodes_.size(); ++j)
+      for (std::size_t i = 0; i < nodes_.size(); ++i) integrals[i] += pi<double>() * matrix.entries(i, j);
+    return norm_of_K(surface_, problem_.reflectivity, midpoints(rho_), integrals);
+  }
+
+  /// Int_S G u dS at the nodes.
+  std::vector<Ball> operator_at_nodes() const {
+    const PiecewiseExpression& u = *problem_.solution;
+    if (all_plane_) {
+      std::vector<PlaneChart> charts;
+      std::vector<ChartDomain> domains;
+      std::vector<PlanePolynomial<Rational>> density;
+      for (std::size_t j = 0; j < surface_.chart_count(); ++j) {
+        const PlaneChart& plane = *planes_[j];
+        auto polynomial = polynomial_on_plane(u.on(surface_.charts[j].facts().piece), plane.origin,
+                                              plane.first, plane.second, largest_degree);
+        if (!polynomial) break;
+        charts.push_back(plane);
+        domains.push_back(surface_.charts[j].facts().domain);
+        density.push_back(std::move(*polynomial));
+      }
+      if (charts.size() == surface_.chart_count()) {
+        std::vector<PlaneNode> points;
+        for (const SurfacePoint<Rational>& node : nodes_)
+          points.push_back({planes_[node.chart]->point(node.at), planes_[node.chart]->normal()});
+        return plane_operator(charts, domains, density, points);
+      }
+    }
+    PiecewiseDensity piecewise;
+    for (const Chart& chart : surface_.charts) piecewise.by_chart.push_back(u.on(chart.facts().piece));
+    const double size = largest_size(enclosed_numbers(u_)).value;
+    // Int |G| is at most pi.
+    const double scale = pi<double>() * (size > 0 ? size : 1);
+    const auto found = within_tolerance<CertifiedValues>([&](double tolerance) {
+      return certified_operator(surface_, triangulation_, density(piecewise), nodes_, tolerance * scale);
+    });
+    if (!found) refuse("Ku is not enclosed: " + found.reason());
+    std::vector<Ball> result;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      result.push_back(ball_of({.value = found->values[i], .radius = found->radius[i]}));
+    return result;
+  }
+
+  /// K(I - P_n)u at the nodes; E = u - Ku is found with it.
+  std::vector<Ball> discretisation(const CertifiedEntries& matrix) {
+    const Stopwatch watch;
+    const std::vector<Ball> integrals = operator_at_nodes();
+    outcome_.timing.operator_seconds = watch.seconds();
+    std::vector<Ball> difference = enclosed_product(matrix, u_);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const Ball ku = rho_[i] * integrals[i] / Ball::pi();
+      if (!ku.is_finite()) refuse("Ku is not enclosed at node " + std::to_string(i));
+      emission_.push_back(u_[i] - ku);
+      difference[i] = ku - difference[i];
+    }
+    outcome_.result.discretisation_error = largest_size(enclosed_numbers(difference));
+    return difference;
+  }
+
+  void solve(CertifiedEntries matrix, std::span<const Ball> defect) {
+    Outcome<VerifiedSystem> system = verified_system(std::move(matrix.entries), std::move(matrix.radius));
+    if (!system) refuse("the collocation system is not proved to have one solution: " + system.reason());
+    std::vector<double> right_hand_side;
+    std::vector<double> radius;
+    for (const EnclosedNumber& number : enclosed_numbers(problem_.solution ? defect : emission_)) {
+      right_hand_side.push_back(number.value);
+      radius.push_back(number.radius);
+    }
+    const Outcome<VerifiedSolution> solved = system->solve(right_hand_side, radius);
+    if (!solved) refuse("the collocation system is not solved: " + solved.reason());
+    std::vector<EnclosedNumber> found;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) found.push_back({solved->values[i], solved->radius[i]});
+    if (problem_.solution) {
+      outcome_.result.node_error = largest_size(found);
+      for (std::size_t i = 0; i < nodes_.size(); ++i) found[i] = enclosed_number(u_[i] - ball_of(found[i]));
+    }
+    double largest = 0;
+    for (const EnclosedNumber& number : found) {
+      u_n_.push_back(number.value);
+      radius_.push_back(number.radius);
+      largest = std::max(largest, number.radius);
+    }
+    outcome_.result.verified = {.theta = system->theta(), .solution_radius = largest};
+  }
+
+  void describe() {
+    const std::vector<double> emission = midpoints(emission_);
+    const std::vector<double> u = midpoints(u_);
+    describe_level(problem_, geometry_.data(), basis_,
+                   {.u_n = u_n_, .radius = radius_, .emission = emission, .u = u}, outcome_);
+  }
+
+  const BallPrecision precision_{ball_bits};
+  const Problem& problem_;
+  TriangleBasis<double> basis_;
+  LagrangeFunctions functions_;
+  LevelGeometry geometry_;
+  const Surface& surface_ = geometry_.data().surface;
+  const Triangulation& triangulation_ = geometry_.data().triangulation;
+  std::vector<SurfacePoint<Rational>> nodes_;
+  std::vector<std::optional<PlaneChart>> planes_;  ///< by chart
+  bool all_plane_ = false;
+  std::vector<Ball> rho_;
+  std::vector<Ball> u_;
+  std::vector<Ball> emission_;
+  std::vector<double> u_n_;
+  std::vector<double> radius_;
+  LevelOutcome outcome_;
+};
+
+}  // namespace
+
+LevelOutcome verified_level(const Problem& problem, int level) {
+  require_provable(problem, level);
+  return VerifiedLevel(problem, level).compute();
+}
+
+}  // namespace radcert
