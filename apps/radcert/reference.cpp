@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// radcert reference NAME, or --all: numbers in proved enclosures.
+// radcert reference NAME, or --all: numbers in proved enclosures; sphere_over_disk: with estimated radii.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +21,8 @@
 #include "radcert/formats/json_reader.h"
 #include "radcert/formats/reference_json.h"
 #include "radcert/reference/reference_value.h"
+#include "radcert/reference/sphere_over_disk_value.h"
+#include "sphere_over_disk.h"
 
 namespace radcert::app {
 
@@ -30,6 +34,9 @@ struct ReferenceOptions {
   std::vector<std::string> settings;
   bool all = false;
   std::string out;
+  std::vector<std::string> at;
+  std::string curve;
+  std::string points = "201";
 };
 
 /// A member of a family, with the name under which it was asked for.
@@ -52,8 +59,8 @@ int digits_of(const std::string& text) {
 }
 
 /// Puts the words "name=value" of --set into the arguments of a family.
-void apply(const std::vector<std::string>& settings, Wanted& wanted) {
-  const auto& parameters = wanted.family->parameters;
+void apply(const std::vector<std::string>& settings, std::string_view family,
+           std::span<const reference::ValueParameter> parameters, reference::Arguments& arguments) {
   std::vector<std::string> names;
   for (const reference::ValueParameter& parameter : parameters) names.push_back(parameter.name);
   std::vector<std::string> seen;
@@ -66,7 +73,7 @@ void apply(const std::vector<std::string>& settings, Wanted& wanted) {
     if (found == names.end())
       throw InputError({.source = "--set",
                         .value = name,
-                        .problem = "is no parameter of " + wanted.family->name,
+                        .problem = "is no parameter of " + std::string(family),
                         .allowed = names.empty() ? "it has none" : listed(names)});
     if (std::find(seen.begin(), seen.end(), name) != seen.end())
       throw InputError({.source = "--set", .value = name, .problem = "is given twice"});
@@ -76,7 +83,7 @@ void apply(const std::vector<std::string>& settings, Wanted& wanted) {
     const Outcome<Rational> value = Rational::parse(text);
     if (!value || !parameters[i].allows(*value))
       throw InputError({.source = "--set " + name, .value = text, .allowed = parameters[i].allowed});
-    wanted.arguments[i] = *value;
+    arguments[i] = *value;
   }
 }
 
@@ -88,6 +95,7 @@ Wanted member(const reference::NamedValue& value) {
   std::vector<std::string> names;
   for (const reference::NamedValue& value : reference::named_values()) names.push_back(value.name);
   for (const reference::ValueFamily& family : reference::value_families()) names.push_back(family.name);
+  names.emplace_back(sphere_over_disk_name);
   const auto near = nearest_word(name, names);
   throw InputError({.source = "reference",
                     .value = name,
@@ -107,7 +115,7 @@ Wanted wanted(const ReferenceOptions& options) {
   const reference::ValueFamily* family = reference::find_family(options.name);
   if (family == nullptr) refuse_name(options.name);
   Wanted out{.name = family->name, .family = family, .arguments = reference::default_arguments(*family)};
-  apply(options.settings, out);
+  apply(options.settings, family->name, family->parameters, out.arguments);
   return out;
 }
 
@@ -134,7 +142,9 @@ std::string text_of(const ReferenceRecord& record) {
   for (const auto& [name, value] : record.parameters)
     parameters += (parameters.empty() ? "" : ", ") + name + " = " + value;
   std::vector<std::vector<std::string>> rows = {
-      {"value", decimal.midpoint}, {"radius", decimal.radius + " (proved)"}, {"formula", record.formula}};
+      {"value", decimal.midpoint},
+      {"radius", decimal.radius + (record.guaranteed ? " (proved)" : " (estimated)")},
+      {"formula", record.formula}};
   if (!parameters.empty()) rows.push_back({"parameters", parameters});
   rows.push_back({"source", record.source});
   for (const ReferenceRoute& route : record.routes) {
@@ -156,6 +166,35 @@ ExitCode print_one(const Common& common, const ReferenceOptions& options, int di
   if (!common.json.empty() && !common.json_to_stdout()) Outputs().file("--json", common.json);
   const ReferenceRecord record = record_of(wanted(options), digits);
   print_result(common, text_of(record), reference_json(record, common.command).pretty() + "\n");
+  return ExitCode::done;
+}
+
+ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& options, int digits) {
+  SphereOverDiskWish wish{
+      .arguments = {}, .at = options.at, .curve = options.curve, .points = options.points, .digits = digits};
+  const auto parameters = reference::sphere_over_disk_parameters();
+  for (const reference::ValueParameter& parameter : parameters)
+    wish.arguments.push_back(Rational::parse(parameter.default_text).value());
+  apply(options.settings, sphere_over_disk_name, parameters, wish.arguments);
+  if (wish.at.empty() && wish.curve.empty())
+    throw InputError({.source = "reference",
+                      .problem = std::string(sphere_over_disk_name) + " without a point",
+                      .allowed = "--at B:LATITUDE, --at D:DISTANCE, --curve FILE.csv"});
+  Outputs outputs;
+  if (!wish.curve.empty()) outputs.file("--curve", wish.curve);
+  if (!common.json.empty() && wish.at.empty())
+    throw InputError({.source = "--json", .problem = "without --at", .allowed = "--at with it"});
+  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
+  // Before anything is written: a point that is not allowed leaves no file behind.
+  std::vector<ReferenceRecord> records;
+  if (!wish.at.empty()) records = sphere_over_disk_records(wish);
+  if (!wish.curve.empty()) outputs.write({{wish.curve, sphere_over_disk_csv(wish)}});
+  if (records.empty()) return ExitCode::done;
+  std::string text;
+  for (const ReferenceRecord& record : records) text += (text.empty() ? "" : "\n") + text_of(record);
+  const JsonValue json = records.size() == 1 ? reference_json(records.front(), common.command)
+                                             : references_json(records, common.command);
+  print_result(common, text, json.pretty() + "\n");
   return ExitCode::done;
 }
 
@@ -218,14 +257,19 @@ ExitCode give_reference(const Common& common, const ReferenceOptions& options) {
   const auto threads = common.thread_limit();
   const std::optional<ThreadLimit> limit =
       threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
+  if (options.name == sphere_over_disk_name) return give_sphere_over_disk(common, options, digits);
+  if (!options.at.empty() || !options.curve.empty())
+    throw InputError({.source = options.at.empty() ? "--curve" : "--at",
+                      .value = options.at.empty() ? options.curve : options.at.front(),
+                      .problem = "is for " + std::string(sphere_over_disk_name)});
   return options.all ? write_all(common, options, digits) : print_one(common, options, digits);
 }
 
 }  // namespace
 
 void add_reference(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command = add_command(program, common, "reference",
-                                  "A reference value as midpoint and proved radius, by two routes");
+  CLI::App& command =
+      add_command(program, common, "reference", "A reference value as midpoint and radius, by two routes");
   auto options = std::make_shared<ReferenceOptions>();
   command.add_option("NAME", options->name, "A value or a family of radcert list references");
   command.add_option("--digits", options->digits, "The radius is at most 10^-DIGITS; from 1 to 1000")
@@ -237,8 +281,21 @@ void add_reference(CLI::App& program, Common& common, Action& action) {
   command
       .add_option("--out", options->out, "With --all: a JSON file a value, references.csv and manifest.json")
       ->type_name("DIR");
+  command
+      .add_option(
+          "--at", options->at,
+          "sphere_over_disk: B:LATITUDE in radians on the sphere, or D:DISTANCE from the axis on the disk; "
+          "may be repeated. The total radiance; at the shadow's rim that of the lit side")
+      ->type_name("PLACE")
+      ->take_all();
+  command
+      .add_option("--curve", options->curve, "sphere_over_disk: both curves, B by latitude and D by distance")
+      ->type_name("FILE.csv");
+  command.add_option("--points", options->points, "How many points each curve has")->capture_default_str();
   command.footer(
-      "What is printed encloses the value: the radius is rounded up after the midpoint has been rounded.");
+      "What is printed encloses the value: the radius is rounded up after the midpoint has been rounded. "
+      "Radii are "
+      "proved,\nthose of sphere_over_disk estimated, as the word beside them says.");
   command.callback([&common, &action, options] {
     action = [&common, options] { return give_reference(common, *options); };
   });

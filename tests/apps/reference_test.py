@@ -102,10 +102,70 @@ class Reference(ProgramTest):
             self.assertLessEqual(mpf(row["radius"]), mpf("1e-6"))
         self.assertEqual(len(os.listdir(self.path("data"))), len(rows) + 2)
 
+    def test_the_sphere_over_the_disk_by_its_points(self):
+        found = self.value("sphere_over_disk", "--at", "B:0.25", "--at", "D:10", "--digits", "12")
+        jsonschema.validate(found, json.loads(self.expect(0, "schema", "references")))
+        on_sphere, on_disk = found["values"]
+        self.assertEqual(on_sphere["parameters"]["latitude"], "1/4")
+        self.assertEqual(on_disk["parameters"]["distance"], "10")
+        schema = json.loads(self.expect(0, "schema", "reference"))
+        for value in found["values"]:
+            jsonschema.validate(value, schema)
+            self.assertFalse(value["guaranteed"])
+            self.assertLessEqual(mpf(value["radius"]), mpf("1e-12"))
+            self.assertEqual(len(value["routes"]), 2)
+        # Light from the disk comes to beta^2 mu at most; what the sphere gives to the disk at 10 is below its factor.
+        self.assertGreater(mpf(on_sphere["midpoint"]), mpf("0.81") * mp.sin(mpf("0.25")))
+        factor = 25 * 20 / mpf(500) ** mpf("1.5")
+        excess = mpf(on_disk["midpoint"]) - mpf("0.81")
+        self.assertTrue(0 < excess < mpf("0.9") * factor * mpf("0.81"))
+        one = self.value("sphere_over_disk", "--at", "D:10", "--digits", "12")
+        jsonschema.validate(one, schema)
+        self.assertEqual({**one, "command": ""}, {**on_disk, "command": ""})
+
+    def test_the_sphere_over_the_disk_where_its_value_is_known(self):
+        text = self.expect(0, "reference", "sphere_over_disk", "--at", "B:pi/2", "--digits", "12")
+        self.assertIn("(estimated)", text)
+        value = self.value("sphere_over_disk", "--at", "B:pi/2", "--digits", "12")
+        self.assertLessEqual(abs(mpf(value["midpoint"]) - mpf("0.81")), mpf("1e-12"))
+        # Faint reflection: the lowest point sees the lit ring, 40 and 5 from the axis, 15 below.
+        value = self.value("sphere_over_disk", "--at", "B:-pi/2", "--digits", "16", "--set", "albedo=1e-5")
+        first = mpf("0.9e-10") * (mpf(1600) / 1825 - mpf(25) / 250)
+        self.assertLess(abs(mpf(value["midpoint"]) / first - 1), mpf("1e-5"))
+
+    def test_the_curves_of_the_sphere_over_the_disk(self):
+        self.expect(0, "reference", "sphere_over_disk", "--curve", "curve.csv", "--points", "17")
+        with open(self.path("curve.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file, strict=True))
+        self.assertEqual([row["curve"] for row in rows], ["B"] * 17 + ["D"] * 18)
+        self.assertEqual([float(row["place"]) for row in rows[17:]],
+                         [0, 2.5, 5, 5] + [2.5 * k for k in range(3, 17)])
+        self.assertEqual([row["lit"] for row in rows[17:21]], ["false", "false", "false", "true"])
+        for row in rows:
+            self.assertAlmostEqual(float(row["total"]), float(row["emission"]) + float(row["indirect"]), delta=1e-15)
+
+    def test_wrong_points_of_the_sphere_over_the_disk_are_named(self):
+        self.assertIn("B:LATITUDE", self.refused(2, "sphere_over_disk", "--at", "X:3"))
+        for place in ("B:1.6", "B:-2", "B:north", "B:", "B:1.5707963267948967"):
+            self.assertIn("[-pi/2, pi/2]", self.refused(2, "sphere_over_disk", "--at", place))
+        for place in ("D:41", "D:-1", "D:40.000000001", "D:nan", "D:pi/2"):
+            self.assertIn("[0, 40]", self.refused(2, "sphere_over_disk", "--at", place))
+        self.assertIn("[0, 60]", self.refused(2, "sphere_over_disk", "--set", "disk_radius=60", "--at", "D:61"))
+        at = ("sphere_over_disk", "--at", "D:1")
+        self.assertIn("[0, 1)", self.refused(2, *at, "--set", "albedo=1"))
+        self.assertIn("> radius", self.refused(2, *at, "--set", "height=5"))
+        self.assertIn("> radius", self.refused(2, *at, "--set", "disk_radius=4"))
+        self.assertIn("1 to 24", self.refused(2, *at, "--digits", "25"))
+        self.assertIn("without a point", self.refused(2, "sphere_over_disk"))
+        self.assertIn("from 2 to", self.refused(2, "sphere_over_disk", "--curve", "c.csv", "--points", "1"))
+        self.assertIn("is for sphere_over_disk", self.refused(2, "cube_opposite_faces", "--at", "D:1"))
+        self.refused(2, "sphere_over_disk", "--curve", "c.csv", "--at", "D:99")
+        self.assertFalse(os.path.exists(self.path("c.csv")))
+
     def test_the_list_has_them(self):
         names = {entry["name"] for entry in
                  json.loads(self.expect(0, "list", "references", "--json", "-"))["entries"]}
-        self.assertTrue({"cube_opposite_faces", "coaxial_disks", "two_squares_eta"} <= names)
+        self.assertTrue({"cube_opposite_faces", "coaxial_disks", "two_squares_eta", "sphere_over_disk"} <= names)
 
 
 if __name__ == "__main__":

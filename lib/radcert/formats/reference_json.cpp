@@ -58,7 +58,7 @@ JsonValue reference_json(const ReferenceRecord& record, const std::string& comma
   out.set("digits", record.digits);
   out.set("midpoint", decimal.midpoint);
   out.set("radius", decimal.radius);
-  out.set("guaranteed", true);
+  out.set("guaranteed", record.guaranteed);
   out.set("formula", record.formula);
   out.set("source", record.source);
   out.set("routes", json_array(record.routes, [](const ReferenceRoute& route) { return route.how; }));
@@ -76,6 +76,17 @@ JsonValue reference_json(const ReferenceRecord& record, const std::string& comma
   return out;
 }
 
+JsonValue references_json(std::span<const ReferenceRecord> records, const std::string& command) {
+  JsonValue out = JsonValue::object();
+  out.set("schema", "radcert/references/1");
+  out.set("radcert", version());
+  out.set("command", command);
+  out.set("values", json_array(records, [&command](const ReferenceRecord& record) {
+            return reference_json(record, command);
+          }));
+  return out;
+}
+
 std::string reference_csv(std::span<const ReferenceRecord> records) {
   static constexpr std::array<std::string_view, 11> columns = {
       "name",           "parameters",   "digits",  "midpoint", "radius",     "guaranteed",
@@ -89,7 +100,7 @@ std::string reference_csv(std::span<const ReferenceRecord> records) {
                                                        record.digits,
                                                        decimal.midpoint,
                                                        decimal.radius,
-                                                       true,
+                                                       record.guaranteed,
                                                        binary_text(value.midpoint_binary()),
                                                        binary_text(value.radius_binary()),
                                                        record.formula,

@@ -18,7 +18,7 @@ struct ReferenceRoute {
 };
 
 /// A reference value, ready to be written.
-/// Maths     routes[0].value has a radius <= 10^-digits; every route's ball contains the value
+/// Maths     routes[0].value has a radius <= 10^-digits; every route's ball contains the value: proved if guaranteed, else estimated
 /// Source    -
 /// Requires  at least one route; balls that are finite
 /// Result    plain data
@@ -30,6 +30,7 @@ struct ReferenceRecord {
   std::string formula;
   std::string source;
   std::vector<ReferenceRoute> routes;
+  bool guaranteed = true;
 };
 
 /// A ball in decimal, so that what is printed encloses it with a radius <= 10^-digits.
@@ -48,6 +49,14 @@ struct ReferenceRecord {
 ///           the other routes' values beside; the same bits on every run, apart from `command`
 /// Limits    -
 [[nodiscard]] JsonValue reference_json(const ReferenceRecord& record, const std::string& command);
+
+/// Several reference values of one name as JSON.
+/// Maths     none
+/// Source    the file format radcert/references/1
+/// Requires  as ReferenceRecord, each
+/// Result    the documents of reference_json, one after the other
+/// Limits    -
+[[nodiscard]] JsonValue references_json(std::span<const ReferenceRecord> records, const std::string& command);
 
 /// All values of a data set, a row each: name, parameters, digits, midpoint, radius, exact midpoint and radius, formula, source, routes.
 [[nodiscard]] std::string reference_csv(std::span<const ReferenceRecord> records);

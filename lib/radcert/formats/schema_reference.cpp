@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/formats/schema_texts.h"
 
+#include <string>
+
 namespace radcert {
 
-std::string_view reference_schema() {
-  return R"json({
-  "$schema": "https://json-schema.org/draft/2020-12/schema",
-  "title": "A reference value",
-  "description": "A number in a proved enclosure, by two routes that share nothing but their arithmetic.",
-  "type": "object",
+namespace {
+
+// The members of a value's schema, and what they refer to at the document's root.
+constexpr std::string_view one_value = R"json(  "type": "object",
   "required": ["schema", "radcert", "command", "name", "parameters", "digits", "midpoint", "radius", "guaranteed", "formula",
     "source", "routes", "precision_bits", "midpoint_binary", "radius_binary", "route_values"],
   "additionalProperties": false,
@@ -18,14 +18,17 @@ std::string_view reference_schema() {
     "command": {"description": "How it was called.", "type": "string"},
     "name": {"type": "string", "pattern": "^[a-z0-9_/]+$"},
     "parameters": {
-      "description": "Exactly, as whole numbers or fractions.",
+      "description": "Exactly, as whole numbers or fractions, or pi/2.",
       "type": "object",
-      "additionalProperties": {"type": "string", "pattern": "^-?[0-9]+(/[0-9]+)?$"}
+      "additionalProperties": {"type": "string", "pattern": "^-?([0-9]+(/[0-9]+)?|pi/2)$"}
     },
     "digits": {"description": "The radius is at most 10^-digits.", "type": "integer", "minimum": 1, "maximum": 1000},
     "midpoint": {"$ref": "#/$defs/decimal"},
     "radius": {"$ref": "#/$defs/decimal"},
-    "guaranteed": {"description": "The exact value lies within the radius of the midpoint, by proof.", "const": true},
+    "guaranteed": {
+      "description": "Whether it is proved that the exact value lies within the radius of the midpoint; else the radius is an estimate.",
+      "type": "boolean"
+    },
     "formula": {"type": "string"},
     "source": {"type": "string"},
     "routes": {"description": "The first gave the value.", "type": "array", "minItems": 2, "items": {"type": "string"}},
@@ -47,8 +50,9 @@ std::string_view reference_schema() {
         }
       }
     }
-  },
-  "$defs": {
+  })json";
+
+constexpr std::string_view definitions = R"json(  "$defs": {
     "decimal": {"type": "string", "pattern": "^-?[0-9]+([.][0-9]+)?(e[-+]?[0-9]+)?$"},
     "binary": {
       "description": "Exactly mantissa * 2^exponent.",
@@ -60,9 +64,35 @@ std::string_view reference_schema() {
         "exponent": {"type": "string", "pattern": "^-?[0-9]+$"}
       }
     }
-  }
+  })json";
+
+}  // namespace
+
+std::string_view reference_schema() {
+  static const std::string text = R"json({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "title": "A reference value",
+  "description": "A number with a radius, by two routes.",
+)json" + std::string(one_value) + ",\n" +
+                                  std::string(definitions) + "\n}\n";
+  return text;
 }
-)json";
+
+std::string_view references_schema() {
+  static const std::string text = R"json({
+  "$schema": "https://json-schema.org/draft/2020-12/schema",
+  "title": "Several reference values of one name",
+  "type": "object",
+  "required": ["schema", "radcert", "command", "values"],
+  "additionalProperties": false,
+  "properties": {
+    "schema": {"const": "radcert/references/1"},
+    "radcert": {"description": "The version that wrote the file.", "type": "string"},
+    "command": {"description": "How it was called.", "type": "string"},
+    "values": {"type": "array", "minItems": 1, "items": {
+)json" + std::string(one_value) + "\n    }}\n  },\n" +
+                                  std::string(definitions) + "\n}\n";
+  return text;
 }
 
 std::string_view manifest_schema() {
