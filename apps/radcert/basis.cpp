@@ -106,6 +106,7 @@ BasisRecord superconvergent_record(int degree) {
   BasisRecord record{.family = "inset",
                      .alpha = "superconvergent",
                      .file = std::nullopt,
+                     .space = std::nullopt,
                      .facts = facts_of(inset_nodes(degree, alpha->value))};
   if (!alpha->is_exact) {
     const BallPrecision scope(256);
@@ -132,6 +133,7 @@ BasisRecord inset_record(int degree, const std::string& alpha_text) {
   return {.family = "inset",
           .alpha = degree == 0 ? std::nullopt : std::optional(alpha.to_text()),
           .file = std::nullopt,
+          .space = std::nullopt,
           .facts = facts_of(inset_nodes(degree, alpha))};
 }
 
@@ -141,6 +143,7 @@ BasisRecord symmetric_record(int degree) {
       .family = "symmetric",
       .alpha = std::nullopt,
       .file = std::nullopt,
+      .space = std::nullopt,
       .facts = facts_with(lagrange_functions(set.nodes()).value(), certify(set, symmetric_radius()).value())};
 }
 
@@ -149,6 +152,7 @@ BasisRecord file_record(const std::string& path) {
   return {.family = "file",
           .alpha = std::nullopt,
           .file = path,
+          .space = file.space,
           .facts = file.certificate ? facts_with(file.functions, *file.certificate)
                                     : basis_facts(file.functions, norm_tolerance())};
 }
@@ -190,6 +194,10 @@ std::vector<BasisRecord> records_of(const BasisOptions& options) {
 }
 
 std::string title(const BasisRecord& record) {
+  if (record.space)
+    return *record.file + ", " + std::to_string(record.space->size()) + " functions of degree " +
+           std::to_string(record.facts.degree) + " at most, all polynomials of degree " +
+           std::to_string(record.facts.reproduced) + " among them";
   if (record.file) return *record.file + ", degree " + std::to_string(record.facts.degree);
   return record.family + ", degree " + std::to_string(record.facts.degree) +
          (record.alpha ? ", alpha " + *record.alpha : std::string());
@@ -226,7 +234,7 @@ std::string one_text(const BasisRecord& record) {
     nodes.push_back({std::to_string(j), readable(x[0], digits), readable(x[1], digits),
                      readable(x[2], digits), readable(facts.weights[j], digits)});
   }
-  const std::vector<std::vector<std::string>> rows = {
+  std::vector<std::vector<std::string>> rows = {
       {"weights", weights_text(facts)},
       {"unisolvent", "yes, determinant " + readable(facts.determinant, digits)},
       {"precision, triangle", precision_text(facts.triangle, facts.proof)},
@@ -239,6 +247,12 @@ std::string one_text(const BasisRecord& record) {
       {"", order_text(orders.smooth_kernel, false) +
                " where G is smooth at P = Q (a sphere) and between distinct pieces"},
       {"", order_text(orders.at_edges, false) + " where pieces meet at an angle: no more is known"}};
+  if (facts.products)
+    rows.insert(rows.begin() + 4,
+                {"precision, products",
+                 std::to_string(facts.products->triangle) + ", parallelogram " +
+                     std::to_string(facts.products->parallelogram) +
+                     " (exact): Int q (p - P p) = 0 for degrees up to that; orders follow it"});
   return title(record) + "\n" + aligned(nodes) + "\n" + aligned_left(rows);
 }
 
@@ -262,8 +276,13 @@ std::string table_text(const std::vector<BasisRecord>& records) {
 
 std::string node_file(const Common& common, const BasisRecord& record) {
   const bool is_symmetric = record.family == "symmetric";
-  const JsonValue nodes = is_symmetric ? nodes_json(symmetric_nodes(record.facts.degree), symmetric_radius())
-                                       : nodes_json(record.facts.degree, record.facts.nodes);
+  JsonValue nodes;
+  if (is_symmetric)
+    nodes = nodes_json(symmetric_nodes(record.facts.degree), symmetric_radius());
+  else if (record.space)
+    nodes = nodes_json(*record.space, record.facts.nodes);
+  else
+    nodes = nodes_json(record.facts.degree, record.facts.nodes);
   JsonValue out = JsonValue::object();
   for (const JsonValue::Member& member : *nodes.members()) {
     out.set(member.key, member.value);

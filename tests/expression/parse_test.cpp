@@ -91,6 +91,10 @@ TEST(ParseExpression, ReadsAFunctionOfTheRadius) {
   EXPECT_THROW((void)parse_expression("x").value().evaluate_radial(1.0), radcert::ContractViolation);
   EXPECT_FALSE(parse_expression("r").has_value());
   EXPECT_FALSE(parse_expression("x", ExpressionVariables::radius).has_value());
+  const auto bubble = parse_expression("27*x1*x2*x3", ExpressionVariables::barycentric).value();
+  for (int variable = 0; variable < 3; ++variable) EXPECT_TRUE(bubble.depends_on(variable));
+  EXPECT_FALSE(parse_expression("x", ExpressionVariables::barycentric).has_value());
+  EXPECT_FALSE(parse_expression("x1").has_value());
 }
 
 TEST(ParseExpression, KnowsWhichVariablesOccur) {

@@ -240,9 +240,9 @@ TEST(ExperimentPlots, SweepAlphaWhereThreeProblemsDifferInNothingElse) {
   ASSERT_EQ(plot.series.size(), 3U);
   for (const PlotSeries& series : plot.series) {
     ASSERT_EQ(series.points.size(), 3U);
-    EXPECT_EQ(series.points[0].first, 0.1);
-    EXPECT_EQ(series.points[1].first, 1.0 / 6);
-    EXPECT_EQ(series.points[2].first, 0.2);
+    EXPECT_EQ(series.points[0].x, 0.1);
+    EXPECT_EQ(series.points[1].x, 1.0 / 6);
+    EXPECT_EQ(series.points[2].x, 0.2);
   }
   ASSERT_EQ(plot.marks.size(), 1U);
   EXPECT_EQ(plot.marks[0].x, 1.0 / 6);
@@ -296,13 +296,29 @@ TEST(SvgPlot, PutsLargerValuesHigherAndFurtherRight) {
   EXPECT_NE(text.find("d=\"M109.45 410.73L364 238L618.55 65.27\""), std::string::npos) << text;
 }
 
+TEST(SvgPlot, HasBarsWhereRadiiAreTallerThanMarkers) {
+  const auto text = [](double radius) {
+    return svg_text({.title = "t",
+                     .description = "d",
+                     .x_name = "x",
+                     .y_name = "y",
+                     .series = {{"s", {{1, 1, 0}, {10, 100, radius}, {100, 10000, 0}}}}});
+  };
+  // Four decades over 380/1.1 units: half a percent is less than a unit.
+  EXPECT_EQ(text(0.5), text(0));
+  // From 10 to 190 about (364, 238): a decade is 345.45/4 units, and log10 1.9 = 0.27875.
+  EXPECT_NE(text(90).find("d=\"M364 213.93V324.36M359 213.93h10M359 324.36h10\""), std::string::npos)
+      << text(90);
+  // Down to the frame at 428, where zero is not.
+  EXPECT_NE(text(100).find("V428M359 212"), std::string::npos) << text(100);
+}
+
 TEST(SvgPlot, ServesEmptySingleAndExtremeData) {
-  for (const auto& points :
-       std::vector<std::vector<std::pair<double, double>>>{{},
-                                                           {{1, 1}},
-                                                           {{3, 1e-300}, {3, 1e300}},
-                                                           {{1, 1}, {1 + 1e-15, 1 + 1e-15}},
-                                                           {{1e-307, 2.3e-308}, {1e308, 1.7e308}}})
+  for (const auto& points : std::vector<std::vector<PlotPoint>>{{},
+                                                                {{1, 1}},
+                                                                {{3, 1e-300}, {3, 1e300}},
+                                                                {{1, 1}, {1 + 1e-15, 1 + 1e-15}},
+                                                                {{1e-307, 2.3e-308}, {1e308, 1.7e308}}})
     for (const bool linear : {false, true}) {
       const std::string text = svg_text({.title = "t",
                                          .description = "d",

@@ -64,6 +64,7 @@ TEST(ParseProblem, ReadsTheSolverAndItsTolerance) {
             Rational(1, 1000000));
   EXPECT_EQ(solver(R"({"name": "neumann"})").name, SolverName::neumann);
   EXPECT_EQ(solver(R"({"name": "gmres"})").name, SolverName::gmres);
+  EXPECT_EQ(solver(R"({"name": "verified"})").name, SolverName::verified);
   EXPECT_EQ(solver(R"({"name": "gmres"})").tolerance, std::nullopt);
   EXPECT_EQ(solver(R"({"name": "gmres", "tolerance": "rounding"})").tolerance, std::nullopt);
   EXPECT_EQ(solver(R"({"name": "gmres", "tolerance": "1e-10"})").tolerance, Rational(1, 10000000000));
@@ -126,6 +127,7 @@ TEST(ProblemText, StatesTheSameProblemAgain) {
       with("quadrature", R"({"tolerance": "1e-6"})"),
       with("quadrature", R"({"tolerance": 1e-6})"),
       with("solver", R"({"name": "neumann"})"),
+      with("solver", R"({"name": "verified"})"),
       with("solver", R"({"name": "gmres", "tolerance": "1e-10"})"),
       with("solver", R"({"name": "gmres", "tolerance": 1e-10})"),
   };

@@ -34,7 +34,7 @@ const Refusal refusals[] = {
     {"surface", "{}", "/surface/name", "is missing"},
     {"surface", R"({"name": "two_peice"})", "/surface/name", "did you mean two_piece?"},
     {"surface", R"({"name": "torus"})", "/surface/name",
-     "needs visibility, which is not available in this version"},
+     "visibility of curved parts is not available in this version"},
     {"surface", R"({"name": "cylinder", "radius": 0})", "/surface/radius", "a number in [1e-60, 1e60]"},
     {"surface", R"({"name": "spherical_cap", "fraction": 1})", "/surface/fraction", "[1/1000, 999/1000]"},
     {"surface", R"({"name": ["cube"]})", "/surface/name", "is an array"},
@@ -127,7 +127,6 @@ const Refusal refusals[] = {
     {"quadrature", R"({"tolerance": 0})", "/quadrature/tolerance", "is outside the range"},
     {"quadrature", R"({"tolerance": "fine"})", "/quadrature/tolerance", "is not a number"},
     {"quadrature", R"({"order": 7})", "/quadrature/order", "unknown key"},
-    {"solver", R"({"name": "verified"})", "/solver/name", "not available in this version"},
     {"solver", R"({"name": "gmers"})", "/solver/name", "did you mean gmres?"},
     {"solver", R"({"name": "gmres", "tolerance": 0})", "/solver/tolerance", "is outside the range"},
     {"solver", R"({"name": "gmres", "tolerance": "-1e-3"})", "/solver/tolerance", "4.440892098500626e-16"},
@@ -139,6 +138,7 @@ const Refusal refusals[] = {
     {"solver", R"({"name": "lu"})", "/solver/name", "is unknown"},
     {"solver", "\"direct\"", "/solver", "is a string"},
     {"solver", R"({"name": "direct", "tolerance": 1})", "/solver/tolerance", "unknown key"},
+    {"solver", R"({"name": "verified", "tolerance": "1e-9"})", "/solver/tolerance", "unknown key"},
 };
 
 class ProblemRefusal : public testing::TestWithParam<Refusal> {};

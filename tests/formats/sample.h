@@ -32,6 +32,7 @@ inline LevelOutcome sample_level() {
   level.result.planned_bytes = 0xffffffffffffffffU;
   level.result.iteration = {
       .iterations = 0xffffffffffffffffU, .contraction = 0.1 + 0.2, .error_bound = 5e-324};
+  level.result.verified = {.theta = 0.1 + 0.7, .solution_radius = 5e-324};
   level.timing = {.assembly_seconds = 0.1, .operator_seconds = 0.2, .solve_seconds = 0.30000000000000004};
   level.nodes = {{.piece = "upper",
                   .element = 1,
@@ -39,6 +40,7 @@ inline LevelOutcome sample_level() {
                   .point = {0.1, -0.0, 3},
                   .normal = {0, 0, 1},
                   .u_n = 1.0 / 7,
+                  .radius = 0.1 + 0.2,
                   .emission = 2.0 / 7,
                   .u = 3.0 / 7},
                  {.piece = "lower, \"left\"",

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <random>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radcert/core/contract.h"
@@ -75,7 +77,9 @@ template <Field R, BasisOver<R> Basis>
     const std::vector<R> l = detail::values<R>(basis, nodes[j]);
     for (std::size_t i = 0; i < l.size(); ++i)
       if (!(detail::distance<R>(l[i], R(i == j ? 1 : 0)) <= tolerance))
-        return ::testing::AssertionFailure() << "l_" << i << "(q_" << j << ") = " << description(l[i]);
+        return ::testing::AssertionFailure()
+               << "l_" << i << "(q_" << j << ") = " << description(l[i]) << " in place of "
+               << (i == j ? 1 : 0) << ", q_" << j << " = " << detail::text(nodes[j]);
   }
   return ::testing::AssertionSuccess();
 }
@@ -88,7 +92,8 @@ template <Field R, BasisOver<R> Basis>
     R sum(0);
     for (const R& l : detail::values<R>(basis, x)) sum = sum + l;
     if (!(detail::distance<R>(sum, R(1)) <= tolerance))
-      return ::testing::AssertionFailure() << "the sum at " << detail::text(x) << " is " << description(sum);
+      return ::testing::AssertionFailure() << "the sum of the functions at " << detail::text(x) << " is "
+                                           << description(sum) << " in place of 1";
   }
   return ::testing::AssertionSuccess();
 }
@@ -108,9 +113,60 @@ template <Field R, BasisOver<R> Basis>
         for (std::size_t i = 0; i < l.size(); ++i) sum = sum + p(nodes[i]) * l[i];
         if (!(detail::distance<R>(sum, p(x)) <= tolerance))
           return ::testing::AssertionFailure()
-                 << "t^" << a << " s^" << b << " at " << detail::text(x) << " becomes " << description(sum);
+                 << "t^" << a << " s^" << b << " at " << detail::text(x) << " becomes " << description(sum)
+                 << " in place of " << description(p(x));
       }
   }
+  return ::testing::AssertionSuccess();
+}
+
+/// The nodes lie in the closed triangle, and no two coincide.
+template <Field R, BasisOver<R> Basis>
+::testing::AssertionResult has_different_nodes_in_the_triangle(const Basis& basis, const R& tolerance) {
+  const std::vector<Barycentric<R>> nodes = basis.nodes();
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    const Barycentric<R>& q = nodes[j];
+    const R sum = q.x[0] + q.x[1] + q.x[2];
+    if (!(detail::distance<R>(sum, R(1)) <= tolerance))
+      return ::testing::AssertionFailure() << "q_" << j << " = " << detail::text(q) << " has the sum "
+                                           << description(sum) << " in place of 1";
+    for (const R& x : q.x)
+      if (!(R(0) <= x + tolerance))
+        return ::testing::AssertionFailure() << "q_" << j << " = " << detail::text(q)
+                                             << " is outside the triangle by " << description(R(0) - x);
+    for (std::size_t i = 0; i < j; ++i)
+      if (nodes[i].x == q.x)
+        return ::testing::AssertionFailure()
+               << "q_" << i << " and q_" << j << " are the same point " << detail::text(q);
+  }
+  return ::testing::AssertionSuccess();
+}
+
+/// All laws of a Lagrange basis that is to serve in the collocation method, in one call.
+/// Maths     different nodes in the triangle; l_i(q_j) = delta_ij; sum_i l_i = 1; sum_i p(q_i) l_i = p for all polynomials p of the
+///           degree that is said to be reproduced: all the order of convergence everywhere depends on
+/// Source    [m06, (14)-(15)]
+/// Requires  `reproduced` >= 0; R = Rational with the tolerance 0 proves the first two laws
+/// Result    a failure names the law, the function, node or point, what is found there, and what should be
+/// Limits    the last two laws are tried at 19 points
+template <Field R, BasisOver<R> Basis>
+::testing::AssertionResult is_a_lagrange_basis(const Basis& basis, int reproduced, const R& tolerance) {
+  constexpr std::uint64_t seed = 20260102;
+  const std::vector<Barycentric<R>> points = points_of_the_plane<R>(seed);
+  const std::span<const Barycentric<R>> span(points);
+  using Result = ::testing::AssertionResult;
+  // A later law may rest on the earlier ones: as many functions as nodes.
+  const std::vector<std::pair<std::string, std::function<Result()>>> laws = {
+      {"different nodes in the triangle",
+       [&] { return has_different_nodes_in_the_triangle<R>(basis, tolerance); }},
+      {"one at its node and zero at the others",
+       [&] { return is_one_at_its_node_and_zero_at_the_others<R>(basis, tolerance); }},
+      {"a partition of unity", [&] { return is_a_partition_of_unity<R>(basis, span, tolerance); }},
+      {"reproduces the polynomials of degree " + std::to_string(reproduced),
+       [&] { return reproduces_polynomials<R>(basis, reproduced, span, tolerance); }}};
+  for (const auto& [name, law] : laws)
+    if (const Result result = law(); !result)
+      return ::testing::AssertionFailure() << "the law \"" << name << "\" is broken: " << result.message();
   return ::testing::AssertionSuccess();
 }
 

@@ -57,6 +57,28 @@ TEST(BasisLaws, RejectAnotherNumberOfFunctionsThanNodes) {
   EXPECT_FALSE(is_one_at_its_node_and_zero_at_the_others(Corners{Corners::Fault::function_too_many}, exact));
 }
 
+TEST(BasisLaws, SayInOneCallWhichIsBrokenWhereAndByHowMuch) {
+  const auto told = [](Corners::Fault fault) {
+    return std::string(is_a_lagrange_basis(Corners{fault}, 1, exact).message());
+  };
+  EXPECT_TRUE(is_a_lagrange_basis(Corners{}, 1, exact));
+  EXPECT_EQ(told(Corners::Fault::scaled_function),
+            "the law \"one at its node and zero at the others\" is broken: l_1(q_1) = 1000001/1000000 in "
+            "place of 1, "
+            "q_1 = (0, 1, 0)");
+  EXPECT_EQ(told(Corners::Fault::node_outside),
+            "the law \"different nodes in the triangle\" is broken: q_2 = (-1/8, 0, 9/8) is outside the "
+            "triangle by 1/8");
+  EXPECT_EQ(told(Corners::Fault::node_on_a_side),
+            "the law \"one at its node and zero at the others\" is broken: l_0(q_2) = 1/8 in place of 0, "
+            "q_2 = (1/8, 0, 7/8)");
+  EXPECT_NE(told(Corners::Fault::function_too_many).find("3 nodes for 4 functions"), std::string::npos);
+  const std::string degree(is_a_lagrange_basis(Corners{}, 2, exact).message());
+  EXPECT_NE(degree.find("\"reproduces the polynomials of degree 2\" is broken: t^0 s^2 at"),
+            std::string::npos)
+      << degree;
+}
+
 TEST(BasisLaws, SeeTheDegreeThatABasisDoesNotReproduce) {
   const auto points = points_of_the_plane<Rational>(seed);
   const std::span<const Barycentric<Rational>> span(points);

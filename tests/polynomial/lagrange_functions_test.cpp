@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "radcert/polynomial/exact_basis.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "tests/laws/basis_laws.h"
 #include "tests/polynomial/node_sets.h"
@@ -143,6 +144,98 @@ TEST(LagrangeFunctions, AreRefusedWhereANodeIsRepeated) {
   EXPECT_EQ(outcome.reason().repeated, std::pair(std::size_t{2}, std::size_t{7}));
   EXPECT_EQ(outcome.reason().to_text(), "nodes 2 and 7 are the same point");
   expect_proof(outcome.reason(), 3, nodes);
+}
+
+TEST(LagrangeFunctions, OfLinearFunctionsWithABubbleObeyTheLawsAndNoMore) {
+  const Nodes nodes = three_and_the_centroid(Rational(1, 5));
+  const LagrangeFunctions functions = lagrange_functions(linear_with_bubble(), nodes).value();
+  EXPECT_EQ(functions.degree(), 3);
+  EXPECT_EQ(functions.reproduced_degree(), 1);
+  EXPECT_EQ(functions.size(), 4U);
+  EXPECT_TRUE(laws::is_a_lagrange_basis(functions, 1, Rational(0)));
+  EXPECT_FALSE(laws::is_a_lagrange_basis(functions, 2, Rational(0)));
+  std::vector<Rational> values(4);
+  for (const Barycentric<Rational>& x : laws::points_of_the_plane<Rational>(14)) {
+    functions.values(x, values);
+    // Zero at the first three nodes, one at the centroid.
+    const Rational b = (125 * 27 * x.x[0] * x.x[1] * x.x[2] - 81) / 44;
+    EXPECT_EQ(values[3], b);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(values[i], (5 * x.x[i] - 1) / 2 - b / 3);
+  }
+  // The linear functions contribute 2/5 x 2/5, the bubble 1/27 of 1 - 81/125.
+  EXPECT_EQ(functions.determinant(), Rational(4, 25) * Rational(44, 125) / 27);
+}
+
+TEST(LagrangeFunctions, OfASpaceOfAllPolynomialsAreTheUsualOnes) {
+  for (const int degree : {0, 1, 3}) {
+    PolynomialSpace space{.degree = degree, .functions = {}};
+    for (std::size_t k = 0; k < polynomial_dimension(degree); ++k) {
+      space.functions.emplace_back(polynomial_dimension(degree));
+      space.functions.back()[k] = 1;
+    }
+    const Nodes nodes = scattered_nodes(degree, 5);
+    const LagrangeFunctions own = lagrange_functions(space, nodes).value();
+    const LagrangeFunctions usual = functions_of(nodes);
+    EXPECT_EQ(own.reproduced_degree(), degree);
+    EXPECT_EQ(own.determinant(), usual.determinant());
+    for (std::size_t j = 0; j < usual.size(); ++j) {
+      const auto one = own.bernstein_coefficients(j);
+      const auto other = usual.bernstein_coefficients(j);
+      EXPECT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end())) << degree << " " << j;
+    }
+  }
+}
+
+TEST(LagrangeFunctions, SayWhichFunctionOfASpaceVanishesAtTheNodes) {
+  PolynomialSpace space = linear_with_bubble();
+  // Four points of the line x_1 = 1/4.
+  const Nodes on_a_line{at(Rational(1, 8), Rational(5, 8)), at(Rational(1, 4), Rational(1, 2)),
+                        at(Rational(3, 8), Rational(3, 8)), at(Rational(1, 2), Rational(1, 4))};
+  const auto vanishing = lagrange_functions(space, on_a_line);
+  ASSERT_FALSE(vanishing.has_value());
+  EXPECT_THAT(vanishing.reason().to_text(), HasSubstr("vanishes at all 4 nodes"));
+  bool is_zero = true;
+  for (const Rational& c : vanishing.reason().vanishing) is_zero = is_zero && c == 0;
+  EXPECT_FALSE(is_zero);
+  for (const Barycentric<Rational>& node : on_a_line)
+    EXPECT_EQ(bernstein_sum(3, vanishing.reason().vanishing, node), 0);
+  space.functions[3] = space.functions[0];
+  const auto dependent = lagrange_functions(space, three_and_the_centroid(Rational(1, 5)));
+  ASSERT_FALSE(dependent.has_value());
+  EXPECT_THAT(dependent.reason().to_text(), HasSubstr("linearly dependent"));
+  space.functions.pop_back();
+  EXPECT_THROW(static_cast<void>(lagrange_functions(space, on_a_line)), ContractViolation);
+}
+
+TEST(LagrangeFunctions, KnowThatConstantsAreMissing) {
+  // x_1 and x_2 alone.
+  PolynomialSpace space{.degree = 1, .functions = {{1, 0, 0}, {0, 1, 0}}};
+  const auto functions = lagrange_functions(space, Nodes{at(0, Rational(1, 4)), at(0, Rational(1, 2))});
+  EXPECT_EQ(functions.value().reproduced_degree(), -1);
+}
+
+// A type by its formulas, and one whose functions are none of the degree that it says.
+struct Bubble {
+  int said_degree = 3;
+  int degree() const { return said_degree; }
+  std::size_t size() const { return 4; }
+  Nodes nodes() const { return three_and_the_centroid(Rational(1, 5)); }
+  void values(const Barycentric<Rational>& x, std::span<Rational> out) const {
+    out[3] = (125 * 27 * x.x[0] * x.x[1] * x.x[2] - 81) / 44;
+    for (std::size_t i = 0; i < 3; ++i) out[i] = (5 * x.x[i] - 1) / 2 - out[3] / 3;
+  }
+};
+
+TEST(ExactBasis, BecomesItsLagrangeFunctions) {
+  const LagrangeFunctions functions = lagrange_functions_of(Bubble{});
+  const LagrangeFunctions expected =
+      lagrange_functions(linear_with_bubble(), three_and_the_centroid(Rational(1, 5))).value();
+  for (std::size_t j = 0; j < 4; ++j) {
+    const auto one = functions.bernstein_coefficients(j);
+    const auto other = expected.bernstein_coefficients(j);
+    EXPECT_TRUE(std::equal(one.begin(), one.end(), other.begin(), other.end())) << j;
+  }
+  EXPECT_THROW(static_cast<void>(lagrange_functions_of(Bubble{2})), ContractViolation);
 }
 
 TEST(LagrangeFunctions, RefuseSetsOfAWrongSizeAndPointsThatAreNone) {

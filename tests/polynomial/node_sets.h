@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -34,6 +35,27 @@ inline Nodes scattered_nodes(int degree, std::uint64_t seed) {
 
 /// The Lagrange functions of a set that has them.
 inline LagrangeFunctions functions_of(const Nodes& nodes) { return lagrange_functions(nodes).value(); }
+
+/// Linear functions and the bubble x_1 x_2 x_3, by Bernstein coefficients of degree 3.
+inline PolynomialSpace linear_with_bubble() {
+  PolynomialSpace space{.degree = 3, .functions = {}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<Rational> x;
+    for (const std::array<int, 3>& k : lattice_indices(3)) x.emplace_back(k[i], 3);
+    space.functions.push_back(x);
+  }
+  std::vector<Rational> bubble(polynomial_dimension(3));
+  bubble[lattice_place({1, 1, 1})] = Rational(1, 6);
+  space.functions.push_back(bubble);
+  return space;
+}
+
+/// (1 - 2a, a, a) and its like, and the centroid.
+inline Nodes three_and_the_centroid(const Rational& a) {
+  Nodes nodes = inset_nodes(1, a);
+  nodes.push_back(at(Rational(1, 3), Rational(1, 3)));
+  return nodes;
+}
 
 inline std::vector<Rational> some_insets() {
   return {

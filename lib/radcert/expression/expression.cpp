@@ -83,8 +83,13 @@ std::optional<long> whole_exponent(const std::vector<ExpressionNode>& nodes, con
 std::span<const std::string_view> names(ExpressionVariables variables) {
   static constexpr std::array<std::string_view, 3> space{"x", "y", "z"};
   static constexpr std::array<std::string_view, 1> radius{"r"};
-  if (variables == ExpressionVariables::space) return space;
-  return radius;
+  static constexpr std::array<std::string_view, 3> barycentric{"x1", "x2", "x3"};
+  switch (variables) {
+    case ExpressionVariables::space: return space;
+    case ExpressionVariables::radius: return radius;
+    case ExpressionVariables::barycentric: return barycentric;
+  }
+  return {};
 }
 
 struct Expression::Tree {

@@ -20,14 +20,15 @@
 namespace radcert {
 
 /// The names that an expression may use for its arguments.
-/// Maths     space: a function of the point (x, y, z);  radius: a function of the distance r
+/// Maths     space: a function of the point (x, y, z);  radius: a function of the distance r;  barycentric: a function of the
+///           point (x1, x2, x3) of a triangle
 /// Source    the file formats
 /// Requires  nothing
 /// Result    the order of the values given to evaluate()
 /// Limits    none
-enum class ExpressionVariables : std::uint8_t { space, radius };
+enum class ExpressionVariables : std::uint8_t { space, radius, barycentric };
 
-/// "x", "y", "z" or "r".
+/// "x", "y", "z" or "r" or "x1", "x2", "x3".
 [[nodiscard]] std::span<const std::string_view> names(ExpressionVariables variables);
 
 /// A point at which an expression in x, y, z is evaluated.

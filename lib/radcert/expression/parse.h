@@ -31,7 +31,7 @@ struct ExpressionFault {
 ///           power   := primary ['^' signed]                             2^3^2 = 2^(3^2), 2^-1
 ///           primary := number | name | function '(' sum [',' sum] ')' | '(' sum ')'
 ///           number  := digits ['.' [digits]] [e] | '.' digits [e],  e := ('e' | 'E') ['+' | '-'] digits
-///           name    := pi, and x | y | z or r
+///           name    := pi, and x | y | z, or r, or x1 | x2 | x3
 ///           function := sqrt exp log sin cos tan atan abs (one argument), min max (two)
 /// Source    the file formats
 /// Requires  nothing

@@ -49,8 +49,11 @@ JsonValue record_json(const BasisRecord& record) {
   JsonValue out = JsonValue::object();
   out.set("family", record.family);
   out.set("degree", facts.degree);
+  out.set("reproduces", facts.reproduced);
   out.set("alpha", record.alpha);
   out.set("file", record.file);
+  out.set("space", record.space ? json_array(*record.space, [](const std::string& f) { return JsonValue(f); })
+                                : JsonValue());
   JsonValue nodes = JsonValue::array();
   for (std::size_t j = 0; j < facts.nodes.size(); ++j) {
     JsonValue node = JsonValue::object();
@@ -72,6 +75,11 @@ JsonValue record_json(const BasisRecord& record) {
   precision.set("triangle", precision_json(facts.triangle, facts.proof));
   precision.set("parallelogram", precision_json(facts.parallelogram, facts.proof));
   out.set("precision", std::move(precision));
+  const ProductPrecision of_products = product_precision(facts);
+  JsonValue products = JsonValue::object();
+  products.set("triangle", of_products.triangle);
+  products.set("parallelogram", of_products.parallelogram);
+  out.set("product_precision", std::move(products));
   JsonValue norm = JsonValue::object();
   norm.set("lower", Ball(facts.norm.lower).lower_double());
   norm.set("upper", Ball(facts.norm.upper).upper_double());

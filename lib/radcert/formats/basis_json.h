@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "radcert/formats/json_value.h"
 #include "radcert/polynomial/basis_facts.h"
@@ -15,10 +16,9 @@ struct BasisRecord {
   std::string family;                ///< "inset", "symmetric", "file"
   std::optional<std::string> alpha;  ///< as it was asked for
   std::optional<std::string> file;
+  std::optional<std::vector<std::string>> space;  ///< of the file; absent: all polynomials of a degree
   BasisFacts facts;
-  [[nodiscard]] PredictedOrders orders() const {
-    return predicted_orders(facts.degree, facts.triangle.degree, facts.parallelogram.degree);
-  }
+  [[nodiscard]] PredictedOrders orders() const { return predicted_orders(facts); }
 };
 
 /// What is known of bases, as JSON.

@@ -48,13 +48,18 @@ std::string order_text(const OrderFit& fit) {
   return out;
 }
 
+/// An error at x; none where a logarithmic axis has no place for it.
+std::optional<PlotPoint> point(double x, const std::optional<Figure>& error) {
+  if (!error || !std::isnormal(error->value) || error->value < 0) return std::nullopt;
+  return PlotPoint{.x = x, .y = error->value, .radius = error->radius.value_or(0)};
+}
+
 /// The points of one error; x of a level as asked.
 template <class X>
-std::vector<std::pair<double, double>> points(const Result& result, const ErrorKind& kind, const X& x) {
-  std::vector<std::pair<double, double>> out;
+std::vector<PlotPoint> points(const Result& result, const ErrorKind& kind, const X& x) {
+  std::vector<PlotPoint> out;
   for (const LevelResult& level : result.levels)
-    if (const auto& error = level.*kind.figure; error && std::isnormal(error->value) && error->value > 0)
-      out.emplace_back(x(level), error->value);
+    if (const auto at = point(x(level), level.*kind.figure)) out.push_back(*at);
   return out;
 }
 
@@ -66,7 +71,7 @@ OrderFit order_of(const Result& result, const std::vector<OrderFit>& fits, const
     if (fit.quantity == kind.name) return fit;
   OrderFit fit{.quantity = kind.name, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
   std::vector<CostPoint> curve;
-  for (const auto& [cost, error] : points(result, kind, x)) curve.push_back({cost, error});
+  for (const PlotPoint& at : points(result, kind, x)) curve.push_back({at.x, at.y});
   for (const LevelResult& level : result.levels) fit.levels.push_back(level.level);
   if (const auto law = power_law(curve)) {
     fit.order = sign * law->exponent;
@@ -85,9 +90,10 @@ Plot against(const Experiment& experiment, std::span<const Result> results,
              const std::vector<std::vector<OrderFit>>& orders, const ErrorKind& kind,
              const HorizontalAxis& axis) {
   Plot plot{.title = experiment.name + ": " + in_words(kind),
-            .description = "Both axes are logarithmic. A line a combination; the order is the exponent of " +
-                           axis.name +
-                           " fitted to its levels, its uncertainty the spread of the slopes between levels.",
+            .description =
+                "Both axes are logarithmic. A line a combination; the order is the exponent of " + axis.name +
+                " fitted to its levels, its uncertainty the spread of the slopes between levels. Bars: what "
+                "quadrature and rounding may have changed, where more than a marker.",
             .x_name = axis.name,
             .y_name = in_words(kind),
             .series = {}};
@@ -156,9 +162,9 @@ Plot against_alpha(const Experiment& experiment, std::span<const Result> results
       PlotSeries series{
           sweep_name(experiment, first.problem) + ", level " + std::to_string(first.levels[k].level), {}};
       for (const std::size_t i : sweep)
-        if (const auto& error = results[i].levels[k].*kind.figure;
-            error && std::isnormal(error->value) && error->value > 0)
-          series.points.emplace_back(results[i].problem.basis.alpha->to_double(), error->value);
+        if (const auto at =
+                point(results[i].problem.basis.alpha->to_double(), results[i].levels[k].*kind.figure))
+          series.points.push_back(*at);
       std::sort(series.points.begin(), series.points.end());
       plot.series.push_back(std::move(series));
     }

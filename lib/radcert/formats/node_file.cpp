@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/formats/node_file.h"
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/text.h"
+#include "radcert/expression/parse.h"
 #include "radcert/formats/json_document.h"
 #include "radcert/formats/json_reader.h"
+#include "radcert/formats/polynomial_expression.h"
 #include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/real_zeros.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {
@@ -19,7 +27,90 @@ constexpr const char* schema = "radcert/nodes/1";
 constexpr int largest_node_degree = 12;
 constexpr const char* coordinate_allowed = "a decimal or fraction in a string, from 0 to 1";
 
-Barycentric<Rational> read_node(const JsonReader& node) {
+// Irrational numbers become fractions so close to them: as many digits as node files have, and the rounding of no arithmetic
+// that a problem is solved in.
+const Rational& number_width() {
+  static const Rational width = 1 / power(Rational(10), 70);
+  return width;
+}
+
+// The zero of a polynomial in an interval that holds one and no other.
+Rational read_number(const JsonReader& number) {
+  number.require_object({"polynomial", "between"});
+  const std::string polynomial_allowed = "coefficients, the constant first, not all of them zero beyond it";
+  const JsonReader list = number.at("polynomial", polynomial_allowed);
+  std::vector<Rational> coefficients;
+  for (const JsonReader& each : list.elements(polynomial_allowed))
+    coefficients.push_back(each.rational("a decimal or fraction in a string"));
+  const RationalPolynomial polynomial(std::move(coefficients));
+  if (polynomial.degree() < 1) list.refuse("is constant", polynomial_allowed);
+  const std::string between_allowed = "two numbers, the smaller one first";
+  const JsonReader place = number.at("between", between_allowed);
+  const std::vector<JsonReader> ends = place.elements(between_allowed);
+  if (ends.size() != 2) place.refuse("has " + std::to_string(ends.size()) + " numbers", between_allowed);
+  const Rational lower = ends[0].rational(between_allowed);
+  const Rational upper = ends[1].rational(between_allowed);
+  if (upper < lower) place.refuse("has the larger one first", between_allowed);
+  const std::vector<RealZero> zeros = real_zeros(polynomial, lower, upper, number_width());
+  if (zeros.size() != 1)
+    throw InputError(
+        {.pointer = place.pointer(),
+         .problem = "holds " +
+                    (zeros.empty() ? std::string("no zero") : std::to_string(zeros.size()) + " zeros") +
+                    " of " + polynomial.to_text(),
+         .allowed = "an interval that holds one zero and no other"});
+  return (zeros.front().lower + zeros.front().upper) / 2;
+}
+
+// The numbers x, y, z that a file defines for its coordinates.
+using Numbers = std::array<std::optional<Rational>, 3>;
+
+Numbers read_numbers(const JsonReader& root) {
+  Numbers out;
+  const auto numbers = root.find("numbers");
+  if (!numbers) return out;
+  const auto known = names(ExpressionVariables::space);
+  numbers->require_object({known[0], known[1], known[2]});
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (const auto number = numbers->find(known[i])) out[i] = read_number(*number);
+  return out;
+}
+
+// A coordinate: a number, or an expression in the file's numbers.
+Rational read_coordinate(const JsonReader& place, const Numbers& numbers) {
+  const std::string* text = place.value().string();
+  const bool has_numbers =
+      std::any_of(numbers.begin(), numbers.end(), [](const auto& n) { return n.has_value(); });
+  if (text == nullptr || !has_numbers) return place.rational(coordinate_allowed);
+  const std::string allowed = "sums, products and quotients of fractions and of the file's numbers";
+  const auto expression = parse_expression(*text);
+  if (!expression) place.refuse(expression.reason().to_text(), allowed);
+  std::vector<Rational> values;
+  for (const ExpressionNode& node : expression->nodes()) {
+    const auto at = [&](int operand) { return values[static_cast<std::size_t>(operand)]; };
+    switch (node.kind) {
+      case ExpressionKind::literal: values.push_back(node.literal); break;
+      case ExpressionKind::variable: {
+        const std::optional<Rational>& number = numbers.at(static_cast<std::size_t>(node.variable));
+        if (!number) place.refuse("has a number that the file does not define", allowed);
+        values.push_back(*number);
+        break;
+      }
+      case ExpressionKind::negate: values.push_back(-at(node.left)); break;
+      case ExpressionKind::add: values.push_back(at(node.left) + at(node.right)); break;
+      case ExpressionKind::subtract: values.push_back(at(node.left) - at(node.right)); break;
+      case ExpressionKind::multiply: values.push_back(at(node.left) * at(node.right)); break;
+      case ExpressionKind::divide:
+        if (at(node.right) == 0) place.refuse("divides by zero", allowed);
+        values.push_back(at(node.left) / at(node.right));
+        break;
+      default: place.refuse("has another operation", allowed);
+    }
+  }
+  return values.back();
+}
+
+Barycentric<Rational> read_node(const JsonReader& node, const Numbers& numbers) {
   const std::vector<JsonReader> coordinates = node.elements("three barycentric coordinates");
   if (coordinates.size() != 3)
     node.refuse("has " + std::to_string(coordinates.size()) + " coordinates",
@@ -27,7 +118,7 @@ Barycentric<Rational> read_node(const JsonReader& node) {
   Barycentric<Rational> q;
   Rational sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    q.x[i] = coordinates[i].rational(coordinate_allowed);
+    q.x[i] = read_coordinate(coordinates[i], numbers);
     if (q.x[i].sign() < 0 || q.x[i] > Rational(1))
       coordinates[i].refuse("puts the node outside the triangle", coordinate_allowed);
     sum += q.x[i];
@@ -94,34 +185,122 @@ std::optional<SymmetricCertificate> read_certificate(const JsonReader& root, int
   return *std::move(proof);
 }
 
-NodeFile read(const JsonValue& document) {
-  const JsonReader root(document);
-  if (document.members() == nullptr) root.refuse("is " + document.kind(), "an object: nodes");
-  const std::vector<std::string> schemas = {schema};
-  (void)root.at("schema", schema).word(schemas);
-  root.require_object({"schema", "radcert", "command", "degree", "nodes", "certificate"});
-  const std::string degree_allowed = "a whole number from 0 to " + std::to_string(largest_node_degree);
-  const int degree =
-      static_cast<int>(root.at("degree", degree_allowed).whole(0, largest_node_degree, degree_allowed));
-  const std::size_t needed = polynomial_dimension(degree);
+std::vector<Barycentric<Rational>> read_node_list(const JsonReader& root, std::size_t needed,
+                                                  const std::string& of) {
+  const Numbers numbers = read_numbers(root);
   const JsonReader list = root.at("nodes", "an array of nodes");
   const std::vector<JsonReader> places = list.elements("nodes, three barycentric coordinates each");
   if (places.size() != needed)
     throw InputError({.pointer = list.pointer(),
                       .problem = "has " + std::to_string(places.size()) + " nodes: too " +
                                  (places.size() < needed ? "few" : "many"),
-                      .allowed = std::to_string(needed) + " nodes for degree " + std::to_string(degree)});
+                      .allowed = std::to_string(needed) + " nodes for " + of});
   std::vector<Barycentric<Rational>> nodes;
   nodes.reserve(places.size());
-  for (const JsonReader& place : places) nodes.push_back(read_node(place));
+  for (const JsonReader& place : places) nodes.push_back(read_node(place, numbers));
   require_different(places, nodes);
+  return nodes;
+}
+
+PolynomialSpace read_space(const std::vector<JsonReader>& places) {
+  const std::string allowed = "polynomials in x1, x2, x3 of degree " + std::to_string(largest_node_degree) +
+                              " at most, such as \"x1\" and \"27*x1*x2*x3\"";
+  std::vector<PlanePolynomial<Rational>> polynomials;
+  PolynomialSpace space;
+  for (const JsonReader& place : places) {
+    const auto expression = parse_expression(place.string(allowed), ExpressionVariables::barycentric);
+    if (!expression) place.refuse(expression.reason().to_text(), allowed);
+    Outcome<PlanePolynomial<Rational>> polynomial = polynomial_of(*expression, largest_node_degree);
+    if (!polynomial) place.refuse(polynomial.reason(), allowed);
+    space.degree = std::max(space.degree, polynomial->degree());
+    polynomials.push_back(*std::move(polynomial));
+  }
+  for (const PlanePolynomial<Rational>& p : polynomials)
+    space.functions.push_back(bernstein_coefficients(p, space.degree));
+  return space;
+}
+
+std::string point_text(const Barycentric<Rational>& x) {
+  return "(" + x.x[0].to_text() + ", " + x.x[1].to_text() + ", " + x.x[2].to_text() + ")";
+}
+
+// Collocation with functions whose sum is not 1 does not converge. The sum's largest distance from 1 at the places of its
+// Bernstein coefficients shows where and by how much.
+void require_constants(const JsonReader& space, const LagrangeFunctions& functions) {
+  if (functions.reproduced_degree() >= 0) return;
+  Barycentric<Rational> worst;
+  Rational sum_there = 1;
+  std::vector<Rational> values(functions.size());
+  for (const Barycentric<Rational>& x : inset_nodes(functions.degree(), Rational(0))) {
+    functions.values(x, values);
+    Rational sum = 0;
+    for (const Rational& value : values) sum += value;
+    if (abs(sum - 1) <= abs(sum_there - 1)) continue;
+    worst = x;
+    sum_there = sum;
+  }
+  throw InputError({.pointer = space.pointer(),
+                    .problem = "does not contain the constants: the interpolant of 1 at the nodes is " +
+                               sum_there.to_text() + " at " + point_text(worst),
+                    .allowed = "functions among whose combinations is 1, as x1 + x2 + x3"});
+}
+
+NodeFile read_own_space(const JsonReader& root, const JsonReader& key) {
+  if (const auto degree = root.find("degree"))
+    degree->refuse("stands beside a space", "a degree, or a space, not both");
+  if (const auto certificate = root.find("certificate"))
+    certificate->refuse("stands beside a space", "a certificate of nodes for all polynomials of a degree");
+  const std::vector<JsonReader> places = key.elements("functions: polynomials in x1, x2, x3");
+  // As many as there are polynomials of the largest degree.
+  if (places.empty() || places.size() > polynomial_dimension(largest_node_degree))
+    throw InputError({.pointer = key.pointer(),
+                      .problem = "has " + std::to_string(places.size()) + " functions",
+                      .allowed = "1 to " + std::to_string(polynomial_dimension(largest_node_degree))});
+  const PolynomialSpace space = read_space(places);
+  const JsonReader list = root.at("nodes", "an array of nodes");
+  const std::vector<Barycentric<Rational>> nodes =
+      read_node_list(root, places.size(), "a space of " + std::to_string(places.size()) + " functions");
+  Outcome<LagrangeFunctions, NotUnisolvent> functions = lagrange_functions(space, nodes);
+  if (!functions)
+    throw InputError({.pointer = list.pointer(),
+                      .problem = "is not unisolvent: " + functions.reason().to_text() +
+                                 ", where f_0 is the first function of the space",
+                      .allowed = "nodes that determine every function of the space"});
+  require_constants(key, *functions);
+  std::vector<std::string> texts;
+  for (const JsonReader& place : places) texts.push_back(*place.value().string());
+  return {.functions = *std::move(functions), .certificate = {}, .space = std::move(texts), .digest = {}};
+}
+
+NodeFile read(const JsonValue& document) {
+  const JsonReader root(document);
+  if (document.members() == nullptr) root.refuse("is " + document.kind(), "an object: nodes");
+  const std::vector<std::string> schemas = {schema};
+  (void)root.at("schema", schema).word(schemas);
+  root.require_object({"schema", "radcert", "command", "degree", "space", "numbers", "nodes", "certificate"});
+  if (const auto space = root.find("space")) return read_own_space(root, *space);
+  const std::string degree_allowed = "a whole number from 0 to " + std::to_string(largest_node_degree);
+  const int degree =
+      static_cast<int>(root.at("degree", degree_allowed).whole(0, largest_node_degree, degree_allowed));
+  const JsonReader list = root.at("nodes", "an array of nodes");
+  const std::vector<Barycentric<Rational>> nodes =
+      read_node_list(root, polynomial_dimension(degree), "degree " + std::to_string(degree));
   Outcome<LagrangeFunctions, NotUnisolvent> functions = lagrange_functions(nodes);
   if (!functions)
     throw InputError(
         {.pointer = list.pointer(),
          .problem = "is not unisolvent: " + functions.reason().to_text(),
          .allowed = "nodes that determine every polynomial of degree " + std::to_string(degree)});
-  return {.functions = *std::move(functions), .certificate = read_certificate(root, degree, nodes)};
+  return {.functions = *std::move(functions),
+          .certificate = read_certificate(root, degree, nodes),
+          .space = {},
+          .digest = {}};
+}
+
+JsonValue node_list(std::span<const Barycentric<Rational>> nodes) {
+  return json_array(nodes, [](const Barycentric<Rational>& node) {
+    return json_array(node.x, [](const Rational& x) { return JsonValue(exact_text(x)); });
+  });
 }
 
 /// The decimals of a fraction with a denominator of 2s and 5s, by shifting the point; nothing for others.
@@ -144,22 +323,30 @@ std::optional<std::string> finite_decimal(const Rational& value) {
 std::string exact_text(const Rational& value) { return finite_decimal(value).value_or(value.to_text()); }
 
 NodeFile read_nodes(const std::filesystem::path& path) {
-  const JsonValue document = read_json(path);
-  return with_source(path.string(), [&] { return read(document); });
+  return parse_nodes(with_source(path.string(), [&] { return read_file(path, json_size_limit); }),
+                     path.string());
 }
 
 NodeFile parse_nodes(std::string_view text, const std::string& source) {
   const JsonValue document = parse_json(text, source);
-  return with_source(source, [&] { return read(document); });
+  NodeFile file = with_source(source, [&] { return read(document); });
+  file.digest = digest_of(text);
+  return file;
 }
 
 JsonValue nodes_json(int degree, std::span<const Barycentric<Rational>> nodes) {
   JsonValue out = JsonValue::object();
   out.set("schema", schema);
   out.set("degree", degree);
-  out.set("nodes", json_array(nodes, [](const Barycentric<Rational>& node) {
-            return json_array(node.x, [](const Rational& x) { return JsonValue(exact_text(x)); });
-          }));
+  out.set("nodes", node_list(nodes));
+  return out;
+}
+
+JsonValue nodes_json(std::span<const std::string> space, std::span<const Barycentric<Rational>> nodes) {
+  JsonValue out = JsonValue::object();
+  out.set("schema", schema);
+  out.set("space", json_array(space, [](const std::string& function) { return JsonValue(function); }));
+  out.set("nodes", node_list(nodes));
   return out;
 }
 

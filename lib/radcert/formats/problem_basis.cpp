@@ -39,7 +39,7 @@ void read_alpha(const JsonReader& alpha, BasisChoice& choice) {
 }
 
 BasisChoice read_file(const JsonReader& basis, const JsonReader& file, const std::filesystem::path& folder) {
-  basis.require_object({"file"});
+  basis.require_object({"file", "digest"});
   BasisChoice choice;
   choice.family = BasisFamily::file;
   choice.file = file.string("the name of a file of nodes, relative to the problem's folder");
@@ -47,9 +47,13 @@ BasisChoice read_file(const JsonReader& basis, const JsonReader& file, const std
   if (!std::filesystem::exists(path))
     file.refuse("is not there", "a file of nodes, its name relative to the problem's folder");
   NodeFile nodes = read_nodes(path);
+  if (const auto digest = basis.find("digest"))
+    if (digest->string("the digest of the file") != nodes.digest)
+      digest->refuse("is not that of the file: it has changed", nodes.digest);
+  choice.digest = nodes.digest;
   choice.degree = nodes.functions.degree();
   if (choice.degree > largest_degree)
-    file.refuse("has nodes of degree " + std::to_string(choice.degree), "nodes of degree 0 to 8");
+    file.refuse("has functions of degree " + std::to_string(choice.degree), "functions of degree 0 to 8");
   choice.functions = std::make_shared<const LagrangeFunctions>(std::move(nodes.functions));
   return choice;
 }
@@ -92,6 +96,7 @@ JsonValue basis_json(const BasisChoice& basis) {
   JsonValue out = JsonValue::object();
   if (basis.family == BasisFamily::file) {
     out.set("file", basis.file);
+    out.set("digest", basis.digest);
     return out;
   }
   out.set("family", basis.family == BasisFamily::symmetric ? "symmetric" : "inset");

@@ -8,15 +8,23 @@ std::string_view nodes_schema() {
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "title": "Nodes of interpolation on a triangle",
   "type": "object",
-  "required": ["schema", "degree", "nodes"],
+  "required": ["schema", "nodes"],
+  "oneOf": [{"required": ["degree"]}, {"required": ["space"]}],
   "additionalProperties": false,
   "properties": {
     "schema": {"const": "radcert/nodes/1"},
     "radcert": {"description": "The version that wrote the file.", "type": "string"},
     "command": {"description": "How it was called.", "type": "string"},
-    "degree": {"description": "r, of the interpolating polynomials.", "type": "integer", "minimum": 0, "maximum": 12},
+    "degree": {"description": "r, of the interpolating polynomials: all polynomials of that degree.", "type": "integer", "minimum": 0, "maximum": 12},
+    "space": {
+      "description": "In place of a degree: functions of one's own, as many as nodes, polynomials in the barycentric coordinates x1, x2, x3; the constants must be among their combinations.",
+      "type": "array",
+      "minItems": 1,
+      "maxItems": 91,
+      "items": {"type": "string"}
+    },
     "nodes": {
-      "description": "(r + 1)(r + 2)/2 different points of the triangle, by their barycentric coordinates, which have the exact sum 1.",
+      "description": "(r + 1)(r + 2)/2 different points of the triangle, or one a function of the space, by their barycentric coordinates, which have the exact sum 1.",
       "type": "array",
       "minItems": 1,
       "maxItems": 91,
@@ -25,13 +33,19 @@ std::string_view nodes_schema() {
         "minItems": 3,
         "maxItems": 3,
         "items": {
-          "description": "A decimal or fraction in a string, from 0 to 1; a number means the nearest double.",
+          "description": "A decimal or fraction in a string, from 0 to 1; a number means the nearest double. Where the file has numbers, an expression in these: \"1 - 2*x\".",
           "oneOf": [
             {"type": "number", "minimum": 0, "maximum": 1},
-            {"type": "string", "pattern": "^[0-9]*[.]?[0-9]*([eE][-+]?[0-9]+)?(/[0-9]*[.]?[0-9]*([eE][-+]?[0-9]+)?)?$"}
+            {"type": "string"}
           ]
         }
       }
+    },
+    "numbers": {
+      "description": "Algebraic numbers x, y, z for the coordinates, each by a polynomial and an interval that holds one of its zeros; rounded to 70 digits.",
+      "type": "object",
+      "additionalProperties": false,
+      "properties": {"x": {"$ref": "#/$defs/number"}, "y": {"$ref": "#/$defs/number"}, "z": {"$ref": "#/$defs/number"}}
     },
     "certificate": {
       "description": "A claim of symmetric nodes close to these, proved again whenever the file is read.",
@@ -56,6 +70,18 @@ std::string_view nodes_schema() {
             }
           }
         }
+      }
+    }
+  },
+  "$defs": {
+    "exact": {"description": "A decimal or fraction in a string; a number means the nearest double.", "type": ["number", "string"]},
+    "number": {
+      "type": "object",
+      "required": ["polynomial", "between"],
+      "additionalProperties": false,
+      "properties": {
+        "polynomial": {"description": "Its coefficients, the constant first.", "type": "array", "minItems": 2, "items": {"$ref": "#/$defs/exact"}},
+        "between": {"description": "The ends of an interval with one zero.", "type": "array", "minItems": 2, "maxItems": 2, "items": {"$ref": "#/$defs/exact"}}
       }
     }
   }
@@ -96,13 +122,15 @@ std::string_view basis_schema() {
     },
     "basis": {
       "type": "object",
-      "required": ["family", "degree", "alpha", "file", "nodes", "weight_signs", "unisolvent", "determinant", "precision", "norm", "condition", "orders"],
+      "required": ["family", "degree", "reproduces", "alpha", "file", "space", "nodes", "weight_signs", "unisolvent", "determinant", "precision", "product_precision", "norm", "condition", "orders"],
       "additionalProperties": false,
       "properties": {
         "family": {"enum": ["inset", "symmetric", "file"]},
-        "degree": {"type": "integer", "minimum": 0, "maximum": 12},
+        "degree": {"description": "Of the functions.", "type": "integer", "minimum": 0, "maximum": 12},
+        "reproduces": {"description": "All polynomials of this degree are among the functions' combinations.", "type": "integer", "minimum": 0, "maximum": 12},
         "alpha": {"description": "As it was asked for.", "type": ["string", "null"]},
         "file": {"type": ["string", "null"]},
+        "space": {"description": "The functions of the file; null: all polynomials of the degree.", "type": ["array", "null"], "items": {"type": "string"}},
         "nodes": {
           "type": "array",
           "minItems": 1,
@@ -127,13 +155,20 @@ std::string_view basis_schema() {
           }
         },
         "unisolvent": {"const": true},
-        "determinant": {"description": "Of the Bernstein polynomials at the nodes, exact or rounded to 20 digits.", "type": "string"},
+        "determinant": {"description": "Of the Bernstein polynomials, or of the functions of the space, at the nodes, exact or rounded to 20 digits.", "type": "string"},
         "precision": {
           "description": "How far the interpolatory rule is exact on the triangle, and on the parallelogram of it and its image under a half turn.",
           "type": "object",
           "required": ["triangle", "parallelogram"],
           "additionalProperties": false,
           "properties": {"triangle": {"$ref": "#/$defs/precision"}, "parallelogram": {"$ref": "#/$defs/precision"}}
+        },
+        "product_precision": {
+          "description": "The largest d with Int q (p - P p) = 0 for all polynomials of degrees that add up to d, which the orders follow; for all polynomials of a degree the same as precision.",
+          "type": "object",
+          "required": ["triangle", "parallelogram"],
+          "additionalProperties": false,
+          "properties": {"triangle": {"type": "integer", "minimum": 0}, "parallelogram": {"type": "integer", "minimum": 0}}
         },
         "norm": {
           "description": "Of interpolation in the maximum norm: proved bounds, and a point where the lower one is attained.",
@@ -146,7 +181,7 @@ std::string_view basis_schema() {
             "near": {"type": "array", "minItems": 3, "maxItems": 3, "items": {"type": "number"}}
           }
         },
-        "condition": {"description": "The norm of the inverse of the Bernstein polynomials at the nodes, rounded up; it bounds the norm.", "type": "number"},
+        "condition": {"description": "The norm of the map from values at the nodes to Bernstein coefficients, rounded up; it bounds the norm.", "type": "number"},
         "orders": {
           "description": "What theory predicts for smooth data: everywhere; at the nodes of a smooth surface with a symmetric triangulation; where the kernel is smooth at P = Q as well and between distinct pieces; at the nodes where pieces meet at an angle.",
           "type": "object",

@@ -188,7 +188,8 @@ std::string_view problem_schema() {
             "file": {
               "description": "A file of nodes, relative to the folder of this file: see radcert schema nodes.",
               "type": "string"
-            }
+            },
+            "digest": {"description": "Of the file's bytes; where given, another file is refused.", "type": "string"}
           }
         }
       ]
@@ -217,14 +218,17 @@ std::string_view problem_schema() {
       "required": ["name"],
       "additionalProperties": false,
       "properties": {
-        "name": {"enum": ["direct", "gmres", "neumann"]},
+        "name": {
+          "description": "verified encloses every number on the way: errors at the nodes with a guaranteed radius, on surfaces in the boundary of a convex body.",
+          "enum": ["direct", "gmres", "neumann", "verified"]
+        },
         "tolerance": {
           "description": "Of gmres and neumann: what the solver may leave of the linear system's error, as a part of max |u_n|, from 2^-51 to below 1. rounding: as little as double holds.",
           "default": "rounding",
           "anyOf": [{"const": "rounding"}, {"$ref": "#/$defs/exact"}]
         }
       },
-      "if": {"properties": {"name": {"const": "direct"}}},
+      "if": {"properties": {"name": {"enum": ["direct", "verified"]}}},
       "then": {"properties": {"tolerance": false}}
     }
   },

@@ -24,6 +24,7 @@ constexpr double below_axis = 62;  // tick labels and the axis' name
 constexpr double legend_line = 20;
 constexpr double character = 7.2;  // the width of a letter of 13 units in the usual fonts
 constexpr std::size_t colours = 8;
+constexpr double marker_radius = 4;
 constexpr double least_length = 1e-6;  // of an axis, relative: far above the rounding of its ticks
 
 // Colours that people with the usual deficiencies tell apart (after Okabe and Ito), each dark enough on white and bright
@@ -160,7 +161,7 @@ std::string text_at(double x, double y, std::string_view text, std::string_view 
 
 /// The marker of a series: a disk, a square, a triangle, a cross, by turns of the colours.
 std::string marker(std::size_t series, double x, double y) {
-  constexpr double r = 4;
+  constexpr double r = marker_radius;
   const std::string filled = " fill=\"currentColor\"/>\n";
   switch ((series / colours) % 4) {
     case 0: return "    <circle" + attribute("cx", x) + attribute("cy", y) + attribute("r", r) + filled;
@@ -181,12 +182,30 @@ std::string group(std::size_t series) {
   return "  <g class=\"c" + std::to_string(series % colours) + "\">\n";
 }
 
+/// From y - radius to y + radius, with a short line across each end inside the frame; nothing where the marker hides it.
+std::string error_bar(const PlotPoint& point, const Axis& x, const Axis& y) {
+  constexpr double half_width = 5;
+  constexpr double bottom = top + plot_height;
+  const double middle = x.at(point.x);
+  const double upper = y.at(point.y + point.radius);
+  const double lower = point.radius < point.y ? y.at(point.y - point.radius) : HUGE_VAL;
+  if (lower - y.at(point.y) <= marker_radius && y.at(point.y) - upper <= marker_radius) return {};
+  const auto across = [&](double at) {
+    return at < top || at > bottom ? std::string()
+                                   : "M" + coordinate(middle - half_width) + " " + coordinate(at) + "h" +
+                                         coordinate(2 * half_width);
+  };
+  return "    <path d=\"M" + coordinate(middle) + " " + coordinate(std::max(upper, top)) + "V" +
+         coordinate(std::min(lower, bottom)) + across(upper) + across(lower) +
+         "\" fill=\"none\" stroke=\"currentColor\"/>\n";
+}
+
 std::string curve(const PlotSeries& series, std::size_t number, const Axis& x, const Axis& y) {
   std::string path;
   std::string markers;
-  for (const auto& [at_x, at_y] : series.points) {
-    path += (path.empty() ? "M" : "L") + coordinate(x.at(at_x)) + " " + coordinate(y.at(at_y));
-    markers += marker(number, x.at(at_x), y.at(at_y));
+  for (const PlotPoint& point : series.points) {
+    path += (path.empty() ? "M" : "L") + coordinate(x.at(point.x)) + " " + coordinate(y.at(point.y));
+    markers += error_bar(point, x, y) + marker(number, x.at(point.x), y.at(point.y));
   }
   if (path.empty()) return {};
   return group(number) + "    <path d=\"" + path +
@@ -266,10 +285,11 @@ std::string svg_text(const Plot& plot) {
   double widest = length(plot.title) * 9;  // the title's letters are larger
   for (const PlotSeries& series : plot.series) {
     widest = std::max(widest, length(series.name) * character + 36);
-    for (const auto& [x, y] : series.points) {
+    for (const auto& [x, y, radius] : series.points) {
       constexpr double least = std::numeric_limits<double>::min();
       expects(std::isfinite(x) && std::isfinite(y) && y >= least && (plot.linear_x || x >= least),
               "finite points, normal and positive on logarithmic axes", named("x", x), named("y", y));
+      expects(radius >= 0, "a radius that is not negative", named("radius", radius));
       xs.push_back(x);
       ys.push_back(y);
     }

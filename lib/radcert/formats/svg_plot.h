@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace radcert {
 
+/// A point and how far its y may be off.
+struct PlotPoint {
+  double x = 0;
+  double y = 0;
+  double radius = 0;
+  friend auto operator<=>(const PlotPoint&, const PlotPoint&) = default;
+};
+
 /// Points that belong together, and what the legend says of them.
 struct PlotSeries {
   std::string name;
-  std::vector<std::pair<double, double>> points;
+  std::vector<PlotPoint> points;
 };
 
 /// A place on the horizontal axis that a dotted line marks.
@@ -24,7 +32,7 @@ struct PlotMark {
 /// Source    -
 /// Requires  -
 /// Result    plain data
-/// Limits    one plane, no error bars
+/// Limits    one plane
 struct Plot {
   std::string title;
   std::string description;  ///< for those who do not see it
@@ -38,11 +46,11 @@ struct Plot {
 /// A plot as SVG.
 /// Maths     none
 /// Source    SVG 1.1
-/// Requires  UTF-8; finite x and y, y not below the smallest normal double and neither is x unless linear_x, else
-///           ContractViolation
-/// Result    well-formed XML with title and desc; each series has a colour and, from the ninth on, another marker; the
-///           legend is below the axes and names the series in their order; light or dark as the reader's system. The
-///           same bits for the same plot
+/// Requires  UTF-8; finite x and y, y not below the smallest normal double and neither is x unless linear_x; radii not negative,
+///           else ContractViolation
+/// Result    well-formed XML with title and desc; each series has a colour and, from the ninth on, another marker; a bar
+///           from y - radius to y + radius wherever it is taller than the marker, cut off at the frame; the legend is below the
+///           axes and names the series in their order; light or dark as the reader's system. The same bits for the same plot
 /// Limits    text is measured by its number of characters; axes without a point run from 1 to 10
 [[nodiscard]] std::string svg_text(const Plot& plot);
 

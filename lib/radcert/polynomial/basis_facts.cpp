@@ -5,6 +5,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/interpolatory_rule.h"
+#include "radcert/polynomial/product_precision.h"
 #include "radcert/polynomial/superconvergent_inset.h"
 
 namespace radcert {
@@ -16,10 +17,10 @@ EnclosedPrecision enclosed(const Precision& precision) {
 }
 
 Rational condition_of(const LagrangeFunctions& functions) {
-  std::vector<Rational> sums(functions.size());
+  std::vector<Rational> sums(functions.bernstein_coefficients(0).size());
   for (std::size_t j = 0; j < functions.size(); ++j) {
     const std::span<const Rational> coefficients = functions.bernstein_coefficients(j);
-    for (std::size_t k = 0; k < functions.size(); ++k) sums[k] += abs(coefficients[k]);
+    for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += abs(coefficients[k]);
   }
   return *std::max_element(sums.begin(), sums.end());
 }
@@ -36,6 +37,7 @@ BasisFacts basis_facts(const LagrangeFunctions& functions, const Rational& toler
   const TriangleRule<Rational> rule = interpolatory_rule(functions);
   BasisFacts facts;
   facts.degree = functions.degree();
+  facts.reproduced = functions.reproduced_degree();
   facts.nodes = functions.nodes();
   facts.weights = rule.weights;
   facts.determinant = functions.determinant();
@@ -43,6 +45,9 @@ BasisFacts basis_facts(const LagrangeFunctions& functions, const Rational& toler
   facts.norm = lebesgue_constant(functions, tolerance);
   facts.triangle = enclosed(degree_of_precision(rule, Region::triangle));
   facts.parallelogram = enclosed(degree_of_precision(rule, Region::parallelogram));
+  if (facts.reproduced < facts.degree)
+    facts.products = {.triangle = product_precision(functions, Region::triangle),
+                      .parallelogram = product_precision(functions, Region::parallelogram)};
   return facts;
 }
 
@@ -70,17 +75,27 @@ EnclosedPrecision precision_at_superconvergent_inset(int degree, Region region) 
   return {};
 }
 
-PredictedOrders predicted_orders(int degree, int triangle_precision, int parallelogram_precision) {
+PredictedOrders predicted_orders(int reproduced_degree, int triangle_precision, int parallelogram_precision) {
   const int pairs = parallelogram_precision + 1;
   const int single = triangle_precision + 2;
-  const int own = degree + 3;
+  const int own = reproduced_degree + 3;
   PredictedOrders orders;
-  orders.everywhere = degree + 1;
+  orders.everywhere = reproduced_degree + 1;
   orders.curved = std::min({pairs, single, own});
   orders.curved_has_logarithm = pairs == own && orders.curved == own;
   orders.smooth_kernel = std::min(pairs, single);
-  orders.at_edges = degree + 1;
+  orders.at_edges = reproduced_degree + 1;
   return orders;
+}
+
+ProductPrecision product_precision(const BasisFacts& facts) {
+  return facts.products.value_or(
+      ProductPrecision{.triangle = facts.triangle.degree, .parallelogram = facts.parallelogram.degree});
+}
+
+PredictedOrders predicted_orders(const BasisFacts& facts) {
+  const ProductPrecision precision = product_precision(facts);
+  return predicted_orders(facts.reproduced, precision.triangle, precision.parallelogram);
 }
 
 }  // namespace radcert

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "radcert/polynomial/degree_of_precision.h"
@@ -17,15 +18,23 @@ enum class PrecisionProof {
   certificate,  ///< for the nodes that Krawczyk's test proves beside the given ones
 };
 
+/// The degrees of product_precision, which orders of convergence follow.
+struct ProductPrecision {
+  int triangle = -1;
+  int parallelogram = -1;
+};
+
 /// What there is to know of interpolation at nodes on a triangle.
-/// Maths     w_j = Int l_j;  determinant det (B_k(q_j));  norm of P_n: max sum_j |l_j|;  condition: max_k sum_j |c_kj|, the norm
-///           of (B_k(q_j))^-1, whose inverse has the norm 1 where the nodes lie in the triangle
+/// Maths     w_j = Int l_j;  determinant det (B_k(q_j)), or det (f_m(q_j)) in a space of one's own;  norm of P_n: max sum_j |l_j|;
+///           condition: max_k sum_j |c_kj|, the norm of the values' map to Bernstein coefficients; for all polynomials of a degree
+///           that is (B_k(q_j))^-1, whose inverse has the norm 1 where the nodes lie in the triangle
 /// Source    [m06, (13)-(17)], [ac98, (37), (53)-(55)]
 /// Requires  made by basis_facts
 /// Result    weights, determinant and condition exact; norm enclosed; precision as `proof` says. norm <= condition
 /// Limits    weights are those of the nodes as they are given
 struct BasisFacts {
-  int degree = 0;
+  int degree = 0;      ///< of the functions
+  int reproduced = 0;  ///< all polynomials of this degree are among them
   std::vector<Barycentric<Rational>> nodes;
   std::vector<Rational> weights;
   Rational determinant;
@@ -34,7 +43,12 @@ struct BasisFacts {
   EnclosedPrecision triangle;
   EnclosedPrecision parallelogram;
   PrecisionProof proof = PrecisionProof::exact;
+  std::optional<ProductPrecision> products =
+      {};  ///< of a space of one's own; otherwise the degrees of triangle and parallelogram
 };
+
+/// The degrees of product_precision, for any basis.
+[[nodiscard]] ProductPrecision product_precision(const BasisFacts& facts);
 
 /// Everything about nodes, in exact arithmetic.
 /// Maths     see BasisFacts
@@ -53,7 +67,8 @@ struct BasisFacts {
 [[nodiscard]] EnclosedPrecision precision_at_superconvergent_inset(int degree, Region region);
 
 /// The orders of convergence that theory predicts for collocation with a basis.
-/// Maths     everywhere r + 1. At the nodes, with d the precision on the parallelogram and d' on the triangle: far elements in pairs
+/// Maths     everywhere r + 1, r the degree that is reproduced. At the nodes, with d the precision (see product_precision) on the
+///           parallelogram and d' on the triangle: far elements in pairs
 ///           give h^(d+1) Int |v - Q|^(r-d) dS, which is h^(d+1) for d < r + 2, h^(r+3) |log h| for d = r + 2, h^(r+3) beyond; the
 ///           O(1/h) unpaired ones h^(d'+2); the element with the node itself h^(r+3), as G has no continuous value there
 /// Source    [m06, Theorems 4, 7, 9 and their proofs]
@@ -68,7 +83,8 @@ struct PredictedOrders {
   int smooth_kernel = 0;
   int at_edges = 0;
 };
-[[nodiscard]] PredictedOrders predicted_orders(int degree, int triangle_precision,
+[[nodiscard]] PredictedOrders predicted_orders(int reproduced_degree, int triangle_precision,
                                                int parallelogram_precision);
+[[nodiscard]] PredictedOrders predicted_orders(const BasisFacts& facts);
 
 }  // namespace radcert

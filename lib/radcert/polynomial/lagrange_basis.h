@@ -13,13 +13,13 @@
 
 namespace radcert {
 
-/// Lagrange interpolation of degree r at any unisolvent nodes of a triangle.
+/// Lagrange interpolation by polynomials of degree r at any unisolvent nodes of a triangle.
 /// Maths     l_j = sum_k c_kj B_k, B_k(x) = r!/(k_1! k_2! k_3!) x_1^k_1 x_2^k_2 x_3^k_3, |k| = r
 /// Source    as LagrangeFunctions, whose exact nodes and coefficients are rounded once
 /// Requires  0 <= degree <= 8, else ContractViolation
 /// Result    values(x)[j] = l_j(x), j in the order of nodes(). In the triangle B_k >= 0 and their sum is 1: the rounding error
 ///           of l_j is at most about (2 r + (r + 1)(r + 2)/2) max_k |c_kj| units. The same bits on every machine
-/// Limits    r^4/4 products a point; InsetBasis takes fewer
+/// Limits    (r + 1)(r + 2)/2 products a point and function; InsetBasis takes fewer
 template <Field R>
 class LagrangeBasis {
 public:
@@ -30,7 +30,7 @@ public:
     for (const Barycentric<Rational>& q : functions.nodes())
       nodes_.push_back({{entered(q.x[0]), entered(q.x[1]), entered(q.x[2])}});
     lattice_ = lattice_indices(degree_);
-    for (std::size_t k = 0; k < size(); ++k)
+    for (std::size_t k = 0; k < lattice_.size(); ++k)
       for (std::size_t j = 0; j < size(); ++j) {
         // The multinomial number stands in the coefficient.
         const Rational& c = functions.bernstein_coefficients(j)[k];
@@ -52,7 +52,7 @@ public:
         powers[i][m] = powers[i][m - 1] * x.x[i];
     }
     for (std::size_t j = 0; j < size(); ++j) out[j] = V(0);
-    for (std::size_t k = 0; k < size(); ++k) {
+    for (std::size_t k = 0; k < lattice_.size(); ++k) {
       const std::array<int, 3>& index = lattice_[k];
       const V monomial = powers[0][static_cast<std::size_t>(index[0])] *
                          powers[1][static_cast<std::size_t>(index[1])] *

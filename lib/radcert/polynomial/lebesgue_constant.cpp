@@ -66,7 +66,9 @@ struct Part {
 class Search {
 public:
   Search(const LagrangeFunctions& functions, const Rational& tolerance)
-      : degree_(functions.degree()), count_(functions.size()) {
+      : degree_(functions.degree()),
+        places_(polynomial_dimension(functions.degree())),
+        count_(functions.size()) {
     Rational largest = 0;
     for (std::size_t j = 0; j < count_; ++j)
       for (const Rational& c : functions.bernstein_coefficients(j)) largest = std::max(largest, abs(c));
@@ -76,10 +78,10 @@ public:
     list_lines();
     list_corners();
     whole_.corners = {Barycentric<double>{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
-    whole_.coefficients.resize(count_ * count_);
+    whole_.coefficients.resize(places_ * count_);
     for (std::size_t j = 0; j < count_; ++j) {
       const std::span<const Rational> c = functions.bernstein_coefficients(j);
-      for (std::size_t k = 0; k < count_; ++k)
+      for (std::size_t k = 0; k < places_; ++k)
         whole_.coefficients[k * count_ + j] = floor_scaled(c[k], scale_);
     }
     whole_.lost = 1;
@@ -155,7 +157,7 @@ private:
     ++looked_at_;
     const Whole uncertain = uncertainty(part);
     part.bound = 0;
-    for (std::size_t k = 0; k < count_; ++k)
+    for (std::size_t k = 0; k < places_; ++k)
       part.bound = std::max(part.bound, absolute_sum(part, k) + uncertain);
     for (std::size_t i = 0; i < 3; ++i) {
       const Whole value = absolute_sum(part, corner_places_[i]) - uncertain;
@@ -210,7 +212,8 @@ private:
   }
 
   int degree_;
-  std::size_t count_;
+  std::size_t places_;  // of a function's coefficients
+  std::size_t count_;   // of functions
   long scale_ = 0;
   Whole tolerance_ = 0;
   std::array<std::vector<std::vector<std::size_t>>, 3> lines_;

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/node_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "radcert/core/errors.h"
+#include "radcert/expression/parse.h"
+#include "radcert/formats/polynomial_expression.h"
+#include "radcert/polynomial/lattice.h"
+#include "radcert/scalar/real.h"
+
+namespace radcert {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* four_nodes =
+    R"([["3/5", "1/5", "1/5"], ["1/5", "3/5", "1/5"], ["1/5", "1/5", "3/5"], ["1/3", "1/3", "1/3"]])";
+
+std::string file_text(const std::string& space, const std::string& nodes = four_nodes) {
+  return R"({"schema": "radcert/nodes/1", "space": )" + space + R"(, "nodes": )" + nodes + "}";
+}
+
+Outcome<PlanePolynomial<Rational>> polynomial(const std::string& text) {
+  return polynomial_of(parse_expression(text, ExpressionVariables::barycentric).value(), 8);
+}
+
+TEST(PolynomialExpression, IsMultipliedOutExactly) {
+  for (const auto& [text, degree] : std::vector<std::pair<std::string, int>>{{"x1 + x2 + x3", 0},
+                                                                             {"27*x1*x2*x3", 3},
+                                                                             {"(x1 - x2)^2*(x3 - 1/3)/2", 3},
+                                                                             {"-x2^3 + x2^3 + 0.25*x1", 1},
+                                                                             {"(1 - x1 - x2)^4", 4},
+                                                                             {"x1^0", 0},
+                                                                             {"(x1 - x1)*x2^8", 0}}) {
+    const Expression e = parse_expression(text, ExpressionVariables::barycentric).value();
+    const PlanePolynomial<Rational> p = polynomial(text).value();
+    EXPECT_EQ(p.degree(), degree) << text;
+    const std::vector<Rational> c = bernstein_coefficients(p, 5);
+    for (const auto& [s, t] :
+         {std::pair(Rational(1, 7), Rational(2, 3)), std::pair(Rational(-2), Rational(5, 4))}) {
+      const double value = p.value(s, t).to_double();
+      const Rational x1 = 1 - s - t;
+      // The expression evaluates in double, x1, x2, x3 in the place of x, y, z.
+      std::string in_space = text;
+      for (const auto& [name, letter] : {std::pair("x1", "x"), std::pair("x2", "y"), std::pair("x3", "z")})
+        for (std::size_t at = in_space.find(name); at != std::string::npos; at = in_space.find(name))
+          in_space.replace(at, 2, letter);
+      const double expected =
+          parse_expression(in_space).value().evaluate<double>({x1.to_double(), t.to_double(), s.to_double()});
+      EXPECT_NEAR(value, expected, 1e-12 * (1 + std::abs(expected))) << text;
+      Rational sum = 0;
+      const std::vector<std::array<int, 3>> indices = lattice_indices(5);
+      for (std::size_t k = 0; k < indices.size(); ++k) {
+        Rational term = c[k];
+        int above = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const Rational x = i == 0 ? x1 : (i == 1 ? t : s);
+          for (int m = 1; m <= indices[k][i]; ++m) term *= x * Rational(++above, m);
+        }
+        sum += term;
+      }
+      EXPECT_EQ(sum, p.value(s, t)) << text;
+    }
+    if (degree > 0) {
+      EXPECT_THROW(static_cast<void>(bernstein_coefficients(p, degree - 1)), ContractViolation);
+    }
+  }
+}
+
+TEST(PolynomialExpression, SaysWhyItIsNone) {
+  for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{
+           {"sqrt(x1)", "has sqrt and is no polynomial"},
+           {"pi*x1", "has pi, which is no fraction, and is no polynomial"},
+           {"x1/x2", "divides by a coordinate"},
+           {"x1/(x2 - x2)", "divides by zero"},
+           {"x1^(1/2)", "has an exponent that is not a whole number from 0 to 8"},
+           {"x1^-1", "has an exponent that is not a whole number"},
+           {"x1^5*x2^4", "has a product of degree 9"},
+           {"x1^9", "has an exponent that is not a whole number from 0 to 8"},
+           {"max(x1, x2)", "has max and is no polynomial"}}) {
+    const auto outcome = polynomial(text);
+    ASSERT_FALSE(outcome.has_value()) << text;
+    EXPECT_THAT(outcome.reason(), HasSubstr(why)) << text;
+  }
+}
+
+TEST(NodeFile, HoldsASpaceOfOnesOwn) {
+  const NodeFile file = parse_nodes(file_text(R"(["x1", "x2", "x3", "27*x1*x2*x3"])"), "own.json");
+  EXPECT_EQ(file.functions.size(), 4U);
+  EXPECT_EQ(file.functions.degree(), 3);
+  EXPECT_EQ(file.functions.reproduced_degree(), 1);
+  ASSERT_TRUE(file.space.has_value());
+  EXPECT_EQ(file.space->back(), "27*x1*x2*x3");
+  // The same space by other functions, and read back as it is written.
+  const NodeFile other = parse_nodes(file_text(R"(["1", "x1 - x2", "x2*2", "x1*x2*x3 - x1/7"])"), "own.json");
+  const NodeFile again = parse_nodes(nodes_json(*file.space, file.functions.nodes()).pretty(), "own.json");
+  EXPECT_NE(other.digest, file.digest);
+  for (const NodeFile* same : {&other, &again})
+    for (std::size_t j = 0; j < 4; ++j) {
+      const auto one = file.functions.bernstein_coefficients(j);
+      const auto two = same->functions.bernstein_coefficients(j);
+      EXPECT_TRUE(std::equal(one.begin(), one.end(), two.begin(), two.end())) << j;
+    }
+}
+
+TEST(NodeFile, RefusesSpacesWithTheReason) {
+  for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
+           {file_text(R"(["x1", "x2", "x3"])"), "has 4 nodes: too many"},
+           {file_text(R"(["x1", "x2", "x3", "x1*x2", "x2*x3"])"), "has 4 nodes: too few"},
+           {file_text("[]"), "has 0 functions"},
+           {file_text(R"(["x1", "x2", "x3", "y"])"), "/space/3"},
+           {file_text(R"f(["x1", "x2", "x3", "exp(x1)"])f"), "has exp and is no polynomial"},
+           {file_text(R"(["x1", "x2", "x3", "x1 + x2"])"), "linearly dependent"},
+           {file_text(R"(["x1", "x2", "x3", "x1*x2 + x2*x3 + x3*x1 - 7/25"])"), ""},
+           {file_text(R"f(["x1", "x2", "x3", "(x1 - x2)*(x2 - x3)*(x3 - x1)"])f"),
+            "a function of the space other than zero vanishes at all 4 nodes"},
+           {file_text(R"(["x1", "x2", "x3^2", "x1*x2*x3"])"),
+            "does not contain the constants: the interpolant of 1"},
+           {R"({"schema": "radcert/nodes/1", "degree": 1, "space": ["1"], "nodes": []})",
+            "stands beside a space"}}) {
+    std::string message;
+    try {
+      static_cast<void>(parse_nodes(text, "own.json"));
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    EXPECT_EQ(message.empty(), said.empty()) << text << message;
+    EXPECT_THAT(message, HasSubstr(said)) << text;
+  }
+}
+
+std::string with_number(const std::string& polynomial, const std::string& between) {
+  return R"({"schema": "radcert/nodes/1", "degree": 1, "numbers": {"x": {"polynomial": )" + polynomial +
+         R"(, "between": )" + between + R"(}}, "nodes": [["1 - 2*x", "x", "x"], ["x", "1 - 2*x", "x"],
+            ["x", "x", "1 - 2*x"]]})";
+}
+
+TEST(NodeFile, HasCoordinatesThatAreZerosOfPolynomials) {
+  // (7 - sqrt 34)/15
+  const NodeFile file = parse_nodes(with_number(R"(["1", "-14", "15"])", R"(["0.07", "0.08"])"), "own.json");
+  const Rational x = file.functions.nodes()[0].x[1];
+  EXPECT_LE(abs(15 * x * x - 14 * x + 1), 20 / power(Rational(10), 70));
+  EXPECT_EQ(file.functions.nodes()[2].x[2], 1 - 2 * x);
+  const NodeFile exact = parse_nodes(with_number(R"(["-1", 6])", R"([0, "1/3"])"), "own.json");
+  EXPECT_EQ(exact.functions.nodes()[0].x[1], Rational(1, 6));
+}
+
+TEST(NodeFile, RefusesIntervalsThatDoNotIsolate) {
+  for (
+      const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
+          {with_number(R"(["1", "-14", "15"])", R"(["0.2", "0.3"])"), "holds no zero of 15 x^2 - 14 x + 1"},
+          {with_number(R"(["1", "-14", "15"])", R"(["0", "1"])"), "holds 2 zeros"},
+          {with_number(R"(["1", "-14", "15"])", R"(["1", "0"])"), "has the larger one first"},
+          {with_number(R"(["1", "-14", "15"])", R"(["1"])"), "has 1 numbers"},
+          {with_number(R"(["1", "0"])", R"(["0", "1"])"), "is constant"},
+          {with_number(R"(["0.9", "-1"])", R"(["0", "1"])"), "outside the triangle"},
+          {R"({"schema": "radcert/nodes/1", "degree": 0, "numbers": {"x": {"polynomial": [0, 1], "between": [0, 1]}},
+                "nodes": [["y", "1/3", "1/3"]]})",
+           "does not define"}}) {
+    std::string message;
+    try {
+      static_cast<void>(parse_nodes(text, "own.json"));
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    EXPECT_THAT(message, HasSubstr(said)) << text;
+  }
+}
+
+// The files that come with radcert: their certificates hold, and they are the sets of the library.
+TEST(NodeFile, OfEachSymmetricSetIsShippedWithItsCertificate) {
+  const std::string folder = std::string(RADCERT_SOURCE_DIR) + "/apps/examples/nodes/symmetric_";
+  for (int degree = smallest_symmetric_degree; degree <= largest_symmetric_degree; ++degree) {
+    const NodeFile file = read_nodes(folder + std::to_string(degree) + ".json");
+    const SymmetricNodes& set = symmetric_nodes(degree);
+    EXPECT_EQ(file.functions.nodes(), set.nodes()) << degree;
+    ASSERT_TRUE(file.certificate.has_value()) << degree;
+    EXPECT_EQ(file.certificate->triangle.degree, set.precision) << degree;
+    EXPECT_LE(file.certificate->radius, 1 / power(Rational(10), 59)) << degree;
+  }
+}
+
+}  // namespace
+}  // namespace radcert
