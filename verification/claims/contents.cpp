@@ -3,6 +3,6 @@
 
 namespace radcert::verification {
 
-std::vector<PaperChecks> all_checks() { return {ac98::contents(), m06::contents()}; }
+std::vector<PaperChecks> all_checks() { return {ac98::contents(), m06::contents(), psg10::contents()}; }
 
 }  // namespace radcert::verification

@@ -21,5 +21,8 @@ namespace ac98 {
 namespace m06 {
 [[nodiscard]] PaperChecks contents();
 }
+namespace psg10 {
+[[nodiscard]] PaperChecks contents();
+}
 
 }  // namespace radcert::verification

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What is said of the reference solution, n = m = k = 100.
+//
+// Checked      "converged after a few iterations": the first iteration that changes no value by more than half a grey level of 255, 1/510, and
+//              the first that changes none by more than 1e-6. With (25) as printed there is none among 60.
+//              The curves: the sums (22)-(23) against the solution of (21), with the points in the middles of equal parts and with the
+//              ends among them: within 1/100, what a plot shows. Rejected: F half and a quarter as large, the readings of section II.
+//              B+ and D+, the part from light scattered twice or more, are not negative.
+// Not checked  the figure itself: no number of it is printed, and the readings cannot be told apart without its axes. B at the lowest latitude
+//              is 0.577, and 0.287 or 0.143 with the factors of section II.
+
+#include <algorithm>
+
+#include "verification/claims/psg10/checks.h"
+#include "verification/claims/psg10/sum_errors.h"
+
+namespace radcert::verification::psg10 {
+namespace {
+
+using reference::Spacing;
+using reference::SumReading;
+using reference::SumWeights;
+
+constexpr int most_iterations = 60;
+
+/// The number of the first iteration that changes nothing by more than the tolerance, one more than the most if none does.
+Measured iterations_to(const SumReading& reading, double tolerance) {
+  const auto changes = reference::sum_solution({}, reading, most_iterations, tolerance).changes;
+  const std::size_t count = changes.size() + (changes.back() <= tolerance ? 0 : 1);
+  return {.value = static_cast<double>(count), .radius = 0};
+}
+
+Measured of_sphere(const SumReading& reading) {
+  return {.value = sum_errors(reading).sphere, .radius = 1e-12};
+}
+Measured of_disk(const SumReading& reading) { return {.value = sum_errors(reading).disk, .radius = 1e-12}; }
+
+}  // namespace
+
+Finding section_8_iterations(const Bench&) {
+  const AtMost few{.value = 10, .slack = 0, .why = "a few are not more than ten"};
+  const SumReading printed{.weights = SumWeights::as_in_the_text};
+  Finding finding;
+  finding.require("iterations until lambda changes by half a grey level", few, iterations_to({}, 1.0 / 510));
+  finding.require("iterations until lambda changes by 1e-6", few, iterations_to({}, 1e-6));
+  finding.control("iterations until lambda changes by half a grey level, (25) as printed", few,
+                  iterations_to(printed, 1.0 / 510));
+  return finding;
+}
+
+Finding figure_10(const Bench&) {
+  const AtMost shown{.value = 0.01, .slack = 0, .why = "a hundredth of the axis"};
+  Finding finding;
+  finding.require("error of B, points in the middles", shown, of_sphere({}));
+  finding.require("error of D, points in the middles", shown, of_disk({}));
+  finding.require("error of B, the ends among the points", shown, of_sphere({.spacing = Spacing::with_ends}));
+  finding.require("error of D, the ends among the points", shown, of_disk({.spacing = Spacing::with_ends}));
+  finding.control("error of B, half of F", shown, of_sphere({.form_factor = Rational(1, 2)}));
+  finding.control("error of B, a quarter of F", shown, of_sphere({.form_factor = Rational(1, 4)}));
+  const reference::SphereOverDisk<double> truth({}, {.nodes = 32, .points = 64});
+  double least = 1;
+  for (int i = 0; i <= 100; ++i)
+    least = std::min({least, truth.sphere(-1 + 0.02 * i).indirect, truth.disk(0.4 * i).indirect});
+  const AtMost not_positive{.value = 0, .slack = 0, .why = ""};
+  finding.require("minus the least of B+ and D+ at 101 places each", not_positive,
+                  Measured{.value = 0 - least, .radius = 0});
+  finding.control("minus the least of B+ and D+ less 0.01", not_positive,
+                  Measured{.value = 0.01 - least, .radius = 0});
+  return finding;
+}
+
+}  // namespace radcert::verification::psg10

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "radcert/reference/sphere_over_disk_sums.h"
+
+namespace radcert::verification::psg10 {
+
+/// The largest differences between the paper's sums and the solution of (21), at the points of the sums.
+struct SumErrors {
+  double sphere = 0;
+  double disk = 0;
+};
+
+/// Maths     max |b_i - B(zeta_i)|, max |d_j - D(u_j)| in the paper's scene
+/// Source    [psg10, (20)-(25)]
+/// Requires  counts of at least 2
+/// Result    rounded; the sums are iterated until they stand still, 100 times at most, and B, D are good to 1e-13
+/// Limits    -
+[[nodiscard]] SumErrors sum_errors(const reference::SumReading& reading);
+
+}  // namespace radcert::verification::psg10
