@@ -56,6 +56,8 @@ TEST(ClaimsFile, RefusesWithLineAndPlace) {
   EXPECT_THAT(refusal("[a]\nsays = 3\nverdict = \"supported\"\n"), HasSubstr("/a/says: \"3\""));
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"supported\"\ncovers = [0]\n"),
               HasSubstr("/a/covers/0"));
+  EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"supported\"\nneeds = [\"x\", \"y\"]\nmet = [\"z\"]\n"),
+              HasSubstr("does not fit the hypotheses"));
   EXPECT_THAT(refusal("[A]\nsays = \"a\"\nverdict = \"supported\"\n"), HasSubstr("is no label"));
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"definition\"\n"), HasSubstr("/a/symbol: is missing"));
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\ncheck = \"magic\"\nverdict = \"supported\"\n"),

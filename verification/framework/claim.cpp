@@ -85,7 +85,7 @@ public:
     return members;
   }
 
-  void require_keys(std::initializer_list<std::string_view> allowed) const {
+  void require_keys(const std::vector<std::string_view>& allowed) const {
     for (const auto& [key, value] : members("a table"))
       if (std::find(allowed.begin(), allowed.end(), key) == allowed.end())
         refuse_at(value.line(), value.pointer_, std::nullopt, "is an unknown key", list_of(allowed));
@@ -178,7 +178,7 @@ Verdict read_verdict(const Place& place) {
 }
 
 TableSeries read_series(const Place& place) {
-  place.require_keys({"name", "where", "problem", "control", "figures"});
+  place.require_keys({"name", "where", "problem", "control", "figures", "verified"});
   TableSeries series;
   series.line = place.line();
   if (const auto name = place.find("name")) {
@@ -190,6 +190,9 @@ TableSeries read_series(const Place& place) {
       series.where.emplace_back(column, value.text("the text in that column"));
   series.problem = place.at("problem", "a problem file").text("a problem file");
   series.control = place.at("control", "the file of a problem that must be rejected").text("a problem file");
+  if (const auto verified = place.find("verified"))
+    series.verified = verified->per_budget<int>(
+        [](const Place& elements) { return elements.whole(0, "a number of elements"); });
   const Place columns = place.at("figures", "a table: figure = \"column\"");
   for (const auto& [figure, column] : columns.members("a table: figure = \"column\"")) {
     if (std::find(figures.begin(), figures.end(), figure) == figures.end())
@@ -221,7 +224,9 @@ void read_cells(const Place& place, const std::string& label, std::vector<CellRe
   }
 }
 
-constexpr std::array<std::string_view, 6> table_keys{"covers", "page", "says", "needs", "check", "note"};
+// What every statement may have, whichever way it is checked.
+constexpr std::array<std::string_view, 10> common_keys{"covers", "page",      "says",    "formula", "needs",
+                                                       "met",    "unchecked", "erratum", "check",   "note"};
 constexpr std::array<std::string_view, 3> table_only_keys{"table", "rows", "series"};
 
 TableClaim read_table(const Place& place, const std::string& label) {
@@ -235,10 +240,10 @@ TableClaim read_table(const Place& place, const std::string& label) {
     const auto is_in = [&](const auto& keys) {
       return std::find(keys.begin(), keys.end(), key) != keys.end();
     };
-    if (is_in(table_keys) || is_in(table_only_keys)) continue;
+    if (is_in(common_keys) || is_in(table_only_keys)) continue;
     if (!is_name(key) || !member.is_table())
       member.refuse("is an unknown key",
-                    list_of(table_keys) + ", " + list_of(table_only_keys) + ", and tables of cells");
+                    list_of(common_keys) + ", " + list_of(table_only_keys) + ", and tables of cells");
     read_cells(member, label + "." + key, table.cells);
   }
   return table;
@@ -278,6 +283,31 @@ CheckKind read_check(const Place& place, const std::optional<PerBudget<Verdict>>
   return CheckKind::function;
 }
 
+std::vector<std::string_view> with_common(std::initializer_list<std::string_view> own) {
+  std::vector<std::string_view> keys(common_keys.begin(), common_keys.end());
+  keys.insert(keys.end(), own);
+  return keys;
+}
+
+// What the reader of a report is told of a statement.
+void read_account(const Place& place, Claim& claim) {
+  claim.says = place.at("says", "the statement in words").text("the statement in words");
+  if (const auto formula = place.find("formula")) claim.formula = formula->text("the statement in TeX");
+  if (const auto needs = place.find("needs"))
+    for (const Place& need : needs->elements("an array of hypotheses"))
+      claim.needs.push_back(need.text("a hypothesis"));
+  if (const auto met = place.find("met")) {
+    const std::string allowed =
+        "an array of as many texts as `needs` has, " + std::to_string(claim.needs.size());
+    for (const Place& how : met->elements(allowed))
+      claim.met.push_back(how.text("how the hypothesis is met"));
+    if (claim.met.size() != claim.needs.size()) met->refuse("does not fit the hypotheses", allowed);
+  }
+  if (const auto unchecked = place.find("unchecked")) claim.unchecked = unchecked->text("a text");
+  if (const auto erratum = place.find("erratum")) claim.erratum = erratum->text("a place of errata.md");
+  if (const auto note = place.find("note")) claim.note = note->text("a text");
+}
+
 Claim read_claim(const std::string& label, const Place& place) {
   if (!is_name(label)) place.refuse("is no label", "a name of a-z, 0-9 and _");
   Claim claim;
@@ -293,22 +323,17 @@ Claim read_claim(const std::string& label, const Place& place) {
   } else {
     if (!claim.verdict) static_cast<void>(place.at("verdict", "one of " + list_of(recordable_verdicts())));
     if (claim.check == CheckKind::order) {
-      place.require_keys({"covers", "page", "says", "needs", "verdict", "check", "note", "problem", "control",
-                          "quantity", "order", "slack", "why"});
+      place.require_keys(with_common({"verdict", "problem", "control", "quantity", "order", "slack", "why"}));
       claim.order = read_order(place);
     } else {
-      place.require_keys({"covers", "page", "says", "needs", "verdict", "check", "note", "symbol"});
+      place.require_keys(with_common({"verdict", "symbol"}));
     }
   }
   if (const auto covers = place.find("covers"))
     for (const Place& equation : covers->elements("an array of equation numbers"))
       claim.covers.push_back(equation.whole(1, "the number of an equation"));
   if (const auto page = place.find("page")) claim.page = page->whole(1, "a page number");
-  claim.says = place.at("says", "the statement in words").text("the statement in words");
-  if (const auto needs = place.find("needs"))
-    for (const Place& need : needs->elements("an array of hypotheses"))
-      claim.needs.push_back(need.text("a hypothesis"));
-  if (const auto note = place.find("note")) claim.note = note->text("a text");
+  read_account(place, claim);
   if (const auto symbol = place.find("symbol")) claim.symbol = symbol->text("a public symbol");
   const bool defines = claim.verdict && claim.verdict->at(Budget::quick) == Verdict::definition;
   if (defines && claim.symbol.empty())

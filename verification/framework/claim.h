@@ -43,6 +43,8 @@ struct TableSeries {
   std::string
       control;  ///< file of a problem that must not reproduce the printed errors; its levels are among the problem's
   std::vector<FigureColumn> figures;
+  PerBudget<int> verified =
+      PerBudget<int>::same(0);  ///< levels of up to so many elements are solved with a proof
   int line = 0;
 };
 
@@ -75,7 +77,11 @@ struct Claim {
   std::vector<int> covers;  ///< numbered equations that it answers for
   std::optional<int> page;
   std::string says;
+  std::string formula;  ///< the statement in TeX, as in a displayed formula; empty: words alone
   std::vector<std::string> needs;
+  std::vector<std::string> met;  ///< how each hypothesis is met where it was checked; empty: not said
+  std::string unchecked;         ///< what the evidence does not reach; empty: nothing is left
+  std::string erratum;           ///< the place of its line in errata.md
   std::optional<PerBudget<Verdict>> verdict;  ///< absent for a table
   CheckKind check = CheckKind::function;
   std::string note;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Run by the build: embed_files FOLDER LIST OUTPUT
-// Writes a C++ source that defines embedded_papers() with the files named in LIST, one absolute path a line, by
+// Run by the build: embed_files FOLDER LIST OUTPUT FUNCTION
+// Writes a C++ source that defines FUNCTION() of embedded.h with the files named in LIST, one absolute path a line, by
 // their paths from FOLDER.
 
 #include <algorithm>
@@ -43,7 +43,7 @@ void write_literal(std::ostream& out, const std::string& text) {
 }
 
 void embed(const std::filesystem::path& folder, const std::filesystem::path& list,
-           const std::filesystem::path& output) {
+           const std::filesystem::path& output, const std::string& function) {
   std::vector<std::pair<std::string, std::string>> files;
   std::ifstream lines(list);
   for (std::string line; std::getline(lines, line);)
@@ -63,7 +63,7 @@ void embed(const std::filesystem::path& folder, const std::filesystem::path& lis
     write_literal(out, content);
     out << ", " << content.size() << ")},";
   }
-  out << "\n};\n\n}  // namespace\n\nstd::span<const EmbeddedFile> embedded_papers() { return files; }\n\n"
+  out << "\n};\n\n}  // namespace\n\nstd::span<const EmbeddedFile> " << function << "() { return files; }\n\n"
       << "}  // namespace radcert::verification\n";
   if (!out.flush()) throw std::runtime_error("cannot write " + output.string());
 }
@@ -71,11 +71,11 @@ void embed(const std::filesystem::path& folder, const std::filesystem::path& lis
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 4) {
-    std::cerr << "usage: embed_files FOLDER LIST OUTPUT\n";
+  if (argc != 5) {
+    std::cerr << "usage: embed_files FOLDER LIST OUTPUT FUNCTION\n";
     return 2;
   }
-  embed(argv[1], argv[2], argv[3]);
+  embed(argv[1], argv[2], argv[3], argv[4]);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "embed_files: " << error.what() << '\n';

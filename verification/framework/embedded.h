@@ -20,4 +20,12 @@ struct EmbeddedFile {
 /// Limits    .toml, .csv, .json, .md and .bib only
 std::span<const EmbeddedFile> embedded_papers();
 
+/// The page of a report, "page.html", with gaps for its data.
+/// Maths     none
+/// Source    verification/report/web; bundled by radcert_report_page (lib/cmake/report_page.cmake)
+/// Requires  nothing
+/// Result    one file; empty where the program was built without Node
+/// Limits    -
+std::span<const EmbeddedFile> embedded_page();
+
 }  // namespace radcert::verification

@@ -7,9 +7,18 @@
 #include <vector>
 
 #include "verification/framework/finding.h"
+#include "verification/framework/problem_trace.h"
 #include "verification/framework/verdict.h"
 
 namespace radcert::verification {
+
+/// What claims.toml tells the reader of a statement beside its words.
+struct Account {
+  std::string formula;           ///< in TeX
+  std::vector<std::string> met;  ///< how each hypothesis is met where it was checked; empty: not said
+  std::string unchecked;         ///< what the evidence does not reach
+  std::string erratum;           ///< the place of its line in errata.md
+};
 
 /// What a run found of one statement, or of one cell of a table.
 /// Maths     none
@@ -32,6 +41,9 @@ struct ClaimReport {
   std::vector<Evidence> evidence;
   std::vector<std::string> remarks;
   std::optional<std::string> failure;  ///< what a check threw
+  Account account = {};
+  std::vector<std::size_t> problems =
+      {};  ///< those of Report::problems that its check solved, in the order of use
   double seconds = 0;
 
   /// The verdict is the recorded one, neither worse nor better.
@@ -42,6 +54,7 @@ struct ClaimReport {
 struct Report {
   Budget budget = Budget::quick;
   std::vector<ClaimReport> claims;
+  std::vector<ProblemTrace> problems = {};
 
   [[nodiscard]] std::size_t differing() const {
     std::size_t count = 0;

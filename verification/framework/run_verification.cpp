@@ -103,6 +103,10 @@ ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& ben
   return report;
 }
 
+Account account_of(const Claim& claim) {
+  return {.formula = claim.formula, .met = claim.met, .unchecked = claim.unchecked, .erratum = claim.erratum};
+}
+
 std::vector<std::string> labels_of(const Paper& paper, const Claim& claim) {
   return claim.table ? cell_labels(paper, claim) : std::vector<std::string>{claim.label};
 }
@@ -116,14 +120,21 @@ std::vector<std::string> statement_labels(const Paper& paper) {
   return labels;
 }
 
-Report run_verification(std::span<const Selected> selected, const Bench& bench,
+Report run_verification(std::span<const Selected> selected, const Bench& given,
                         std::span<const PaperChecks> checks,
                         const std::function<void(const Progress&)>& progress) {
+  RecordedLevels levels(given.levels);
+  const Bench bench{.budget = given.budget, .route = given.route, .levels = levels, .store = given.store};
   // What is wrong with any of the files is said before any work.
   Progress now;
   for (const Selected& each : selected)
     for (const std::string& label : statement_labels(each.paper)) now.total += each.wants(label) ? 1 : 0;
-  Report report{.budget = bench.budget, .claims = {}};
+  Report report{.budget = bench.budget, .claims = {}, .problems = {}};
+  const auto add = [&](ClaimReport claim, const Claim& of) {
+    claim.account = account_of(of);
+    claim.problems = levels.used();
+    report.claims.push_back(std::move(claim));
+  };
   for (const Selected& each : selected) {
     const PaperChecks* of_paper = checks_of(checks, each.paper.key);
     const auto starting = [&](const std::string& label) {
@@ -134,17 +145,19 @@ Report run_verification(std::span<const Selected> selected, const Bench& bench,
     };
     for (const Claim& claim : each.paper.claims) {
       if (!each.wants_part_of(claim.label)) continue;
+      levels.begin();
       if (claim.table) {
         std::vector<ClaimReport> cells = check_table(
             each.paper, claim, bench, of_paper == nullptr ? SecondRoute{} : of_paper->second_route,
             [&](const std::string& label) { return each.wants(label); }, starting);
-        for (ClaimReport& cell : cells) report.claims.push_back(std::move(cell));
+        for (ClaimReport& cell : cells) add(std::move(cell), claim);
       } else if (each.wants(claim.label)) {
         starting(claim.label);
-        report.claims.push_back(check_claim(each.paper, claim, bench, of_paper));
+        add(check_claim(each.paper, claim, bench, of_paper), claim);
       }
     }
   }
+  report.problems = levels.problems();
   return report;
 }
 

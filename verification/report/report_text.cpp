@@ -12,6 +12,8 @@
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/version.h"
+#include "radcert/formats/result_json.h"
+#include "verification/report/report_page.h"
 
 namespace radcert::verification {
 namespace {
@@ -90,6 +92,24 @@ JsonValue evidence_json(const Evidence& evidence) {
   return out;
 }
 
+JsonValue order_json(const OrderFit& fit) {
+  JsonValue out = JsonValue::object();
+  out.set("quantity", fit.quantity);
+  out.set("order", fit.order);
+  out.set("halfwidth", fit.halfwidth);
+  out.set("levels", json_array(fit.levels, [](int level) { return JsonValue(level); }));
+  return out;
+}
+
+JsonValue problem_trace_json(const ProblemTrace& problem) {
+  JsonValue out = JsonValue::object();
+  out.set("name", problem.name);
+  out.set("problem", problem.text);
+  out.set("levels", json_array(problem.levels, radcert::level_json));
+  out.set("orders", json_array(problem.orders, order_json));
+  return out;
+}
+
 JsonValue claim_json(const ClaimReport& claim) {
   JsonValue out = JsonValue::object();
   out.set("paper", claim.paper);
@@ -107,6 +127,11 @@ JsonValue claim_json(const ClaimReport& claim) {
   out.set("failure", claim.failure);
   out.set("evidence", json_array(claim.evidence, evidence_json));
   out.set("remarks", strings(claim.remarks));
+  out.set("formula", claim.account.formula);
+  out.set("met", strings(claim.account.met));
+  out.set("unchecked", claim.account.unchecked);
+  out.set("erratum", claim.account.erratum);
+  out.set("problems", json_array(claim.problems, [](std::size_t index) { return JsonValue(index); }));
   return out;
 }
 
@@ -192,6 +217,7 @@ JsonValue report_json(const Report& report, const std::string& command) {
   out.set("budget", name(report.budget));
   out.set("as_recorded", report.as_recorded());
   out.set("claims", json_array(report.claims, claim_json));
+  out.set("problems", json_array(report.problems, problem_trace_json));
   JsonValue timing = JsonValue::object();
   timing.set("total_seconds", total_seconds(report));
   timing.set("claims", json_array(report.claims, [](const ClaimReport& claim) {
@@ -220,6 +246,7 @@ void write_report(const Report& report, const std::filesystem::path& folder, con
                       .allowed = "a folder"});
   write_atomically(folder / "report.json", report_json_text(report, command));
   write_atomically(folder / "report.md", report_markdown(report, command));
+  write_atomically(folder / "report.html", report_page(report, command));
 }
 
 }  // namespace radcert::verification

@@ -30,12 +30,12 @@ namespace radcert::verification {
 [[nodiscard]] JsonValue report_json(const Report& report, const std::string& command);
 [[nodiscard]] std::string report_json_text(const Report& report, const std::string& command);
 
-/// Writes report.json and report.md into a folder, which is made if need be.
+/// Writes report.json, report.md and report.html into a folder, which is made if need be.
 /// Maths     none
 /// Source    -
 /// Requires  a path that is, or can become, a folder, else InputError
 /// Result    each file as a whole or not at all
-/// Limits    the two are not replaced in one step
+/// Limits    the files are not replaced in one step
 void write_report(const Report& report, const std::filesystem::path& folder, const std::string& command);
 
 }  // namespace radcert::verification

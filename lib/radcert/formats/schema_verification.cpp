@@ -9,7 +9,7 @@ std::string_view verification_schema() {
   "title": "A report of radcert verify",
   "description": "Seconds live in timing alone: apart from timing and command, all is the same to the bit on every run.",
   "type": "object",
-  "required": ["schema", "radcert", "command", "budget", "as_recorded", "claims", "timing"],
+  "required": ["schema", "radcert", "command", "budget", "as_recorded", "claims", "problems", "timing"],
   "additionalProperties": false,
   "properties": {
     "schema": {"const": "radcert/verification/1"},
@@ -21,6 +21,35 @@ std::string_view verification_schema() {
       "description": "A statement or a cell of a table each, in the order of claims.toml.",
       "type": "array",
       "items": {"$ref": "#/$defs/claim"}
+    },
+    "problems": {
+      "description": "What was solved for the claims: errors level by level. A claim names its problems by their place here, from 0.",
+      "type": "array",
+      "items": {
+        "type": "object",
+        "required": ["name", "problem", "levels", "orders"],
+        "additionalProperties": false,
+        "properties": {
+          "name": {"type": "string"},
+          "problem": {"description": "A problem file.", "type": "string"},
+          "levels": {"description": "As in a result of solve: radcert schema solution.", "type": "array", "items": {"type": "object"}},
+          "orders": {
+            "description": "Of log error over log h, least squares; halfwidth is the spread of the slopes, no guarantee.",
+            "type": "array",
+            "items": {
+              "type": "object",
+              "required": ["quantity", "order", "halfwidth", "levels"],
+              "additionalProperties": false,
+              "properties": {
+                "quantity": {"type": "string"},
+                "order": {"type": ["number", "null"]},
+                "halfwidth": {"type": ["number", "null"]},
+                "levels": {"description": "Those that took part.", "type": "array", "items": {"type": "integer"}}
+              }
+            }
+          }
+        }
+      }
     },
     "timing": {
       "type": "object",
@@ -54,7 +83,7 @@ std::string_view verification_schema() {
       "type": "object",
       "required": [
         "paper", "label", "says", "covers", "page", "needs", "verdict", "recorded", "as_recorded", "printed", "ours",
-        "note", "failure", "evidence", "remarks"
+        "note", "failure", "evidence", "remarks", "formula", "met", "unchecked", "erratum", "problems"
       ],
       "additionalProperties": false,
       "properties": {
@@ -102,7 +131,16 @@ std::string_view verification_schema() {
             }
           }
         },
-        "remarks": {"type": "array", "items": {"type": "string"}}
+        "remarks": {"type": "array", "items": {"type": "string"}},
+        "formula": {"description": "The statement in TeX; may be empty.", "type": "string"},
+        "met": {
+          "description": "How each of `needs` is met where it was checked, in the same order; or empty.",
+          "type": "array",
+          "items": {"type": "string"}
+        },
+        "unchecked": {"description": "What the evidence does not reach; empty: nothing is said.", "type": "string"},
+        "erratum": {"description": "The place of its line in the paper's errata; empty: none.", "type": "string"},
+        "problems": {"description": "Places in `problems`.", "type": "array", "items": {"type": "integer", "minimum": 0}}
       }
     }
   }

@@ -1,0 +1,15 @@
+# cmake -D NODE=... -D FROM=... -D TO=... -D PAGE=... -P bundle_page.cmake
+# Bundles the page; an empty one where the libraries are not there.
+get_filename_component(folder "${PAGE}" DIRECTORY)
+file(MAKE_DIRECTORY "${folder}")
+file(READ "${TO}/installed" installed)
+if(NOT installed STREQUAL "yes")
+  file(WRITE "${PAGE}" "")
+  return()
+endif()
+file(REMOVE_RECURSE "${TO}/src")
+file(COPY "${FROM}/src" "${FROM}/build.mjs" DESTINATION "${TO}")
+execute_process(COMMAND "${NODE}" build.mjs "${PAGE}" WORKING_DIRECTORY "${TO}" RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "the report page could not be bundled")
+endif()

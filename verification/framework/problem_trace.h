@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "radcert/study/study.h"
+#include "verification/framework/levels.h"
+
+namespace radcert::verification {
+
+/// A problem that checks solved, level by level.
+/// Maths     none
+/// Source    -
+/// Requires  -
+/// Result    levels ascending; orders: fitted over them as collect() does; `elements` and `nodes` are those of `drawn_level`
+/// Limits    -
+struct ProblemTrace {
+  Problem problem;
+  std::string name;  ///< problem_title
+  std::string text;  ///< the problem file
+  std::vector<LevelResult> levels;
+  std::vector<OrderFit> orders;
+  int drawn_level = 0;
+  std::vector<ElementValue> elements;
+  std::vector<NodeValue> nodes;
+};
+
+/// Levels from another source, with a record of which problems were solved and what came out.
+/// Maths     none
+/// Source    -
+/// Requires  the source outlives it
+/// Result    hands on what the source gives. problems(): each problem once, in the order of first use. used(): those asked for since
+///           the last begin(), by their index there
+/// Limits    keeps nodes and elements of one level a problem: the finest with at most `most_drawn` elements, else the coarsest
+class RecordedLevels final : public LevelSource {
+public:
+  explicit RecordedLevels(LevelSource& source) : source_(&source) {}
+  LevelOutcome level(const Problem& problem, int level) override;
+
+  void begin() { used_.clear(); }
+  [[nodiscard]] const std::vector<std::size_t>& used() const { return used_; }
+  [[nodiscard]] std::vector<ProblemTrace> problems() const;
+
+  /// As many triangles as a picture is clear with.
+  static constexpr std::size_t most_drawn = 256;
+
+private:
+  std::size_t index_of(Problem problem);
+  static void draw(ProblemTrace& trace, const LevelOutcome& outcome);
+
+  LevelSource* source_;
+  std::vector<std::size_t> used_;
+  std::vector<ProblemTrace> problems_;
+};
+
+/// A problem in a few words: surface and its parameters, basis, what is not the default.
+[[nodiscard]] std::string problem_title(const Problem& problem);
+
+}  // namespace radcert::verification

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verification/report/report_page.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "radcert/core/text.h"
+#include "radcert/core/version.h"
+#include "radcert/formats/json_value.h"
+#include "verification/framework/embedded.h"
+#include "verification/report/report_text.h"
+
+namespace radcert::verification {
+namespace {
+
+constexpr std::string_view data_gap = "/*DATA*/";
+
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  out.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t held = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t three = 0;
+    for (std::size_t j = 0; j < 3; ++j) three = three << 8U | (j < held ? bytes[i + j] : 0U);
+    for (std::size_t j = 0; j < 4; ++j)
+      out += j <= held ? letters[three >> (18U - 6U * static_cast<unsigned>(j)) & 0x3FU] : '=';
+  }
+  return out;
+}
+
+// Single precision, least byte first: what a Float32Array reads.
+std::string floats(const std::vector<double>& values) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(4 * values.size());
+  for (const double value : values) {
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    for (unsigned shift = 0; shift < 32; shift += 8)
+      bytes.push_back(static_cast<std::uint8_t>(bits >> shift & 0xFFU));
+  }
+  return base64(bytes);
+}
+
+void append(std::vector<double>& out, const Vector<double>& v) { out.insert(out.end(), {v.x, v.y, v.z}); }
+
+// The inner normal at a node of each element; zero where there is none.
+std::vector<Vector<double>> element_normals(const ProblemTrace& problem) {
+  std::vector<Vector<double>> normals(problem.elements.size(), Vector<double>{0, 0, 0});
+  for (const NodeValue& node : problem.nodes)
+    if (node.element < normals.size()) normals[node.element] = node.normal;
+  return normals;
+}
+
+// Corners run counterclockwise as the inner normal sees them.
+JsonValue picture_json(const ProblemTrace& problem) {
+  if (problem.elements.empty()) return {};
+  std::vector<double> corners;
+  std::vector<double> corner_values;
+  const std::vector<Vector<double>> normals = element_normals(problem);
+  for (std::size_t k = 0; k < problem.elements.size(); ++k) {
+    const ElementValue& element = problem.elements[k];
+    const auto& [a, b, c] = element.corners;
+    const bool turned = dot(cross(b - a, c - a), normals[k]) < 0;
+    for (const std::size_t j :
+         turned ? std::array<std::size_t, 3>{0, 2, 1} : std::array<std::size_t, 3>{0, 1, 2}) {
+      append(corners, element.corners[j]);
+      corner_values.push_back(element.corner_values[j]);
+    }
+  }
+  std::vector<double> nodes;
+  std::vector<double> node_values;
+  std::vector<double> node_errors;
+  // An element is painted with the largest error at its nodes: the error between them is not known.
+  std::map<std::size_t, double> element_error;
+  for (const NodeValue& node : problem.nodes) {
+    append(nodes, node.point);
+    node_values.push_back(node.u_n);
+    if (!node.u) continue;
+    const double error = std::abs(*node.u - node.u_n);
+    node_errors.push_back(error);
+    element_error[node.element] = std::max(element_error[node.element], error);
+  }
+  JsonValue out = JsonValue::object();
+  out.set("level", problem.drawn_level);
+  out.set("corners", floats(corners));
+  out.set("corner_values", floats(corner_values));
+  out.set("nodes", floats(nodes));
+  out.set("node_values", floats(node_values));
+  if (node_errors.size() != problem.nodes.size()) {
+    out.set("node_errors", JsonValue());
+    out.set("corner_errors", JsonValue());
+    return out;
+  }
+  std::vector<double> corner_errors;
+  for (std::size_t k = 0; k < problem.elements.size(); ++k)
+    corner_errors.insert(corner_errors.end(), 3, element_error[k]);
+  out.set("node_errors", floats(node_errors));
+  out.set("corner_errors", floats(corner_errors));
+  return out;
+}
+
+std::string_view embedded(std::string_view path) {
+  for (const EmbeddedFile& file : embedded_papers())
+    if (file.path == path) return file.content;
+  return {};
+}
+
+// "# Atkinson and Chandler 1998" and the paragraph that names the publication.
+struct PaperHead {
+  std::string title;
+  std::string reference;
+};
+
+PaperHead head_of(std::string_view readme) {
+  PaperHead head;
+  std::size_t at = 0;
+  while (at < readme.size()) {
+    const std::size_t end = std::min(readme.find('\n', at), readme.size());
+    const std::string_view line = readme.substr(at, end - at);
+    at = end + 1;
+    if (head.title.empty()) {
+      if (line.starts_with("# ")) head.title = line.substr(2);
+    } else if (!line.empty()) {
+      head.reference += (head.reference.empty() ? "" : " ") + std::string(line);
+    } else if (!head.reference.empty()) {
+      break;
+    }
+  }
+  return head;
+}
+
+std::vector<std::string> papers_of(const Report& report) {
+  std::vector<std::string> keys;
+  for (const ClaimReport& claim : report.claims)
+    if (keys.empty() || keys.back() != claim.paper) keys.push_back(claim.paper);
+  return keys;
+}
+
+JsonValue paper_json(const std::string& key) {
+  const PaperHead head = head_of(embedded(key + "/README.md"));
+  JsonValue out = JsonValue::object();
+  out.set("key", key);
+  out.set("title", head.title.empty() ? key : head.title);
+  out.set("reference", head.reference);
+  out.set("errata", embedded(key + "/errata.md"));
+  return out;
+}
+
+JsonValue page_data(const Report& report, const std::string& command) {
+  JsonValue out = JsonValue::object();
+  out.set("report", report_json(report, command));
+  out.set("papers", json_array(papers_of(report), paper_json));
+  out.set("pictures", json_array(report.problems, picture_json));
+  return out;
+}
+
+// Inside a script element no "<" may begin a tag or a comment.
+std::string without_tags(const std::string& json) {
+  std::string out;
+  out.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<')
+      out += "\\u003c";
+    else
+      out += c;
+  }
+  return out;
+}
+
+std::string page_with(const JsonValue& data) {
+  const std::string_view page = embedded_page().front().content;
+  const std::size_t gap = page.find(data_gap);
+  return std::string(page.substr(0, gap)) + without_tags(data.compact()) +
+         std::string(page.substr(gap + data_gap.size()));
+}
+
+std::string in_html(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '&': out += "&amp;"; break;
+      case '"': out += "&quot;"; break;
+      default: out += c;
+    }
+  }
+  return out;
+}
+
+constexpr std::string_view built_without_node =
+    "This page is plain: radcert was built without Node, which brings typeset formulas, plots and views in "
+    "space. "
+    "Install nodejs and npm and build again to have them.";
+
+std::string plain_head(const std::string& title) {
+  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+         "<meta name=\"color-scheme\" content=\"light dark\"><title>radcert report</title>\n"
+         "<style>body{font:16px/1.5 sans-serif;max-width:70rem;margin:1rem auto;padding:0 1rem}"
+         "td,th{text-align:left;vertical-align:top;padding:.2rem .8rem .2rem 0}</style></head><body>\n<h1>" +
+         in_html(title) + "</h1>\n<p>" + std::string(built_without_node) + "</p>\n";
+}
+
+std::string plain_page(const Report& report, const std::string& command) {
+  std::string out = plain_head("What the papers say, and what a run found") + "<p>radcert " +
+                    in_html(std::string(version())) + ", <code>" + in_html(command) + "</code>, budget " +
+                    std::string(name(report.budget)) + ".</p>\n";
+  for (const std::string& key : papers_of(report)) {
+    out += "<h2>" + in_html(key) + "</h2>\n";
+    for (const ClaimReport& claim : report.claims) {
+      if (claim.paper != key) continue;
+      out += "<h3>" + in_html(claim.label) + ": " + std::string(name(claim.found)) + "</h3>\n<p>" +
+             in_html(claim.says) + "</p>\n";
+      if (!claim.note.empty()) out += "<p>" + in_html(claim.note) + "</p>\n";
+      if (claim.evidence.empty()) continue;
+      out += "<table><tr><th>observed</th><th>value</th><th>allowed</th><th>so it</th></tr>\n";
+      for (const Evidence& line : claim.evidence)
+        out += "<tr><td>" + in_html((line.control ? "control: " : "") + line.what) + "</td><td>" +
+               in_html(line.value + (line.radius ? " ± " + *line.radius : "")) + "</td><td>" +
+               in_html(line.allowed) + "</td><td>" + std::string(name(line.standing)) + "</td></tr>\n";
+      out += "</table>\n";
+    }
+  }
+  return out + "</body></html>\n";
+}
+
+}  // namespace
+
+bool has_full_page() { return !embedded_page().empty() && !embedded_page().front().content.empty(); }
+
+std::string report_page(const Report& report, const std::string& command) {
+  return has_full_page() ? page_with(page_data(report, command)) : plain_page(report, command);
+}
+
+std::string experiment_page(const JsonValue& experiment) {
+  if (!has_full_page())
+    return plain_head("An experiment") +
+           "<p>The figures are in experiment.json, errors.csv and the plots beside this "
+           "file.</p></body></html>\n";
+  JsonValue data = JsonValue::object();
+  data.set("experiment", experiment);
+  return page_with(data);
+}
+
+}  // namespace radcert::verification

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/** An element with attributes and children; text children are text, never markup. */
+export function element(tag, attributes = {}, ...children) {
+  const made = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (name.startsWith("on")) made.addEventListener(name.slice(2), value);
+    else made.setAttribute(name, value === true ? "" : value);
+  }
+  made.append(...children.flat().filter((child) => child !== null && child !== undefined && child !== false));
+  return made;
+}
+
+/** A table: a caption, header texts, rows of cells (nodes or texts). */
+export function table(caption, headers, rows, attributes = {}) {
+  return element("div", { class: "wide", tabindex: "0", role: "region", "aria-label": caption },
+    element("table", attributes,
+      element("caption", {}, caption),
+      element("thead", {}, element("tr", {}, headers.map((text) => element("th", { scope: "col" }, text)))),
+      element("tbody", {}, rows.map((cells) => element("tr", {}, cells.map((cell) =>
+        cell instanceof HTMLTableCellElement ? cell : element("td", {}, cell)))))));
+}
+
+export const verdicts = [
+  "certified", "reproduced", "supported", "contradicted", "undecided", "definition", "unchecked", "failed",
+];
+
+export const meaning = {
+  certified: "exact or ball arithmetic proves it for the stated inputs",
+  reproduced: "our value, with its radius, rounds to the printed digits",
+  supported: "floating-point evidence, with a control that fails",
+  contradicted: "proved or measured otherwise",
+  undecided: "the evidence does not settle it",
+  definition: "nothing to verify",
+  unchecked: "not yet looked at",
+  failed: "the check threw, or its control was not rejected",
+};
+
+// A sign beside the word, so that colour is never all there is.
+const signs = {
+  certified: "■", reproduced: "◆", supported: "●", contradicted: "✕", undecided: "?", definition: "≔",
+  unchecked: "○", failed: "!",
+};
+
+export function chip(verdict) {
+  return element("span", { class: `chip ${verdict}`, title: meaning[verdict] },
+    element("span", { "aria-hidden": "true" }, signs[verdict]), ` ${verdict}`);
+}
+
+/** Text in which `code` stands between backquotes. */
+export function prose(text) {
+  return text.split(/(`[^`]+`)/).map((part) =>
+    part.startsWith("`") && part.endsWith("`") && part.length > 2
+      ? element("code", {}, part.slice(1, -1)) : part);
+}
+
+/** A number with its radius, to as many digits as the radius leaves. */
+export function figure(ours) {
+  if (!ours) return "";
+  const { value, radius } = ours;
+  if (radius === null || radius === undefined) return value.toExponential(4);
+  if (radius === 0) return String(value);
+  if (value === 0) return `0 ± ${up(radius)}`;
+  const digits = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(radius)) + 1;
+  const shown = Math.min(8, Math.max(2, digits));
+  const power = Math.floor(Math.log10(Math.abs(value)));
+  const text = power >= -3 && power <= 4 ? value.toFixed(Math.max(0, shown - 1 - power)) : value.toExponential(shown - 1);
+  // The radius covers what was cut off the value.
+  return `${text} ± ${up(radius + Math.abs(value - Number(text)))}`;
+}
+
+function up(radius) {
+  if (radius === 0) return "0";
+  const power = Math.floor(Math.log10(radius)) - 1;
+  const text = radius.toExponential(1);
+  return Number(text) >= radius ? text : (Number(text) + 10 ** power).toExponential(1);
+}
+
+export const seconds = (time) => (time < 0.05 ? "< 0.1 s" : `${time.toFixed(1)} s`);

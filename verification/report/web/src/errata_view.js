@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import { marked } from "marked";
+import { element } from "./dom.js";
+import { paper } from "./data.js";
+
+// The errata are radcert's own text; it is parsed as Markdown without HTML all the same.
+const withoutHtml = (text) => text.replace(/<!--[\s\S]*?-->/g, "").replace(/<(?=[a-z/!])/gi, "&lt;");
+
+function rendered(markdown) {
+  const holder = element("div", { class: "markdown" });
+  holder.innerHTML = marked.parse(withoutHtml(markdown), { gfm: true });
+  for (const each of holder.querySelectorAll("table")) {
+    const wrap = element("div", { class: "wide", tabindex: "0", role: "region", "aria-label": "errata" });
+    each.replaceWith(wrap);
+    wrap.append(each);
+  }
+  for (const link of holder.querySelectorAll("a[href]")) link.replaceWith(...link.childNodes);
+  return holder;
+}
+
+/** The lines of errata whose first column is `place`, each with the head of its table. */
+export function errataRows(markdown, place) {
+  if (!place || !markdown) return [];
+  const lines = markdown.split("\n");
+  const headOf = (at) => {
+    let head = at;
+    while (head > 0 && lines[head - 1].startsWith("|")) --head;
+    return head;
+  };
+  return lines.flatMap((line, at) => (line.startsWith("|") && line.slice(1).split("|")[0].trim() === place
+    ? [rendered([lines[headOf(at)], lines[headOf(at) + 1], line].join("\n"))] : []));
+}
+
+export function errataView(key) {
+  const about = paper(key);
+  const page = rendered(about.errata.replace(/^# .*$/m, ""));
+  return [element("h1", {}, `Errata of ${about.title}`), page];
+}

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+import {
+  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, FrontSide, LineBasicMaterial,
+  LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Points, PointsMaterial, Scene, Vector3, WebGLRenderer,
+  WireframeGeometry,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { element, table } from "./dom.js";
+import { pictures, report } from "./data.js";
+
+function floats(base64) {
+  const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+  return new Float32Array(bytes.buffer);
+}
+
+// Viridis at nine places: even to the eye, and readable without colour vision.
+const viridis = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"].map((text) => new Color(text));
+
+function colourAt(share) {
+  const place = Math.min(Math.max(share, 0), 1) * (viridis.length - 1);
+  const below = Math.min(Math.floor(place), viridis.length - 2);
+  return viridis[below].clone().lerp(viridis[below + 1], place - below);
+}
+
+function range(values) {
+  let [least, most] = [Infinity, -Infinity];
+  for (const value of values) {
+    least = Math.min(least, value);
+    most = Math.max(most, value);
+  }
+  return { least, most, share: (value) => (most > least ? (value - least) / (most - least) : 0.5) };
+}
+
+function painted(values) {
+  const { share } = range(values);
+  const colours = new Float32Array(3 * values.length);
+  values.forEach((value, i) => colourAt(share(value)).toArray(colours, 3 * i));
+  return new BufferAttribute(colours, 3);
+}
+
+function scale(values, words) {
+  const { least, most } = range(values);
+  return element("p", { class: "scale" }, `${words}: ${least.toPrecision(4)} `,
+    element("span", { class: "ramp", "aria-hidden": "true" }), ` ${most.toPrecision(4)}`);
+}
+
+/** The surface of a problem at one level, to turn (drag, arrow keys) and zoom (wheel, + and -). */
+export function surfaceView(index) {
+  const problem = report.problems[index];
+  const picture = pictures[index];
+  const corners = floats(picture.corners);
+  const nodes = floats(picture.nodes);
+  const colourings = [{ name: "radiosity", corner: floats(picture.corner_values), node: floats(picture.node_values) }];
+  if (picture.node_errors) colourings.push({ name: "error", corner: floats(picture.corner_errors), node: floats(picture.node_errors) });
+
+  const canvas = element("canvas", { tabindex: "0", role: "img", "aria-label": `${problem.name}: triangulation and radiosity in space; drag to turn, arrow keys turn, plus and minus zoom` });
+  const holder = element("div", { class: "space" }, canvas);
+  const legend = element("div");
+  const controls = element("div", { class: "filters" });
+  const page = [element("h1", {}, problem.name),
+    element("p", { class: "quiet" }, `Level ${picture.level}, ${corners.length / 9} elements, ${nodes.length / 3} nodes. Curved elements are drawn flat.`),
+    controls, holder, legend,
+    element("details", {}, element("summary", {}, "The problem file"), element("pre", {}, problem.problem)),
+    element("details", {}, element("summary", {}, "Its levels"), table(`Levels of ${problem.name}`, ["level", "elements", "unknowns", "h"],
+      problem.levels.map((level) => [level.level, level.elements, level.unknowns, level.mesh_size.toPrecision(4)].map(String))))];
+
+  let renderer;
+  try {
+    renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+  } catch {
+    holder.replaceChildren(element("p", { class: "note" }, "This browser offers no WebGL: the view in space is not shown."));
+    return page;
+  }
+
+  const scene = new Scene();
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(corners, 3));
+  geometry.computeVertexNormals();
+  geometry.computeBoundingSphere();
+  const { center, radius } = geometry.boundingSphere;
+  // Corners run counterclockwise as the inner normal sees them: walls that show their backs can be left out.
+  const skin = new Mesh(geometry, new MeshLambertMaterial({ vertexColors: true, side: FrontSide, transparent: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+  const edges = new LineSegments(new WireframeGeometry(geometry), new LineBasicMaterial({ color: 0x222222, transparent: true, opacity: 0.55 }));
+  const dots = new BufferGeometry();
+  dots.setAttribute("position", new BufferAttribute(nodes, 3));
+  const points = new Points(dots, new PointsMaterial({ size: radius / 45, vertexColors: true }));
+  scene.add(skin, edges, points, new AmbientLight(0xffffff, 2.2));
+  const lamp = new DirectionalLight(0xffffff, 1.2);
+  const camera = new PerspectiveCamera(38, 1, radius / 100, radius * 20);
+  camera.up.set(0, 0, 1);
+  camera.position.copy(center).add(new Vector3(1.5, -2.2, 1.3).normalize().multiplyScalar(radius * 3.4));
+  camera.add(lamp);
+  scene.add(camera);
+
+  const orbit = new OrbitControls(camera, canvas);
+  orbit.target.copy(center);
+  orbit.update();
+  const render = () => renderer.render(scene, camera);
+  orbit.addEventListener("change", render);
+  canvas.addEventListener("keydown", (event) => {
+    const offset = camera.position.clone().sub(center);
+    const turn = { ArrowLeft: [-0.12, 0], ArrowRight: [0.12, 0], ArrowUp: [0, 0.12], ArrowDown: [0, -0.12] }[event.key];
+    const zoom = { "+": 0.88, "=": 0.88, "-": 1.14 }[event.key];
+    if (!turn && !zoom) return;
+    event.preventDefault();
+    if (zoom) offset.multiplyScalar(zoom);
+    if (turn) {
+      offset.applyAxisAngle(camera.up, turn[0]);
+      const side = new Vector3().crossVectors(offset, camera.up).normalize();
+      const lifted = offset.clone().applyAxisAngle(side, turn[1]);
+      if (Math.abs(lifted.clone().normalize().z) < 0.98) offset.copy(lifted);
+    }
+    camera.position.copy(center).add(offset);
+    orbit.update();
+    render();
+  });
+
+  const paint = (colouring) => {
+    geometry.setAttribute("color", painted(colouring.corner));
+    dots.setAttribute("color", painted(colouring.node));
+    legend.replaceChildren(scale(colouring.node, colouring.name === "error" ? "|u − uₙ| at the nodes" : "uₙ at the nodes"));
+    render();
+  };
+  const fit = () => {
+    const width = Math.max(280, holder.clientWidth);
+    renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+    renderer.setSize(width, Math.min(560, width * 0.7), true);
+    camera.aspect = width / Math.min(560, width * 0.7);
+    camera.updateProjectionMatrix();
+    render();
+  };
+  const toggle = (words, object) => {
+    const box = element("input", { type: "checkbox", checked: true, onchange: () => { object.visible = box.checked; render(); } });
+    return element("label", {}, box, ` ${words}`);
+  };
+  const backs = element("input", { type: "checkbox", onchange: () => { skin.material.side = backs.checked ? DoubleSide : FrontSide; skin.material.needsUpdate = true; render(); } });
+  const opacity = element("input", { type: "range", min: "0.15", max: "1", step: "0.05", value: "0.95", oninput: () => { skin.material.opacity = Number(opacity.value); render(); } });
+  skin.material.opacity = 0.95;
+  controls.append(
+    ...colourings.map((colouring, i) => element("label", {},
+      element("input", { type: "radio", name: "colouring", checked: i === 0, onchange: () => paint(colouring) }), ` ${colouring.name}`)),
+    toggle("triangulation", edges), toggle("nodes", points), element("label", {}, backs, " walls seen from behind"), element("label", {}, "solid ", opacity));
+  requestAnimationFrame(() => { fit(); paint(colourings[0]); });
+  new ResizeObserver(fit).observe(holder);
+  return page;
+}
