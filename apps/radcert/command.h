@@ -46,6 +46,8 @@ void add_basis(CLI::App& program, Common& common, Action& action);
 void add_list(CLI::App& program, Common& common, Action& action);
 void add_schema(CLI::App& program, Common& common, Action& action);
 void add_example(CLI::App& program, Common& common, Action& action);
+void add_completion(CLI::App& program, Action& action);
+void add_man(CLI::App& program, Action& action);
 
 /// A new subcommand with the options that all have.
 CLI::App& add_command(CLI::App& program, Common& common, const std::string& name, const std::string& summary);

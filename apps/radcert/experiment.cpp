@@ -2,6 +2,7 @@
 
 // radcert experiment EXPERIMENT.json: many problems, compared.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -13,14 +14,19 @@
 #include "command.h"
 #include "experiment_table.h"
 #include "operator_route.h"
+#include "origin.h"
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/result_store.h"
+#include "radcert/formats/convergence_plot.h"
 #include "radcert/formats/experiment_json.h"
 #include "radcert/formats/experiment_plots.h"
+#include "radcert/formats/latex_plot.h"
+#include "radcert/formats/latex_table.h"
 #include "radcert/study/study.h"
 #include "verification/framework/levels.h"
+#include "verification/report/report_page.h"
 
 namespace radcert::app {
 
@@ -39,8 +45,7 @@ struct Finished {
 
 /// The entries of the matrix at a level, in units of those of one basis function an element at level 0.
 double work(const Problem& problem, int level) {
-  const double degree = problem.basis.degree;
-  const double functions = (degree + 1) * (degree + 2) / 2;
+  const auto functions = static_cast<double>(function_count(problem.basis));
   return functions * functions * std::pow(16.0, level);
 }
 
@@ -92,6 +97,28 @@ Finished solve_all(const Experiment& experiment, const std::string& source,
   return finished;
 }
 
+/// For a paper: table, plots, and where they come from.
+Files paper_files(const Common& common, const ExperimentOptions& options, const Experiment& experiment,
+                  std::span<const Result> results) {
+  const std::filesystem::path folder = options.out;
+  Files files = {{folder / "table.tex", combinations_latex(experiment, results)}};
+  const std::vector<ConvergencePlot> plots = convergence_plots(experiment, results);
+  if (!plots.empty()) files.emplace_back(folder / "plot.tex", latex_plots_text(plots, "errors.csv"));
+  std::vector<Problem> problems;
+  std::vector<std::string> references;
+  for (const Combination& combination : experiment.combinations) {
+    problems.push_back(combination.problem);
+    for (std::string& key : references_of(combination.problem))
+      if (std::find(references.begin(), references.end(), key) == references.end())
+        references.push_back(std::move(key));
+  }
+  std::vector<InputDigest> inputs = {input_digest(options.experiment)};
+  for (InputDigest& named : inputs_named_in(problems)) inputs.push_back(std::move(named));
+  for (auto& file : origin_files(folder, common, references, std::move(inputs)))
+    files.push_back(std::move(file));
+  return files;
+}
+
 ExitCode run_experiment(const Common& common, const ExperimentOptions& options) {
   Outputs outputs;
   if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
@@ -111,19 +138,22 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   if (finished.levels < asked) return interrupted(finished.levels, asked, store);
 
   const std::vector<Result>& results = finished.results;
-  const std::string json = experiment_json(experiment, results, common.command).pretty() + "\n";
-  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  const JsonValue document = experiment_json(experiment, results, common.command);
+  const std::string json = document.pretty() + "\n";
+  Files files;
+  if (!options.out.empty()) files = paper_files(common, options, experiment, results);
   if (!common.json.empty() && !common.json_to_stdout()) files.emplace_back(common.json, json);
   if (!options.out.empty()) {
     const std::filesystem::path folder = options.out;
     files.emplace_back(folder / "experiment.json", json);
+    files.emplace_back(folder / "experiment.html", verification::experiment_page(document));
     files.emplace_back(folder / "errors.csv", experiment_errors_csv(experiment, results));
     files.emplace_back(folder / "timing.csv", experiment_timing_csv(experiment, results));
     for (const NamedPlot& plot : experiment_plots(experiment, results))
       files.emplace_back(folder / (plot.name + ".svg"), svg_text(plot.plot));
   }
   outputs.write(files);
-  print(common.json_to_stdout() ? json : experiment_table(experiment, results));
+  print(common.json_to_stdout() ? json : fitted(experiment_table(experiment, results)));
   return ExitCode::done;
 }
 
@@ -137,8 +167,10 @@ void add_experiment(CLI::App& program, Common& common, Action& action) {
       ->required()
       ->type_name("FILE.json");
   command
-      .add_option("--out", options->out,
-                  "Write experiment.json, errors.csv, timing.csv and plots (SVG) to DIR")
+      .add_option(
+          "--out", options->out,
+          "Write to DIR: experiment.json, experiment.html, errors.csv, timing.csv, plots (SVG), table.tex, "
+          "plot.tex, cite.bib, provenance.json")
       ->type_name("DIR");
   command.footer(
       "Every combination of the lists of `vary` with `base` is a problem, as radcert solve takes it.\n"

@@ -75,13 +75,15 @@ int run(int argc, char** argv) {
   add_list(program, common, action);
   add_schema(program, common, action);
   add_example(program, common, action);
+  add_completion(program, action);
+  add_man(program, action);
 
   if (argv[1][0] != '-') require_command(program, argv[1]);
   try {
     program.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     const auto chosen = program.get_subcommands();
-    print(chosen.empty() ? program.help() : chosen.front()->help("radcert"));
+    print(fitted(chosen.empty() ? program.help() : chosen.front()->help("radcert")));
     return code(ExitCode::done);
   } catch (const CLI::CallForVersion& version_text) {
     print(std::string(version_text.what()) + "\n");
@@ -96,9 +98,7 @@ int run(int argc, char** argv) {
   return code(action());
 }
 
-void defect(const std::string& what) {
-  say("radcert: a defect of radcert itself, please report it: " + what + "\n");
-}
+void defect(const std::string& what) { complain("a defect of radcert itself, please report it: " + what); }
 
 }  // namespace
 
@@ -106,19 +106,19 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const InputError& error) {
-    say("radcert: " + std::string(error.what()) + "\n");
+    complain(error.what());
     return code(ExitCode::input);
   } catch (const EnvironmentError& error) {
-    say("radcert: " + std::string(error.what()) + "\n");
+    complain(error.what());
     return code(ExitCode::environment);
   } catch (const AccuracyNotReached& error) {
-    say("radcert: " + std::string(error.what()) + "\n");
+    complain(error.what());
     return code(ExitCode::differs);
   } catch (const Interrupted&) {
-    say("radcert: interrupted; what was finished is kept\n");
+    complain("interrupted; what was finished is kept");
     return code(ExitCode::interrupted);
   } catch (const std::bad_alloc&) {
-    say("radcert: memory: there is not enough\n");
+    complain("memory: there is not enough");
     return code(ExitCode::environment);
   } catch (const std::exception& error) {
     defect(error.what());

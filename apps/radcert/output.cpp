@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "output.h"
 
+#include <sys/ioctl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <system_error>
 
@@ -14,29 +19,123 @@ namespace radcert::app {
 
 namespace {
 
+using Rows = std::vector<std::vector<std::string>>;
+
+/// Characters, not bytes, and none of the sequences that change the colour.
+std::size_t length(std::string_view text) {
+  std::size_t count = 0;
+  bool in_sequence = false;
+  for (const char c : text) {
+    if (c == '\x1b') in_sequence = true;
+    if (!in_sequence && (static_cast<unsigned char>(c) & 0xC0U) != 0x80U) ++count;
+    if (c == 'm') in_sequence = false;
+  }
+  return count;
+}
+
 std::string pad(const std::string& cell, std::size_t width, bool left) {
-  const std::string blanks(width - std::min(width, cell.size()), ' ');
+  const std::string blanks(width - std::min(width, length(cell)), ' ');
   return left ? cell + blanks : blanks + cell;
 }
 
-std::string lines(const std::vector<std::vector<std::string>>& rows, bool all_left) {
+constexpr std::size_t between_columns = 2;
+
+/// The columns in parts that are no wider than `most`, each but for the first column, which all parts have.
+std::vector<std::vector<std::size_t>> parts(const std::vector<std::size_t>& widths, std::size_t most) {
+  std::vector<std::vector<std::size_t>> out(1);
+  std::size_t used = 0;
+  for (std::size_t column = 0; column < widths.size(); ++column) {
+    const std::size_t more = widths[column] + (column == 0 ? 0 : between_columns);
+    if (out.back().size() > 1 && used + more > most) {
+      out.push_back({0});
+      used = widths[0];
+    }
+    out.back().push_back(column);
+    used += more;
+  }
+  return out;
+}
+
+std::string lines(const Rows& rows, bool all_left) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t column = 0; column < row.size(); ++column)
-      widths[column] = std::max(widths[column], row[column].size());
+      widths[column] = std::max(widths[column], length(row[column]));
   }
+  // Columns of words are better folded than torn apart.
+  const std::size_t most = all_left ? std::string::npos : terminal_width().value_or(std::string::npos);
   std::string out;
-  for (const auto& row : rows) {
-    std::string line;
-    for (std::size_t column = 0; column < row.size(); ++column)
-      line += (column == 0 ? "" : "  ") + pad(row[column], widths[column], all_left || column == 0);
-    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  for (const auto& columns : parts(widths, most)) {
+    if (!out.empty()) out += "\n";
+    for (const auto& row : rows) {
+      std::string line;
+      for (const std::size_t column : columns)
+        if (column < row.size())
+          line += (column == 0 ? "" : std::string(between_columns, ' ')) +
+                  pad(row[column], widths[column], all_left || column == 0);
+      out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
   }
   return out;
 }
 
 }  // namespace
+
+std::optional<std::size_t> terminal_width() {
+  if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
+  constexpr std::size_t least = 20;  // a terminal that says less is not believed
+  constexpr std::size_t usual = 80;
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col >= least) return size.ws_col;
+  const char* columns = std::getenv("COLUMNS");
+  std::size_t number = 0;
+  if (columns != nullptr) std::from_chars(columns, columns + std::strlen(columns), number);
+  return number >= least ? number : usual;
+}
+
+bool colour_allowed(int stream) {
+  const char* refused = std::getenv("NO_COLOR");
+  if (refused != nullptr && *refused != '\0') return false;
+  const char* terminal = std::getenv("TERM");
+  return isatty(stream) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+std::string alarming(std::string_view text, int stream) {
+  return colour_allowed(stream) ? "\x1b[1;31m" + std::string(text) + "\x1b[0m" : std::string(text);
+}
+
+std::string folded(std::string_view text, std::size_t width) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string line(text.substr(0, end));
+    const bool ends = end < text.size();
+    text.remove_prefix(end + (ends ? 1 : 0));
+    // Below the last column, where that leaves at least half of the width; else below the first word.
+    const std::size_t gap = line.rfind("  ", width / 2);
+    const std::size_t below = gap == std::string::npos ? 0 : line.find_first_not_of(' ', gap);
+    const std::string indent(below == std::string::npos || below > width / 2 ? 0 : below, ' ');
+    while (length(line) > width) {
+      // Bytes of a character count once: the place is at most so many bytes further.
+      std::size_t place = 0;
+      for (std::size_t seen = 0; place < line.size(); ++place)
+        if ((static_cast<unsigned char>(line[place]) & 0xC0U) != 0x80U && seen++ == width) break;
+      const std::size_t space = line.rfind(' ', place);
+      const std::size_t first = line.find_first_not_of(' ');
+      if (space == std::string::npos || space <= std::max(first, indent.size())) break;
+      out += line.substr(0, line.find_last_not_of(' ', space) + 1) + "\n";
+      line = indent + line.substr(space + 1);
+    }
+    out += line + (ends ? "\n" : "");
+  }
+  return out;
+}
+
+std::string fitted(std::string_view text) {
+  const auto width = terminal_width();
+  return width ? folded(text, *width) : std::string(text);
+}
 
 void print(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
@@ -46,6 +145,10 @@ void print(std::string_view text) {
 void say(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
+}
+
+void complain(std::string_view text) {
+  say(alarming("radcert:", STDERR_FILENO) + " " + std::string(text) + "\n");
 }
 
 ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore& store) {
@@ -96,7 +199,8 @@ void print_result(const Common& common, std::string_view text, std::string_view 
     outputs.file("--json", common.json);
     outputs.write({{common.json, std::string(json)}});
   }
-  print(common.json_to_stdout() ? json : text);
+  // A text that is the JSON itself stays JSON.
+  print(common.json_to_stdout() || text == json ? std::string(json) : fitted(text));
 }
 
 std::string aligned(const std::vector<std::vector<std::string>>& rows) { return lines(rows, false); }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,11 +14,30 @@
 
 namespace radcert::app {
 
+/// The number of columns of the terminal that stdout is; none where it is no terminal.
+std::optional<std::size_t> terminal_width();
+
+/// Whether colour may be used on a stream, 1 stdout or 2 stderr: a terminal that is not dumb, and NO_COLOR is not set.
+bool colour_allowed(int stream);
+
+/// The text in red where colour is allowed.
+std::string alarming(std::string_view text, int stream);
+
+/// The lines of a text broken at spaces so that none is longer than `width`; what follows a break stands below the last column
+/// of the line.
+std::string folded(std::string_view text, std::size_t width);
+
+/// The same for the terminal that stdout is; as it is where it is none.
+std::string fitted(std::string_view text);
+
 /// Writes to stdout; EnvironmentError where that fails.
 void print(std::string_view text);
 
 /// Writes to stderr: what is not a result.
 void say(std::string_view text);
+
+/// Says on stderr why the program ends.
+void complain(std::string_view text);
 
 /// Says how many of the levels asked for were finished before the interruption, and where they are kept.
 ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore& store);
@@ -35,10 +56,11 @@ private:
   std::vector<std::filesystem::path> folders_;
 };
 
-/// Text for people and JSON, each where the options want it: stdout has the one or the other.
+/// Text for people and JSON, each where the options want it: stdout has the one, fitted, or the other.
 void print_result(const Common& common, std::string_view text, std::string_view json);
 
 /// Rows of cells as lines, columns padded to their widest cell: the first column to the left, all others to the right.
+/// On a terminal that is too narrow the columns go on below, each part with the first column.
 std::string aligned(const std::vector<std::vector<std::string>>& rows);
 
 /// The same with every column to the left.

@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <string_view>
 
 #include "output.h"
 
@@ -15,6 +17,7 @@ namespace {
 constexpr std::size_t bar_width = 24;
 constexpr std::size_t label_width = 40;
 constexpr double seconds_between_lines = 5;
+constexpr std::chrono::milliseconds before_first_line(300);  // what is done sooner needs no progress
 
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
@@ -26,11 +29,17 @@ std::string time_text(double s) {
   return fmt::format("{:.1f} h", s / 3600);
 }
 
+/// Whether stderr is a terminal that can clear a line.
+bool can_redraw() {
+  const char* terminal = std::getenv("TERM");
+  return isatty(STDERR_FILENO) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
 }  // namespace
 
 ProgressDisplay::ProgressDisplay(bool quiet)
-    : mode_(quiet ? Mode::none : (isatty(STDERR_FILENO) != 0 ? Mode::bar : Mode::lines)) {
-  if (mode_ == Mode::bar) drawer_ = std::thread([this] { keep_drawing(); });
+    : mode_(quiet ? Mode::none : (can_redraw() ? Mode::bar : Mode::lines)) {
+  if (mode_ != Mode::none) drawer_ = std::thread([this] { keep_drawing(); });
 }
 
 ProgressDisplay::~ProgressDisplay() {
@@ -49,10 +58,7 @@ void ProgressDisplay::at(double fraction, const std::string& label, double expec
   label_ = label;
   expected_ = expected_seconds;
   since_ = Clock::now();
-  if (mode_ == Mode::lines && seconds(since_ - last_line_) >= seconds_between_lines) {
-    last_line_ = since_;
-    say(status() + "\n");
-  }
+  if (mode_ == Mode::lines && seconds(since_ - last_line_) >= seconds_between_lines) say_line();
   if (mode_ == Mode::bar) redraw();
 }
 
@@ -61,8 +67,15 @@ void ProgressDisplay::note(const std::string& text) {
   if (mode_ == Mode::none) return;
   clear();
   say(text + "\n");
+  said_ = true;
   last_line_ = Clock::now();
   if (mode_ == Mode::bar) redraw();
+}
+
+void ProgressDisplay::say_line() {
+  say(status() + "\n");
+  said_ = true;
+  last_line_ = Clock::now();
 }
 
 /// What is expected of the rest, else what the earlier ones took in proportion.
@@ -101,6 +114,10 @@ void ProgressDisplay::redraw() {
 
 void ProgressDisplay::keep_drawing() {
   std::unique_lock lock(mutex_);
+  if (mode_ == Mode::lines) {
+    if (!wake_.wait_for(lock, before_first_line, [this] { return stop_; }) && !said_) say_line();
+    return;
+  }
   while (!wake_.wait_for(lock, std::chrono::milliseconds(500), [this] { return stop_; }))
     if (drawn_) redraw();
 }

@@ -9,8 +9,8 @@
 
 namespace radcert::app {
 
-/// How far long work has come, on stderr: a bar with the time left on a terminal, now and then a line elsewhere, nothing
-/// when quiet.
+/// How far long work has come, on stderr: a bar with the time left on a terminal, now and then a line elsewhere, the first
+/// within half a second; nothing when quiet.
 class ProgressDisplay {
 public:
   explicit ProgressDisplay(bool quiet);
@@ -33,6 +33,7 @@ private:
   void clear();
   void redraw();
   void keep_drawing();
+  void say_line();
 
   Mode mode_;
   Clock::time_point start_ = Clock::now();
@@ -42,6 +43,7 @@ private:
   double expected_ = 0;
   std::string label_;
   bool drawn_ = false;
+  bool said_ = false;
   bool stop_ = false;
   std::mutex mutex_;
   std::condition_variable wake_;

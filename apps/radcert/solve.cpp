@@ -12,11 +12,17 @@
 
 #include "command.h"
 #include "operator_route.h"
+#include "origin.h"
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/result_store.h"
+#include "radcert/formats/convergence_plot.h"
 #include "radcert/formats/csv.h"
+#include "radcert/formats/element_errors.h"
+#include "radcert/formats/latex_plot.h"
+#include "radcert/formats/latex_table.h"
+#include "radcert/formats/ply.h"
 #include "radcert/formats/problem_json.h"
 #include "radcert/formats/result_json.h"
 #include "radcert/formats/vtu.h"
@@ -31,6 +37,7 @@ struct SolveOptions {
   std::string problem;
   std::string nodes;
   std::string vtu;
+  std::string ply;
   std::string out;
 };
 
@@ -39,6 +46,7 @@ Outputs checked_outputs(const Common& common, const SolveOptions& options) {
   if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
   if (!options.nodes.empty()) outputs.file("--nodes", options.nodes);
   if (!options.vtu.empty()) outputs.file("--vtu", options.vtu);
+  if (!options.ply.empty()) outputs.file("--ply", options.ply);
   if (!options.out.empty()) outputs.folder("--out", options.out);
   return outputs;
 }
@@ -75,6 +83,32 @@ std::vector<LevelOutcome> solve_levels(const Problem& problem, verification::Sto
   return finished;
 }
 
+/// What --out writes.
+Files files_of(const Common& common, const SolveOptions& options, const Result& result,
+               std::span<const LevelOutcome> levels, const std::string& json) {
+  const std::filesystem::path folder = options.out;
+  const auto& elements = levels.back().elements;
+  const auto errors = corner_errors(result.problem, elements);
+  Files files = {{folder / "solution.json", json},
+                 {folder / "errors.csv", errors_csv(result)},
+                 {folder / "nodes.csv", nodes_csv(levels)},
+                 {folder / "solution.vtu", vtu_text(elements, errors)},
+                 {folder / "solution.ply", ply_text(elements, errors)},
+                 {folder / "table.tex", levels_latex(result)}};
+  const ConvergencePlot plot =
+      convergence_plot("Errors of " + std::filesystem::path(options.problem).filename().string(),
+                       result.levels, result.orders);
+  if (!plot.curves.empty()) {
+    files.emplace_back(folder / "plot.tex", latex_plots_text({&plot, 1}, "errors.csv"));
+    files.emplace_back(folder / "errors_against_h.svg", svg_text(plot_of(plot)));
+  }
+  std::vector<InputDigest> inputs = {input_digest(options.problem)};
+  for (InputDigest& named : inputs_named_in({&result.problem, 1})) inputs.push_back(std::move(named));
+  for (auto& file : origin_files(folder, common, references_of(result.problem), std::move(inputs)))
+    files.push_back(std::move(file));
+  return files;
+}
+
 ExitCode solve(const Common& common, const SolveOptions& options) {
   const Outputs outputs = checked_outputs(common, options);
   const auto threads = common.thread_limit();
@@ -100,19 +134,17 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   const Result result = collect(problem, std::move(results), std::move(timing));
 
   const std::string json = result_text(result, common.command);
-  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  Files files;
+  if (!options.out.empty()) files = files_of(common, options, result, finished, json);
   if (!common.json.empty() && !common.json_to_stdout()) files.emplace_back(common.json, json);
   if (!options.nodes.empty()) files.emplace_back(options.nodes, nodes_csv(finished));
-  if (!options.vtu.empty()) files.emplace_back(options.vtu, vtu_text(finished.back().elements));
-  if (!options.out.empty()) {
-    const std::filesystem::path folder = options.out;
-    files.emplace_back(folder / "solution.json", json);
-    files.emplace_back(folder / "errors.csv", errors_csv(result));
-    files.emplace_back(folder / "nodes.csv", nodes_csv(finished));
-    files.emplace_back(folder / "solution.vtu", vtu_text(finished.back().elements));
-  }
+  const auto& elements = finished.back().elements;
+  if (!options.vtu.empty())
+    files.emplace_back(options.vtu, vtu_text(elements, corner_errors(problem, elements)));
+  if (!options.ply.empty())
+    files.emplace_back(options.ply, ply_text(elements, corner_errors(problem, elements)));
   outputs.write(files);
-  print(common.json_to_stdout() ? json : solve_table(result));
+  print(common.json_to_stdout() ? json : fitted(solve_table(result)));
   return ExitCode::done;
 }
 
@@ -127,15 +159,21 @@ void add_solve(CLI::App& program, Common& common, Action& action) {
       ->type_name("FILE.json");
   command.add_option("--nodes", options->nodes, "Write the values at the nodes of every level as CSV")
       ->type_name("FILE.csv");
-  command.add_option("--vtu", options->vtu, "Write u_n of the last level for ParaView")
+  command.add_option("--vtu", options->vtu, "Write u_n and its error at the last level for ParaView")
       ->type_name("FILE.vtu");
+  command.add_option("--ply", options->ply, "Write the same as PLY: triangles with radiosity and error")
+      ->type_name("FILE.ply");
   command
-      .add_option("--out", options->out, "Write solution.json, errors.csv, nodes.csv and solution.vtu to DIR")
+      .add_option(
+          "--out", options->out,
+          "Write to DIR: solution.json, .vtu and .ply, errors.csv, nodes.csv; table.tex, plot.tex and plots "
+          "(SVG) of the errors, cite.bib, provenance.json")
       ->type_name("DIR");
   command.footer(
       "In a problem, `emission` is E, the power emitted per area, not the material constant 1 - rho; with "
       "`solution`\n"
-      "u given instead, E = u - Ku. `solver` is direct, gmres or neumann.\n"
+      "u given instead, E = u - Ku. `solver` is direct, gmres, neumann or verified;\n"
+      "verified proves its radii, or ends with exit code 1 and the reason why it cannot.\n"
       "Finished levels are kept in $RADCERT_STORE, else ~/.cache/radcert.");
   command.callback(
       [&common, &action, options] { action = [&common, options] { return solve(common, *options); }; });

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert verify: the claims of the papers, or of a user's own folder, held against their record.
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,12 +14,15 @@
 
 #include "command.h"
 #include "operator_route.h"
+#include "origin.h"
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/result_store.h"
+#include "verification/framework/embedded.h"
 #include "verification/framework/run_verification.h"
 #include "verification/report/report_text.h"
+#include "verify_files.h"
 
 namespace radcert::app {
 
@@ -46,6 +53,40 @@ verification::Report run(const Common& common, const VerifyOptions& options, ver
   });
 }
 
+/// The claims files of a user's own that were read.
+std::vector<InputDigest> inputs_of(const std::vector<std::string>& words) {
+  std::vector<InputDigest> out;
+  for (const std::string& word : words) {
+    const auto& papers = verification::embedded_papers();
+    const bool embedded = std::any_of(
+        papers.begin(), papers.end(),
+        [&](const verification::EmbeddedFile& each) { return each.path.starts_with(word + "/"); });
+    const auto file = std::filesystem::path(word) / "claims.toml";
+    if (!embedded && std::filesystem::is_regular_file(file)) out.push_back(input_digest(file));
+  }
+  return out;
+}
+
+/// The papers whose statements were checked.
+std::vector<std::string> papers_of(const verification::Report& report) {
+  std::vector<std::string> out;
+  for (const verification::ClaimReport& claim : report.claims)
+    if (std::find(out.begin(), out.end(), claim.paper) == out.end()) out.push_back(claim.paper);
+  return out;
+}
+
+/// The lines of what differs from its record stand out.
+std::string with_alarms(const std::string& table) {
+  std::string out;
+  for (std::size_t begin = 0; begin < table.size();) {
+    const std::size_t end = std::min(table.find('\n', begin), table.size());
+    const std::string line = table.substr(begin, end - begin);
+    out += (line.starts_with("! ") ? alarming(line, STDOUT_FILENO) : line) + "\n";
+    begin = end + 1;
+  }
+  return out;
+}
+
 ExitCode verify(const Common& common, const VerifyOptions& options) {
   const verification::Budget budget = budget_of(options.budget);
   Outputs outputs;
@@ -66,8 +107,12 @@ ExitCode verify(const Common& common, const VerifyOptions& options) {
                 : "not kept: " + status.reason() + "\n"));
     return ExitCode::interrupted;
   }
-  if (!options.out.empty()) verification::write_report(report, options.out, common.command);
-  print_result(common, verification::report_table(report),
+  if (!options.out.empty()) {
+    verification::write_report(report, options.out, common.command);
+    outputs.write(verify_files(report, options.out));
+    outputs.write(origin_files(options.out, common, papers_of(report), inputs_of(options.words)));
+  }
+  print_result(common, with_alarms(verification::report_table(report)),
                verification::report_json_text(report, common.command));
   return report.as_recorded() ? ExitCode::done : ExitCode::differs;
 }
@@ -82,7 +127,11 @@ void add_verify(CLI::App& program, Common& common, Action& action) {
                      "KEY, KEY/CLAIM, or a folder with claims.toml; all papers if none is named");
   command.add_option("--budget", options->budget, "quick (each paper in under 2 minutes), standard or full")
       ->capture_default_str();
-  command.add_option("--out", options->out, "Write the report, report.json and report.md, to DIR")
+  command
+      .add_option(
+          "--out", options->out,
+          "Write to DIR: report.html, report.json, report.md; errors.csv, table.tex, plot.tex, plots (SVG), "
+          "cite.bib, provenance.json")
       ->type_name("DIR");
   command.footer(
       "Finished work is kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted run goes on there.");

@@ -2,12 +2,13 @@
 """What radcert basis says of bases, and which files of nodes it refuses."""
 import csv
 import json
+import os
 import unittest
 from fractions import Fraction
 
 import jsonschema
 
-from program import ProgramTest
+from program import EXAMPLES, ProgramTest
 
 MIDPOINTS = [["0", "1/2", "1/2"], ["1/2", "0", "1/2"], ["1/2", "1/2", "0"]]
 # Six points of the circle x1^2 + x2^2 + x3^2 = 1/2.
@@ -134,6 +135,31 @@ class Basis(ProgramTest):
         self.refuse({"degree": 1, "nodes": MIDPOINTS}, "/schema", "is missing")
         self.refuse("[]", "is an array")
         self.refuse("{", "line 1")
+
+    def test_coordinates_may_be_zeros_of_polynomials(self):
+        coordinates = [["1 - 2*x", "x", "x"], ["x", "1 - 2*x", "x"], ["x", "x", "1 - 2*x"]]
+
+        def with_number(between):
+            return self.nodes(1, coordinates, numbers={"x": {"polynomial": ["1", "-14", "15"], "between": between}})
+
+        content = with_number(["0.07", "0.08"])
+        jsonschema.validate(content, self.schema("nodes"))
+        self.write("good.json", content)
+        x = Fraction(self.basis("good.json")["nodes"][0]["barycentric"][1])
+        self.assertLess(abs(15 * x * x - 14 * x + 1), Fraction(1, 10**57))
+        self.refuse(with_number(["0.2", "0.3"]), "/numbers/x/between", "holds no zero of 15 x^2 - 14 x + 1")
+        self.refuse(with_number(["0", "1"]), "/numbers/x/between", "holds 2 zeros")
+
+    def test_the_symmetric_sets_are_shipped_as_the_program_writes_them(self):
+        for degree in range(1, 7):
+            name = f"symmetric_{degree}.json"
+            self.expect(0, "basis", "symmetric", "--degree", str(degree), "--nodes", name)
+            files = []
+            for folder in (self.folder, os.path.join(EXAMPLES, "nodes")):
+                with open(os.path.join(folder, name), encoding="utf-8") as file:
+                    files.append({key: value for key, value in json.load(file).items()
+                                  if key not in ("radcert", "command")})
+            self.assertEqual(files[0], files[1], name)
 
     def test_certificates_that_prove_nothing_are_refused(self):
         self.expect(0, "basis", "symmetric", "--degree", "2", "--nodes", "good.json")

@@ -18,10 +18,11 @@ class Files(ProgramTest):
         with open(self.path(name), newline="", encoding="utf-8") as file:
             return list(csv.DictReader(file, strict=True))
 
-    def test_a_folder_gets_the_four_files_and_nothing_else(self):
+    def test_a_folder_gets_its_files_and_nothing_else(self):
         self.expect(0, "solve", "problem.json", "--out", "a/b")
-        self.assertEqual(self.entries(), ["a", "a/b", "a/b/errors.csv", "a/b/nodes.csv", "a/b/solution.json",
-                                          "a/b/solution.vtu", "problem.json"])
+        names = ["cite.bib", "errors.csv", "errors_against_h.svg", "nodes.csv", "plot.tex", "provenance.json",
+                 "solution.json", "solution.ply", "solution.vtu", "table.tex"]
+        self.assertEqual(self.entries(), ["a", "a/b"] + ["a/b/" + name for name in names] + ["problem.json"])
 
     def test_the_tables_say_what_the_json_says(self):
         self.expect(0, "solve", "problem.json", "--out", "out", "--json", "result.json", "--nodes", "nodes.csv")
@@ -52,6 +53,8 @@ class Files(ProgramTest):
         self.assertEqual(int(piece.get("NumberOfPoints")), 3 * elements)
         for name, count in [("PointData", 3 * elements), ("CellData", elements), ("Points", 9 * elements)]:
             self.assertEqual(len(piece.find(name + "/DataArray").text.split()), count)
+        self.assertEqual([array.get("Name") for array in piece.findall("PointData/DataArray")], ["radiosity", "error"])
+        self.assertEqual([array.get("Name") for array in piece.findall("CellData/DataArray")], ["piece"])
 
     def test_an_old_file_is_replaced_as_a_whole(self):
         self.write("result.json", "x" * 100000)

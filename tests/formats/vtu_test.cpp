@@ -31,7 +31,17 @@ TEST(VtuText, HasThreePointsOfItsOwnAndOneCellAnElement) {
   EXPECT_EQ(words(text, "offsets"), (std::vector<std::string>{"3", "6"}));
   EXPECT_EQ(words(text, "types"), (std::vector<std::string>{"5", "5"}));
   EXPECT_EQ(words(text, "piece"), (std::vector<std::string>{"0", "1"}));
-  EXPECT_EQ(words(text, "u_n"), (std::vector<std::string>{"0.3333333333333333", "2", "3", "4", "5", "-6"}));
+  EXPECT_EQ(words(text, "radiosity"),
+            (std::vector<std::string>{"0.3333333333333333", "2", "3", "4", "5", "-6"}));
+}
+
+TEST(VtuText, HasTheErrorWhereItIsKnown) {
+  const auto elements = test::sample_level().elements;
+  EXPECT_EQ(vtu_text(elements).find("Name=\"error\""), std::string::npos);
+  const CornerErrors errors = {{0.5, 0, 1e-300}, {1, 2, 3}};
+  EXPECT_EQ(words(vtu_text(elements, errors), "error"),
+            (std::vector<std::string>{"0.5", "0", "1e-300", "1", "2", "3"}));
+  EXPECT_THROW((void)vtu_text(elements, CornerErrors(1)), ContractViolation);
 }
 
 TEST(VtuText, RefusesNumbersThatAreNotFinite) {

@@ -21,7 +21,9 @@ std::string_view surface_schema();
 std::string_view factors_schema();
 std::string_view experiment_schema();
 std::string_view experiment_result_schema();
+std::string_view provenance_schema();
 std::string_view reference_schema();
+std::string_view references_schema();
 std::string_view manifest_schema();
 
 }  // namespace radcert

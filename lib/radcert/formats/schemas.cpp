@@ -8,7 +8,7 @@
 namespace radcert {
 
 std::span<const Schema> schemas() {
-  static const std::array<Schema, 12> all = {
+  static const std::array<Schema, 14> all = {
       Schema{"problem", "what radcert solve reads: a surface, a basis, the data, the levels",
              problem_schema()},
       Schema{"solution", "what radcert solve writes: errors, ratios and orders, level by level",
@@ -19,8 +19,11 @@ std::span<const Schema> schemas() {
              experiment_result_schema()},
       Schema{"verification", "what radcert verify writes: verdicts and their evidence",
              verification_schema()},
-      Schema{"reference", "what radcert reference writes: a number in a proved enclosure",
+      Schema{"provenance", "what solve, experiment and verify write with --out: how the files were made",
+             provenance_schema()},
+      Schema{"reference", "what radcert reference writes: a number with its radius, proved or estimated",
              reference_schema()},
+      Schema{"references", "what radcert reference writes for more than one --at", references_schema()},
       Schema{"manifest", "what radcert reference --all writes beside the values", manifest_schema()},
       Schema{"surface", "what radcert surface writes with --json: pieces, defects, certificate",
              surface_schema()},

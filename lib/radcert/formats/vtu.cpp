@@ -2,6 +2,7 @@
 #include "radcert/formats/vtu.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -28,13 +29,6 @@ void data_array(std::string& out, const std::string& type, const std::string& at
   out += "\n</DataArray>\n";
 }
 
-std::vector<std::string> pieces_of(std::span<const ElementValue> elements) {
-  std::vector<std::string> names;
-  for (const ElementValue& element : elements)
-    if (std::find(names.begin(), names.end(), element.piece) == names.end()) names.push_back(element.piece);
-  return names;
-}
-
 /// VTK's ASCII string arrays: the codes of the letters, each name ended by 0.
 std::string letter_codes(const std::vector<std::string>& names) {
   std::string out;
@@ -47,7 +41,9 @@ std::string letter_codes(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::string vtu_text(std::span<const ElementValue> elements) {
+std::string vtu_text(std::span<const ElementValue> elements, const std::optional<CornerErrors>& errors) {
+  expects(!errors || errors->size() == elements.size(), "errors for every element",
+          named("elements", elements.size()));
   const std::vector<std::string> pieces = pieces_of(elements);
   std::string out =
       "<?xml version=\"1.0\"?>\n"
@@ -57,11 +53,16 @@ std::string vtu_text(std::span<const ElementValue> elements) {
   data_array(out, "String", " Name=\"piece_names\" NumberOfTuples=\"" + std::to_string(pieces.size()) + "\"",
              [&] { out += letter_codes(pieces); });
   out += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(3 * elements.size()) +
-         "\" NumberOfCells=\"" + std::to_string(elements.size()) + "\">\n<PointData Scalars=\"u_n\">\n";
-  data_array(out, "Float64", " Name=\"u_n\"", [&] {
+         "\" NumberOfCells=\"" + std::to_string(elements.size()) + "\">\n<PointData Scalars=\"radiosity\">\n";
+  data_array(out, "Float64", " Name=\"radiosity\"", [&] {
     for (const ElementValue& element : elements)
       for (const double value : element.corner_values) out += decimal(value) + " ";
   });
+  if (errors)
+    data_array(out, "Float64", " Name=\"error\"", [&] {
+      for (const std::array<double, 3>& corners : *errors)
+        for (const double value : corners) out += decimal(value) + " ";
+    });
   out += "</PointData>\n<CellData Scalars=\"piece\">\n";
   data_array(out, "Int32", " Name=\"piece\"", [&] {
     for (const ElementValue& element : elements)

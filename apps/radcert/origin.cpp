@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "origin.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "circumstances.h"
+#include "citation.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/parallel.h"
+#include "radcert/core/text.h"
+#include "verification/framework/embedded.h"
+
+namespace radcert::app {
+
+namespace {
+
+std::string_view bibliography() {
+  for (const verification::EmbeddedFile& file : verification::embedded_papers())
+    if (file.path == "references.bib") return file.content;
+  return {};
+}
+
+/// The entry of a key, from its @ to the brace that ends a line; empty where there is none.
+std::string_view entry(std::string_view bibliography, const std::string& key) {
+  const std::size_t name = bibliography.find("{" + key + ",");
+  if (name == std::string_view::npos) return {};
+  const std::size_t begin = bibliography.rfind('@', name);
+  const std::size_t end = bibliography.find("\n}", name);
+  if (begin == std::string_view::npos || end == std::string_view::npos) return {};
+  return bibliography.substr(begin, end + 2 - begin);
+}
+
+std::string cite_bib(const std::vector<std::string>& references) {
+  std::string out;
+  for (const std::string& key : references)
+    if (const std::string_view text = entry(bibliography(), key); !text.empty())
+      out += std::string(text) + "\n\n";
+  return out + std::string(own_citation());
+}
+
+}  // namespace
+
+InputDigest input_digest(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+  if (!in) throw EnvironmentError(file.string(), "cannot be read any more");
+  return {.name = file.string(), .digest = digest_of(bytes)};
+}
+
+std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems) {
+  std::vector<InputDigest> out;
+  const auto add = [&](const std::string& name, const std::string& digest) {
+    const bool known =
+        std::any_of(out.begin(), out.end(), [&](const InputDigest& one) { return one.name == name; });
+    if (!known) out.push_back({.name = name, .digest = digest});
+  };
+  for (const Problem& problem : problems) {
+    if (problem.surface.mesh) add(problem.surface.mesh->file, problem.surface.mesh->digest);
+    if (problem.basis.family == BasisFamily::file) add(problem.basis.file, problem.basis.digest);
+  }
+  return out;
+}
+
+std::vector<std::string> references_of(const Problem& problem) {
+  std::vector<std::string> keys = {"ac98"};
+  if (problem.basis.family == BasisFamily::inset) keys.emplace_back("m06");
+  return keys;
+}
+
+Files origin_files(const std::filesystem::path& folder, const Common& common,
+                   const std::vector<std::string>& references, std::vector<InputDigest> inputs) {
+  const Provenance provenance{.command = common.command,
+                              .inputs = std::move(inputs),
+                              .libraries = library_versions(),
+                              .compiler = compiler_version(),
+                              .architecture = RADCERT_ARCHITECTURE,
+                              .system = system_name(),
+                              .cpu_features = cpu_features(),
+                              .threads = thread_count(),
+                              .seed = std::nullopt};
+  return {{folder / "cite.bib", cite_bib(references)},
+          {folder / "provenance.json", provenance_text(provenance)}};
+}
+
+}  // namespace radcert::app

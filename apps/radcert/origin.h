@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command.h"
+#include "radcert/formats/provenance.h"
+#include "radcert/study/problem.h"
+
+namespace radcert::app {
+
+/// Files to be written, with their contents.
+using Files = std::vector<std::pair<std::filesystem::path, std::string>>;
+
+/// A file that was read, with the digest of its bytes; EnvironmentError where it cannot be read any more.
+InputDigest input_digest(const std::filesystem::path& file);
+
+/// The files that problems name, a mesh or nodes, each once.
+std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems);
+
+/// The keys of the works that the method of a problem is taken from.
+std::vector<std::string> references_of(const Problem& problem);
+
+/// Where the files of a folder come from: cite.bib with these entries of papers/references.bib and radcert's own, and
+/// provenance.json.
+Files origin_files(const std::filesystem::path& folder, const Common& common,
+                   const std::vector<std::string>& references, std::vector<InputDigest> inputs);
+
+}  // namespace radcert::app

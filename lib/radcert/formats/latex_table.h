@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "radcert/study/experiment.h"
+#include "radcert/study/result.h"
+
+namespace radcert {
+
+/// A text for LaTeX, with its special characters as they print.
+/// Maths     none
+/// Source    the ten special characters of LaTeX
+/// Requires  UTF-8
+/// Result    as plain text of a paragraph; underscores and slashes are places where a line may end
+/// Limits    letters beyond ASCII need a font that has them
+[[nodiscard]] std::string latex_escaped(std::string_view text);
+
+/// A number as siunitx reads it.
+/// Maths     rounded to nearest with `digits` significant digits, fewer where the radius reaches more than a unit of the last
+/// Source    -
+/// Requires  1 <= digits <= 17; a finite value, else ContractViolation
+/// Result    "1.483e-3"; at least one digit
+/// Limits    the radius itself is not shown
+[[nodiscard]] std::string latex_number(double value, std::optional<double> radius, int digits);
+
+/// A column of a table: its head as LaTeX, and its letter or S[...] of siunitx.
+struct LatexColumn {
+  std::string head;
+  std::string format;
+};
+
+/// A table for LaTeX with booktabs and siunitx.
+/// Maths     none
+/// Source    the packages array, booktabs, siunitx, and longtable for one that goes over pages
+/// Requires  a row has as many cells as there are columns, else ContractViolation; cells are LaTeX
+/// Result    a tabular, or a longtable with its head on every page, without float and caption
+/// Limits    -
+class LatexTable {
+public:
+  explicit LatexTable(std::vector<LatexColumn> columns, bool over_pages = false);
+  void add(std::span<const std::string> cells);
+  /// A line across all columns.
+  void add_line(const std::string& latex);
+  void add_rule();
+  [[nodiscard]] std::string text() const;
+
+private:
+  std::vector<LatexColumn> columns_;
+  bool over_pages_;
+  std::string rows_;
+};
+
+/// The levels of a result as a table: elements, unknowns, h, errors with their ratios, the fitted orders below.
+/// Maths     none
+/// Source    the tables of [ac98]
+/// Requires  nothing
+/// Result    four significant digits, fewer where the radius leaves fewer; without a solution the means over the pieces
+/// Limits    all digits are in errors.csv
+[[nodiscard]] std::string levels_latex(const Result& result);
+
+/// The combinations of an experiment as a table: unknowns and errors at the finest level, the fitted order of the node error.
+/// Maths     none
+/// Source    -
+/// Requires  a result of collect for each combination, in their order
+/// Result    a row a combination, in their order
+/// Limits    combinations may have different finest levels
+[[nodiscard]] std::string combinations_latex(const Experiment& experiment, std::span<const Result> results);
+
+}  // namespace radcert

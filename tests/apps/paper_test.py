@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What solve, experiment and verify write for a paper."""
+import csv
+import json
+import os
+import re
+import shutil
+import subprocess
+import unittest
+import xml.etree.ElementTree as xml
+
+import jsonschema
+
+from program import SMALL, ProgramTest, small
+
+DOCUMENT = r"""\documentclass{article}
+\usepackage{array,booktabs,siunitx,longtable,pgfplots}
+\pgfplotsset{compat=1.18}
+\begin{document}
+\input{table}
+
+%s
+\nocite{*}
+\bibliographystyle{plain}
+\bibliography{cite}
+\end{document}
+"""
+
+TRIAL = {"schema": "radcert/experiment/1", "name": "two_bases",
+         "base": {key: value for key, value in SMALL.items() if key not in ("schema", "basis")},
+         "vary": {"basis": [{"family": "inset", "degree": 0}, {"family": "inset", "degree": 1, "alpha": "1/6"}],
+                  "quadrature": [{"tolerance": "1e-10"}, {"tolerance": "1e-12"}]}}
+
+CLAIMS = """
+[order_of_the_node_error]
+covers  = []
+says    = "the error at the nodes falls faster than h^3"
+needs   = []
+check   = "order"
+verdict = "supported"
+problem = "two_piece.json"
+control = "constant.json"
+quantity = "node_error"
+order   = 3.5
+slack   = 0.3
+why     = "few levels"
+"""
+
+
+def fnv1a(content):
+    value = 0xcbf29ce484222325
+    for byte in content:
+        value = (value ^ byte) * 0x100000001b3 % 2**64
+    return f"fnv1a-{value:016x}-{len(content)}"
+
+
+def has_latex():
+    return shutil.which("pdflatex") and all(
+        subprocess.run(["kpsewhich", name + ".sty"], capture_output=True, check=False).returncode == 0
+        for name in ["booktabs", "siunitx", "longtable", "pgfplots"])
+
+
+class Paper(ProgramTest):
+    def solve(self, *words, **changes):
+        self.write("problem.json", small(**changes))
+        self.expect(0, "solve", "problem.json", "--out", "out", *words)
+
+    def experiment(self):
+        self.write("trial.json", TRIAL)
+        self.expect(0, "experiment", "trial.json", "--out", "out")
+
+    def verify(self):
+        os.makedirs(self.path("own"))
+        self.write("own/two_piece.json", small())
+        self.write("own/constant.json", small(basis={"family": "inset", "degree": 0}))
+        self.write("own/claims.toml", CLAIMS)
+        self.expect(0, "verify", "./own", "--out", "out")
+
+    def content(self, name):
+        with open(self.path("out/" + name), "rb") as file:
+            return file.read()
+
+    def text(self, name):
+        return self.content(name).decode()
+
+    def test_provenance_is_valid_and_names_what_was_read(self):
+        schema = json.loads(self.expect(0, "schema", "provenance"))
+        for make, name in [(self.solve, "problem.json"), (self.experiment, "trial.json"),
+                           (self.verify, "./own/claims.toml")]:
+            make()
+            provenance = json.loads(self.content("provenance.json"))
+            jsonschema.validate(provenance, schema)
+            with open(self.path(name), "rb") as file:
+                self.assertEqual(provenance["inputs"], [{"name": name, "digest": fnv1a(file.read())}])
+            self.assertIn("--out out", provenance["command"])
+            self.assertIn("mpfr", [library["name"] for library in provenance["libraries"]])
+
+    def test_the_bibliography_has_the_method_and_radcert(self):
+        keys = lambda: re.findall(r"^@[a-z]+\{([a-z0-9]+),", self.text("cite.bib"), re.MULTILINE)
+        self.solve()
+        self.assertEqual(keys(), ["ac98", "m06", "radcert"])
+        version = self.expect(0, "--version").split()[1]
+        self.assertIn("version " + version + "}", self.text("cite.bib"))
+        self.solve(basis={"family": "symmetric", "degree": 1})
+        self.assertEqual(keys(), ["ac98", "radcert"])
+        self.verify()
+        self.assertEqual(keys(), ["radcert"])
+
+    def test_without_errors_there_is_a_table_and_nothing_to_plot(self):
+        self.solve(solution=None, emission="1")
+        self.assertIn("Means of", self.text("table.tex"))
+        self.assertFalse({"plot.tex", "errors_against_h.svg"} & set(os.listdir(self.path("out"))))
+
+    def test_the_table_of_solve_rounds_what_the_csv_says(self):
+        self.solve()
+        with open(self.path("out/errors.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file, strict=True))
+        lines = [line.split(" & ") for line in self.text("table.tex").splitlines() if re.match(r" *[0-9]+ &", line)]
+        self.assertEqual(len(lines), len(rows))
+        for line, row in zip(lines, rows):
+            for place, key in [(4, "discretisation_error"), (6, "node_error")]:
+                self.assertAlmostEqual(float(line[place]), float(row[key]), delta=6e-4 * float(row[key]))
+        xml.fromstring(self.content("errors_against_h.svg"))
+
+    def test_verify_writes_the_levels_that_its_checks_solved(self):
+        self.verify()
+        with open(self.path("out/errors.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file, strict=True))
+        problems = json.loads(self.content("report.json"))["problems"]
+        self.assertEqual([(int(row["problem"]), int(row["level"]), float(row["node_error"])) for row in rows],
+                         [(i, level["level"], level["node_error"]["value"])
+                          for i, problem in enumerate(problems) for level in problem["levels"]])
+        for i in range(len(problems)):
+            xml.fromstring(self.content(f"errors_of_problem_{i}.svg"))
+
+    def test_the_vertices_of_the_ply_have_the_radiosity_and_the_error(self):
+        self.solve("--ply", "u.ply", solution="x + 2*y + 1", reflectivity="1/2")
+        with open(self.path("u.ply"), "rb") as file:
+            self.assertEqual(self.content("solution.ply"), file.read())
+        head, body = self.text("solution.ply").split("end_header\n")
+        names = re.findall(r"property double (\w+)", head)
+        self.assertEqual(names, ["x", "y", "z", "radiosity", "error"])
+        count = int(re.search(r"element vertex (\d+)", head).group(1))
+        for line in body.splitlines()[:count]:
+            x, y, z, radiosity, error = map(float, line.split())
+            self.assertAlmostEqual(abs(x + 2 * y + 1 - radiosity), error, delta=1e-12)
+
+    @unittest.skipUnless(has_latex(), "pdflatex with booktabs, siunitx, longtable and pgfplots is not there")
+    def test_latex_compiles_tables_plots_and_bibliography(self):
+        pictures = os.environ.get("RADCERT_PICTURES")
+        for name, make in [("solve", self.solve), ("experiment", self.experiment), ("verify", self.verify),
+                           ("emission", lambda: self.solve(solution=None, emission="1"))]:
+            with self.subTest(name):
+                shutil.rmtree(self.path("out"), ignore_errors=True)
+                make()
+                plots = os.path.exists(self.path("out/plot.tex"))
+                self.assertEqual(plots, name != "emission")
+                self.write("out/paper.tex", DOCUMENT % (r"\input{plot}" if plots else ""))
+                for command in [["pdflatex"], ["bibtex"], ["pdflatex"]]:
+                    options = ["-interaction=nonstopmode", "-halt-on-error"] if command == ["pdflatex"] else []
+                    done = subprocess.run([*command, *options, "paper"], cwd=self.path("out"), timeout=300,
+                                          stdin=subprocess.DEVNULL, capture_output=True, check=False)
+                    self.assertEqual(done.returncode, 0, done.stdout.decode(errors="replace")[-3000:])
+                log = self.content("paper.log").decode(errors="replace")
+                self.assertNotIn("undefined", log)
+                self.assertNotIn("has no coordinates", log)
+                self.assertTrue(self.content("paper.pdf").startswith(b"%PDF"))
+                if pictures:
+                    os.makedirs(pictures, exist_ok=True)
+                    shutil.copy(self.path("out/paper.pdf"), os.path.join(pictures, f"paper_of_{name}.pdf"))
+
+
+if __name__ == "__main__":
+    unittest.main()

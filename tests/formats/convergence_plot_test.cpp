@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/convergence_plot.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "radcert/formats/latex_plot.h"
+#include "radcert/formats/provenance.h"
+
+namespace radcert {
+namespace {
+
+/// Levels with h = 2^-k and errors c h^p.
+std::vector<LevelResult> levels(int count, double node_order, double discretisation_order) {
+  std::vector<LevelResult> out;
+  for (int k = 0; k < count; ++k) {
+    LevelResult level;
+    level.level = k;
+    level.mesh_size = std::ldexp(1.0, -k);
+    level.node_error =
+        Figure{.value = 0.1 * std::pow(level.mesh_size, node_order), .radius = 1e-9, .guaranteed = false};
+    level.discretisation_error = Figure{.value = std::pow(level.mesh_size, discretisation_order),
+                                        .radius = std::nullopt,
+                                        .guaranteed = false};
+    out.push_back(level);
+  }
+  return out;
+}
+
+const ConvergenceCurve& curve(const ConvergencePlot& plot, const std::string& column) {
+  for (const ConvergenceCurve& one : plot.curves)
+    if (one.column == column) return one;
+  throw std::out_of_range(column);
+}
+
+TEST(ConvergencePlot, HasACurveForEachErrorThatIsThereTwice) {
+  auto given = levels(4, 4, 2);
+  const ConvergencePlot plot = convergence_plot("t", given, {});
+  EXPECT_EQ(plot.curves.size(), 2U);
+  EXPECT_EQ(curve(plot, "node_error").points.size(), 4U);
+  EXPECT_NEAR(*curve(plot, "node_error").order, 4, 1e-12);
+  EXPECT_EQ(curve(plot, "node_error").points[2].radius, 1e-9);
+  for (LevelResult& level : given) level.node_error->value = 0;
+  EXPECT_EQ(convergence_plot("t", given, {}).curves.size(), 1U);
+  EXPECT_TRUE(convergence_plot("t", levels(1, 4, 2), {}).curves.empty());
+}
+
+TEST(ConvergencePlot, TakesTheFittedOrderWhereThereIsOne) {
+  const std::vector<OrderFit> fits = {
+      {.quantity = "node_error", .order = 3.5, .halfwidth = {}, .levels = {}, .left_out = {}}};
+  const ConvergencePlot plot = convergence_plot("t", levels(3, 4, 2), fits);
+  EXPECT_EQ(curve(plot, "node_error").order, 3.5);
+  EXPECT_NEAR(*curve(plot, "discretisation_error").order, 2, 1e-12);
+}
+
+TEST(SlopeTriangles, HaveTheSlopeOfTheirCurveAndLieOnItsFreeSide) {
+  const ConvergencePlot plot = convergence_plot("t", levels(4, 4, 2), {});
+  const auto triangles = slope_triangles(plot);
+  ASSERT_EQ(triangles.size(), 2U);
+  for (const SlopeTriangle& triangle : triangles) {
+    const double slope = std::log(triangle.y[1] / triangle.y[0]) / std::log(triangle.x[1] / triangle.x[0]);
+    EXPECT_NEAR(slope, triangle.order, 1e-12);
+    EXPECT_DOUBLE_EQ(triangle.x[0], 0.125 * std::pow(2, 0.25));
+    EXPECT_DOUBLE_EQ(triangle.x[1], 0.125 * std::pow(2, 0.75));
+    const bool lowest = std::abs(triangle.order - 4) < 1e-9;
+    EXPECT_EQ(triangle.above, !lowest);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double on_curve = lowest ? 0.1 * std::pow(triangle.x[i], 4) : std::pow(triangle.x[i], 2);
+      EXPECT_EQ(triangle.y[i] < on_curve, lowest);
+    }
+  }
+}
+
+TEST(SlopeTriangles, AreOneWhereAllOrdersAreAlikeAndNoneWithoutCurves) {
+  EXPECT_EQ(slope_triangles(convergence_plot("t", levels(3, 2.05, 2), {})).size(), 1U);
+  EXPECT_TRUE(slope_triangles(convergence_plot("t", levels(1, 4, 2), {})).empty());
+}
+
+TEST(LatexPlots, ReadTheColumnsAndRowsOfTheTable) {
+  const std::vector<ConvergencePlot> plots = {convergence_plot("a_b", levels(3, 4, 2), {}, "problem", 7),
+                                              convergence_plot("", levels(3, 4, 2), {})};
+  const std::string text = latex_plots_text(plots, "errors.csv");
+  EXPECT_NE(text.find("y=node_error,restrict expr to domain={\\thisrow{problem}}{7:7}"), std::string::npos);
+  EXPECT_NE(text.find("y=discretisation_error]{\\jobname-errors.csv}"), std::string::npos);
+  EXPECT_NE(text.find("a\\_\\allowbreak{}b"), std::string::npos);
+  EXPECT_EQ(text.find("y=uniform_error"), std::string::npos);
+}
+
+TEST(PlotOf, NamesTheOrders) {
+  const Plot plot = plot_of(convergence_plot("t", levels(3, 4, 2), {}));
+  ASSERT_EQ(plot.series.size(), 2U);
+  EXPECT_TRUE(plot.series[1].name.ends_with("order 4.00")) << plot.series[1].name;
+  EXPECT_NE(svg_text(plot).find("order 2.00"), std::string::npos);
+}
+
+TEST(Provenance, SaysWhatIsUnknownAsNull) {
+  const Provenance provenance{.command = "radcert solve \"a\"",
+                              .inputs = {{"a", "fnv1a-0123456789abcdef-1"}},
+                              .libraries = {{"mpfr", "4"}},
+                              .compiler = "GCC 12",
+                              .architecture = "",
+                              .system = "Linux",
+                              .cpu_features = {"avx"},
+                              .threads = 2,
+                              .seed = std::nullopt};
+  const std::string text = provenance_text(provenance);
+  EXPECT_NE(text.find("\"seed\": null"), std::string::npos);
+  EXPECT_NE(text.find("\\\"a\\\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace radcert
