@@ -200,6 +200,18 @@ TEST(CertifiedEntries, RefusesNodesThatAreDoublesInNoUnit) {
   EXPECT_FALSE(certified_entries(triangles, functions, ones(triangles, functions)).has_value());
 }
 
+// The radius rests on Int G being the sum of the integrals.
+TEST(CertifiedEntries, RefusesFunctionsThatDoNotHaveTheSumOne) {
+  const PolynomialSpace space{.degree = 1, .functions = {{1, 0, 0}, {0, 1, 0}}};
+  const auto node = [](const Rational& s) {
+    return Barycentric<Rational>{1 - s - Rational(1, 4), s, Rational(1, 4)};
+  };
+  const LagrangeFunctions functions =
+      lagrange_functions(space, std::vector{node(Rational(1, 4)), node(Rational(1, 2))}).value();
+  const Triangles triangles = cube(1, 1);
+  EXPECT_FALSE(certified_entries(triangles, functions, ones(triangles, functions)).has_value());
+}
+
 TEST(CertifiedEntries, RefusesOtherNumbersOfReflectivitiesAndDegenerateElements) {
   const LagrangeFunctions functions = inset_functions(0, Rational(0));
   Triangles triangles = cube(1, 1);

@@ -28,7 +28,7 @@ std::vector<SurfacePoint<Rational>> exact_collocation_nodes(const Triangulation&
 /// Requires  an unoccluded surface; a triangulation of it; functions of degree at most 8; a reflectivity a node,
 ///           finite and taken as exact; 0 < demand, else ContractViolation
 /// Result    radii whose sum over a row is at most demand |rho|. Refused, with the reason, where that was not
-///           reached: a demand below the roundings of double (about 1e-14), a chart that is not analytic on an
+///           reached: a demand below the roundings of double (about 1e-13), a chart that is not analytic on an
 ///           element, a node on the border of another chart's element. The same bits for any number of threads;
 ///           Interrupted when asked to stop
 /// Limits    V = 1. Where all elements are plane, certified_entries is faster and its radii are smaller

@@ -33,7 +33,7 @@ struct CertifiedEntries {
 ///           as exact, else ContractViolation
 /// Result    radii of about 1e-14 max |l_j| of what the node sees of the element, times reflectivity/pi.
 ///           Refused where the coordinates of the nodes have no unit in which all are doubles, or the
-///           functions are too large for the bound. The same bits for any number of threads; Interrupted when
+///           functions do not have the sum 1 or are too large for the bound. The same bits for any number of threads; Interrupted when
 ///           asked to stop
 /// Limits    nothing stands between a node and an element: V = 1, as within a convex enclosure. A node on
 ///           another element's edge, off its plane, as for nodes without inset, is a ContractViolation

@@ -112,6 +112,8 @@ std::vector<PlanePolynomial<Rational>> by_monomials(const LagrangeFunctions& fun
 }
 
 Outcome<IntegralErrors> IntegralErrors::of(const LagrangeFunctions& functions) {
+  if (functions.reproduced_degree() < 0)
+    return because("the functions do not have the sum 1, which the bound of their integrals rests on");
   Rational largest = 0;
   for (std::size_t j = 0; j < functions.size(); ++j)
     for (const Rational& coefficient : functions.bernstein_coefficients(j))

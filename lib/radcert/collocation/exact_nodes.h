@@ -46,7 +46,8 @@ struct ExactNodes {
 ///           have the sum 1: it is at most the size of that sum and what the integrals and the sum are off by
 /// Source    PlaneElement
 /// Requires  -
-/// Result    rounded up. Refused where the functions are so large that the integrals say nothing of their sum
+/// Result    rounded up. Refused where the functions do not have the sum 1, and where they are so large that the integrals say
+///           nothing of their sum
 /// Limits    max |l_j| is bounded by the Bernstein coefficients
 class IntegralErrors {
 public:
