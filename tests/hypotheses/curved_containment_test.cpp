@@ -13,6 +13,7 @@
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/torus.h"
+#include "radcert/surface/exact_chart.h"
 
 namespace radcert {
 namespace {

@@ -22,6 +22,7 @@
 #include "radcert/surface/catalogue/disk.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/paraboloid_cap.h"
+#include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/spherical_cap.h"
 #include "radcert/surface/catalogue/torus.h"
 #include "radcert/surface/catalogue/two_piece.h"

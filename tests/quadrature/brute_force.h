@@ -13,6 +13,7 @@
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/surface/catalogue/two_squares.h"
 #include "radcert/surface/surface_point.h"

@@ -16,6 +16,7 @@
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/surface/catalogue/two_squares.h"
 

@@ -11,6 +11,7 @@
 #include "radcert/hypotheses/chart_pairs.h"
 #include "radcert/hypotheses/chart_shape.h"
 #include "radcert/hypotheses/chart_witness.h"
+#include "radcert/surface/exact_chart.h"
 
 namespace radcert {
 namespace {

@@ -12,6 +12,7 @@
 #include "radcert/meshless/surface_cells.h"
 #include "radcert/surface/catalogue/disk.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/exact_chart.h"
 #include "radcert/visibility/surface_scene.h"
 #include "radcert/visibility/visibility.h"
 

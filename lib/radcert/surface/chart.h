@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "radcert/core/contract.h"
@@ -215,6 +217,16 @@ inline const ChartIn<TaylorModel>& Chart::in<TaylorModel>() const {
   return *in_models_;
 }
 
+namespace detail {
+
+/// Work in an arithmetic of machine numbers with every call in it inlined: a formula's steps then stay in registers.
+template <class Work>
+[[gnu::flatten]] auto inlined(const Work& work) {
+  return work();
+}
+
+}  // namespace detail
+
 /// A chart's formula, differentiated.
 /// Maths     Formula<R> is a class with  template <Field T> Vector<T> operator()(const T& s, const T& t) const;  here T is
 ///           Dual<R> for the tangents and DividedDifference<R> for the chord
@@ -228,7 +240,22 @@ public:
   ChartOf(Formula formula, Orientation orientation)
       : formula_(std::move(formula)), sign_(orientation == Orientation::along_the_cross_product ? 1 : -1) {}
 
-  [[gnu::flatten]] Frame<R> frame(const ParameterPoint<R>& at) const override {
+  Frame<R> frame(const ParameterPoint<R>& at) const override {
+    return in_one_body([&] { return frame_at(at); });
+  }
+
+  Chord<R> chord(const ParameterPoint<R>& p, const ParameterPoint<R>& w) const override {
+    return in_one_body([&] { return chord_between(p, w); });
+  }
+
+  Chord<R> chord_along(const ParameterPoint<R>& p, const ParameterPoint<R>& direction,
+                       const R& step) const override {
+    using D = DividedDifference<R>;
+    return chord_of(formula_(D::variable(p.s, direction.s, step), D::variable(p.t, direction.t, step)));
+  }
+
+private:
+  Frame<R> frame_at(const ParameterPoint<R>& at) const {
     const Vector<Dual<R>> f = formula_(Dual<R>{at.s, R(1), R(0)}, Dual<R>{at.t, R(0), R(1)});
     Frame<R> frame;
     frame.point = {f.x.value, f.y.value, f.z.value};
@@ -238,24 +265,26 @@ public:
     return frame;
   }
 
-  [[gnu::flatten]] Chord<R> chord(const ParameterPoint<R>& p, const ParameterPoint<R>& w) const override {
+  Chord<R> chord_between(const ParameterPoint<R>& p, const ParameterPoint<R>& w) const {
     using D = DividedDifference<R>;
-    const Vector<D> f = formula_(D::variable(p.s, w.s, R(1)), D::variable(p.t, w.t, R(1)));
+    return chord_of(formula_(D::variable(p.s, w.s, R(1)), D::variable(p.t, w.t, R(1))));
+  }
+
+  static Chord<R> chord_of(const Vector<DividedDifference<R>>& f) {
     return {.difference = {f.x.first, f.y.first, f.z.first},
             .bend_p = {f.x.second_p, f.y.second_p, f.z.second_p},
             .bend_q = {f.x.second_q, f.y.second_q, f.z.second_q}};
   }
 
-  Chord<R> chord_along(const ParameterPoint<R>& p, const ParameterPoint<R>& direction,
-                       const R& step) const override {
-    using D = DividedDifference<R>;
-    const Vector<D> f = formula_(D::variable(p.s, direction.s, step), D::variable(p.t, direction.t, step));
-    return {.difference = {f.x.first, f.y.first, f.z.first},
-            .bend_p = {f.x.second_p, f.y.second_p, f.z.second_p},
-            .bend_q = {f.x.second_q, f.y.second_q, f.z.second_q}};
+  /// Other arithmetics call functions of libraries at each step: inlining would cost compile time and gain none.
+  template <class Work>
+  static auto in_one_body(const Work& work) {
+    if constexpr (std::is_same_v<R, double> || std::is_same_v<R, Pack>)
+      return detail::inlined(work);
+    else
+      return work();
   }
 
-private:
   Formula formula_;
   R sign_;
 };

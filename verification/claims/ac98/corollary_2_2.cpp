@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "radcert/surface/catalogue/box.h"
+#include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/surface/catalogue/two_squares.h"
 #include "verification/claims/ac98/checks.h"

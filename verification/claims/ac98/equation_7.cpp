@@ -15,6 +15,7 @@
 
 #include "radcert/enclosure/kernel_integral.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "verification/claims/ac98/checks.h"
 #include "verification/claims/ac98/polyhedra.h"

@@ -15,6 +15,7 @@
 #include "radcert/surface/catalogue.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/rectangle.h"
 #include "verification/claims/ac98/checks.h"
 #include "verification/claims/ac98/sample_points.h"
 #include "verification/claims/ac98/total_factor.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -13,41 +12,9 @@ namespace radcert {
 /// Requires  a, b, c > 0, else ContractViolation
 /// Result    pieces west, east (x = 0, a), south, north (y = 0, b), floor, ceiling (z = 0, c)
 /// Limits    -
-inline Surface box(const Rational& a, const Rational& b, const Rational& c) {
-  expects(a > Rational(0) && b > Rational(0) && c > Rational(0), "a, b, c > 0", named("a", a), named("b", b),
-          named("c", c));
-  const std::array<Vector<Rational>, 3> sides{{{a, 0, 0}, {0, b, 0}, {0, 0, c}}};
-  const std::array<std::array<const char*, 2>, 3> names{
-      {{"west", "east"}, {"south", "north"}, {"floor", "ceiling"}}};
-  Surface surface;
-  surface.name = "box";
-  surface.parameters = {{"a", a}, {"b", b}, {"c", c}};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const Vector<Rational>& first = sides[(axis + 1) % 3];
-    const Vector<Rational>& second = sides[(axis + 2) % 3];
-    const std::array<Vector<Rational>, 2> origins{Vector<Rational>{0, 0, 0}, sides[axis]};
-    for (std::size_t end = 0; end < 2; ++end) {
-      const bool near_origin = end == 0;
-      surface.charts.push_back(
-          make_rectangle({.name = names[axis][end],
-                          .piece = names[axis][end],
-                          .orientation = near_origin ? Orientation::along_the_cross_product
-                                                     : Orientation::against_the_cross_product},
-                         origins[end], first, second));
-      surface.diagonals.push_back(near_origin ? Diagonal::anti : Diagonal::main);
-    }
-  }
-  surface.closed = true;
-  surface.pieces_meet_at_angle = true;
-  return surface;
-}
+Surface box(const Rational& a, const Rational& b, const Rational& c);
 
 /// The boundary of the unit cube: the box with a = b = c = 1, under its own name.
-inline Surface cube() {
-  Surface surface = box(1, 1, 1);
-  surface.name = "cube";
-  surface.parameters.clear();
-  return surface;
-}
+Surface cube();
 
 }  // namespace radcert

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "radcert/surface/catalogue/disk.h"
-#include "radcert/surface/exact_chart.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -48,33 +44,6 @@ private:
 /// Result    pieces floor, ceiling (z = 0, height) and mantle, four charts each
 /// Limits    truncated: at an apex the surface has no normal, so that it is no corner of smooth pieces in the sense of
 ///           [ac98, (13)-(14)], which the quadrature and every statement on orders assume
-inline Surface cone(const Rational& radius, const Rational& top, const Rational& height) {
-  expects(radius > Rational(0) && top > Rational(0) && height > Rational(0), "radius, top, height > 0",
-          named("radius", radius), named("top", top), named("height", height));
-  Surface surface;
-  surface.name = "cone";
-  surface.parameters = {{"radius", radius}, {"top", top}, {"height", height}};
-  surface.charts = disk_charts("floor", radius, 0, Facing::up);
-  for (Chart& chart : disk_charts("ceiling", top, height, Facing::down))
-    surface.charts.push_back(std::move(chart));
-  const Rational growth = (top - radius) / height;
-  ChartStructure structure{.quadric = Quadric{.squares = {1, 1, 0},
-                                              .linear = {{0, 0, 0}, 0},
-                                              .nappe = AffineForm{{0, 0, growth}, radius}},
-                           .revolution = z_axis()};
-  if (top == radius) structure.ruling = Vector<Rational>{0, 0, height};
-  for (const Quadrant& quadrant : quadrants())  // right-handed: D_s F x D_t F points outwards
-    surface.charts.push_back(make_exact_chart<ConeMantle>(
-        {.name = "mantle/" + quadrant.name(),
-         .piece = "mantle",
-         .orientation = quadrant.is_right_handed() ? Orientation::against_the_cross_product
-                                                   : Orientation::along_the_cross_product,
-         .structure = structure},
-        radius, top, height, quadrant));
-  surface.diagonals.assign(surface.charts.size(), Diagonal::main);
-  surface.closed = true;
-  surface.pieces_meet_at_angle = true;
-  return surface;
-}
+Surface cone(const Rational& radius, const Rational& top, const Rational& height);
 
 }  // namespace radcert

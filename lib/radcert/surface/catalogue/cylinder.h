@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "radcert/surface/catalogue/cone.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -12,11 +11,6 @@ namespace radcert {
 /// Requires  radius, height > 0, else ContractViolation
 /// Result    pieces floor, ceiling and mantle, four charts each
 /// Limits    -
-inline Surface cylinder(const Rational& radius, const Rational& height) {
-  Surface surface = cone(radius, radius, height);
-  surface.name = "cylinder";
-  surface.parameters = {{"radius", radius}, {"height", height}};
-  return surface;
-}
+Surface cylinder(const Rational& radius, const Rational& height);
 
 }  // namespace radcert

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "radcert/surface/exact_chart.h"
-#include "radcert/surface/surface.h"
+#include "radcert/surface/chart.h"
 
 namespace radcert {
 
@@ -107,21 +106,7 @@ enum class Facing { up, down };
 /// Requires  radius > 0
 /// Result    charts piece/pp, piece/mp, piece/mm, piece/pm over unit triangles; their plane is exact
 /// Limits    -
-inline std::vector<Chart> disk_charts(const std::string& piece, const Rational& radius,
-                                      const Rational& height, Facing facing) {
-  std::vector<Chart> charts;
-  for (const Quadrant& quadrant : quadrants()) {
-    ChartFacts facts{.name = piece + "/" + quadrant.name(),
-                     .piece = piece,
-                     .domain = ChartDomain::unit_triangle,
-                     .orientation = quadrant.is_right_handed() == (facing == Facing::up)
-                                        ? Orientation::along_the_cross_product
-                                        : Orientation::against_the_cross_product};
-    facts.structure.revolution = z_axis();
-    facts.plane_of_disk = Plane({0, 0, height}, {1, 0, 0}, {0, 1, 0});
-    charts.push_back(make_exact_chart<DiskQuadrant>(std::move(facts), radius, height, quadrant));
-  }
-  return charts;
-}
+std::vector<Chart> disk_charts(const std::string& piece, const Rational& radius, const Rational& height,
+                               Facing facing);
 
 }  // namespace radcert

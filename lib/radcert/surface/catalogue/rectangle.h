@@ -2,7 +2,8 @@
 #pragma once
 
 #include "radcert/geometry/vector.h"
-#include "radcert/surface/exact_chart.h"
+#include "radcert/scalar/rational.h"
+#include "radcert/surface/chart.h"
 
 namespace radcert {
 
@@ -34,11 +35,7 @@ private:
 };
 
 /// A rectangle as a chart; its plane is exact.
-inline Chart make_rectangle(ChartFacts facts, const Vector<Rational>& origin, const Vector<Rational>& first,
-                            const Vector<Rational>& second) {
-  facts.domain = ChartDomain::unit_square;
-  facts.plane = Plane(origin, first, second);
-  return make_exact_chart<Rectangle>(std::move(facts), origin, first, second);
-}
+Chart make_rectangle(ChartFacts facts, const Vector<Rational>& origin, const Vector<Rational>& first,
+                     const Vector<Rational>& second);
 
 }  // namespace radcert

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/surface/catalogue/ellipsoid.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/surface/exact_chart.h"
+
+namespace radcert {
+namespace {
+
+// The eight charts; `piece` names the one smooth piece they form.
+std::vector<Chart> ellipsoid_charts(const Rational& a, const Rational& b, const Rational& c,
+                                    const std::string& piece) {
+  const ChartStructure structure{
+      .quadric = Quadric{.squares = {1 / (a * a), 1 / (b * b), 1 / (c * c)}, .linear = {{0, 0, 0}, -1}},
+      .revolution = a == b ? std::optional(z_axis()) : std::nullopt};
+  std::vector<Chart> charts;
+  for (const int z : {1, -1})
+    for (const int y : {1, -1})
+      for (const int x : {1, -1}) {
+        const bool right_handed = x * y * z > 0;  // then D_s F x D_t F points outwards
+        std::string name = "octant_";
+        for (const int sign : {x, y, z}) name += sign > 0 ? 'p' : 'm';
+        charts.push_back(make_exact_chart<EllipsoidOctant>(
+            {.name = std::move(name),
+             .piece = piece,
+             .domain = ChartDomain::unit_triangle,
+             .orientation =
+                 right_handed ? Orientation::against_the_cross_product : Orientation::along_the_cross_product,
+             .structure = structure},
+            a, b, c, Octant{x, y, z}));
+      }
+  return charts;
+}
+
+}  // namespace
+
+Surface ellipsoid(const Rational& a, const Rational& b, const Rational& c) {
+  expects(a > Rational(0) && b > Rational(0) && c > Rational(0), "a, b, c > 0", named("a", a), named("b", b),
+          named("c", c));
+  Surface surface;
+  surface.name = "ellipsoid";
+  surface.parameters = {{"a", a}, {"b", b}, {"c", c}};
+  surface.charts = ellipsoid_charts(a, b, c, "ellipsoid");
+  surface.diagonals.assign(surface.charts.size(), Diagonal::main);
+  surface.closed = true;
+  return surface;
+}
+
+Surface sphere() {
+  Surface surface;
+  surface.name = "sphere";
+  surface.charts = ellipsoid_charts(1, 1, 1, "sphere");
+  surface.diagonals.assign(surface.charts.size(), Diagonal::main);
+  surface.closed = true;
+  return surface;
+}
+
+}  // namespace radcert

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/surface/catalogue/torus.h"
+
+#include <string>
+
+namespace radcert {
+
+Surface torus(const Rational& radius, const Rational& ratio) {
+  expects(radius > Rational(0) && ratio > Rational(0) && ratio < Rational(1), "radius > 0, 0 < ratio < 1",
+          named("radius", radius), named("ratio", ratio));
+  Surface surface;
+  surface.name = "torus";
+  surface.parameters = {{"radius", radius}, {"ratio", ratio}};
+  for (const Quadrant& around : quadrants())
+    for (const Quadrant& of_tube : quadrants()) {
+      const bool outwards = around.is_right_handed() == of_tube.is_right_handed();  // D_s F x D_t F
+      surface.charts.push_back(
+          make_chart<TorusPatch>({.name = "patch_" + around.name() + "_" + of_tube.name(),
+                                  .piece = "torus",
+                                  .orientation = outwards ? Orientation::against_the_cross_product
+                                                          : Orientation::along_the_cross_product,
+                                  .structure = {.revolution = z_axis()}},
+                                 radius, ratio, around, of_tube));
+    }
+  surface.diagonals.assign(surface.charts.size(), Diagonal::main);
+  surface.closed = true;
+  surface.unoccluded = false;
+  return surface;
+}
+
+}  // namespace radcert
