@@ -34,8 +34,8 @@ constexpr double demand = 1e-11;
 class OneAndCoordinate final : public ElementFunctions {
 public:
   std::size_t size() const override { return 2; }
-  void values(const ElementPoint<Ball>& at, std::span<Ball> out) const override {
-    out[0] = Ball(1);
+  void values(const ElementPoint<BoundedDouble>& at, std::span<BoundedDouble> out) const override {
+    out[0] = 1;
     out[1] = at.in_element.x[1];
   }
   double bound(const ElementPoint<TaylorModel>& at) const override {
@@ -78,7 +78,8 @@ Enclosures sums_over(const Surface& surface, const ParameterTriangle& element,
   const Triangulation triangulation{{element}};
   const CertifiedKernelSums sums(surface, triangulation, functions, points, demanded);
   Enclosures found{std::vector<double>(2 * points.size()), std::vector<double>(2 * points.size())};
-  EXPECT_EQ(sums.element(0, found.values, found.radius), "");
+  const Outcome<void> outcome = sums.element(0, found.values, found.radius);
+  EXPECT_TRUE(outcome.has_value()) << (outcome ? "" : outcome.reason());
   return found;
 }
 
@@ -179,6 +180,65 @@ TEST(CertifiedKernelSums, BoundTheRoundingOfLargeCoordinates) {
     ASSERT_TRUE(exact.has_value()) << exact.reason().to_text();
     EXPECT_TRUE(encloses(found.values[i], found.radius[i], exact->value))
         << found.values[i] << " +/- " << found.radius[i] << ", " << exact->value.to_text();
+  }
+}
+
+/// Rules of low order, of which the truncation is what is seen.
+TEST(CertifiedKernelSums, BoundTheTruncation) {
+  const Surface surface = two_piece(2);
+  const ParameterTriangle element{1, {{{0.25, 0.25}, {1.0, 0.25}, {0.5, 1.0}}}};
+  // In the element, beside it, far away.
+  const std::vector<SurfacePoint<Rational>> points{{1, {q(1, 2), q(1, 2)}},
+                                                   {1, {q(3, 8), q(5, 16)}},
+                                                   {1, {q(7, 8), q(3, 4)}},
+                                                   {1, {q(1, 8), q(1, 2)}},
+                                                   {0, {q(1, 3), q(1, 3)}},
+                                                   {0, {q(9, 10), q(1, 10)}},
+                                                   {0, {1, 1}}};
+  const std::array<Density, 2> functions = densities(element);
+  const BallPrecision precision(70);
+  std::vector<Ball> exact;
+  for (const Density& function : functions)
+    for (const SurfacePoint<Rational>& point : points)
+      exact.push_back(kernel_integral(ExactObserver::on_surface({point}), surface, element.chart,
+                                      polygon_of(element), function, {.radius = 1e-12})
+                          .value()
+                          .value);
+  for (const double demanded : {1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5}) {
+    const Enclosures found = sums_over(surface, element, points, demanded);
+    for (std::size_t place = 0; place < exact.size(); ++place)
+      EXPECT_TRUE(encloses(found.values[place], found.radius[place], exact[place]))
+          << "place " << place << ", demand " << demanded << ": " << found.values[place] << " +/- "
+          << found.radius[place] << ", " << exact[place].to_text();
+  }
+}
+
+/// 1, as far as 1/1000.
+class AboutOne final : public ElementFunctions {
+public:
+  std::size_t size() const override { return 1; }
+  void values(const ElementPoint<BoundedDouble>&, std::span<BoundedDouble> out) const override {
+    out[0] = {1, 1e-3};
+  }
+  double bound(const ElementPoint<TaylorModel>&) const override { return 1.001; }
+};
+
+/// All functions within the bounds have their integrals within the radii, the extreme ones too: no radius may be half as large.
+TEST(CertifiedKernelSums, HoldForAllFunctionsWithinTheirBounds) {
+  const AboutOne functions;
+  for (const Case& c : cases()) {
+    const Triangulation triangulation{{c.element}};
+    constexpr double loose = 1e-7;
+    const CertifiedKernelSums sums(c.surface, triangulation, functions, c.points, loose);
+    std::vector<double> values(c.points.size());
+    std::vector<double> radius(c.points.size());
+    ASSERT_TRUE(sums.element(0, values, radius).has_value()) << c.name;
+    const Enclosures one = sums_over(c.surface, c.element, c.points, loose);
+    for (std::size_t i = 0; i < c.points.size(); ++i) {
+      const double least = 1e-3 * (std::abs(one.values[i]) - one.radius[i]);
+      EXPECT_GE(radius[i], least) << c.name << ", point " << i;
+      EXPECT_LE(radius[i], 4 * least + loose) << c.name << ", point " << i;
+    }
   }
 }
 
@@ -285,6 +345,43 @@ TEST(CertifiedChartEntries, AreWithinTheDemandAndHoldTheReflectivity) {
   // Within the floor G vanishes, exactly.
   EXPECT_EQ(found->entries(0, 3), 0);
   EXPECT_EQ(found->radius(0, 3), 0);
+}
+
+/// Two enclosures of the same numbers meet.
+TEST(CertifiedCollocation, IsTheMatrixAndTheOperator) {
+  const Surface surface = two_piece(3);
+  const Triangulation triangulation = triangulate(surface, 0);
+  const LagrangeFunctions functions = inset_functions(1, Rational(1, 10));
+  const std::size_t n = triangulation.triangles.size() * functions.size();
+  const Density u = density([](const auto& p) { return 1 + exp(p.point.x) * p.point.z / 4; });
+  constexpr double wanted = 1e-9;
+  const Outcome<CertifiedCollocation> both =
+      certified_collocation(surface, triangulation, functions, u, 2.5, wanted);
+  ASSERT_TRUE(both.has_value()) << both.reason();
+  const CertifiedEntries matrix =
+      certified_chart_entries(surface, triangulation, functions, std::vector<double>(n, 1.0), wanted).value();
+  const CertifiedValues integrals =
+      certified_operator(surface, triangulation, u, exact_collocation_nodes(triangulation, functions),
+                         10 * wanted)
+          .value();
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j)
+      EXPECT_LE(std::abs(both->matrix.entries(i, j) - matrix.entries(i, j)),
+                both->matrix.radius(i, j) + matrix.radius(i, j))
+          << i << ", " << j;
+    EXPECT_LE(std::abs(both->integrals.values[i] - integrals.values[i]),
+              both->integrals.radius[i] + integrals.radius[i])
+        << i;
+    EXPECT_LE(both->integrals.radius[i], 3.2 * 2.5 * wanted);
+  }
+  EXPECT_THROW(static_cast<void>(certified_collocation(surface, triangulation, functions, u, 0, wanted)),
+               ContractViolation);
+  // Not analytic at x = 1/3.
+  const Density kink = density([]<Real R>(const DensityPoint<R>& p) {
+    const R x = p.point.x - from_rational<R>(Rational(1, 3));
+    return sqrt(x * x);
+  });
+  EXPECT_FALSE(certified_collocation(surface, triangulation, functions, kink, 1, wanted).has_value());
 }
 
 /// Within a closed surface the kernel sums to pi.

@@ -338,6 +338,38 @@ TEST(VerifiedLevel, IsExactForPolynomialsOfTheBasis) {
   }
 }
 
+Problem on_roof(int power, int degree_of_geometry) {
+  Problem problem = with_solution(sample_problem("two_piece", {{"p", Rational(power)}}), "1/(1 + x^2 + z)");
+  problem.quadrature.tolerance = Rational(1, 10000000000L);
+  if (degree_of_geometry > 0) {
+    problem.geometry = InterpolatedGeometry{};
+    problem.geometry->degree = degree_of_geometry;
+  }
+  return verified(problem);
+}
+
+TEST(VerifiedLevel, IsThatOfTheSurfaceWhereTheInterpolantIs) {
+  const LevelResult exact = verified_level(on_roof(2, 0), 0).result;
+  const LevelResult quadratic = verified_level(on_roof(2, 2), 0).result;
+  const LevelResult cubic_roof = verified_level(on_roof(3, 0), 0).result;
+  const LevelResult its_interpolant = verified_level(on_roof(3, 2), 0).result;
+  for (const auto figure : {&LevelResult::discretisation_error, &LevelResult::node_error}) {
+    const auto distance = [figure](const LevelResult& a, const LevelResult& b) {
+      return std::abs((a.*figure)->value - (b.*figure)->value);
+    };
+    double radii = 0;
+    for (const LevelResult* result : {&exact, &quadratic, &cubic_roof, &its_interpolant}) {
+      EXPECT_TRUE((result->*figure)->guaranteed);
+      radii += *(result->*figure)->radius;
+    }
+    EXPECT_LT(radii, 1e-8);
+    EXPECT_LE(distance(exact, quadratic), radii);
+    EXPECT_GT(distance(cubic_roof, its_interpolant), 1e-3);
+  }
+  // Thirds are no doubles.
+  EXPECT_THAT(refusal(on_roof(3, 3)), ::testing::HasSubstr("rounded to double"));
+}
+
 TEST(VerifiedLevel, HasTheSameBitsForEveryNumberOfThreads) {
   const Problem problem =
       verified(with_solution(with_basis(sample_problem("cube"), 2, Rational(1, 10)), "x*y + z^3"));
@@ -357,7 +389,9 @@ TEST(VerifiedLevel, RefusesWhatHasNoGuarantee) {
   using ::testing::HasSubstr;
   Problem interpolated = verified(sample_problem("sphere"));
   interpolated.geometry = InterpolatedGeometry{};
-  EXPECT_THAT(refusal(interpolated), HasSubstr("interpolated"));
+  EXPECT_THAT(refusal(interpolated), HasSubstr("interpolated geometry is not known exactly"));
+  interpolated.geometry->data = DataPoints::interpolant;
+  EXPECT_THAT(refusal(interpolated), HasSubstr("posed on an interpolant"));
 
   Tetrahedron t;
   std::mt19937_64 random(7);
@@ -370,7 +404,7 @@ TEST(VerifiedLevel, RefusesWhatHasNoGuarantee) {
 
   // Finite at every node, and without a value between them.
   EXPECT_THAT(refusal(verified(with_solution(sample_problem("two_squares"), "sqrt((x - 1/2)^2 - 1/10000)"))),
-              HasSubstr("Ku is not enclosed"));
+              ::testing::AllOf(HasSubstr("Ku is not enclosed"), HasSubstr("not shown to be analytic")));
   // 1 as far as any number of digits shows.
   Problem nearly = verified(sample_problem("two_squares"));
   nearly.reflectivity = everywhere("sin(x)^2 + cos(x)^2");

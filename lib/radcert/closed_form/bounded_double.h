@@ -5,16 +5,20 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <numbers>
+#include <optional>
 
 #include "radcert/scalar/dilogarithm.h"
+#include "radcert/scalar/rational.h"
+#include "radcert/scalar/real.h"
 
 namespace radcert {
 
 /// A double that carries a bound of its error.
 /// Maths     |exact - value| <= error; an operation adds what it passes on from its operands and its own rounding
 /// Source    running error analysis: Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, 2002, 3.3
-/// Requires  no operation underflows; the C library's log, atan and atan2 are within two units in the last place
-/// Result    the bound holds, to all orders; it is infinite where nothing can be said: division by what may be 0, log of what
+/// Requires  the C library's exp, log, sin, cos, atan and atan2 are within two units in the last place
+/// Result    the bound holds, to all orders; it is infinite, or no number, where nothing can be said: division by what may be 0, log of what
 ///           may be negative, an angle across the cut
 /// Limits    a bound beside a double, for sums of a few dozen terms at a few times the price: no Real, and no Ball
 class BoundedDouble {
@@ -43,13 +47,13 @@ public:
   }
   friend BoundedDouble operator*(const BoundedDouble& a, const BoundedDouble& b) {
     return own(a.value_ * b.value_,
-               std::abs(a.value_) * b.error_ + a.error_ * (std::abs(b.value_) + b.error_));
+               std::abs(a.value_) * b.error_ + a.error_ * (std::abs(b.value_) + b.error_) + underflow);
   }
   friend BoundedDouble operator/(const BoundedDouble& a, const BoundedDouble& b) {
     const double least = std::abs(b.value_) - b.error_;
     if (!(least > 0)) return unknown();
     const double quotient = a.value_ / b.value_;
-    return own(quotient, (a.error_ + std::abs(quotient) * b.error_) / least);
+    return own(quotient, (a.error_ + std::abs(quotient) * b.error_) / least + underflow);
   }
   friend BoundedDouble sqrt(const BoundedDouble& a) {
     const double least = a.value_ - a.error_;
@@ -62,8 +66,26 @@ public:
     const double least = a.value_ - a.error_;
     if (!(least > 0)) return unknown();
     const double value = std::log(a.value_);
-    return {value, a.error_ / least + library * std::abs(value)};
+    return {value, a.error_ / least * rounded_up + library * std::abs(value)};
   }
+  friend BoundedDouble exp(const BoundedDouble& a) {
+    if (!(a.error_ < 1)) return unknown();
+    const double value = std::exp(a.value_);
+    // e^d - 1 <= d + d^2
+    return {value, (value * (a.error_ + a.error_ * a.error_) + library * value) * slack + underflow};
+  }
+  friend BoundedDouble sin(const BoundedDouble& a) {
+    const double value = std::sin(a.value_);
+    return {value, a.error_ * rounded_up + library * std::abs(value) + underflow};
+  }
+  friend BoundedDouble cos(const BoundedDouble& a) {
+    const double value = std::cos(a.value_);
+    return {value, a.error_ * rounded_up + library * std::abs(value) + underflow};
+  }
+  friend BoundedDouble tan(const BoundedDouble& a) { return sin(a) / cos(a); }
+  /// a > 0.
+  friend BoundedDouble pow(const BoundedDouble& a, const BoundedDouble& b) { return exp(b * log(a)); }
+  friend BoundedDouble abs(const BoundedDouble& a) { return {std::abs(a.value_), a.error_}; }
   friend BoundedDouble atan(const BoundedDouble& a) {
     const double value = std::atan(a.value_);
     const double least = std::max(0.0, std::abs(a.value_) - a.error_);
@@ -83,8 +105,12 @@ public:
     const double passed = (std::abs(x.value_) + moved) * y.error_ + (std::abs(y.value_) + moved) * x.error_;
     return {value, nearer * passed / squared + library * std::abs(value)};
   }
+  friend bool certainly_zero(const BoundedDouble& a) { return a.value_ == 0 && a.error_ == 0; }
   friend BoundedDouble min(const BoundedDouble& a, const BoundedDouble& b) {
-    return {std::min(a.value_, b.value_), std::max(a.error_, b.error_)};
+    return {std::min(a.value_, b.value_), larger(a.error_, b.error_)};
+  }
+  friend BoundedDouble max(const BoundedDouble& a, const BoundedDouble& b) {
+    return {std::max(a.value_, b.value_), larger(a.error_, b.error_)};
   }
   /// radius >= 0 and at most 1 exactly; |angle| <= pi.
   friend BoundedDouble dilogarithm_imaginary(const BoundedDouble& radius, const BoundedDouble& angle) {
@@ -108,12 +134,33 @@ private:
   static constexpr double unit = 0x1.04p-53;
   static constexpr double library = 4 * unit;
   static constexpr double slack = 1.02;
+  /// More than the roundings of what is passed on: fewer than eight.
+  static constexpr double rounded_up = 1 + 0x1p-50;
+  /// Far more than what a product, and the products in its bound, may lose by underflow.
+  static constexpr double underflow = 1e-290;
 
-  static BoundedDouble own(double value, double passed) { return {value, passed + unit * std::abs(value)}; }
+  /// Not a number where one of them is none: nothing is then said.
+  static double larger(double a, double b) { return a < b ? b : (b <= a ? a : a + b); }
+  static BoundedDouble own(double value, double passed) {
+    return {value, passed * rounded_up + unit * std::abs(value)};
+  }
   static BoundedDouble unknown() { return {0, std::numeric_limits<double>::infinity()}; }
 
   double value_ = 0;
   double error_ = 0;
+};
+
+template <>
+struct Constants<BoundedDouble> {
+  static BoundedDouble from_rational(const Rational& q) {
+    // Whole numbers are frequent, and cheap.
+    constexpr long largest = 1L << 53U;
+    if (const std::optional<long> whole = q.to_long(); whole && -largest <= *whole && *whole <= largest)
+      return *whole;
+    const double value = q.to_double();
+    return Rational::exactly(value) == q ? BoundedDouble::exactly(value) : BoundedDouble::rounded(value);
+  }
+  static BoundedDouble pi() { return BoundedDouble::rounded(std::numbers::pi); }
 };
 
 }  // namespace radcert

@@ -11,7 +11,7 @@ namespace radcert {
 /// Maths     BoundedDouble, lane by lane
 /// Source    BoundedDouble
 /// Requires  no operation underflows
-/// Result    the bound holds to all orders; where nothing can be said, division by what may be 0, log of what
+/// Result    the bound holds to all orders, in formulas of fewer than 2^20 operations; where nothing can be said, division by what may be 0, log of what
 ///           may be negative, an angle across the cut, it is `unknown` or larger
 /// Limits    that bound is a large number, so that no lane becomes something that is no number
 class BoundedPack {
@@ -32,9 +32,10 @@ public:
   }
 
   [[nodiscard]] const Pack& value() const { return value_; }
-  [[nodiscard]] const Pack& error() const { return error_; }
+  /// With room for the roundings of the bound itself, of which an operation has fewer than eight, of one part in 2^53 each.
+  [[nodiscard]] Pack error() const { return Pack(1 + 0x1p-30) * error_; }
   /// At most the size of the exact number; 0 if that may be 0.
-  [[nodiscard]] Pack smallest_size() const { return max(Pack(0), abs(value_) - error_); }
+  [[nodiscard]] Pack smallest_size() const { return max(Pack(0), abs(value_) - error()); }
 
   BoundedPack operator-() const { return {-value_, error_}; }
   friend BoundedPack operator+(const BoundedPack& a, const BoundedPack& b) {
@@ -54,7 +55,7 @@ public:
     return own(quotient, select(divides, passed, Pack(unknown)));
   }
   friend BoundedPack sqrt(const BoundedPack& a) {
-    const Pack least = a.value_ - a.error_;
+    const Pack least = a.value_ - a.error();
     const PackMask positive = less(Pack(0), least);
     // |sqrt(a) - sqrt(b)| = |a - b| / (sqrt(a) + sqrt(b)), and sqrt(least) >= least / root
     const Pack inside = select(positive, a.value_, Pack(1));
@@ -63,7 +64,7 @@ public:
     return own(root, select(positive, passed, Pack(unknown)));
   }
   friend BoundedPack log(const BoundedPack& a) {
-    const Pack least = a.value_ - a.error_;
+    const Pack least = a.value_ - a.error();
     const PackMask positive = less(Pack(smallest), least);
     const Pack value = fast_log(select(positive, a.value_, Pack(1)));
     const Pack passed = a.error_ / select(positive, least, Pack(1));

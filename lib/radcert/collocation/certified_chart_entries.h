@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radcert/collocation/certified_entries.h"
+#include "radcert/collocation/certified_operator.h"
 #include "radcert/core/outcome.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/surface/surface.h"
@@ -35,5 +36,22 @@ std::vector<SurfacePoint<Rational>> exact_collocation_nodes(const Triangulation&
 Outcome<CertifiedEntries> certified_chart_entries(const Surface& surface, const Triangulation& triangulation,
                                                   const LagrangeFunctions& functions,
                                                   std::span<const double> reflectivity, double demand);
+
+/// A collocation matrix, and the operator's integral of a density at its nodes.
+struct CertifiedCollocation {
+  CertifiedEntries matrix;
+  CertifiedValues integrals;
+};
+
+/// Both at once, for the reflectivity 1.
+/// Maths     see certified_chart_entries and certified_operator
+/// Source    one density more beside the functions of the elements: the rules and their nodes are the same
+/// Requires  as those; 0 < size, about the largest |u|
+/// Result    the radii of a row sum up to at most demand, those of the integrals are at most pi size demand. Refused as those
+/// Limits    at the cost of the matrix alone, unless u is not analytic close to the elements
+Outcome<CertifiedCollocation> certified_collocation(const Surface& surface,
+                                                    const Triangulation& triangulation,
+                                                    const LagrangeFunctions& functions, const Density& u,
+                                                    double size, double demand);
 
 }  // namespace radcert

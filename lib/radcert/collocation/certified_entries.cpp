@@ -22,16 +22,21 @@ PlaneElement prepared(const ExactTriangle& c, const Rational& scale,
 
 }  // namespace
 
+void expects_collocation_data(const LagrangeFunctions& functions, std::size_t nodes,
+                              std::span<const double> reflectivity) {
+  expects(functions.degree() <= PlaneElement::largest_degree, "functions of degree at most 8",
+          named("degree", functions.degree()));
+  expects(reflectivity.size() == nodes && std::all_of(reflectivity.begin(), reflectivity.end(),
+                                                      [](double rho) { return std::isfinite(rho); }),
+          "a finite reflectivity for every node", named("nodes", nodes), named("size", reflectivity.size()));
+}
+
 Outcome<CertifiedEntries> certified_entries(std::span<const ExactTriangle> elements,
                                             const LagrangeFunctions& functions,
                                             std::span<const double> reflectivity) {
-  expects(functions.degree() <= PlaneElement::largest_degree, "functions of degree at most 8",
-          named("degree", functions.degree()));
   const std::size_t p = functions.size();
   const std::size_t n = elements.size() * p;
-  expects(reflectivity.size() == n && std::all_of(reflectivity.begin(), reflectivity.end(),
-                                                  [](double rho) { return std::isfinite(rho); }),
-          "a finite reflectivity for every node", named("nodes", n), named("size", reflectivity.size()));
+  expects_collocation_data(functions, n, reflectivity);
   const Outcome<IntegralErrors> errors = IntegralErrors::of(functions);
   if (!errors) return because(errors.reason());
   const Outcome<ExactNodes> exact = exact_nodes(elements, functions);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "radcert/collocation/exact_nodes.h"
@@ -21,6 +22,15 @@ struct CertifiedEntries {
   Matrix<double> entries;
   Matrix<double> radius;
 };
+
+/// What the functions that fill such a matrix require.
+/// Maths     -
+/// Source    -
+/// Requires  functions of degree at most 8; a reflectivity a node, finite, else ContractViolation
+/// Result    -
+/// Limits    -
+void expects_collocation_data(const LagrangeFunctions& functions, std::size_t nodes,
+                              std::span<const double> reflectivity);
 
 /// The collocation matrix of plane elements, proved.
 /// Maths     see CertifiedEntries; the nodes v_{k p + j} = x_1 c_1 + x_2 c_2 + x_3 c_3 with the exact

@@ -4,39 +4,14 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <string>
-#include <vector>
 
-#include "radcert/enclosure/kernel_integral.h"
-#include "radcert/polynomial/barycentric.h"
+#include "radcert/collocation/element_functions.h"
+#include "radcert/core/outcome.h"
+#include "radcert/surface/surface.h"
 #include "radcert/surface/surface_point.h"
 #include "radcert/triangulation/triangulation.h"
 
 namespace radcert {
-
-/// A point of an element as the functions beside the kernel see it.
-template <Real R>
-struct ElementPoint {
-  Barycentric<R> in_element;
-  DensityPoint<R> on_surface;
-};
-
-/// Functions on the elements of a triangulation: Lagrange functions, a density.
-/// Maths     f_1, ..., f_p, real on the surface
-/// Source    -
-/// Requires  both arithmetics enclose the same functions; where bound() is finite they are analytic on the set of the models;
-///           may be called from several threads at once
-/// Result    -
-/// Limits    -
-class ElementFunctions {
-public:
-  virtual ~ElementFunctions() = default;
-  [[nodiscard]] virtual std::size_t size() const = 0;
-  /// One value a function.
-  virtual void values(const ElementPoint<Ball>& at, std::span<Ball> out) const = 0;
-  /// At least |f_j| on the set of the models, for all j; infinity where nothing was shown.
-  [[nodiscard]] virtual double bound(const ElementPoint<TaylorModel>& at) const = 0;
-};
 
 /// Integrals of the kernel times functions over one element after the other, from many points, in doubles with proved radii.
 /// Maths     Int_{Delta_k} G(P_i,Q) f_j(Q) dS_Q
@@ -48,7 +23,7 @@ public:
 ///           |(c + l - P)^2| >= (d - L)^2 for d = |c - P| and L >= |l|; then with E >= |e|
 ///             |(Q - P)^2| >= S = (d - L)^2 - 2 (d + L) E - E^2,   |G J| <= (d + L + E)^2 |n_Q J| / S^2,
 ///           and d^2 times that falls with d. Triangles too near to P are divided into four. In the element that contains P the
-///           kernel is chord_kernel along the rays from P, analytic up to P. Roundings: see RoundingFactors
+///           kernel is chord_kernel along the rays from P: IntegralFromWithin. Roundings: see KernelRule and BoundedChart
 /// Requires  surface, triangulation and functions outlive it; the surface unoccluded, from 1 to 45 functions, points by
 ///           parameters in the domains of their charts, 0 < demand, else ContractViolation; lengths between 1e-60 and 1e60
 /// Result    radii such that their sum over all elements and functions is of the size of the demand, unless rounding is
@@ -65,8 +40,9 @@ public:
   ~CertifiedKernelSums();
 
   /// The integrals over element k: values and radii of function j at place j points + i. ContractViolation unless the spans have
-  /// that size. What stood in the way, or nothing.
-  [[nodiscard]] std::string element(std::size_t k, std::span<double> values, std::span<double> radius) const;
+  /// that size. Refused with what stood in the way.
+  [[nodiscard]] Outcome<void> element(std::size_t k, std::span<double> values,
+                                      std::span<double> radius) const;
 
 private:
   class Prepared;

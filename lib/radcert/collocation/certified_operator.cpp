@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "radcert/collocation/certified_kernel_sums.h"
@@ -21,11 +20,11 @@ class DensityOnElements final : public ElementFunctions {
 public:
   explicit DensityOnElements(const Density& u) : u_(u) {}
   std::size_t size() const override { return 1; }
-  void values(const ElementPoint<Ball>& at, std::span<Ball> out) const override {
-    out[0] = u_.in_balls(at.on_surface);
+  void values(const ElementPoint<BoundedDouble>& q, std::span<BoundedDouble> out) const override {
+    out[0] = u_.in_doubles({q.chart, q.at, q.point});
   }
-  double bound(const ElementPoint<TaylorModel>& at) const override {
-    return u_.in_models(at.on_surface).magnitude_bound();
+  double bound(const ElementPoint<TaylorModel>& q) const override {
+    return u_.in_models({q.chart, q.at, q.point}).magnitude_bound();
   }
 
 private:
@@ -34,12 +33,29 @@ private:
 
 /// The sums over a chunk of elements.
 struct Part {
-  std::vector<double> values;
-  std::vector<double> radius;
-  std::string refusal;
+  CertifiedSums sums;
+  Outcome<void> found;
 };
 
 }  // namespace
+
+void CertifiedSums::add(std::span<const double> values, std::span<const double> radius) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sums_.values[i] += values[i];
+    sums_.radius[i] += radius[i] + unit * std::abs(sums_.values[i]);
+  }
+}
+
+Outcome<CertifiedValues> CertifiedSums::within(double demand, std::size_t elements) && {
+  for (double& radius : sums_.radius) {
+    // The radii were added with fewer roundings than elements, twice.
+    radius *= 1 + 4 * (static_cast<double>(elements) + 4) * unit;
+    if (!(radius <= demand))
+      return because("a radius of " + shortest(radius) + " was reached, more than the " + shortest(demand) +
+                     " demanded: roundings in double are wider");
+  }
+  return std::move(sums_);
+}
 
 Outcome<CertifiedValues> certified_operator(const Surface& surface, const Triangulation& triangulation,
                                             const Density& u, std::span<const SurfacePoint<Rational>> points,
@@ -48,40 +64,25 @@ Outcome<CertifiedValues> certified_operator(const Surface& surface, const Triang
   const CertifiedKernelSums sums(surface, triangulation, density, points, demand);
   const std::size_t n = points.size();
   const std::size_t elements = triangulation.triangles.size();
-  const auto add = [n](Part& total, std::span<const double> values, std::span<const double> radius) {
-    for (std::size_t i = 0; i < n; ++i) {
-      total.values[i] += values[i];
-      total.radius[i] += radius[i] + unit * std::abs(total.values[i]);
-    }
-  };
-  const auto zero = [n] { return Part{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0), {}}; };
   Part total = parallel_reduce_ordered(
-      elements, default_grain(elements), zero(),
+      elements, default_grain(elements), Part{CertifiedSums(n), {}},
       [&](std::size_t begin, std::size_t end) {
-        Part part = zero();
+        Part part{CertifiedSums(n), {}};
         std::vector<double> values(n);
         std::vector<double> radius(n);
-        for (std::size_t k = begin; k < end && part.refusal.empty(); ++k) {
-          part.refusal = sums.element(k, values, radius);
-          add(part, values, radius);
+        for (std::size_t k = begin; k < end && part.found; ++k) {
+          part.found = sums.element(k, values, radius);
+          part.sums.add(values, radius);
         }
         return part;
       },
-      [&](Part all, const Part& part) {
-        if (all.refusal.empty()) all.refusal = part.refusal;
-        add(all, part.values, part.radius);
+      [](Part all, const Part& part) {
+        if (all.found) all.found = part.found;
+        all.sums.add(part.sums);
         return all;
       });
-  if (!total.refusal.empty()) return because(std::move(total.refusal));
-  CertifiedValues result{.values = std::move(total.values), .radius = std::move(total.radius)};
-  for (double& radius : result.radius) {
-    // The radii were added with fewer roundings than elements, twice.
-    radius *= 1 + 4 * (static_cast<double>(elements) + 4) * unit;
-    if (!(radius <= demand))
-      return because("a radius of " + shortest(radius) + " was reached, more than the " + shortest(demand) +
-                     " demanded: roundings in double are wider");
-  }
-  return result;
+  if (!total.found) return because(total.found.reason());
+  return std::move(total.sums).within(demand, elements);
 }
 
 }  // namespace radcert

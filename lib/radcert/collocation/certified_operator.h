@@ -18,6 +18,20 @@ struct CertifiedValues {
   std::vector<double> radius;
 };
 
+/// Such numbers as sums over elements, in a fixed order.
+class CertifiedSums {
+public:
+  explicit CertifiedSums(std::size_t points)
+      : sums_{std::vector<double>(points), std::vector<double>(points)} {}
+  void add(std::span<const double> values, std::span<const double> radius);
+  void add(const CertifiedSums& other) { add(other.sums_.values, other.sums_.radius); }
+  /// What was added over so many elements. Refused where a radius exceeds the demand.
+  [[nodiscard]] Outcome<CertifiedValues> within(double demand, std::size_t elements) &&;
+
+private:
+  CertifiedValues sums_;
+};
+
 /// The radiosity operator's integral of a density at many points, proved.
 /// Maths     Int_S G(P_i, Q) u(Q) dS_Q, without 1/pi and reflectivity
 /// Source    certified_kernel_sums

@@ -210,13 +210,9 @@ Outcome<CertifiedEntries> certified_visible_entries(const Scene& scene,
                                                     std::span<const SceneElement> elements,
                                                     const LagrangeFunctions& functions,
                                                     std::span<const double> reflectivity) {
-  expects(functions.degree() <= PlaneElement::largest_degree, "functions of degree at most 8",
-          named("degree", functions.degree()));
   const std::size_t p = functions.size();
   const std::size_t n = elements.size() * p;
-  expects(reflectivity.size() == n && std::all_of(reflectivity.begin(), reflectivity.end(),
-                                                  [](double rho) { return std::isfinite(rho); }),
-          "a finite reflectivity for every node", named("nodes", n), named("size", reflectivity.size()));
+  expects_collocation_data(functions, n, reflectivity);
   std::vector<ExactTriangle> corners;
   std::vector<std::vector<std::size_t>> of_triangle(scene.triangle_count());
   for (std::size_t k = 0; k < elements.size(); ++k) {

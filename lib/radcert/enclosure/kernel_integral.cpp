@@ -210,7 +210,8 @@ private:
 
 Density unit_density() {
   return {.in_balls = [](const DensityPoint<Ball>&) { return Ball(1); },
-          .in_models = [](const DensityPoint<TaylorModel>&) { return TaylorModel(1); }};
+          .in_models = [](const DensityPoint<TaylorModel>&) { return TaylorModel(1); },
+          .in_doubles = [](const DensityPoint<BoundedDouble>&) { return BoundedDouble(1); }};
 }
 
 ParameterPolygon domain_polygon(const Chart& chart) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 
+#include "radcert/closed_form/bounded_double.h"
 #include "radcert/enclosure/exact_observer.h"
 #include "radcert/enclosure/polygon_integral.h"
 #include "radcert/surface/surface.h"
@@ -23,7 +24,7 @@ struct DensityPoint {
   Vector<R> point;
 };
 
-/// The factor q beside the kernel, in balls and in Taylor models.
+/// The factor q beside the kernel, in balls, in Taylor models and in doubles with bounds.
 /// Maths     q(Q); see SquareFunction
 /// Source    -
 /// Requires  analytic in the parameters, or at least bounded (then the integral costs more): the formula says which
@@ -33,11 +34,14 @@ struct DensityPoint {
 struct Density {
   std::function<Ball(const DensityPoint<Ball>&)> in_balls;
   std::function<TaylorModel(const DensityPoint<TaylorModel>&)> in_models;
+  std::function<BoundedDouble(const DensityPoint<BoundedDouble>&)> in_doubles;
 };
 template <class Formula>
 Density density(Formula formula) {
-  return {.in_balls = [formula](const DensityPoint<Ball>& q) -> Ball { return formula(q); },
-          .in_models = [formula](const DensityPoint<TaylorModel>& q) -> TaylorModel { return formula(q); }};
+  return {
+      .in_balls = [formula](const DensityPoint<Ball>& q) -> Ball { return formula(q); },
+      .in_models = [formula](const DensityPoint<TaylorModel>& q) -> TaylorModel { return formula(q); },
+      .in_doubles = [formula](const DensityPoint<BoundedDouble>& q) -> BoundedDouble { return formula(q); }};
 }
 /// q = 1.
 [[nodiscard]] Density unit_density();

@@ -20,6 +20,7 @@
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/solve/verified_system.h"
 #include "radcert/study/enclosed_number.h"
+#include "radcert/study/exact_interpolant.h"
 #include "radcert/study/level_description.h"
 #include "radcert/study/level_geometry.h"
 #include "radcert/study/node_data.h"
@@ -52,9 +53,10 @@ LagrangeFunctions exact_functions(const BasisChoice& basis) {
 
 /// What can be seen before the level is built.
 void require_provable(const Problem& problem, int level) {
-  if (problem.geometry)
+  if (problem.geometry && problem.geometry->data == DataPoints::interpolant)
     refuse(level,
-           "the geometry is interpolated, and the collocation integrals over interpolants are not enclosed");
+           "the problem is posed on an interpolant, which is not proved to lie in the boundary of a convex "
+           "body");
   const Surface surface = surface_of(problem);
   if (!surface.unoccluded)
     refuse(level,
@@ -140,26 +142,28 @@ public:
         basis_(triangle_basis(problem.basis)),
         functions_(exact_functions(problem.basis)),
         geometry_(problem, level, basis_),
-        nodes_(exact_collocation_nodes(triangulation_, functions_)) {
+        nodes_(exact_collocation_nodes(geometry_.data().triangulation, functions_)) {
     LevelResult& result = outcome_.result;
     result.level = level;
-    result.elements = triangulation_.triangles.size();
+    result.elements = geometry_.data().triangulation.triangles.size();
     result.unknowns = nodes_.size();
     result.mesh_size = geometry_.mesh_size();
     result.planned_bytes =
         level_plan(result.elements, basis_.size(), problem.solver.name, problem.geometry).total();
     for (std::size_t j = 0; j < surface_.chart_count(); ++j) planes_.push_back(plane_chart(surface_, j));
-    all_plane_ =
-        std::all_of(planes_.begin(), planes_.end(), [](const auto& plane) { return plane.has_value(); });
+    all_plane_ = !problem.geometry && std::all_of(planes_.begin(), planes_.end(),
+                                                  [](const auto& plane) { return plane.has_value(); });
   }
 
   VerifiedLevel(const VerifiedLevel&) = delete;
   VerifiedLevel& operator=(const VerifiedLevel&) = delete;
 
   LevelOutcome compute() && {
+    require_exact_geometry();
     find_data();
     const Stopwatch assembly;
-    CertifiedEntries matrix = entries();
+    CertifiedEntries matrix =
+        problem_.solution && !all_plane_ && !problem_.geometry ? entries_and_integrals() : entries();
     outcome_.result.norm_K = norm(matrix);
     scale_row_entries(matrix, rho_);
     outcome_.timing.assembly_seconds = assembly.seconds();
@@ -175,6 +179,13 @@ public:
 private:
   [[noreturn]] void refuse(const std::string& reason) const {
     radcert::refuse(outcome_.result.level, reason);
+  }
+
+  void require_exact_geometry() const {
+    if (!problem_.geometry) return;
+    const Outcome<void> exact =
+        is_exact_interpolant(geometry_.data(), geometry_.integrals(), problem_.geometry->degree);
+    if (!exact) refuse("the interpolated geometry is not known exactly: " + exact.reason());
   }
 
   const std::string& piece_of(std::size_t i) const { return surface_.charts[nodes_[i].chart].facts().piece; }
@@ -228,9 +239,21 @@ private:
     return std::move(found).value();
   }
 
+  /// With it Int_S G u dS at the nodes.
+  CertifiedEntries entries_and_integrals() {
+    Outcome<CertifiedCollocation> found = within_tolerance<CertifiedCollocation>([&](double tolerance) {
+      return certified_collocation(geometry_.data().surface, geometry_.data().triangulation, functions_,
+                                   density_of_u(), size_of_u(), tolerance);
+    });
+    // Which of the two it was is known when they are asked for one by one.
+    if (!found) return entries();
+    integrals_ = balls_of(found->integrals);
+    return std::move(found->matrix);
+  }
+
   Outcome<CertifiedEntries> plane_entries() const {
     std::vector<PlaneChart> elements;
-    for (const ParameterTriangle& triangle : triangulation_.triangles) {
+    for (const ParameterTriangle& triangle : geometry_.data().triangulation.triangles) {
       std::array<ParameterPoint<Rational>, 3> corners;
       for (std::size_t c = 0; c < 3; ++c)
         corners[c] = {Rational::exactly(triangle.vertices[c].s), Rational::exactly(triangle.vertices[c].t)};
@@ -242,7 +265,8 @@ private:
   Outcome<CertifiedEntries> chart_entries() const {
     const std::vector<double> ones(nodes_.size(), 1.0);
     return within_tolerance<CertifiedEntries>([&](double tolerance) {
-      return certified_chart_entries(surface_, triangulation_, functions_, ones, tolerance);
+      return certified_chart_entries(geometry_.integrals().surface, geometry_.integrals().triangulation,
+                                     functions_, ones, tolerance);
     });
   }
 
@@ -286,25 +310,38 @@ private:
         return plane_operator(charts, domains, density, points);
       }
     }
-    PiecewiseDensity piecewise;
-    for (const Chart& chart : surface_.charts) piecewise.by_chart.push_back(u.on(chart.facts().piece));
-    const double size = largest_size(enclosed_numbers(u_)).value;
     // Int |G| is at most pi.
-    const double scale = pi<double>() * (size > 0 ? size : 1);
+    const double scale = pi<double>() * size_of_u();
     const auto found = within_tolerance<CertifiedValues>([&](double tolerance) {
-      return certified_operator(surface_, triangulation_, density(piecewise), nodes_, tolerance * scale);
+      return certified_operator(surface_, geometry_.data().triangulation, density_of_u(), nodes_,
+                                tolerance * scale);
     });
     if (!found) refuse("Ku is not enclosed: " + found.reason());
-    std::vector<Ball> result;
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      result.push_back(ball_of({.value = found->values[i], .radius = found->radius[i]}));
-    return result;
+    return balls_of(*found);
+  }
+
+  Density density_of_u() const {
+    PiecewiseDensity piecewise;
+    for (const Chart& chart : surface_.charts)
+      piecewise.by_chart.push_back(problem_.solution->on(chart.facts().piece));
+    return density(std::move(piecewise));
+  }
+  /// At the nodes; 1 where it vanishes there.
+  double size_of_u() const {
+    const double size = largest_size(enclosed_numbers(u_)).value;
+    return size > 0 ? size : 1;
+  }
+  static std::vector<Ball> balls_of(const CertifiedValues& found) {
+    std::vector<Ball> balls;
+    for (std::size_t i = 0; i < found.values.size(); ++i)
+      balls.push_back(ball_of({.value = found.values[i], .radius = found.radius[i]}));
+    return balls;
   }
 
   /// K(I - P_n)u at the nodes; E = u - Ku is found with it.
   std::vector<Ball> discretisation(const CertifiedEntries& matrix) {
     const Stopwatch watch;
-    const std::vector<Ball> integrals = operator_at_nodes();
+    const std::vector<Ball> integrals = integrals_ ? *integrals_ : operator_at_nodes();
     outcome_.timing.operator_seconds = watch.seconds();
     std::vector<Ball> difference = enclosed_product(matrix, u_);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -356,13 +393,13 @@ private:
   LagrangeFunctions functions_;
   LevelGeometry geometry_;
   const Surface& surface_ = geometry_.data().surface;
-  const Triangulation& triangulation_ = geometry_.data().triangulation;
   std::vector<SurfacePoint<Rational>> nodes_;
   std::vector<std::optional<PlaneChart>> planes_;  ///< by chart
   bool all_plane_ = false;
   std::vector<Ball> rho_;
   std::vector<Ball> u_;
   std::vector<Ball> emission_;
+  std::optional<std::vector<Ball>> integrals_;  ///< Int_S G u dS, where it was found with the matrix
   std::vector<double> u_n_;
   std::vector<double> radius_;
   LevelOutcome outcome_;

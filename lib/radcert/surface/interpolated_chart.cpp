@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "radcert/surface/exact_chart.h"
+
 namespace radcert {
 namespace {
 
@@ -53,7 +55,7 @@ Chart interpolated_chart(const Chart& chart, const std::array<ParameterPoint<dou
     const Plane plane = plane_of_corners(corner, from_corner, degree);
     if (all_along(plane, from_corner)) facts.plane_of_disk = plane;
   }
-  return make_chart<LatticePolynomial>(std::move(facts), degree, corner, from_corner);
+  return make_exact_chart<LatticePolynomial>(std::move(facts), degree, corner, from_corner);
 }
 
 }  // namespace radcert

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <string>
 #include <vector>
 
@@ -90,7 +91,16 @@ private:
 
   template <class Number>
   static Vector<R> in_arithmetic(const Vector<Number>& v) {
-    return {R(v.x), R(v.y), R(v.z)};
+    return {entered(v.x), entered(v.y), entered(v.z)};
+  }
+  /// Rounded as R rounds; doubles are exact where R is.
+  template <class Number>
+  static R entered(const Number& x) {
+    if constexpr (std::constructible_from<R, const Number&>) {
+      return R(x);
+    } else {
+      return from_rational<R>(Rational::exactly(x));
+    }
   }
 
   int degree_;

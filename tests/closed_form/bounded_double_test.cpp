@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/closed_form/bounded_double.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "radcert/scalar/mpfr_real.h"
+
+namespace radcert {
+namespace {
+
+using Wide = Mpfr<100>;
+
+/// A number with a bound, and a number within it.
+struct Operand {
+  BoundedDouble bounded;
+  Wide exact;
+};
+
+/// Sizes from 2^-40 to 2^40, some of them whole, some zero; bounds from 0 to a part of the size, reached or not.
+class Operands {
+public:
+  explicit Operands(unsigned seed) : bits_(seed) {}
+  Operand next() {
+    double value = std::ldexp(fraction(), static_cast<int>(bits_() % 81) - 40);
+    if (bits_() % 4 == 0) value = static_cast<double>(static_cast<long>(bits_() % 17) - 8);
+    if (bits_() % 16 == 0) value = 0;
+    constexpr std::array<double, 5> parts{0, 1e-18, 1e-16, 1e-10, 1e-3};
+    const double error = (std::abs(value) + (bits_() % 8 == 0 ? 1e-5 : 0)) * parts[bits_() % parts.size()];
+    constexpr std::array<double, 5> places{-1, -0.5, 0, 0.75, 1};
+    return {{value, error}, Wide(value) + Wide(error) * Wide(places[bits_() % places.size()])};
+  }
+
+private:
+  double fraction() { return std::ldexp(static_cast<double>(bits_() >> 11U), -52) - 1; }
+  std::mt19937_64 bits_;
+};
+
+bool encloses(const BoundedDouble& found, const Wide& exact) {
+  if (!(found.error() < std::numeric_limits<double>::infinity())) return true;
+  return abs(Wide(found.value()) - exact) <= Wide(found.error());
+}
+
+struct Operation {
+  std::string name;
+  std::function<BoundedDouble(const BoundedDouble&, const BoundedDouble&)> bounded;
+  std::function<Wide(const Wide&, const Wide&)> exact;
+  bool has_a_value_everywhere = true;
+};
+
+template <class Formula>
+Operation operation(const std::string& name, Formula formula, bool everywhere = true) {
+  return {name, [formula](const BoundedDouble& a, const BoundedDouble& b) { return formula(a, b); },
+          [formula](const Wide& a, const Wide& b) { return Wide(formula(a, b)); }, everywhere};
+}
+
+std::vector<Operation> operations() {
+  return {operation("a + b", [](const auto& a, const auto& b) { return a + b; }),
+          operation("a - b", [](const auto& a, const auto& b) { return a - b; }),
+          operation("a * b", [](const auto& a, const auto& b) { return a * b; }),
+          operation(
+              "a / b", [](const auto& a, const auto& b) { return a / b; }, false),
+          operation(
+              "sqrt(a)", [](const auto& a, const auto&) { return sqrt(a); }, false),
+          operation(
+              "log(a)", [](const auto& a, const auto&) { return log(a); }, false),
+          operation(
+              "exp(min(max(a, -8), 8))",
+              [](const auto& a, const auto&) {
+                using T = std::decay_t<decltype(a)>;
+                return exp(min(max(a, T(-8)), T(8)));
+              },
+              false),
+          operation("sin(a)", [](const auto& a, const auto&) { return sin(a); }),
+          operation("cos(a)", [](const auto& a, const auto&) { return cos(a); }),
+          operation(
+              "tan(a)", [](const auto& a, const auto&) { return tan(a); }, false),
+          operation("atan(a)", [](const auto& a, const auto&) { return atan(a); }),
+          operation("abs(a)", [](const auto& a, const auto&) { return abs(a); }),
+          operation("min(a, b)", [](const auto& a, const auto& b) { return min(a, b); }),
+          operation("max(a, b)", [](const auto& a, const auto& b) { return max(a, b); }),
+          operation(
+              "pow(a, 3 / 4)",
+              [](const auto& a, const auto&) { return pow(a, std::decay_t<decltype(a)>(3) / 4); }, false)};
+}
+
+TEST(BoundedDouble, ContainsTheExactValue) {
+  Operands random(11);
+  for (const Operation& operation : operations())
+    for (int trial = 0; trial < 4000; ++trial) {
+      const Operand a = random.next();
+      const Operand b = random.next();
+      const BoundedDouble found = operation.bounded(a.bounded, b.bounded);
+      const bool known = std::isfinite(found.error());
+      ASSERT_TRUE(known || !operation.has_a_value_everywhere) << operation.name;
+      if (!known) continue;
+      ASSERT_TRUE(encloses(found, operation.exact(a.exact, b.exact)))
+          << operation.name << ", a = " << a.exact.to_text(30) << " in " << a.bounded.value() << " +- "
+          << a.bounded.error() << ", b = " << b.exact.to_text(30) << " in " << b.bounded.value() << " +- "
+          << b.bounded.error() << ": " << found.value() << " +- " << found.error();
+    }
+}
+
+TEST(BoundedDouble, IsNarrowForExactOperands) {
+  Operands random(12);
+  for (const Operation& operation : operations())
+    for (int trial = 0; trial < 1000; ++trial) {
+      const BoundedDouble a = BoundedDouble::exactly(random.next().bounded.value());
+      const BoundedDouble b = BoundedDouble::exactly(random.next().bounded.value());
+      const BoundedDouble found = operation.bounded(a, b);
+      if (!std::isfinite(found.error())) continue;
+      // A power passes on what the product in the exponent has lost, a tangent both of its parts.
+      const double size = std::abs(found.value()) * (1 + std::abs(found.value()));
+      EXPECT_LE(found.error(), 1e-13 * size + 1e-280)
+          << operation.name << ", " << a.value() << ", " << b.value();
+    }
+}
+
+TEST(BoundedDouble, CountsWhatUnderflows) {
+  const BoundedDouble small = BoundedDouble::exactly(1e-200);
+  const BoundedDouble large = BoundedDouble::exactly(1e200);
+  EXPECT_TRUE(
+      encloses((small * small) * large * large, Wide(1e-200) * Wide(1e-200) * Wide(1e200) * Wide(1e200)));
+  EXPECT_TRUE(
+      encloses(exp(BoundedDouble(-1000)) * large * large, exp(Wide(-1000)) * Wide(1e200) * Wide(1e200)));
+  EXPECT_TRUE(encloses((small / large) * large * large, Wide(1e-200) * Wide(1e200)));
+}
+
+TEST(BoundedDouble, SaysNothingOutsideTheDomain) {
+  const BoundedDouble about_zero(0, 1e-300);
+  for (const BoundedDouble& x : {BoundedDouble(1) / about_zero, sqrt(BoundedDouble(-1)), sqrt(about_zero),
+                                 log(about_zero), pow(BoundedDouble(-2), BoundedDouble(1) / 3)}) {
+    EXPECT_FALSE(std::isfinite(x.error()));
+    // It stays so.
+    EXPECT_FALSE(std::isfinite((0 * x).error()));
+    EXPECT_FALSE(std::isfinite(min(x, BoundedDouble(1)).error()));
+    EXPECT_FALSE(std::isfinite(max(BoundedDouble(1), x * 0).error()));
+    EXPECT_FALSE(std::isfinite(abs(x + 1).error()));
+  }
+}
+
+TEST(BoundedDouble, TakesRationalNumbers) {
+  EXPECT_EQ(from_rational<BoundedDouble>(Rational(3, 4)).error(), 0);
+  EXPECT_EQ(from_rational<BoundedDouble>(Rational(-7)).value(), -7);
+  const BoundedDouble third = from_rational<BoundedDouble>(Rational(1, 3));
+  EXPECT_TRUE(encloses(third, Wide(1) / Wide(3)));
+  EXPECT_TRUE(encloses(pi<BoundedDouble>(), Wide::pi()));
+  EXPECT_TRUE(encloses(from_rational<BoundedDouble>(Rational((1L << 60) + 1)), Wide((1L << 60) + 1)));
+}
+
+}  // namespace
+}  // namespace radcert
