@@ -10,14 +10,11 @@
 //              theorem_4_2: the order of the node error for r = 1 to 5 on two_piece(6), data on S; theorem_4_2_degree: that r = 3 is one
 //              power of h behind r = 4. equation_93: the cylinder with its lids, r = 1, 2 and exact.
 //              section_4_2: at alpha = 0 the normals of the elements of one vertex differ by O(h^r), and not by 0.
-//              section_4_2_averaged_normals: how far the mean of those normals is from that of S; not what it does to u_n: with such a
-//              normal G is not bounded over the node's own elements, and no rule of the library is made for it.
 // Not checked  the constants; that the integrals over the node's own element may be off by O(h^4).
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 #include <tuple>
@@ -163,20 +160,6 @@ double largest_gap(const Surface& surface, const Triangulation& triangulation) {
   return largest;
 }
 
-// The largest distance of the mean of the interpolant's normals at a vertex from the normal of S.
-double largest_error_of_means(const Surface& surface, int level, int degree) {
-  const Triangulation triangulation = triangulate(surface, level);
-  const InterpolatedSurface interpolant = interpolate(surface, triangulation, degree);
-  const VertexNormals exact = vertex_normals(surface, triangulation);
-  double largest = 0;
-  for (const auto& [where, all] : vertex_normals(interpolant.surface, interpolant.triangulation)) {
-    Vector<double> sum{0, 0, 0};
-    for (const Vector<double>& each : all) sum = sum + each;
-    largest = std::max(largest, norm((1 / norm(sum)) * sum - exact.at(where).front()));
-  }
-  return largest;
-}
-
 double gap_of_interpolant(const Surface& surface, int level, int degree) {
   const InterpolatedSurface interpolant = interpolate(surface, triangulate(surface, level), degree);
   return largest_gap(interpolant.surface, interpolant.triangulation);
@@ -298,27 +281,6 @@ Finding section_4_2(const Bench& bench) {
         Bound{.order = degree + 2.0, .slack = 0.4, .why = "elements of size 1/4 and 1/8"},
         order_between({.value = gap_of_interpolant(sphere, level - 1, degree), .radius = 1e-12}, gap));
     if (degree == 2) finding.show(gap);
-  }
-  return finding;
-}
-
-Finding section_4_2_averaged_normals(const Bench& bench) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const Surface sphere = surface_of(linear_problem("sphere", {}, "1/2"));
-  const int level = bench.budget == Budget::quick ? 3 : 4;
-  const Bound two{.order = 2, .slack = 0.3, .why = "(92) for r = 2"};
-  Finding finding;
-  finding.require("order of the node error, alpha = 0, r = 2, means of the normals at vertices: not computed",
-                  two, Measured{.value = infinity, .radius = infinity});
-  finding.control(
-      "order of the node error, alpha = 1/6, r = 1, sphere", two,
-      mean_order(bench, interpolated(linear_problem_with_solution("sphere", {}, "1/2", "exp(x)"), 1), 0, 2));
-  for (int degree = 1; degree <= 4; ++degree) {
-    const auto error_at = [&](int at) {
-      return Measured{.value = largest_error_of_means(sphere, at, degree), .radius = 1e-12};
-    };
-    finding.remark("order of |mean of the normals - n| at vertices, sphere, r = " + std::to_string(degree),
-                   order_between(error_at(level - 1), error_at(level)));
   }
   return finding;
 }

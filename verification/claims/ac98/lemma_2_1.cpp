@@ -65,7 +65,7 @@ const Equals& integral_is_pi() {
 
 const AtMost& never_negative() {
   static const AtMost zero{
-      .value = 0, .slack = 1e-10, .why = "rounding of the coordinates of points that are close together"};
+      .value = 0, .slack = 1e-8, .why = "rounding of the coordinates of points that are 1e-3 apart"};
   return zero;
 }
 

@@ -21,13 +21,14 @@
 #include <numbers>
 
 #include "radcert/core/parallel.h"
-#include "radcert/kernel/geometric_kernel.h"
 #include "radcert/polynomial/interpolatory_rule.h"
 #include "radcert/polynomial/symmetric_certificate.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/triangulation/triangulation.h"
 #include "verification/claims/m06/checks.h"
+#include "verification/claims/m06/interpolation_remainder.h"
+#include "verification/claims/m06/kernel_error.h"
 #include "verification/claims/m06/rates.h"
 
 namespace radcert::verification::m06 {
@@ -42,131 +43,10 @@ TriangleBasis<double> six_nodes() {
 
 TriangleBasis<double> inset_nodes_of_degree_2() { return {InsetBasis<double>(2, 0.1)}; }
 
-using Solution = double (*)(const Vector<double>& q);
-
 double on_two_pieces(const Vector<double>& q) { return std::exp(2 * q.x + q.y); }
 
 // The triangulation of the sphere has the symmetry of the octahedron: of the harmonics of degree 1 to 3 nothing is left over at any level.
 double on_the_sphere(const Vector<double>& q) { return q.x * q.x * q.x * q.x; }
-
-// u - P_n u on one element.
-class LeftOver {
-public:
-  LeftOver(const Surface& surface, const ParameterTriangle& element, const TriangleBasis<double>& basis,
-           Solution u)
-      : element_(&element), basis_(&basis), u_(u), area_(twice_area(element)) {
-    for (const Barycentric<double>& q : basis.nodes())
-      at_nodes_.push_back(u_(surface.charts[element.chart].in<double>().frame(element.at(q.x)).point));
-  }
-
-  double operator()(const ParameterPoint<double>& at, const Vector<double>& q) const {
-    const auto& v = element_->vertices;
-    const double x2 = cross(at - v[0], v[2] - v[0]) / area_;
-    const double x3 = cross(v[1] - v[0], at - v[0]) / area_;
-    std::array<double, 6> values{};
-    basis_->values({{1 - x2 - x3, x2, x3}}, std::span<double>(values));
-    double rest = u_(q);
-    for (std::size_t j = 0; j < values.size(); ++j) rest -= at_nodes_[j] * values[j];
-    return rest;
-  }
-
-private:
-  static double twice_area(const ParameterTriangle& t) {
-    return cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]);
-  }
-
-  const ParameterTriangle* element_;
-  const TriangleBasis<double>* basis_;
-  Solution u_;
-  double area_;
-  std::vector<double> at_nodes_;
-};
-
-// Int G(P,Q) (u - P_n u) dS over elements, P a node of one of them or of another piece.
-class KernelIntegral {
-public:
-  KernelIntegral(const Surface& surface, const SurfacePoint<double>& p, int order)
-      : surface_(&surface),
-        p_(p),
-        frame_(surface.charts[p.chart].in<double>().frame(p.at)),
-        normal_(unit_normal(frame_)),
-        rule_(conical_rule<double>(order, Gathering::nowhere)) {}
-
-  // Triangles about P are cut at P, where G has a value for each direction: the rule is collapsed there. Others are divided until they are
-  // further from P than they are wide.
-  [[nodiscard]] double over(const ParameterTriangle& t, const LeftOver& rest) const {
-    if (t.chart != p_.chart) return by_rule(t, rest);
-    const auto& [v1, v2, v3] = t.vertices;
-    if (contains(t)) {
-      return by_rule({t.chart, {p_.at, v1, v2}}, rest) + by_rule({t.chart, {p_.at, v2, v3}}, rest) +
-             by_rule({t.chart, {p_.at, v3, v1}}, rest);
-    }
-    const ParameterPoint<double> middle = t.at({1.0 / 3, 1.0 / 3, 1.0 / 3});
-    const double width = std::max({squared(v1 - v2), squared(v2 - v3), squared(v3 - v1)});
-    if (squared(middle - p_.at) > 4 * width) return by_rule(t, rest);
-    const ParameterPoint<double> m12 = 0.5 * (v1 + v2);
-    const ParameterPoint<double> m23 = 0.5 * (v2 + v3);
-    const ParameterPoint<double> m31 = 0.5 * (v3 + v1);
-    return over({t.chart, {v1, m12, m31}}, rest) + over({t.chart, {m12, v2, m23}}, rest) +
-           over({t.chart, {m31, m23, v3}}, rest) + over({t.chart, {m23, m31, m12}}, rest);
-  }
-
-private:
-  static double squared(const ParameterPoint<double>& w) { return w.s * w.s + w.t * w.t; }
-
-  [[nodiscard]] bool contains(const ParameterTriangle& t) const {
-    const auto& [v1, v2, v3] = t.vertices;
-    return cross(v2 - v1, p_.at - v1) > 0 && cross(v3 - v2, p_.at - v2) > 0 && cross(v1 - v3, p_.at - v3) > 0;
-  }
-
-  [[nodiscard]] double by_rule(const ParameterTriangle& t, const LeftOver& rest) const {
-    const ChartIn<double>& chart = surface_->charts[t.chart].in<double>();
-    double sum = 0;
-    for (std::size_t k = 0; k < rule_.points.size(); ++k) {
-      const ParameterPoint<double> at = t.at(rule_.points[k].x);
-      const Frame<double> q = chart.frame(at);
-      // With the area normal for the unit normal at Q the kernel has the area element in it.
-      const double g = t.chart == p_.chart
-                           ? chord_kernel(chart.chord(p_.at, at - p_.at), normal_, q.area_normal)
-                           : geometric_kernel(frame_.point, normal_, q.point, q.area_normal);
-      sum += rule_.weights[k] * g * rest(at, q.point);
-    }
-    return sum * cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]);
-  }
-
-  const Surface* surface_;
-  SurfacePoint<double> p_;
-  Frame<double> frame_;
-  Vector<double> normal_;
-  TriangleRule<double> rule_;
-};
-
-// Over the elements of one chart; the radius is the distance of two orders of the rule.
-Measured integral_over(const Surface& surface, const std::vector<ParameterTriangle>& elements,
-                       std::size_t chart, const TriangleBasis<double>& basis, const SurfacePoint<double>& p) {
-  const KernelIntegral coarse(surface, p, 10);
-  const KernelIntegral fine(surface, p, 14);
-  struct Sums {
-    double coarse = 0;
-    double fine = 0;
-  };
-  const Sums sums = parallel_reduce_ordered(
-      elements.size(), 64, Sums{},
-      [&](std::size_t begin, std::size_t end) {
-        Sums part;
-        for (std::size_t k = begin; k < end; ++k) {
-          if (elements[k].chart != chart) continue;
-          const LeftOver rest(surface, elements[k], basis, on_two_pieces);
-          part.coarse += coarse.over(elements[k], rest);
-          part.fine += fine.over(elements[k], rest);
-        }
-        return part;
-      },
-      [](const Sums& a, const Sums& b) {
-        return Sums{a.coarse + b.coarse, a.fine + b.fine};
-      });
-  return {.value = sums.fine, .radius = std::abs(sums.fine - sums.coarse)};
-}
 
 // The largest such integral over the nodes of the element of the roof that lies below and to the right of (1/4, 1/4).
 Errors errors_on_two_pieces(const TriangleBasis<double>& basis, std::size_t chart, int first, int last) {
@@ -181,14 +61,8 @@ Errors errors_on_two_pieces(const TriangleBasis<double>& basis, std::size_t char
              std::abs(middle.t - (0.25 + side / 3)) < side / 8;
     });
     expects(own != elements.end(), "level >= 2, so that (1/4, 1/4) is a vertex", named("level", level));
-    Measured largest;
-    for (const Barycentric<double>& q : basis.nodes()) {
-      const Measured here = integral_over(surface, elements, chart, basis, {upper, own->at(q.x)});
-      if (std::abs(here.value) > largest.value) largest.value = std::abs(here.value);
-      largest.radius = std::max(largest.radius, here.radius);
-    }
     errors.mesh_sizes.push_back(side);
-    errors.errors.push_back(largest);
+    errors.errors.push_back(kernel_error_at_nodes(surface, elements, *own, basis, on_two_pieces, chart));
   }
   return errors;
 }
@@ -207,7 +81,7 @@ Errors errors_on_the_sphere(const TriangleBasis<double>& basis, int first, int l
         [&](std::size_t begin, std::size_t end) {
           double part = 0;
           for (std::size_t k = begin; k < end; ++k) {
-            const LeftOver rest(surface, elements[k], basis, on_the_sphere);
+            const InterpolationRemainder rest(surface, elements[k], basis, on_the_sphere);
             for (std::size_t p = 0; p < rule.points.size(); ++p) {
               const ParameterPoint<double> at = elements[k].at(rule.points[p].x);
               const Frame<double> frame = surface.charts[elements[k].chart].in<double>().frame(at);
