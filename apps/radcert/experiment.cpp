@@ -114,7 +114,7 @@ Files paper_files(const Common& common, const ExperimentOptions& options, const 
   }
   std::vector<InputDigest> inputs = {input_digest(options.experiment)};
   for (InputDigest& named : inputs_named_in(problems)) inputs.push_back(std::move(named));
-  for (auto& file : origin_files(folder, common, references, std::move(inputs)))
+  for (auto& file : origin_files(folder, common, references, std::move(inputs), seed_of(problems)))
     files.push_back(std::move(file));
   return files;
 }

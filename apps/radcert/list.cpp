@@ -49,6 +49,34 @@ std::vector<Entry> surfaces() {
   return out;
 }
 
+/// What all meshless bases take; defaults as JSON has them.
+std::vector<EntryParameter> meshless_parameters() {
+  return {
+      {"sites",
+       R"({"poisson_disk": s, "seed": n}, s / 2^k apart at level k, or {"uniform": count, "seed": n}, count 4^k)",
+       R"({"uniform": 400, "seed": 1})"},
+      {"weights", "integrated, plane, neighbours, mean_density", "integrated"},
+      {"coefficients", "as_values, interpolated", "as_values"}};
+}
+
+std::vector<EntryParameter> with_radius(std::vector<EntryParameter> parameters) {
+  parameters.insert(parameters.begin(), {"radius", R"({"neighbour": m, "too_few": "refuse" or "farthest"})",
+                                         R"({"neighbour": 10, "too_few": "refuse"})"});
+  return parameters;
+}
+
+std::vector<EntryParameter> own_meshless_parameters() {
+  std::vector<EntryParameter> parameters = with_radius(meshless_parameters());
+  parameters.front().allowed += ", or absolute";
+  parameters.insert(
+      parameters.begin(),
+      {{"mother", "gaussian, spline, shepard, or an expression in r", ""},
+       {"support", "of gaussian or an expression: a number > 0, or none", "4, or none"},
+       {"distance", "normal_sensitive, euclidean_with_normal_factor, euclidean", "normal_sensitive"},
+       {"normalise", "none, partition_of_unity", "partition_of_unity"}});
+  return parameters;
+}
+
 std::vector<Entry> bases() {
   return {
       {.name = "inset",
@@ -58,7 +86,20 @@ std::vector<Entry> bases() {
                        ""}}},
       {.name = "symmetric",
        .summary = "polynomials with symmetric nodes whose rule has a high degree of precision",
-       .parameters = {{"degree", "a whole number from 1 to 6", ""}}}};
+       .parameters = {{"degree", "a whole number from 1 to 6", ""}}},
+      {.name = "shepard",
+       .summary = "meshless: inverse squares of normal-sensitive distances, normalised, psg10 (16)",
+       .parameters = meshless_parameters()},
+      {.name = "gaussian",
+       .summary = "meshless: Gaussian bells of normal-sensitive distances, psg10 (17)",
+       .parameters = with_radius(meshless_parameters())},
+      {.name = "lehtinen",
+       .summary =
+           "meshless: spline bells of Euclidean distances with a normal factor, normalised, psg10 (18)",
+       .parameters = with_radius(meshless_parameters())},
+      {.name = "meshless",
+       .summary = "meshless: a mother function of one's own, psg10 sections V and VI",
+       .parameters = own_meshless_parameters()}};
 }
 
 std::vector<Entry> claims() {

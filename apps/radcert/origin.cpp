@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
+#include <variant>
 
 #include "circumstances.h"
 #include "citation.h"
@@ -67,11 +68,25 @@ std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems) {
 std::vector<std::string> references_of(const Problem& problem) {
   std::vector<std::string> keys = {"ac98"};
   if (problem.basis.family == BasisFamily::inset) keys.emplace_back("m06");
+  if (problem.basis.family == BasisFamily::meshless) keys.emplace_back("psg10");
   return keys;
 }
 
+std::optional<std::uint64_t> seed_of(std::span<const Problem> problems) {
+  std::optional<std::uint64_t> common;
+  for (const Problem& problem : problems) {
+    if (!problem.basis.meshless) continue;
+    const std::uint64_t seed =
+        std::visit([](const auto& sites) { return sites.seed; }, problem.basis.meshless->sites);
+    if (common && *common != seed) return std::nullopt;
+    common = seed;
+  }
+  return common;
+}
+
 Files origin_files(const std::filesystem::path& folder, const Common& common,
-                   const std::vector<std::string>& references, std::vector<InputDigest> inputs) {
+                   const std::vector<std::string>& references, std::vector<InputDigest> inputs,
+                   std::optional<std::uint64_t> seed) {
   const Provenance provenance{.command = common.command,
                               .inputs = std::move(inputs),
                               .libraries = library_versions(),
@@ -80,7 +95,7 @@ Files origin_files(const std::filesystem::path& folder, const Common& common,
                               .system = system_name(),
                               .cpu_features = cpu_features(),
                               .threads = thread_count(),
-                              .seed = std::nullopt};
+                              .seed = seed};
   return {{folder / "cite.bib", cite_bib(references)},
           {folder / "provenance.json", provenance_text(provenance)}};
 }

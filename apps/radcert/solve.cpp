@@ -104,7 +104,8 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
   }
   std::vector<InputDigest> inputs = {input_digest(options.problem)};
   for (InputDigest& named : inputs_named_in({&result.problem, 1})) inputs.push_back(std::move(named));
-  for (auto& file : origin_files(folder, common, references_of(result.problem), std::move(inputs)))
+  for (auto& file : origin_files(folder, common, references_of(result.problem), std::move(inputs),
+                                 seed_of({&result.problem, 1})))
     files.push_back(std::move(file));
   return files;
 }
@@ -174,6 +175,11 @@ void add_solve(CLI::App& program, Common& common, Action& action) {
       "`solution`\n"
       "u given instead, E = u - Ku. `solver` is direct, gmres, neumann or verified;\n"
       "verified proves its radii, or ends with exit code 1 and the reason why it cannot.\n"
+      "With a meshless basis `elements` are its functions, one a site; at level k the sites of "
+      "{\"poisson_disk\": s} are\n"
+      "s/2^k apart, those of {\"uniform\": n} 4^k n. Reflections that would grow without end are refused "
+      "with "
+      "exit code 1.\n"
       "Finished levels are kept in $RADCERT_STORE, else ~/.cache/radcert.");
   command.callback(
       [&common, &action, options] { action = [&common, options] { return solve(common, *options); }; });

@@ -200,7 +200,8 @@ class Experiment(ProgramTest):
         schema = json.loads(self.expect(0, "schema", "experiment"))
         folder = os.path.join(EXAMPLES, "experiments")
         names = sorted(file[:-5] for file in os.listdir(folder))
-        self.assertEqual(names, ["degree_sweep", "grading_on_the_cube", "inset_alpha_sweep", "symmetric_against_inset"])
+        self.assertEqual(names, ["degree_sweep", "grading_on_the_cube", "inset_alpha_sweep", "meshless_against_collocation",
+                                 "symmetric_against_inset"])
         for name in names:
             with open(os.path.join(folder, name + ".json"), encoding="utf-8") as file:
                 text = file.read()

@@ -55,6 +55,56 @@ TEST(ParseProblem, FillsInWhatTheFormatSays) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
 }
 
+TEST(ParseProblem, ReadsMeshlessBases) {
+  const auto basis = [](const std::string& text) {
+    return *parse_problem(with("basis", text), "").basis.meshless;
+  };
+  const MeshlessBasis own = basis(R"json({"family": "meshless", "mother": "exp(-r^2/2)", "support": "3/2",
+      "distance": "euclidean", "radius": {"neighbour": 7, "too_few": "farthest"}, "normalise": "none",
+      "sites": {"poisson_disk": "0.1", "seed": 18446744073709551615}, "weights": "mean_density",
+      "coefficients": "interpolated"})json");
+  EXPECT_EQ(own.basis.mother.to_text(), "exp(-r^2/2)");
+  EXPECT_EQ(own.basis.mother.support, Rational(3, 2));
+  EXPECT_EQ(own.basis.distance, SiteDistance::euclidean);
+  EXPECT_EQ(own.basis.radius.neighbour, 7U);
+  EXPECT_EQ(own.basis.radius.too_few, TooFewNeighbours::farthest);
+  EXPECT_EQ(own.basis.normalise, Normalisation::none);
+  EXPECT_EQ(std::get<PoissonDiskLevels>(own.sites).separation, Rational(1, 10));
+  EXPECT_EQ(std::get<PoissonDiskLevels>(own.sites).seed, 18446744073709551615U);
+  EXPECT_EQ(own.weights, WeightRule::mean_density);
+  EXPECT_EQ(own.coefficients, CoefficientRule::interpolated);
+
+  const MeshlessBasis plain = basis(R"({"family": "meshless", "mother": "spline", "radius": "absolute"})");
+  EXPECT_EQ(plain.basis.mother.kind, MotherKind::spline);
+  EXPECT_FALSE(plain.basis.radius.neighbour);
+  EXPECT_EQ(plain.basis.distance, SiteDistance::normal_sensitive);
+  EXPECT_EQ(plain.basis.normalise, Normalisation::partition_of_unity);
+  EXPECT_EQ(std::get<UniformLevels>(plain.sites).count, 400U);
+  EXPECT_EQ(plain.weights, WeightRule::integrated);
+  EXPECT_EQ(plain.coefficients, CoefficientRule::as_values);
+  EXPECT_EQ(basis(R"json({"family": "meshless", "mother": "exp(-r)"})json").basis.radius.neighbour, 10U);
+  EXPECT_FALSE(basis(R"json({"family": "meshless", "mother": "exp(-r)"})json").basis.mother.support);
+  EXPECT_FALSE(
+      basis(R"({"family": "meshless", "mother": "gaussian", "support": "none"})").basis.mother.support);
+  EXPECT_EQ(basis("\"lehtinen\"").basis.normalise, Normalisation::partition_of_unity);
+  EXPECT_EQ(basis("\"gaussian\"").basis.mother.support, Rational(4));
+  EXPECT_EQ(basis(R"({"family": "gaussian", "radius": {"neighbour": 5}})").basis.radius.neighbour, 5U);
+}
+
+TEST(ProblemJson, WritesMeshlessBasesSoThatTheyAreReadBack) {
+  for (const char* basis :
+       {"\"shepard\"", "\"gaussian\"", R"({"family": "lehtinen", "sites": {"poisson_disk": "1/3"}})",
+        R"json({"family": "meshless", "mother": "exp(-r)", "support": 2, "radius": "absolute"})json",
+        R"({"family": "meshless", "mother": "1/r^3"})", R"({"family": "meshless", "mother": "spline"})",
+        R"({"family": "meshless", "mother": "shepard"})",
+        R"({"family": "meshless", "mother": "gaussian", "support": "none", "weights": "plane"})"}) {
+    const std::string once = problem_text(parse_problem(with("basis", basis), ""));
+    EXPECT_EQ(problem_text(parse_problem(once, "")), once) << basis;
+    for (const char* key : {"\"sites\"", "\"seed\"", "\"weights\"", "\"coefficients\""})
+      EXPECT_NE(once.find(key), std::string::npos) << key << " in " << once;
+  }
+}
+
 TEST(ParseProblem, ReadsTheSolverAndItsTolerance) {
   const auto solver = [](const std::string& text) { return parse_problem(with("solver", text), "").solver; };
   EXPECT_EQ(test::sample_problem().solver.name, SolverName::direct);

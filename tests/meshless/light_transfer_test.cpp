@@ -47,6 +47,18 @@ std::string input_error(Action&& action) {
   return "no InputError";
 }
 
+TEST(PointLightTransfer, TakesAnAlbedoForEachSite) {
+  const LightScene scene = LightScene::make(test::room_with_block(), {0.25}).value();
+  const SiteSet sites = uniform_sites(scene.surface(), {.count = 70, .seed = 2}).value();
+  const Matrix<double> same = point_light_transfer(scene, sites, ones(70));
+  std::vector<double> albedos(70);
+  for (std::size_t i = 0; i < albedos.size(); ++i) albedos[i] = static_cast<double>(i) / 70;
+  const Matrix<double> each = point_light_transfer(scene, sites, albedos, ones(70));
+  for (std::size_t i = 0; i < 70; ++i)
+    for (std::size_t j = 0; j < 70; ++j) EXPECT_NEAR(each(i, j), same(i, j) * albedos[i] / 0.25, 1e-15);
+  EXPECT_THROW((void)point_light_transfer(scene, sites, ones(69), ones(70)), ContractViolation);
+}
+
 TEST(SiteKernel, IsTheProductOfTheCosinesOverTheSquaredDistance) {
   const Site<double> floor{{0, 0, 0}, {0, 0, 1}};
   EXPECT_EQ(site_kernel(floor, {{0, 0, 2}, {0, 0, -1}}), 0.25);

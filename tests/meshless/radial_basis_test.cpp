@@ -12,6 +12,7 @@
 
 #include "radcert/core/parallel.h"
 #include "radcert/expression/parse.h"
+#include "radcert/scalar/ball_precision.h"
 #include "tests/laws/meshless_laws.h"
 
 namespace radcert {
@@ -54,6 +55,46 @@ SiteSet lattice(int k) {
   for (int x = 0; x < k; ++x)
     for (int y = 0; y < k; ++y) set.add({{static_cast<double>(x), static_cast<double>(y), 0}, {0, 0, 1}}, {});
   return set;
+}
+
+/// The spline bell once more, as a type of one's own.
+struct OwnBell {
+  template <Field R>
+  R operator()(const R& r) const {
+    return select_less(r, R(1), R(R(1) - R(3) * r * r + R(2) * r * r * r), R(0));
+  }
+};
+
+/// In double alone.
+struct OwnHat {
+  double operator()(double r) const { return std::max(0.0, 1 - r); }
+};
+
+TEST(RadialBasis, TakesAMotherFunctionOfOnesOwnType) {
+  RadialBasisChoice named{.mother = spline_mother(), .normalise = Normalisation::partition_of_unity};
+  RadialBasisChoice own = named;
+  own.mother = own_mother("bell", OwnBell{}, Rational(1));
+  const SiteSet centroids = sites(31, 40, true);
+  const RadialBasis by_name = RadialBasis::make(centroids, named).value();
+  const RadialBasis by_type = RadialBasis::make(centroids, own).value();
+  std::vector<double> coefficients(centroids.size());
+  for (std::size_t i = 0; i < coefficients.size(); ++i) coefficients[i] = std::sin(static_cast<double>(i));
+  for (const Site<double>& p : list(sites(32, 50, true))) {
+    const auto expected = by_name.at(p, coefficients);
+    const auto found = by_type.at(p, coefficients);
+    ASSERT_EQ(found.has_value(), expected.has_value());
+    if (found) {
+      EXPECT_NEAR(*found, *expected, 1e-12);
+    }
+  }
+  EXPECT_EQ(own.mother.to_text(), "bell");
+  EXPECT_FALSE(own.mother.is_monotone());
+  const BallPrecision scope(100);
+  EXPECT_TRUE(own.mother.value(Ball(Rational(1, 2))).contains(Rational(1, 2)));
+  EXPECT_EQ(own.mother.value(2.0), 0);
+  EXPECT_THROW((void)own_mother("hat", OwnHat{}).value(Ball(1)), ContractViolation);
+  EXPECT_THROW((void)own_mother("", OwnHat{}), ContractViolation);
+  EXPECT_THROW((void)own_mother("hat", OwnHat{}, Rational(0)), ContractViolation);
 }
 
 TEST(RadialBasis, AgreesWithTheFormulaForEveryChoice) {

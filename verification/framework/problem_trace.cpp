@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem_parts.h"
+#include "radcert/formats/problem_words.h"
 
 namespace radcert::verification {
 namespace {
@@ -20,6 +22,7 @@ std::string basis_text(const BasisChoice& basis) {
   switch (basis.family) {
     case BasisFamily::file: return "nodes of " + basis.file;
     case BasisFamily::symmetric: return "symmetric nodes of degree " + std::to_string(basis.degree);
+    case BasisFamily::meshless: return joined_words(meshless_words(*basis.meshless));
     case BasisFamily::inset: break;
   }
   std::string out = "degree " + std::to_string(basis.degree);

@@ -322,7 +322,7 @@ std::string experiment_errors_csv(const Experiment& experiment, std::span<const 
       std::vector<JsonValue> row = {i, experiment.combinations[i].name};
       for (const char* part : {"surface", "triangulation", "geometry", "basis"})
         row.emplace_back(words_of(problem, part));
-      row.emplace_back(basis.degree);
+      row.push_back(basis.meshless ? JsonValue() : JsonValue(basis.degree));
       row.push_back(basis.alpha ? JsonValue(basis.alpha->to_double()) : JsonValue());
       row.emplace_back(problem.triangulation.grading.to_double());
       row.push_back(function_cell(problem.reflectivity));

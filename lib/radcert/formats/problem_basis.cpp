@@ -16,8 +16,8 @@ namespace radcert {
 namespace {
 
 constexpr int largest_degree = 8;
-const std::vector<std::string> available_families = {"inset", "symmetric"};
-const std::vector<std::string> planned_families = {"shepard", "gaussian", "lehtinen", "meshless"};
+const std::vector<std::string> available_families = {"inset",    "symmetric", "shepard",
+                                                     "gaussian", "lehtinen",  "meshless"};
 constexpr const char* alpha_allowed =
     "a decimal or fraction in a string, or a number, in [0, 1/3); superconvergent at degrees 1 and 3; "
     "at degree 0 it may be left out";
@@ -74,11 +74,13 @@ BasisChoice read_symmetric(const JsonReader& basis) {
 }  // namespace
 
 BasisChoice read_basis(const JsonReader& basis, const std::filesystem::path& folder) {
+  if (basis.value().string() != nullptr) return read_meshless(basis);
   if (basis.value().members() == nullptr) basis.refuse("is " + basis.value().kind(), "an object");
   if (const auto file = basis.find("file")) return read_file(basis, *file, folder);
   const std::string& family =
-      basis.at("family", "one of " + listed(available_families)).word(available_families, planned_families);
+      basis.at("family", "one of " + listed(available_families)).word(available_families);
   if (family == "symmetric") return read_symmetric(basis);
+  if (is_meshless_family(family)) return read_meshless(basis);
   basis.require_object({"family", "degree", "alpha"});
 
   BasisChoice choice;
@@ -93,6 +95,7 @@ BasisChoice read_basis(const JsonReader& basis, const std::filesystem::path& fol
 }
 
 JsonValue basis_json(const BasisChoice& basis) {
+  if (basis.meshless) return meshless_json(*basis.meshless);
   JsonValue out = JsonValue::object();
   if (basis.family == BasisFamily::file) {
     out.set("file", basis.file);

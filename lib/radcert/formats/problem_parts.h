@@ -5,6 +5,8 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "radcert/formats/json_reader.h"
 #include "radcert/study/problem.h"
@@ -21,6 +23,7 @@ SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::pat
 TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces);
 std::optional<InterpolatedGeometry> read_geometry(const JsonReader& geometry);
 BasisChoice read_basis(const JsonReader& basis, const std::filesystem::path& folder);
+BasisChoice read_meshless(const JsonReader& basis);
 QuadratureChoice read_quadrature(const JsonReader& quadrature);
 SolverChoice read_solver(const JsonReader& solver);
 PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);
@@ -35,9 +38,16 @@ JsonValue surface_json(const SurfaceChoice& surface);
 JsonValue triangulation_json(const TriangulationChoice& triangulation);
 JsonValue geometry_json(const std::optional<InterpolatedGeometry>& geometry);
 JsonValue basis_json(const BasisChoice& basis);
+JsonValue meshless_json(const MeshlessBasis& basis);
 JsonValue quadrature_json(const QuadratureChoice& quadrature);
 JsonValue solver_json(const SolverChoice& solver);
 JsonValue piecewise_json(const PiecewiseExpression& expression);
+
+/// Whether a family of bases is one of shepard, gaussian, lehtinen, meshless.
+[[nodiscard]] bool is_meshless_family(std::string_view family);
+
+/// A meshless basis in words: what it is, its sites, its weights, its coefficients.
+[[nodiscard]] std::vector<std::string> meshless_words(const MeshlessBasis& basis);
 
 /// An exact number as JSON.
 /// Maths     none

@@ -39,6 +39,7 @@ Words geometry_words(const std::optional<InterpolatedGeometry>& geometry) {
 }
 
 Words basis_words(const BasisChoice& basis) {
+  if (basis.meshless) return meshless_words(*basis.meshless);
   if (basis.family == BasisFamily::file) return {basis.file};
   const std::string family = basis.family == BasisFamily::symmetric ? "symmetric" : "inset";
   Words words{family + " of degree " + std::to_string(basis.degree)};

@@ -7,7 +7,7 @@ std::string_view problem_schema() {
   return R"json({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "title": "A problem of radcert",
-  "description": "u(P) - rho(P)/pi Int_S G(P,Q) u(Q) dS_Q = E(P) on a surface S, solved by collocation at several levels. A string is exact; a JSON number means the nearest double.",
+  "description": "u(P) - rho(P)/pi Int_S G(P,Q) u(Q) dS_Q = E(P) on a surface S, solved by collocation, or with a meshless basis, at several levels. A string is exact; a JSON number means the nearest double.",
   "type": "object",
   "required": ["schema", "surface", "triangulation", "basis", "reflectivity"],
   "oneOf": [
@@ -135,7 +135,7 @@ std::string_view problem_schema() {
       }
     },
     "geometry": {
-      "description": "What the collocation integrals are taken over: S itself, or its interpolant of a degree, element by element.",
+      "description": "exact for meshless bases. What the collocation integrals are taken over: S itself, or its interpolant of a degree, element by element.",
       "default": "exact",
       "oneOf": [
         {"const": "exact"},
@@ -191,6 +191,66 @@ std::string_view problem_schema() {
             },
             "digest": {"description": "Of the file's bytes; where given, another file is refused.", "type": "string"}
           }
+        },
+        {"description": "A meshless basis with all defaults.", "enum": ["shepard", "gaussian", "lehtinen"]},
+        {
+          "description": "Shepard's basis, psg10 (16).",
+          "type": "object",
+          "required": ["family"],
+          "additionalProperties": false,
+          "properties": {
+            "family": {"const": "shepard"},
+            "sites": {"$ref": "#/$defs/sites"},
+            "weights": {"$ref": "#/$defs/weights"},
+            "coefficients": {"$ref": "#/$defs/coefficients"}
+          }
+        },
+        {
+          "description": "Gaussian elements, psg10 (17), or Lehtinen's basis, (18).",
+          "type": "object",
+          "required": ["family"],
+          "additionalProperties": false,
+          "properties": {
+            "family": {"enum": ["gaussian", "lehtinen"]},
+            "radius": {"$ref": "#/$defs/neighbour"},
+            "sites": {"$ref": "#/$defs/sites"},
+            "weights": {"$ref": "#/$defs/weights"},
+            "coefficients": {"$ref": "#/$defs/coefficients"}
+          }
+        },
+        {
+          "description": "A basis of one's own: mother function, site distance, radius rule and normalisation, psg10 sections V and VI.",
+          "type": "object",
+          "required": ["family", "mother"],
+          "additionalProperties": false,
+          "if": {"properties": {"mother": {"enum": ["spline", "shepard"]}}},
+          "then": {"properties": {"support": false}},
+          "properties": {
+            "family": {"const": "meshless"},
+            "mother": {
+              "description": "gaussian, spline, shepard, or an expression in r, the distance over the radius.",
+              "type": "string",
+              "minLength": 1,
+              "maxLength": 4096
+            },
+            "support": {
+              "description": "The r beyond which the elements are 0, or none. Default 4 for gaussian, none for an expression.",
+              "anyOf": [{"const": "none"}, {"$ref": "#/$defs/exact"}]
+            },
+            "distance": {
+              "default": "normal_sensitive",
+              "enum": ["normal_sensitive", "euclidean_with_normal_factor", "euclidean"]
+            },
+            "radius": {
+              "description": "The unit of r about a site: the distance of a neighbour, or absolute, which is 1.",
+              "default": {"neighbour": 10},
+              "anyOf": [{"const": "absolute"}, {"$ref": "#/$defs/neighbour"}]
+            },
+            "normalise": {"default": "partition_of_unity", "enum": ["none", "partition_of_unity"]},
+            "sites": {"$ref": "#/$defs/sites"},
+            "weights": {"$ref": "#/$defs/weights"},
+            "coefficients": {"$ref": "#/$defs/coefficients"}
+          }
         }
       ]
     },
@@ -207,7 +267,7 @@ std::string_view problem_schema() {
       "additionalProperties": false,
       "properties": {
         "tolerance": {
-          "description": "Of an entry of the collocation matrix, relative to its row's integral of |G|: from 1e-13, what double can hold, to 1e-2.",
+          "description": "Without effect for meshless bases. Of an entry of the collocation matrix, relative to its row's integral of |G|: from 1e-13, what double can hold, to 1e-2.",
           "$ref": "#/$defs/exact"
         }
       }
@@ -219,7 +279,7 @@ std::string_view problem_schema() {
       "additionalProperties": false,
       "properties": {
         "name": {
-          "description": "verified encloses every number on the way: errors at the nodes with a guaranteed radius, on surfaces in the boundary of a convex body.",
+          "description": "direct or neumann for meshless bases. verified encloses every number on the way: errors at the nodes with a guaranteed radius, on surfaces in the boundary of a convex body.",
           "enum": ["direct", "gmres", "neumann", "verified"]
         },
         "tolerance": {
@@ -233,6 +293,38 @@ std::string_view problem_schema() {
     }
   },
   "$defs": {
+    "neighbour": {
+      "description": "The radius of a site is the distance of its neighbour of this number. too_few: what to do where fewer others are at a finite distance.",
+      "type": "object",
+      "required": ["neighbour"],
+      "additionalProperties": false,
+      "properties": {
+        "neighbour": {"type": "integer", "minimum": 1, "maximum": 1000000},
+        "too_few": {"default": "refuse", "enum": ["refuse", "farthest"]}
+      }
+    },
+    "sites": {
+      "description": "Of level 0. At level k sites are separation/2^k apart, or 4^k times as many; the seed is the same.",
+      "type": "object",
+      "default": {"uniform": 400, "seed": 1},
+      "oneOf": [{"required": ["poisson_disk"]}, {"required": ["uniform"]}],
+      "additionalProperties": false,
+      "properties": {
+        "poisson_disk": {"description": "The least distance of two sites, > 0; there are as many as find room.", "$ref": "#/$defs/exact"},
+        "uniform": {"description": "The number of sites, each anywhere by area.", "type": "integer", "minimum": 1, "maximum": 9007199254740992},
+        "seed": {"description": "Of the random numbers; the same seed gives the same sites on every machine.", "default": 1, "type": "integer", "minimum": 0, "maximum": 18446744073709551615}
+      }
+    },
+    "weights": {
+      "description": "The brightness w_j of the light at a site: the integral of its element, or an estimate of psg10 section VII.",
+      "default": "integrated",
+      "enum": ["integrated", "plane", "neighbours", "mean_density"]
+    },
+    "coefficients": {
+      "description": "How values at the sites become coefficients: taken as they are (R = N), or such that u_n has them at the sites (R = A^-1 N).",
+      "default": "as_values",
+      "enum": ["as_values", "interpolated"]
+    },
     "exact": {
       "description": "A number, or a decimal or a fraction in a string.",
       "anyOf": [

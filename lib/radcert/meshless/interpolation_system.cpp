@@ -5,12 +5,14 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCore>
 #include <Eigen/SparseLU>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/parallel.h"
 
 namespace radcert {
 namespace {
@@ -85,6 +87,15 @@ std::vector<double> InterpolationSystem::solve(std::span<const double> f) const 
   expects(static_cast<Eigen::Index>(f.size()) == parts_->matrix.rows(), "a value for each site",
           named("values", f.size()));
   return numbers(parts_->solve(vector(f)));
+}
+
+void InterpolationSystem::solve_columns(Matrix<double>& matrix) const {
+  parallel_for(matrix.columns(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t j = begin; j < end; ++j) {
+      const std::vector<double> column = solve(matrix.column(j));
+      std::copy(column.begin(), column.end(), matrix.column(j).begin());
+    }
+  });
 }
 
 std::vector<double> InterpolationSystem::values_at_sites(std::span<const double> c) const {

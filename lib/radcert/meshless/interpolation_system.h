@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "radcert/core/matrix.h"
 #include "radcert/core/outcome.h"
 #include "radcert/meshless/radial_basis.h"
 
@@ -26,6 +27,8 @@ public:
 
   /// The coefficients of the interpolant of f. ContractViolation unless there are n values.
   [[nodiscard]] std::vector<double> solve(std::span<const double> f) const;
+  /// A^-1 M in place of M, on all threads; the bits do not depend on their number. ContractViolation unless M has n rows.
+  void solve_columns(Matrix<double>& matrix) const;
   /// A c: the values at the sites. ContractViolation unless there are n coefficients.
   [[nodiscard]] std::vector<double> values_at_sites(std::span<const double> c) const;
   /// An estimate, from below, of the condition in the 1-norm, |A| |A^-1|: Hager (1984), Higham (1988).

@@ -15,24 +15,6 @@
 namespace radcert {
 namespace {
 
-Outcome<std::vector<double>> weights_of(const RadialBasis& basis, const Surface& surface,
-                                        const TransferChoice& choice) {
-  switch (choice.weights) {
-    case WeightRule::plane: return plane_weights(basis);
-    case WeightRule::neighbours: return neighbour_weights(basis);
-    case WeightRule::integrated:
-    case WeightRule::mean_density: break;
-  }
-  if (choice.weights == WeightRule::mean_density) {
-    // The area of smooth charts converges with the fourth power of the cells' size, whatever the elements do on them.
-    constexpr std::size_t points_for_areas = 200'000;
-    IntegrationDemand of_area = choice.integration;
-    of_area.most_points = std::min(of_area.most_points, points_for_areas);
-    return mean_density_weights(basis, integrate_basis(basis, surface, of_area).area);
-  }
-  return integrate_basis(basis, surface, choice.integration).weights;
-}
-
 bool is_finite(const Matrix<double>& matrix) {
   for (std::size_t j = 0; j < matrix.columns(); ++j)
     for (const double entry : matrix.column(j))
@@ -48,6 +30,42 @@ std::string text_of(const SiteChoice& sites) {
 }
 
 }  // namespace
+
+Outcome<LightWeights> light_weights(const RadialBasis& basis, const Surface& surface, WeightRule rule,
+                                    const IntegrationDemand& demand) {
+  const auto estimated = [](Outcome<std::vector<double>> weights) -> Outcome<LightWeights> {
+    if (!weights) return because(weights.reason());
+    return LightWeights{.weights = *std::move(weights), .errors = {}};
+  };
+  switch (rule) {
+    case WeightRule::plane: return estimated(plane_weights(basis));
+    case WeightRule::neighbours: return estimated(neighbour_weights(basis));
+    case WeightRule::mean_density: {
+      // The area of smooth charts converges with the fourth power of the cells' size, whatever the elements do on them.
+      constexpr std::size_t points_for_areas = 200'000;
+      IntegrationDemand of_area = demand;
+      of_area.most_points = std::min(of_area.most_points, points_for_areas);
+      return estimated(mean_density_weights(basis, integrate_basis(basis, surface, of_area).area));
+    }
+    case WeightRule::integrated: break;
+  }
+  BasisIntegrals integrals = integrate_basis(basis, surface, demand);
+  return LightWeights{.weights = std::move(integrals.weights), .errors = std::move(integrals.errors)};
+}
+
+Outcome<TransferSeries> transfer_series(Matrix<double> r) {
+  TransferSums sums;
+  if (is_finite(r)) sums = transfer_sums(r);
+  Outcome<NeumannSeries, NoPowerContracts> series = NeumannSeries::make(std::move(r));
+  if (series) return TransferSeries{.series = *std::move(series), .sums = sums};
+  const NoPowerContracts& why = series.reason();
+  return because(std::string(why.diverges ? "the iteration diverges" : "the iteration may diverge") +
+                 ": the spectral radius of the transfer matrix is about " + shortest(sums.spectral_radius) +
+                 ", and no bound below " + shortest(why.theta) + " was found up to its power " +
+                 std::to_string(why.power) + "; the largest row sum is " + shortest(sums.largest_row_sum) +
+                 ", at site " + std::to_string(sums.row) + ", the largest entry " +
+                 shortest(sums.largest_entry));
+}
 
 std::string_view name(WeightRule rule) {
   switch (rule) {
@@ -124,20 +142,10 @@ struct LightTransfer::Parts {
 LightTransfer::LightTransfer(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 
 Outcome<LightTransfer> LightTransfer::complete(std::shared_ptr<Parts> parts, Matrix<double> matrix) {
-  TransferSums sums;
-  if (is_finite(matrix)) sums = transfer_sums(matrix);
-  Outcome<NeumannSeries, NoPowerContracts> series = NeumannSeries::make(std::move(matrix));
-  if (!series) {
-    const NoPowerContracts& why = series.reason();
-    return because(std::string(why.diverges ? "the iteration diverges" : "the iteration may diverge") +
-                   ": the spectral radius of the transfer matrix is about " + shortest(sums.spectral_radius) +
-                   ", and no bound below " + shortest(why.theta) + " was found up to its power " +
-                   std::to_string(why.power) + "; the largest row sum is " + shortest(sums.largest_row_sum) +
-                   ", at site " + std::to_string(sums.row) + ", the largest entry " +
-                   shortest(sums.largest_entry));
-  }
-  parts->series = *std::move(series);
-  parts->sums = sums;
+  Outcome<TransferSeries> made = transfer_series(std::move(matrix));
+  if (!made) return because(made.reason());
+  parts->series = std::move(made->series);
+  parts->sums = made->sums;
   return LightTransfer(std::move(parts));
 }
 
@@ -146,18 +154,12 @@ Outcome<LightTransfer> LightTransfer::make(const LightScene& scene, const Transf
   if (!made) return because(made.reason());
   const std::shared_ptr<Parts> parts = *std::move(made);
   transfer_memory(parts->basis.size(), 1).require(available_memory());
-  Outcome<std::vector<double>> weights = weights_of(parts->basis, scene.surface(), choice);
+  Outcome<LightWeights> weights =
+      light_weights(parts->basis, scene.surface(), choice.weights, choice.integration);
   if (!weights) return because(weights.reason());
-  parts->weights = *std::move(weights);
+  parts->weights = std::move(weights->weights);
   Matrix<double> matrix = point_light_transfer(scene, parts->basis.sites(), parts->weights, choice.factor);
-  if (parts->system) {
-    parallel_for(matrix.columns(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t j = begin; j < end; ++j) {
-        const std::vector<double> column = parts->system->solve(matrix.column(j));
-        std::copy(column.begin(), column.end(), matrix.column(j).begin());
-      }
-    });
-  }
+  if (parts->system) parts->system->solve_columns(matrix);
   return complete(parts, std::move(matrix));
 }
 

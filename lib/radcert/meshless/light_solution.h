@@ -38,6 +38,32 @@ enum class CoefficientRule : std::uint8_t { as_values, interpolated };
 [[nodiscard]] std::string_view name(WeightRule rule);
 [[nodiscard]] std::string_view name(CoefficientRule rule);
 
+/// The intensities w_j of the point lights by a rule.
+/// Maths     w_j = int phi_j dS, or an estimate of it
+/// Source    [psg10, section VII]; see weights.h
+/// Requires  the sites belong to the surface
+/// Result    weights, and an estimate of the error of each where the rule is `integrated`, else none. Refused: what the rule refuses
+/// Limits    what an estimate of w_j by its sites alone leaves out is not estimated
+struct LightWeights {
+  std::vector<double> weights;
+  std::vector<double> errors;
+};
+[[nodiscard]] Outcome<LightWeights> light_weights(const RadialBasis& basis, const Surface& surface,
+                                                  WeightRule rule, const IntegrationDemand& demand = {});
+
+/// A transfer matrix that may be iterated.
+/// Maths     (I - R)^-1 = I + R + R^2 + ...
+/// Source    [psg10, (6)]; solve/power_series.h
+/// Requires  a square matrix, not empty
+/// Result    the series and what R does to constants. Refused: an R of which no power up to the sixteenth contracts, with its spectral
+///           radius, its largest row sum and its largest entry
+/// Limits    -
+struct TransferSeries {
+  NeumannSeries series;
+  TransferSums sums;
+};
+[[nodiscard]] Outcome<TransferSeries> transfer_series(Matrix<double> r);
+
 /// All that a transfer matrix is made of, but the scene.
 struct TransferChoice {
   MeshlessChoice meshless{};

@@ -19,6 +19,7 @@ std::string MotherFunction::to_text() const {
     case MotherKind::gaussian: return "gaussian";
     case MotherKind::spline: return "spline";
     case MotherKind::shepard: return "shepard";
+    case MotherKind::own: return own.name;
     case MotherKind::expression: break;
   }
   return expression.text();

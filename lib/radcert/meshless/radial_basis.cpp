@@ -151,6 +151,7 @@ void RadialBasis::Parts::apply_mother(BasisValues& out) const {
     case MotherKind::gaussian: each(gaussian_bell<double>); break;
     case MotherKind::spline: each(spline_bell<double>); break;
     case MotherKind::shepard: each(inverse_square<double>); break;
+    case MotherKind::own: each(choice.mother.own.in_double); break;
     case MotherKind::expression: expression->evaluate_radial(r, values); break;
   }
   if (choice.distance == SiteDistance::euclidean_with_normal_factor)

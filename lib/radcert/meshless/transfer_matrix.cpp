@@ -51,8 +51,21 @@ MemoryPlan transfer_memory(std::size_t sites, std::size_t matrices) {
 
 Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& sites,
                                     std::span<const double> weights, TransferFactor factor) {
+  std::vector<double> albedos;
+  for (const SurfacePoint<double>& at : sites.at) {
+    expects(at.chart < scene.surface().chart_count(), "sites of the scene's surface",
+            named("chart", at.chart));
+    albedos.push_back(scene.albedo(at.chart));
+  }
+  return point_light_transfer(scene, sites, albedos, weights, factor);
+}
+
+Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& sites,
+                                    std::span<const double> albedos, std::span<const double> weights,
+                                    TransferFactor factor) {
   const std::size_t n = sites.size();
-  expects(weights.size() == n, "a weight for each site", named("weights", weights.size()), named("sites", n));
+  expects(weights.size() == n && albedos.size() == n, "a weight and an albedo for each site",
+          named("weights", weights.size()), named("albedos", albedos.size()), named("sites", n));
   for (const SurfacePoint<double>& at : sites.at)
     expects(at.chart < scene.surface().chart_count(), "sites of the scene's surface",
             named("chart", at.chart));
@@ -70,8 +83,8 @@ Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& site
         const LitPoint p{.site = sites[i], .chart = sites.at[i].chart};
         double kernel = i == j ? 0 : site_kernel(p.site, q.site);
         if (kernel > 0 && !scene.visible(p, q)) kernel = 0;
-        matrix(i, j) = constant * scene.albedo(p.chart) * kernel * weights[j];
-        matrix(j, i) = constant * scene.albedo(q.chart) * kernel * weights[i];
+        matrix(i, j) = constant * albedos[i] * kernel * weights[j];
+        matrix(j, i) = constant * albedos[j] * kernel * weights[i];
       }
     }
   };

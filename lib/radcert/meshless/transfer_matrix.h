@@ -44,6 +44,12 @@ enum class TransferFactor : std::uint8_t { physical, as_printed };
                                                   std::span<const double> weights,
                                                   TransferFactor factor = TransferFactor::physical);
 
+/// The same with an albedo for each site in place of the scene's; as many albedos as sites, else ContractViolation.
+[[nodiscard]] Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& sites,
+                                                  std::span<const double> albedos,
+                                                  std::span<const double> weights,
+                                                  TransferFactor factor = TransferFactor::physical);
+
 /// What `matrices` matrices of n sites take, in bytes.
 [[nodiscard]] MemoryPlan transfer_memory(std::size_t sites, std::size_t matrices);
 

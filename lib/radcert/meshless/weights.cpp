@@ -98,6 +98,7 @@ Outcome<Ball> plane_integral(const MotherFunction& mother) {
       return two_pi * Ball(s2 * (Rational(1, 2) - Rational(3, 4) * s2 + Rational(2, 5) * s2 * s));
     }
     case MotherKind::shepard: return because("the integral of 1/r^2 over the plane diverges at 0");
+    case MotherKind::own:
     case MotherKind::expression: break;
   }
   return because("the mother function " + mother.to_text() + " has no plane integral in closed form");

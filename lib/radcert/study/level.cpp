@@ -4,7 +4,6 @@
 
 #include "radcert/collocation/assembly.h"
 #include "radcert/core/errors.h"
-#include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/contraction.h"
@@ -13,12 +12,13 @@
 #include "radcert/solve/neumann.h"
 #include "radcert/study/level_description.h"
 #include "radcert/study/level_geometry.h"
+#include "radcert/study/meshless_level.h"
 #include "radcert/study/node_data.h"
+#include "radcert/study/operator_at_nodes.h"
 #include "radcert/study/operator_norm.h"
 #include "radcert/study/plan.h"
 #include "radcert/study/stopwatch.h"
 #include "radcert/study/study.h"
-#include "radcert/study/surface_function.h"
 #include "radcert/study/verified_level.h"
 
 namespace radcert {
@@ -32,28 +32,6 @@ double largest_size(std::span<const double> values) {
   double size = 0;
   for (const double value : values) size = std::max(size, std::abs(value));
   return size;
-}
-
-/// rho/pi Int G u at the nodes by the second route, and its radius.
-struct OperatorAtNodes {
-  std::vector<double> value;
-  std::vector<double> radius;
-};
-
-OperatorAtNodes apply_operator(const Problem& problem, const Surface& surface, const OperatorRoute& route,
-                               std::span<const Observer<double>> nodes, std::span<const double> rho) {
-  const SurfaceFunction u(*problem.solution, surface);
-  const AppliedOperator integral_at = route(surface, u);
-  OperatorAtNodes result{std::vector<double>(nodes.size()), std::vector<double>(nodes.size())};
-  constexpr std::size_t grain = 8;
-  parallel_for(nodes.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const OperatorValue integral = integral_at(nodes[i].at);
-      result.value[i] = rho[i] / pi<double>() * integral.value;
-      result.radius[i] = rho[i] / pi<double>() * integral.radius;
-    }
-  });
-  return result;
 }
 
 /// max_i |a_i - b_i| with what is known of each difference.
@@ -225,6 +203,7 @@ private:
 }  // namespace
 
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route) {
+  if (problem.basis.meshless) return meshless_level(problem, level, route);
   if (problem.solver.name == SolverName::verified) return verified_level(problem, level);
   return Level(problem, level).compute(route);
 }

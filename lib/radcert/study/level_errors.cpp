@@ -14,7 +14,14 @@ namespace {
 constexpr int sample_degree = 8;
 constexpr int mean_order = 12;
 
-std::vector<Barycentric<double>> sample_points() {
+struct AreaAndIntegral {
+  double area = 0;
+  double integral = 0;
+};
+
+}  // namespace
+
+std::vector<Barycentric<double>> error_sample() {
   std::vector<Barycentric<double>> points;
   for (int i = sample_degree; i >= 0; --i)
     for (int j = sample_degree - i; j >= 0; --j)
@@ -22,13 +29,6 @@ std::vector<Barycentric<double>> sample_points() {
                          (sample_degree - i - j) / static_cast<double>(sample_degree)}});
   return points;
 }
-
-struct AreaAndIntegral {
-  double area = 0;
-  double integral = 0;
-};
-
-}  // namespace
 
 double NodalFunction::at(std::size_t element, const Barycentric<double>& x) const {
   std::array<double, 45> functions;
@@ -42,7 +42,7 @@ std::optional<Figure> uniform_error(const NodalFunction& u_n, const PiecewiseExp
   const Surface& surface = u_n.surface();
   const std::vector<ParameterTriangle>& triangles = u_n.triangulation().triangles;
   const SurfaceFunction u(solution, surface);
-  const std::vector<Barycentric<double>> points = sample_points();
+  const std::vector<Barycentric<double>> points = error_sample();
   const auto largest_of = [&](std::size_t begin, std::size_t end) {
     double largest = 0;
     for (std::size_t k = begin; k < end; ++k) {

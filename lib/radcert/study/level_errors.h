@@ -37,6 +37,9 @@ private:
   std::span<const double> values_;
 };
 
+/// The sample of an element: barycentric coordinates k/8, |k| = 8, 45 points, corners and sides included.
+[[nodiscard]] std::vector<Barycentric<double>> error_sample();
+
 /// The largest error of u_n over a sample of S.
 /// Maths     max |u - u_n| over the points with barycentric coordinates k/8, |k| = 8, of every element: 45 points each,
 ///           corners and sides included

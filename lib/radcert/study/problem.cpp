@@ -38,6 +38,7 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
   const std::vector<int>& levels = problem.triangulation.levels;
   if (levels.empty()) refuse("/triangulation/levels", "[]", "is empty", "at least one level");
   const std::size_t functions = function_count(problem.basis);
+  const double area = problem.basis.meshless ? surface_area(surface) : 0;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const std::string pointer = "/triangulation/levels/" + std::to_string(i);
     const std::string value = std::to_string(levels[i]);
@@ -48,11 +49,18 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
     if (!elements)
       refuse(pointer, value, "needs more than 2^64 bytes (more than 2^53 triangles)",
              "a plan within " + std::to_string(memory_limit) + " bytes (" + byte_text(memory_limit) + ")");
+    const std::uint64_t unknowns =
+        problem.basis.meshless ? planned_sites(problem.basis.meshless->sites, levels[i], area) : *elements;
     const std::uint64_t needed =
-        level_plan(*elements, functions, problem.solver.name, problem.geometry).total();
+        problem.basis.meshless
+            ? meshless_plan(unknowns, *problem.basis.meshless, problem.solver.name == SolverName::direct)
+                  .total()
+            : level_plan(*elements, functions, problem.solver.name, problem.geometry).total();
     if (needed > memory_limit) {
       const std::string bytes = needed == ~std::uint64_t{0} ? "more than 2^64" : std::to_string(needed);
-      refuse(pointer, value, "needs " + bytes + " bytes (" + std::to_string(*elements) + " triangles)",
+      refuse(pointer, value,
+             "needs " + bytes + " bytes (" + std::to_string(unknowns) +
+                 (problem.basis.meshless ? " sites)" : " triangles)"),
              "a plan within " + std::to_string(memory_limit) + " bytes (" + byte_text(memory_limit) + ")");
     }
   }
@@ -70,6 +78,32 @@ void check_geometry(const Problem& problem, const Surface& surface) {
            "a whole number from " + std::to_string(smallest) + " to " + std::to_string(largest));
 }
 
+/// What a meshless basis asks of the rest of a problem, and of itself before there are sites.
+void check_meshless(const Problem& problem, const MeshlessBasis& basis) {
+  if (problem.geometry)
+    refuse("/geometry/interpolated", std::to_string(problem.geometry->degree),
+           "asks for interpolated elements, which a meshless basis has none of", "exact");
+  if (problem.solver.name != SolverName::direct && problem.solver.name != SolverName::neumann)
+    refuse("/solver/name", solver_name(problem.solver.name), "is not for meshless bases", "direct, neumann");
+  if (const auto* apart = std::get_if<PoissonDiskLevels>(&basis.sites);
+      apart != nullptr && apart->separation <= Rational(0))
+    refuse("/basis/sites/poisson_disk", apart->separation.to_text(), "is not allowed", "a number > 0");
+  if (const auto* anywhere = std::get_if<UniformLevels>(&basis.sites);
+      anywhere != nullptr && anywhere->count == 0)
+    refuse("/basis/sites/uniform", "0", "is not allowed", "a whole number >= 1");
+  if (basis.basis.radius.neighbour && *basis.basis.radius.neighbour == 0)
+    refuse("/basis/radius/neighbour", "0", "is not allowed", "a whole number >= 1");
+  if (basis.basis.normalise == Normalisation::none && basis.basis.mother.kind == MotherKind::shepard)
+    refuse("/basis/normalise", "none", "leaves the mother function shepard infinite at the sites",
+           "partition_of_unity");
+  for (const PiecewiseExpression::Case& part : problem.reflectivity.cases)
+    if (const std::optional<Rational> value = part.expression.is_constant(); value && *value >= Rational(1))
+      refuse(problem.reflectivity.cases.size() == 1 && part.piece == "*" ? "/reflectivity"
+                                                                         : "/reflectivity/" + part.piece,
+             part.expression.text(), "is not below 1",
+             "reflectivities in [0, 1): a meshless basis scatters less than arrives");
+}
+
 /// The least barycentric coordinate of a node.
 Rational least_coordinate(const LagrangeFunctions& functions) {
   Rational least = 1;
@@ -80,6 +114,7 @@ Rational least_coordinate(const LagrangeFunctions& functions) {
 
 void check_basis(const Problem& problem, const Surface& surface) {
   const BasisChoice& basis = problem.basis;
+  if (basis.meshless) return check_meshless(problem, *basis.meshless);
   constexpr int largest = InsetBasis<double>::largest_degree;
   if (basis.degree < 0 || basis.degree > largest)
     refuse("/basis/degree", std::to_string(basis.degree), "is not allowed",
@@ -192,6 +227,7 @@ const Expression& PiecewiseExpression::on(std::string_view piece) const {
 }
 
 std::size_t function_count(const BasisChoice& basis) {
+  if (basis.meshless) return 1;
   return basis.functions ? basis.functions->size() : polynomial_dimension(basis.degree);
 }
 
@@ -243,7 +279,9 @@ void check(const Problem& problem, std::uint64_t memory_limit) {
   check_geometry(problem, surface);
   check_quadrature(problem.quadrature);
   check_solver(problem.solver);
-  if (problem.basis.degree < 0 || problem.basis.degree > InsetBasis<double>::largest_degree)
+  // A plan is made for a basis that there is.
+  if (problem.basis.meshless || problem.basis.degree < 0 ||
+      problem.basis.degree > InsetBasis<double>::largest_degree)
     check_basis(problem, surface);
   check_levels(problem, surface, memory_limit);
   check_basis(problem, surface);

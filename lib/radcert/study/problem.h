@@ -11,6 +11,7 @@
 #include "radcert/expression/expression.h"
 #include "radcert/polynomial/triangle_basis.h"
 #include "radcert/scalar/rational.h"
+#include "radcert/study/meshless_basis.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -65,7 +66,7 @@ struct InterpolatedGeometry {
 };
 
 /// Where the nodes of a problem's basis come from.
-enum class BasisFamily { inset, symmetric, file };
+enum class BasisFamily { inset, symmetric, file, meshless };
 
 /// The basis of a problem.
 struct BasisChoice {
@@ -78,9 +79,11 @@ struct BasisChoice {
   std::string digest = {};  ///< of that file's bytes
   std::shared_ptr<const LagrangeFunctions> functions =
       {};  ///< of symmetric nodes and of files; inset bases have none
+  std::optional<MeshlessBasis> meshless =
+      {};  ///< exactly where the family is meshless; degree and alpha say nothing then
 };
 
-/// How many functions the basis has on an element.
+/// How many functions the basis has on an element; 1 for a meshless basis, whose elements are its functions.
 std::size_t function_count(const BasisChoice& basis);
 
 /// The basis in the arithmetic of the pipeline. Requires functions, or degree and alpha that an InsetBasis takes.

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/study/meshless_basis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "radcert/core/checked.h"
+#include "radcert/core/contract.h"
+#include "radcert/meshless/surface_cells.h"
+#include "radcert/polynomial/conical_rule.h"
+
+namespace radcert {
+namespace {
+
+// Numbers of sites beyond this are no numbers of a double.
+constexpr std::uint64_t most_sites = std::uint64_t{1} << 53U;
+
+double separation_at(const PoissonDiskLevels& sites, int level) {
+  return (sites.separation / power(Rational(2), level)).to_double();
+}
+
+std::optional<std::uint64_t> count_at(const UniformLevels& sites, int level) {
+  constexpr int most_doublings = 26;  // 4^26 = 2^52
+  if (level > most_doublings) return std::nullopt;
+  const auto count = checked_multiply(sites.count, std::uint64_t{1} << (2U * static_cast<unsigned>(level)));
+  return count && *count <= most_sites ? count : std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name(MeshlessFamily family) {
+  switch (family) {
+    case MeshlessFamily::shepard: return "shepard";
+    case MeshlessFamily::gaussian: return "gaussian";
+    case MeshlessFamily::lehtinen: return "lehtinen";
+    case MeshlessFamily::meshless: break;
+  }
+  return "meshless";
+}
+
+MeshlessBasis basis_of(MeshlessFamily family) {
+  MeshlessBasis basis{.family = family};
+  switch (family) {
+    case MeshlessFamily::shepard: basis.basis = shepard_basis(); return basis;
+    case MeshlessFamily::gaussian: basis.basis = gaussian_basis(); return basis;
+    case MeshlessFamily::lehtinen: basis.basis = lehtinen_basis(); return basis;
+    case MeshlessFamily::meshless: break;
+  }
+  expects(false, "one of shepard, gaussian, lehtinen", named("family", std::string(name(family))));
+  return basis;
+}
+
+std::optional<SiteChoice> sites_at_level(const SiteLevels& sites, int level) {
+  expects(level >= 0, "a level >= 0", named("level", level));
+  if (const auto* apart = std::get_if<PoissonDiskLevels>(&sites))
+    return PoissonDiskSites{.separation = separation_at(*apart, level), .seed = apart->seed};
+  const auto& anywhere = *std::get_if<UniformLevels>(&sites);
+  const std::optional<std::uint64_t> count = count_at(anywhere, level);
+  if (!count) return std::nullopt;
+  return UniformSites{.count = *count, .seed = anywhere.seed};
+}
+
+double site_spacing(const SiteLevels& sites, int level, double area) {
+  expects(level >= 0 && area > 0, "a level >= 0 and an area > 0", named("level", level), named("area", area));
+  if (const auto* apart = std::get_if<PoissonDiskLevels>(&sites)) return separation_at(*apart, level);
+  const auto count = count_at(*std::get_if<UniformLevels>(&sites), level).value_or(most_sites);
+  return std::sqrt(area / static_cast<double>(count));
+}
+
+double surface_area(const Surface& surface) {
+  const TriangleRule<double> rule = conical_rule<double>(2, Gathering::nowhere);
+  const auto cells =
+      cells_below(surface, std::numeric_limits<double>::infinity(), std::numeric_limits<std::size_t>::max());
+  double area = 0;
+  for (const SurfaceCell& cell : *cells)
+    for (std::size_t i = 0; i < rule.points.size(); ++i)
+      // The rule's weights sum to 1/2.
+      area += 2 * cell.parameter_area() * rule.weights[i] *
+              area_element(surface.charts[cell.chart].in<double>().frame(
+                  cell.at(surface, rule.points[i].x[1], rule.points[i].x[2])));
+  return area;
+}
+
+MemoryPlan meshless_plan(std::uint64_t sites, const MeshlessBasis& basis, bool is_direct) {
+  constexpr std::uint64_t beyond = std::numeric_limits<std::uint64_t>::max();
+  constexpr std::uint64_t bytes_per_site = 1024;  // arrays, tree, node records, triangles to look at
+  const std::uint64_t squared = checked_multiply(sites, sites).value_or(beyond);
+  MemoryPlan plan;
+  plan.add("transfer matrix", squared, sizeof(double));
+  plan.add("powers of it", checked_multiply(squared, 2).value_or(beyond), sizeof(double));
+  if (is_direct) plan.add("factors of I - R", squared, sizeof(double));
+  if (basis.coefficients == CoefficientRule::interpolated)
+    plan.add("interpolation matrix and its factors", checked_multiply(squared, 2).value_or(beyond),
+             sizeof(double));
+  plan.add("sites", sites, bytes_per_site);
+  return plan;
+}
+
+std::uint64_t planned_sites(const SiteLevels& sites, int level, double area) {
+  if (std::holds_alternative<UniformLevels>(sites))
+    return count_at(*std::get_if<UniformLevels>(&sites), level)
+        .value_or(std::numeric_limits<std::uint64_t>::max());
+  const double separation = site_spacing(sites, level, area);
+  const double most = std::ceil(2 / std::numbers::sqrt3 * area / (separation * separation));
+  return most < static_cast<double>(most_sites) ? static_cast<std::uint64_t>(most) : most_sites;
+}
+
+}  // namespace radcert

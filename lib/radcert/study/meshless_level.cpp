@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/study/meshless_level.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "radcert/core/errors.h"
+#include "radcert/core/parallel.h"
+#include "radcert/core/text.h"
+#include "radcert/meshless/interpolation_system.h"
+#include "radcert/meshless/sampling.h"
+#include "radcert/polynomial/conical_rule.h"
+#include "radcert/solve/direct.h"
+#include "radcert/study/level_errors.h"
+#include "radcert/study/level_geometry.h"
+#include "radcert/study/node_data.h"
+#include "radcert/study/operator_at_nodes.h"
+#include "radcert/study/operator_norm.h"
+#include "radcert/study/stopwatch.h"
+#include "radcert/study/surface_function.h"
+
+namespace radcert {
+namespace {
+
+/// Elements may change from one site to the next: a low order, on triangles about as small.
+constexpr int mean_order = 4;
+
+[[noreturn]] void refuse(std::string pointer, std::string value, std::string problem, std::string allowed) {
+  throw InputError({.pointer = std::move(pointer),
+                    .value = std::move(value),
+                    .problem = std::move(problem),
+                    .allowed = std::move(allowed)});
+}
+
+template <class T>
+T admitted(Outcome<T> outcome, const std::string& pointer, const std::string& value,
+           const std::string& allowed) {
+  if (!outcome) refuse(pointer, value, "gives no basis: " + outcome.reason(), allowed);
+  return *std::move(outcome);
+}
+
+double largest(std::span<const double> values) {
+  double size = 0;
+  for (const double value : values) size = std::max(size, std::abs(value));
+  return size;
+}
+
+std::string text_of(const Vector<double>& p) {
+  return "(" + shortest(p.x) + ", " + shortest(p.y) + ", " + shortest(p.z) + ")";
+}
+
+std::string text_of(const SiteChoice& sites) {
+  if (const auto* apart = std::get_if<PoissonDiskSites>(&sites))
+    return "separation " + shortest(apart->separation);
+  return std::to_string(std::get_if<UniformSites>(&sites)->count) + " sites";
+}
+
+/// What the errors of the weights may do to a value at a site, as if they were independent.
+double effect_of_weights(const Matrix<double>& n, const LightWeights& weights) {
+  if (weights.errors.empty()) return 0;
+  std::vector<double> squares(n.rows());
+  for (std::size_t j = 0; j < n.columns(); ++j) {
+    if (weights.weights[j] == 0) continue;
+    const double relative = weights.errors[j] / weights.weights[j];
+    const std::span<const double> column = n.column(j);
+    for (std::size_t i = 0; i < column.size(); ++i)
+      squares[i] += column[i] * relative * (column[i] * relative);
+  }
+  return std::sqrt(largest(squares));
+}
+
+/// The finished pieces of one level, in the order in which they are computed.
+class MeshlessLevel {
+public:
+  MeshlessLevel(const Problem& problem, int level)
+      : problem_(problem),
+        choice_(*problem.basis.meshless),
+        geometry_(problem, level, InsetBasis<double>(0, 0)),
+        sites_(sites_of(level)),
+        basis_(make_basis(level)) {
+    const SiteSet& sites = basis_.sites();
+    for (std::size_t i = 0; i < sites.size(); ++i)
+      nodes_.push_back({sites.at[i], sites.points[i], sites.normals[i]});
+    rho_ = reflectivity_at_nodes(problem.reflectivity, surface_, nodes_);
+    if (const double most = largest(rho_); most >= 1)
+      refuse("/reflectivity", shortest(most), "is not below 1 at a site",
+             "reflectivities in [0, 1): a meshless basis scatters less than arrives");
+    LevelResult& result = outcome_.result;
+    result.level = level;
+    result.elements = result.unknowns = sites.size();
+    result.mesh_size = site_spacing(choice_.sites, level, surface_area(surface_));
+    result.planned_bytes =
+        meshless_plan(sites.size(), choice_, problem.solver.name == SolverName::direct).total();
+  }
+
+  MeshlessLevel(const MeshlessLevel&) = delete;
+  MeshlessLevel& operator=(const MeshlessLevel&) = delete;
+
+  LevelOutcome compute(const OperatorRoute& route) && {
+    if (problem_.solution) u_ = values_at_nodes(*problem_.solution, "/solution", surface_, nodes_);
+    if (problem_.emission) emission_ = values_at_nodes(*problem_.emission, "/emission", surface_, nodes_);
+    TransferSeries transfer = make_transfer();
+    if (problem_.solution) manufacture_emission(route);
+    solve(transfer.series);
+    describe();
+    return std::move(outcome_);
+  }
+
+private:
+  [[nodiscard]] std::string subject() const { return "level " + std::to_string(outcome_.result.level); }
+
+  [[nodiscard]] SiteChoice sites_of(int level) const {
+    const std::optional<SiteChoice> sites = sites_at_level(choice_.sites, level);
+    if (!sites)
+      refuse("/basis/sites", std::to_string(level), "has more than 2^53 sites at this level", "fewer sites");
+    return *sites;
+  }
+
+  [[nodiscard]] RadialBasis make_basis(int level) const {
+    const std::string at = text_of(sites_) + " at level " + std::to_string(level);
+    SiteSet sites = admitted(make_sites(surface_, sites_), "/basis/sites", at,
+                             "sites that fit on the surface; each level halves the separation");
+    return admitted(RadialBasis::make(std::move(sites), choice_.basis), "/basis", at,
+                    "more sites than `neighbour`, no two in one place, each with enough others within 90 "
+                    "degrees of its normal; or \"too_few\": \"farthest\"");
+  }
+
+  /// R, if its powers tend to zero: that is known before the second route to Ku is taken.
+  TransferSeries make_transfer() {
+    const Stopwatch watch;
+    const LightScene scene = admitted(LightScene::make(surface_, {0.0}), "/surface", problem_.surface.name,
+                                      "unoccluded surfaces of the catalogue, and meshes");
+    // What point lights leave out is above 1e-3 wherever the matrix fits into memory; each point costs as many elements as
+    // are in reach.
+    constexpr IntegrationDemand demand{.relative_error = 1e-4, .most_points = 1'000'000};
+    const LightWeights weights =
+        admitted(light_weights(basis_, surface_, choice_.weights, demand), "/basis/weights",
+                 std::string(name(choice_.weights)), "integrated, or another estimate");
+    Matrix<double> matrix = point_light_transfer(scene, basis_.sites(), rho_, weights.weights);
+    weight_effect_ = effect_of_weights(matrix, weights);
+    find_norm(matrix, weights.weights);
+    if (choice_.coefficients == CoefficientRule::interpolated && !basis_.interpolates()) {
+      system_ = admitted(InterpolationSystem::make(basis_), "/basis/coefficients", "interpolated",
+                         "as_values, or a basis that can interpolate at its sites");
+      system_->solve_columns(matrix);
+    }
+    Outcome<TransferSeries> transfer = transfer_series(std::move(matrix));
+    if (!transfer)
+      throw AccuracyNotReached(subject() + ", basis " + std::string(name(choice_.family)), transfer.reason());
+    outcome_.timing.assembly_seconds = watch.seconds();
+    return *std::move(transfer);
+  }
+
+  void find_norm(const Matrix<double>& n, std::span<const double> weights) {
+    NormOfK& norm = outcome_.result.norm_K;
+    if (surface_.closed) {
+      norm = norm_of_K(surface_, problem_.reflectivity, rho_, {});
+      return;
+    }
+    // Row sums with lights that together are as bright as the whole surface.
+    std::vector<double> sums(n.rows());
+    double light = 0;
+    for (std::size_t j = 0; j < n.columns(); ++j) {
+      light += weights[j];
+      for (std::size_t i = 0; i < n.rows(); ++i) sums[i] += n(i, j);
+    }
+    norm = {.value = std::min(largest(sums) * surface_area(surface_) / light, largest(rho_)),
+            .guaranteed = false};
+    if (!std::isfinite(norm.value)) norm.value = largest(rho_);
+  }
+
+  void manufacture_emission(const OperatorRoute& route) {
+    const Stopwatch watch;
+    const OperatorAtNodes ku = apply_operator(problem_, surface_, route, nodes_, rho_);
+    outcome_.timing.operator_seconds = watch.seconds();
+    for (std::size_t i = 0; i < nodes_.size(); ++i) emission_.push_back(u_[i] - ku.value[i]);
+    emission_radius_ = largest(ku.radius) + 4 * unit_roundoff<double>() * (largest(u_) + largest(ku.value));
+  }
+
+  void solve(const NeumannSeries& series) {
+    const Stopwatch watch;
+    const std::vector<double> epsilon = system_ ? system_->solve(emission_) : emission_;
+    double growth = 0;        // of errors of values at the sites
+    double system_error = 0;  // of the coefficients
+    if (problem_.solver.name == SolverName::direct) {
+      const DirectSolver solver(series.matrix());
+      coefficients_ = solver.solve(epsilon);
+      growth = solver.inverse_norm_estimate();
+    } else {
+      const std::optional<double> tolerance =
+          problem_.solver.tolerance ? std::optional(problem_.solver.tolerance->to_double()) : std::nullopt;
+      Outcome<IterativeSolution, NotReached> solution = series.solve(epsilon, tolerance);
+      if (!solution)
+        throw AccuracyNotReached(subject() + ", solver neumann",
+                                 "the error bound is " + shortest(solution.reason().error_bound) + " after " +
+                                     std::to_string(solution.reason().iterations) + " reflections");
+      outcome_.result.iteration = {.iterations = solution->iterations,
+                                   .contraction = series.spectral_radius_bound(),
+                                   .error_bound = solution->error_bound};
+      coefficients_ = std::move(solution->values);
+      growth = 1 / (1 - std::min(series.spectral_radius_bound(), 1 - unit_roundoff<double>()));
+      system_error = solution->error_bound;
+    }
+    outcome_.timing.solve_seconds = watch.seconds();
+    look_at_sites(growth, system_error);
+  }
+
+  /// u_n at the sites, and how far off it is.
+  void look_at_sites(double growth, double system_error) {
+    double row_sum = 0;
+    BasisValues room;
+    for (const Observer<double>& node : nodes_) {
+      u_n_.push_back(value_at(node, room));
+      double sum = 0;
+      for (const double value : room.values()) sum += std::abs(value);
+      row_sum = std::max(row_sum, sum);
+    }
+    if (!problem_.solution) return;
+    // Where the coefficients are the values, an error of a value passes through the elements once more.
+    const double smoothing = system_ ? 1 : row_sum;
+    const double defect = emission_radius_ + weight_effect_ * largest(coefficients_);
+    Figure error{
+        .value = 0, .radius = smoothing * growth * defect + row_sum * system_error, .guaranteed = false};
+    for (std::size_t i = 0; i < u_.size(); ++i)
+      error.value = std::max(error.value, std::abs(u_[i] - u_n_[i]));
+    outcome_.result.node_error = error;
+  }
+
+  /// u_n at a point of S. InputError where no site is in reach.
+  double value_at(const Observer<double>& p, BasisValues& room) const {
+    if (!basis_.evaluate({p.point, p.normal}, room))
+      refuse("/basis", std::string(name(choice_.family)),
+             "has no value at " + text_of(p.point) + " on piece " +
+                 surface_.charts[p.at.chart].facts().piece + ": no site is in reach",
+             "sites so close, or elements so wide, that every point of the surface has one in reach");
+    double value = 0;
+    for (std::size_t k = 0; k < room.size(); ++k) value += room.values()[k] * coefficients_[room.sites()[k]];
+    return value;
+  }
+
+  void describe() {
+    describe_sites();
+    const std::size_t count = triangulation_.triangles.size();
+    outcome_.elements.resize(count);
+    std::vector<double> errors(count);
+    std::vector<std::array<double, 2>> areas_and_integrals(count);
+    const std::optional<SurfaceFunction> u =
+        problem_.solution ? std::optional<SurfaceFunction>(std::in_place, *problem_.solution, surface_)
+                          : std::nullopt;
+    const TriangleRule<double> rule = conical_rule<double>(mean_order, Gathering::nowhere);
+    const std::vector<Barycentric<double>> sample = error_sample();
+    parallel_for(count, [&](std::size_t begin, std::size_t end) {
+      BasisValues room;
+      for (std::size_t k = begin; k < end; ++k) {
+        outcome_.elements[k] = corners_of(k, room);
+        errors[k] = error_on(k, u, sample, room);
+        areas_and_integrals[k] = integral_over(k, rule, room);
+      }
+    });
+    if (u && std::all_of(errors.begin(), errors.end(), [](double error) { return std::isfinite(error); }))
+      outcome_.result.uniform_error =
+          Figure{.value = largest(errors), .radius = std::nullopt, .guaranteed = false};
+    find_means(areas_and_integrals);
+  }
+
+  void describe_sites() {
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      outcome_.nodes.push_back({.piece = surface_.charts[nodes_[i].at.chart].facts().piece,
+                                .element = i,
+                                .index_in_element = 0,
+                                .point = nodes_[i].point,
+                                .normal = nodes_[i].normal,
+                                .u_n = u_n_[i],
+                                .radius = std::nullopt,
+                                .emission = emission_[i],
+                                .u = u_.empty() ? std::nullopt : std::optional(u_[i])});
+  }
+
+  [[nodiscard]] Observer<double> at(std::size_t k, const Barycentric<double>& x) const {
+    const ParameterTriangle& triangle = triangulation_.triangles[k];
+    return observer<double>(surface_, {triangle.chart, triangle.at(x.x)});
+  }
+
+  ElementValue corners_of(std::size_t k, BasisValues& room) const {
+    ElementValue element{.piece = surface_.charts[triangulation_.triangles[k].chart].facts().piece,
+                         .corners = {},
+                         .corner_values = {}};
+    for (std::size_t c = 0; c < 3; ++c) {
+      Barycentric<double> corner{{0, 0, 0}};
+      corner.x[c] = 1;
+      const Observer<double> p = at(k, corner);
+      element.corners[c] = p.point;
+      element.corner_values[c] = value_at(p, room);
+    }
+    return element;
+  }
+
+  double error_on(std::size_t k, const std::optional<SurfaceFunction>& u,
+                  std::span<const Barycentric<double>> sample, BasisValues& room) const {
+    double most = 0;
+    for (const Barycentric<double>& x : sample) {
+      const Observer<double> p = at(k, x);
+      const double here = value_at(p, room);
+      if (!u) continue;
+      const double error = std::abs((*u)(p.at.chart, p.point) - here);
+      if (!(error <= most)) most = error;  // keeps what is not a number
+      if (std::isnan(most)) return most;
+    }
+    return most;
+  }
+
+  std::array<double, 2> integral_over(std::size_t k, const TriangleRule<double>& rule,
+                                      BasisValues& room) const {
+    const ParameterTriangle& triangle = triangulation_.triangles[k];
+    const double parallelogram =
+        cross(triangle.vertices[1] - triangle.vertices[0], triangle.vertices[2] - triangle.vertices[0]);
+    const ChartIn<double>& chart = surface_.charts[triangle.chart].in<double>();
+    std::array<double, 2> area_and_integral{};
+    for (std::size_t q = 0; q < rule.weights.size(); ++q) {
+      const double weight =
+          rule.weights[q] * parallelogram * area_element(chart.frame(triangle.at(rule.points[q].x)));
+      area_and_integral[0] += weight;
+      area_and_integral[1] += weight * value_at(at(k, rule.points[q]), room);
+    }
+    return area_and_integral;
+  }
+
+  void find_means(std::span<const std::array<double, 2>> areas_and_integrals) {
+    const std::vector<std::string> names = surface_.piece_names();
+    std::vector<std::array<double, 2>> by_piece(names.size());
+    for (std::size_t k = 0; k < areas_and_integrals.size(); ++k) {
+      std::array<double, 2>& piece = by_piece[surface_.piece_of(triangulation_.triangles[k].chart)];
+      piece[0] += areas_and_integrals[k][0];
+      piece[1] += areas_and_integrals[k][1];
+    }
+    for (std::size_t i = 0; i < names.size(); ++i)
+      outcome_.result.piece_means.emplace_back(names[i], by_piece[i][1] / by_piece[i][0]);
+  }
+
+  const Problem& problem_;
+  const MeshlessBasis& choice_;
+  LevelGeometry geometry_;
+  const Surface& surface_ = geometry_.data().surface;
+  const Triangulation& triangulation_ = geometry_.data().triangulation;
+  SiteChoice sites_;
+  RadialBasis basis_;
+  std::vector<Observer<double>> nodes_;
+  std::vector<double> rho_;
+  std::vector<double> u_;
+  std::vector<double> emission_;
+  double emission_radius_ = 0;
+  double weight_effect_ = 0;
+  std::optional<InterpolationSystem> system_;  ///< where coefficients are not the values
+  std::vector<double> coefficients_;
+  std::vector<double> u_n_;
+  LevelOutcome outcome_;
+};
+
+}  // namespace
+
+LevelOutcome meshless_level(const Problem& problem, int level, const OperatorRoute& route) {
+  return MeshlessLevel(problem, level).compute(route);
+}
+
+}  // namespace radcert
