@@ -43,6 +43,7 @@ void add_surface(CLI::App& program, Common& common, Action& action);
 void add_factors(CLI::App& program, Common& common, Action& action);
 void add_experiment(CLI::App& program, Common& common, Action& action);
 void add_basis(CLI::App& program, Common& common, Action& action);
+void add_picture(CLI::App& program, Common& common, Action& action);
 void add_list(CLI::App& program, Common& common, Action& action);
 void add_schema(CLI::App& program, Common& common, Action& action);
 void add_example(CLI::App& program, Common& common, Action& action);

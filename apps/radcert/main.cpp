@@ -72,6 +72,7 @@ int run(int argc, char** argv) {
   add_factors(program, common, action);
   add_experiment(program, common, action);
   add_basis(program, common, action);
+  add_picture(program, common, action);
   add_list(program, common, action);
   add_schema(program, common, action);
   add_example(program, common, action);

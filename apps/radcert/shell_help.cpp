@@ -10,6 +10,7 @@
 #include "command.h"
 #include "examples.h"
 #include "output.h"
+#include "paper_pictures.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/schemas.h"
@@ -53,6 +54,8 @@ std::vector<std::string> words_of(const std::string& command) {
     for (const Example& example : experiment_examples()) out.emplace_back(example.name);
   }
   if (command == "list") out = {"surfaces", "bases", "claims", "references"};
+  if (command == "picture")
+    for (const PictureKind& kind : picture_kinds()) out.emplace_back(kind.name);
   if (command == "completion") out = {"bash"};
   return out;
 }
@@ -66,6 +69,7 @@ std::string completion_of(const CLI::Option& option) {
     return "compopt -o filenames; COMPREPLY=($(compgen -f -- \"$word\"))";
   for (const std::string& name : option.get_lnames()) {
     if (name == "budget") return "COMPREPLY=($(compgen -W 'quick standard full' -- \"$word\"))";
+    if (name == "direct") return "COMPREPLY=($(compgen -W 'basis exact' -- \"$word\"))";
     if (name == "by") return "COMPREPLY=($(compgen -W 'triangle piece group' -- \"$word\"))";
   }
   return "COMPREPLY=()";

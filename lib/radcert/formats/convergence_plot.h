@@ -14,17 +14,20 @@
 
 namespace radcert {
 
-/// An error of one problem against the mesh size, and where a table of errors has it.
+/// What a convergence plot has on its horizontal axis: the largest diameter h, or the number N of unknowns.
+enum class PlotAxis { mesh_size, unknowns };
+
+/// An error of one problem against the mesh size or the unknowns, and where a table of errors has it.
 struct ConvergenceCurve {
   std::string name;                ///< for people
   std::string latex = {};          ///< the same with its formulas set; empty: it has none
   std::string column;              ///< of errors.csv: "node_error"
   std::optional<std::size_t> row;  ///< the rows with this number in the key column; absent: all rows
-  std::vector<PlotPoint> points;   ///< mesh size, error, radius; the coarsest level first
-  std::optional<double> order;     ///< fitted, of the error in the mesh size
+  std::vector<PlotPoint> points;   ///< abscissa, error, radius; the coarsest level first
+  std::optional<double> order;     ///< fitted: error ~ h^order, or N^-order
 };
 
-/// Errors against the mesh size, both logarithmic.
+/// Errors against the mesh size or the unknowns, both logarithmic.
 /// Maths     none
 /// Source    -
 /// Requires  -
@@ -34,6 +37,7 @@ struct ConvergencePlot {
   std::string title;
   std::string key;  ///< the column of errors.csv that tells problems apart; empty: there is one problem
   std::vector<ConvergenceCurve> curves;
+  PlotAxis axis = PlotAxis::mesh_size;
 };
 
 /// The errors of the levels of one problem.
@@ -46,7 +50,7 @@ struct ConvergencePlot {
                                                std::span<const OrderFit> orders, std::string key = {},
                                                std::optional<std::size_t> row = std::nullopt);
 
-/// The errors of one kind of all combinations of an experiment, a plot a kind.
+/// The errors of one kind of all combinations of an experiment, two plots a kind: against h, then against the unknowns.
 /// Maths     as above
 /// Source    -
 /// Requires  a result of collect for each combination, in their order
@@ -60,10 +64,11 @@ struct ConvergencePlot {
 
 /// A right-angled triangle whose longest side has the slope of a curve.
 /// Maths     in logarithmic coordinates: from the last but one point of the curve to its last, the middle half of that length, moved by a
-///           twentieth of the height of the plot, with the slope `order`
+///           twentieth of the height of the plot, with the slope `order` in h, -order in the unknowns
 /// Source    -
 /// Requires  -
-/// Result    x[0] < x[1]; y[i] on the slanting side at x[i]; above: the right angle is at (x[0], y[1]), else at (x[1], y[0])
+/// Result    x[0] < x[1]; y[i] on the slanting side at x[i]; above: the right angle has the larger y and the x of the smaller one, else
+///           the smaller y and the x of the larger one
 /// Limits    -
 struct SlopeTriangle {
   std::array<double, 2> x{};

@@ -57,16 +57,17 @@ std::string place(double x, double y) { return "(axis cs:" + shortest(x) + "," +
 std::string triangle_text(const SlopeTriangle& triangle) {
   const double along = std::sqrt(triangle.x[0] * triangle.x[1]);
   const double up = std::sqrt(triangle.y[0]) * std::sqrt(triangle.y[1]);
-  const double level = triangle.above ? triangle.y[1] : triangle.y[0];
-  const double side = triangle.above ? triangle.x[0] : triangle.x[1];
+  const bool rises = triangle.y[0] < triangle.y[1];
+  const double level = triangle.above == rises ? triangle.y[1] : triangle.y[0];
+  const double side = triangle.above == rises ? triangle.x[0] : triangle.x[1];
   return "\\draw " + place(triangle.x[0], triangle.y[0]) + " -- " + place(triangle.x[1], triangle.y[1]) +
          " -- " + place(side, level) + " -- cycle;\n\\node[" + (triangle.above ? "above" : "below") +
          ",font=\\scriptsize] at " + place(along, level) + " {$1$};\n\\node[" +
-         (triangle.above ? "left" : "right") + ",font=\\scriptsize] at " + place(side, up) + " {$" +
+         (triangle.above == rises ? "left" : "right") + ",font=\\scriptsize] at " + place(side, up) + " {$" +
          hundredths(triangle.order) + "$};\n";
 }
 
-/// The ticks of the mesh sizes: those of the SVG, which are no odd powers of ten where there is less than a decade.
+/// The ticks of the horizontal axis: those of the SVG, which are no odd powers of ten where there is less than a decade.
 std::string ticks(const ConvergencePlot& plot) {
   double least = 0;
   double largest = 0;
@@ -81,7 +82,8 @@ std::string ticks(const ConvergencePlot& plot) {
   std::string names;
   for (const double tick : axis_ticks(least, largest, false)) {
     places += (places.empty() ? "" : ",") + shortest(tick);
-    names += (names.empty() ? "$" : ",$") + shortest(tick) + "$";
+    names += (names.empty() ? "$" : ",$") +
+             (plot.axis == PlotAxis::unknowns ? std::to_string(std::llround(tick)) : shortest(tick)) + "$";
   }
   return "  xtick={" + places + "},xticklabels={" + names + "},xminorticks=false,\n";
 }
@@ -96,18 +98,20 @@ std::string legend_columns(const ConvergencePlot& plot) {
 }
 
 std::string picture(const ConvergencePlot& plot, const std::string& file) {
-  std::string out =
-      "\\begin{tikzpicture}\n\\begin{loglogaxis}[title={" + latex_escaped(plot.title) +
-      "},title style={font=\\footnotesize,text width=0.9\\linewidth,align=center},\n" + ticks(plot) +
-      "  xlabel={mesh size $h$},ylabel={error},log basis x=10,log basis y=10,width=0.8\\linewidth,\n"
-      "  clip=false,legend cell align=left,\n"
-      "  legend style={font=\\footnotesize,at={(0.5,-0.18)},anchor=north,draw=none" +
-      legend_columns(plot) + "}]\n";
+  std::string out = "\\begin{tikzpicture}\n\\begin{loglogaxis}[title={" + latex_escaped(plot.title) +
+                    "},title style={font=\\footnotesize,text width=0.9\\linewidth,align=center},\n" +
+                    ticks(plot) + "  xlabel={" +
+                    (plot.axis == PlotAxis::mesh_size ? "mesh size $h$" : "unknowns $N$") +
+                    "},ylabel={error},log basis x=10,log basis y=10,width=0.8\\linewidth,\n"
+                    "  clip=false,legend cell align=left,\n"
+                    "  legend style={font=\\footnotesize,at={(0.5,-0.18)},anchor=north,draw=none" +
+                    legend_columns(plot) + "}]\n";
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const ConvergenceCurve& curve = plot.curves[i];
     out += "\\addplot[radcert" + std::to_string(i % colours.size()) +
            ",mark=" + std::string(marks[i % marks.size()]) +
-           "] table[col sep=comma,x=mesh_size,y=" + curve.column;
+           "] table[col sep=comma,x=" + (plot.axis == PlotAxis::mesh_size ? "mesh_size" : "unknowns") +
+           ",y=" + curve.column;
     if (curve.row) {
       const std::string number = std::to_string(*curve.row);
       out += ",restrict expr to domain={\\thisrow{" + plot.key + "}}{" + number + ":" + number + "}";

@@ -14,6 +14,7 @@ namespace radcert {
 std::string_view problem_schema();
 std::string_view solution_schema();
 std::string_view verification_schema();
+std::string_view picture_schema();
 std::string_view list_schema();
 std::string_view nodes_schema();
 std::string_view basis_schema();

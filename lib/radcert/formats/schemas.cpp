@@ -8,7 +8,7 @@
 namespace radcert {
 
 std::span<const Schema> schemas() {
-  static const std::array<Schema, 14> all = {
+  static const std::array<Schema, 15> all = {
       Schema{"problem", "what radcert solve reads: a surface, a basis, the data, the levels",
              problem_schema()},
       Schema{"solution", "what radcert solve writes: errors, ratios and orders, level by level",
@@ -31,6 +31,8 @@ std::span<const Schema> schemas() {
              factors_schema()},
       Schema{"nodes", "a file of nodes on a triangle: a basis of a user's own", nodes_schema()},
       Schema{"basis", "what radcert basis writes with --json", basis_schema()},
+      Schema{"picture", "what radcert picture writes with --json: what is seen, and what it was made with",
+             picture_schema()},
       Schema{"list", "what radcert list writes with --json", list_schema()}};
   return all;
 }

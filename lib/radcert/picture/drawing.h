@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "radcert/picture/camera.h"
+#include "radcert/picture/image.h"
+
+namespace radcert {
+
+/// A line through points, with smooth edges.
+/// Maths     coverage of a pixel: 1/2 + width/2 - distance of its middle from the line, cut off to [0,1]; for
+///           lines thinner than a pixel times the width
+/// Source    -
+/// Requires  width > 0, opacity in [0,1], finite points, else ContractViolation
+/// Result    joints and crossings of the line with itself are not darker than the rest; what lies outside of
+///           `within` is left out
+/// Limits    round ends
+void draw_line(Image& image, const ImageRegion& within, std::span<const ImagePoint> points, double width,
+               const Colour& colour, double opacity = 1);
+
+/// A filled circle with a smooth edge; the same requirements.
+void draw_disc(Image& image, const ImageRegion& within, const ImagePoint& middle, double radius,
+               const Colour& colour, double opacity = 1);
+
+/// A region in one colour.
+void fill(Image& image, const ImageRegion& region, const Colour& colour);
+
+/// Where a text stands about its place.
+enum class TextAlign : std::uint8_t { left, middle, right };
+
+/// A text in strokes.
+/// Maths     none
+/// Source    letters of its own, lines and splines on a grid
+/// Requires  printable ASCII, height > 0, else ContractViolation
+/// Result    capital letters `height` high on the line at y, in strokes a ninth as thick, one pixel at least
+/// Limits    one line
+void draw_text(Image& image, const ImagePoint& at, double height, std::string_view text, const Colour& colour,
+               TextAlign align = TextAlign::left);
+/// How wide draw_text draws it.
+[[nodiscard]] double text_width(double height, std::string_view text);
+
+}  // namespace radcert

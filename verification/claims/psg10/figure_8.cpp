@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A room by the bases, with ten iterations.
+//
+// Checked      lit_room(), sites 0.4 apart, w_j the integral of phi_j, R = N. Ten iterations of (19) from 0 against the solution, at all
+//              sites, in 255 grey levels of the screen's curve, white the radiance 1: Shepard's and Lehtinen's bases. Three
+//              iterations are rejected. The same room by the Gaussian basis as (12), (17) have it: the spectral radius of R.
+// Not checked  the paper's scene, of which nothing is said; the figure itself; the radiance between the sites, of which the bases make
+//              means.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "radcert/meshless/light_solution.h"
+#include "radcert/meshless/sampling.h"
+#include "radcert/picture/image.h"
+#include "radcert/picture/lit_room.h"
+#include "verification/claims/psg10/checks.h"
+
+namespace radcert::verification::psg10 {
+namespace {
+
+TransferChoice choice_of(const RadialBasisChoice& basis, std::uint64_t seed) {
+  return {.meshless = {.basis = basis, .sites = PoissonDiskSites{.separation = 0.4, .seed = seed}},
+          .integration = {.relative_error = 1e-3, .most_points = 100'000}};
+}
+
+/// The largest difference that some iterations of (19) leave, in grey levels.
+Measured levels_left(const LightTransfer& transfer, const LightSolution& solution, int iterations) {
+  const Matrix<double>& r = transfer.matrix();
+  const std::size_t n = solution.total.size();
+  std::vector<double> lambda(n);
+  for (int step = 0; step < iterations; ++step) {
+    std::vector<double> next = solution.emission;
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t i = 0; i < n; ++i) next[i] += r(i, j) * lambda[j];
+    lambda = std::move(next);
+  }
+  constexpr double levels = 255;
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    largest = std::max(largest, levels * std::abs(screen_value(solution.total[i]) - screen_value(lambda[i])));
+  // The slope of the screen's curve is at most 12.92.
+  return {.value = largest, .radius = levels * 12.92 * solution.error_bound};
+}
+
+std::uint64_t sets_of(const Bench& bench) { return bench.budget == Budget::quick ? 2 : 5; }
+
+}  // namespace
+
+Finding figure_8(const Bench& bench) {
+  const AtMost unseen{.value = 255.0 / 50,
+                      .slack = 0,
+                      .why = "a fiftieth of the screen's range, a contrast that is just seen"};
+  const LitRoom room = lit_room();
+  Finding finding;
+  for (const auto& [name, basis] :
+       {std::pair(std::string("Shepard"), shepard_basis()), {"Lehtinen", lehtinen_basis()}})
+    for (std::uint64_t seed = 1; seed <= sets_of(bench); ++seed) {
+      const LightTransfer transfer = LightTransfer::make(room.scene, choice_of(basis, seed)).value();
+      const LightSolution solution = transfer.solve(room.lamp).value();
+      const std::string where = name + ", sites " + std::to_string(seed);
+      finding.require("grey levels missing after ten iterations, " + where, unseen,
+                      levels_left(transfer, solution, 10));
+      if (seed == 1)
+        finding.control("the same after three, " + where, unseen, levels_left(transfer, solution, 3));
+    }
+  return finding;
+}
+
+Finding figure_8_gaussian(const Bench& bench) {
+  const AtMost converges{.value = 1, .slack = 0, .why = "(6) converges"};
+  const LitRoom room = lit_room();
+  RadialBasisChoice choice = gaussian_basis();
+  // The shade's narrow sides have few sites within 90 degrees.
+  choice.radius.too_few = TooFewNeighbours::farthest;
+  Finding finding;
+  for (std::uint64_t seed = 1; seed <= sets_of(bench); ++seed) {
+    const TransferChoice made = choice_of(choice, seed);
+    const RadialBasis basis =
+        RadialBasis::make(make_sites(room.scene.surface(), made.meshless.sites).value(), choice).value();
+    const auto radius = [&](const std::vector<double>& weights) {
+      const TransferSums sums = transfer_sums(point_light_transfer(room.scene, basis.sites(), weights));
+      return Measured{.value = sums.spectral_radius, .radius = 1e-3};
+    };
+    finding.require("spectral radius of R, w_j integrated, sites " + std::to_string(seed), converges,
+                    radius(integrate_basis(basis, room.scene.surface(), made.integration).weights));
+    if (seed == 1)
+      finding.control("the same, w_j integrated over the plane", converges,
+                      radius(plane_weights(basis).value()));
+  }
+  return finding;
+}
+
+}  // namespace radcert::verification::psg10
