@@ -6,7 +6,7 @@
 
 namespace radcert::app {
 
-/// A problem or an experiment of apps/examples, embedded at build.
+/// A problem of apps/examples/01_solve or an experiment of apps/examples/experiments, embedded at build.
 struct Example {
   std::string_view name;  ///< the file's name without number and extension
   std::string_view text;

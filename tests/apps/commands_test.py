@@ -9,6 +9,8 @@ import jsonschema
 
 from program import EXAMPLES, ProgramTest
 
+PROBLEMS = os.path.join(EXAMPLES, "01_solve")
+
 
 class Commands(ProgramTest):
     def schema(self, name):
@@ -19,7 +21,7 @@ class Commands(ProgramTest):
     def examples(self):
         """The names of the examples with their files."""
         return {re.sub(r"^[0-9]+_", "", file[:-5]): file
-                for file in sorted(os.listdir(EXAMPLES)) if file.endswith(".json")}
+                for file in sorted(os.listdir(PROBLEMS)) if file.endswith(".json")}
 
     def test_alone_it_names_three_commands_that_work(self):
         text = self.expect(0)
@@ -50,7 +52,7 @@ class Commands(ProgramTest):
         self.assertTrue(names)
         for name, file in names.items():
             text = self.expect(0, "example", name)
-            with open(os.path.join(EXAMPLES, file), encoding="utf-8") as there:
+            with open(os.path.join(PROBLEMS, file), encoding="utf-8") as there:
                 self.assertEqual(text, there.read())
             jsonschema.validate(json.loads(text), schema)
         self.assertIn(self.expect(0, "example", "problem"), [self.expect(0, "example", name) for name in names])

@@ -8,7 +8,7 @@ import unittest
 
 from program import EXAMPLES, ProgramTest
 
-PAGE = os.path.join(EXAMPLES, "07_own_basis")
+PAGE = os.path.join(EXAMPLES, "04_own_basis")
 
 
 class OwnBasis(ProgramTest):

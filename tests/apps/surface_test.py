@@ -269,7 +269,7 @@ class SolveOnMeshes(ProgramTest):
             self.assertEqual(solution["levels"][0]["norm_K"], {"value": 0.5, "guaranteed": True})
 
     def test_the_example_with_hidden_parts_can_be_solved(self):
-        folder = os.path.join(EXAMPLES, "06_occluded_room")
+        folder = os.path.join(EXAMPLES, "07_occluded_room")
         with open(os.path.join(folder, "problem.json"), encoding="utf-8") as file:
             problem = json.load(file)
         problem["triangulation"] = {"levels": [0]}

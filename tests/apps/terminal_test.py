@@ -45,6 +45,24 @@ class Terminal(ProgramTest):
                 if words[0] == "solve" and "--quiet" in words:
                     self.assertLessEqual(set(cells), set(shown.split()), columns)
 
+    def test_a_radius_stays_with_its_error(self):
+        self.write("problem.json", small())
+        for columns in [60, 80]:
+            _, shown = self.at_terminal("solve", "problem.json", "--quiet", columns=columns)
+            self.assertRegex(shown, r"(?m)^level .*\|u-u_n\| nodes +\+- +ratio")
+            self.assertNotRegex(shown, r"(?m)^level +(\+-|ratio)")
+
+    def test_verdicts_fit_the_width(self):
+        what = ["verify", "ac98/equation_37", "ac98/table_4.n48", "--quiet"]
+        _, whole = self.at_terminal(*what, columns=200)
+        self.assertRegex(whole, r"(?m)^  ac98/table_4.n48.discretisation_error +contradicted +contradicted +1.035")
+        for columns in [60, 80]:
+            _, shown = self.at_terminal(*what, columns=columns)
+            self.assertEqual([line for line in shown.splitlines() if len(line) > columns], [])
+            self.assertRegex(shown, r"(?m)^  ac98/table_4.n48.discretisation_error\n    contradicted +1.035[0-9e±. -]+1.04E-4 ")
+            self.assertEqual({word for word in whole.split() if not re.match(r"^[0-9]+\.[0-9]$", word)},
+                             {word for word in shown.split() if not re.match(r"^[0-9]+\.[0-9]$", word)} | {"recorded"})
+
     def test_json_stays_json_at_a_terminal(self):
         _, shown = self.at_terminal("schema", "problem", columns=40)
         self.assertEqual(shown, self.expect(0, "schema", "problem"))
