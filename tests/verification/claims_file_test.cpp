@@ -61,7 +61,7 @@ TEST(ClaimsFile, RefusesWithLineAndPlace) {
   EXPECT_THAT(refusal("[A]\nsays = \"a\"\nverdict = \"supported\"\n"), HasSubstr("is no label"));
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"definition\"\n"), HasSubstr("/a/symbol: is missing"));
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\ncheck = \"magic\"\nverdict = \"supported\"\n"),
-              HasSubstr("function, table or order"));
+              HasSubstr("function, table, order or enclosure"));
   EXPECT_THAT(refusal("a = 1\n"), HasSubstr("/a"));
 }
 

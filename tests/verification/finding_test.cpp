@@ -143,5 +143,29 @@ TEST(FigureText, EnclosesWhatItRounds) {
   }
 }
 
+TEST(LiesIn, ComparesTheWholeEnclosureExactly) {
+  const LiesIn third{.least = Rational(1, 4), .largest = Rational(1, 3)};
+  const auto number = [](double value, double radius) {
+    return Measured{.value = value, .radius = radius, .guaranteed = true};
+  };
+  EXPECT_EQ(judge(third, number(0.28125, 0.03125)), Standing::holds);  // touches 1/4
+  EXPECT_EQ(judge(third, number(0.28125, 0.0625)), Standing::open);    // sticks out on both sides
+  EXPECT_EQ(judge(third, number(0.21875, 0.03125)), Standing::open);   // touches 1/4 from outside
+  EXPECT_EQ(judge(third, number(0.21875, 0.015625)), Standing::violated);
+  EXPECT_EQ(judge(third, number(0.5, 0.125)), Standing::violated);
+  EXPECT_EQ(judge(third, number(0.3, std::numeric_limits<double>::infinity())), Standing::open);
+  EXPECT_EQ(judge(third, Ball(Rational(3, 10))), Standing::holds);
+  EXPECT_EQ(judge(third, Ball(Rational(1, 5))), Standing::violated);
+  EXPECT_EQ(judge(third, Ball(Rational(2, 5))), Standing::violated);
+  EXPECT_EQ(judge(third, Ball(Rational(1, 3))), Standing::open);  // a ball of 1/3 reaches to both sides of it
+}
+
+TEST(LiesIn, ShowsItsEndsAsTheyWereWritten) {
+  Finding finding;
+  finding.require("a", LiesIn{.least = Rational(-203, 10000), .largest = Rational(1, 3)}, Ball(0));
+  EXPECT_EQ(finding.evidence()[0].allowed, "in [-0.0203, 1/3]");
+  EXPECT_TRUE(finding.evidence()[0].proved);
+}
+
 }  // namespace
 }  // namespace radcert::verification

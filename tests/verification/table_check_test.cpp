@@ -52,7 +52,10 @@ Paper paper_of(const std::string& claims, std::map<std::string, std::string> cha
   Paper paper;
   paper.key = "own";
   paper.source = [](const std::string& path) { return "own/" + path; };
-  paper.file = [files](const std::string& path) { return files.at(path); };
+  paper.file = [files](const std::string& path) {
+    if (!files.contains(path)) throw InputError({.source = "own/" + path, .problem = "is missing"});
+    return files.at(path);
+  };
   paper.claims = read_claims(claims, "own/claims.toml");
   return paper;
 }

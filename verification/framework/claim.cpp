@@ -121,6 +121,14 @@ public:
     return number;
   }
 
+  std::optional<Rational> exact_number() const {
+    if (const auto* whole = node_->as_integer()) return Rational(whole->get());
+    const auto* text = node_->as_string();
+    if (text == nullptr) return std::nullopt;
+    Outcome<Rational> value = Rational::parse(text->get());
+    return value ? std::optional<Rational>(*value) : std::nullopt;
+  }
+
   std::vector<Place> elements(const std::string& what) const {
     const toml::array* array = node_->as_array();
     if (array == nullptr) refuse("is not an array", what);
@@ -268,13 +276,70 @@ OrderClaim read_order(const Place& place) {
   return order;
 }
 
+// Numbers that are exact: a text, or a whole number.
+Rational read_exact(const Place& place) {
+  const std::string allowed = "a decimal or a fraction as a text, or a whole number";
+  const std::optional<Rational> value = place.exact_number();
+  if (!value) place.refuse("is not allowed", allowed);
+  return *value;
+}
+
+std::vector<std::pair<std::string, Rational>> read_values(const std::optional<Place>& place) {
+  std::vector<std::pair<std::string, Rational>> values;
+  if (!place) return values;
+  for (const auto& [name, value] : place->members("a table of parameters and their values"))
+    values.emplace_back(name, read_exact(value));
+  return values;
+}
+
+EnclosureClaim read_enclosure(const Place& place) {
+  EnclosureClaim claim;
+  const Place interval = place.at("interval", "two numbers, the lesser one first");
+  const std::vector<Place> ends = interval.elements("two numbers, the lesser one first");
+  if (ends.size() != 2) interval.refuse("is no interval", "two numbers, the lesser one first");
+  claim.least = read_exact(ends[0]);
+  claim.largest = read_exact(ends[1]);
+  if (claim.largest < claim.least) interval.refuse("is empty", "two numbers, the lesser one first");
+  const Place control = place.at("control", "a problem file or a reference value that must be rejected");
+  if (const auto reference = place.find("reference")) {
+    for (const std::string_view key : {"problem", "quantity", "level"})
+      if (const auto other = place.find(key)) other->refuse("does not go with `reference`", "one of the two");
+    claim.number.reference = reference->text("a name of radcert list references");
+    claim.number.values = read_values(place.find("values"));
+    claim.control.reference = control.text("a name of radcert list references");
+    claim.control.values = read_values(place.find("control_values"));
+    return claim;
+  }
+  for (const std::string_view key : {"values", "control_values"})
+    if (const auto other = place.find(key)) other->refuse("does not go with `problem`", "with `reference`");
+  claim.number.problem =
+      place.at("problem", "a problem file; or `reference`").text("a problem file; or `reference`");
+  const std::vector<std::string> known = enclosed_quantities();
+  const Place quantity = place.at("quantity", list_of(known));
+  claim.number.quantity = quantity.text(list_of(known));
+  if (std::find(known.begin(), known.end(), claim.number.quantity) == known.end())
+    quantity.refuse("is not known", list_of(known));
+  if (const auto level = place.find("level")) claim.number.level = level->whole(0, "a level");
+  claim.control = claim.number;
+  claim.control.problem = control.text("a problem file");
+  return claim;
+}
+
+void require_verdicts_of_a_proof(const Place& place, const PerBudget<Verdict>& verdict) {
+  for (const Verdict each : verdict.values)
+    if (each != Verdict::certified && each != Verdict::contradicted && each != Verdict::undecided &&
+        each != Verdict::unchecked)
+      place.refuse("is no verdict of an enclosure", "certified, contradicted, undecided");
+}
+
 CheckKind read_check(const Place& place, const std::optional<PerBudget<Verdict>>& verdict) {
   if (const auto check = place.find("check")) {
-    const std::string allowed = "function, table or order";
+    const std::string allowed = "function, table, order or enclosure";
     const std::string kind = check->text(allowed);
     if (kind == "function") return CheckKind::function;
     if (kind == "table") return CheckKind::table;
     if (kind == "order") return CheckKind::order;
+    if (kind == "enclosure") return CheckKind::enclosure;
     check->refuse("is not known", allowed);
   }
   if (verdict && std::all_of(verdict->values.begin(), verdict->values.end(),
@@ -325,6 +390,11 @@ Claim read_claim(const std::string& label, const Place& place) {
     if (claim.check == CheckKind::order) {
       place.require_keys(with_common({"verdict", "problem", "control", "quantity", "order", "slack", "why"}));
       claim.order = read_order(place);
+    } else if (claim.check == CheckKind::enclosure) {
+      place.require_keys(with_common({"verdict", "problem", "quantity", "level", "reference", "values",
+                                      "control", "control_values", "interval"}));
+      claim.enclosure = read_enclosure(place);
+      require_verdicts_of_a_proof(place.at("verdict", ""), claim.verdict.value());
     } else {
       place.require_keys(with_common({"verdict", "symbol"}));
     }
@@ -342,6 +412,10 @@ Claim read_claim(const std::string& label, const Place& place) {
 }
 
 }  // namespace
+
+std::vector<std::string> enclosed_quantities() {
+  return {"discretisation_error", "node_error", "least_u_n", "largest_u_n"};
+}
 
 std::vector<Claim> read_claims(std::string_view text, const std::string& source) {
   toml::table document;

@@ -7,17 +7,19 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/scalar/rational.h"
 #include "verification/framework/verdict.h"
 
 namespace radcert::verification {
 
 /// How a claim is checked.
-/// Maths     function: code of verification/claims/<key>; table: cells of a printed table; order: a fitted order; none: nothing is run
+/// Maths     function: code of verification/claims/<key>; table: cells of a printed table; order: a fitted order; enclosure: a proved number
+///           in a stated interval; none: nothing is run
 /// Source    -
 /// Requires  -
 /// Result    `none` belongs to definitions and to statements not yet looked at
 /// Limits    -
-enum class CheckKind { function, table, order, none };
+enum class CheckKind { function, table, order, enclosure, none };
 
 /// The recorded verdict of one cell of a table.
 struct CellRecord {
@@ -66,6 +68,27 @@ struct OrderClaim {
   std::string why;
 };
 
+/// A number that can be enclosed with a proof: a figure of a problem, or a reference value.
+struct EnclosedNumber {
+  std::string problem;       ///< file of a problem for the solver `verified`; empty: a reference value
+  std::string quantity;      ///< of a problem: one of enclosed_quantities()
+  std::optional<int> level;  ///< of a problem; absent: its last
+  std::string reference;     ///< a value or a family of values, by name
+  std::vector<std::pair<std::string, Rational>>
+      values;  ///< of a family's parameters; the rest has its defaults
+};
+
+/// "discretisation_error", "node_error", "least_u_n" and "largest_u_n", the last two over the nodes.
+[[nodiscard]] std::vector<std::string> enclosed_quantities();
+
+/// A number that lies in a closed interval.
+struct EnclosureClaim {
+  Rational least;
+  Rational largest;  ///< least <= largest
+  EnclosedNumber number;
+  EnclosedNumber control;  ///< a number that must be proved to lie outside
+};
+
 /// One numbered statement, as papers/<key>/claims.toml has it.
 /// Maths     none
 /// Source    the project's format of claims
@@ -88,6 +111,7 @@ struct Claim {
   std::string symbol;  ///< of a definition: the public symbol that stands for it
   std::optional<TableClaim> table;
   std::optional<OrderClaim> order;
+  std::optional<EnclosureClaim> enclosure;
   int line = 0;
 };
 

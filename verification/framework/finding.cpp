@@ -62,6 +62,25 @@ std::string with_slack(std::string text, double slack, const std::string& why) {
   return text;
 }
 
+// A decimal where the number is one of at most so many places, else a fraction.
+std::string decimal_or_fraction(const Rational& q) {
+  constexpr std::size_t most_places = 60;
+  Rational scaled = abs(q);
+  for (std::size_t places = 0; places <= most_places; ++places, scaled = Rational(10) * scaled) {
+    if (!scaled.is_integer()) continue;
+    std::string digits = scaled.to_text();
+    if (places == 0) return q.to_text();
+    if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+    digits.insert(digits.size() - places, ".");
+    return (q.sign() < 0 ? "-" : "") + digits;
+  }
+  return q.to_text();
+}
+
+std::string interval_text(const LiesIn& statement) {
+  return "in [" + decimal_or_fraction(statement.least) + ", " + decimal_or_fraction(statement.largest) + "]";
+}
+
 }  // namespace
 
 std::string_view name(Standing standing) {
@@ -95,6 +114,23 @@ Standing judge(const AtMost& statement, const Measured& observed) {
 
 Standing judge(const IsExactly& statement, const Rational& observed) {
   return observed == statement.value ? Standing::holds : Standing::violated;
+}
+
+Standing judge(const LiesIn& statement, const Measured& observed) {
+  if (!settles(observed)) return Standing::open;
+  const Rational value = Rational::exactly(observed.value);
+  const Rational radius = Rational::exactly(observed.radius);
+  if (statement.least <= value - radius && value + radius <= statement.largest) return Standing::holds;
+  const bool outside = value + radius < statement.least || statement.largest < value - radius;
+  return outside ? Standing::violated : Standing::open;
+}
+
+Standing judge(const LiesIn& statement, const Ball& observed) {
+  const Ball least(statement.least);
+  const Ball largest(statement.largest);
+  if (certainly_at_most(least, observed) && certainly_at_most(observed, largest)) return Standing::holds;
+  const bool outside = certainly_less(observed, least) || certainly_less(largest, observed);
+  return outside ? Standing::violated : Standing::open;
 }
 
 Standing judge(const AgreesWith& statement, const Ball& observed) {
@@ -144,6 +180,27 @@ void Finding::add(const std::string& what, const AgreesWith& statement, const Ba
       .standing = judge(statement, observed),
       .control = control,
       .proved = true};
+  if (observed.is_finite()) {
+    const BallDecimal text = observed.decimal(digits);
+    evidence.value = text.midpoint;
+    evidence.radius = text.radius;
+  }
+  evidence_.push_back(std::move(evidence));
+}
+
+void Finding::add(const std::string& what, const LiesIn& statement, const Measured& observed, bool control) {
+  evidence_.push_back(line(what, observed, interval_text(statement), judge(statement, observed), control, 0));
+}
+
+void Finding::add(const std::string& what, const LiesIn& statement, const Ball& observed, bool control) {
+  constexpr int digits = 20;
+  Evidence evidence{.what = what,
+                    .value = observed.to_text(digits),
+                    .radius = std::nullopt,
+                    .allowed = interval_text(statement),
+                    .standing = judge(statement, observed),
+                    .control = control,
+                    .proved = true};
   if (observed.is_finite()) {
     const BallDecimal text = observed.decimal(digits);
     evidence.value = text.midpoint;

@@ -55,6 +55,12 @@ struct AgreesWith {
   double within = 0;
 };
 
+/// "The number lies in [least, largest]."
+struct LiesIn {
+  Rational least;
+  Rational largest;
+};
+
 /// Whether an observation agrees with a statement.
 enum class Standing { holds, violated, open };
 
@@ -65,7 +71,8 @@ enum class Standing { holds, violated, open };
 /// Maths     Bound: value - radius >= order - slack holds, value + radius < order - slack violates;
 ///           Equals: |v - value| + radius <= slack holds, |v - value| - radius > slack violates;
 ///           AtMost: v + radius <= value + slack holds, v - radius > value + slack violates;  IsExactly: equality of rationals;
-///           AgreesWith: |v - value| <= within for all points of both balls holds, > within for all violates
+///           AgreesWith: |v - value| <= within for all points of both balls holds, > within for all violates;
+///           LiesIn: the whole enclosure in the interval holds, none of it violates
 /// Source    ours
 /// Requires  slack >= 0, else ContractViolation
 /// Result    open where neither is the case, and for numbers that are not finite
@@ -75,6 +82,8 @@ enum class Standing { holds, violated, open };
 [[nodiscard]] Standing judge(const AtMost& statement, const Measured& observed);
 [[nodiscard]] Standing judge(const IsExactly& statement, const Rational& observed);
 [[nodiscard]] Standing judge(const AgreesWith& statement, const Ball& observed);
+[[nodiscard]] Standing judge(const LiesIn& statement, const Measured& observed);
+[[nodiscard]] Standing judge(const LiesIn& statement, const Ball& observed);
 
 /// One line of evidence.
 struct Evidence {
@@ -122,6 +131,8 @@ private:
   void add(const std::string& what, const AtMost& statement, const Measured& observed, bool control);
   void add(const std::string& what, const IsExactly& statement, const Rational& observed, bool control);
   void add(const std::string& what, const AgreesWith& statement, const Ball& observed, bool control);
+  void add(const std::string& what, const LiesIn& statement, const Measured& observed, bool control);
+  void add(const std::string& what, const LiesIn& statement, const Ball& observed, bool control);
 
   std::vector<Evidence> evidence_;
   std::vector<std::string> remarks_;

@@ -56,12 +56,35 @@ std::vector<Paper> embedded_paper_list() {
   return papers;
 }
 
+std::string file_if_there(const Paper& paper, const std::string& path) {
+  try {
+    return paper.file(path);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+void check_erratum(const Paper& paper, const Claim& claim) {
+  if (claim.erratum.empty()) return;
+  const std::string errata = "\n" + file_if_there(paper, "errata.md");
+  if (errata.find("\n| " + claim.erratum + " |") != std::string::npos) return;
+  const std::string file = paper.source("errata.md");
+  throw InputError({.source = paper.source("claims.toml") + ", line " + std::to_string(claim.line),
+                    .pointer = "/" + claim.label + "/erratum",
+                    .value = claim.erratum,
+                    .problem = errata.size() == 1
+                                   ? "is looked for in " + file + ", which is not there or is empty"
+                                   : "is in no row of " + file,
+                    .allowed = "the first cell of a row there: \"| " + claim.erratum + " | ... |\""});
+}
+
 Paper read_paper(const std::filesystem::path& folder) {
   Paper paper;
   std::filesystem::path name = folder.lexically_normal();
   if (!name.has_filename()) name = name.parent_path();
   if (name == "." || name == "..") name = std::filesystem::weakly_canonical(folder);
   paper.key = name.filename().string();
+  paper.folder = folder.string();
   paper.source = [folder](const std::string& path) { return (folder / path).string(); };
   paper.file = [folder](const std::string& path) { return read_file(folder / path); };
   paper.claims = read_claims(paper.file("claims.toml"), paper.source("claims.toml"));

@@ -16,14 +16,27 @@ namespace radcert::verification {
 /// Source    -
 /// Requires  the folder holds claims.toml
 /// Result    key: the folder's name; file(path): the content of a file by its path from the folder, InputError where it is missing;
-///           source(path): how messages name that file
+///           source(path): how messages name that file; folder: as the user named it, empty for an embedded paper
 /// Limits    files outside the folder are not reached from an embedded paper
 struct Paper {
   std::string key;
   std::vector<Claim> claims;
   std::function<std::string(const std::string& path)> file;
   std::function<std::string(const std::string& path)> source;
+  std::string folder = {};
 };
+
+/// The content of a file of a paper's folder, empty where there is none.
+[[nodiscard]] std::string file_if_there(const Paper& paper, const std::string& path);
+
+/// Refuses a claim that names an erratum which is not there.
+/// Maths     none
+/// Source    -
+/// Requires  -
+/// Result    returns where the claim names none, or where errata.md has a row of a table whose first cell is that place; InputError with
+///           the claim's place otherwise
+/// Limits    -
+void check_erratum(const Paper& paper, const Claim& claim);
 
 /// The papers that travel inside the program: every folder of papers/ with a claims.toml, by key.
 [[nodiscard]] std::vector<Paper> embedded_paper_list();

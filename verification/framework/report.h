@@ -50,11 +50,20 @@ struct ClaimReport {
   [[nodiscard]] bool as_recorded() const { return found == recorded && found != Verdict::failed; }
 };
 
+/// What a paper's folder says beside its claims; empty where it has no such file.
+struct PaperText {
+  std::string key;
+  std::string folder;  ///< as the user named it; empty: a paper inside the program
+  std::string readme;
+  std::string errata;
+};
+
 /// What a run found.
 struct Report {
   Budget budget = Budget::quick;
   std::vector<ClaimReport> claims;
   std::vector<ProblemTrace> problems = {};
+  std::vector<PaperText> papers = {};
 
   [[nodiscard]] std::size_t differing() const {
     std::size_t count = 0;

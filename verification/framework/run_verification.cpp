@@ -10,6 +10,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/formats/problem_json.h"
 #include "verification/claims/contents.h"
+#include "verification/framework/enclosure_check.h"
 #include "verification/framework/table_check.h"
 
 namespace radcert::verification {
@@ -50,6 +51,19 @@ Finding check_order(const Paper& paper, const OrderClaim& claim, const Bench& be
   return finding;
 }
 
+// What is wrong with any of a paper's files is said before any work.
+void check_files(const Selected& selected) {
+  const Paper& paper = selected.paper;
+  for (const Claim& claim : paper.claims) {
+    if (!selected.wants_part_of(claim.label)) continue;
+    check_erratum(paper, claim);
+    if (claim.order)
+      for (const std::string& file : {claim.order->problem, claim.order->control})
+        static_cast<void>(parse_problem(paper.file(file), paper.source(file)));
+    if (claim.enclosure) check_names(paper, claim);
+  }
+}
+
 ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& bench,
                         const PaperChecks* checks) {
   ClaimReport report{.paper = paper.key,
@@ -74,14 +88,16 @@ ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& ben
     Finding finding;
     if (claim.check == CheckKind::order) {
       finding = check_order(paper, claim.order.value(), bench);
+    } else if (claim.check == CheckKind::enclosure) {
+      finding = check_enclosure(paper, claim, bench);
     } else {
       const Check* check = checks == nullptr ? nullptr : checks->find(claim.label);
       if (check == nullptr)
-        throw InputError(
-            {.source = paper.source("claims.toml") + ", line " + std::to_string(claim.line),
-             .pointer = "/" + claim.label,
-             .problem = "has no check of that name in the program",
-             .allowed = "check = \"table\" or \"order\", or the label of a check that is compiled in"});
+        throw InputError({.source = paper.source("claims.toml") + ", line " + std::to_string(claim.line),
+                          .pointer = "/" + claim.label,
+                          .problem = "has no check of that name in the program",
+                          .allowed = "check = \"table\", \"order\" or \"enclosure\", or the label of a check "
+                                     "that is compiled in"});
       finding = (*check)(bench);
     }
     report.found = finding.verdict();
@@ -125,11 +141,16 @@ Report run_verification(std::span<const Selected> selected, const Bench& given,
                         const std::function<void(const Progress&)>& progress) {
   RecordedLevels levels(given.levels);
   const Bench bench{.budget = given.budget, .route = given.route, .levels = levels, .store = given.store};
-  // What is wrong with any of the files is said before any work.
   Progress now;
+  for (const Selected& each : selected) check_files(each);
   for (const Selected& each : selected)
     for (const std::string& label : statement_labels(each.paper)) now.total += each.wants(label) ? 1 : 0;
-  Report report{.budget = bench.budget, .claims = {}, .problems = {}};
+  Report report{.budget = bench.budget, .claims = {}, .problems = {}, .papers = {}};
+  for (const Selected& each : selected)
+    report.papers.push_back({.key = each.paper.key,
+                             .folder = each.paper.folder,
+                             .readme = file_if_there(each.paper, "README.md"),
+                             .errata = file_if_there(each.paper, "errata.md")});
   const auto add = [&](ClaimReport claim, const Claim& of) {
     claim.account = account_of(of);
     claim.problems = levels.used();

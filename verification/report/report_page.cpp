@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/report/report_page.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -104,12 +105,6 @@ JsonValue picture_json(const ProblemTrace& problem) {
   return out;
 }
 
-std::string_view embedded(std::string_view path) {
-  for (const EmbeddedFile& file : embedded_papers())
-    if (file.path == path) return file.content;
-  return {};
-}
-
 // "# Atkinson and Chandler 1998" and the paragraph that names the publication.
 struct PaperHead {
   std::string title;
@@ -141,20 +136,26 @@ std::vector<std::string> papers_of(const Report& report) {
   return keys;
 }
 
-JsonValue paper_json(const std::string& key) {
-  const PaperHead head = head_of(embedded(key + "/README.md"));
+JsonValue paper_json(const Report& report, const std::string& key) {
+  const auto found = std::find_if(report.papers.begin(), report.papers.end(),
+                                  [&](const PaperText& each) { return each.key == key; });
+  const PaperText texts =
+      found == report.papers.end() ? PaperText{.key = key, .folder = {}, .readme = {}, .errata = {}} : *found;
+  const PaperHead head = head_of(texts.readme);
   JsonValue out = JsonValue::object();
   out.set("key", key);
   out.set("title", head.title.empty() ? key : head.title);
   out.set("reference", head.reference);
-  out.set("errata", embedded(key + "/errata.md"));
+  out.set("folder", texts.folder);
+  out.set("errata", texts.errata);
   return out;
 }
 
 JsonValue page_data(const Report& report, const std::string& command) {
   JsonValue out = JsonValue::object();
   out.set("report", report_json(report, command));
-  out.set("papers", json_array(papers_of(report), paper_json));
+  out.set("papers",
+          json_array(papers_of(report), [&](const std::string& key) { return paper_json(report, key); }));
   out.set("pictures", json_array(report.problems, picture_json));
   return out;
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <span>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -141,28 +143,49 @@ double total_seconds(const Report& report) {
   return total;
 }
 
+constexpr std::string_view between_columns = "  ";
+
+// The cells of a row that are not empty columns, the last two to the right.
+std::string cells_text(const Row& row, const std::array<std::size_t, 6>& widths,
+                       std::span<const std::size_t> columns) {
+  std::string line;
+  for (const std::size_t i : columns) {
+    const std::string padding(widths[i] - width(row[i]), ' ');
+    const bool to_the_right = i >= 4;
+    line += (line.empty() ? "" : std::string(between_columns)) +
+            (to_the_right ? padding + row[i] : row[i] + padding);
+  }
+  return line.substr(0, line.find_last_not_of(' ') + 1);
+}
+
+// A line a row; where that is too wide the statement on a line of its own, and what is known of it below, but for the recorded
+// verdict, which is told apart where it is another.
+std::string rows_text(const std::vector<Row>& rows, std::size_t most_columns) {
+  std::array<std::size_t, 6> widths{};
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+  std::size_t needed = between_columns.size() * (widths.size() - 1);
+  for (const std::size_t each : widths) needed += each;
+  constexpr std::array<std::size_t, 6> all{0, 1, 2, 3, 4, 5};
+  constexpr std::array<std::size_t, 4> below{1, 3, 4, 5};
+  std::string out;
+  for (const Row& row : rows)
+    if (needed <= most_columns)
+      out += cells_text(row, widths, all) + "\n";
+    else
+      out += row[0] + "\n    " + cells_text(row, widths, below) + "\n";
+  return out;
+}
+
 }  // namespace
 
-std::string report_table(const Report& report) {
-  std::vector<Row> rows{{"statement", "verdict", "recorded", "ours", "printed", "seconds"}};
+std::string report_table(const Report& report, std::size_t most_columns) {
+  std::vector<Row> rows{{"  statement", "verdict", "recorded", "ours", "printed", "seconds"}};
   for (const ClaimReport& claim : report.claims)
     rows.push_back({(claim.as_recorded() ? "  " : "! ") + claim.paper + "/" + claim.label,
                     std::string(name(claim.found)), std::string(name(claim.recorded)), ours_text(claim.ours),
                     claim.printed.value_or(""), seconds_text(claim.seconds)});
-  rows[0][0] = "  " + rows[0][0];
-  std::array<std::size_t, 6> widths{};
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
-  std::string out;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string padding(widths[i] - width(row[i]), ' ');
-      const bool to_the_right = i >= 4;
-      line += (i == 0 ? "" : "  ") + (to_the_right ? padding + row[i] : row[i] + padding);
-    }
-    out += line + "\n";
-  }
+  std::string out = rows_text(rows, most_columns);
   for (const ClaimReport& claim : report.claims) {
     if (claim.as_recorded()) continue;
     out += "\n! " + claim.paper + "/" + claim.label + ": " + std::string(name(claim.found)) +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -14,9 +15,10 @@ namespace radcert::verification {
 /// Source    -
 /// Requires  nothing
 /// Result    a line a statement or cell: statement, verdict, recorded, ours with its radius, printed, seconds; below the table what
-///           differs from the record and why, and the count of each verdict. `!` stands before what differs
+///           differs from the record and why, and the count of each verdict. `!` stands before what differs. Where such a line is
+///           longer than `most_columns`, two lines: the statement; verdict, ours, printed, seconds
 /// Limits    figures show six digits, with a radius that encloses what was cut
-[[nodiscard]] std::string report_table(const Report& report);
+[[nodiscard]] std::string report_table(const Report& report, std::size_t most_columns = std::string::npos);
 
 /// A report for readers: a section a paper, evidence and notes written out, in Markdown.
 [[nodiscard]] std::string report_markdown(const Report& report, const std::string& command);

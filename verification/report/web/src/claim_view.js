@@ -53,7 +53,10 @@ function views(claim) {
 
 function reproduce(entry) {
   const budget = report.budget === "quick" ? "" : ` --budget ${report.budget}`;
-  const command = `radcert verify ${entry.key}${budget}`;
+  // A folder of the user's own is run as a whole.
+  const { folder } = paper(entry.claim.paper);
+  const what = folder ? (/^[\w./-]+$/.test(folder) ? folder : `'${folder.replaceAll("'", "'\\''")}'`) : entry.key;
+  const command = `radcert verify ${what}${budget}`;
   const said = element("span", { role: "status", class: "quiet" });
   const button = element("button", {
     type: "button",

@@ -12,7 +12,7 @@ export const licences = JSON.parse(document.getElementById("licences").textConte
 const timing = new Map(report.timing.claims.map((each) => [`${each.paper}/${each.label}`, each.seconds]));
 
 /** The paper's entry with title, bibliography and errata; a user's own folder has its key alone. */
-export const paper = (key) => papers.find((each) => each.key === key) ?? { key, title: key, errata: "" };
+export const paper = (key) => papers.find((each) => each.key === key) ?? { key, title: key, folder: "", errata: "" };
 
 /** "table_1.alpha_1_6.n4.node_error" is a cell of table_1; any other label is a statement. */
 const tableOf = (claim) => (claim.printed === null ? null : claim.label.split(".")[0]);

@@ -39,6 +39,19 @@ function slope(order, problems, quantity, key) {
   return (h) => 2 * coarsest.error.value * (h / coarsest.h) ** (power * order);
 }
 
+// Powers of ten; where these are few also 2 and 5 times, or 2, 3, 4, 5, 6 and 8 times.
+function ticks(least, most) {
+  const decades = Math.log10(most / least);
+  const factors = decades > 3 ? [1] : decades > 1 ? [1, 2, 5] : [1, 2, 3, 4, 5, 6, 8];
+  const places = [];
+  for (let power = Math.floor(Math.log10(least)); power <= Math.log10(most); ++power)
+    for (const factor of factors) {
+      const place = factor * 10 ** power;
+      if (least <= place && place <= most) places.push(place);
+    }
+  return places;
+}
+
 // uPlot would round a logarithmic axis out to whole powers of ten, and leave much of the plot empty.
 const between = (margin) => (_, least, most) => [least / margin, most * margin];
 
@@ -52,8 +65,9 @@ export function convergence(problems, quantity, key = "mesh_size") {
   const orders = drawn.map((problem) => fittedOrder(problem, quantity, key));
   const known = orders.filter((fit) => fit !== null).map((fit) => fit.order);
   const references = [...new Set(known.map((order) => (power > 0 ? Math.round(order) : Math.round(2 * order) / 2)))].filter((order) => order > 0).slice(0, 3);
-  const label = (problem, fit) => (fit === null ? problem.name
-    : `${problem.name}: order ${fit.order.toFixed(2)}${fit.halfwidth === null ? "" : ` ± ${fit.halfwidth.toFixed(2)}`}`);
+  // Two levels have one slope, and no spread.
+  const spread = (fit) => (fit.levels?.length < 3 ? " from two levels" : fit.halfwidth === null ? "" : ` ± ${fit.halfwidth.toFixed(2)}`);
+  const label = (problem, fit) => (fit === null ? problem.name : `${problem.name}: order ${fit.order.toFixed(2)}${spread(fit)}`);
   const columns = [sizes,
     ...drawn.map((problem) => {
       const at = new Map(points(problem, quantity, key).map((point) => [point.h, point.error.value]));
@@ -76,7 +90,7 @@ export function convergence(problems, quantity, key = "mesh_size") {
     const plot = new uPlot({
       width: Math.max(280, holder.clientWidth), height: 380,
       scales: { x: { time: false, distr: 3, range: between(1.2) }, y: { distr: 3, range: between(2) } },
-      axes: [{ ...axis(words), values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : String(Number(tick.toPrecision(2))))) },
+      axes: [{ ...axis(words), splits: (_, __, least, most) => ticks(least, most), filter: (_, places) => places, values: (_, places) => places.map((place) => String(Number(place.toPrecision(2)))) },
         { ...axis(quantities[quantity]), size: 76, values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : tick.toExponential(0))) }],
       series: lines, legend: { live: true },
     }, columns, holder);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import {
   AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, FrontSide, LineBasicMaterial,
-  LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Points, PointsMaterial, Scene, Vector3, WebGLRenderer,
+  Group, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Points, PointsMaterial, Scene, Vector3, WebGLRenderer,
   WireframeGeometry,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
@@ -44,6 +44,22 @@ function scale(values, words) {
     element("span", { class: "ramp", "aria-hidden": "true" }), ` ${most.toPrecision(4)}`);
 }
 
+// Round points, nearer to the eye than they are by so much: the wall on which they lie does not cover half of each.
+function disks(geometry, looks, nearer) {
+  const material = new PointsMaterial({ ...looks, transparent: true });
+  material.onBeforeCompile = (shader) => {
+    shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
+      vec4 before = projectionMatrix * (mvPosition + vec4(0.0, 0.0, ${nearer.toExponential()}, 0.0));
+      gl_Position.z = before.z / before.w * gl_Position.w;`);
+    shader.fragmentShader = shader.fragmentShader.replace("#include <clipping_planes_fragment>", `#include <clipping_planes_fragment>
+      if (length(gl_PointCoord - 0.5) > 0.5) discard;`);
+  };
+  material.customProgramCacheKey = () => String(nearer);
+  const points = new Points(geometry, material);
+  points.renderOrder = looks.vertexColors ? 2 : 1;
+  return points;
+}
+
 /** The surface of a problem at one level, to turn (drag, arrow keys) and zoom (wheel, + and -). */
 export function surfaceView(index) {
   const problem = report.problems[index];
@@ -83,7 +99,8 @@ export function surfaceView(index) {
   const edges = new LineSegments(new WireframeGeometry(geometry), new LineBasicMaterial({ color: 0x222222, transparent: true, opacity: 0.55 }));
   const dots = new BufferGeometry();
   dots.setAttribute("position", new BufferAttribute(nodes, 3));
-  const points = new Points(dots, new PointsMaterial({ size: radius / 45, vertexColors: true }));
+  const points = new Group();
+  points.add(disks(dots, { size: radius / 18, color: 0x222222 }, radius / 30), disks(dots, { size: radius / 26, vertexColors: true }, radius / 26));
   scene.add(skin, edges, points, new AmbientLight(0xffffff, 2.2));
   const lamp = new DirectionalLight(0xffffff, 1.2);
   const camera = new PerspectiveCamera(38, 1, radius / 100, radius * 20);
