@@ -92,10 +92,9 @@ std::string experiment_table(const Experiment& experiment, std::span<const Resul
   std::string out = experiment.name + ": max |u-u_n| over the nodes, the combinations at equal cost\n\n";
   for (const Question& question : questions(experiment)) out += ranking(experiment, results, question);
   return out +
-         "The cost is the largest that all combinations of a table pay at some level; an error between two "
-         "levels by "
-         "a power\nlaw, - where every level costs more. Seconds are those of assembly and solution, when the "
-         "level was "
+         "Cost: the largest that all combinations of a table pay at some level; between two levels by a "
+         "power "
+         "law.\n- where every level costs more. Seconds: assembly and solution, when the level was "
          "solved.\nsample: max |u-u_n| over a sample of S. Orders with the spread of the slopes between "
          "levels; no "
          "guarantee.\n" +

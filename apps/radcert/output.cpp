@@ -40,13 +40,20 @@ std::string pad(const std::string& cell, std::size_t width, bool left) {
 
 constexpr std::size_t between_columns = 2;
 
-/// The columns in parts that are no wider than `most`, each but for the first column, which all parts have.
-std::vector<std::vector<std::size_t>> parts(const std::vector<std::size_t>& widths, std::size_t most) {
+/// The columns in parts that are no wider than `most`, each but for the first column, which all parts have; groups that are to
+/// stay together are parted where they are too wide by themselves.
+std::vector<std::vector<std::size_t>> parts(const std::vector<std::size_t>& widths, std::size_t most,
+                                            const std::set<std::size_t>& with_the_left) {
   std::vector<std::vector<std::size_t>> out(1);
   std::size_t used = 0;
   for (std::size_t column = 0; column < widths.size(); ++column) {
     const std::size_t more = widths[column] + (column == 0 ? 0 : between_columns);
-    if (out.back().size() > 1 && used + more > most) {
+    std::size_t group = more;
+    for (std::size_t next = column + 1; !with_the_left.contains(column) && with_the_left.contains(next);
+         ++next)
+      group += widths[next] + between_columns;
+    const bool too_wide = used + more > most || (used + group > most && widths[0] + group <= most);
+    if (out.back().size() > 1 && too_wide) {
       out.push_back({0});
       used = widths[0];
     }
@@ -56,7 +63,7 @@ std::vector<std::vector<std::size_t>> parts(const std::vector<std::size_t>& widt
   return out;
 }
 
-std::string lines(const Rows& rows, bool all_left) {
+std::string lines(const Rows& rows, bool all_left, const std::set<std::size_t>& with_the_left) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
@@ -66,7 +73,7 @@ std::string lines(const Rows& rows, bool all_left) {
   // Columns of words are better folded than torn apart.
   const std::size_t most = all_left ? std::string::npos : terminal_width().value_or(std::string::npos);
   std::string out;
-  for (const auto& columns : parts(widths, most)) {
+  for (const auto& columns : parts(widths, most, with_the_left)) {
     if (!out.empty()) out += "\n";
     for (const auto& row : rows) {
       std::string line;
@@ -203,8 +210,11 @@ void print_result(const Common& common, std::string_view text, std::string_view 
   print(common.json_to_stdout() || text == json ? std::string(json) : fitted(text));
 }
 
-std::string aligned(const std::vector<std::vector<std::string>>& rows) { return lines(rows, false); }
+std::string aligned(const std::vector<std::vector<std::string>>& rows,
+                    const std::set<std::size_t>& with_the_left) {
+  return lines(rows, false, with_the_left);
+}
 
-std::string aligned_left(const std::vector<std::vector<std::string>>& rows) { return lines(rows, true); }
+std::string aligned_left(const std::vector<std::vector<std::string>>& rows) { return lines(rows, true, {}); }
 
 }  // namespace radcert::app

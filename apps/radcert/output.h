@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -60,8 +61,10 @@ private:
 void print_result(const Common& common, std::string_view text, std::string_view json);
 
 /// Rows of cells as lines, columns padded to their widest cell: the first column to the left, all others to the right.
-/// On a terminal that is too narrow the columns go on below, each part with the first column.
-std::string aligned(const std::vector<std::vector<std::string>>& rows);
+/// On a terminal that is too narrow the columns go on below, each part with the first column; one that stands in `with_the_left` is
+/// not parted from the column before it.
+std::string aligned(const std::vector<std::vector<std::string>>& rows,
+                    const std::set<std::size_t>& with_the_left = {});
 
 /// The same with every column to the left.
 std::string aligned_left(const std::vector<std::vector<std::string>>& rows);

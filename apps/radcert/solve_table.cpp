@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <vector>
 
 #include "output.h"
@@ -53,7 +54,11 @@ std::string level_table(const Result& result, bool with_errors) {
     row.push_back(fmt::format("{:.6g}{}", level.norm_K.value, level.norm_K.guaranteed ? "" : " (estimate)"));
     rows.push_back(row);
   }
-  return aligned(rows);
+  // A radius and a ratio stay with their error.
+  std::set<std::size_t> with_the_left;
+  for (std::size_t column = 0; column < rows.front().size(); ++column)
+    if (rows.front()[column] == "+-" || rows.front()[column] == "ratio") with_the_left.insert(column);
+  return aligned(rows, with_the_left);
 }
 
 /// The means of u_n over the pieces, a row a level.
@@ -86,7 +91,8 @@ std::string order_line(const OrderFit& fit) {
   const std::string name = fit.quantity == "node_error" ? "|u-u_n| at the nodes" : "|K(I-P_n)u|";
   std::string out = "Order of " + name + " in h: ";
   out += fit.order ? fmt::format("{:.2f}", *fit.order) : "not fitted";
-  if (fit.order && fit.halfwidth) out += fmt::format(" +- {:.2f}", *fit.halfwidth);
+  // Two levels have one slope, and no spread.
+  if (fit.order && fit.halfwidth && fit.levels.size() > 2) out += fmt::format(" +- {:.2f}", *fit.halfwidth);
   if (!fit.levels.empty()) out += " (levels " + numbers(fit.levels) + ")";
   if (!fit.left_out.empty())
     out += "; left out, because the radius exceeds 5 % of the error: " + numbers(fit.left_out);
@@ -130,9 +136,8 @@ std::string guarantee_text(const Result& result) {
   out += ".\n";
   if (result.problem.solution)
     out +=
-        "  |K(I-P_n)u| and |u-u_n| at the nodes lie within the radii (+-), which bound quadrature, rounding "
-        "and the\n"
-        "  solution of the system, and the rounding of the printed digits.\n";
+        "  |K(I-P_n)u| and |u-u_n| at the nodes lie within the radii (+-), all errors and the printed digits "
+        "included.\n";
   out += "Not guaranteed: ";
   if (result.problem.solution) out += "the error on the sample, the orders, ";
   out += "the means";
@@ -148,7 +153,7 @@ std::string solve_table(const Result& result) {
   const bool with_errors = result.problem.solution.has_value();
   std::string out = level_table(result, with_errors) + "\n" + means_table(result) + "\n";
   for (const OrderFit& fit : result.orders)
-    if (with_errors) out += order_line(fit);
+    if (with_errors && (!fit.levels.empty() || !fit.left_out.empty())) out += order_line(fit);
   out += iteration_line(result);
   if (!with_errors) out += "No solution is given, so there are no errors to show.\n";
   if (nodes_are_guaranteed(result))

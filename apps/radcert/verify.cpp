@@ -112,7 +112,8 @@ ExitCode verify(const Common& common, const VerifyOptions& options) {
     outputs.write(verify_files(report, options.out));
     outputs.write(origin_files(options.out, common, papers_of(report), inputs_of(options.words)));
   }
-  print_result(common, with_alarms(verification::report_table(report)),
+  const std::size_t columns = terminal_width().value_or(std::string::npos);
+  print_result(common, with_alarms(verification::report_table(report, columns)),
                verification::report_json_text(report, common.command));
   return report.as_recorded() ? ExitCode::done : ExitCode::differs;
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "radcert/formats/latex_plot.h"
@@ -18,6 +19,7 @@ std::vector<LevelResult> levels(int count, double node_order, double discretisat
     LevelResult level;
     level.level = k;
     level.mesh_size = std::ldexp(1.0, -k);
+    level.unknowns = std::uint64_t{12} << static_cast<unsigned>(2 * k);
     level.node_error =
         Figure{.value = 0.1 * std::pow(level.mesh_size, node_order), .radius = 1e-9, .guaranteed = false};
     level.discretisation_error = Figure{.value = std::pow(level.mesh_size, discretisation_order),
@@ -75,6 +77,56 @@ TEST(SlopeTriangles, HaveTheSlopeOfTheirCurveAndLieOnItsFreeSide) {
 TEST(SlopeTriangles, AreOneWhereAllOrdersAreAlikeAndNoneWithoutCurves) {
   EXPECT_EQ(slope_triangles(convergence_plot("t", levels(3, 2.05, 2), {})).size(), 1U);
   EXPECT_TRUE(slope_triangles(convergence_plot("t", levels(1, 4, 2), {})).empty());
+}
+
+/// Two methods, of orders 4 and 2 at the nodes in h: half of that in the unknowns.
+std::vector<ConvergencePlot> plots_of_two_methods() {
+  Experiment experiment{.name = "two", .varied = {}, .combinations = {}};
+  std::vector<Result> results;
+  for (const double order : {4.0, 2.0}) {
+    experiment.combinations.push_back({.name = "a", .choice = {}, .problem = {}});
+    results.push_back({.problem = {}, .levels = levels(4, order, 2), .orders = {}, .timing = {}});
+  }
+  return convergence_plots(experiment, results);
+}
+
+TEST(ConvergencePlots, AreAgainstHAndAgainstTheUnknowns) {
+  const std::vector<ConvergencePlot> plots = plots_of_two_methods();
+  ASSERT_EQ(plots.size(), 4U);
+  for (const ConvergencePlot& plot : plots) {
+    const bool in_h = plot.axis == PlotAxis::mesh_size;
+    ASSERT_EQ(plot.curves.size(), 2U);
+    EXPECT_EQ(plot.curves[1].points[2].x, in_h ? 0.25 : 192);
+    if (plot.curves[0].column == "node_error") {
+      EXPECT_NEAR(*plot.curves[0].order, in_h ? 4 : 2, 1e-12);
+    }
+  }
+  EXPECT_EQ(std::count_if(plots.begin(), plots.end(),
+                          [](const ConvergencePlot& plot) { return plot.axis == PlotAxis::unknowns; }),
+            2);
+}
+
+TEST(SlopeTriangles, FallWithTheUnknownsOnTheFreeSides) {
+  for (const ConvergencePlot& plot : plots_of_two_methods()) {
+    if (plot.axis != PlotAxis::unknowns || plot.curves[0].column != "node_error") continue;
+    const auto triangles = slope_triangles(plot);
+    ASSERT_EQ(triangles.size(), 2U);
+    for (const SlopeTriangle& triangle : triangles) {
+      EXPECT_LT(triangle.x[0], triangle.x[1]);
+      const double slope = std::log(triangle.y[1] / triangle.y[0]) / std::log(triangle.x[1] / triangle.x[0]);
+      EXPECT_NEAR(slope, -triangle.order, 1e-12);
+      const double on_curve = 0.1 * std::pow(triangle.x[0] / 12, -triangle.order);
+      EXPECT_EQ(triangle.y[0] > on_curve, triangle.above);
+    }
+  }
+}
+
+TEST(LatexPlots, TakeTheUnknownsFromTheirColumn) {
+  const std::string text = latex_plots_text(plots_of_two_methods(), "errors.csv");
+  EXPECT_NE(text.find("x=unknowns,y=node_error,restrict expr to domain={\\thisrow{combination}}{1:1}"),
+            std::string::npos);
+  EXPECT_NE(text.find("xlabel={unknowns $N$}"), std::string::npos);
+  EXPECT_NE(text.find("x=mesh_size,y=node_error"), std::string::npos);
 }
 
 TEST(LatexPlots, ReadTheColumnsAndRowsOfTheTable) {
