@@ -39,5 +39,28 @@ TEST(ReportPage, IsOneFileThatFetchesNothing) {
   }
 }
 
+// One element, u - u_n = 1/2 at its only node: a Float32Array of it in base 64, and of the three corners painted with it.
+TEST(ReportPage, PaintsElementsWithTheErrorAtTheirNodes) {
+  Report report = report_that_says("u_n is near u");
+  ProblemTrace problem;
+  problem.name = "one element";
+  problem.text = "{}";
+  ElementValue element;
+  element.corners = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+  element.corner_values = {1, 1, 1};
+  problem.elements = {element};
+  NodeValue node;
+  node.point = {0.25, 0.25, 0};
+  node.normal = {0, 0, 1};
+  node.u_n = 1;
+  node.u = 1.5;
+  problem.nodes = {node};
+  report.problems = {problem};
+  if (!has_full_page()) GTEST_SKIP() << "the plain page has no pictures";
+  const std::string page = report_page(report, "radcert verify");
+  EXPECT_THAT(page, HasSubstr("\"AAAAPw==\""));
+  EXPECT_THAT(page, HasSubstr("\"AAAAPwAAAD8AAAA/\""));
+}
+
 }  // namespace
 }  // namespace radcert::verification
