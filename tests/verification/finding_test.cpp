@@ -123,26 +123,6 @@ TEST(Finding, IsCertifiedOnlyIfEveryRequirementIsProved) {
   EXPECT_EQ(exact.verdict(), Verdict::supported);
 }
 
-TEST(FigureText, EnclosesWhatItRounds) {
-  std::mt19937_64 stream(7);
-  for (int i = 0; i < 2000; ++i) {
-    const double value =
-        std::ldexp(static_cast<double>(stream() >> 11), static_cast<int>(stream() % 120) - 110) *
-        (i % 2 == 0 ? 1 : -1);
-    const double radius =
-        i % 5 == 0 ? 0
-                   : std::ldexp(static_cast<double>(stream() >> 11), static_cast<int>(stream() % 120) - 160);
-    const int digits = 1 + static_cast<int>(stream() % 17);
-    const FigureText text = figure_text(value, radius, digits);
-    const Rational shown = Rational::parse(text.value).value();
-    const Rational around = Rational::parse(text.radius).value();
-    const Rational needed = abs(Rational::exactly(value) - shown) + Rational::exactly(radius);
-    EXPECT_LE(needed, around) << value << " " << radius << " " << digits;
-    // Two digits: no more than a tenth too wide.
-    EXPECT_LE(around * Rational(10), needed * Rational(11)) << value << " " << radius << " " << digits;
-  }
-}
-
 TEST(LiesIn, ComparesTheWholeEnclosureExactly) {
   const LiesIn third{.least = Rational(1, 4), .largest = Rational(1, 3)};
   const auto number = [](double value, double radius) {

@@ -8,6 +8,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/text.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert::verification {
@@ -19,24 +20,6 @@ bool settles(const Measured& observed) {
 
 void require_slack(double slack) { expects(slack >= 0, "slack >= 0", named("slack", slack)); }
 
-std::string scientific(double value, int digits) {
-  std::array<char, 64> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                 std::chars_format::scientific, digits - 1);
-  return {buffer.data(), end.ptr};
-}
-
-// The least number with two significant digits that is not below q > 0.
-std::string rounded_up(const Rational& q) {
-  long exponent = static_cast<long>(std::floor(std::log10(q.to_double()))) - 1;
-  while (q > Rational(99) * power(Rational(10), exponent)) ++exponent;
-  const Rational scaled = q / power(Rational(10), exponent);
-  long mantissa = static_cast<long>(std::ceil(scaled.to_double()));
-  while (Rational(mantissa) < scaled) ++mantissa;
-  while (mantissa > 1 && Rational(mantissa - 1) >= scaled) --mantissa;
-  return shortest(static_cast<double>(mantissa) / 10) + "e" + std::to_string(exponent + 1);
-}
-
 Evidence line(const std::string& what, const Measured& observed, std::string allowed, Standing standing,
               bool control, double slack) {
   Evidence evidence{.what = what,
@@ -47,7 +30,8 @@ Evidence line(const std::string& what, const Measured& observed, std::string all
                     .control = control,
                     .proved = observed.guaranteed && slack == 0};
   if (settles(observed)) {
-    const FigureText text = figure_text(observed.value, observed.radius, 12);
+    const EnclosingText text =
+        enclosing_text(observed.value, observed.radius, DecimalForm::scientific(12));
     evidence.value = text.value;
     evidence.radius = text.radius;
   } else {
@@ -211,7 +195,8 @@ void Finding::add(const std::string& what, const LiesIn& statement, const Ball& 
 
 void Finding::remark(std::string what, const Measured& observed) {
   if (settles(observed)) {
-    const FigureText text = figure_text(observed.value, observed.radius, 12);
+    const EnclosingText text =
+        enclosing_text(observed.value, observed.radius, DecimalForm::scientific(12));
     what += ": " + text.value + " +- " + text.radius;
   } else {
     what += ": " + shortest(observed.value);
@@ -235,17 +220,6 @@ Verdict Finding::verdict() const {
   if (count(false, standing(Standing::open)) > 0) return Verdict::undecided;
   const bool proved = count(false, [](const Evidence& e) { return e.proved; }) == count(false, all);
   return proved ? Verdict::certified : Verdict::supported;
-}
-
-FigureText figure_text(double value, double radius, int digits) {
-  expects(std::isfinite(value), "a finite value", named("value", value));
-  expects(std::isfinite(radius) && radius >= 0, "a finite radius >= 0", named("radius", radius));
-  expects(1 <= digits && digits <= 17, "1 <= digits <= 17", named("digits", digits));
-  FigureText text{.value = scientific(value, digits), .radius = "0"};
-  const Rational shown = Rational::parse(text.value).value();
-  const Rational total = abs(Rational::exactly(value) - shown) + Rational::exactly(radius);
-  if (total.sign() > 0) text.radius = rounded_up(total);
-  return text;
 }
 
 }  // namespace radcert::verification

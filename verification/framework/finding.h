@@ -139,16 +139,4 @@ private:
   std::optional<Measured> figure_;
 };
 
-/// A number with its radius as text of a few digits that encloses.
-/// Maths     |value - text| + radius <= radius text: the radius is rounded up after the midpoint has been rounded
-/// Source    ours
-/// Requires  finite numbers, radius >= 0, 1 <= digits <= 17, else ContractViolation
-/// Result    `value`: scientific with so many significant digits; `radius`: two digits
-/// Limits    an exact value shows a radius where its digits were rounded
-struct FigureText {
-  std::string value;
-  std::string radius;
-};
-[[nodiscard]] FigureText figure_text(double value, double radius, int digits = 6);
-
 }  // namespace radcert::verification

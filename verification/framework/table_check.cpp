@@ -12,6 +12,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/formats/problem_json.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/triangulation/triangulation.h"
 #include "verification/framework/cell.h"
 #include "verification/framework/printed_table.h"
@@ -213,7 +214,7 @@ private:
 };
 
 std::string allowed_text(const PrintedNumber& printed) {
-  return printed.text + " +- " + figure_text(printed.half_unit.to_double(), 0, 1).value;
+  return printed.text + " +- " + nearest_text(printed.half_unit, DecimalForm::general(1));
 }
 
 Evidence control_evidence(const Series& series, const Bench& bench) {
@@ -232,7 +233,7 @@ Evidence control_evidence(const Series& series, const Bench& bench) {
       continue;
     const Measured other = errors.at(level, cell.figure);
     if (verdict_of(cell.printed, other) != Verdict::contradicted) continue;
-    const FigureText text = figure_text(other.value, other.radius, 4);
+    const EnclosingText text = enclosing_text(other.value, other.radius, DecimalForm::scientific(4));
     evidence.what = "control: a problem that is not the table's, n = " + series.elements[cell.row];
     evidence.value = text.value;
     evidence.radius = text.radius;
@@ -260,10 +261,10 @@ Evidence second_evidence(const Measured& ours, const Measured& other, const std:
   if (!std::isfinite(other.value) || !std::isfinite(other.radius) || !std::isfinite(ours.value) ||
       !std::isfinite(ours.radius))
     return evidence;
-  const FigureText text = figure_text(other.value, other.radius, 9);
+  const EnclosingText text = enclosing_text(other.value, other.radius, DecimalForm::scientific(9));
   evidence.value = text.value;
   evidence.radius = text.radius;
-  const FigureText mine = figure_text(ours.value, ours.radius, 9);
+  const EnclosingText mine = enclosing_text(ours.value, ours.radius, DecimalForm::scientific(9));
   evidence.allowed = "agrees with " + mine.value + " +- " + mine.radius;
   if (std::abs(ours.value - other.value) <= ours.radius + other.radius) evidence.standing = Standing::holds;
   return evidence;
@@ -343,7 +344,7 @@ std::vector<ClaimReport> check_table(const Paper& paper, const Claim& claim, con
                    .proved = ours.guaranteed};
       if (std::isfinite(ours.value) && std::isfinite(ours.radius)) {
         report.ours = ours;
-        const FigureText text = figure_text(ours.value, ours.radius, 9);
+        const EnclosingText text = enclosing_text(ours.value, ours.radius, DecimalForm::scientific(9));
         own.value = text.value;
         own.radius = text.radius;
       }

@@ -15,6 +15,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/result_json.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "verification/report/report_page.h"
 
 namespace radcert::verification {
@@ -39,7 +40,7 @@ bool is_finite(const Measured& m) { return std::isfinite(m.value) && std::isfini
 
 std::string ours_text(const std::optional<Measured>& ours) {
   if (!ours || !is_finite(*ours)) return "";
-  const FigureText text = figure_text(ours->value, ours->radius, 6);
+  const EnclosingText text = enclosing_text(ours->value, ours->radius, DecimalForm::scientific(6));
   return text.value + " ± " + text.radius;
 }
 
