@@ -208,7 +208,7 @@ std::string precision_text(const EnclosedPrecision& precision, PrecisionProof pr
   if (proof == PrecisionProof::algebraic) how = "exact, for the algebraic alpha";
   if (proof == PrecisionProof::certificate) how = "proved, for the true nodes beside these";
   return std::to_string(precision.degree) + " (" + how + "); misses " + precision.first_failure.to_text() +
-         " by " + precision.defect.decimal(6).midpoint;
+         " by " + precision.defect.to_text(6);
 }
 
 std::string weights_text(const BasisFacts& facts) {
@@ -219,9 +219,19 @@ std::string weights_text(const BasisFacts& facts) {
 }
 
 // Midpoint and radius, rounded outwards.
-std::string norm_text(const LebesgueConstant& norm) {
+std::string norm_words(const LebesgueConstant& norm) {
   constexpr int digits = 12;
-  return hull(Ball(norm.lower), Ball(norm.upper)).to_text(digits);
+  const EnclosingText text = norm_text(norm, digits);
+  return text.radius == "0" ? text.value : text.value + " +- " + text.radius;
+}
+
+/// Whether a table shows decimals where the numbers are fractions.
+bool is_rounded(const BasisFacts& facts, int digits) {
+  const auto cut = [&](const Rational& x) { return readable(x, digits) != x.to_text(); };
+  return cut(facts.determinant) || std::any_of(facts.weights.begin(), facts.weights.end(), cut) ||
+         std::any_of(facts.nodes.begin(), facts.nodes.end(), [&](const Barycentric<Rational>& node) {
+           return std::any_of(node.x.begin(), node.x.end(), cut);
+         });
 }
 
 std::string one_text(const BasisRecord& record) {
@@ -239,8 +249,8 @@ std::string one_text(const BasisRecord& record) {
       {"unisolvent", "yes, determinant " + readable(facts.determinant, digits)},
       {"precision, triangle", precision_text(facts.triangle, facts.proof)},
       {"precision, parallelogram", precision_text(facts.parallelogram, facts.proof)},
-      {"norm of P_n", norm_text(facts.norm) + " (proved)"},
-      {"condition", readable(facts.condition, digits)},
+      {"norm of P_n", norm_words(facts.norm) + " (proved)"},
+      {"condition", upper_readable(facts.condition, digits)},
       {"order everywhere", order_text(orders.everywhere, false) + " [m06, Theorem 4]"},
       {"order at the nodes", order_text(orders.curved, orders.curved_has_logarithm) +
                                  " on a smooth surface with a symmetric triangulation [m06, Theorems 7, 9]"},
@@ -253,25 +263,31 @@ std::string one_text(const BasisRecord& record) {
                  std::to_string(facts.products->triangle) + ", parallelogram " +
                      std::to_string(facts.products->parallelogram) +
                      " (exact): Int q (p - P p) = 0 for degrees up to that; orders follow it"});
-  return title(record) + "\n" + aligned(nodes) + "\n" + aligned_left(rows);
+  const std::string rounding =
+      is_rounded(facts, digits)
+          ? "Fractions are exact; decimals of nodes, weights and determinant are rounded to nearest.\n"
+          : "";
+  return title(record) + "\n" + aligned(nodes) + "\n" + aligned_left(rows) + rounding;
 }
 
 std::string table_text(const std::vector<BasisRecord>& records) {
   std::vector<std::vector<std::string>> rows = {{"degree", "nodes", "negative", "triangle", "parallelogram",
-                                                 "norm of P_n", "condition", "everywhere", "at nodes"}};
+                                                 "norm of P_n", "+-", "condition", "everywhere", "at nodes"}};
   constexpr int digits = 11;
+  constexpr std::size_t norm_radius = 6;  // the column stays with the one before it
   for (const BasisRecord& record : records) {
     const BasisFacts& facts = record.facts;
     const PredictedOrders orders = record.orders();
+    const EnclosingText norm = norm_text(facts.norm, digits);
     const auto negative = std::count_if(facts.weights.begin(), facts.weights.end(),
                                         [](const Rational& w) { return w.sign() < 0; });
     rows.push_back({std::to_string(facts.degree), std::to_string(facts.nodes.size()),
                     std::to_string(negative), std::to_string(facts.triangle.degree),
-                    std::to_string(facts.parallelogram.degree), readable(facts.norm.upper, digits),
-                    readable(facts.condition, digits), order_text(orders.everywhere, false),
+                    std::to_string(facts.parallelogram.degree), norm.value, norm.radius,
+                    upper_readable(facts.condition, digits), order_text(orders.everywhere, false),
                     order_text(orders.curved, orders.curved_has_logarithm)});
   }
-  return records.front().family + "\n" + aligned(rows);
+  return records.front().family + "\n" + aligned(rows, {norm_radius});
 }
 
 std::string node_file(const Common& common, const BasisRecord& record) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "experiment_table.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "output.h"
+#include "radcert/formats/order_text.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert::app {
 
@@ -30,14 +30,12 @@ std::optional<EqualCost> compared(std::span<const Result> results, const Questio
 }
 
 std::string error_text(const std::optional<double>& error) {
-  return error ? fmt::format("{:.3e}", *error) : "-";
+  return error ? nearest_text(*error, DecimalForm::scientific(4)) : "-";
 }
 
 std::string order_text(const std::vector<OrderFit>& orders) {
   for (const OrderFit& fit : orders)
-    if (fit.quantity == "node_error" && fit.order)
-      return fmt::format("{:.2f}", *fit.order) +
-             (fit.levels.size() > 2 && fit.halfwidth ? fmt::format(" +- {:.2f}", *fit.halfwidth) : "");
+    if (fit.quantity == "node_error" && fit.order) return fitted_order_text(fit, " +- ").value_or("-");
   return "-";
 }
 
@@ -71,8 +69,9 @@ std::string ranking(const Experiment& experiment, std::span<const Result> result
     return "No level has an error that is not zero: there is nothing to rank.\n";
   const std::vector<std::string> places = ranks(*by_unknowns);
   const std::vector<std::string> fast_places = ranks(*by_seconds);
-  const std::string at_unknowns = fmt::format("at {:g} unknowns", by_unknowns->cost);
-  const std::string at_seconds = fmt::format("at {:.2g} s", by_seconds->cost);
+  const std::string at_unknowns =
+      "at " + nearest_text(by_unknowns->cost, DecimalForm::general(6)) + " unknowns";
+  const std::string at_seconds = "at " + nearest_text(by_seconds->cost, DecimalForm::general(2)) + " s";
   std::vector<std::vector<std::string>> rows = {{"combination", "rank", at_unknowns, "rank", at_seconds,
                                                  "sample, " + at_unknowns, "order in h", "in unknowns"}};
   for (const std::size_t method : by_unknowns->order) {

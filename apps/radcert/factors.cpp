@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "command.h"
+#include "factors_table.h"
 #include "named_surface.h"
 #include "output.h"
 #include "progress.h"
@@ -25,6 +26,7 @@
 #include "radcert/formats/factors_csv.h"
 #include "radcert/formats/factors_json.h"
 #include "radcert/formats/json_reader.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/surface/catalogue.h"
 
 namespace radcert::app {
@@ -177,54 +179,6 @@ std::vector<std::string> warnings(const FactorReport& report) {
   return out;
 }
 
-std::string report_text(const FactorReport& report) {
-  const FactorMatrix& matrix = report.matrix;
-  std::string out = fmt::format("{}: {} triangles, {} surfaces by {}\n", report.name, report.triangles,
-                                report.names.size(), report.by);
-  std::vector<std::vector<std::string>> rows{{"surface", "area", "row sum", "radius"}};
-  if (report.open) rows.front().emplace_back("to space");
-  constexpr std::size_t most_rows = 20;
-  for (std::size_t i = 0; i < std::min(matrix.rows.size(), most_rows); ++i) {
-    const FactorRow& row = matrix.rows[i];
-    rows.push_back({report.names[i], fmt::format("{:.10g}", row.area.value),
-                    fmt::format("{:.16g}", row.sum.value), fmt::format("{:.1e}", row.sum.radius)});
-    if (row.to_space) rows.back().push_back(fmt::format("{:.16g}", row.to_space->value));
-  }
-  out += aligned(rows);
-  if (matrix.rows.size() > most_rows) out += fmt::format("... and {} more\n", matrix.rows.size() - most_rows);
-  out += fmt::format("pairs of triangles facing each other: {} wholly seen, {} hidden, {} mixed\n",
-                     matrix.whole_pairs, matrix.hidden_pairs, matrix.mixed_pairs);
-  out += fmt::format("largest radius of a factor: {:.1e}, {}\n", matrix.largest_radius(),
-                     matrix.guaranteed ? "guaranteed" : "estimated");
-  if (!report.open)
-    out += fmt::format("closure: the row sums are within {:.1e} of 1, the worst is {}\n",
-                       matrix.closure_defect(matrix.worst_row()), report.names[matrix.worst_row()]);
-  out += fmt::format("reciprocity: |A_i F_ij - A_j F_ji| <= {:.1e} sqrt(A_i A_j); nothing was adjusted\n",
-                     matrix.largest_reciprocity_defect);
-  if (report.facets_only)
-    out += std::string(matrix.guaranteed ? "certified" : "computed") +
-           " for these facets: what they may stand for is another surface\n";
-  for (const std::string& warning : report.warnings) out += "warning: " + warning + "\n";
-  return out;
-}
-
-std::string comparison_text(const std::vector<FactorComparison>& pairs) {
-  std::vector<std::size_t> count(3, 0);
-  for (const FactorComparison& pair : pairs) ++count[static_cast<std::size_t>(pair.agreement)];
-  std::string out = fmt::format("compared: {} agree, {} differ, {} undecided; the largest differences\n",
-                                count[0], count[1], count[2]);
-  std::vector<std::vector<std::string>> rows{
-      {"from", "to", "ours", "radius", "theirs", "difference", "verdict"}};
-  constexpr std::size_t most_rows = 10;
-  for (std::size_t k = 0; k < std::min(pairs.size(), most_rows); ++k) {
-    const FactorComparison& pair = pairs[k];
-    rows.push_back({pair.from, pair.to, fmt::format("{:.16g}", pair.ours.value),
-                    fmt::format("{:.1e}", pair.ours.radius), fmt::format("{:.16g}", pair.theirs.value),
-                    fmt::format("{:.1e}", pair.difference()), agreement_word(pair.agreement)});
-  }
-  return out + aligned(rows);
-}
-
 /// The name of FILE.surfaces.csv beside FILE.csv.
 std::string surfaces_file(const std::string& out) {
   const std::string ending = ".csv";
@@ -234,8 +188,8 @@ std::string surfaces_file(const std::string& out) {
 
 void say_plan(const Common& common, const FactorPlan& plan) {
   if (!common.quiet)
-    say(fmt::format("{} pairs of triangles: about {} and {:.2g} seconds\n", plan.pairs,
-                    byte_text(plan.memory.total()), plan.seconds));
+    say(fmt::format("{} pairs of triangles: about {} and {} seconds\n", plan.pairs,
+                    byte_text(plan.memory.total()), nearest_text(plan.seconds, DecimalForm::general(2))));
 }
 
 FactorMatrix computed(const Common& common, const FacetScene& scene, const FactorUnits& units,
@@ -300,7 +254,8 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   if (!options.out.empty())
     outputs.write({{options.out, factors_csv(report.matrix, report.names)},
                    {surfaces_file(options.out), factor_surfaces_csv(report.matrix, report.names)}});
-  print_result(common, report_text(report) + (report.comparison ? comparison_text(*report.comparison) : ""),
+  print_result(common,
+               factors_table(report) + (report.comparison ? comparison_table(*report.comparison) : ""),
                factors_report(report).pretty() + "\n");
   const bool differs = report.comparison && std::any_of(report.comparison->begin(), report.comparison->end(),
                                                         [](const FactorComparison& pair) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "output.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert::app {
 
@@ -24,9 +25,9 @@ double seconds(std::chrono::steady_clock::duration time) {
 }
 
 std::string time_text(double s) {
-  if (s < 90) return fmt::format("{:.0f} s", s);
-  if (s < 5400) return fmt::format("{:.0f} min", s / 60);
-  return fmt::format("{:.1f} h", s / 3600);
+  if (s < 90) return nearest_text(s, DecimalForm::fixed(0)) + " s";
+  if (s < 5400) return nearest_text(s / 60, DecimalForm::fixed(0)) + " min";
+  return nearest_text(s / 3600, DecimalForm::fixed(1)) + " h";
 }
 
 /// Whether stderr is a terminal that can clear a line.
@@ -95,8 +96,8 @@ double ProgressDisplay::shown_fraction() const {
 
 std::string ProgressDisplay::status() const {
   const double left = seconds_left();
-  std::string out =
-      fmt::format("{:3.0f} %  {}", 100 * shown_fraction(), time_text(seconds(Clock::now() - start_)));
+  std::string out = fmt::format("{:>3} %  {}", nearest_text(100 * shown_fraction(), DecimalForm::fixed(0)),
+                                time_text(seconds(Clock::now() - start_)));
   if (left > 0) out += ", about " + time_text(left) + " left";
   return out + ": " + label_.substr(0, label_width);
 }

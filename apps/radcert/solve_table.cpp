@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve_table.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <vector>
 
 #include "output.h"
-#include "verification/framework/finding.h"
+#include "radcert/formats/order_text.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert::app {
 
@@ -17,47 +16,70 @@ namespace {
 
 constexpr int digits = 5;
 
-/// The value and its radius; the radius counts the digits that are not printed.
-void push(std::vector<std::string>& row, const std::optional<Figure>& figure) {
-  if (!figure) {
+/// The value and its radius, which counts the digits that are not printed; without a radius no enclosure.
+void push(std::vector<std::string>& row, const std::optional<double>& value,
+          const std::optional<double>& radius, DecimalForm form) {
+  if (!value || !std::isfinite(*value)) {
     row.insert(row.end(), {"-", "-"});
-    return;
+  } else if (!radius) {
+    row.insert(row.end(), {nearest_text(*value, form), "-"});
+  } else {
+    const EnclosingText text = enclosing_text(*value, *radius, form);
+    row.insert(row.end(), {text.value, text.radius});
   }
-  if (!figure->radius) {
-    row.insert(row.end(), {fmt::format("{:.4e}", figure->value), "-"});
-    return;
-  }
-  const auto text = verification::figure_text(figure->value, *figure->radius, digits);
-  row.insert(row.end(), {text.value, text.radius});
+}
+
+void push(std::vector<std::string>& row, const std::optional<Figure>& figure) {
+  push(row, figure ? std::optional(figure->value) : std::nullopt, figure ? figure->radius : std::nullopt,
+       DecimalForm::scientific(digits));
 }
 
 std::string ratio_text(const std::optional<double>& ratio) {
-  return ratio && std::isfinite(*ratio) ? fmt::format("{:.2f}", *ratio) : "-";
+  return ratio && std::isfinite(*ratio) ? nearest_text(*ratio, DecimalForm::fixed(2)) : "-";
+}
+
+/// Whether some level has one with a radius.
+template <class Has>
+bool any_level(const Result& result, const Has& has) {
+  return std::any_of(result.levels.begin(), result.levels.end(), has);
 }
 
 std::string level_table(const Result& result, bool with_errors) {
-  std::vector<std::vector<std::string>> rows = {{"level", "elements", "unknowns", "h"}};
-  if (with_errors)
-    rows.front().insert(rows.front().end(),
-                        {"|K(I-P_n)u|", "+-", "ratio", "|u-u_n| nodes", "+-", "ratio", "|u-u_n| sample"});
-  rows.front().emplace_back("norm K");
+  const bool sample_has_radius = any_level(result, [](const LevelResult& level) {
+    return level.uniform_error && level.uniform_error->radius.has_value();
+  });
+  const bool norm_has_radius =
+      any_level(result, [](const LevelResult& level) { return level.norm_K.radius.has_value(); });
+  std::vector<std::string> head = {"level", "elements", "unknowns", "h"};
+  if (with_errors) {
+    head.insert(head.end(), {"|K(I-P_n)u|", "+-", "ratio", "|u-u_n| nodes", "+-", "ratio", "|u-u_n| sample"});
+    if (sample_has_radius) head.emplace_back("+-");
+  }
+  head.emplace_back("norm K");
+  if (norm_has_radius) head.emplace_back("+-");
+  std::vector<std::vector<std::string>> rows = {head};
   for (const LevelResult& level : result.levels) {
     std::vector<std::string> row = {std::to_string(level.level), std::to_string(level.elements),
-                                    std::to_string(level.unknowns), fmt::format("{:.4g}", level.mesh_size)};
+                                    std::to_string(level.unknowns),
+                                    nearest_text(level.mesh_size, DecimalForm::general(4))};
     if (with_errors) {
       push(row, level.discretisation_error);
       row.push_back(ratio_text(level.discretisation_ratio));
       push(row, level.node_error);
       row.push_back(ratio_text(level.node_ratio));
-      row.push_back(level.uniform_error ? fmt::format("{:.3e}", level.uniform_error->value) : "-");
+      push(row, level.uniform_error ? std::optional(level.uniform_error->value) : std::nullopt,
+           level.uniform_error ? level.uniform_error->radius : std::nullopt, DecimalForm::scientific(4));
+      if (!sample_has_radius) row.pop_back();
     }
-    row.push_back(fmt::format("{:.6g}{}", level.norm_K.value, level.norm_K.guaranteed ? "" : " (estimate)"));
+    push(row, level.norm_K.value, level.norm_K.radius, DecimalForm::general(6));
+    if (!norm_has_radius) row.pop_back();
+    if (!level.norm_K.guaranteed) row[row.size() - (norm_has_radius ? 2 : 1)] += " (estimate)";
     rows.push_back(row);
   }
   // A radius and a ratio stay with their error.
   std::set<std::size_t> with_the_left;
-  for (std::size_t column = 0; column < rows.front().size(); ++column)
-    if (rows.front()[column] == "+-" || rows.front()[column] == "ratio") with_the_left.insert(column);
+  for (std::size_t column = 0; column < head.size(); ++column)
+    if (head[column] == "+-" || head[column] == "ratio") with_the_left.insert(column);
   return aligned(rows, with_the_left);
 }
 
@@ -68,17 +90,11 @@ std::string means_table(const Result& result) {
     for (const auto& [piece, mean] : result.levels.front().piece_means) rows.front().push_back(piece);
   for (const LevelResult& level : result.levels) {
     std::vector<std::string> row = {std::to_string(level.level)};
-    for (const auto& [piece, mean] : level.piece_means) row.push_back(fmt::format("{:.8g}", mean));
+    for (const auto& [piece, mean] : level.piece_means)
+      row.push_back(nearest_text(mean, DecimalForm::general(8)));
     rows.push_back(row);
   }
   return "Means of u_n over the pieces:\n" + aligned(rows);
-}
-
-/// The next number of two digits that is not smaller.
-double rounded_up(double radius) {
-  if (radius <= 0) return 0;
-  const double unit = std::pow(10.0, std::floor(std::log10(radius)) - 1);
-  return (std::floor(radius / unit) + 1) * unit;
 }
 
 std::string numbers(const std::vector<int>& levels) {
@@ -90,9 +106,7 @@ std::string numbers(const std::vector<int>& levels) {
 std::string order_line(const OrderFit& fit) {
   const std::string name = fit.quantity == "node_error" ? "|u-u_n| at the nodes" : "|K(I-P_n)u|";
   std::string out = "Order of " + name + " in h: ";
-  out += fit.order ? fmt::format("{:.2f}", *fit.order) : "not fitted";
-  // Two levels have one slope, and no spread.
-  if (fit.order && fit.halfwidth && fit.levels.size() > 2) out += fmt::format(" +- {:.2f}", *fit.halfwidth);
+  out += fitted_order_text(fit, " +- ").value_or("not fitted");
   if (!fit.levels.empty()) out += " (levels " + numbers(fit.levels) + ")";
   if (!fit.left_out.empty())
     out += "; left out, because the radius exceeds 5 % of the error: " + numbers(fit.left_out);
@@ -110,8 +124,10 @@ std::string iteration_line(const Result& result) {
     contraction = std::max(contraction, level.iteration->contraction);
     error_bound = std::max(error_bound, level.iteration->error_bound);
   }
-  return fmt::format("Iterations of {}: {}; contraction {:.3g}, error of the linear system at most {:.2g}\n",
-                     solver_name(result.problem.solver.name), iterations, contraction, error_bound);
+  const std::string theta = contraction < 1 ? upper_text_below_one(contraction, 3) : upper_text(contraction);
+  return "Iterations of " + solver_name(result.problem.solver.name) + ": " + iterations +
+         "; contraction at most " + theta + ", error of the linear system at most " +
+         upper_text(error_bound) + "\n";
 }
 
 /// Whether the errors at the nodes are proved on every level, and u_n itself.
@@ -131,15 +147,15 @@ std::string guarantee_text(const Result& result) {
       "Guaranteed: at every level the collocation equations have one solution, and u_n at the nodes is known "
       "within\n  ";
   for (std::size_t i = 0; i < result.levels.size(); ++i)
-    out += fmt::format("{}{:.1e} (level {})", i == 0 ? "" : ", ",
-                       rounded_up(result.levels[i].verified->solution_radius), result.levels[i].level);
+    out += (i == 0 ? "" : ", ") + upper_text(result.levels[i].verified->solution_radius) + " (level " +
+           std::to_string(result.levels[i].level) + ")";
   out += ".\n";
   if (result.problem.solution)
     out +=
         "  |K(I-P_n)u| and |u-u_n| at the nodes lie within the radii (+-), all errors and the printed digits "
         "included.\n";
   out += "Not guaranteed: ";
-  if (result.problem.solution) out += "the error on the sample, the orders, ";
+  if (result.problem.solution) out += "the error on the sample, the ratios, the orders, ";
   out += "the means";
   if (std::any_of(result.levels.begin(), result.levels.end(),
                   [](const LevelResult& level) { return !level.norm_K.guaranteed; }))
@@ -159,7 +175,9 @@ std::string solve_table(const Result& result) {
   if (nodes_are_guaranteed(result))
     out += guarantee_text(result);
   else if (with_errors)
-    out += "The radii (+-) are estimates, not proofs; they include the rounding of the printed digits.\n";
+    out +=
+        "The radii (+-) of errors are estimates, not proofs; they include the rounding of the printed "
+        "digits.\n";
   return out;
 }
 

@@ -18,6 +18,7 @@
 #include "radcert/core/text.h"
 #include "radcert/formats/json_reader.h"
 #include "radcert/formats/surface_json.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/rational.h"
 
 namespace radcert::app {
@@ -36,6 +37,9 @@ struct SurfaceOptions {
 std::string point_text(const Vector<double>& p) {
   return "(" + shortest(p.x) + ", " + shortest(p.y) + ", " + shortest(p.z) + ")";
 }
+
+/// A number that double found, with no word on its error.
+std::string about(double value, int digits) { return nearest_text(value, DecimalForm::general(digits)); }
 
 std::string exact_text(const Vector<Rational>& p) {
   return "(" + p.x.to_text() + ", " + p.y.to_text() + ", " + p.z.to_text() + ")";
@@ -74,8 +78,8 @@ void file_rows(Rows& rows, const MeshSurvey& survey) {
 void piece_rows(Rows& rows, const MeshSurvey& survey) {
   if (!survey.components) return;
   const SmoothComponents& components = *survey.components;
-  rows.push_back({"smooth components", fmt::format("{}, parted where normals make more than {:g} degrees",
-                                                   components.count, survey.degrees)});
+  rows.push_back({"smooth components", fmt::format("{}, parted where normals make more than {} degrees",
+                                                   components.count, about(survey.degrees, 6))});
   std::vector<std::size_t> triangles(survey.pieces.size(), 0);
   for (const std::size_t piece : components.of_piece) ++triangles[piece];
   constexpr std::size_t most_pieces = 20;
@@ -173,7 +177,7 @@ void chart_witness_rows(Rows& rows, const Surface& surface, const ConvexContainm
       {"witness Q", place(witness.chart_q, witness.at_q) + ", the point " + enclosed_text(witness.q)});
   rows.push_back({"", "(Q-P).n = " + witness.product.to_text(digits) +
                           " < 0 with n = " + enclosed_text(witness.inner_normal)});
-  rows.push_back({"depth", fmt::format("{:.3g} of the diagonal", containment.relative_depth)});
+  rows.push_back({"depth", "about " + about(containment.relative_depth, 3) + " of the diagonal"});
 }
 
 void step_rows(Rows& rows, const ConvexContainment& containment) {
@@ -198,8 +202,9 @@ void containment_rows(Rows& rows, const ConvexContainment& containment) {
   rows.push_back({"witness Q", exact_text(witness.q)});
   rows.push_back(
       {"", "(Q-P).n = " + witness.product.to_text() + " < 0 with n = " + exact_text(witness.inner_normal)});
-  rows.push_back({"depth", fmt::format("{:.3g} of the diagonal; {} of {} planes", containment.relative_depth,
-                                       containment.violated_planes, containment.planes)});
+  rows.push_back(
+      {"depth", fmt::format("about {} of the diagonal; {} of {} planes", about(containment.relative_depth, 3),
+                            containment.violated_planes, containment.planes)});
   rows.push_back({"", containment.within_precision ? "below the file's precision: rounding may account for it"
                                                    : "above the file's precision: no matter of rounding"});
 }
@@ -215,11 +220,10 @@ std::string mesh_text(const std::string& file, const MeshSurvey& survey) {
   rows.push_back({"solve", obstacle ? "refused: " + *obstacle : "accepts it"});
   const MeshQuality& quality = survey.quality;
   rows.push_back(
-      {"triangles",
-       fmt::format(
-           "angles {:.4g} to {:.4g} degrees, sides {:.4g} to {:.4g}, aspect up to {:.3g}, area {:.6g}",
-           quality.smallest_angle, quality.largest_angle, quality.shortest_side, quality.longest_side,
-           quality.largest_aspect, quality.area)});
+      {"triangles", fmt::format("angles {} to {} degrees, sides {} to {}, aspect up to {}, area {}",
+                                about(quality.smallest_angle, 4), about(quality.largest_angle, 4),
+                                about(quality.shortest_side, 4), about(quality.longest_side, 4),
+                                about(quality.largest_aspect, 3), about(quality.area, 6))});
   return aligned_left(rows);
 }
 

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import unittest
 import xml.etree.ElementTree as xml
+from fractions import Fraction
 
 import jsonschema
 
@@ -52,6 +53,13 @@ def fnv1a(content):
     for byte in content:
         value = (value ^ byte) * 0x100000001b3 % 2**64
     return f"fnv1a-{value:016x}-{len(content)}"
+
+
+def parenthesised(cell):
+    """1.484(21)e-3 is 1.484e-3 +- 0.021e-3."""
+    digits, decimals, units, power = re.fullmatch(r"([0-9])(\.[0-9]*)?\(([0-9]+)\)(e-?[0-9]+)?", cell).groups("")
+    scale = Fraction("1" + power)
+    return Fraction(digits + decimals) * scale, Fraction(int(units), 10**max(0, len(decimals) - 1)) * scale
 
 
 def has_latex():
@@ -119,7 +127,10 @@ class Paper(ProgramTest):
         self.assertEqual(len(lines), len(rows))
         for line, row in zip(lines, rows):
             for place, key in [(4, "discretisation_error"), (6, "node_error")]:
-                self.assertAlmostEqual(float(line[place]), float(row[key]), delta=6e-4 * float(row[key]))
+                midpoint, radius = parenthesised(line[place])
+                self.assertLess(abs(Fraction(float(row[key])) - midpoint) + Fraction(float(row[key + "_radius"])),
+                                radius)
+                self.assertLess(radius, midpoint / 400)
         xml.fromstring(self.content("errors_against_h.svg"))
 
     def test_verify_writes_the_levels_that_its_checks_solved(self):

@@ -218,7 +218,7 @@ TEST(ExperimentPlots, HaveASeriesACombinationWithItsOrder) {
   ASSERT_EQ(plots.size(), 6U);
   for (const auto& [name, plot] : plots) {
     ASSERT_EQ(plot.series.size(), 6U) << name;
-    const std::string order = name.ends_with("_h") ? ": order 3.00 \u00b1 0.00" : ": order 1.50 \u00b1 0.00";
+    const std::string order = name.ends_with("_h") ? ": order 3.00 \u00b1 0.01" : ": order 1.50 \u00b1 0.01";
     for (std::size_t i = 0; i < 6; ++i) {
       EXPECT_EQ(plot.series[i].name, experiment.combinations[i].name + order) << name;
       EXPECT_EQ(plot.series[i].points.size(), 3U);

@@ -45,6 +45,8 @@ TEST(ResultJson, HasTheKeysOfTheFormatInItsOrder) {
   EXPECT_EQ(keys(*level.find("verified")), (std::vector<std::string>{"theta", "solution_radius"}));
   EXPECT_EQ(keys(*level.find("node_error")), (std::vector<std::string>{"value", "radius", "guaranteed"}));
   EXPECT_EQ(*json.find("orders")->find("node_error")->find("order")->number(), 3.9);
+  EXPECT_EQ(keys(*level.find("norm_K")), (std::vector<std::string>{"value", "radius", "guaranteed"}));
+  EXPECT_EQ(*level.find("norm_K")->find("radius")->number(), 0x1p-55);
 }
 
 TEST(ResultJson, WritesNullForWhatIsAbsentOrNotFinite) {

@@ -28,7 +28,7 @@ inline LevelOutcome sample_level() {
   level.result.discretisation_error = Figure{.value = 1.0 / 3, .radius = 5e-324, .guaranteed = false};
   level.result.node_error = Figure{.value = 0x1.fffffffffffffp-1, .radius = std::nullopt, .guaranteed = true};
   level.result.piece_means = {{"upper", 0.30000000000000004}, {"lower", -1e300}};
-  level.result.norm_K = {.value = 0.7, .guaranteed = true};
+  level.result.norm_K = {.value = 0.7, .radius = 0x1p-55, .guaranteed = true};
   level.result.planned_bytes = 0xffffffffffffffffU;
   level.result.iteration = {
       .iterations = 0xffffffffffffffffU, .contraction = 0.1 + 0.2, .error_bound = 5e-324};

@@ -52,7 +52,8 @@ double nasty(Draw& draw) {
 }
 
 DecimalForm some_form(Draw& draw) {
-  switch (draw.below(3)) {
+  switch (draw.below(4)) {
+    case 3: return DecimalForm::padded(1 + static_cast<int>(draw.below(20)));
     case 0: return DecimalForm::scientific(1 + static_cast<int>(draw.below(20)));
     case 1: return DecimalForm::general(1 + static_cast<int>(draw.below(20)));
     default: return DecimalForm::fixed(static_cast<int>(draw.below(12)));
@@ -105,8 +106,8 @@ void expect_least(const std::string& text, const Rational& number, int digits, b
   ASSERT_GE(slack.sign(), 0) << text;
   if (number.sign() == 0) return;
   // A unit of the last digit of |number|, whose first digit is found by comparison.
-  Rational unit =
-      power(Rational(10), static_cast<long>(std::floor(std::log10(std::abs(number.to_double())))) + 1 - digits);
+  Rational unit = power(Rational(10),
+                        static_cast<long>(std::floor(std::log10(std::abs(number.to_double())))) + 1 - digits);
   while (abs(number) >= Rational(10) * unit * power(Rational(10), digits - 1)) unit *= Rational(10);
   while (abs(number) < unit * power(Rational(10), digits - 1)) unit /= Rational(10);
   ASSERT_LT(slack, unit) << text;
@@ -134,6 +135,7 @@ TEST(UpperText, IsNeverBelow) {
     const Rational exact = Rational::exactly(bound);
     const DecimalForm form = some_form(draw);
     ASSERT_LE(exact, read(upper_text(bound, form))) << bound;
+    ASSERT_LE(exact, read(upper_text(bound))) << bound;
     ASSERT_GE(exact, read(lower_text(bound, form))) << bound;
   }
 }
@@ -141,16 +143,19 @@ TEST(UpperText, IsNeverBelow) {
 TEST(UpperText, KnowsTheEnds) {
   EXPECT_EQ(upper_text(0.0), "0");
   EXPECT_EQ(upper_text(1e-13), "1.1e-13");  // the double lies above 1e-13
-  EXPECT_EQ(upper_text(9.95e-5), "0.0001");
+  EXPECT_EQ(upper_text(9.95e-5), "1e-4");
+  EXPECT_EQ(upper_text(9.95e-5, DecimalForm::general(2)), "0.0001");
+  EXPECT_EQ(upper_text(0.0421), "4.3e-2");
+  EXPECT_EQ(upper_text(149.0), "1.5e2");
   EXPECT_EQ(upper_text(-0.129), "-0.12");
-  EXPECT_EQ(lower_text(-0.121), "-0.13");
+  EXPECT_EQ(lower_text(-0.121, DecimalForm::general(2)), "-0.13");
   EXPECT_EQ(upper_text(99.1, DecimalForm::scientific(2)), "1.0e+02");
   EXPECT_EQ(upper_text(5e-324), "5e-324");
   EXPECT_EQ(upper_text(std::numeric_limits<double>::max()), "1.8e308");
   EXPECT_EQ(upper_text(infinity), "inf");
   EXPECT_EQ(upper_text(std::nan("")), "inf");
-  EXPECT_EQ(lower_text(std::nan("")), "-inf");
-  EXPECT_EQ(lower_text(infinity), "inf");
+  EXPECT_EQ(lower_text(std::nan(""), DecimalForm::general(2)), "-inf");
+  EXPECT_EQ(lower_text(infinity, DecimalForm::general(2)), "inf");
   EXPECT_EQ(upper_text_below_one(0.25, 3), "0.25");
   EXPECT_EQ(upper_text_below_one(0.999915, 3), "0.99992");
   EXPECT_EQ(upper_text_below_one(std::nextafter(1.0, 0.0), 3), "0.9999999999999999");
@@ -177,6 +182,9 @@ TEST(NearestText, AgreesWithPrintf) {
   EXPECT_EQ(nearest_text(100.0, DecimalForm::general(6)), "100");
   EXPECT_EQ(nearest_text(1234567.0, DecimalForm::general(3)), "1.23e6");
   EXPECT_EQ(nearest_text(Rational(2, 3), DecimalForm::fixed(3)), "0.667");
+  EXPECT_EQ(nearest_text(Rational(4, 5), DecimalForm::padded(3)), "0.800");
+  EXPECT_EQ(nearest_text(Rational(400), DecimalForm::padded(3)), "400");
+  EXPECT_EQ(nearest_text(Rational(1, 100000), DecimalForm::padded(3)), "1.00e-5");
 }
 
 /// What "1.484(21)e-3" says: midpoint and radius.

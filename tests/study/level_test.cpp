@@ -378,6 +378,26 @@ TEST(SolveLevel, KnowsTheNormOfKOnClosedSurfacesOfConstantReflectivity) {
   const NormOfK varying = solve_level(problem, 0, no_route).result.norm_K;
   EXPECT_FALSE(varying.guaranteed);
   EXPECT_EQ(varying.value, 0.5);  // the east face
+  EXPECT_FALSE(varying.radius);
+}
+
+// The double 0.8 is not 4/5.
+TEST(SolveLevel, GivesTheNormOfKARadiusThatReachesTheReflectivity) {
+  Problem problem = with_emission(sample_problem("cube"), "1");
+  for (const auto& [text, largest] : {std::pair("4/5", 0x1p-54),
+                                      {"1/10", 0x1p-57},
+                                      {"1/3", 0x1p-55},
+                                      {"999999999999/1000000000000", 0x1p-54},
+                                      {"1/3000000000000000000000", 0x1p-120},
+                                      {"1/2", 0.0},
+                                      {"0", 0.0}}) {
+    problem.reflectivity = everywhere(text);
+    const NormOfK norm = solve_level(problem, 0, no_route).result.norm_K;
+    ASSERT_TRUE(norm.guaranteed && norm.radius) << text;
+    const Rational off = abs(Rational::exactly(norm.value) - Rational::parse(text).value());
+    EXPECT_LE(off, Rational::exactly(*norm.radius)) << text;
+    EXPECT_LE(*norm.radius, largest) << text;
+  }
 }
 
 TEST(SolveLevel, EstimatesTheNormOfKOnOpenSurfacesAtTheNodes) {

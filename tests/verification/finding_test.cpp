@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "radcert/core/contract.h"
 #include "tests/verification/fixtures.h"
@@ -121,6 +120,24 @@ TEST(Finding, IsCertifiedOnlyIfEveryRequirementIsProved) {
   EXPECT_EQ(exact.verdict(), Verdict::certified);
   exact.require("d", two, Measured{.value = 1, .radius = 0.5, .guaranteed = false});
   EXPECT_EQ(exact.verdict(), Verdict::supported);
+}
+
+// In doubles 1 + 2^-60 is 1, and 2^60 + 1 - 2^60 is 0.
+TEST(Judge, ComparesBothSidesWithoutRounding) {
+  const auto number = [](double value, double radius) {
+    return Measured{.value = value, .radius = radius, .guaranteed = true};
+  };
+  EXPECT_EQ(judge(AtMost{.value = 1, .slack = 0, .why = ""}, number(1, 0x1p-60)), Standing::open);
+  EXPECT_EQ(judge(AtMost{.value = 1, .slack = 0x1p-60, .why = ""}, number(1, 0x1p-60)), Standing::holds);
+  EXPECT_EQ(judge(AtMost{.value = 1, .slack = 0x1p-60, .why = ""}, number(1 + 0x1p-52, 0)),
+            Standing::violated);
+  EXPECT_EQ(judge(Bound{.order = 1, .slack = 0, .why = ""}, number(1, 0x1p-60)), Standing::open);
+  EXPECT_EQ(judge(Bound{.order = 1, .slack = 0x1p-60, .why = ""}, number(1, 0x1p-60)), Standing::holds);
+  EXPECT_EQ(judge(Bound{.order = 0x1p60, .slack = 0, .why = ""}, number(0x1p60, 1)), Standing::open);
+  EXPECT_EQ(judge(Equals{.value = 0x1p60, .slack = 0.5, .why = ""}, number(0x1p60, 1)), Standing::open);
+  EXPECT_EQ(judge(Equals{.value = 1, .slack = 0x1p-53, .why = ""}, number(1 + 0x1p-52, 0x1p-60)),
+            Standing::violated);
+  EXPECT_EQ(judge(AtMost{.value = HUGE_VAL, .slack = 0, .why = ""}, number(1, 0)), Standing::open);
 }
 
 TEST(LiesIn, ComparesTheWholeEnclosureExactly) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "radcert/core/contract.h"
@@ -18,6 +17,18 @@ bool settles(const Measured& observed) {
   return std::isfinite(observed.value) && std::isfinite(observed.radius) && observed.radius >= 0;
 }
 
+// Both ends, exactly: a sum of doubles that is rounded could put them on the wrong side of a bound.
+struct Ends {
+  Rational low;
+  Rational high;
+};
+
+Ends ends_of(const Measured& observed) {
+  const Rational value = Rational::exactly(observed.value);
+  const Rational radius = Rational::exactly(observed.radius);
+  return {.low = value - radius, .high = value + radius};
+}
+
 void require_slack(double slack) { expects(slack >= 0, "slack >= 0", named("slack", slack)); }
 
 Evidence line(const std::string& what, const Measured& observed, std::string allowed, Standing standing,
@@ -30,8 +41,7 @@ Evidence line(const std::string& what, const Measured& observed, std::string all
                     .control = control,
                     .proved = observed.guaranteed && slack == 0};
   if (settles(observed)) {
-    const EnclosingText text =
-        enclosing_text(observed.value, observed.radius, DecimalForm::scientific(12));
+    const EnclosingText text = enclosing_text(observed.value, observed.radius, DecimalForm::scientific(12));
     evidence.value = text.value;
     evidence.radius = text.radius;
   } else {
@@ -74,26 +84,33 @@ std::string_view name(Standing standing) {
 
 Standing judge(const Bound& statement, const Measured& observed) {
   require_slack(statement.slack);
-  if (!settles(observed)) return Standing::open;
-  const double least = statement.order - statement.slack;
-  if (observed.value - observed.radius >= least) return Standing::holds;
-  return observed.value + observed.radius < least ? Standing::violated : Standing::open;
+  if (!settles(observed) || !std::isfinite(statement.order) || !std::isfinite(statement.slack))
+    return Standing::open;
+  const Ends ends = ends_of(observed);
+  const Rational least = Rational::exactly(statement.order) - Rational::exactly(statement.slack);
+  if (ends.low >= least) return Standing::holds;
+  return ends.high < least ? Standing::violated : Standing::open;
 }
 
 Standing judge(const Equals& statement, const Measured& observed) {
   require_slack(statement.slack);
-  if (!settles(observed)) return Standing::open;
-  const double distance = std::abs(observed.value - statement.value);
-  if (distance + observed.radius <= statement.slack) return Standing::holds;
-  return distance - observed.radius > statement.slack ? Standing::violated : Standing::open;
+  if (!settles(observed) || !std::isfinite(statement.value) || !std::isfinite(statement.slack))
+    return Standing::open;
+  const Rational distance = abs(Rational::exactly(observed.value) - Rational::exactly(statement.value));
+  const Rational radius = Rational::exactly(observed.radius);
+  const Rational slack = Rational::exactly(statement.slack);
+  if (distance + radius <= slack) return Standing::holds;
+  return distance - radius > slack ? Standing::violated : Standing::open;
 }
 
 Standing judge(const AtMost& statement, const Measured& observed) {
   require_slack(statement.slack);
-  if (!settles(observed)) return Standing::open;
-  const double largest = statement.value + statement.slack;
-  if (observed.value + observed.radius <= largest) return Standing::holds;
-  return observed.value - observed.radius > largest ? Standing::violated : Standing::open;
+  if (!settles(observed) || !std::isfinite(statement.value) || !std::isfinite(statement.slack))
+    return Standing::open;
+  const Ends ends = ends_of(observed);
+  const Rational largest = Rational::exactly(statement.value) + Rational::exactly(statement.slack);
+  if (ends.high <= largest) return Standing::holds;
+  return ends.low > largest ? Standing::violated : Standing::open;
 }
 
 Standing judge(const IsExactly& statement, const Rational& observed) {
@@ -102,10 +119,9 @@ Standing judge(const IsExactly& statement, const Rational& observed) {
 
 Standing judge(const LiesIn& statement, const Measured& observed) {
   if (!settles(observed)) return Standing::open;
-  const Rational value = Rational::exactly(observed.value);
-  const Rational radius = Rational::exactly(observed.radius);
-  if (statement.least <= value - radius && value + radius <= statement.largest) return Standing::holds;
-  const bool outside = value + radius < statement.least || statement.largest < value - radius;
+  const Ends ends = ends_of(observed);
+  if (statement.least <= ends.low && ends.high <= statement.largest) return Standing::holds;
+  const bool outside = ends.high < statement.least || statement.largest < ends.low;
   return outside ? Standing::violated : Standing::open;
 }
 
@@ -195,8 +211,7 @@ void Finding::add(const std::string& what, const LiesIn& statement, const Ball& 
 
 void Finding::remark(std::string what, const Measured& observed) {
   if (settles(observed)) {
-    const EnclosingText text =
-        enclosing_text(observed.value, observed.radius, DecimalForm::scientific(12));
+    const EnclosingText text = enclosing_text(observed.value, observed.radius, DecimalForm::scientific(12));
     what += ": " + text.value + " +- " + text.radius;
   } else {
     what += ": " + shortest(observed.value);

@@ -75,8 +75,8 @@ enum class Standing { holds, violated, open };
 ///           LiesIn: the whole enclosure in the interval holds, none of it violates
 /// Source    ours
 /// Requires  slack >= 0, else ContractViolation
-/// Result    open where neither is the case, and for numbers that are not finite
-/// Limits    the comparisons of doubles round; a slack is meant to be far above that. Those of balls and rationals prove
+/// Result    open where neither is the case, and for numbers that are not finite; the doubles of both sides are compared exactly
+/// Limits    -
 [[nodiscard]] Standing judge(const Bound& statement, const Measured& observed);
 [[nodiscard]] Standing judge(const Equals& statement, const Measured& observed);
 [[nodiscard]] Standing judge(const AtMost& statement, const Measured& observed);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <span>
 #include <string_view>
@@ -29,12 +28,7 @@ std::size_t width(const std::string& text) {
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-std::string seconds_text(double seconds) {
-  std::array<char, 32> buffer{};
-  const int length = std::snprintf(buffer.data(), buffer.size(), "%ld.%01ld", std::lround(seconds * 10) / 10,
-                                   std::lround(seconds * 10) % 10);
-  return {buffer.data(), static_cast<std::size_t>(length)};
-}
+std::string seconds_text(double seconds) { return nearest_text(seconds, DecimalForm::fixed(1)); }
 
 bool is_finite(const Measured& m) { return std::isfinite(m.value) && std::isfinite(m.radius); }
 

@@ -13,6 +13,7 @@
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/polynomial/lattice.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 namespace {
@@ -130,8 +131,8 @@ Outcome<void> rows_within(const CertifiedEntries& found, std::span<const double>
   for (std::size_t i = 0; i < n; ++i) {
     const double reached = rows[i] * (1 + 2 * static_cast<double>(n) * unit);
     if (!(reached <= demand * std::abs(reflectivity[i])))
-      return because("the radii of a row sum to " + shortest(reached) + ", more than the " +
-                     shortest(demand * std::abs(reflectivity[i])) +
+      return because("the radii of a row sum to " + upper_text(reached, DecimalForm::general(4)) +
+                     ", more than the " + shortest(demand * std::abs(reflectivity[i])) +
                      " demanded: roundings in double are wider");
   }
   return {};

@@ -9,6 +9,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 namespace {
@@ -51,7 +52,8 @@ Outcome<CertifiedValues> CertifiedSums::within(double demand, std::size_t elemen
     // The radii were added with fewer roundings than elements, twice.
     radius *= 1 + 4 * (static_cast<double>(elements) + 4) * unit;
     if (!(radius <= demand))
-      return because("a radius of " + shortest(radius) + " was reached, more than the " + shortest(demand) +
+      return because("a radius of " + upper_text(radius, DecimalForm::general(4)) +
+                     " was reached, more than the " + shortest(demand) +
                      " demanded: roundings in double are wider");
   }
   return std::move(sums_);

@@ -118,6 +118,13 @@ Estimate quotient(const Estimate& exchange, const Estimate& area) {
   return {value, abs(enclosing_ball(exchange) / enclosing_ball(area) - Ball(value)).upper_double()};
 }
 
+/// A bound of |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J) for these doubles: in double the products of which it is the difference would
+/// be rounded to the same number.
+double reciprocity_defect(double area, double factor, double other_area, double back) {
+  const Ball difference = Ball(area) * Ball(factor) - Ball(other_area) * Ball(back);
+  return (abs(difference) / sqrt(Ball(area) * Ball(other_area))).upper_double();
+}
+
 void finish(FactorMatrix& matrix, ExchangeSums& sums, const FactorDemand& demand) {
   for (std::size_t i = 0; i < sums.size(); ++i) {
     FactorRow& row = matrix.rows[i];
@@ -131,9 +138,9 @@ void finish(FactorMatrix& matrix, ExchangeSums& sums, const FactorDemand& demand
       row.sum += factor;
       const Estimate& other = matrix.rows[j].area;
       const double back = quotient(exchange, other).value;
-      const double defect = std::abs(row.area.value * factor.value - other.value * back) /
-                            std::sqrt(row.area.value * other.value);
-      matrix.largest_reciprocity_defect = std::max(matrix.largest_reciprocity_defect, defect);
+      matrix.largest_reciprocity_defect =
+          std::max(matrix.largest_reciprocity_defect,
+                   reciprocity_defect(row.area.value, factor.value, other.value, back));
     }
     if (demand.open_to_space) row.to_space = Estimate{1, 0} + Estimate{-row.sum.value, row.sum.radius};
   }

@@ -64,7 +64,7 @@ struct FactorMatrix {
   std::size_t hidden_pairs = 0;
   std::size_t mixed_pairs = 0;
   double largest_reciprocity_defect =
-      0;  ///< of |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J), of the doubles as given
+      0;  ///< bounds |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J) of the doubles as given, rounded up
   [[nodiscard]] double largest_radius() const;
   /// The row whose sum is farthest from 1.
   [[nodiscard]] std::size_t worst_row() const;

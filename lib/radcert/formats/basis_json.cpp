@@ -7,6 +7,7 @@
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/csv.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 
@@ -14,9 +15,6 @@ namespace {
 
 // The digits of long coordinates and weights, as in node files.
 constexpr int long_digits = 60;
-
-// Enough for that many digits of a midpoint.
-constexpr long long_bits = 256;
 
 std::string proof_name(PrecisionProof proof) {
   switch (proof) {
@@ -31,6 +29,13 @@ int count_with_sign(const BasisFacts& facts, int sign) {
   int count = 0;
   for (const Rational& weight : facts.weights) count += weight.sign() == sign ? 1 : 0;
   return count;
+}
+
+/// Of a table: a midpoint with its radius in units of the last digit.
+std::string norm_word(const LebesgueConstant& norm) {
+  constexpr int digits = 6;
+  const Rational middle = Rational(1, 2) * (norm.lower + norm.upper);
+  return parenthesised_text(middle, norm.upper - middle, digits);
 }
 
 JsonValue precision_json(const EnclosedPrecision& precision, PrecisionProof proof) {
@@ -103,8 +108,18 @@ std::string readable(const Rational& value, int digits) {
   std::string exact = value.to_text();
   constexpr std::size_t short_length = 24;
   if (exact.size() <= short_length) return exact;
-  const BallPrecision scope(long_bits);
-  return Ball(value).decimal(digits).midpoint;
+  return nearest_text(value, DecimalForm::padded(digits));
+}
+
+EnclosingText norm_text(const LebesgueConstant& norm, int digits) {
+  const Rational middle = Rational(1, 2) * (norm.lower + norm.upper);
+  return enclosing_text(middle, norm.upper - middle, DecimalForm::padded(digits));
+}
+
+std::string upper_readable(const Rational& bound, int digits) {
+  const std::string exact = readable(bound, digits);
+  if (bound.to_text() == exact) return exact;
+  return "<= " + upper_text(bound, DecimalForm::padded(digits));
 }
 
 std::string order_text(int order, bool has_logarithm) {
@@ -146,8 +161,8 @@ std::string basis_latex(std::span<const BasisRecord> records) {
     const auto power = [](int order) { return "$h^{" + std::to_string(order) + "}$"; };
     out += std::to_string(facts.degree) + " & " + std::to_string(facts.nodes.size()) + " & " +
            std::to_string(count_with_sign(facts, -1)) + " & " + std::to_string(facts.triangle.degree) +
-           " & " + std::to_string(facts.parallelogram.degree) + " & " + readable(facts.norm.upper, 6) +
-           " & " + power(orders.everywhere) + " & " +
+           " & " + std::to_string(facts.parallelogram.degree) + " & " + norm_word(facts.norm) + " & " +
+           power(orders.everywhere) + " & " +
            (orders.curved_has_logarithm ? "$h^{" + std::to_string(orders.curved) + "} |\\log h|$"
                                         : power(orders.curved)) +
            " \\\\\n";

@@ -8,6 +8,7 @@
 
 #include "radcert/formats/json_value.h"
 #include "radcert/polynomial/basis_facts.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 
@@ -25,7 +26,7 @@ struct BasisRecord {
 /// Maths     none
 /// Source    the file format radcert/basis/1
 /// Requires  nothing
-/// Result    exact numbers as strings, 60 digits where they are long; the norm between doubles that enclose it
+/// Result    exact numbers as strings, rounded to the nearest of 60 digits where they are long; the norm between doubles that enclose it
 /// Limits    the same bits on every run, apart from `command`
 [[nodiscard]] JsonValue basis_record_json(std::span<const BasisRecord> records, const std::string& command);
 
@@ -35,8 +36,15 @@ struct BasisRecord {
 /// A table in LaTeX, a row a basis: degree, nodes, degrees of precision, norm, condition, orders.
 [[nodiscard]] std::string basis_latex(std::span<const BasisRecord> records);
 
-/// An exact number for people: as it stands where that is short, else rounded to so many digits.
+/// An exact number for people: as it stands where that is short, else rounded to nearest with so many digits, trailing zeros
+/// included: the number is then within half a unit of the last one.
 [[nodiscard]] std::string readable(const Rational& value, int digits);
+
+/// A bound for people: as it stands where that is short, else "<= " and so many digits, rounded up.
+[[nodiscard]] std::string upper_readable(const Rational& bound, int digits);
+
+/// The norm of interpolation with a radius that reaches both of its bounds.
+[[nodiscard]] EnclosingText norm_text(const LebesgueConstant& norm, int digits);
 
 /// "h^4", "h^4 |log h|".
 [[nodiscard]] std::string order_text(int order, bool has_logarithm);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 
@@ -55,12 +56,6 @@ std::optional<ConvergenceCurve> curve(std::string name, const ErrorKind& kind,
   if (out.points.size() < 2) return std::nullopt;
   out.order = order_of(orders, kind.name, out.points, axis);
   return out;
-}
-
-std::string hundredths(double value) {
-  const auto count = static_cast<long long>(std::llround(std::abs(value) * 100));
-  return (value < 0 && count > 0 ? "-" : "") + std::to_string(count / 100) + "." +
-         std::to_string(100 + count % 100).substr(1);
 }
 
 /// How far a triangle stands off its curve, as part of the plot's height.
@@ -138,7 +133,8 @@ Plot plot_of(const ConvergencePlot& plot) {
       .series = {}};
   for (const ConvergenceCurve& curve : plot.curves)
     out.series.push_back(
-        {curve.name + (curve.order ? ": order " + hundredths(*curve.order) : ""), curve.points});
+        {curve.name + (curve.order ? ": order " + nearest_text(*curve.order, DecimalForm::fixed(2)) : ""),
+         curve.points});
   return out;
 }
 

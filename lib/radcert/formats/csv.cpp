@@ -79,7 +79,7 @@ std::string nodes_csv(std::span<const LevelOutcome> levels) {
 }
 
 std::span<const std::string_view> level_columns() {
-  static constexpr std::array<std::string_view, 20> columns = {"level",
+  static constexpr std::array<std::string_view, 21> columns = {"level",
                                                                "elements",
                                                                "unknowns",
                                                                "mesh_size",
@@ -98,7 +98,8 @@ std::span<const std::string_view> level_columns() {
                                                                "node_order",
                                                                "norm_k",
                                                                "norm_k_guaranteed",
-                                                               "planned_bytes"};
+                                                               "planned_bytes",
+                                                               "norm_k_radius"};
   return columns;
 }
 
@@ -113,6 +114,7 @@ std::vector<JsonValue> level_cells(const LevelResult& level) {
   row.emplace_back(level.norm_K.value);
   row.emplace_back(level.norm_K.guaranteed);
   row.emplace_back(level.planned_bytes);
+  row.emplace_back(level.norm_K.radius);
   return row;
 }
 

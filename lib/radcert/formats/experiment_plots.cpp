@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/formats/order_text.h"
 #include "radcert/formats/problem_json.h"
 #include "radcert/formats/problem_words.h"
 #include "radcert/polynomial/superconvergent_inset.h"
@@ -17,13 +18,6 @@
 namespace radcert {
 
 namespace {
-
-/// With two decimals, as the tables have them.
-std::string short_text(double value) {
-  const auto hundredths = static_cast<long long>(std::llround(std::abs(value) * 100));
-  const std::string part = std::to_string(100 + hundredths % 100).substr(1);
-  return (value < 0 && hundredths > 0 ? "-" : "") + std::to_string(hundredths / 100) + "." + part;
-}
 
 std::string in_words(const ErrorKind& kind) {
   if (kind.name == "uniform_error") return "max |u - u_n| over a sample of S";
@@ -37,13 +31,9 @@ std::string numbers(const std::vector<int>& levels) {
 }
 
 std::string order_text(const OrderFit& fit) {
-  std::string out;
-  if (!fit.order)
-    out = "no order fitted";
-  else if (fit.levels.size() < 3 || !fit.halfwidth)
-    out = "order " + short_text(*fit.order) + " from two levels";
-  else
-    out = "order " + short_text(*fit.order) + " \u00b1 " + short_text(*fit.halfwidth);
+  const auto order = fitted_order_text(fit, " \u00b1 ");
+  std::string out = order ? "order " + *order : "no order fitted";
+  if (order && (fit.levels.size() < 3 || !fit.halfwidth)) out += " from two levels";
   if (!fit.left_out.empty()) out += ", left out:" + numbers(fit.left_out);
   return out;
 }

@@ -202,7 +202,8 @@ std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std:
   for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
     const FactorRow& line = matrix.rows[i];
     const std::array<JsonValue, columns.size()> row = {
-        names[i], line.area.value, line.sum.value, line.sum.radius,
+        names[i], line.area.value, line.sum.value,
+        line.to_space ? std::max(line.sum.radius, line.to_space->radius) : line.sum.radius,
         line.to_space ? JsonValue(line.to_space->value) : JsonValue()};
     table.add(row);
   }
@@ -242,10 +243,12 @@ std::vector<FactorComparison> compared(const FactorMatrix& matrix, std::span<con
   for (const auto& [pair, claim] : claimed) place(pair.first, pair.second).theirs = claim;
   std::vector<FactorComparison> out;
   for (auto& [key, pair] : pairs) {
-    const double distance = pair.difference();
-    if (distance + pair.ours.radius <= pair.theirs.halfwidth)
+    const Ball distance = abs(Ball(pair.ours.value) - Ball(pair.theirs.value));
+    const Ball radius(pair.ours.radius);
+    const Ball halfwidth(pair.theirs.halfwidth);
+    if (certainly_at_most(distance + radius, halfwidth))
       pair.agreement = Agreement::agrees;
-    else if (distance - pair.ours.radius > pair.theirs.halfwidth)
+    else if (certainly_less(halfwidth, distance - radius))
       pair.agreement = Agreement::differs;
     out.push_back(pair);
   }

@@ -18,12 +18,13 @@ namespace radcert {
 /// Maths     none
 /// Source    the columns from, to, factor, radius, guaranteed
 /// Requires  a name for each row
-/// Result    RFC 4180; a row for each factor that is not exactly zero, in their shortest exact form
+/// Result    RFC 4180; a row for each factor that is not exactly zero, in the shortest form that reads back as the same double: the
+///           radius holds for that double
 /// Limits    -
 [[nodiscard]] std::string factors_csv(const FactorMatrix& matrix, std::span<const std::string> names);
 
 /// The rows of a matrix as CSV: the columns name, area, row_sum, row_radius, to_space; the last is empty
-/// unless asked for.
+/// unless asked for, and the radius is that of both, the wider.
 [[nodiscard]] std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std::string> names);
 
 /// A factor that somebody else found.
@@ -78,7 +79,7 @@ struct FactorComparison {
 /// Source    -
 /// Requires  a name for each row
 /// Result    InputError, without a source, for a name that no surface has
-/// Limits    the comparison is in doubles
+/// Limits    the comparison of the doubles is proved; a claim is the doubles nearest to its decimals
 [[nodiscard]] std::vector<FactorComparison> compared(const FactorMatrix& matrix,
                                                      std::span<const std::string> names,
                                                      const ClaimedFactors& claimed);

@@ -38,6 +38,12 @@ JsonValue comparison_json(const std::vector<FactorComparison>& pairs) {
 
 }  // namespace
 
+double closure_bound(const FactorMatrix& matrix) {
+  Ball largest = 0;
+  for (const FactorRow& row : matrix.rows) largest = max(largest, abs(Ball(row.sum.value) - Ball(1)));
+  return largest.upper_double();
+}
+
 JsonValue factors_report(const FactorReport& report) {
   const FactorMatrix& matrix = report.matrix;
   JsonValue out = JsonValue::object();
@@ -57,7 +63,7 @@ JsonValue factors_report(const FactorReport& report) {
   out.set("pairs", std::move(pairs));
   out.set("largest_radius", matrix.largest_radius());
   out.set("reciprocity_defect", matrix.largest_reciprocity_defect);
-  out.set("closure_defect", report.open ? JsonValue() : JsonValue(matrix.closure_defect(matrix.worst_row())));
+  out.set("closure_defect", report.open ? JsonValue() : JsonValue(closure_bound(matrix)));
   JsonValue surfaces = JsonValue::array();
   for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
     const FactorRow& row = matrix.rows[i];
@@ -67,6 +73,8 @@ JsonValue factors_report(const FactorReport& report) {
     line.set("row_sum", row.sum.value);
     line.set("row_radius", row.sum.radius);
     line.set("to_space", row.to_space ? JsonValue(row.to_space->value) : JsonValue());
+    line.set("area_radius", row.area.radius);
+    line.set("to_space_radius", row.to_space ? JsonValue(row.to_space->radius) : JsonValue());
     surfaces.push(std::move(line));
   }
   out.set("surfaces", std::move(surfaces));

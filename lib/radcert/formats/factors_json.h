@@ -25,6 +25,14 @@ struct FactorReport {
   std::optional<std::vector<FactorComparison>> comparison;
 };
 
+/// How far the row sums as given are from 1 at most.
+/// Maths     max_I |sum_I - 1| of the doubles sum_I
+/// Source    -
+/// Requires  -
+/// Result    rounded up
+/// Limits    -
+[[nodiscard]] double closure_bound(const FactorMatrix& matrix);
+
 /// The same as JSON.
 /// Maths     none
 /// Source    the file format radcert/factors/1

@@ -8,6 +8,7 @@
 
 #include "radcert/core/text.h"
 #include "radcert/formats/latex_table.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 
@@ -46,12 +47,6 @@ std::string copied_table(const std::string& file) {
 )tex";
 }
 
-std::string hundredths(double value) {
-  const auto count = static_cast<long long>(std::llround(std::abs(value) * 100));
-  return (value < 0 && count > 0 ? "-" : "") + std::to_string(count / 100) + "." +
-         std::to_string(100 + count % 100).substr(1);
-}
-
 std::string place(double x, double y) { return "(axis cs:" + shortest(x) + "," + shortest(y) + ")"; }
 
 std::string triangle_text(const SlopeTriangle& triangle) {
@@ -64,7 +59,7 @@ std::string triangle_text(const SlopeTriangle& triangle) {
          " -- " + place(side, level) + " -- cycle;\n\\node[" + (triangle.above ? "above" : "below") +
          ",font=\\scriptsize] at " + place(along, level) + " {$1$};\n\\node[" +
          (triangle.above == rises ? "left" : "right") + ",font=\\scriptsize] at " + place(side, up) + " {$" +
-         hundredths(triangle.order) + "$};\n";
+         nearest_text(triangle.order, DecimalForm::fixed(2)) + "$};\n";
 }
 
 /// The ticks of the horizontal axis: those of the SVG, which are no odd powers of ten where there is less than a decade.

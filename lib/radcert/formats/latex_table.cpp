@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/formats/order_text.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 
@@ -15,18 +16,14 @@ namespace {
 
 constexpr int error_digits = 4;
 constexpr std::string_view absent = "{--}";
+constexpr std::string_view in_parentheses = "in parentheses their radius, in units of the last digit";
 
-// Columns of siunitx: room for a mantissa of error_digits digits and a negative power of two digits.
-LatexColumn error_column(std::string head) { return {std::move(head), "S[table-format=1.3e-2]"}; }
+// Columns of siunitx: room for a mantissa of error_digits digits, its uncertainty and a negative power of two digits.
+LatexColumn error_column(std::string head) { return {std::move(head), "S[table-format=1.3(2)e-2]"}; }
 LatexColumn count_column(std::string head) { return {std::move(head), "r"}; }
 LatexColumn ratio_column(std::string head) { return {std::move(head), "r"}; }
 
-std::string fixed(double value, int decimals) {
-  std::array<char, 400> buffer{};  // the largest double has 309 digits before the point
-  const auto end =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
-  return {buffer.data(), end.ptr};
-}
+std::string fixed(double value, int decimals) { return nearest_text(value, DecimalForm::fixed(decimals)); }
 
 std::string cell(const std::optional<Figure>& figure) {
   if (!figure || !std::isfinite(figure->value)) return std::string(absent);
@@ -38,10 +35,7 @@ std::string ratio_cell(const std::optional<double>& ratio) {
 }
 
 std::string order_text(const OrderFit& fit) {
-  std::string out = "$" + fixed(*fit.order, 2);
-  // With two levels the spread says nothing.
-  if (fit.halfwidth && fit.levels.size() > 2) out += " \\pm " + fixed(*fit.halfwidth, 2);
-  return out + "$";
+  return "$" + fitted_order_text(fit, " \\pm ").value_or("") + "$";
 }
 
 std::string symbol(const std::string& quantity) {
@@ -63,9 +57,9 @@ std::string errors_latex(const Result& result) {
                          cell(level.discretisation_error), ratio_cell(level.discretisation_ratio),
                          cell(level.node_error), ratio_cell(level.node_ratio)});
   table.add_rule();
-  table.add_line("Errors are maxima over the nodes.");
+  table.add_line("Errors are maxima over the nodes; " + std::string(in_parentheses) + ".");
   for (const OrderFit& fit : result.orders) {
-    if (!fit.order) continue;
+    if (!fitted_order_text(fit, "")) continue;
     table.add_line("Fitted order of " + symbol(fit.quantity) + " in $h$: " + order_text(fit));
   }
   return table.text();
@@ -119,18 +113,10 @@ std::string latex_escaped(std::string_view text) {
 }
 
 std::string latex_number(double value, std::optional<double> radius, int digits) {
-  expects(std::isfinite(value) && digits >= 1 && digits <= 17, "a finite value, 1 to 17 digits",
-          named("value", value), named("digits", digits));
+  expects(std::isfinite(value), "a finite value", named("value", value));
+  if (radius && std::isfinite(*radius)) return parenthesised_text(value, *radius, digits);
+  const std::string text = nearest_text(value, DecimalForm::scientific(digits));
   if (value == 0) return "0";
-  if (radius && *radius > 0) {
-    // A unit of the last of d digits is at least |value| 10^-d.
-    const double sure = std::floor(std::log10(std::abs(value) / *radius));
-    digits = static_cast<int>(std::clamp(sure, 1.0, static_cast<double>(digits)));
-  }
-  std::array<char, 64> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                 std::chars_format::scientific, digits - 1);
-  const std::string text(buffer.data(), end.ptr);
   const std::size_t e = text.find('e');
   std::string power = text.substr(e + 1);
   const bool negative = power.front() == '-';
@@ -190,13 +176,13 @@ std::string combinations_latex(const Experiment& experiment, std::span<const Res
     const LevelResult& level = results[i].levels.back();
     std::string order = "--";
     for (const OrderFit& fit : results[i].orders)
-      if (fit.quantity == "node_error" && fit.order) order = order_text(fit);
+      if (fit.quantity == "node_error" && fitted_order_text(fit, "")) order = order_text(fit);
     table.add(std::array{latex_escaped(experiment.combinations[i].name), std::to_string(level.unknowns),
                          cell(level.discretisation_error), cell(level.node_error), order});
   }
   table.add_rule();
-  table.add_line("Maxima over the nodes at the finest level; the order is that of " + symbol("node_error") +
-                 " in $h$.");
+  table.add_line("Maxima over the nodes at the finest level; " + std::string(in_parentheses) + ".");
+  table.add_line("The order is that of " + symbol("node_error") + " in $h$.");
   return table.text();
 }
 

@@ -21,11 +21,12 @@ namespace radcert {
 [[nodiscard]] std::string latex_escaped(std::string_view text);
 
 /// A number as siunitx reads it.
-/// Maths     rounded to nearest with `digits` significant digits, fewer where the radius reaches more than a unit of the last
+/// Maths     with a radius an enclosure, `digits` digits of the midpoint or as many as the radius leaves a meaning: parenthesised_text.
+///           Without one, or with an infinite one, rounded to nearest
 /// Source    -
-/// Requires  1 <= digits <= 17; a finite value, else ContractViolation
-/// Result    "1.483e-3"; at least one digit
-/// Limits    the radius itself is not shown
+/// Requires  1 <= digits <= 100; a finite value; radius >= 0, else ContractViolation
+/// Result    "1.483(2)e-3" is 1.483e-3 +- 0.002e-3; "1.483e-3" where no radius is known
+/// Limits    -
 [[nodiscard]] std::string latex_number(double value, std::optional<double> radius, int digits);
 
 /// A column of a table: its head as LaTeX, and its letter or S[...] of siunitx.
@@ -59,7 +60,7 @@ private:
 /// Maths     none
 /// Source    the tables of [ac98]
 /// Requires  nothing
-/// Result    four significant digits, fewer where the radius leaves fewer; without a solution the means over the pieces
+/// Result    four significant digits with the radius in parentheses, fewer where it leaves fewer; without a solution the means over the pieces
 /// Limits    all digits are in errors.csv
 [[nodiscard]] std::string levels_latex(const Result& result);
 

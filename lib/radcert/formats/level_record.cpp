@@ -148,6 +148,7 @@ LevelResult read_level_result(const JsonReader& level) {
     out.piece_means.emplace_back(piece, number_at(means, piece));
   const JsonReader norm = level.at("norm_K", "a norm");
   out.norm_K.value = number_at(norm, "value");
+  out.norm_K.radius = number_or_null_at(norm, "radius");
   out.norm_K.guaranteed = norm.at("guaranteed", "a truth value").boolean("a truth value");
   out.planned_bytes = level.at("planned_bytes", "a number").unsigned_whole("a number");
   out.iteration = read_iteration(level.at("iteration", "a report or null"));

@@ -91,6 +91,7 @@ JsonValue level_json(const LevelResult& level) {
   out.set("piece_means", std::move(means));
   JsonValue norm = JsonValue::object();
   norm.set("value", level.norm_K.value);
+  norm.set("radius", level.norm_K.radius);
   norm.set("guaranteed", level.norm_K.guaranteed);
   out.set("norm_K", std::move(norm));
   out.set("planned_bytes", level.planned_bytes);

@@ -103,7 +103,7 @@ std::string_view basis_schema() {
     "bases": {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/basis"}}
   },
   "$defs": {
-    "exact": {"description": "A fraction, or a decimal rounded to 60 digits where that is shorter.", "type": "string", "pattern": "^-?[0-9]+([.][0-9]+)?(e[-+]?[0-9]+)?(/[0-9]+)?$"},
+    "exact": {"description": "A fraction; or, where that is longer than 24 characters, a decimal of 60 digits, rounded to nearest: the number is within half a unit of its last digit.", "type": "string", "pattern": "^-?[0-9]+([.][0-9]+)?(e[-+]?[0-9]+)?(/[0-9]+)?$"},
     "order": {"description": "p of O(h^p).", "type": "integer", "minimum": 1},
     "precision": {
       "type": "object",
@@ -112,7 +112,7 @@ std::string_view basis_schema() {
       "properties": {
         "degree": {"type": "integer", "minimum": 0},
         "first_failure": {"description": "A monomial of the next degree that the rule misses; s = x3, t = x2.", "type": "string"},
-        "defect": {"description": "Rule minus integral there, a midpoint.", "type": "string"},
+        "defect": {"description": "Rule minus integral there, a midpoint; defect_radius bounds the distance of this decimal from it.", "type": "string"},
         "defect_radius": {"type": "string"},
         "proof": {
           "description": "exact: for the nodes as they stand; algebraic: for the algebraic nodes that these approximate; certificate: for the nodes that Krawczyk's test proves beside these.",
@@ -155,7 +155,7 @@ std::string_view basis_schema() {
           }
         },
         "unisolvent": {"const": true},
-        "determinant": {"description": "Of the Bernstein polynomials, or of the functions of the space, at the nodes, exact or rounded to 20 digits.", "type": "string"},
+        "determinant": {"description": "Of the Bernstein polynomials, or of the functions of the space, at the nodes, exact, or rounded to the nearest of 20 digits.", "type": "string"},
         "precision": {
           "description": "How far the interpolatory rule is exact on the triangle, and on the parallelogram of it and its image under a half turn.",
           "type": "object",

@@ -7,7 +7,7 @@ std::string_view factors_schema() {
   return R"json({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "title": "What radcert factors writes with --json",
-  "description": "Area-to-area configuration factors of plane triangles, or of unions of them.",
+  "description": "Area-to-area configuration factors of plane triangles, or of unions of them. A number with a point or an exponent means the nearest double, and radii and bounds hold for those doubles.",
   "type": "object",
   "required": [
     "schema", "radcert", "command", "name", "by", "triangles", "open", "facets_only", "guaranteed", "pairs", "largest_radius",
@@ -39,8 +39,8 @@ std::string_view factors_schema() {
       }
     },
     "largest_radius": {"$ref": "#/$defs/radius"},
-    "reciprocity_defect": {"description": "The largest |A_i F_ij - A_j F_ji| / sqrt(A_i A_j).", "$ref": "#/$defs/radius"},
-    "closure_defect": {"description": "The largest |row sum - 1|; null: open.", "type": ["number", "null"], "minimum": 0},
+    "reciprocity_defect": {"description": "Bounds |A_i F_ij - A_j F_ji| / sqrt(A_i A_j) of the doubles given here.", "$ref": "#/$defs/radius"},
+    "closure_defect": {"description": "Bounds |row_sum - 1| of the doubles given here; null: open.", "type": ["number", "null"], "minimum": 0},
     "surfaces": {
       "type": "array",
       "items": {
@@ -52,7 +52,9 @@ std::string_view factors_schema() {
           "area": {"type": "number", "exclusiveMinimum": 0},
           "row_sum": {"type": "number"},
           "row_radius": {"$ref": "#/$defs/radius"},
-          "to_space": {"type": ["number", "null"]}
+          "to_space": {"type": ["number", "null"]},
+          "area_radius": {"description": "Bounds the distance of area from the area of the triangles, proved.", "$ref": "#/$defs/radius"},
+          "to_space_radius": {"type": ["number", "null"], "minimum": 0}
         }
       }
     },

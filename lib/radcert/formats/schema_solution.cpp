@@ -7,7 +7,7 @@ std::string_view solution_schema() {
   return R"json({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "title": "A result of radcert solve",
-  "description": "Seconds live in timing alone: apart from timing and command, all is the same to the bit on every run.",
+  "description": "Seconds live in timing alone: apart from timing and command, all is the same to the bit on every run. A number with a point or an exponent means the nearest double, and radii and bounds hold for those doubles, not for the decimal texts, which differ from them by rounding.",
   "type": "object",
   "required": ["schema", "radcert", "command", "problem", "levels", "orders", "timing"],
   "additionalProperties": false,
@@ -80,7 +80,9 @@ std::string_view solution_schema() {
               "minimum": 0
             },
             "guaranteed": {"description": "true: the radius is proved; false: an estimate.", "type": "boolean"}
-          }
+          },
+          "if": {"properties": {"guaranteed": {"const": true}}},
+          "then": {"properties": {"radius": {"type": "number"}}}
         }
       ]
     },
@@ -109,7 +111,15 @@ std::string_view solution_schema() {
           "type": "object",
           "required": ["value", "guaranteed"],
           "additionalProperties": false,
-          "properties": {"value": {"type": "number"}, "guaranteed": {"type": "boolean"}}
+          "properties": {
+            "value": {"type": "number"},
+            "radius": {
+              "description": "Bounds the distance of the double `value` from the norm, proved; null: value is an estimate.",
+              "type": ["number", "null"],
+              "minimum": 0
+            },
+            "guaranteed": {"type": "boolean"}
+          }
         },
         "planned_bytes": {"type": "integer", "minimum": 0},
         "verified": {

@@ -7,7 +7,7 @@ std::string_view verification_schema() {
   return R"json({
   "$schema": "https://json-schema.org/draft/2020-12/schema",
   "title": "A report of radcert verify",
-  "description": "Seconds live in timing alone: apart from timing and command, all is the same to the bit on every run.",
+  "description": "Seconds live in timing alone: apart from timing and command, all is the same to the bit on every run. A number with a point or an exponent means the nearest double, and radii hold for those doubles.",
   "type": "object",
   "required": ["schema", "radcert", "command", "budget", "as_recorded", "claims", "problems", "timing"],
   "additionalProperties": false,

@@ -10,6 +10,7 @@
 #include "radcert/core/text.h"
 #include "radcert/meshless/interpolation_system.h"
 #include "radcert/meshless/sampling.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/power_series.h"
 
 namespace radcert {
@@ -59,12 +60,14 @@ Outcome<TransferSeries> transfer_series(Matrix<double> r) {
   Outcome<NeumannSeries, NoPowerContracts> series = NeumannSeries::make(std::move(r));
   if (series) return TransferSeries{.series = *std::move(series), .sums = sums};
   const NoPowerContracts& why = series.reason();
+  const DecimalForm form = DecimalForm::general(6);
   return because(std::string(why.diverges ? "the iteration diverges" : "the iteration may diverge") +
-                 ": the spectral radius of the transfer matrix is about " + shortest(sums.spectral_radius) +
-                 ", and no bound below " + shortest(why.theta) + " was found up to its power " +
-                 std::to_string(why.power) + "; the largest row sum is " + shortest(sums.largest_row_sum) +
-                 ", at site " + std::to_string(sums.row) + ", the largest entry " +
-                 shortest(sums.largest_entry));
+                 ": the spectral radius of the transfer matrix is about " +
+                 nearest_text(sums.spectral_radius, form) + ", and no bound below " +
+                 lower_text(why.theta, form) + " was found up to its power " + std::to_string(why.power) +
+                 "; the largest row sum is about " + nearest_text(sums.largest_row_sum, form) + ", at site " +
+                 std::to_string(sums.row) + ", the largest entry about " +
+                 nearest_text(sums.largest_entry, form));
 }
 
 std::string_view name(WeightRule rule) {
@@ -209,7 +212,7 @@ Outcome<LightSolution> LightTransfer::solve(const Light& light, std::optional<do
   solution.emission = parts_->coefficients(emission_at_sites(light));
   Outcome<IterativeSolution, NotReached> series = parts_->series->solve(solution.emission, tolerance);
   if (!series)
-    return because("the Neumann series came within " + shortest(series.reason().error_bound) + " after " +
+    return because("the Neumann series came within " + upper_text(series.reason().error_bound) + " after " +
                    std::to_string(series.reason().iterations) + " reflections, no further");
   solution.reflections = series->iterations;
   solution.error_bound = series->error_bound;

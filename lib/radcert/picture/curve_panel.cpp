@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "radcert/core/contract.h"
 #include "radcert/formats/svg_plot.h"
 #include "radcert/picture/drawing.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 namespace {
@@ -17,12 +17,7 @@ constexpr Colour ink{0.02, 0.02, 0.02};
 constexpr Colour pale{0.7, 0.7, 0.7};
 
 /// A tick's number: six digits are more than any tick has.
-std::string tick_text(double x) {
-  std::array<char, 32> text{};
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), x == 0 ? 0 : x, std::chars_format::general, 6);
-  return {text.data(), end};
-}
+std::string tick_text(double x) { return nearest_text(x, DecimalForm::general(6)); }
 
 double as_double(std::size_t n) { return static_cast<double>(n); }
 

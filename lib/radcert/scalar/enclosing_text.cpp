@@ -146,9 +146,9 @@ std::string scientific_text(const Decimal& decimal, int digits) {
 }
 
 /// An exponent where the first digit stands at 10^power with power outside [least, largest].
-std::string general_text(const Decimal& decimal, long least, long largest) {
+std::string general_text(const Decimal& decimal, long least, long largest, bool all_digits = false) {
   if (decimal.is_zero()) return "0";
-  const std::string digits = without_trailing_zeros(decimal.digits);
+  const std::string digits = all_digits ? decimal.digits : without_trailing_zeros(decimal.digits);
   const long leading = decimal.leading();
   if (leading < least || leading > largest) return mantissa(digits) + "e" + std::to_string(leading);
   return plain(digits, static_cast<long>(digits.size()) - 1 - leading);
@@ -160,6 +160,7 @@ std::string text(const Decimal& decimal, DecimalForm form) {
   switch (form.kind()) {
     case DecimalForm::Kind::scientific: size = scientific_text(decimal, form.digits()); break;
     case DecimalForm::Kind::general: size = general_text(decimal, least_plain, form.digits() - 1); break;
+    case DecimalForm::Kind::padded: size = general_text(decimal, least_plain, form.digits() - 1, true); break;
     case DecimalForm::Kind::fixed: size = plain(decimal.digits, form.digits()); break;
   }
   return (decimal.negative && !decimal.is_zero() ? "-" : "") + size;
@@ -178,10 +179,8 @@ std::string directed(double bound, DecimalForm form, bool upwards) {
 }
 
 std::string radius_text(const Rational& radius, DecimalForm form) {
-  constexpr int digits = 2;
-  if (radius.sign() == 0) return "0";
-  if (form.kind() == DecimalForm::Kind::fixed) return directed(radius, form, true);
-  return general_text(with_digits(radius, digits, Rounding::away_from_zero), -1, 1);
+  const bool is_fixed = form.kind() == DecimalForm::Kind::fixed && radius.sign() != 0;
+  return is_fixed ? upper_text(radius, form) : upper_text(radius);
 }
 
 }  // namespace
@@ -194,6 +193,11 @@ DecimalForm DecimalForm::scientific(int digits) {
 DecimalForm DecimalForm::general(int digits) {
   expects(1 <= digits && digits <= most_digits, "1 to 100 digits", named("digits", digits));
   return {Kind::general, digits};
+}
+
+DecimalForm DecimalForm::padded(int digits) {
+  expects(1 <= digits && digits <= most_digits, "1 to 100 digits", named("digits", digits));
+  return {Kind::padded, digits};
 }
 
 DecimalForm DecimalForm::fixed(int decimals) {
@@ -217,10 +221,13 @@ EnclosingText enclosing_text(double value, double radius, DecimalForm form) {
 std::string parenthesised_text(double value, double radius, int digits) {
   expects(std::isfinite(value), "a finite value", named("value", value));
   expects(std::isfinite(radius) && radius >= 0, "a finite radius >= 0", named("radius", radius));
+  return parenthesised_text(Rational::exactly(value), Rational::exactly(radius), digits);
+}
+
+std::string parenthesised_text(const Rational& x, const Rational& r, int digits) {
+  expects(r.sign() >= 0, "radius >= 0", named("radius", r));
   expects(1 <= digits && digits <= most_digits, "1 to 100 digits", named("digits", digits));
   constexpr std::size_t most_of_radius = 2;
-  const Rational x = Rational::exactly(value);
-  const Rational r = Rational::exactly(radius);
   Decimal shown = with_digits(x, digits, Rounding::nearest);
   if (shown.is_zero()) {
     // The unit is that of the radius' second digit.
@@ -239,6 +246,16 @@ std::string parenthesised_text(double value, double radius, int digits) {
   const std::string sign = shown.negative && !shown.is_zero() ? "-" : "";
   const long power = shown.is_zero() ? shown.exponent : shown.leading();
   return sign + mantissa(shown.digits) + around + (power == 0 ? "" : "e" + std::to_string(power));
+}
+
+std::string upper_text(const Rational& bound) {
+  constexpr int digits = 2;
+  const Rounding rounding = bound.sign() >= 0 ? Rounding::away_from_zero : Rounding::towards_zero;
+  return (bound.sign() < 0 ? "-" : "") + general_text(with_digits(bound, digits, rounding), -1, 1);
+}
+
+std::string upper_text(double bound) {
+  return std::isfinite(bound) ? upper_text(Rational::exactly(bound)) : bound < 0 ? "-inf" : "inf";
 }
 
 std::string upper_text(double bound, DecimalForm form) { return directed(bound, form, true); }

@@ -9,16 +9,18 @@ namespace radcert {
 
 /// How a number is laid out in decimal.
 /// Maths     scientific: d digits, "1.4836e-03"; general: at most d digits without trailing zeros, "0.8", "2.5e-7", an exponent only
-///           where the number is below 10^-4 or has more than d digits before the point; fixed: k digits after the point, "3.94"
+///           where the number is below 10^-4 or has more than d digits before the point; padded: the same with all d digits, "0.800";
+///           fixed: k digits after the point, "3.94"
 /// Source    printf's %e, %g and %f; general does not pad its exponent
-/// Requires  scientific, general: 1 <= digits <= 100; fixed: 0 <= decimals <= 100, else ContractViolation
+/// Requires  scientific, general, padded: 1 <= digits <= 100; fixed: 0 <= decimals <= 100, else ContractViolation
 /// Result    plain data
 /// Limits    -
 class DecimalForm {
 public:
-  enum class Kind { scientific, general, fixed };
+  enum class Kind { scientific, general, padded, fixed };
   [[nodiscard]] static DecimalForm scientific(int digits);
   [[nodiscard]] static DecimalForm general(int digits);
+  [[nodiscard]] static DecimalForm padded(int digits);
   [[nodiscard]] static DecimalForm fixed(int decimals);
   [[nodiscard]] Kind kind() const { return kind_; }
   [[nodiscard]] int digits() const { return digits_; }
@@ -52,21 +54,25 @@ struct EnclosingText {
 /// The same as one word, the radius in units of the last digit of the midpoint, as papers and siunitx have it.
 /// Maths     "1.4836(21)e-3" is 1.4836e-3 +- 0.0021e-3, which contains [value - radius, value + radius]
 /// Source    -
-/// Requires  a finite value; a finite radius >= 0; 1 <= digits <= 100, else ContractViolation
+/// Requires  a finite value, a finite radius >= 0; 1 <= digits <= 100, else ContractViolation
 /// Result    so many digits of the midpoint, and as many fewer as leave the radius at most two digits; one digit at least, or 0 where
 ///           the radius is so much larger. Without parentheses where the text is exactly the number
 /// Limits    -
 [[nodiscard]] std::string parenthesised_text(double value, double radius, int digits);
+[[nodiscard]] std::string parenthesised_text(const Rational& value, const Rational& radius, int digits);
 
 /// A bound from above in decimal, and one from below.
 /// Maths     bound <= upper_text(bound), lower_text(bound) <= bound, both texts read as decimal numbers
 /// Source    -
 /// Requires  -
-/// Result    the nearest such decimal in the form; "inf", "-inf" for what is infinite. A NaN bounds nothing: "inf", "-inf"
+/// Result    the nearest such decimal in the form, without one as radii are printed: two digits, an exponent unless the first of them
+///           stands beside the point; "inf", "-inf" for what is infinite. A NaN bounds nothing: "inf", "-inf"
 /// Limits    -
-[[nodiscard]] std::string upper_text(double bound, DecimalForm form = DecimalForm::general(2));
-[[nodiscard]] std::string upper_text(const Rational& bound, DecimalForm form = DecimalForm::general(2));
-[[nodiscard]] std::string lower_text(double bound, DecimalForm form = DecimalForm::general(2));
+[[nodiscard]] std::string upper_text(double bound);
+[[nodiscard]] std::string upper_text(const Rational& bound);
+[[nodiscard]] std::string upper_text(double bound, DecimalForm form);
+[[nodiscard]] std::string upper_text(const Rational& bound, DecimalForm form);
+[[nodiscard]] std::string lower_text(double bound, DecimalForm form);
 
 /// A bound from above that is below 1, with as many digits as show that.
 /// Result    upper_text with general form and `digits` digits, or as many more as it takes for the text to be below 1

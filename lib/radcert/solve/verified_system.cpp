@@ -10,7 +10,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
-#include "radcert/core/text.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/real.h"
 #include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/product.h"
@@ -259,7 +259,7 @@ Outcome<VerifiedSystem> verified_system(Matrix<double> k, Matrix<double> k_radiu
     return because(
         "no approximate inverse R of I - K could be shown to have || I - R (I - K) || < 1; the least bound "
         "was " +
-        shortest(system.theta_));
+        upper_text(system.theta_, DecimalForm::general(6)));
   return system;
 }
 

@@ -5,6 +5,7 @@
 #include "radcert/collocation/assembly.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/contraction.h"
 #include "radcert/solve/direct.h"
@@ -119,7 +120,8 @@ private:
       throw InputError({.pointer = "/solver/name",
                         .value = solver_name(problem_.solver.name),
                         .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
-                                   ": the collocation matrix contracts by " + shortest(found.reason().theta) +
+                                   ": the collocation matrix contracts by " +
+                                   upper_text(found.reason().theta, DecimalForm::general(6)) +
                                    " at best, which is not below 1",
                         .allowed = "direct"});
     contraction_ = std::move(found).value();
@@ -171,8 +173,8 @@ private:
     throw AccuracyNotReached(
         "level " + std::to_string(outcome_.result.level) + ", solver " + solver_name(problem_.solver.name),
         demanded + " is not reached: after " + std::to_string(best.iterations) +
-            " iterations the error bound is " + shortest(best.error_bound) +
-            " where |u_n| <= " + shortest(best.size));
+            " iterations the error bound is " + upper_text(best.error_bound) +
+            " where |u_n| <= " + upper_text(best.size));
   }
 
   /// Bounds of the sizes of (I - K_n)(u_n - exact u_n): residual, errors of matrix and right-hand side.

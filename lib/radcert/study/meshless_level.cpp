@@ -14,6 +14,7 @@
 #include "radcert/meshless/interpolation_system.h"
 #include "radcert/meshless/sampling.h"
 #include "radcert/polynomial/conical_rule.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/direct.h"
 #include "radcert/study/level_errors.h"
 #include "radcert/study/level_geometry.h"
@@ -169,6 +170,7 @@ private:
       for (std::size_t i = 0; i < n.rows(); ++i) sums[i] += n(i, j);
     }
     norm = {.value = std::min(largest(sums) * surface_area(surface_) / light, largest(rho_)),
+            .radius = std::nullopt,
             .guaranteed = false};
     if (!std::isfinite(norm.value)) norm.value = largest(rho_);
   }
@@ -196,8 +198,9 @@ private:
       Outcome<IterativeSolution, NotReached> solution = series.solve(epsilon, tolerance);
       if (!solution)
         throw AccuracyNotReached(subject() + ", solver neumann",
-                                 "the error bound is " + shortest(solution.reason().error_bound) + " after " +
-                                     std::to_string(solution.reason().iterations) + " reflections");
+                                 "the error bound is " + upper_text(solution.reason().error_bound) +
+                                     " after " + std::to_string(solution.reason().iterations) +
+                                     " reflections");
       outcome_.result.iteration = {.iterations = solution->iterations,
                                    .contraction = series.spectral_radius_bound(),
                                    .error_bound = solution->error_bound};

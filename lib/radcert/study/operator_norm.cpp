@@ -11,6 +11,7 @@
 #include "radcert/core/text.h"
 #include "radcert/expression/expression.h"
 #include "radcert/scalar/ball.h"
+#include "radcert/study/enclosed_number.h"
 
 namespace radcert {
 namespace {
@@ -68,15 +69,20 @@ NormOfK largest_row(std::span<const double> rho_at_nodes, std::span<const double
   double norm = 0;
   for (std::size_t i = 0; i < rho_at_nodes.size(); ++i)
     norm = std::max(norm, rho_at_nodes[i] * kernel_integral[i] / pi<double>());
-  return {.value = norm, .guaranteed = false};
+  return {.value = norm, .radius = std::nullopt, .guaranteed = false};
 }
 
 NormOfK norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivity,
                   std::span<const double> rho_at_nodes, std::span<const double> kernel_integral) {
   if (!surface.closed) return largest_row(rho_at_nodes, kernel_integral);
-  if (const std::optional<Rational> bound = constant_bound(reflectivity, surface))
-    return {.value = bound->to_double(), .guaranteed = true};
-  return {.value = *std::max_element(rho_at_nodes.begin(), rho_at_nodes.end()), .guaranteed = false};
+  if (const std::optional<Rational> bound = constant_bound(reflectivity, surface)) {
+    // The double 0.8 is not 4/5: what lies between them is its radius.
+    const EnclosedNumber norm = enclosed_number(Ball(*bound));
+    return {.value = norm.value, .radius = norm.radius, .guaranteed = true};
+  }
+  return {.value = *std::max_element(rho_at_nodes.begin(), rho_at_nodes.end()),
+          .radius = std::nullopt,
+          .guaranteed = false};
 }
 
 void refuse_norm_from_one(const NormOfK& norm) {

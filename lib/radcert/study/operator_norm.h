@@ -22,7 +22,8 @@ NormOfK largest_row(std::span<const double> rho_at_nodes, std::span<const double
 /// Maths     on a closed unoccluded surface Int G = pi makes it sup rho; on an open one largest_row estimates it from below
 /// Source    [ac98, (3)-(5)]
 /// Requires  an expression for every piece; kernel_integral may be empty where the surface is closed
-/// Result    guaranteed where the surface is closed and the reflectivity is a constant on every piece
+/// Result    guaranteed where the surface is closed and the reflectivity is a constant on every piece: the nearest double, its distance
+///           from the constant rounded up as radius
 /// Limits    an estimate elsewhere
 NormOfK norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivity,
                   std::span<const double> rho_at_nodes, std::span<const double> kernel_integral);

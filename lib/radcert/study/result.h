@@ -19,8 +19,11 @@ struct Figure {
   bool guaranteed = false;  ///< true: the radius is proved; false: it is an estimate
 };
 
+/// The norm of K and what is known of it.
 struct NormOfK {
   double value = 0;
+  std::optional<double>
+      radius{};  ///< with guaranteed: bounds its distance from the norm, proved; null: an estimate
   bool guaranteed = false;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+import { enclosing, toDecimals } from "./number_text.js";
 
 /** An element with attributes and children; text children are text, never markup. */
 export function element(tag, attributes = {}, ...children) {
@@ -55,26 +56,7 @@ export function prose(text) {
       ? element("code", {}, part.slice(1, -1)) : part);
 }
 
-/** A number with its radius, to as many digits as the radius leaves. */
-export function figure(ours) {
-  if (!ours) return "";
-  const { value, radius } = ours;
-  if (radius === null || radius === undefined) return value.toExponential(4);
-  if (radius === 0) return String(value);
-  if (value === 0) return `0 ± ${up(radius)}`;
-  const digits = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(radius)) + 1;
-  const shown = Math.min(8, Math.max(2, digits));
-  const power = Math.floor(Math.log10(Math.abs(value)));
-  const text = power >= -3 && power <= 4 ? value.toFixed(Math.max(0, shown - 1 - power)) : value.toExponential(shown - 1);
-  // The radius covers what was cut off the value.
-  return `${text} ± ${up(radius + Math.abs(value - Number(text)))}`;
-}
+/** A number with its radius, rounded outwards. */
+export const figure = (ours) => (ours ? enclosing(ours.value, ours.radius) : "");
 
-function up(radius) {
-  if (radius === 0) return "0";
-  const power = Math.floor(Math.log10(radius)) - 1;
-  const text = radius.toExponential(1);
-  return Number(text) >= radius ? text : (Number(text) + 10 ** power).toExponential(1);
-}
-
-export const seconds = (time) => (time < 0.05 ? "< 0.1 s" : `${time.toFixed(1)} s`);
+export const seconds = (time) => (time < 0.05 ? "< 0.1 s" : `${toDecimals(time, 1)} s`);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { element, figure, table } from "./dom.js";
 import { experiment } from "./data.js";
+import { about, toPower } from "./number_text.js";
 import { convergence, hasConvergence } from "./plot.js";
 
 const quantities = { node_error: "error at the nodes", discretisation_error: "E_n = max |K(u - P_n u)|", uniform_error: "error over a sample of S" };
@@ -13,11 +14,11 @@ function ranking(group, quantity, cost, unit) {
   const rated = places.filter((place) => place.error !== null);
   if (rated.length < 2) return null;
   const best = rated[0].error;
-  return table(`${quantities[quantity]} at ${paid === null ? "one cost" : `${Number(paid.toPrecision(4))} ${unit}`}, smallest first`,
+  return table(`${quantities[quantity]} at ${paid === null ? "one cost" : `${about(paid, 4)} ${unit}`}, smallest first`,
     ["", "combination", "error", "times the smallest"],
     rated.map((place, i) => [String(i + 1), named(place.combination),
-      element("td", { class: "number" }, place.error.toExponential(3)),
-      element("td", { class: "number" }, best > 0 ? (place.error / best).toPrecision(3) : "")]));
+      element("td", { class: "number" }, toPower(place.error, 4)),
+      element("td", { class: "number" }, best > 0 ? about(place.error / best, 3) : "")]));
 }
 
 function group(byUnknowns, bySeconds, number, many) {
@@ -35,7 +36,7 @@ function group(byUnknowns, bySeconds, number, many) {
 function levels(combination) {
   return element("details", {}, element("summary", {}, combination.name),
     table(`Levels of ${combination.name}`, ["level", "elements", "unknowns", "h", "E_n", "error at the nodes", "error over S"],
-      combination.levels.map((level) => [String(level.level), String(level.elements), String(level.unknowns), level.mesh_size.toPrecision(4),
+      combination.levels.map((level) => [String(level.level), String(level.elements), String(level.unknowns), about(level.mesh_size, 4),
         figure(level.discretisation_error), figure(level.node_error), figure(level.uniform_error)])),
     element("pre", {}, JSON.stringify(combination.problem, null, 1)));
 }

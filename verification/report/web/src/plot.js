@@ -2,6 +2,7 @@
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
 import { element, figure, table } from "./dom.js";
+import { about, enclosingOrder, toDecimals, toPower } from "./number_text.js";
 
 const quantities = {
   node_error: "max |u − uₙ| over the nodes",
@@ -66,18 +67,19 @@ export function convergence(problems, quantity, key = "mesh_size") {
   const known = orders.filter((fit) => fit !== null).map((fit) => fit.order);
   const references = [...new Set(known.map((order) => (power > 0 ? Math.round(order) : Math.round(2 * order) / 2)))].filter((order) => order > 0).slice(0, 3);
   // Two levels have one slope, and no spread.
-  const spread = (fit) => (fit.levels?.length < 3 ? " from two levels" : fit.halfwidth === null ? "" : ` ± ${fit.halfwidth.toFixed(2)}`);
-  const label = (problem, fit) => (fit === null ? problem.name : `${problem.name}: order ${fit.order.toFixed(2)}${spread(fit)}`);
+  const order = (fit) => (fit.levels?.length < 3 ? `${toDecimals(fit.order, 2)} from two levels`
+    : fit.halfwidth === null ? toDecimals(fit.order, 2) : enclosingOrder(fit.order, fit.halfwidth));
+  const label = (problem, fit) => (fit === null ? problem.name : `${problem.name}: order ${order(fit)}`);
   const columns = [sizes,
     ...drawn.map((problem) => {
       const at = new Map(points(problem, quantity, key).map((point) => [point.h, point.error.value]));
       return sizes.map((h) => at.get(h) ?? null);
     }),
     ...references.map((order) => sizes.map(slope(order, drawn, quantity, key)))];
-  const lines = [{ label: short, value: (_, h) => (h === null || h === undefined ? "" : h.toPrecision(4)) },
+  const lines = [{ label: short, value: (_, h) => (h === null || h === undefined ? "" : about(h, 4)) },
     ...drawn.map((problem, i) => ({
       label: label(problem, orders[i]), stroke: colours[i % colours.length], width: 2, spanGaps: true,
-      points: { show: true, size: 7 }, value: (_, error) => error?.toExponential(3) ?? "",
+      points: { show: true, size: 7 }, value: (_, error) => (error === null || error === undefined ? "" : toPower(error, 4)),
     })),
     ...references.map((order) => ({
       label: `${short}^${power * order}`, stroke: "#888888", width: 1, dash: [6, 4], points: { show: false }, value: () => "",
@@ -90,8 +92,8 @@ export function convergence(problems, quantity, key = "mesh_size") {
     const plot = new uPlot({
       width: Math.max(280, holder.clientWidth), height: 380,
       scales: { x: { time: false, distr: 3, range: between(1.2) }, y: { distr: 3, range: between(2) } },
-      axes: [{ ...axis(words), splits: (_, __, least, most) => ticks(least, most), filter: (_, places) => places, values: (_, places) => places.map((place) => String(Number(place.toPrecision(2)))) },
-        { ...axis(quantities[quantity]), size: 76, values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : tick.toExponential(0))) }],
+      axes: [{ ...axis(words), splits: (_, __, least, most) => ticks(least, most), filter: (_, places) => places, values: (_, places) => places.map((place) => about(place, 2)) },
+        { ...axis(quantities[quantity]), size: 76, values: (_, ticks) => ticks.map((tick) => (tick === null ? "" : toPower(tick, 1))) }],
       series: lines, legend: { live: true },
     }, columns, holder);
     new ResizeObserver(() => plot.setSize({ width: Math.max(280, holder.clientWidth), height: 380 })).observe(holder);
@@ -100,7 +102,7 @@ export function convergence(problems, quantity, key = "mesh_size") {
   // A canvas needs to know its width, and has none before it is in the page.
   requestAnimationFrame(draw);
   const numbers = drawn.flatMap((problem) => points(problem, quantity, key).map((point) =>
-    [problem.name, point.h.toPrecision(4), figure(point.error)]));
+    [problem.name, about(point.h, 4), figure(point.error)]));
   return element("figure", {}, holder,
     element("figcaption", {}, quantities[quantity]),
     element("details", {}, element("summary", {}, "The numbers"), table(quantities[quantity], ["problem", short, "error"], numbers)));

@@ -7,6 +7,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { element, table } from "./dom.js";
 import { pictures, report } from "./data.js";
+import { about, toPower } from "./number_text.js";
 
 function floats(base64) {
   const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
@@ -40,8 +41,8 @@ function painted(values) {
 
 function scale(values, words) {
   const { least, most } = range(values);
-  return element("p", { class: "scale" }, `${words}: ${least.toPrecision(4)} `,
-    element("span", { class: "ramp", "aria-hidden": "true" }), ` ${most.toPrecision(4)}`);
+  return element("p", { class: "scale" }, `${words}: ${about(least, 4)} `,
+    element("span", { class: "ramp", "aria-hidden": "true" }), ` ${about(most, 4)}`);
 }
 
 // Round points, nearer to the eye than they are by so much: the wall on which they lie does not cover half of each.
@@ -49,7 +50,7 @@ function disks(geometry, looks, nearer) {
   const material = new PointsMaterial({ ...looks, transparent: true });
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader.replace("#include <project_vertex>", `#include <project_vertex>
-      vec4 before = projectionMatrix * (mvPosition + vec4(0.0, 0.0, ${nearer.toExponential()}, 0.0));
+      vec4 before = projectionMatrix * (mvPosition + vec4(0.0, 0.0, ${toPower(nearer, 17)}, 0.0));
       gl_Position.z = before.z / before.w * gl_Position.w;`);
     shader.fragmentShader = shader.fragmentShader.replace("#include <clipping_planes_fragment>", `#include <clipping_planes_fragment>
       if (length(gl_PointCoord - 0.5) > 0.5) discard;`);
@@ -78,7 +79,7 @@ export function surfaceView(index) {
     controls, holder, legend,
     element("details", {}, element("summary", {}, "The problem file"), element("pre", {}, problem.problem)),
     element("details", {}, element("summary", {}, "Its levels"), table(`Levels of ${problem.name}`, ["level", "elements", "unknowns", "h"],
-      problem.levels.map((level) => [level.level, level.elements, level.unknowns, level.mesh_size.toPrecision(4)].map(String))))];
+      problem.levels.map((level) => [level.level, level.elements, level.unknowns, about(level.mesh_size, 4)].map(String))))];
 
   let renderer;
   try {

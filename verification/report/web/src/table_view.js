@@ -2,6 +2,7 @@
 import { chip, element, figure, table } from "./dom.js";
 import { convergence, hasConvergence } from "./plot.js";
 import { report } from "./data.js";
+import { toDecimals, toPower } from "./number_text.js";
 
 const names = {
   discretisation_error: "E_n", discretisation_ratio: "ratio of E_n", node_error: "max |u - u_n|",
@@ -18,8 +19,8 @@ function parts(cell) {
 export function roundedLike(printed, value) {
   const [mantissa, exponent] = printed.toUpperCase().split("E");
   const decimals = (mantissa.split(".")[1] ?? "").length;
-  if (exponent === undefined) return value.toFixed(decimals);
-  const [digits, power] = value.toExponential(decimals).split("e");
+  if (exponent === undefined) return toDecimals(value, decimals);
+  const [digits, power] = toPower(value, decimals + 1).split("e");
   return `${digits}E${Number(power)}`;
 }
 
