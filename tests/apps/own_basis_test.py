@@ -73,7 +73,7 @@ class OwnBasis(ProgramTest):
 
     def test_a_file_that_changed_since_its_digest_is_refused(self):
         problem = json.loads(self.expect(0, "solve", "problem.json", "--json", "-"))["problem"]
-        self.assertRegex(problem["basis"]["digest"], "^fnv1a-[0-9a-f]{16}-[0-9]+$")
+        self.assertRegex(problem["basis"]["digest"], "^sha256-[0-9a-f]{64}$")
         self.write("again.json", problem)
         self.edit("enriched.json", "27*", "28*")
         self.refused("/basis/digest", "it has changed", words=("solve", "again.json"))

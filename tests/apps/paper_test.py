@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What solve, experiment and verify write for a paper."""
 import csv
+import hashlib
 import json
 import os
 import re
@@ -48,11 +49,8 @@ why     = "few levels"
 """
 
 
-def fnv1a(content):
-    value = 0xcbf29ce484222325
-    for byte in content:
-        value = (value ^ byte) * 0x100000001b3 % 2**64
-    return f"fnv1a-{value:016x}-{len(content)}"
+def digest(content):
+    return "sha256-" + hashlib.sha256(content).hexdigest()
 
 
 def parenthesised(cell):
@@ -99,7 +97,7 @@ class Paper(ProgramTest):
             provenance = json.loads(self.content("provenance.json"))
             jsonschema.validate(provenance, schema)
             with open(self.path(name), "rb") as file:
-                self.assertEqual(provenance["inputs"], [{"name": name, "digest": fnv1a(file.read())}])
+                self.assertEqual(provenance["inputs"], [{"name": name, "digest": digest(file.read())}])
             self.assertIn("--out out", provenance["command"])
             self.assertIn("mpfr", [library["name"] for library in provenance["libraries"]])
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radcert/core/digest.h"
 #include "radcert/formats/latex_plot.h"
 #include "radcert/formats/provenance.h"
 
@@ -148,7 +149,7 @@ TEST(PlotOf, NamesTheOrders) {
 
 TEST(Provenance, SaysWhatIsUnknownAsNull) {
   const Provenance provenance{.command = "radcert solve \"a\"",
-                              .inputs = {{"a", "fnv1a-0123456789abcdef-1"}},
+                              .inputs = {{"a", digest_of("a")}},
                               .libraries = {{"mpfr", "4"}},
                               .compiler = "GCC 12",
                               .architecture = "",

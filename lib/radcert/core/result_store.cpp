@@ -2,6 +2,7 @@
 #include "radcert/core/result_store.h"
 
 #include "radcert/core/atomic_file.h"
+#include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
 
 #include <cstdint>
@@ -13,33 +14,16 @@ namespace radcert {
 
 namespace {
 
-constexpr std::string_view magic = "radcert result 1\n";
+// The number names this layout; records of another are not read.
+constexpr std::string_view magic = "radcert result 2\n";
 
-std::uint64_t fnv1a(std::string_view text, std::uint64_t offset) {
-  std::uint64_t hash = offset;
-  for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3ULL;
-  return hash;
-}
-
-std::string hexadecimal(std::uint64_t number) {
-  std::string out(16, '0');
-  for (std::size_t place = 16; place-- > 0; number >>= 4U) out[place] = "0123456789abcdef"[number & 15U];
-  return out;
-}
-
-/// 128 bits: the standard offset basis, and the basis run on once over a byte of its own.
-std::string hash128(std::string_view text) {
-  constexpr std::uint64_t basis = 0xcbf29ce484222325ULL;
-  return hexadecimal(fnv1a(text, basis)) + hexadecimal(fnv1a(text, fnv1a("\x5a", basis)));
-}
-
-/// magic, "<key length> <content length> <hash of key and content>\n", key, content.
+/// magic, "<key length> <content length> <SHA-256 of key and content>\n", key, content.
 std::string record(std::string_view key, std::string_view content) {
   std::string both(key);
   both.append(content);
   std::string out(magic);
   out.append(std::to_string(key.size())).append(" ").append(std::to_string(content.size())).append(" ");
-  out.append(hash128(both)).append("\n").append(both);
+  out.append(sha256(both)).append("\n").append(both);
   return out;
 }
 
@@ -96,7 +80,7 @@ ResultStore::ResultStore(ResultStore&& other) noexcept
     : folder_(std::move(other.folder_)), off_(std::move(other.off_)) {}
 
 std::filesystem::path ResultStore::file(std::string_view key) const {
-  return folder_ / (hash128(key) + ".radcert");
+  return folder_ / (sha256(key) + ".radcert");
 }
 
 std::optional<std::string> ResultStore::get(std::string_view key) const {

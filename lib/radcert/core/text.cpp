@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/core/text.h"
 
-#include <cstdint>
-
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -103,14 +101,6 @@ std::string quotation(std::string_view text, std::size_t limit) {
     at += step;
   }
   return out + "\"";
-}
-
-std::string digest_of(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3ULL;
-  std::string out(16, '0');
-  for (std::size_t place = 16; place-- > 0; hash >>= 4U) out[place] = "0123456789abcdef"[hash & 15U];
-  return "fnv1a-" + out + "-" + std::to_string(bytes.size());
 }
 
 }  // namespace radcert

@@ -44,12 +44,4 @@ namespace radcert {
 /// Limits    none
 [[nodiscard]] bool is_utf8(std::string_view text);
 
-/// A short name for the content of a file, to notice that it has changed.
-/// Maths     FNV-1a, 64 bits, and the number of bytes
-/// Source    Fowler, Noll and Vo
-/// Requires  nothing
-/// Result    "fnv1a-0123456789abcdef-42", the same for the same bytes
-/// Limits    no protection against somebody who wants two contents with one name
-[[nodiscard]] std::string digest_of(std::string_view bytes);
-
 }  // namespace radcert

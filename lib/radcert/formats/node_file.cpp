@@ -10,7 +10,7 @@
 
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
-#include "radcert/core/text.h"
+#include "radcert/core/digest.h"
 #include "radcert/expression/parse.h"
 #include "radcert/formats/json_document.h"
 #include "radcert/formats/json_reader.h"

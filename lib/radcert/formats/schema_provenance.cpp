@@ -28,9 +28,9 @@ std::string_view provenance_schema() {
         "properties": {
           "name": {"type": "string"},
           "digest": {
-            "description": "FNV-1a of the bytes, 64 bits, and their number.",
+            "description": "SHA-256 of the bytes.",
             "type": "string",
-            "pattern": "^fnv1a-[0-9a-f]{16}-[0-9]+$"
+            "pattern": "^sha256-[0-9a-f]{64}$"
           }
         }
       }

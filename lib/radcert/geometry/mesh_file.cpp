@@ -9,7 +9,7 @@
 
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
-#include "radcert/core/text.h"
+#include "radcert/core/digest.h"
 #include "radcert/geometry/mesh_parts.h"
 
 namespace radcert {

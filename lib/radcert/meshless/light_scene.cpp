@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/digest.h"
 #include "radcert/core/text.h"
 #include "radcert/meshless/surface_cells.h"
 #include "radcert/surface/catalogue/disk.h"

@@ -12,7 +12,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/memory_plan.h"
-#include "radcert/core/text.h"
+#include "radcert/core/digest.h"
 #include "radcert/core/version.h"
 
 namespace radcert {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace radcert {
+
+/// SHA-256 of some bytes.
+/// Maths     256 bits, as 64 hexadecimal digits in lower case
+/// Source    NIST FIPS 180-4, by OpenSSL's libcrypto
+/// Requires  nothing
+/// Result    exact; EnvironmentError where libcrypto refuses the function
+/// Limits    two contents with one value are not known, and nobody knows how to make them
+[[nodiscard]] std::string sha256(std::string_view bytes);
+
+/// The name of a content, by which it is told from every other: of a mesh, a node file, a scene, a stored result.
+/// Maths     sha256(bytes)
+/// Source    as sha256
+/// Requires  nothing
+/// Result    "sha256-" and 64 hexadecimal digits, the same for the same bytes
+/// Limits    as sha256
+[[nodiscard]] std::string digest_of(std::string_view bytes);
+
+/// Whether a text has the form of digest_of.
+[[nodiscard]] bool is_digest(std::string_view text);
+
+}  // namespace radcert
