@@ -48,9 +48,10 @@ TEST(ResultStore, ReadsARecordOfAnotherLayoutAsAbsent) {
   const std::string whole = read_file(store.file("key"));
   // As earlier versions wrote it: another title, a shorter hash.
   const std::string title = whole.substr(0, whole.find('\n') + 1);
-  for (const std::string& record :
-       {"radcert result 1\n" + whole.substr(title.size()), "radcert result 1\n3 7 " + std::string(32, '0') + "\nkeycontent",
-        title + "3 7 " + std::string(32, '0') + "\nkeycontent", title + "3 7 " + std::string(64, '0') + "\nkeycontent"}) {
+  for (const std::string& record : {"radcert result 1\n" + whole.substr(title.size()),
+                                    "radcert result 1\n3 7 " + std::string(32, '0') + "\nkeycontent",
+                                    title + "3 7 " + std::string(32, '0') + "\nkeycontent",
+                                    title + "3 7 " + std::string(64, '0') + "\nkeycontent"}) {
     write_atomically(store.file("key"), record);
     EXPECT_FALSE(store.get("key").has_value()) << record;
   }

@@ -47,9 +47,7 @@ BasisChoice read_file(const JsonReader& basis, const JsonReader& file, const std
   if (!std::filesystem::exists(path))
     file.refuse("is not there", "a file of nodes, its name relative to the problem's folder");
   NodeFile nodes = read_nodes(path);
-  if (const auto digest = basis.find("digest"))
-    if (digest->string("the digest of the file") != nodes.digest)
-      digest->refuse("is not that of the file: it has changed", nodes.digest);
+  require_digest(basis, nodes.digest);
   choice.digest = nodes.digest;
   choice.degree = nodes.functions.degree();
   if (choice.degree > largest_degree)

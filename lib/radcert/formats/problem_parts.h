@@ -49,6 +49,9 @@ JsonValue piecewise_json(const PiecewiseExpression& expression);
 /// A meshless basis in words: what it is, its sites, its weights, its coefficients.
 [[nodiscard]] std::vector<std::string> meshless_words(const MeshlessBasis& basis);
 
+/// Refuses the `digest` of an object, where it is given, unless it is that of the file.
+void require_digest(const JsonReader& object, const std::string& digest);
+
 /// An exact number as JSON.
 /// Maths     none
 /// Source    the file format: a JSON number means the nearest double, a string is exact

@@ -10,9 +10,9 @@
 
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/memory_plan.h"
-#include "radcert/core/digest.h"
 #include "radcert/core/version.h"
 
 namespace radcert {
