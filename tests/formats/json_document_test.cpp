@@ -72,5 +72,23 @@ TEST(PointerBelow, EscapesAsRfc6901Says) {
   EXPECT_EQ(pointer_below("", std::size_t{2}), "/2");
 }
 
+// The nearest double of a number other than zero is never taken to be zero.
+TEST(JsonDocument, RefusesNumbersThatOnlyZeroIsNear) {
+  for (const char* text :
+       {"1e-400", "-1e-400", "0.0000001e-320", "[1, 2.5e-999]", R"({"a": {"b": 1e-324}})"}) {
+    std::string message;
+    try {
+      static_cast<void>(parse_json(text, "a.json"));
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    EXPECT_NE(message.find("nearer to zero than every double"), std::string::npos) << text << message;
+  }
+  for (const char* text : {"0e-400", "0.0", "-0.000e5", "5e-324", "1e-323"})
+    EXPECT_NO_THROW(static_cast<void>(parse_json(text, "a.json"))) << text;
+  for (const char* text : {"1e999", "-1e999", "+1", "0x10", "1_0", "01", ".5", "1.", "nan", "Infinity", "1e"})
+    EXPECT_THROW(static_cast<void>(parse_json(text, "a.json")), InputError) << text;
+}
+
 }  // namespace
 }  // namespace radcert

@@ -21,7 +21,14 @@ public:
   bool boolean(bool value) override { return add(value); }
   bool number_integer(number_integer_t value) override { return add(value); }
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
-  bool number_float(number_float_t value, const string_t& /*text*/) override { return add(value); }
+  bool number_float(number_float_t value, const string_t& text) override {
+    if (value == 0 && text.substr(0, text.find_first_of("eE")).find_first_of("123456789") != string_t::npos)
+      throw InputError({.pointer = pointer(),
+                        .value = text,
+                        .problem = "is nearer to zero than every double",
+                        .allowed = "0, or numbers from 5e-324 on; in a string a number is exact"});
+    return add(value);
+  }
   bool string(string_t& value) override { return add(std::move(value)); }
   bool binary(binary_t& /*value*/) override { return false; }
   bool start_object(std::size_t /*size*/) override { return open(JsonValue::object()); }

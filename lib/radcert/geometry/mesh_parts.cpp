@@ -13,13 +13,15 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/scalar/decimal.h"
 
 namespace radcert {
 namespace {
 
 // Fourth powers of distances must neither overflow nor lose digits to underflow.
 constexpr double largest_coordinate = 1e60;
-constexpr const char* coordinate_allowed = "a finite number of size at most 1e60";
+constexpr const char* coordinate_allowed =
+    "a decimal number such as -1.5e-3, 0 or of a size from 5e-324 to 1e60";
 
 /// The digits of a printed number from the first that is not zero.
 std::size_t printed_digits(std::string_view text) {
@@ -52,15 +54,18 @@ void refuse_mesh(const std::string& place, std::optional<std::string> value, con
 }
 
 double MeshBuilder::coordinate(std::string_view text, const std::string& place) {
-  const std::string_view unsigned_text = text.starts_with('+') ? text.substr(1) : text;
-  const std::optional<double> value = parse_double(unsigned_text);
-  if (!value) {
-    const std::string word = lower(unsigned_text);
+  if (!is_decimal(text)) {
+    const std::string word = lower(text);
     const bool endless = word.find("nan") != std::string::npos || word.find("inf") != std::string::npos;
-    refuse_mesh(place, std::string(text), endless ? "is not finite" : "is no number that a double holds",
+    refuse_mesh(place, std::string(text), endless ? "is not finite" : "is no decimal number",
                 coordinate_allowed);
   }
-  most_digits_ = std::max(most_digits_, printed_digits(unsigned_text));
+  const bool is_zero = printed_digits(text) == 0;  // whatever the exponent
+  const std::optional<double> value =
+      is_zero ? 0.0 : parse_double(text.starts_with('+') ? text.substr(1) : text);
+  if (!value || (*value == 0 && !is_zero))
+    refuse_mesh(place, std::string(text), "is no number that a double holds", coordinate_allowed);
+  most_digits_ = std::max(most_digits_, printed_digits(text));
   return coordinate(*value, place);
 }
 
@@ -76,8 +81,8 @@ void MeshBuilder::end_face(const std::string& place) {
   const std::size_t corners = mesh_.corner.size() - begin;
   if (corners < 3)
     refuse_mesh(place, std::to_string(corners), "corners make no face", "faces of at least 3 corners");
-  unit_of_place_ = place.substr(0, place.find(' ') + 1);
-  line_.push_back(number_in(place));
+  mesh_.unit_of_place = place.substr(0, place.find(' '));
+  mesh_.face_place.push_back(number_in(place));
   mesh_.face_begin.push_back(mesh_.corner.size());
   const auto found = std::find(mesh_.group_names.begin(), mesh_.group_names.end(), group_);
   mesh_.group.push_back(static_cast<std::size_t>(found - mesh_.group_names.begin()));
@@ -120,7 +125,7 @@ MeshFile MeshBuilder::finish(const std::string& format, std::optional<int> bits)
   for (std::size_t k = 0; k < mesh_.face_count(); ++k) {
     const auto begin = mesh_.corner.begin() + static_cast<std::ptrdiff_t>(mesh_.face_begin[k]);
     const auto end = mesh_.corner.begin() + static_cast<std::ptrdiff_t>(mesh_.face_begin[k + 1]);
-    const std::string place = unit_of_place_ + std::to_string(line_[k]);
+    const std::string place = mesh_.unit_of_place + " " + std::to_string(mesh_.face_place[k]);
     sorted.assign(begin, end);
     std::sort(sorted.begin(), sorted.end());
     if (sorted.back() >= mesh_.vertices.size())
@@ -173,6 +178,10 @@ std::optional<std::vector<std::string_view>> TextLines::next() {
     if (!words.empty()) return words;
   }
   return std::nullopt;
+}
+
+void require_number(std::string_view text, const std::string& place) {
+  if (!is_decimal(text)) refuse_mesh(place, std::string(text), "is no decimal number", "numbers");
 }
 
 long long whole_number(std::string_view text, const std::string& place, const std::string& allowed) {

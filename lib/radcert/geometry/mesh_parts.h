@@ -19,7 +19,8 @@ namespace radcert {
 /// Limits    -
 class MeshBuilder {
 public:
-  /// A coordinate from text; refuses what is no finite number or beyond the largest, and counts its digits.
+  /// A coordinate from text: a decimal number with one sign at most. Refuses everything else, what is not finite, beyond the
+  /// largest or lost to underflow, and counts its digits.
   double coordinate(std::string_view text, const std::string& place);
   /// A coordinate from a binary file.
   double coordinate(double value, const std::string& place) const;
@@ -41,8 +42,6 @@ private:
   MeshFile mesh_;
   std::size_t most_digits_ = 0;
   std::string group_;
-  std::vector<std::size_t> line_;  ///< of each face: the number in its place
-  std::string unit_of_place_;      ///< "line " or "byte "
 };
 
 /// A text's words, line by line.
@@ -68,6 +67,9 @@ private:
   std::size_t number_ = 0;
   char comment_;
 };
+
+/// A number that is read past, as that of a colour: InputError where it is no decimal number.
+void require_number(std::string_view text, const std::string& place);
 
 /// A whole number of a text; InputError with what is allowed otherwise.
 long long whole_number(std::string_view text, const std::string& place, const std::string& allowed);

@@ -103,12 +103,20 @@ public:
 
   void begin_element() {
     if (encoding_ != Encoding::ascii) return;
+    end_element();
     const auto words = lines_->next();
     if (!words)
       refuse_mesh(lines_->place(), std::nullopt, "is the last line: the file ends too early",
                   "as many elements as the header announces");
     words_ = *words;
     word_ = 0;
+  }
+
+  /// Refuses what follows the last property on a line.
+  void end_element() const {
+    if (word_ == words_.size()) return;
+    refuse_mesh(place(), std::string(words_[word_]), "follows the last property of the element",
+                "one line an element, all its properties and nothing else");
   }
 
   [[nodiscard]] std::string place() const {
@@ -140,13 +148,14 @@ public:
 
   void skip(const NumberType& type) {
     if (encoding_ == Encoding::ascii)
-      word();
+      require_number(word(), place());
     else
       take(type.bytes);
   }
 
   /// Whether anything but blanks is left.
   bool at_end() {
+    end_element();
     if (encoding_ == Encoding::ascii) return !lines_->next();
     return bytes_.empty();
   }
