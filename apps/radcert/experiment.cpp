@@ -129,6 +129,9 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   for (const Combination& combination : experiment.combinations)
     with_combination(combination, options.experiment, [&] { check(combination.problem, memory); });
 
+  std::vector<Problem> problems;
+  for (const Combination& combination : experiment.combinations) problems.push_back(combination.problem);
+  say(mended_text(problems));
   const std::optional<ThreadLimit> limit =
       threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
   ResultStore store;

@@ -40,6 +40,7 @@ struct FactorsOptions {
   std::string accuracy;
   std::string out;
   std::string compare;
+  std::vector<std::string> repair;
   bool certified = false;
   bool space = false;
 };
@@ -76,17 +77,18 @@ double accuracy_of(const std::string& text, bool certified) {
   return *accuracy;
 }
 
-/// A mesh, and a text that says which.
+/// A mesh, a text that says which, and what was mended in it.
 struct NamedMesh {
   FactorMesh mesh;
   std::string identity;
+  std::vector<std::string> mended;
 };
 
 NamedMesh mesh_of_file(const FactorsOptions& options) {
   if (!options.level.empty())
     throw InputError(
         {.source = "--level", .problem = "is for surfaces of the catalogue", .allowed = "no mesh file"});
-  const MeshSurvey survey = survey_mesh(options.name, default_sharp_degrees, MeshRepair{});
+  const MeshSurvey survey = survey_mesh(options.name, default_sharp_degrees, repair_of(options.repair));
   if (!survey.defects.degenerate_triangles.empty()) {
     const auto corners = survey.mesh.corners(survey.defects.degenerate_triangles.front());
     throw InputError({.source = options.name,
@@ -100,10 +102,13 @@ NamedMesh mesh_of_file(const FactorsOptions& options) {
                                  point_text(survey.mesh.corners(survey.misoriented.front())[0]) +
                                  " look away from where the light of the others is",
                       .allowed = "bodies within a room run the other way round than the room"});
-  return {factor_mesh(survey), survey.digest};
+  return {factor_mesh(survey), survey.digest + " repair " + listed(options.repair), survey.mended};
 }
 
 NamedMesh mesh_of_catalogue(const FactorsOptions& options) {
+  if (!options.repair.empty())
+    throw InputError(
+        {.source = "--repair", .problem = "is for meshes", .allowed = "a file in .off, .obj, .ply, .stl"});
   const Surface surface = default_surface(surface_named(options.name));
   for (const Chart& chart : surface.charts)
     if (!chart.facts().plane)
@@ -113,7 +118,8 @@ NamedMesh mesh_of_catalogue(const FactorsOptions& options) {
            .problem = "is curved",
            .allowed = "surfaces of plane pieces, or a mesh file: then the factors are those of its facets"});
   return {factor_mesh(surface, level_of(options.level)),
-          options.name + " " + std::to_string(level_of(options.level))};
+          options.name + " " + std::to_string(level_of(options.level)),
+          {}};
 }
 
 /// What makes the numbers meaningless is the input's fault, with coordinates.
@@ -247,6 +253,7 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
     return ExitCode::interrupted;
   }
   report.warnings = warnings(report);
+  for (const std::string& done : named.mended) report.warnings.push_back("mended: " + done);
   for (const std::string& warning : report.warnings) say("radcert: warning: " + warning + "\n");
   if (claimed)
     report.comparison =
@@ -295,6 +302,12 @@ void add_factors(CLI::App& program, Common& common, Action& action) {
       .add_option("--level", options->level,
                   "Cut each triangle of a surface of the catalogue into 4^N; default 0")
       ->type_name("N");
+  command
+      .add_option("--repair", options->repair,
+                  "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, "
+                  "holes; without it nothing is mended")
+      ->delimiter(',')
+      ->type_name("WHAT,...");
   command
       .add_option("--compare", options->compare,
                   "Hold the factors against those of a file: columns from,to,factor, or View3D's output")

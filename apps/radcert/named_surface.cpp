@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "named_surface.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "radcert/core/errors.h"
@@ -25,6 +26,14 @@ Surface default_surface(const SurfaceDescription& description) {
   for (const ParameterDescription& parameter : description.parameters)
     values.push_back(Rational::parse(parameter.default_text).value());
   return description.make(values);
+}
+
+MeshRepair repair_of(const std::vector<std::string>& words) {
+  const std::vector<std::string> known(repair_words.begin(), repair_words.end());
+  for (const std::string& word : words)
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      throw InputError({.source = "--repair", .value = word, .allowed = listed(known)});
+  return repair_named(words);
 }
 
 }  // namespace radcert::app

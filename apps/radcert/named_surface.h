@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "radcert/geometry/mesh_repair.h"
 #include "radcert/surface/catalogue.h"
 #include "radcert/surface/surface.h"
 
@@ -13,5 +15,8 @@ const SurfaceDescription& surface_named(const std::string& name);
 
 /// It, with the default values of its parameters.
 Surface default_surface(const SurfaceDescription& description);
+
+/// The repairs of these words; InputError for any other.
+MeshRepair repair_of(const std::vector<std::string>& words);
 
 }  // namespace radcert::app

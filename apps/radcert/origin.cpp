@@ -9,9 +9,9 @@
 
 #include "circumstances.h"
 #include "citation.h"
+#include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
-#include "radcert/core/text.h"
 #include "verification/framework/embedded.h"
 
 namespace radcert::app {
@@ -62,6 +62,20 @@ std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems) {
     if (problem.surface.mesh) add(problem.surface.mesh->file, problem.surface.mesh->digest);
     if (problem.basis.family == BasisFamily::file) add(problem.basis.file, problem.basis.digest);
   }
+  return out;
+}
+
+std::string mended_text(std::span<const Problem> problems) {
+  std::vector<std::string> lines;
+  for (const Problem& problem : problems) {
+    if (!problem.surface.mesh) continue;
+    for (const std::string& done : problem.surface.mesh->mended) {
+      std::string line = "Mended: " + problem.surface.mesh->file + ": " + done + "\n";
+      if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
+    }
+  }
+  std::string out;
+  for (const std::string& line : lines) out += line;
   return out;
 }
 

@@ -24,6 +24,9 @@ InputDigest input_digest(const std::filesystem::path& file);
 /// The files that problems name, a mesh or nodes, each once.
 std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems);
 
+/// What was mended in the meshes of problems, a line each: "room.off: face 7 (line 31), bent ...". Empty where nothing was.
+std::string mended_text(std::span<const Problem> problems);
+
 /// The keys of the works that the method of a problem is taken from.
 std::vector<std::string> references_of(const Problem& problem);
 

@@ -145,7 +145,9 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   if (!options.ply.empty())
     files.emplace_back(options.ply, ply_text(elements, corner_errors(problem, elements)));
   outputs.write(files);
-  print(common.json_to_stdout() ? json : fitted(solve_table(result)));
+  const std::string mended = mended_text({&problem, 1});
+  if (common.json_to_stdout()) say(mended);
+  print(common.json_to_stdout() ? json : fitted(solve_table(result)) + (mended.empty() ? "" : "\n" + mended));
   return ExitCode::done;
 }
 

@@ -68,8 +68,8 @@ void file_rows(Rows& rows, const MeshSurvey& survey) {
     if (survey.bent_faces.empty())
       line += ", each in one plane exactly";
     else
-      line += fmt::format(", of which {} not exactly plane, the first face {}", survey.bent_faces.size(),
-                          survey.bent_faces.front() + 1);
+      line += fmt::format(", {} of them not plane: the diagonals below decide what the surface is there",
+                          survey.bent_faces.size());
     rows.push_back({"", line});
   }
   for (const std::string& line : survey.mended) rows.push_back({"mended", line});
@@ -255,14 +255,6 @@ double degrees_of(const std::string& text) {
   return angle->to_double();
 }
 
-MeshRepair repair_of(const std::vector<std::string>& words) {
-  const std::vector<std::string> known(repair_words.begin(), repair_words.end());
-  for (const std::string& word : words)
-    if (std::find(known.begin(), known.end(), word) == known.end())
-      throw InputError({.source = "--repair", .value = word, .allowed = listed(known)});
-  return repair_named(words);
-}
-
 /// The mesh as it was decided on: every double as its shortest exact text.
 std::string off_text(const TriangleMesh& mesh) {
   std::string out = fmt::format("OFF\n{} {} 0\n", mesh.vertices.size(), mesh.triangles.size());
@@ -324,14 +316,16 @@ void add_surface(CLI::App& program, Common& common, Action& action) {
   command
       .add_option(
           "--repair", options->repair,
-          "Mend the mesh in memory: vertices, faces, orientation, manifold, crossings, holes; without it "
-          "nothing is mended")
+          "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, holes; "
+          "without it nothing is mended")
       ->delimiter(',')
       ->type_name("WHAT,...");
   command.add_option("--write", options->write, "Write the triangles, mended if asked, as an OFF file")
       ->type_name("FILE.off");
   command.footer(
-      "Triangles that cross are left out by --repair crossings; with holes too, what that opens is closed.");
+      "Triangles that cross are left out by --repair crossings; with holes too, what that opens is closed.\n"
+      "Faces of more than three corners must be exactly plane; --repair triangulate cuts those that are not, "
+      "and says how.");
   command.callback(
       [&common, &action, options] { action = [&common, options] { return show(common, *options); }; });
 }

@@ -157,12 +157,17 @@ class SurfaceCommand(ProgramTest):
     def test_rounding_is_told_from_dents(self):
         turned = moved(CUBE, lambda x, y, z: (0.6 * x - 0.8 * y + 1 / 3, 0.8 * x + 0.6 * y, z + x / 7))
         self.write("turned.stl", binary_stl(turned))
-        for name in (self.write("turned.off", off(turned)), "turned.stl"):
-            containment = self.report_of(name)["containment"]
+        # The corners of its squares are rounded, too: they are not plane any more, and are cut only where that is asked for.
+        self.write("turned.off", off(turned))
+        self.assertIn("as rounding to double leaves of a plane face",
+                      self.run_program("surface", "turned.off").stderr.decode())
+        for words in (["turned.off", "--repair", "triangulate"], ["turned.stl"]):
+            name = words[0]
+            containment = self.report_of(*words)["containment"]
             self.assertEqual(containment["verdict"], "refuted", name)
             self.assertTrue(containment["within_precision"], name)
         self.assertGreater(containment["relative_depth"], 1e-10)  # of the floats
-        text = self.expect(0, "surface", "turned.off")
+        text = self.expect(0, "surface", "turned.off", "--repair", "triangulate")
         self.assertIn("below the file's precision", text)
 
     def test_stl_corners_are_joined(self):
@@ -329,6 +334,53 @@ class SolveOnMeshes(ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.assertIn("/surface/digest", done.stderr.decode())
         self.assertIn("has changed", done.stderr.decode())
+
+    def test_another_mesh_with_an_old_digest_does_not_get_its_numbers(self):
+        # Two boxes, 1 and 9 high, with one 64-bit FNV-1a value.
+        faces = ("3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n"
+                 "3 3 0 4\n3 3 4 7\n# ")
+        ends = {1: b"ujzde8gxd6ncf10epf91dhod",
+                9: bytes([0, 2, 2, 0, 2, 0, 0, 7, 14, 3, 2, 0, 3, 6, 3, 6, 0, 1, 2, 0, 6, 0, 6, 4])}
+        problem = {"schema": "radcert/problem/1", "surface": {"file": "m.off"}, "triangulation": {"levels": [0]},
+                   "basis": {"family": "inset", "degree": 0}, "reflectivity": "1/2", "emission": "z"}
+        means, digests = {}, set()
+        for height, end in ends.items():
+            corners = "".join(f"{x} {y} {z}\n" for z in (0, height) for x, y in [(0, 0), (1, 0), (1, 1), (0, 1)])
+            self.write("m.off", ("OFF\n8 12 0\n" + corners + faces).encode() + end + b"\n")
+            self.write("p.json", problem)
+            solution = json.loads(self.expect(0, "solve", "p.json", "--json", "-"))
+            means[height] = solution["levels"][0]["piece_means"]
+            digests.add(solution["problem"]["surface"]["digest"])
+        self.assertEqual(len(digests), 2)
+        self.assertGreater(means[9]["upper"], 3 * means[1]["upper"])
+        self.write("p.json", dict(problem, surface={"file": "m.off", "digest": "fnv1a-0123456789abcdef-100"}))
+        done = self.run_program("solve", "p.json")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("/surface/digest", done.stderr.decode())
+
+    def bent_pyramid(self):
+        return ([(0, 0, 0), (1, 0, 0), (1, 1, 1), (0, 1, 0), (0.5, 0.5, 3)],
+                [(0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)])
+
+    def test_faces_that_are_not_plane_are_refused_by_every_command(self):
+        self.write("bent.off", off(self.bent_pyramid()))
+        problem = {"schema": "radcert/problem/1", "surface": {"file": "bent.off"}, "triangulation": {"levels": [0]},
+                   "basis": {"family": "inset", "degree": 0}, "reflectivity": "1/2", "emission": "1"}
+        self.write("problem.json", problem)
+        for words in (["surface", "bent.off"], ["solve", "problem.json"], ["factors", "bent.off"]):
+            done = self.run_program(*words)
+            message = done.stderr.decode()
+            self.assertEqual(done.returncode, 2, message)
+            for part in ("bent.off", "face 1 (line 8)", "do not lie in one plane", "0.205", "--repair triangulate"):
+                self.assertIn(part, message)
+        told = "face 1 (line 8), bent up to 0.205"
+        self.assertIn(told, self.expect(0, "surface", "bent.off", "--repair", "triangulate"))
+        report = self.report_of("bent.off", "--repair", "triangulate")
+        self.assertEqual(report["file"]["bent_faces"], 1)
+        self.assertRegex(report["file"]["mended"][0], "cut from vertex [0-3] to [0-3]$")
+        self.assertIn(told, self.expect(0, "factors", "bent.off", "--repair", "triangulate"))
+        self.write("problem.json", dict(problem, surface={"file": "bent.off", "repair": ["triangulate"]}))
+        self.assertIn(told, self.expect(0, "solve", "problem.json"))
 
     def test_pieces_are_named_by_groups(self):
         vertices, faces = CUBE

@@ -4,12 +4,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "radcert/core/errors.h"
+#include "radcert/scalar/rational.h"
 #include "tests/geometry/sample_meshes.h"
+#include "tests/scalar/draw.h"
 
 namespace radcert {
 namespace {
@@ -206,7 +211,8 @@ TEST(MeshFile, RefusesWithPlaceAndValue) {
            {"OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "a.off", "", "has no faces"},
            {changed("OFF", "4OFF"), "a.off", "line 1", "4OFF"},
            {changed("3 1 0", "-3 1 0"), "a.off", "line 2", "negative"},
-           {changed("3 1 0", "4000000000 1 0"), "a.off", "line 6", "ends too early"},
+           {changed("3 1 0", "4000000000 1 0"), "a.off", "line 6", "how many numbers"},
+           {changed("3 1 0\n", "4000000000 1 0\n").substr(0, 37), "a.off", "line 5", "ends too early"},
            {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "a.obj", "line 4", "\"0\""},
            {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "a.obj", "line 4", "not there"},
            {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4\n", "a.obj", "line 4", "\"-4\""},
@@ -270,12 +276,243 @@ TEST(FaceTriangulation, CutsWithoutChangingTheArea) {
     }
 }
 
-TEST(FaceTriangulation, SaysWhichFacesAreBentAndRefusesThoseThatAreNotSimple) {
+// Words that are no decimal number, or none that a double holds; in every text format the line and the word are named.
+TEST(MeshFile, RefusesWordsThatAreNoNumbers) {
+  const TriangleMesh mesh = sample::mesh_of(sample::tetrahedron());
+  const std::string off = "OFF\n3 1 0\n0 0 0\nX 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string obj = "v 0 0 0\nv X 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\nX 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string stl =
+      "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex X 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+      "endsolid a\n";
+  struct Format {
+    std::string text, name, place;
+  };
+  for (const Format& f : {Format{off, "a.off", "line 4"}, Format{obj, "a.obj", "line 2"},
+                          Format{ply, "a.ply", "line 11"}, Format{stl, "a.stl", "line 5"}}) {
+    const auto with = [&](const std::string& word) {
+      std::string out = f.text;
+      return out.replace(out.find('X'), 1, word);
+    };
+    for (const std::string word : {"+1", "1", "1.", ".5e0", "+1e+0", "1e00", "4.9e-324", "1E0"})
+      EXPECT_EQ(parse_mesh_file(with(word), f.name).vertices.size(), 3U) << word;
+    for (const std::string word : {"+-1",
+                                   "-+1",
+                                   "++1",
+                                   "--1",
+                                   "+",
+                                   "-",
+                                   ".",
+                                   "e5",
+                                   "1e",
+                                   "1e+",
+                                   "1e+-1",
+                                   "0x10",
+                                   "0x1p3",
+                                   "1_0",
+                                   "1,0",
+                                   "1.0f",
+                                   "1/2",
+                                   "nan",
+                                   "-nan",
+                                   "inf",
+                                   "+inf",
+                                   "infinity",
+                                   "1e999",
+                                   "-1e999",
+                                   "1e-999",
+                                   "-1e-400",
+                                   "1..2",
+                                   "1.2.3",
+                                   "(1)",
+                                   "1e1.5",
+                                   "\xc2\xbd",
+                                   "\xe2\x88\x92"
+                                   "1"}) {
+      const std::string said = refusal(with(word), f.name);
+      EXPECT_THAT(said, HasSubstr(f.name + ": " + f.place)) << word;
+      EXPECT_THAT(said, HasSubstr("; allowed: a decimal number")) << word;
+    }
+    EXPECT_EQ(refusal(with("0e-999"), f.name), "accepted");
+  }
+}
+
+// What stands on a line beside its numbers would be left out otherwise, and with it perhaps what was meant.
+TEST(MeshFile, RefusesLinesWithMoreThanTheyMayHave) {
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const auto& [text, name, place] : std::vector<std::array<std::string, 3>>{
+           {"OFF\n3 1 0\n0 0 0\n1 .5 0 0\n0 1 0\n3 0 1 2\n", "a.off", "line 4"},
+           {"OFF\n3 1 0\n" + vertices + "3 0 1 2 5 5\n", "a.off", "line 6"},
+           {"OFF\n3 1 0\n" + vertices + "3 0 1 2 red\n", "a.off", "line 6"},
+           {"OFF\n3 1 0\n" + vertices + "3 0 1 2 0 0 0 0 0\n", "a.off", "line 6"},
+           {"COFF\n3 1 0\n0 0 0 1 0\n", "a.off", "line 3"},
+           {"NOFF\n3 1 0\n0 0 0 0 0 one\n", "a.off", "line 3"},
+           {"v 0 0 0\nv 1 .5 0 0 0\n", "a.obj", "line 2"},
+           {"v 0 0 0\nv 1 0 0 1 x 0\n", "a.obj", "line 2"},
+           {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2/x 3\n", "a.obj", "line 4"},
+           {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2/1/1/1 3\n", "a.obj", "line 4"},
+           {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2/ 3\n", "a.obj", "line 4"},
+           {"v 0 0 0\nv 1 0 0\nv 0 1 0\nF 1 2 3\n", "a.obj", "line 4"},
+           {ply + "0 0 0\n1 .5 0 0\n0 1 0\n3 0 1 2\n", "a.ply", "line 11"},
+           {ply + vertices + "3 0 1 2 3\n", "a.ply", "line 13"},
+           {"solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0 0\n", "a.stl", "line 4"}}) {
+    EXPECT_THAT(refusal(text, name), HasSubstr(name + ": " + place)) << text;
+  }
+  for (const auto& [text, name] : std::vector<std::array<std::string, 2>>{
+           {"OFF\n3 1 0\n" + vertices + "3 0 1 2 255 0 0 # red\n", "a.off"},
+           {"CNOFF\n3 1 0\n0 0 0 0 0 1 1 0 0\n1 0 0 0 0 1 1 0 0 1\n0 1 0 0 0 1 1 0 0\n3 0 1 2 .5 .5 .5 1\n",
+            "a.off"},
+           {"mtllib a.mtl\nv 0 0 0 1 0 0\nv 1 0 0 1.0\nv 0 1 0\nvt 0 0\nvn 0 0 1\ns off\nf 1/1/1 2//1 3/1\n",
+            "a.obj"}})
+    EXPECT_EQ(parse_mesh_file(text, name).face_count(), 1U) << text;
+}
+
+/// A quadrangle, the last corner lifted, within a pyramid.
+sample::Polyhedron bent_pyramid(double lift, double scale = 1, const Vector<double>& shift = {}) {
+  sample::Polyhedron solid{{{0, 0, 0}, {1, 0, 0}, {1, 1, lift}, {0, 1, 0}, {0.5, 0.5, 3}},
+                           {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
+  for (Vector<double>& v : solid.vertices) v = scale * v + shift;
+  return solid;
+}
+
+std::string bent_text(const sample::Polyhedron& solid, const std::string& name) {
+  std::string vertices;
+  std::string faces;
+  const bool is_obj = name.ends_with(".obj");
+  for (const Vector<double>& v : solid.vertices)
+    vertices += (is_obj ? "v " : "") + shortest(v.x) + " " + shortest(v.y) + " " + shortest(v.z) + "\n";
+  for (const auto& face : solid.faces) {
+    faces += is_obj ? "f" : std::to_string(face.size());
+    for (const std::size_t v : face) faces += " " + std::to_string(v + (is_obj ? 1 : 0));
+    faces += "\n";
+  }
+  if (is_obj) return vertices + faces;
+  const std::string v = std::to_string(solid.vertices.size());
+  const std::string f = std::to_string(solid.faces.size());
+  if (name.ends_with(".off")) return "OFF\n" + v + " " + f + " 0\n" + vertices + faces;
+  return "ply\nformat ascii 1.0\nelement vertex " + v +
+         "\nproperty double x\nproperty double y\nproperty double z\nelement face " + f +
+         "\nproperty list uchar int vertex_indices\nend_header\n" + vertices + faces;
+}
+
+std::string bent_refusal(const std::string& text, const std::string& name) {
+  try {
+    static_cast<void>(triangulate_faces(parse_mesh_file(text, name)));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FaceTriangulation, RefusesFacesThatAreNotPlane) {
+  // The corners lie 1/(2 sqrt 6) off the plane through their mean, for a lift of 1.
+  for (const auto& [name, line] :
+       std::vector<std::pair<std::string, std::string>>{{"a.off", "8"}, {"a.obj", "6"}, {"a.ply", "15"}}) {
+    const std::string said = bent_refusal(bent_text(bent_pyramid(1), name), name);
+    EXPECT_THAT(said, HasSubstr("face 1 (line " + line + ")"));
+    EXPECT_THAT(said, HasSubstr("has 4 corners that do not lie in one plane, up to 0.205"));
+    EXPECT_THAT(said, HasSubstr("which is 0.118 of the diagonal"));
+    EXPECT_THAT(said, HasSubstr("--repair triangulate"));
+    EXPECT_EQ(bent_refusal(bent_text(bent_pyramid(0), name), name), "");
+  }
+  // However little: by one unit in the last place, by a denormal number, at any scale and place.
+  for (const double lift : {0x1p-52, -0x1p-53, 1e-300, 0x1p-1074, -1e-9, 0.5, 1e50})
+    EXPECT_THAT(bent_refusal(bent_text(bent_pyramid(lift), "a.off"), "a.off"),
+                HasSubstr("do not lie in one plane"))
+        << lift;
+  for (const double scale : {0x1p-1000, 0x1p-500, 1.0, 0x1p150})
+    for (const double lift : {0x1p-40, 1.0}) {
+      const std::string said = bent_refusal(bent_text(bent_pyramid(lift, scale), "a.off"), "a.off");
+      EXPECT_THAT(said, HasSubstr(lift == 1 ? "which is 0.118 of the diagonal" : "e-13 of the diagonal"))
+          << scale;
+      EXPECT_EQ(bent_refusal(bent_text(bent_pyramid(0, scale), "a.off"), "a.off"), "");
+    }
+}
+
+// A square turned by 30 degrees about an axis is plane, its corners rounded to double are not: the message tells one from the other.
+TEST(FaceTriangulation, SaysWhereRoundingAccountsForABend) {
   sample::Polyhedron solid = sample::cube();
-  EXPECT_TRUE(triangulate_faces(parse_mesh_file(sample::off_text(solid), "a.off")).bent_faces.empty());
-  solid.vertices[6].z = 1 + 0x1p-50;
-  const TriangulatedFaces bent = triangulate_faces(parse_mesh_file(sample::off_text(solid), "a.off"));
-  EXPECT_THAT(bent.bent_faces, ElementsAre(1));
+  const double c = std::cos(0.5235987755982988);
+  const double s = std::sin(0.5235987755982988);
+  for (Vector<double>& v : solid.vertices)
+    v = {c * v.x - s * v.y, 0.6 * (s * v.x + c * v.y) - 0.8 * v.z, 0.8 * (s * v.x + c * v.y) + 0.6 * v.z};
+  const std::string said = bent_refusal(sample::off_text(solid), "a.off");
+  EXPECT_THAT(said, HasSubstr("as rounding to double leaves of a plane face"));
+  EXPECT_THAT(said, HasSubstr("e-17"));
+  EXPECT_EQ(bent_refusal(bent_text(bent_pyramid(1e-9), "a.off"), "a.off").find("as rounding"),
+            std::string::npos);
+}
+
+TEST(FaceTriangulation, CutsBentFacesWhereAskedAndSaysHow) {
+  const sample::Polyhedron solid = bent_pyramid(1);
+  const TriangulatedFaces cut =
+      triangulate_faces(parse_mesh_file(sample::off_text(solid), "a.off"), BentFaces::cut);
+  EXPECT_EQ(cut.cut_faces, 1U);
+  EXPECT_THAT(cut.bent_faces, ElementsAre(0));
+  ASSERT_EQ(cut.diagonals.size(), 1U);
+  // The diagonal that it tells is the side that two of the triangles of the face have and the face has not.
+  const VertexTriple& first = cut.mesh.triangles[0];
+  const VertexTriple& second = cut.mesh.triangles[1];
+  ASSERT_EQ(cut.mesh.face[1], 0U);
+  std::vector<std::size_t> shared;
+  for (const std::size_t v : first)
+    if (std::find(second.begin(), second.end(), v) != second.end()) shared.push_back(v);
+  std::sort(shared.begin(), shared.end());
+  ASSERT_EQ(shared.size(), 2U);
+  EXPECT_TRUE((shared == std::vector<std::size_t>{0, 2}) || (shared == std::vector<std::size_t>{1, 3}));
+  const std::string one = std::to_string(shared[0]);
+  const std::string two = std::to_string(shared[1]);
+  EXPECT_THAT(cut.diagonals[0],
+              HasSubstr("face 1 (line 8), bent up to 0.205, which is 0.118 of the diagonal of its box: cut"));
+  EXPECT_TRUE(cut.diagonals[0].ends_with("cut from vertex " + one + " to " + two) ||
+              cut.diagonals[0].ends_with("cut from vertex " + two + " to " + one))
+      << cut.diagonals[0];
+  // Plane faces are not told of.
+  EXPECT_TRUE(triangulate_faces(parse_mesh_file(sample::off_text(sample::cube()), "a.off"), BentFaces::cut)
+                  .diagonals.empty());
+}
+
+// Whether four points lie in one plane, by a determinant in rational numbers.
+TEST(FaceTriangulation, DecidesExactly) {
+  Draw draw(5);
+  std::size_t bent = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const auto number = [&] {
+      return std::ldexp(static_cast<double>(draw.below(9)) - 4, static_cast<int>(draw.below(3)));
+    };
+    const Vector<double> a{number(), number(), number()};
+    const Vector<double> u{number(), number(), number()};
+    const Vector<double> v{number(), number(), number()};
+    // A quadrangle of which the third corner is a combination of the sides, now and then pushed by a little.
+    Vector<double> c = a + u + v + (draw.below(2) == 0 ? 0.5 : 0.25) * u;
+    if (draw.below(2) == 0) c.z = std::nextafter(c.z, draw.below(2) == 0 ? 100.0 : -100.0);
+    const std::array<Vector<double>, 4> p{a, a + u, c, a + v};
+    std::string text = "OFF\n4 1 0\n";
+    for (const Vector<double>& q : p)
+      text += shortest(q.x) + " " + shortest(q.y) + " " + shortest(q.z) + "\n";
+    std::array<std::array<Rational, 3>, 3> d;
+    for (std::size_t i = 0; i < 3; ++i)
+      d[i] = {Rational::exactly(p[i + 1].x) - Rational::exactly(a.x),
+              Rational::exactly(p[i + 1].y) - Rational::exactly(a.y),
+              Rational::exactly(p[i + 1].z) - Rational::exactly(a.z)};
+    const Rational volume = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
+                            d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+                            d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+    const std::string said = bent_refusal(text + "4 0 1 2 3\n", "a.off");
+    EXPECT_EQ(said.find("do not lie in one plane") != std::string::npos, volume != 0) << text << said;
+    bent += volume != 0 ? 1 : 0;
+  }
+  EXPECT_GT(bent, 300U);
+  EXPECT_LT(bent, 1700U);
+}
+
+TEST(FaceTriangulation, RefusesFacesThatAreNotSimple) {
+  sample::Polyhedron solid = sample::cube();
   std::swap(solid.faces[0][1], solid.faces[0][2]);
   EXPECT_THROW((void)triangulate_faces(parse_mesh_file(sample::off_text(solid), "a.off")), InputError);
   // A star of five points that is drawn in one line; a square with a spike that runs back over itself.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/core/digest.h"
 #include "radcert/formats/problem_parts.h"
 #include "radcert/hypotheses/mesh_survey.h"
 #include "radcert/surface/catalogue.h"
@@ -51,6 +52,7 @@ SurfaceChoice read_mesh(const JsonReader& surface, const JsonReader& file,
                   .digest = {},
                   .angle = read_angle(surface),
                   .repair = read_repair(surface),
+                  .mended = {},
                   .surface = nullptr};
   const std::filesystem::path path = folder / mesh.file;
   if (!is_mesh_file_name(mesh.file))
@@ -59,14 +61,13 @@ SurfaceChoice read_mesh(const JsonReader& surface, const JsonReader& file,
   if (!std::filesystem::exists(path, error))
     file.refuse("is not there", "a mesh file, its name relative to the problem's folder");
   const MeshSurvey survey = survey_mesh(path, mesh.angle.to_double(), repair_named(mesh.repair));
-  if (const auto digest = surface.find("digest"))
-    if (digest->string("the digest of the file") != survey.digest)
-      digest->refuse("is not that of the file: it has changed", survey.digest);
+  require_digest(surface, survey.digest);
   if (const auto obstacle = survey.obstacle())
     file.refuse(*obstacle,
                 "a mesh of triangles that neither cross nor run against each other; see radcert surface " +
                     mesh.file);
   mesh.digest = survey.digest;
+  mesh.mended = survey.mended;
   mesh.surface = std::make_shared<const Surface>(survey.surface(mesh.file));
   return {.name = mesh.file, .parameters = {}, .mesh = std::move(mesh)};
 }
@@ -76,6 +77,16 @@ Rational default_value(const ParameterDescription& parameter) {
 }
 
 }  // namespace
+
+void require_digest(const JsonReader& object, const std::string& digest) {
+  const auto given = object.find("digest");
+  if (!given) return;
+  const std::string& text = given->string("the digest of the file");
+  if (text == digest) return;
+  given->refuse(is_digest(text) ? "is not that of the file: it has changed"
+                                : "is no SHA-256 digest: whether the file has changed cannot be told",
+                digest);
+}
 
 SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::path& folder) {
   if (surface.value().members() == nullptr) surface.refuse("is " + surface.value().kind(), "an object");

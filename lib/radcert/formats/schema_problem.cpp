@@ -37,9 +37,9 @@ std::string_view problem_schema() {
             "repair": {
               "description": "What may be mended; without it nothing is.",
               "type": "array",
-              "items": {"enum": ["vertices", "faces", "orientation", "manifold", "crossings", "holes"]}
+              "items": {"enum": ["triangulate", "vertices", "faces", "orientation", "manifold", "crossings", "holes"]}
             },
-            "digest": {"description": "Of the file's bytes; where given, another file is refused.", "type": "string"}
+            "digest": {"description": "SHA-256 of the file's bytes; where given, another file is refused.", "type": "string", "pattern": "^sha256-[0-9a-f]{64}$"}
           },
           "additionalProperties": false
         }
@@ -189,7 +189,7 @@ std::string_view problem_schema() {
               "description": "A file of nodes, relative to the folder of this file: see radcert schema nodes.",
               "type": "string"
             },
-            "digest": {"description": "Of the file's bytes; where given, another file is refused.", "type": "string"}
+            "digest": {"description": "SHA-256 of the file's bytes; where given, another file is refused.", "type": "string", "pattern": "^sha256-[0-9a-f]{64}$"}
           }
         },
         {"description": "A meshless basis with all defaults.", "enum": ["shepard", "gaussian", "lehtinen"]},

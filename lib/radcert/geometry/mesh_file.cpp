@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "radcert/core/atomic_file.h"
-#include "radcert/core/errors.h"
 #include "radcert/core/digest.h"
+#include "radcert/core/errors.h"
 #include "radcert/geometry/mesh_parts.h"
 
 namespace radcert {
@@ -29,6 +29,11 @@ Parse parser_of(const std::string& name) {
 }
 
 }  // namespace
+
+std::string MeshFile::face_text(std::size_t face) const {
+  return "face " + std::to_string(face + 1) + " (" + unit_of_place + " " +
+         std::to_string(face_place.at(face)) + ")";
+}
 
 bool is_mesh_file_name(const std::string& name) { return parser_of(name) != nullptr; }
 

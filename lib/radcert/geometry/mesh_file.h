@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -34,6 +35,8 @@ struct MeshFile {
   std::vector<Vector<double>> vertices;
   std::vector<std::size_t> corner;
   std::vector<std::size_t> face_begin{0};
+  std::vector<std::uint64_t> face_place;  ///< of each face, where it ends in the file
+  std::string unit_of_place;              ///< what these count: "line" or "byte"
   std::vector<std::size_t> group;
   std::vector<std::string> group_names;
   std::size_t joined_corners = 0;  ///< of an STL file: how many corners were found to be one of the others
@@ -41,6 +44,8 @@ struct MeshFile {
   std::string digest;  ///< of the file's bytes
 
   [[nodiscard]] std::size_t face_count() const { return face_begin.size() - 1; }
+  /// "face 7 (line 31)": counted from 1.
+  [[nodiscard]] std::string face_text(std::size_t face) const;
 };
 
 /// A mesh from a file.
@@ -49,7 +54,8 @@ struct MeshFile {
 ///           line of what is wrong, no group, no number of printed digits
 /// Requires  a name that ends in .off, .obj, .ply or .stl
 /// Result    OBJ: groups from o, g and usemtl, joined by "/"; STL: from solid. InputError with the file, the line or byte, the value
-///           and what is allowed: for numbers that are not finite or beyond 1e60, for faces with a corner that is missing, repeated
+///           and what is allowed: for words that are no decimal number, numbers that are not finite, beyond 1e60 or so small that a
+///           double holds 0 in their place, lines with more or fewer numbers than their kind has, for faces with a corner that is missing, repeated
 ///           or not there, for a file without faces, a text that is no STL, a file that ends too early or goes on too long
 /// Limits    files up to 4 GiB; OFF and OBJ as text, a vertex or a face a line
 [[nodiscard]] MeshFile read_mesh_file(const std::filesystem::path& path);

@@ -104,12 +104,13 @@ MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& r
   survey.file_faces = file.face_count();
   survey.joined_corners = file.joined_corners;
   survey.degrees = degrees;
-  TriangulatedFaces faces = triangulate_faces(file);
+  TriangulatedFaces faces = triangulate_faces(file, repair.triangulate ? BentFaces::cut : BentFaces::refused);
   survey.cut_faces = faces.cut_faces;
   survey.bent_faces = std::move(faces.bent_faces);
   MendedMesh mended = mend(std::move(faces.mesh), repair);
   survey.mesh = std::move(mended.mesh);
-  survey.mended = std::move(mended.done);
+  survey.mended = std::move(faces.diagonals);
+  survey.mended.insert(survey.mended.end(), mended.done.begin(), mended.done.end());
   if (survey.mesh.triangles.empty())
     throw InputError({.problem = "has no triangle that is not degenerate", .allowed = "a mesh with faces"});
   survey.topology = mesh_topology(survey.mesh);

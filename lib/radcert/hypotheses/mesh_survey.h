@@ -69,7 +69,8 @@ inline constexpr double default_sharp_degrees = 30;
 /// Maths     see MeshSurvey
 /// Source    -
 /// Requires  0 <= degrees <= 180
-/// Result    InputError, with the file, for what read_mesh_file refuses, for a surface that is not orientable, and for a mesh of which
+/// Result    InputError, with the file, for what read_mesh_file refuses, for a face that is not plane unless repair.triangulate cuts
+///           it, for a surface that is not orientable, and for a mesh of which
 ///           mending leaves nothing
 /// Limits    -
 [[nodiscard]] MeshSurvey survey_mesh(const std::filesystem::path& path, double degrees,

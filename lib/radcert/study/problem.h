@@ -34,6 +34,7 @@ struct MeshChoice {
   std::string digest;                      ///< of the file's bytes
   Rational angle;                          ///< in degrees, beyond which an edge is sharp
   std::vector<std::string> repair;         ///< what was to be mended
+  std::vector<std::string> mended;         ///< what was, in words
   std::shared_ptr<const Surface> surface;  ///< one whose triangles do not cross
 };
 
