@@ -88,8 +88,15 @@ BasisFacts facts_of(const std::vector<Barycentric<Rational>>& nodes) {
   return basis_facts(*functions, norm_tolerance());
 }
 
+// Facts that hold for the true nodes; a refusal where that is not decided.
+BasisFacts decided(const Outcome<BasisFacts>& facts) {
+  if (!facts) throw InputError({.problem = "has nodes that are not decided: " + facts.reason()});
+  return *facts;
+}
+
 BasisFacts facts_with(const LagrangeFunctions& functions, const SymmetricCertificate& certificate) {
-  BasisFacts facts = basis_facts(functions, norm_tolerance());
+  BasisFacts facts =
+      decided(at_true_nodes(basis_facts(functions, norm_tolerance()), functions, certificate.rule.points));
   facts.triangle = certificate.triangle;
   facts.parallelogram = certificate.parallelogram;
   facts.proof = PrecisionProof::certificate;
@@ -110,6 +117,10 @@ BasisRecord superconvergent_record(int degree) {
                      .facts = facts_of(inset_nodes(degree, alpha->value))};
   if (!alpha->is_exact) {
     const BallPrecision scope(256);
+    const std::vector<Barycentric<Rational>> nodes = inset_nodes(degree, alpha->value);
+    const Ball alpha_0 = widened(Ball(alpha->value), Ball(inset_width()));
+    record.facts = decided(at_true_nodes(std::move(record.facts), lagrange_functions(nodes).value(),
+                                         inset_nodes(degree, alpha_0)));
     record.facts.triangle = precision_at_superconvergent_inset(degree, Region::triangle);
     record.facts.parallelogram = precision_at_superconvergent_inset(degree, Region::parallelogram);
     record.facts.proof = PrecisionProof::algebraic;
@@ -153,8 +164,12 @@ BasisRecord file_record(const std::string& path) {
           .alpha = std::nullopt,
           .file = path,
           .space = file.space,
-          .facts = file.certificate ? facts_with(file.functions, *file.certificate)
-                                    : basis_facts(file.functions, norm_tolerance())};
+          .facts = with_source(path, [&] {
+            if (file.algebraic)
+              return decided(basis_facts(file.functions, *file.algebraic, norm_tolerance()));
+            return file.certificate ? facts_with(file.functions, *file.certificate)
+                                    : basis_facts(file.functions, norm_tolerance());
+          })};
 }
 
 bool is_file(const std::string& name) {
@@ -205,7 +220,7 @@ std::string title(const BasisRecord& record) {
 
 std::string precision_text(const EnclosedPrecision& precision, PrecisionProof proof) {
   const char* how = "exact";
-  if (proof == PrecisionProof::algebraic) how = "exact, for the algebraic alpha";
+  if (proof == PrecisionProof::algebraic) how = "exact, for the algebraic nodes";
   if (proof == PrecisionProof::certificate) how = "proved, for the true nodes beside these";
   return std::to_string(precision.degree) + " (" + how + "); misses " + precision.first_failure.to_text() +
          " by " + precision.defect.to_text(6);

@@ -57,6 +57,17 @@ class Basis(ProgramTest):
         self.assertEqual(basis["orders"], {"everywhere": 2, "nodes_smooth": 4, "nodes_smooth_logarithm": True,
                                            "nodes_smooth_kernel": 4, "nodes_at_edges": 2})
 
+    def test_algebraic_nodes_have_the_precision_of_the_exact_rule(self):
+        number = {"polynomial": ["3888/5", "-15552", "93312", "-186624", "104976"]}
+        nodes = [[f"1-2*{v}" if k == i else v for k in range(3)] for v in "xy" for i in range(3)]
+        self.write("six.json", self.nodes(2, nodes, numbers={"x": dict(number, between=["0.09", "0.1"]),
+                                                             "y": dict(number, between=["0.44", "0.45"])}))
+        basis = self.basis("six.json")
+        self.assertEqual(self.precision(basis), (4, 5))
+        self.assertEqual(basis["precision"]["triangle"]["proof"], "algebraic")
+        self.assertEqual(basis["orders"]["nodes_smooth"], 5)
+        self.assertIn("4 (exact, for the algebraic nodes)", self.expect(0, "basis", "six.json"))
+
     def test_weights_sum_to_the_area_and_signs_are_counted(self):
         for basis in self.bases("inset", "--degree", "0-6", "--alpha", "0.1"):
             weights = [Fraction(node["weight"]) for node in basis["nodes"]]

@@ -147,6 +147,75 @@ TEST(NodeFile, HasCoordinatesThatAreZerosOfPolynomials) {
   EXPECT_EQ(exact.functions.nodes()[0].x[1], Rational(1, 6));
 }
 
+std::string with_root_of_two(const std::string& nodes, int degree) {
+  return R"({"schema": "radcert/nodes/1", "degree": )" + std::to_string(degree) +
+         R"(, "numbers": {"x": {"polynomial": [-2, 0, 1], "between": [1, 2]}}, "nodes": )" + nodes + "}";
+}
+
+// Six nodes whose rule is exact of degree 4, of which 70 digits are exact of degree 2 only.
+TEST(NodeFile, KeepsAlgebraicNodesExactly) {
+  const std::string number =
+      R"({"polynomial": ["3888/5", "-15552", "93312", "-186624", "104976"], "between": )";
+  const NodeFile file = parse_nodes(
+      R"({"schema": "radcert/nodes/1", "degree": 2, "numbers": {"x": )" + number +
+          R"(["0.09", "0.1"]}, "y": )" + number +
+          R"(["0.44", "0.45"]}}, "nodes": [["1-2*x", "x", "x"], ["x", "1-2*x", "x"], ["x", "x", "1-2*x"],
+          ["1-2*y", "y", "y"], ["y", "1-2*y", "y"], ["y", "y", "1-2*y"]]})",
+      "own.json");
+  ASSERT_TRUE(file.algebraic.has_value());
+  const Rational tolerance(1, 1000);
+  const BasisFacts facts = basis_facts(file.functions, *file.algebraic, tolerance).value();
+  EXPECT_EQ(facts.triangle.degree, 4);
+  EXPECT_EQ(facts.parallelogram.degree, 5);
+  EXPECT_EQ(facts.proof, PrecisionProof::algebraic);
+  const BasisFacts rounded = basis_facts(file.functions, tolerance);
+  EXPECT_EQ(rounded.triangle.degree, 2);
+  EXPECT_LE(facts.norm.lower, rounded.norm.lower);
+  EXPECT_GE(facts.norm.upper, rounded.norm.upper);
+  // A number that is rational leaves nothing irrational.
+  EXPECT_FALSE(parse_nodes(with_number(R"(["-1", 6])", R"([0, "1/3"])"), "own.json").algebraic.has_value());
+  EXPECT_TRUE(parse_nodes(with_number(R"(["1", "-14", "15"])", R"(["0.07", "0.08"])"), "own.json")
+                  .algebraic.has_value());
+}
+
+// Sums, signs and zeros of coordinates are those of the irrational numbers, not of their digits.
+TEST(NodeFile, DecidesAboutIrrationalCoordinatesExactly) {
+  // On a side and at a corner, as x^2 - 2 = 0 and 3 - x^2 = 1; digits of x would put these nodes beside them, inside or outside.
+  const NodeFile file = parse_nodes(
+      with_root_of_two(
+          R"f([["x*x - 2", "x - 1", "2 - x"], ["3 - x*x", "(2 - x*x)/x", "0"], ["0", "0", "1"]])f", 1),
+      "own.json");
+  EXPECT_EQ(file.functions.nodes()[0].x[0], 0);
+  EXPECT_EQ(file.functions.nodes()[0].x[1] + file.functions.nodes()[0].x[2], 1);
+  EXPECT_EQ(file.functions.nodes()[1].x[0], 1);
+  EXPECT_EQ(file.functions.nodes()[1].x[1], 0);
+  // Of three roundings the sum is not 1, of the three numbers it is.
+  const NodeFile thirds =
+      parse_nodes(with_root_of_two(R"f([["1/(x + 1)", "1/(x + 1)", "3 - 2*x"]])f", 0), "own.json");
+  const std::array<Rational, 3>& near = thirds.functions.nodes()[0].x;
+  EXPECT_EQ(near[0] + near[1] + near[2], 1);
+  const auto one_node = [](const std::string& x1, const std::string& x2, const std::string& x3) {
+    return with_root_of_two("[[\"" + x1 + "\", \"" + x2 + "\", \"" + x3 + "\"]]", 0);
+  };
+  const Rational digits = file.functions.nodes()[0].x[1];
+  const std::string tiny = "1/1" + std::string(80, '0');
+  for (const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{
+           // The digits of the number make the sum of the fractions 1, and not that of the numbers.
+           {one_node("x - 1", digits.to_text(), (1 - 2 * digits).to_text()), "has the sum"},
+           {one_node("x - 1", "1", "1 - x + " + tiny), "outside the triangle"},
+           {one_node("2 - x*x - " + tiny, "1", "0"), "outside the triangle"},
+           {one_node("1/(x*x - 2)", "1", "0"), "divides by zero"},
+           {one_node("x^2", "1", "0"), "another operation"}}) {
+    std::string message;
+    try {
+      static_cast<void>(parse_nodes(text, "own.json"));
+    } catch (const InputError& error) {
+      message = error.what();
+    }
+    EXPECT_THAT(message, HasSubstr(said)) << text;
+  }
+}
+
 TEST(NodeFile, RefusesIntervalsThatDoNotIsolate) {
   for (
       const auto& [text, said] : std::vector<std::pair<std::string, std::string>>{

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "radcert/core/atomic_file.h"
-#include "radcert/core/errors.h"
 #include "radcert/core/digest.h"
+#include "radcert/core/errors.h"
 #include "radcert/expression/parse.h"
 #include "radcert/formats/json_document.h"
 #include "radcert/formats/json_reader.h"
@@ -27,15 +27,20 @@ constexpr const char* schema = "radcert/nodes/1";
 constexpr int largest_node_degree = 12;
 constexpr const char* coordinate_allowed = "a decimal or fraction in a string, from 0 to 1";
 
-// Irrational numbers become fractions so close to them: as many digits as node files have, and the rounding of no arithmetic
-// that a problem is solved in.
+// A problem is solved with fractions so close to irrational numbers: as many digits as node files have, and the rounding of no
+// arithmetic that it is solved in.
 const Rational& number_width() {
   static const Rational width = 1 / power(Rational(10), 70);
   return width;
 }
 
 // The zero of a polynomial in an interval that holds one and no other.
-Rational read_number(const JsonReader& number) {
+struct FileNumber {
+  RationalPolynomial polynomial;
+  RealZero zero;
+};
+
+FileNumber read_number(const JsonReader& number) {
   number.require_object({"polynomial", "between"});
   const std::string polynomial_allowed = "coefficients, the constant first, not all of them zero beyond it";
   const JsonReader list = number.at("polynomial", polynomial_allowed);
@@ -59,11 +64,24 @@ Rational read_number(const JsonReader& number) {
                     (zeros.empty() ? std::string("no zero") : std::to_string(zeros.size()) + " zeros") +
                     " of " + polynomial.to_text(),
          .allowed = "an interval that holds one zero and no other"});
-  return (zeros.front().lower + zeros.front().upper) / 2;
+  return {.polynomial = polynomial, .zero = zeros.front()};
 }
 
-// The numbers x, y, z that a file defines for its coordinates.
-using Numbers = std::array<std::optional<Rational>, 3>;
+// A coordinate exactly, and a fraction beside it.
+struct Coordinate {
+  AlgebraicExpression exact;
+  Rational near;
+};
+
+// The numbers x, y, z that a file defines for its coordinates: those that are irrational generate a field.
+struct Numbers {
+  std::array<std::optional<Coordinate>, 3> of_name;
+  AlgebraicField field{{}};
+
+  [[nodiscard]] bool any() const {
+    return std::any_of(of_name.begin(), of_name.end(), [](const auto& n) { return n.has_value(); });
+  }
+};
 
 Numbers read_numbers(const JsonReader& root) {
   Numbers out;
@@ -71,38 +89,65 @@ Numbers read_numbers(const JsonReader& root) {
   if (!numbers) return out;
   const auto known = names(ExpressionVariables::space);
   numbers->require_object({known[0], known[1], known[2]});
-  for (std::size_t i = 0; i < out.size(); ++i)
-    if (const auto number = numbers->find(known[i])) out[i] = read_number(*number);
+  std::vector<AlgebraicNumber> irrational;
+  for (std::size_t i = 0; i < out.of_name.size(); ++i) {
+    const auto place = numbers->find(known[i]);
+    if (!place) continue;
+    const auto [polynomial, zero] = read_number(*place);
+    const Rational middle = (zero.lower + zero.upper) / 2;
+    out.of_name[i] = Coordinate{.exact = zero.is_exact() ? AlgebraicExpression(middle)
+                                                         : AlgebraicExpression::number(irrational.size()),
+                                .near = middle};
+    if (!zero.is_exact()) irrational.emplace_back(polynomial, zero);
+  }
+  out.field = AlgebraicField(std::move(irrational));
   return out;
 }
 
+// The sign of a number of the file, or a refusal where it takes too many digits.
+int sign_at(const JsonReader& place, const Numbers& numbers, const AlgebraicExpression& x) {
+  const Outcome<int> sign = numbers.field.sign(x);
+  if (!sign) place.refuse("is not decided: " + sign.reason(), "numbers of smaller degrees and coefficients");
+  return *sign;
+}
+
 // A coordinate: a number, or an expression in the file's numbers.
-Rational read_coordinate(const JsonReader& place, const Numbers& numbers) {
+Coordinate read_coordinate(const JsonReader& place, const Numbers& numbers) {
   const std::string* text = place.value().string();
-  const bool has_numbers =
-      std::any_of(numbers.begin(), numbers.end(), [](const auto& n) { return n.has_value(); });
-  if (text == nullptr || !has_numbers) return place.rational(coordinate_allowed);
+  if (text == nullptr || !numbers.any()) {
+    const Rational value = place.rational(coordinate_allowed);
+    return {.exact = value, .near = value};
+  }
   const std::string allowed = "sums, products and quotients of fractions and of the file's numbers";
   const auto expression = parse_expression(*text);
   if (!expression) place.refuse(expression.reason().to_text(), allowed);
-  std::vector<Rational> values;
+  std::vector<Coordinate> values;
   for (const ExpressionNode& node : expression->nodes()) {
-    const auto at = [&](int operand) { return values[static_cast<std::size_t>(operand)]; };
+    const auto left = [&] { return values[static_cast<std::size_t>(node.left)]; };
+    const auto right = [&] { return values[static_cast<std::size_t>(node.right)]; };
     switch (node.kind) {
-      case ExpressionKind::literal: values.push_back(node.literal); break;
+      case ExpressionKind::literal: values.push_back({.exact = node.literal, .near = node.literal}); break;
       case ExpressionKind::variable: {
-        const std::optional<Rational>& number = numbers.at(static_cast<std::size_t>(node.variable));
+        const std::optional<Coordinate>& number = numbers.of_name.at(static_cast<std::size_t>(node.variable));
         if (!number) place.refuse("has a number that the file does not define", allowed);
         values.push_back(*number);
         break;
       }
-      case ExpressionKind::negate: values.push_back(-at(node.left)); break;
-      case ExpressionKind::add: values.push_back(at(node.left) + at(node.right)); break;
-      case ExpressionKind::subtract: values.push_back(at(node.left) - at(node.right)); break;
-      case ExpressionKind::multiply: values.push_back(at(node.left) * at(node.right)); break;
+      case ExpressionKind::negate: values.push_back({.exact = -left().exact, .near = -left().near}); break;
+      case ExpressionKind::add:
+        values.push_back({.exact = left().exact + right().exact, .near = left().near + right().near});
+        break;
+      case ExpressionKind::subtract:
+        values.push_back({.exact = left().exact - right().exact, .near = left().near - right().near});
+        break;
+      case ExpressionKind::multiply:
+        values.push_back({.exact = left().exact * right().exact, .near = left().near * right().near});
+        break;
       case ExpressionKind::divide:
-        if (at(node.right) == 0) place.refuse("divides by zero", allowed);
-        values.push_back(at(node.left) / at(node.right));
+        if (sign_at(place, numbers, right().exact) == 0) place.refuse("divides by zero", allowed);
+        if (right().near == 0)
+          place.refuse("divides by a number that 70 digits do not tell from zero", allowed);
+        values.push_back({.exact = left().exact / right().exact, .near = left().near / right().near});
         break;
       default: place.refuse("has another operation", allowed);
     }
@@ -110,23 +155,34 @@ Rational read_coordinate(const JsonReader& place, const Numbers& numbers) {
   return values.back();
 }
 
-Barycentric<Rational> read_node(const JsonReader& node, const Numbers& numbers) {
+// A node exactly, and one with fractions beside it.
+struct Node {
+  std::array<AlgebraicExpression, 3> exact{Rational(0), Rational(0), Rational(0)};
+  Barycentric<Rational> near;
+};
+
+Node read_node(const JsonReader& node, const Numbers& numbers) {
   const std::vector<JsonReader> coordinates = node.elements("three barycentric coordinates");
   if (coordinates.size() != 3)
     node.refuse("has " + std::to_string(coordinates.size()) + " coordinates",
                 "three barycentric coordinates");
-  Barycentric<Rational> q;
-  Rational sum = 0;
+  Node out;
   for (std::size_t i = 0; i < 3; ++i) {
-    q.x[i] = read_coordinate(coordinates[i], numbers);
-    if (q.x[i].sign() < 0 || q.x[i] > Rational(1))
+    auto [exact, near] = read_coordinate(coordinates[i], numbers);
+    const int below = sign_at(coordinates[i], numbers, exact);
+    const int above = sign_at(coordinates[i], numbers, Rational(1) - exact);
+    if (below < 0 || above < 0)
       coordinates[i].refuse("puts the node outside the triangle", coordinate_allowed);
-    sum += q.x[i];
+    out.near.x[i] = below == 0 ? Rational(0) : above == 0 ? Rational(1) : near;
+    out.exact[i] = std::move(exact);
   }
-  if (sum != Rational(1))
-    node.refuse("has the sum " + exact_text(sum),
+  const Rational sum = out.near.x[0] + out.near.x[1] + out.near.x[2];
+  if (sign_at(node, numbers, out.exact[0] + out.exact[1] + out.exact[2] - Rational(1)) != 0)
+    node.refuse("has the sum " + exact_text(sum) + (numbers.field.size() > 0 ? ", nearly" : ""),
                 "coordinates with the exact sum 1, such as [\"0.1\", \"0.2\", \"0.7\"]");
-  return q;
+  // The roundings of the three may not have the sum 0.
+  *std::max_element(out.near.x.begin(), out.near.x.end()) += 1 - sum;
+  return out;
 }
 
 void require_different(const std::vector<JsonReader>& places,
@@ -185,8 +241,13 @@ std::optional<SymmetricCertificate> read_certificate(const JsonReader& root, int
   return *std::move(proof);
 }
 
-std::vector<Barycentric<Rational>> read_node_list(const JsonReader& root, std::size_t needed,
-                                                  const std::string& of) {
+// Nodes as fractions, and exactly where these are not.
+struct NodeList {
+  std::vector<Barycentric<Rational>> near;
+  std::optional<AlgebraicNodes> exact;
+};
+
+NodeList read_node_list(const JsonReader& root, std::size_t needed, const std::string& of) {
   const Numbers numbers = read_numbers(root);
   const JsonReader list = root.at("nodes", "an array of nodes");
   const std::vector<JsonReader> places = list.elements("nodes, three barycentric coordinates each");
@@ -195,17 +256,22 @@ std::vector<Barycentric<Rational>> read_node_list(const JsonReader& root, std::s
                       .problem = "has " + std::to_string(places.size()) + " nodes: too " +
                                  (places.size() < needed ? "few" : "many"),
                       .allowed = std::to_string(needed) + " nodes for " + of});
-  std::vector<Barycentric<Rational>> nodes;
-  nodes.reserve(places.size());
-  for (const JsonReader& place : places) nodes.push_back(read_node(place, numbers));
-  require_different(places, nodes);
-  return nodes;
+  NodeList out;
+  AlgebraicNodes exact{.field = numbers.field, .nodes = {}, .space = {}};
+  for (const JsonReader& place : places) {
+    Node node = read_node(place, numbers);
+    out.near.push_back(std::move(node.near));
+    exact.nodes.push_back(std::move(node.exact));
+  }
+  require_different(places, out.near);
+  if (numbers.field.size() > 0) out.exact = std::move(exact);
+  return out;
 }
 
-PolynomialSpace read_space(const std::vector<JsonReader>& places) {
+PolynomialSpace read_space(const std::vector<JsonReader>& places,
+                           std::vector<PlanePolynomial<Rational>>& polynomials) {
   const std::string allowed = "polynomials in x1, x2, x3 of degree " + std::to_string(largest_node_degree) +
                               " at most, such as \"x1\" and \"27*x1*x2*x3\"";
-  std::vector<PlanePolynomial<Rational>> polynomials;
   PolynomialSpace space;
   for (const JsonReader& place : places) {
     const auto expression = parse_expression(place.string(allowed), ExpressionVariables::barycentric);
@@ -256,11 +322,12 @@ NodeFile read_own_space(const JsonReader& root, const JsonReader& key) {
     throw InputError({.pointer = key.pointer(),
                       .problem = "has " + std::to_string(places.size()) + " functions",
                       .allowed = "1 to " + std::to_string(polynomial_dimension(largest_node_degree))});
-  const PolynomialSpace space = read_space(places);
+  std::vector<PlanePolynomial<Rational>> polynomials;
+  const PolynomialSpace space = read_space(places, polynomials);
   const JsonReader list = root.at("nodes", "an array of nodes");
-  const std::vector<Barycentric<Rational>> nodes =
+  NodeList nodes =
       read_node_list(root, places.size(), "a space of " + std::to_string(places.size()) + " functions");
-  Outcome<LagrangeFunctions, NotUnisolvent> functions = lagrange_functions(space, nodes);
+  Outcome<LagrangeFunctions, NotUnisolvent> functions = lagrange_functions(space, nodes.near);
   if (!functions)
     throw InputError({.pointer = list.pointer(),
                       .problem = "is not unisolvent: " + functions.reason().to_text() +
@@ -269,7 +336,12 @@ NodeFile read_own_space(const JsonReader& root, const JsonReader& key) {
   require_constants(key, *functions);
   std::vector<std::string> texts;
   for (const JsonReader& place : places) texts.push_back(*place.value().string());
-  return {.functions = *std::move(functions), .certificate = {}, .space = std::move(texts), .digest = {}};
+  if (nodes.exact) nodes.exact->space = std::move(polynomials);
+  return {.functions = *std::move(functions),
+          .algebraic = std::move(nodes.exact),
+          .certificate = {},
+          .space = std::move(texts),
+          .digest = {}};
 }
 
 NodeFile read(const JsonValue& document) {
@@ -283,16 +355,17 @@ NodeFile read(const JsonValue& document) {
   const int degree =
       static_cast<int>(root.at("degree", degree_allowed).whole(0, largest_node_degree, degree_allowed));
   const JsonReader list = root.at("nodes", "an array of nodes");
-  const std::vector<Barycentric<Rational>> nodes =
-      read_node_list(root, polynomial_dimension(degree), "degree " + std::to_string(degree));
-  Outcome<LagrangeFunctions, NotUnisolvent> functions = lagrange_functions(nodes);
+  NodeList nodes = read_node_list(root, polynomial_dimension(degree), "degree " + std::to_string(degree));
+  Outcome<LagrangeFunctions, NotUnisolvent> functions = lagrange_functions(nodes.near);
   if (!functions)
     throw InputError(
         {.pointer = list.pointer(),
          .problem = "is not unisolvent: " + functions.reason().to_text(),
          .allowed = "nodes that determine every polynomial of degree " + std::to_string(degree)});
+  if (nodes.exact) nodes.exact->space = monomials(degree);
   return {.functions = *std::move(functions),
-          .certificate = read_certificate(root, degree, nodes),
+          .algebraic = std::move(nodes.exact),
+          .certificate = read_certificate(root, degree, nodes.near),
           .space = {},
           .digest = {}};
 }

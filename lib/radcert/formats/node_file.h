@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "radcert/formats/json_value.h"
+#include "radcert/polynomial/algebraic_nodes.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/symmetric_certificate.h"
 
@@ -19,12 +20,14 @@ namespace radcert {
 ///           many as the space has functions, unisolvent for these
 /// Source    the file format radcert/nodes/1
 /// Requires  made by read_nodes
-/// Result    functions: nodes and Lagrange functions, exactly as the decimals or fractions of the file say; certificate: what the
+/// Result    functions: nodes and Lagrange functions, exactly as the decimals or fractions of the file say; algebraic: the exact nodes
+///           of a file with irrational numbers, beside which those of `functions` lie; certificate: what the
 ///           file claims of nodes close to these, proved again while reading; space: the functions as written, none for all
 ///           polynomials of a degree; digest: of the file's bytes
 /// Limits    -
 struct NodeFile {
   LagrangeFunctions functions;
+  std::optional<AlgebraicNodes> algebraic;
   std::optional<SymmetricCertificate> certificate;
   std::optional<std::vector<std::string>> space;
   std::string digest;
@@ -40,7 +43,9 @@ struct NodeFile {
 ///           too few, not unisolvent (with the polynomial that vanishes at all of them), a space without the constants (with a
 ///           point and the sum of its functions there), a certificate that proves nothing, an
 ///           interval that holds no zero or several of the polynomial of a number
-/// Limits    degrees 0 to 12; irrational numbers are rounded to 70 digits, and the nodes are those then; functions that are no polynomials are refused: degrees and norms are exact or enclosed
+/// Limits    degrees 0 to 12; the nodes of `functions` have irrational numbers rounded to 70 digits; that coordinates lie in the triangle
+///           and have the sum 1 is decided for the irrational numbers themselves. Functions that are no polynomials are refused:
+///           degrees and norms are exact or enclosed
 [[nodiscard]] NodeFile read_nodes(const std::filesystem::path& path);
 
 /// The same from a text; `source` names it in messages.

@@ -42,7 +42,7 @@ std::string_view nodes_schema() {
       }
     },
     "numbers": {
-      "description": "Algebraic numbers x, y, z for the coordinates, each by a polynomial and an interval that holds one of its zeros; rounded to 70 digits.",
+      "description": "Algebraic numbers x, y, z for the coordinates, each by a polynomial and an interval that holds one of its zeros. Degrees of precision are those of the exact numbers; a problem is solved with 70 digits of them.",
       "type": "object",
       "additionalProperties": false,
       "properties": {"x": {"$ref": "#/$defs/number"}, "y": {"$ref": "#/$defs/number"}, "z": {"$ref": "#/$defs/number"}}

@@ -5,6 +5,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/interpolatory_rule.h"
+#include "radcert/polynomial/lattice.h"
 #include "radcert/polynomial/product_precision.h"
 #include "radcert/polynomial/superconvergent_inset.h"
 
@@ -23,6 +24,14 @@ Rational condition_of(const LagrangeFunctions& functions) {
     for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += abs(coefficients[k]);
   }
   return *std::max_element(sums.begin(), sums.end());
+}
+
+Rational multinomial(const std::array<int, 3>& k) {
+  Rational value = 1;
+  int above = 0;
+  for (const int exponent : k)
+    for (int m = 1; m <= exponent; ++m) value *= Rational(++above, m);
+  return value;
 }
 
 Ball value(const RationalPolynomial& p, const Ball& x) {
@@ -48,6 +57,36 @@ BasisFacts basis_facts(const LagrangeFunctions& functions, const Rational& toler
   if (facts.reproduced < facts.degree)
     facts.products = {.triangle = product_precision(functions, Region::triangle),
                       .parallelogram = product_precision(functions, Region::parallelogram)};
+  return facts;
+}
+
+Outcome<BasisFacts> at_true_nodes(BasisFacts facts, const LagrangeFunctions& functions,
+                                  std::span<const Barycentric<Ball>> nodes) {
+  expects(nodes.size() == functions.size(), "a ball for each node", named("balls", nodes.size()),
+          named("nodes", functions.size()));
+  constexpr long bits = 512;  // more than the digits of any node file
+  const BallPrecision scope(std::max(bits, BallPrecision::current()));
+  const std::vector<std::array<int, 3>> indices = lattice_indices(functions.degree());
+  Ball change(0);
+  for (std::size_t j = 0; j < nodes.size(); ++j) {
+    std::vector<Ball> bernstein;
+    for (const auto& [k1, k2, k3] : indices)
+      bernstein.push_back(Ball(multinomial({k1, k2, k3})) * power(nodes[j].x[0], k1) *
+                          power(nodes[j].x[1], k2) * power(nodes[j].x[2], k3));
+    Ball sum(0);
+    for (std::size_t i = 0; i < functions.size(); ++i) {
+      Ball entry(i == j ? -1 : 0);
+      const std::span<const Rational> c = functions.bernstein_coefficients(i);
+      for (std::size_t k = 0; k < c.size(); ++k) entry += Ball(c[k]) * bernstein[k];
+      sum += abs(entry);
+    }
+    change = max(change, sum);
+  }
+  if (!certainly_less(change, Ball(Rational(1, 2)))) return because("the nodes are not certainly unisolvent");
+  const Rational e = Rational::exactly(change.upper_double());
+  facts.norm.lower /= 1 + e;
+  facts.norm.upper /= 1 - e;
+  facts.condition /= 1 - e;
   return facts;
 }
 

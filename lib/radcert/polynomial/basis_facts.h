@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "radcert/polynomial/degree_of_precision.h"
@@ -13,8 +14,8 @@ namespace radcert {
 
 /// How a degree of precision is known.
 enum class PrecisionProof {
-  exact,  ///< in rational arithmetic, for the nodes as they are given
-  algebraic,  ///< for the algebraic nodes that the given ones approximate: zeros of polynomials, by Sturm's theorem
+  exact,        ///< in rational arithmetic, for the nodes as they are given
+  algebraic,    ///< for the algebraic nodes that the given ones approximate: exactly, as zeros of polynomials
   certificate,  ///< for the nodes that Krawczyk's test proves beside the given ones
 };
 
@@ -30,8 +31,10 @@ struct ProductPrecision {
 ///           that is (B_k(q_j))^-1, whose inverse has the norm 1 where the nodes lie in the triangle
 /// Source    [m06, (13)-(17)], [ac98, (37), (53)-(55)]
 /// Requires  made by basis_facts
-/// Result    weights, determinant and condition exact; norm enclosed; precision as `proof` says. norm <= condition
-/// Limits    weights are those of the nodes as they are given
+/// Result    proof = exact: weights, determinant and condition exact, norm enclosed. Otherwise nodes, weights and determinant are those
+///           of nodes beside the true ones, signs of weights are as `proof` says, and norm and condition hold for the true nodes, the
+///           condition from above: see at_true_nodes. Precision as `proof` says. norm <= condition
+/// Limits    -
 struct BasisFacts {
   int degree = 0;      ///< of the functions
   int reproduced = 0;  ///< all polynomials of this degree are among them
@@ -57,6 +60,18 @@ struct BasisFacts {
 /// Result    proof: exact
 /// Limits    as lebesgue_constant
 [[nodiscard]] BasisFacts basis_facts(const LagrangeFunctions& functions, const Rational& tolerance);
+
+/// Facts at nodes of which balls are known, from those at nodes beside them.
+/// Maths     l_i the functions of the nodes beside, l'_j those of the true nodes q'_j, M_ij = l_i(q'_j), e = max_j sum_i |M_ij - delta_ij|.
+///           Where e < 1 M has an inverse, so that the true nodes are unisolvent, l = M l', and as |M|_1 <= 1 + e,
+///           |M^-1|_1 <= 1/(1 - e),
+///               norm/(1 + e) <= norm' <= norm/(1 - e), and the same for the condition
+/// Source    -
+/// Requires  facts of these functions; as many balls as nodes, in their order, else ContractViolation
+/// Result    norm enclosed and condition bounded from above for all nodes in the balls; a reason where e < 1/2 is not certain
+/// Limits    the other facts are handed on
+[[nodiscard]] Outcome<BasisFacts> at_true_nodes(BasisFacts facts, const LagrangeFunctions& functions,
+                                                std::span<const Barycentric<Ball>> nodes);
 
 /// The degree of precision at the inset alpha_0 of a degree.
 /// Maths     the defects there: rational functions of alpha at a zero of the condition
