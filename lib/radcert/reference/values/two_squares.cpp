@@ -34,6 +34,15 @@ Route by_double_integral(Factor factor) {
                      });
 }
 
+// A ball about 0 < x < 1 that reaches neither end, with as many bits as that takes.
+Ball inside(const Rational& x) {
+  for (long bits = BallPrecision::current();; bits *= 2) {
+    const BallPrecision scope(bits);
+    const Ball ball(x);
+    if (certainly_positive(ball) && certainly_less(ball, Ball(1))) return ball;
+  }
+}
+
 ValueFamily family(std::string name, const std::string& density, int equation, Factor factor,
                    Ball (TwoSquares<Ball>::*value)() const) {
   return {
@@ -45,7 +54,7 @@ ValueFamily family(std::string name, const std::string& density, int equation, F
       .parameters = {strictly_between("x", "1/3", 0, 1), strictly_between("z", "1/7", 0, 1)},
       .route = by_formula(
           "closed form" + std::string(factor == Factor::distance ? ", its last integral by Clausen's" : ""),
-          [value](const Arguments& a) { return (TwoSquares<Ball>(Ball(a[0]), Ball(a[1])).*value)(); }),
+          [value](const Arguments& a) { return (TwoSquares<Ball>(inside(a[0]), inside(a[1])).*value)(); }),
       .second_route = by_double_integral(factor)};
 }
 
