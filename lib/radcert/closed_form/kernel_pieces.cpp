@@ -6,28 +6,31 @@
 
 #include "radcert/polynomial/gauss.h"
 #include "radcert/polynomial/plane_polynomial.h"
+#include "radcert/scalar/mpfr_real.h"
 
 namespace radcert {
 
 namespace {
 
 PaddedRule conical(int points) {
-  const IntervalRule<double> outer = gauss_rule<double>(points, IntervalWeight::variable);
-  const IntervalRule<double> inner = gauss_rule<double>(points, IntervalWeight::one);
+  using Wide = Mpfr<50>;
+  const IntervalRule<Wide> outer = gauss_rule<Wide>(points, IntervalWeight::variable);
+  const IntervalRule<Wide> inner = gauss_rule<Wide>(points, IntervalWeight::one);
   PaddedRule rule;
   rule.points = points;
+  const auto append = [&rule](const Wide& c0, const Wide& c1, const Wide& c2, const Wide& weight) {
+    rule.barycentric[0].push_back(c0.to_double());
+    rule.barycentric[1].push_back(c1.to_double());
+    rule.barycentric[2].push_back(c2.to_double());
+    rule.weights.push_back(weight.to_double());
+  };
   for (std::size_t i = 0; i < outer.nodes.size(); ++i) {
     for (std::size_t j = 0; j < inner.nodes.size(); ++j) {
-      rule.first.push_back(outer.nodes[i] * (1 - inner.nodes[j]));
-      rule.second.push_back(outer.nodes[i] * inner.nodes[j]);
-      rule.weights.push_back(outer.weights[i] * inner.weights[j]);
+      append(Wide(1) - outer.nodes[i], outer.nodes[i] * (Wide(1) - inner.nodes[j]),
+             outer.nodes[i] * inner.nodes[j], outer.weights[i] * inner.weights[j]);
     }
   }
-  while (rule.weights.size() % Pack::lanes != 0) {
-    rule.first.push_back(0);
-    rule.second.push_back(0);
-    rule.weights.push_back(0);
-  }
+  while (rule.weights.size() % Pack::lanes != 0) append(1, 0, 0, 0);
   return rule;
 }
 
@@ -42,15 +45,36 @@ const std::vector<PaddedRule>& rules() {
   return all;
 }
 
-PieceCorner between(const PieceCorner& a, const PieceCorner& b, double s) {
+PieceCorner middle(const PieceCorner& a, const PieceCorner& b) {
   PieceCorner c;
-  c.x = between(a.x, b.x, s);
-  c.y = between(a.y, b.y, s);
-  c.level = a.level + s * (b.level - a.level);
-  for (std::size_t k = 0; k < 3; ++k) {
-    c.barycentric[k] = a.barycentric[k] + s * (b.barycentric[k] - a.barycentric[k]);
-  }
+  c.x = between(a.x, b.x, 0.5);
+  c.y = between(a.y, b.y, 0.5);
+  c.level = between(a.level, b.level, 0.5);
+  for (std::size_t k = 0; k < 3; ++k) c.barycentric[k] = 0.5 * (a.barycentric[k] + b.barycentric[k]);
   return c;
+}
+
+/// Where a side is cut.
+struct Cut {
+  PieceCorner corner;
+  double from_seen = 0;    ///< the part of the side from the corner that is seen to the cut
+  double from_unseen = 0;  ///< the other part
+};
+
+Cut cut(const PieceCorner& seen, const PieceCorner& unseen) {
+  const Twofold drop = seen.level - unseen.level;
+  const Twofold share = seen.level / drop;
+  const Twofold rest = -unseen.level / drop;
+  Cut result;
+  result.corner.x = between(seen.x, unseen.x, share);
+  result.corner.y = between(seen.y, unseen.y, share);
+  for (std::size_t k = 0; k < 3; ++k) {
+    // Both corners are corners of the triangle that is cut: one product at most is not zero, or both are the same number.
+    result.corner.barycentric[k] = rest.head * seen.barycentric[k] + share.head * unseen.barycentric[k];
+  }
+  result.from_seen = share.head;
+  result.from_unseen = rest.head;
+  return result;
 }
 
 }  // namespace
@@ -75,7 +99,7 @@ void append_visible(const KernelPiece& piece, std::vector<KernelPiece>& to) {
   std::array<bool, 3> seen{};
   int count = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    seen[k] = piece.corner[k].level >= 0;
+    seen[k] = piece.corner[k].level.head >= 0;
     count += seen[k] ? 1 : 0;
   }
   if (count == 0) return;
@@ -88,34 +112,31 @@ void append_visible(const KernelPiece& piece, std::vector<KernelPiece>& to) {
   const PieceCorner& a = piece.corner[odd];
   const PieceCorner& b = piece.corner[(odd + 1) % 3];
   const PieceCorner& c = piece.corner[(odd + 2) % 3];
-  const double from_b = b.level / (b.level - a.level);
-  const double from_c = c.level / (c.level - a.level);
-  const double towards_b = a.level / (a.level - b.level);
-  const double towards_c = a.level / (a.level - c.level);
   const auto append = [&](const PieceCorner& p, const PieceCorner& q, const PieceCorner& r, double share) {
     KernelPiece part = piece;
     part.corner = {p, q, r};
     part.double_area = piece.double_area * share;
     part.whole = false;
+    part.cut = true;
     to.push_back(part);
   };
-  PieceCorner on_b = count == 1 ? between(a, b, towards_b) : between(b, a, from_b);
-  PieceCorner on_c = count == 1 ? between(a, c, towards_c) : between(c, a, from_c);
-  on_b.level = 0;
-  on_c.level = 0;
   if (count == 1) {
-    append(a, on_b, on_c, towards_b * towards_c);
+    const Cut on_b = cut(a, b);
+    const Cut on_c = cut(a, c);
+    append(a, on_b.corner, on_c.corner, on_b.from_seen * on_c.from_seen);
   } else {
-    append(b, c, on_c, from_c);
-    append(b, on_c, on_b, from_b * towards_c);
+    const Cut on_b = cut(b, a);
+    const Cut on_c = cut(c, a);
+    append(b, c, on_c.corner, on_c.from_seen);
+    append(b, on_c.corner, on_b.corner, on_b.from_seen * on_c.from_unseen);
   }
 }
 
 void append_quarters(const KernelPiece& piece, std::vector<KernelPiece>& to) {
   const auto& [a, b, c] = piece.corner;
-  const PieceCorner ab = between(a, b, 0.5);
-  const PieceCorner bc = between(b, c, 0.5);
-  const PieceCorner ca = between(c, a, 0.5);
+  const PieceCorner ab = middle(a, b);
+  const PieceCorner bc = middle(b, c);
+  const PieceCorner ca = middle(c, a);
   const std::array<std::array<PieceCorner, 3>, 4> parts{
       {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}};
   for (const auto& part : parts) {
@@ -123,6 +144,7 @@ void append_quarters(const KernelPiece& piece, std::vector<KernelPiece>& to) {
     quarter.corner = part;
     quarter.double_area = piece.double_area / 4;
     quarter.whole = false;
+    ++quarter.halvings;
     to.push_back(quarter);
   }
 }
@@ -170,13 +192,15 @@ void PieceSums::add_in(const KernelPiece& piece, const PaddedRule& rule, double 
     return Pack((to.head - from.head) + (to.tail - from.tail));
   };
   const Pack x0(a.x.head);
+  const Pack x0_tail(a.x.tail);
   const Pack y0(a.y.head);
+  const Pack y0_tail(a.y.tail);
   const Pack x1 = side(a.x, b.x);
   const Pack x2 = side(a.x, c.x);
   const Pack y1 = side(a.y, b.y);
   const Pack y2 = side(a.y, c.y);
   const Pack area(piece.double_area);
-  const std::array<Pack, 3> levels{Pack(a.level), Pack(b.level), Pack(c.level)};
+  const std::array<Pack, 3> levels{Pack(a.level.head), Pack(b.level.head), Pack(c.level.head)};
   std::array<std::array<Pack, 3>, 3> barycentric;
   for (std::size_t k = 0; k < 3; ++k) {
     barycentric[k] = {Pack(a.barycentric[k]), Pack(b.barycentric[k]), Pack(c.barycentric[k])};
@@ -187,11 +211,11 @@ void PieceSums::add_in(const KernelPiece& piece, const PaddedRule& rule, double 
     for (std::size_t k = 0; k < count; ++k) block[k] = Pack(0);
     const std::size_t stop = std::min(packs, start + rule_block);
     for (std::size_t n = start; n < stop; ++n) {
-      const Pack l1 = Pack::load(rule.first.data() + n * Pack::lanes);
-      const Pack l2 = Pack::load(rule.second.data() + n * Pack::lanes);
-      const Pack l0 = (Pack(1) - l1) - l2;
-      const Pack x = fma(x1, l1, x2 * l2) + x0;
-      const Pack y = fma(y1, l1, y2 * l2) + y0;
+      const Pack l0 = Pack::load(rule.barycentric[0].data() + n * Pack::lanes);
+      const Pack l1 = Pack::load(rule.barycentric[1].data() + n * Pack::lanes);
+      const Pack l2 = Pack::load(rule.barycentric[2].data() + n * Pack::lanes);
+      const Pack x = fma(x1, l1, fma(x2, l2, x0_tail)) + x0;
+      const Pack y = fma(y1, l1, fma(y2, l2, y0_tail)) + y0;
       const Pack w = fma(x, x, fma(y, y, h2));
       const Pack level = fma(levels[1], l1, fma(levels[2], l2, levels[0] * l0));
       const Pack g = level * Pack::load(rule.weights.data() + n * Pack::lanes) / (w * w);

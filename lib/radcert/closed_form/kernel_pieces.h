@@ -13,13 +13,11 @@ namespace radcert {
 /// A rule on the triangle of corners 0, 1, 2: Gauss points in both directions of the square collapsed at corner 0.
 /// Maths     exact for degree 2 points - 1
 /// Source    conical products: Stroud
-/// Requires  -
-/// Result    weights sum to 1/2; padded to whole packs with weights zero
-/// Limits    -
+/// Result    weights sum to 1/2; padded to whole packs with weights zero. Coordinates and weights rounded once, so that each has a
+///           small relative error, also where a node lies close to a side
 struct PaddedRule {
   int points = 0;
-  std::vector<double> first;   ///< barycentric coordinate of corner 1
-  std::vector<double> second;  ///< of corner 2
+  std::array<std::vector<double>, 3> barycentric;
   std::vector<double> weights;
 };
 
@@ -36,7 +34,7 @@ const PaddedRule* fitting_rule(double ratio, double needed, int degree);
 struct PieceCorner {
   Twofold x;  ///< about the foot of P
   Twofold y;
-  double level = 0;                     ///< (corner - P) . n_P
+  Twofold level;                        ///< (corner - P) . n_P
   std::array<double, 3> barycentric{};  ///< in the triangle that was cut
 };
 
@@ -47,22 +45,24 @@ struct KernelPiece {
   double distance = 0;     ///< from P to the mean of the corners, rounded down
   double radius = 0;       ///< about that mean, rounded up
   bool whole = true;       ///< whether it is its triangle
+  bool cut = false;        ///< whether it is part of a triangle that the tangent plane cuts
+  int halvings = 0;        ///< of the triangle, or of its visible part
   std::size_t triangle = 0;
 };
 
 /// The part of a piece with levels that are not negative, in at most two triangles.
 /// Maths     cut at level 0
-/// Source    -
-/// Requires  levels with small relative errors, or zero
-/// Result    appended; a cut's place on an edge is a quotient of levels of opposite signs and has a small relative error from
-///           either end, and areas are products of such numbers
-/// Limits    -
+/// Requires  levels whose signs are those of the exact numbers, or zero
+/// Result    appended; a cut's place on an edge, l_a / (l_a - l_b) for levels of opposite signs, is rounded to 2^-100 of itself from
+///           either end. Errors e of the levels shift it by at most 2 e / (|l_a| + |l_b|) of the edge where they are at most a
+///           quarter of the levels, and change areas by twice that part of the smaller level
 void append_visible(const KernelPiece& piece, std::vector<KernelPiece>& to);
 
 /// Appends the four triangles between the corners and the middles of the sides.
 void append_quarters(const KernelPiece& piece, std::vector<KernelPiece>& to);
 
-/// Sets distance and radius, for a height of P over the plane.
+/// Sets distance and radius, for a height of P over the plane; what they are off by is below 2^-48 of the distance where the
+/// radius is less than the distance.
 void measure(KernelPiece& piece, double squared_height);
 
 /// Sums of a rule over pieces of one triangle.

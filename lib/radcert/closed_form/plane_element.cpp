@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -26,6 +27,9 @@ constexpr double unit = 0x1p-53;
 constexpr double truncation_part = 0.05;
 /// Bounds the length of a normal whose largest part is scaled to [1, 2).
 constexpr double normal_reach = 4;
+/// A corner's level counts as decided where it exceeds its error that often; otherwise the exact level is at most so many errors.
+constexpr double decided_errors = 4;
+constexpr double undecided_errors = 5.01;
 
 double largest_part(const std::array<double, 3>& a) {
   return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
@@ -70,13 +74,16 @@ private:
   /// P and its normal as the corners see them.
   struct Eye {
     std::array<double, 3> p{};
-    double reach = 0;  ///< bounds the coordinates of P and of the corners
+    double reach = 0;  ///< three times the sum of the largest coordinates of P and of the corners
     TwofoldVector normal;
     BoundedDouble normal_length;
     BoundedDouble height;
     BoundedDouble normal_z;
     std::vector<TwofoldVector> differences;  ///< P - corner
-    std::vector<BoundedDouble> levels;       ///< (corner - P) . n_P
+    std::vector<Twofold> levels;             ///< (corner - P) . n_P, or 0 where its sign is not known
+    double level_error = 0;                  ///< of all of them
+    double largest_level = 0;
+    bool has_undecided = false;
   };
 
   void add_loops(const PlanePolygon& polygon);
@@ -84,6 +91,7 @@ private:
   [[nodiscard]] double largest_value(const PlanePolynomial<Rational>& q) const;
   void add_barycentric(const PlanePolynomial<Rational>& q, Function& function);
 
+  [[nodiscard]] double hidden_part(const Eye& eye) const;
   [[nodiscard]] std::optional<BoundedDouble> lambert(const Eye& eye) const;
   template <int most>
   bool by_closed_form(const Eye& eye, std::span<double> values) const;
@@ -99,9 +107,22 @@ private:
     thread_local Scratch kept;
     return kept;
   }
-  [[nodiscard]] double permitted_ratio() const;
-  bool cut_into_pieces(const Eye& eye, std::size_t most, std::vector<KernelPiece>& pieces) const;
-  bool by_rule(const Eye& eye, std::size_t most_pieces, std::span<double> values) const;
+  /// How far a piece's radius may reach against its distance, and the roundings that are left for what is wrong with the geometry.
+  struct Permitted {
+    double ratio = 0;  ///< 0: rules are of no use
+    double spare = 0;
+  };
+  /// What the pieces' geometry is off by; areas over fourth powers of distances.
+  struct GeometryErrors {
+    double level = 0;     ///< changes Int level / |Q-P|^4 by at most that
+    double relative = 0;  ///< changes any summand by at most that part of it
+  };
+  [[nodiscard]] Permitted permitted(bool whole) const;
+  bool cut_into_pieces(const Eye& eye, const Permitted& permitted, std::size_t most,
+                       std::vector<KernelPiece>& pieces) const;
+  [[nodiscard]] GeometryErrors geometry_errors(const Eye& eye, const std::vector<KernelPiece>& pieces,
+                                               double ratio, double over_pieces) const;
+  bool by_rule(const Eye& eye, bool whole, std::span<double> values) const;
   Route by_balls(const Vector<double>& p, const Vector<double>& normal, std::span<double> values) const;
   [[nodiscard]] bool foot_is_outside(const Eye& eye, const std::vector<FootEdge<BoundedDouble>>& edges) const;
   [[nodiscard]] BoundedDouble plain_product(const TwofoldVector& direction, const TwofoldVector& r) const;
@@ -123,11 +144,13 @@ private:
   TwofoldVector centre_;
   double x_scale_ = 1;
   double y_scale_ = 1;
-  double permitted_ratio_ = 0;  ///< of a piece's radius to its distance; 0: rules are of no use
-  double amplification_ = 1;    ///< largest Bernstein coefficient over the maximum, over all functions
+  Permitted permitted_whole_;  ///< where every triangle is one piece
+  Permitted permitted_parts_;
+  double amplification_ = 1;  ///< largest Bernstein coefficient over the maximum, over all functions
   std::vector<double> multinomials_;
-  double shortest_ = 0;  ///< edge
-  double reach_ = 0;     ///< bounds the corners' coordinates
+  double shortest_ = 0;     ///< edge, or the extent across the longest
+  double reach_ = 0;        ///< bounds the corners' coordinates
+  bool is_convex_ = false;  ///< then the foot is outside if it is to the right of an edge
 };
 
 namespace {
@@ -262,6 +285,14 @@ void PlaneElement::Prepared::add_loops(const PlanePolygon& polygon) {
 
   x_scale_ = x_size;
   y_scale_ = y_size;
+  shortest_ = std::min({shortest_, x_size, y_size});
+  // A simple loop that turns left at every corner.
+  is_convex_ = polygon.loops().size() == 1;
+  const PolygonLoop& outer = polygon.loops()[0];
+  for (std::size_t k = 0; k < outer.size() && is_convex_; ++k) {
+    const auto& at = outer[(k + 1) % outer.size()];
+    is_convex_ = cross(at - outer[k], outer[(k + 2) % outer.size()] - at).sign() >= 0;
+  }
 }
 
 /// max |q| over points that lie in the polygon for certain: on its edges, and those of the fans' lattices that lie inside.
@@ -361,7 +392,8 @@ void PlaneElement::Prepared::add_functions(std::span<const double> sizes) {
     amplification_ = std::max(amplification_, function.size / function.maximum);
     functions_.push_back(std::move(function));
   }
-  permitted_ratio_ = permitted_ratio();
+  permitted_whole_ = permitted(true);
+  permitted_parts_ = permitted(false);
 }
 
 /// q on the fans' triangles in products of barycentric coordinates. lambda_1^i lambda_2^j has the Bernstein coefficients
@@ -405,6 +437,20 @@ void PlaneElement::Prepared::add_barycentric(const PlanePolynomial<Rational>& q,
   }
 }
 
+/// A bound of Int |G| dS over the part of the polygon behind the tangent plane, where no corner is certainly there: its level is
+/// above -e, e some five times the error of a level. Along every ray from the corner of the largest level L on to the boundary of
+/// the convex hull the level falls linearly from L to -e at the lowest, and is negative on a part e / (L + e) of it at most: the area
+/// is at most 2 e / L of the hull's, which lies within a rectangle. There |G| <= |h| e / h^4.
+double PlaneElement::Prepared::hidden_part(const Eye& eye) const {
+  if (!eye.has_undecided) return 0;
+  const double lowest = undecided_errors * eye.level_error;
+  const double box = 4 * x_scale_ * y_scale_;
+  const double height = eye.height.smallest_size();
+  constexpr double rounding = 1.4;  // the largest level is off by a quarter at most
+  const double area = box * std::min(1.0, 2 * lowest / eye.largest_level);
+  return rounding * (lowest / height) * (area / (height * height)) / eye.normal_length.smallest_size();
+}
+
 /// Int G dS = 1/2 sum [h (n_P . m) - (n_P . n) d] angle / a, m the edge's inward normal.
 std::optional<BoundedDouble> PlaneElement::Prepared::lambert(const Eye& eye) const {
   const BoundedDouble squared_height = eye.height * eye.height;
@@ -421,8 +467,9 @@ std::optional<BoundedDouble> PlaneElement::Prepared::lambert(const Eye& eye) con
     sum = sum + (eye.height * across - eye.normal_z * d) * angle / a;
   }
   sum = sum / (eye.normal_length + eye.normal_length);
+  const double hidden = hidden_part(eye);
   // The product with the function's value rounds once more.
-  if (sum.error() <= (accuracy_ - 4 * unit) * sum.smallest_size()) return sum;
+  if (sum.error() + hidden <= (accuracy_ - 5 * unit) * (sum.smallest_size() - hidden)) return sum;
   return std::nullopt;
 }
 
@@ -440,20 +487,25 @@ BoundedDouble PlaneElement::Prepared::plain_product(const TwofoldVector& directi
   return {sum, 5.1 * unit * size};
 }
 
+/// Whether the foot certainly lies outside, and no nearer to a corner than P's height. Of a polygon that is not convex the
+/// edges that cross the half-line to the right of the foot are counted; no corner's side of that line may be in doubt.
 bool PlaneElement::Prepared::foot_is_outside(const Eye& eye,
                                              const std::vector<FootEdge<BoundedDouble>>& edges) const {
   int winding = 0;
+  bool right_of_one = false;
   const double height = std::abs(eye.height.value());
   for (const FootEdge<BoundedDouble>& edge : edges) {
     if (edge.distance_sign == 0) return false;
-    // A corner's coordinate is the same number for both of its edges.
+    if (std::hypot(edge.start_x.value(), edge.start_y.value()) < height) return false;
+    right_of_one = right_of_one || edge.distance_sign < 0;
+    if (is_convex_) continue;
+    if (edge.start_y.smallest_size() == 0) return false;
     const bool from_above = edge.start_y.value() > 0;
     const bool to_above = edge.end_y.value() > 0;
     if (!from_above && to_above && edge.distance_sign > 0) ++winding;
     if (from_above && !to_above && edge.distance_sign < 0) --winding;
-    if (std::hypot(edge.start_x.value(), edge.start_y.value()) < height) return false;
   }
-  return winding == 0;
+  return is_convex_ ? right_of_one : winding == 0;
 }
 
 template <int most>
@@ -498,8 +550,9 @@ bool PlaneElement::Prepared::by_closed_form(const Eye& eye, std::span<double> va
   for (const FootEdge<B>& edge : edges) sums.add(edge);
   typename KernelMoments<B, most>::Table table = sums.finish();
   const B whole = table[0][0];
-  const double least = accuracy_ * whole.smallest_size();
-  if (!(whole.error() <= least)) return false;
+  const double hidden = hidden_part(eye);
+  const double least = accuracy_ * (whole.smallest_size() - hidden);
+  if (!(whole.error() + hidden <= least)) return false;
   const TwofoldVector from_centre = difference(eye.p, centre_);
   const B x_factor = B::rounded(1 / x_scale_);
   const B y_factor = B::rounded(1 / y_scale_);
@@ -518,37 +571,50 @@ bool PlaneElement::Prepared::by_closed_form(const Eye& eye, std::span<double> va
                         table[static_cast<std::size_t>(n - j)][static_cast<std::size_t>(j)];
       }
     }
-    if (!(sum.error() <= least * functions_[k].maximum)) return false;
+    if (!(sum.error() + hidden * functions_[k].size <= least * functions_[k].maximum)) return false;
     values[k] = sum.value();
   }
   return true;
 }
 
+// The error of the rule route, over Int G dS max |q|, is the sum of these, none of which may exceed its part of the accuracy:
+// - truncation: fitting_rule, piece by piece against a lower bound of Int G dS;
+// - roundings of the summands G times weight, relative to each of them: they are positive, so that the sum's error is at most that
+//   part of Int G dS max |q| (summand_roundings);
+// - roundings of the sums and of products with Bernstein polynomials, in units of the largest coefficient (sum_roundings);
+// - what the geometry is off by before the rule begins: P's height, the coordinates of the corners and their levels come out of
+//   double-double products with an absolute error, which is small against them only where they are not small against `reach`
+//   (geometry_errors). They are measured at every call, and refused where the spare roundings do not cover them.
+
 /// The roundings that a summand of a rule may suffer, in units of 2^-53 of it, where pieces have at most this radius against
-/// their distance. Levels 5, height 2, weight and node 6, area 2, cut 4, products 6; the distance, whose fourth power enters: a
-/// corner's coordinates 1, of a number at most 1 + ratio, the differences of the corners' 8 of the radius, over 1 - ratio, the
-/// sum 1; squares and their sum 1.
+/// their distance D. A level: its tail left out 1, nodes 1, products and sums 3; weight 2; division 1; area 1, and 4 where it is cut;
+/// height 1, length of the normal 3, the result 1. The distance: the edges 5 of a length of at most 2 ratio D, over a distance of
+/// (1 - ratio) D, and the sum 1. Its square w: twice that, the roundings of squares and their sum 2, the squared height 3 of h^2 / w,
+/// which exceeds what the distance leaves of 3 w by at most 1.5. The square of w doubles these, and 1.
 double summand_roundings(double ratio) {
-  const double distance = ((1 + ratio) + 8 * ratio) / (1 - ratio) + 1;
-  return 25 + 2 * (2 * distance + 1);
+  const double distance = 10 * ratio / (1 - ratio) + 1;
+  return 5 + 2 + 1 + 5 + 5.2 + 2 * (2 * distance + 3.5) + 1;
 }
 
-/// Those of the sums, in units of the largest Bernstein coefficient: a block, the compensated total, the lanes, three for every
-/// factor of a Bernstein polynomial, and its coefficient.
-double sum_roundings(int degree) {
-  return static_cast<double>(PieceSums::rule_block) + 6 + (degree > 0 ? 3 * degree + 1 : 0);
+/// Those of the sums, in units of the largest Bernstein coefficient: a block, the area 1, the lanes 3, the coefficient 1, the
+/// compensated total and the sums in long double; and for every factor of a Bernstein polynomial the node 1, a product 1, and in a
+/// part of a triangle 3 for the coordinate in all of it.
+double sum_roundings(int degree, bool whole) {
+  return static_cast<double>(PieceSums::rule_block - 1) + 5.2 + (whole ? 2 : 5) * degree;
 }
 
-double PlaneElement::Prepared::permitted_ratio() const {
+PlaneElement::Prepared::Permitted PlaneElement::Prepared::permitted(bool whole) const {
+  constexpr double least_spare = 1;
   for (const double ratio : {0.4, 0.35, 0.3, 0.25, 0.2, 0.15, 0.1, 0.05, 0.02}) {
-    const double most = summand_roundings(ratio) + sum_roundings(degree_) * amplification_;
-    if (most * unit <= (1 - truncation_part) * accuracy_) return ratio;
+    const double taken = summand_roundings(ratio) + sum_roundings(degree_, whole) * amplification_;
+    const double spare = (1 - truncation_part) * accuracy_ / unit - taken;
+    if (spare >= least_spare) return {ratio, spare};
   }
-  return 0;
+  return {};
 }
 
 /// Cuts the visible part of the polygon into pieces, triangle by triangle; false if that takes too many.
-bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, std::size_t most,
+bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, const Permitted& permitted, std::size_t most,
                                              std::vector<KernelPiece>& pieces) const {
   pieces.clear();
   const double squared_height = eye.height.value() * eye.height.value();
@@ -557,10 +623,9 @@ bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, std::size_t most,
     KernelPiece triangle;
     for (std::size_t c = 0; c < 3; ++c) {
       const std::size_t corner = triangles_[k].corner[c];
-      const BoundedDouble& level = eye.levels[corner];
       triangle.corner[c].x = twofold_product(axis_x_, eye.differences[corner]);
       triangle.corner[c].y = twofold_product(axis_y_, eye.differences[corner]);
-      triangle.corner[c].level = level.smallest_size() > 0 ? level.value() : 0;
+      triangle.corner[c].level = eye.levels[corner];
       triangle.corner[c].barycentric[c] = 1;
     }
     triangle.double_area = triangles_[k].double_area;
@@ -571,7 +636,7 @@ bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, std::size_t most,
       KernelPiece piece = left.back();
       left.pop_back();
       measure(piece, squared_height);
-      if (piece.radius <= permitted_ratio_ * piece.distance) {
+      if (piece.radius <= permitted.ratio * piece.distance) {
         pieces.push_back(piece);
         continue;
       }
@@ -582,23 +647,83 @@ bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, std::size_t most,
   return true;
 }
 
-bool PlaneElement::Prepared::by_rule(const Eye& eye, std::size_t most_pieces,
-                                     std::span<double> values) const {
-  if (permitted_ratio_ == 0) return false;
+/// What the geometry is off by; `over_pieces` bounds the sum of the pieces' areas over the fourth powers of their smallest distances.
+/// Levels: max(level, 0) changes by at most as much as the level, which is linear between corners, whose levels are off by e at most,
+/// or were set to 0 and are at most 5 e and a little. What the change uncovers of a triangle that is cut lies where the level is
+/// between -5 e and 0: by the argument of hidden_part at most 2 (5 e) / L of its area, all of it where no corner is seen, and |Q-P| >= |h|.
+/// Cuts: shifted by at most 2 e / l of a side, l the smallest level of a corner in size, which moves what is seen by that part of
+/// the polygon's diameter: the summand changes by four times that over (1 - ratio) D; areas change by 4 e / l at most, and
+/// every barycentric coordinate by 2 e / l of itself, beside its rounding at the cut and at every halving.
+/// Height and coordinates: eta = 40 2^-106 reach / |h| is the relative error of h beside its rounding. Coordinates are off by at
+/// most (40 + 82) 2^-106 reach, of which the second part is for a cut and the halvings, whose errors are 16 2^-106 of coordinates that
+/// come down to 1.4 D with the pieces. As D >= |h|, a distance of at least (1 - ratio) D changes by at most 3.1 sqrt(2) / 0.6 eta < 7.4
+/// eta of itself, its fourth power by 30 eta; h enters as a factor, and in the fourth power by at most 2 eta: 33 eta in all.
+PlaneElement::Prepared::GeometryErrors PlaneElement::Prepared::geometry_errors(
+    const Eye& eye, const std::vector<KernelPiece>& pieces, double ratio, double over_pieces) const {
+  GeometryErrors errors;
+  const double height = eye.height.smallest_size();
+  constexpr double rounding = 1.01;
+  constexpr double by_height = 33;
+  constexpr double by_largest = 1.4;  // which is off by a quarter at most
+  errors.relative = by_height * rounding * twofold_product_error(eye.reach) / height;
+  const double lowest = undecided_errors * eye.level_error;
+  errors.level = lowest * over_pieces;
+  double cut = 0;
+  double cut_over_distance = 0;
+  const double diameter = 2 * rounding * (x_scale_ + y_scale_);
+  for (const KernelPiece& piece : pieces) {
+    if (!piece.cut) continue;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const std::size_t c : triangles_[piece.triangle].corner) {
+      const double level = std::abs(eye.levels[c].head);
+      if (level > 0) smallest = std::min(smallest, level);
+    }
+    const double part = 2 * rounding * eye.level_error / smallest;
+    cut = std::max(cut, part * (2 + degree_) + unit * (1 + piece.halvings) * degree_);
+    cut_over_distance = std::max(cut_over_distance, part / piece.distance);
+  }
+  errors.relative += rounding * (cut + 4 * cut_over_distance * diameter / (1 - ratio));
+  if (eye.has_undecided) {
+    for (const Triangle& triangle : triangles_) {
+      bool is_undecided = false;
+      bool is_cut = false;
+      double largest = 0;
+      for (const std::size_t c : triangle.corner) {
+        is_undecided = is_undecided || eye.levels[c].head == 0;
+        is_cut = is_cut || eye.levels[c].head < 0;
+        largest = std::max(largest, eye.levels[c].head);
+      }
+      if (!is_undecided || (!is_cut && largest > 0)) continue;
+      const double part = largest > 0 ? std::min(1.0, 2 * lowest / largest) : 1;
+      const double over_height = lowest / (height * height) * part;
+      errors.level += by_largest * over_height * (std::abs(triangle.double_area) / (height * height));
+    }
+  }
+  return errors;
+}
+
+bool PlaneElement::Prepared::by_rule(const Eye& eye, bool whole_triangles, std::span<double> values) const {
+  constexpr std::size_t many = 200;
+  const Permitted& permitted = whole_triangles ? permitted_whole_ : permitted_parts_;
+  if (permitted.ratio == 0) return false;
   std::vector<KernelPiece>& pieces = scratch().pieces;
-  if (!cut_into_pieces(eye, most_pieces, pieces)) return false;
+  if (!cut_into_pieces(eye, permitted, whole_triangles ? 0 : triangles_.size() + many, pieces)) return false;
   // A lower bound of Int G / h, from the largest distance; piece by piece where none counts negative.
   double average = 0;
   double by_pieces = 0;
+  double over_pieces = 0;  // the sum of areas over fourth powers of distances
   double farthest = 0;
   double absolute_area = 0;
   bool positive = true;
   for (const KernelPiece& piece : pieces) {
     const auto& [a, b, c] = piece.corner;
-    const double level = piece.double_area / 6 * (a.level + b.level + c.level);
+    const double third = piece.double_area / 6;
+    const double levels = a.level.head + b.level.head + c.level.head;
     const double reach = piece.distance + piece.radius;
-    average += level;
-    by_pieces += level / ((reach * reach) * (reach * reach));
+    const double over_reach = third / ((reach * reach) * (reach * reach));
+    average += third * levels;
+    by_pieces += over_reach * levels;
+    over_pieces += std::abs(over_reach);
     farthest = std::max(farthest, reach);
     absolute_area += std::abs(piece.double_area) / 2;
     positive = positive && piece.double_area >= 0;
@@ -607,6 +732,12 @@ bool PlaneElement::Prepared::by_rule(const Eye& eye, std::size_t most_pieces,
   const double least =
       rounding * (positive ? by_pieces : average / ((farthest * farthest) * (farthest * farthest)));
   if (!(least > 0)) return false;
+  const double quotient = (1 + permitted.ratio) / (1 - permitted.ratio);
+  const GeometryErrors errors =
+      geometry_errors(eye, pieces, permitted.ratio,
+                      3 / rounding * over_pieces * (quotient * quotient) * (quotient * quotient));
+  const double geometry = (errors.level / least + errors.relative) * amplification_;
+  if (!(geometry <= permitted.spare * unit)) return false;
 
   std::vector<long double>& results = scratch().results;
   results.assign(functions_.size(), 0);
@@ -621,7 +752,8 @@ bool PlaneElement::Prepared::by_rule(const Eye& eye, std::size_t most_pieces,
       const KernelPiece& piece = pieces[place];
       // 2 area sup |numerator| D^-4 tail sup |q|, against this area's part of what is permitted.
       const double squared = piece.distance * piece.distance;
-      const double level = std::max({piece.corner[0].level, piece.corner[1].level, piece.corner[2].level});
+      const double level =
+          std::max({piece.corner[0].level.head, piece.corner[1].level.head, piece.corner[2].level.head});
       if (!(level > 0)) continue;
       const double needed = truncation_part * accuracy_ * least * squared * squared /
                             (2 * absolute_area * level * amplification_);
@@ -640,12 +772,15 @@ bool PlaneElement::Prepared::by_rule(const Eye& eye, std::size_t most_pieces,
     whole += part;
     absolute += std::abs(part);
   }
+  // What was taken for a lower bound, by sums that cancel where some areas are negative.
+  if (!(static_cast<long double>(least) <= whole)) return false;
   // Triangles that stick out of the polygon and cancel: there the functions are bounded by the Bernstein coefficients alone.
   if (!(absolute <= whole)) {
     const auto excess = static_cast<double>(absolute / whole);
     const double roundings =
-        excess * (summand_roundings(permitted_ratio_) + sum_roundings(degree_)) * amplification_;
-    if (!(whole > 0) || !(roundings * unit <= (1 - truncation_part) * accuracy_)) return false;
+        (summand_roundings(permitted.ratio) + sum_roundings(degree_, whole_triangles)) * amplification_ +
+        geometry / unit;
+    if (!(excess * roundings * unit <= (1 - truncation_part) * accuracy_)) return false;
   }
   const long double factor =
       static_cast<long double>(eye.height.value()) / static_cast<long double>(eye.normal_length.value());
@@ -701,7 +836,7 @@ PlaneElement::Route PlaneElement::Prepared::integrals(const Vector<double>& p, c
   // Squares and fourth powers of lengths beyond these could leave the range of doubles; normals need not.
   constexpr double smallest = 1e-60;
   constexpr double largest = 1e60;
-  if (normal_size < smallest || normal_size > largest || eye.reach > largest)
+  if (normal_size < smallest || normal_size > largest || eye.reach < smallest || eye.reach > largest)
     return by_balls(p, normal, values);
   const double scale = std::ldexp(1.0, -std::ilogb(normal_size));
   for (double& part : eye.normal.head) part *= scale;
@@ -712,26 +847,29 @@ PlaneElement::Route PlaneElement::Prepared::integrals(const Vector<double>& p, c
 
   int seen = 0;
   int unseen = 0;
-  int undecided = 0;
+  eye.has_undecided = false;
+  eye.largest_level = 0;
+  eye.level_error = twofold_product_error(normal_reach * eye.reach);
   for (const Corner& corner : corners_) {
     eye.differences.push_back(difference(eye.p, corner.at));
-    const BoundedDouble level = -product(eye.normal, eye.differences.back(), normal_reach * eye.reach);
-    eye.levels.push_back(level);
-    if (level.smallest_size() == 0) {
-      ++undecided;
+    Twofold level = -twofold_product(eye.normal, eye.differences.back());
+    if (std::abs(level.head) <= decided_errors * eye.level_error) {
+      eye.has_undecided = true;
+      level = {};
     } else {
-      ++(level.value() > 0 ? seen : unseen);
+      ++(level.head > 0 ? seen : unseen);
     }
+    eye.largest_level = std::max(eye.largest_level, level.head);
+    eye.levels.push_back(level);
   }
   eye.height = product(axis_z_, eye.differences[0], eye.reach);
-  if (seen == 0 && undecided == 0) {
+  if (seen == 0 && !eye.has_undecided) {
     // Unless P lies on the polygon, where the ball's contract is asked; there a corner in front or on the tangent plane exists.
     std::fill(values.begin(), values.end(), 0.0);
     return Route::zero;
   }
   if (eye.height.smallest_size() < smallest || shortest_ < smallest || seen == 0)
     return by_balls(p, normal, values);
-  // A corner within rounding of the tangent plane changes the integral by the square of that.
   const bool whole = unseen == 0;
   if (whole && degree_ == 0) {
     if (const std::optional<BoundedDouble> value = lambert(eye)) {
@@ -742,16 +880,14 @@ PlaneElement::Route PlaneElement::Prepared::integrals(const Vector<double>& p, c
     }
   }
   // One piece a triangle: then the rule costs less than the closed form of higher degree.
-  const std::size_t few = triangles_.size();
-  constexpr std::size_t many = 200;
-  if (whole && by_rule(eye, few, values)) return Route::rule;
+  if (whole && by_rule(eye, true, values)) return Route::rule;
   if (whole) {
     const bool closed = degree_ <= 1   ? by_closed_form<1>(eye, values)
                         : degree_ == 2 ? by_closed_form<2>(eye, values)
                                        : by_closed_form<largest_degree>(eye, values);
     if (closed) return Route::closed_form;
   }
-  return by_rule(eye, many + few, values) ? Route::rule : by_balls(p, normal, values);
+  return by_rule(eye, false, values) ? Route::rule : by_balls(p, normal, values);
 }
 
 PlaneElement::PlaneElement(const PlanePolygon& polygon, std::vector<PlanePolynomial<Rational>> functions,
