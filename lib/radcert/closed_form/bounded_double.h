@@ -31,12 +31,14 @@ public:
   BoundedDouble(double value, double error) : value_(value), error_(error) {}
   static BoundedDouble exactly(double value) { return {value, 0}; }
   /// A value that was rounded once.
-  static BoundedDouble rounded(double value) { return {value, unit * std::abs(value)}; }
+  static BoundedDouble rounded(double value) { return {value, unit * std::abs(value) + underflow}; }
 
   [[nodiscard]] double value() const { return value_; }
   [[nodiscard]] double error() const { return error_; }
   /// At most the size of the exact number; 0 if that may be 0.
-  [[nodiscard]] double smallest_size() const { return std::max(0.0, std::abs(value_) - error_); }
+  [[nodiscard]] double smallest_size() const {
+    return std::max(0.0, (std::abs(value_) - error_) * rounded_down);
+  }
 
   BoundedDouble operator-() const { return {-value_, error_}; }
   friend BoundedDouble operator+(const BoundedDouble& a, const BoundedDouble& b) {
@@ -53,20 +55,21 @@ public:
     const double least = std::abs(b.value_) - b.error_;
     if (!(least > 0)) return unknown();
     const double quotient = a.value_ / b.value_;
-    return own(quotient, (a.error_ + std::abs(quotient) * b.error_) / least + underflow);
+    // What the product in the numerator may lose is divided as well.
+    return own(quotient, (a.error_ + (std::abs(quotient) * b.error_ + lost)) / least + underflow);
   }
   friend BoundedDouble sqrt(const BoundedDouble& a) {
     const double least = a.value_ - a.error_;
     if (!(least > 0)) return unknown();
-    // |sqrt(a) - sqrt(b)| <= |a - b| / sqrt(smaller), and sqrt(least) >= least / root
+    // |sqrt(a) - sqrt(b)| = |a - b| / (sqrt(a) + sqrt(b)), and sqrt(least) >= least / root
     const double root = std::sqrt(a.value_);
-    return own(root, slack * a.error_ * root / (root * root + least));
+    return own(root, slack * a.error_ / (root + least / root) + underflow);
   }
   friend BoundedDouble log(const BoundedDouble& a) {
     const double least = a.value_ - a.error_;
     if (!(least > 0)) return unknown();
     const double value = std::log(a.value_);
-    return {value, a.error_ / least * rounded_up + library * std::abs(value)};
+    return {value, a.error_ / least * rounded_up + library * std::abs(value) + underflow};
   }
   friend BoundedDouble exp(const BoundedDouble& a) {
     if (!(a.error_ < 1)) return unknown();
@@ -89,7 +92,7 @@ public:
   friend BoundedDouble atan(const BoundedDouble& a) {
     const double value = std::atan(a.value_);
     const double least = std::max(0.0, std::abs(a.value_) - a.error_);
-    return {value, a.error_ / (1 + least * least) * slack + library * std::abs(value)};
+    return {value, a.error_ / (1 + least * least) * slack + library * std::abs(value) + underflow};
   }
   /// The angle of (x, y) in (-pi, pi].
   friend BoundedDouble atan2(const BoundedDouble& y, const BoundedDouble& x) {
@@ -97,13 +100,14 @@ public:
     const double moved = x.error_ + y.error_;
     // Beyond that the first order does not bound the change; the ray to the left is where the angle jumps.
     const bool jumps = x.value_ - x.error_ <= 0 && std::abs(y.value_) <= y.error_;
-    if (!(moved < size / 64) || jumps) return unknown();
+    if (!(moved < size / 64) || !(size > smallest_point && size < largest_point) || jumps) return unknown();
     const double value = std::atan2(y.value_, x.value_);
     // On the segment to the exact point the distance from the origin is at least (1 - sqrt(2)/64) of its value here.
     const double squared = x.value_ * x.value_ + y.value_ * y.value_;
-    constexpr double nearer = 1.06;
-    const double passed = (std::abs(x.value_) + moved) * y.error_ + (std::abs(y.value_) + moved) * x.error_;
-    return {value, nearer * passed / squared + library * std::abs(value)};
+    const double nearer = 1.06 / squared;
+    const double passed = ((std::abs(x.value_) + moved) * nearer) * y.error_ +
+                          ((std::abs(y.value_) + moved) * nearer) * x.error_;
+    return {value, passed + library * std::abs(value) + underflow};
   }
   friend bool certainly_zero(const BoundedDouble& a) { return a.value_ == 0 && a.error_ == 0; }
   friend BoundedDouble min(const BoundedDouble& a, const BoundedDouble& b) {
@@ -136,8 +140,14 @@ private:
   static constexpr double slack = 1.02;
   /// More than the roundings of what is passed on: fewer than eight.
   static constexpr double rounded_up = 1 + 0x1p-50;
-  /// Far more than what a product, and the products in its bound, may lose by underflow.
+  /// Less than 1 - 2^-53, which the difference of value and error may gain by its rounding.
+  static constexpr double rounded_down = 1 - 0x1p-51;
+  /// Far more than what a product, and the products in its bound, may lose by underflow; a product alone loses less than `lost`.
   static constexpr double underflow = 1e-290;
+  static constexpr double lost = 1e-323;
+  /// Points whose squared distance from the origin is a normal number.
+  static constexpr double smallest_point = 1e-140;
+  static constexpr double largest_point = 1e140;
 
   /// Not a number where one of them is none: nothing is then said.
   static double larger(double a, double b) { return a < b ? b : (b <= a ? a : a + b); }

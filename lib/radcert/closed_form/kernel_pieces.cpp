@@ -203,7 +203,8 @@ void PieceSums::add_in(const KernelPiece& piece, const PaddedRule& rule, double 
   const std::array<Pack, 3> levels{Pack(a.level.head), Pack(b.level.head), Pack(c.level.head)};
   std::array<std::array<Pack, 3>, 3> barycentric;
   for (std::size_t k = 0; k < 3; ++k) {
-    barycentric[k] = {Pack(a.barycentric[k]), Pack(b.barycentric[k]), Pack(c.barycentric[k])};
+    const double first = a.barycentric[k];
+    barycentric[k] = {Pack(first), Pack(b.barycentric[k] - first), Pack(c.barycentric[k] - first)};
   }
   const std::size_t packs = rule.weights.size() / Pack::lanes;
   for (std::size_t start = 0; start < packs; start += rule_block) {
@@ -226,7 +227,7 @@ void PieceSums::add_in(const KernelPiece& piece, const PaddedRule& rule, double 
       std::array<Pack, 3> lambda{l0, l1, l2};
       if (!piece.whole) {
         for (std::size_t k = 0; k < 3; ++k) {
-          lambda[k] = fma(barycentric[k][1], l1, fma(barycentric[k][2], l2, barycentric[k][0] * l0));
+          lambda[k] = fma(barycentric[k][1], l1, fma(barycentric[k][2], l2, barycentric[k][0]));
         }
       }
       std::array<Pack, most_monomials> products;

@@ -598,9 +598,9 @@ double summand_roundings(double ratio) {
 
 /// Those of the sums, in units of the largest Bernstein coefficient: a block, the area 1, the lanes 3, the coefficient 1, the
 /// compensated total and the sums in long double; and for every factor of a Bernstein polynomial the node 1, a product 1, and in a
-/// part of a triangle 3 for the coordinate in all of it.
+/// part of a triangle 2 for its coordinates in all of it, which are nowhere above 1 and have the sum 1 also half computed.
 double sum_roundings(int degree, bool whole) {
-  return static_cast<double>(PieceSums::rule_block - 1) + 5.2 + (whole ? 2 : 5) * degree;
+  return static_cast<double>(PieceSums::rule_block - 1) + 5.2 + (whole ? 2 : 4) * degree;
 }
 
 PlaneElement::Prepared::Permitted PlaneElement::Prepared::permitted(bool whole) const {
@@ -653,7 +653,7 @@ bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, const Permitted& pe
 /// between -5 e and 0: by the argument of hidden_part at most 2 (5 e) / L of its area, all of it where no corner is seen, and |Q-P| >= |h|.
 /// Cuts: shifted by at most 2 e / l of a side, l the smallest level of a corner in size, which moves what is seen by that part of
 /// the polygon's diameter: the summand changes by four times that over (1 - ratio) D; areas change by 4 e / l at most, and
-/// every barycentric coordinate by 2 e / l of itself, beside its rounding at the cut and at every halving.
+/// every barycentric coordinate by 2 e / l of itself, beside its roundings at the cut, at every halving, and of two differences.
 /// Height and coordinates: eta = 40 2^-106 reach / |h| is the relative error of h beside its rounding. Coordinates are off by at
 /// most (40 + 82) 2^-106 reach, of which the second part is for a cut and the halvings, whose errors are 16 2^-106 of coordinates that
 /// come down to 1.4 D with the pieces. As D >= |h|, a distance of at least (1 - ratio) D changes by at most 3.1 sqrt(2) / 0.6 eta < 7.4
@@ -679,7 +679,7 @@ PlaneElement::Prepared::GeometryErrors PlaneElement::Prepared::geometry_errors(
       if (level > 0) smallest = std::min(smallest, level);
     }
     const double part = 2 * rounding * eye.level_error / smallest;
-    cut = std::max(cut, part * (2 + degree_) + unit * (1 + piece.halvings) * degree_);
+    cut = std::max(cut, part * (2 + degree_) + unit * (3 + piece.halvings) * degree_);
     cut_over_distance = std::max(cut_over_distance, part / piece.distance);
   }
   errors.relative += rounding * (cut + 4 * cut_over_distance * diameter / (1 - ratio));
