@@ -125,7 +125,8 @@ private:
   bool by_rule(const Eye& eye, bool whole, std::span<double> values) const;
   Route by_balls(const Vector<double>& p, const Vector<double>& normal, std::span<double> values) const;
   [[nodiscard]] bool foot_is_outside(const Eye& eye, const std::vector<FootEdge<BoundedDouble>>& edges) const;
-  [[nodiscard]] BoundedDouble plain_product(const TwofoldVector& direction, const TwofoldVector& r) const;
+  [[nodiscard]] static BoundedDouble plain_product(const TwofoldVector& direction, const TwofoldVector& r,
+                                                   double reach);
 
   PlanePolygon polygon_;
   std::vector<PlanePolynomial<Rational>> exact_functions_;
@@ -460,8 +461,8 @@ std::optional<BoundedDouble> PlaneElement::Prepared::lambert(const Eye& eye) con
     const BoundedDouble d = product(edge.inward, from, eye.reach);
     const BoundedDouble a2 = d * d + squared_height;
     const BoundedDouble a = sqrt(a2);
-    const BoundedDouble start = -plain_product(edge.direction, from);
-    const BoundedDouble end = -plain_product(edge.direction, eye.differences[edge.end]);
+    const BoundedDouble start = -plain_product(edge.direction, from, eye.reach);
+    const BoundedDouble end = -plain_product(edge.direction, eye.differences[edge.end], eye.reach);
     const BoundedDouble angle = atan2(a * BoundedDouble::rounded(edge.length), a2 + start * end);
     const BoundedDouble across = product(edge.inward, eye.normal, normal_reach);
     sum = sum + (eye.height * across - eye.normal_z * d) * angle / a;
@@ -473,9 +474,9 @@ std::optional<BoundedDouble> PlaneElement::Prepared::lambert(const Eye& eye) con
   return std::nullopt;
 }
 
-/// direction . r in doubles.
-BoundedDouble PlaneElement::Prepared::plain_product(const TwofoldVector& direction,
-                                                    const TwofoldVector& r) const {
+/// direction . r in doubles, r a difference of corners and P.
+BoundedDouble PlaneElement::Prepared::plain_product(const TwofoldVector& direction, const TwofoldVector& r,
+                                                    double reach) {
   double sum = 0;
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -483,8 +484,8 @@ BoundedDouble PlaneElement::Prepared::plain_product(const TwofoldVector& directi
     sum += term;
     size += std::abs(term);
   }
-  // Both factors are rounded, the product, and two sums.
-  return {sum, 5.1 * unit * size};
+  // Both factors are rounded, the product, and two sums; and the difference itself is known to 2^-105 of P and the corner.
+  return {sum, 5.1 * unit * size + twofold_product_error(reach)};
 }
 
 /// Whether the foot certainly lies outside, and no nearer to a corner than P's height. Of a polygon that is not convex the
@@ -523,12 +524,12 @@ bool PlaneElement::Prepared::by_closed_form(const Eye& eye, std::span<double> va
     seen.distance = product(edge.inward, from, eye.reach);
     seen.slant = sqrt(seen.distance * seen.distance + squared_height);
     seen.length = B::rounded(edge.length);
-    seen.start = -plain_product(edge.direction, from);
-    seen.end = -plain_product(edge.direction, to);
-    seen.start_x = -plain_product(axis_x_, from);
-    seen.start_y = -plain_product(axis_y_, from);
-    seen.end_x = -plain_product(axis_x_, to);
-    seen.end_y = -plain_product(axis_y_, to);
+    seen.start = -plain_product(edge.direction, from, eye.reach);
+    seen.end = -plain_product(edge.direction, to, eye.reach);
+    seen.start_x = -plain_product(axis_x_, from, eye.reach);
+    seen.start_y = -plain_product(axis_y_, from, eye.reach);
+    seen.end_x = -plain_product(axis_x_, to, eye.reach);
+    seen.end_y = -plain_product(axis_y_, to, eye.reach);
     // Int |d| log(w/h^2) / (2 rho^2) dt <= pi |d| / |h|, and so |d| angle / a.
     if (seen.distance.smallest_size() > 0) {
       seen.distance_sign = seen.distance.value() < 0 ? -1 : 1;

@@ -65,8 +65,9 @@ B product(const std::array<Pack, 3>& direction, const TwofoldPackVector& differe
     const Pack head = direction[i] * difference.head[i];
     const TwofoldPack next = exact_sum(sum, head);
     sum = next.head;
+    // The product's rounding first: it is exact, and would be lost in a sum with the tail's product.
     tail +=
-        next.tail + fused(direction[i], difference.head[i], fused(direction[i], difference.tail[i], -head));
+        next.tail + fused(direction[i], difference.tail[i], fused(direction[i], difference.head[i], -head));
   }
   const Pack value = sum + tail;
   return {value, fused(Pack(unit), abs(value), Pack(direction_error) * size)};

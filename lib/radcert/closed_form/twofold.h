@@ -73,13 +73,15 @@ inline Twofold sqrt(const Twofold& a) {
   return exact_sum(root, (a - Twofold{root, 0} * Twofold{root, 0}).head / (2 * root));
 }
 
-/// p - a.
+/// p - a, within 2^-105 (|p| + |a|), and the head within 2^-53 of itself and that: where p and a are close, the tail of a may be of the
+/// size of the difference of the heads.
 inline TwofoldVector difference(const std::array<double, 3>& p, const TwofoldVector& a) {
   TwofoldVector result;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Twofold d = exact_sum(p[i], -a.head[i]);
+    const Twofold heads = exact_sum(p[i], -a.head[i]);
+    const Twofold d = exact_sum(heads.head, heads.tail - a.tail[i]);
     result.head[i] = d.head;
-    result.tail[i] = d.tail - a.tail[i];
+    result.tail[i] = d.tail;
   }
   return result;
 }
