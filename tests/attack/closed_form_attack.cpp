@@ -231,11 +231,11 @@ Attack<Instance> attack_on(const char* name, std::size_t usual, int lowest, int 
 }
 
 TEST(ClosedFormAttack, PlaneElementsOfConstants) {
-  hold(attack_on("plane elements, constants", 2000, 0, 0, true, judge_plane_element));
+  hold(attack_on("plane elements, constants", 250, 0, 0, true, judge_plane_element));
 }
 
 TEST(ClosedFormAttack, PlaneElementsOfPolynomials) {
-  hold(attack_on("plane elements, degrees 1 to 8", 12, 1, 8, true, judge_plane_element));
+  hold(attack_on("plane elements, degrees 1 to 8", 4, 1, 8, true, judge_plane_element));
 }
 
 Judgement judge_plane_triangle(const Instance& x) {
@@ -252,7 +252,7 @@ Judgement judge_plane_triangle(const Instance& x) {
 }
 
 TEST(ClosedFormAttack, PlaneTrianglesOfConstants) {
-  hold(attack_on("plane triangles, constants", 2000, 0, 0, false, judge_plane_triangle));
+  hold(attack_on("plane triangles, constants", 800, 0, 0, false, judge_plane_triangle));
 }
 
 TEST(ClosedFormAttack, PlaneTrianglesOfPolynomials) {
@@ -284,7 +284,7 @@ TEST(ClosedFormAttack, PointToPolygonOfConstants) {
 }
 
 TEST(ClosedFormAttack, PointToPolygonOfPolynomials) {
-  hold(attack_on("point_to_polygon, degrees 1 to 8", 10, 1, 8, true, judge_ball));
+  hold(attack_on("point_to_polygon, degrees 1 to 8", 6, 1, 8, true, judge_ball));
 }
 
 struct Body {
@@ -324,7 +324,7 @@ Judgement judge_tetrahedron(const Body& body) {
 TEST(ClosedFormAttack, PolygonToPolygon) {
   hold(Attack<Body>{
       .name = "polygon_to_polygon, closed bodies",
-      .usual_instances = 6,
+      .usual_instances = 2,
       .make =
           [](Draw& draw) {
             NastyGeometry nasty(draw);

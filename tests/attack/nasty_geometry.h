@@ -255,7 +255,7 @@ inline std::vector<Sight> simpler(const Sight& s) {
   const auto shorter = [](double x, int bits) {
     if (x == 0) return x;
     const double unit = std::ldexp(1.0, std::ilogb(x) - bits);
-    return std::round(x / unit) * unit;
+    return unit > 0 ? std::round(x / unit) * unit : x;
   };
   const auto numbers = [](Sight& t) {
     std::vector<double*> places;

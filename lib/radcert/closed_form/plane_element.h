@@ -22,7 +22,7 @@ namespace radcert {
 /// Requires  at least one function, each of degree at most 8 and not zero, 1e-14 <= accuracy <= 1e-3, and no sizes or a
 ///           positive one a function, else ContractViolation; p and normal as point_to_polygon demands them, taken as exact numbers
 /// Result    |result - exact| <= accuracy (Int |G| dS) max |q_k| over the polygon, whatever P: always, by a bound computed with the
-///           value, or by a ball. With sizes: sizes[k] >= max |q_k| in its place, such as the maximum over an element of which the
+///           value, or by a ball; 2^-1074 more where that is not a normal number. With sizes: sizes[k] >= max |q_k| in its place, such as the maximum over an element of which the
 ///           polygon is a part. The same bits for the same numbers, in any order and from any thread
 /// Limits    a ball costs a hundred to a thousand closed forms. It is needed very close to an edge or a corner and where the polygon
 ///           is cut there, from degree 3 on between the reach of the closed form and that of the rules, and for functions whose

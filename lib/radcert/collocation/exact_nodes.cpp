@@ -135,7 +135,8 @@ double IntegralErrors::bound(std::span<const double> integrals) const {
   }
   const double integral =
       (std::abs(sum) + count * unit * size * upward) / (1 - count * accuracy * largest_ * upward) * upward;
-  return accuracy * largest_ * integral * upward;
+  // An integral below the normal numbers is rounded to one of them, or to zero.
+  return accuracy * largest_ * integral * upward + 2 * underflow;
 }
 
 CertifiedEntry certified_entry(double reflectivity, double integral, double error) {
