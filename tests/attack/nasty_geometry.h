@@ -101,16 +101,13 @@ public:
   }
 
   /// Two triangles of whole numbers with a common edge, almost in one plane: a corner of the second lies off the plane of the first by
-  /// about 2^-bits of its size.
+  /// a part 2^-bits of its size at most, or by as little as whole numbers can, a part 2^(-3 bits).
   std::pair<Corners, Corners> nearly_coplanar_pair(int bits) {
     for (;;) {
       const Point a = draw_.below(2) == 0 ? Point{0, 0, 0} : whole_point(bits);
       const Point b = whole_point(bits);
       const Point c = whole_point(bits);
-      const double s = 3 * signed_unit();
-      const double t = draw_.below(4) == 0 ? power_of_ten(-6, 0) : draw_.unit();
-      const Point away = b + s * (c - b) + t * (b - a + (draw_.below(2) == 0 ? c - a : Point{0, 0, 0}));
-      const Point d{std::round(away.x), std::round(away.y), std::round(away.z)};
+      const Point d = draw_.below(2) == 0 ? rounded_neighbour(a, b, c) : closest_neighbour(a, b, c);
       const Corners first{a, b, c};
       const Corners second{c, b, d};
       if (is_degenerate(first) || is_degenerate(second) || is_in_plane(first, d)) continue;
@@ -127,6 +124,78 @@ public:
   }
 
 private:
+  Point rounded_neighbour(const Point& a, const Point& b, const Point& c) {
+    const double s = 3 * signed_unit();
+    const double t = draw_.below(4) == 0 ? power_of_ten(-6, 0) : draw_.unit();
+    const Point away = b + s * (c - b) + t * (b - a + (draw_.below(2) == 0 ? c - a : Point{0, 0, 0}));
+    return {std::round(away.x), std::round(away.y), std::round(away.z)};
+  }
+
+  /// x and y with a x + b y = gcd(a, b) > 0.
+  __extension__ typedef __int128
+      Whole;  // NOLINT(modernize-use-using): the extension is a prefix of a declaration
+  struct Bezout {
+    Whole x = 1;
+    Whole y = 0;
+    Whole divisor = 0;
+  };
+  static Bezout bezout(Whole a, Whole b) {
+    if (b == 0) return {a < 0 ? -1 : 1, 0, a < 0 ? -a : a};
+    const Bezout rest = bezout(b, a % b);
+    return {rest.y, rest.x - a / b * rest.y, rest.divisor};
+  }
+
+  /// A whole point d for which the determinant of b - a, c - a and d - a, over the common divisor of their normal, is a small number;
+  /// |coordinates| at most 2^27.
+  Point closest_neighbour(const Point& a, const Point& b, const Point& c) {
+    using Vector3 = std::array<Whole, 3>;
+    const auto whole_vector = [](const Point& v) {
+      return Vector3{static_cast<Whole>(v.x), static_cast<Whole>(v.y), static_cast<Whole>(v.z)};
+    };
+    const Vector3 e = whole_vector(b - a);
+    const Vector3 f = whole_vector(c - a);
+    const Vector3 n{e[1] * f[2] - e[2] * f[1], e[2] * f[0] - e[0] * f[2], e[0] * f[1] - e[1] * f[0]};
+    const Bezout two = bezout(n[0], n[1]);
+    const Bezout three = bezout(two.divisor, n[2]);
+    if (three.divisor == 0) return a;
+    const Whole level = static_cast<Whole>(1 + draw_.below(6)) * (draw_.below(2) == 0 ? 1 : -1);
+    // Any multiple of n[2] / divisor may be taken off the factor of the first two.
+    const Whole period = n[2] == 0 ? 1 : n[2] / three.divisor;
+    const Whole factor = n[2] == 0 ? three.x : three.x % period;
+    const Whole last = n[2] == 0 ? 0 : (three.divisor - factor * two.divisor) / n[2];
+    Vector3 v{level * two.x * factor, level * two.y * factor, level * last};
+    // Back to the neighbourhood of the triangle, by whole multiples of its sides.
+    for (int step = 0; step < 8; ++step) {
+      std::array<double, 3> g{};
+      std::array<double, 3> ed{};
+      std::array<double, 3> fd{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        g[i] = static_cast<double>(v[i]);
+        ed[i] = static_cast<double>(e[i]);
+        fd[i] = static_cast<double>(f[i]);
+      }
+      const auto product = [](const auto& p, const auto& q) {
+        return p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+      };
+      const double ee = product(ed, ed);
+      const double ef = product(ed, fd);
+      const double ff = product(fd, fd);
+      const double determinant = ee * ff - ef * ef;
+      if (!(determinant > 0)) return a;
+      const double s = std::round((product(g, ed) * ff - product(g, fd) * ef) / determinant);
+      const double t = std::round((product(g, fd) * ee - product(g, ed) * ef) / determinant);
+      if ((s == 0 && t == 0) || !(std::abs(s) + std::abs(t) < 0x1p90)) break;
+      for (std::size_t i = 0; i < 3; ++i) v[i] -= static_cast<Whole>(s) * e[i] + static_cast<Whole>(t) * f[i];
+    }
+    // Beyond the edge from b to c.
+    Point d = a;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double moved = static_cast<double>(v[i] + e[i] + f[i]);
+      (i == 0 ? d.x : i == 1 ? d.y : d.z) += moved;
+    }
+    return d;
+  }
+
   Corners some_triangle() {
     switch (draw_.below(8)) {
       case 0: return {Point{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
