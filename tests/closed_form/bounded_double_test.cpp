@@ -135,6 +135,26 @@ TEST(BoundedDouble, CountsWhatUnderflows) {
   EXPECT_TRUE(encloses((small / large) * large * large, Wide(1e-200) * Wide(1e200)));
 }
 
+TEST(BoundedDouble, CountsWhatUnderflowsInItsBound) {
+  // The product of the quotient and the divisor's error is no normal number, and is divided by a small one.
+  const BoundedDouble tiny(1e-100, 1e-101);
+  EXPECT_GE((BoundedDouble(1e-240, 0) / tiny).error(), 1e-142);
+  EXPECT_GE((BoundedDouble(1e-315, 0) / BoundedDouble(1e-40, 1e-41)).error(), 1e-277);
+  // The square root of a small number with a small error.
+  EXPECT_GE(sqrt(BoundedDouble(1e-220, 1e-221)).error(), 4.9e-112);
+  EXPECT_GE(BoundedDouble::rounded(5e-324).error(), 2.5e-324);
+  // An angle whose squared distance from the origin is no normal number.
+  const BoundedDouble angle = atan2(BoundedDouble(1e-170, 1e-180), BoundedDouble(1e-165, 0));
+  EXPECT_GE(angle.error(), 1e-15);
+  EXPECT_GE(atan2(BoundedDouble(1e-240, 1e-250), BoundedDouble(1e-120, 0)).error(), 1e-130);
+  EXPECT_FALSE(std::isfinite(atan2(BoundedDouble(1e200, 1e190), BoundedDouble(1e200, 0)).error()));
+}
+
+TEST(BoundedDouble, IsNotSmallerThanItsSmallestSize) {
+  const BoundedDouble x(1, 0x1p-54);
+  EXPECT_LE(Wide(x.smallest_size()), Wide(1) - Wide(0x1p-54));
+}
+
 TEST(BoundedDouble, SaysNothingOutsideTheDomain) {
   const BoundedDouble about_zero(0, 1e-300);
   for (const BoundedDouble& x : {BoundedDouble(1) / about_zero, sqrt(BoundedDouble(-1)), sqrt(about_zero),

@@ -13,6 +13,7 @@
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/core/contract.h"
 #include "tests/closed_form/kernel_quadrature.h"
+#include "tests/closed_form/polar_kernel_integral.h"
 #include "tests/scalar/draw.h"
 
 namespace radcert {
@@ -214,6 +215,166 @@ TEST(PlaneElement, StaysWithinItsErrorNextToEdgesCornersAndThePlane) {
     }
   }
   record(sweep);
+}
+
+judge::Triple triple(const Exact& a) { return {a.x, a.y, a.z}; }
+
+/// How far a constant's integral is off, over what is allowed, by Lambert's formula in space: it shares nothing with the element and
+/// with the balls that it falls back to.
+double excess(const PlanePolygon& polygon, const PlaneElement& element, double accuracy, const Point& p,
+              const Point& normal) {
+  std::vector<double> values(element.function_count());
+  (void)element.integrals(p, normal, values);
+  judge::Polygon judged{triple(polygon.origin()), triple(polygon.first()), triple(polygon.second()), {}};
+  for (const PolygonLoop& loop : polygon.loops()) {
+    judged.loops.emplace_back();
+    for (const auto& at : loop) judged.loops.back().push_back({at.s, at.t});
+  }
+  const BallPrecision precision(512);
+  const Ball exact = judge::lambert_integral(judged, triple(exactly(p)), triple(exactly(normal)));
+  if (certainly_zero(exact)) return values[0] == 0 ? 0 : HUGE_VAL;
+  EXPECT_LE(exact.radius(), 1e-20 * abs(exact).lower_double());
+  return abs((Ball(values[0]) - exact) / (Ball(accuracy) * exact)).upper_double();
+}
+
+// The pair of the first lines was off by 5244 radii: the height of its nodes is a part 1e-17 of their coordinates.
+TEST(PlaneElement, StaysWithinItsErrorNextToTrianglesInAlmostOnePlane) {
+  using Four = std::array<std::array<long, 3>, 4>;
+  const std::vector<Four> bodies{
+      {{{0, 0, 0},
+        {73591740, -99815289, 78673275},
+        {6575550, -8551461, -59501208},
+        {78413712, -106117383, 40683702}}},
+      {{{0, 0, 0}, {1000003, 7, 3}, {11, 1000033, 5}, {1000014, 1000040, 9}}},
+      {{{0, 0, 0}, {134217689, 3, 134217593}, {134217649, 134217617, 7}, {268435338, 134217620, 134217601}}},
+      {{{0, 0, 0}, {1L << 40, 0, 0}, {0, 1L << 40, 0}, {1L << 40, 1L << 40, 1}}},
+      {{{0, 0, 0}, {1L << 50, 0, 0}, {0, 1L << 50, 0}, {1L << 50, 1L << 50, 1}}},
+  };
+  for (const Four& body : bodies) {
+    std::array<Point, 4> c;
+    for (std::size_t k = 0; k < 4; ++k)
+      c[k] = {static_cast<double>(body[k][0]), static_cast<double>(body[k][1]),
+              static_cast<double>(body[k][2])};
+    // In thirds the centroids are doubles.
+    for (const std::size_t own : {0U, 3U}) {
+      const std::size_t other = 3 - own;
+      const auto times_three = [&](std::size_t k) { return Rational(3) * exactly(c[k]); };
+      for (const bool reversed : {false, true}) {
+        const PlanePolygon polygon =
+            plane_polygon({times_three(other), times_three(reversed ? 2 : 1), times_three(reversed ? 1 : 2)})
+                .value();
+        const Point p = c[own] + c[1] + c[2];
+        const Exact normal = cross(exactly(c[1] - c[own]), exactly(c[2] - c[own]));
+        const Point n{normal.x.to_double(), normal.y.to_double(), normal.z.to_double()};
+        for (const double accuracy : {1e-14, 1e-12, 1e-3}) {
+          const PlaneElement element(polygon, monomials(0), accuracy);
+          EXPECT_LE(excess(polygon, element, accuracy, p, n), 1) << body[1][0] << " " << own;
+          EXPECT_LE(excess(polygon, element, accuracy, p, -n), 1) << body[1][0] << " " << own;
+        }
+      }
+    }
+  }
+}
+
+// Heights of P down to 1e-18 of the size, over the polygon, next to its edges and beyond, in an oblique plane far from the origin.
+TEST(PlaneElement, StaysWithinItsErrorAtEveryHeight) {
+  Draw draw(17);
+  double worst = 0;
+  for (const double far : {0.0, 1.0, 1e6, 1e11}) {
+    for (int trial = 0; trial < 60; ++trial) {
+      const Point at = far * direction(draw);
+      const Point a = at + direction(draw);
+      const Point b = at + direction(draw);
+      const Point c = at + direction(draw);
+      // Not a double's corner: a quarter of the polygons is cut off at a third, one has a notch.
+      PolygonLoop loop{{0, 0}, {1, 0}, {0, 1}};
+      if (trial % 4 == 1)
+        loop = {{0, 0}, {Rational(1, 3), 0}, {Rational(1, 3), Rational(1, 7)}, {0, Rational(1, 3)}};
+      if (trial % 4 == 2) loop = {{0, 0}, {1, 0}, {Rational(1, 3), Rational(1, 3)}, {0, 1}};
+      const Outcome<PlanePolygon> polygon =
+          plane_polygon(exactly(a), exactly(b) - exactly(a), exactly(c) - exactly(a), {loop});
+      if (!polygon) continue;
+      const PlaneElement element(*polygon, monomials(0));
+      const Point up = cross(b - a, c - a);
+      for (int i = 0; i < 6; ++i) {
+        const double height = std::pow(10.0, -18 * draw.unit());
+        const std::array<double, 6> places{0.3, 0.0, 1.0, 1e-9, -1e-13, 1 + 1e-16};
+        const Point p = a + places[draw.below(6)] * (b - a) + places[draw.below(6)] * (c - a) + height * up;
+        const Exact offset = exactly(p) - exactly(a);
+        if (dot(offset, cross(exactly(b) - exactly(a), exactly(c) - exactly(a))).sign() == 0) continue;
+        for (const Point& normal :
+             {-up, direction(draw), cross(b - p, c - p), up + 1e-12 * direction(draw)}) {
+          if (normal == Point{0, 0, 0}) continue;
+          const double found = excess(*polygon, element, 1e-14, p, normal);
+          worst = std::max(worst, found);
+          EXPECT_LE(found, 1) << "P = " << shortest(p.x) << " " << shortest(p.y) << " " << shortest(p.z)
+                              << ", n = " << shortest(normal.x) << " " << shortest(normal.y) << " "
+                              << shortest(normal.z) << ", trial " << trial << " at " << far;
+        }
+      }
+    }
+  }
+  RecordProperty("worst", shortest(worst));
+}
+
+// A foot that lies inside by less than the rounding of its coordinates is not outside.
+TEST(PlaneElement, FindsTheFootInsideByALittle) {
+  const Point a{1.0 / 3, 1.0 / 7, 1.0 / 11};
+  const Point b{-2.0 / 3, 5.0 / 7, 13.0 / 11};
+  const Point c{8.0 / 3, -1.0 / 9, 2.0 / 13};
+  const PlanePolygon polygon = plane_polygon({exactly(a), exactly(b), exactly(c)}).value();
+  const Exact up = cross(exactly(b) - exactly(a), exactly(c) - exactly(a));
+  const Exact in = cross(up, exactly(c) - exactly(b));
+  for (const int degree : {0, 1, 2}) {
+    const PlaneElement element(polygon, monomials(degree), 1e-12);
+    for (int k = 40; k < 80; ++k) {
+      const Rational little = power(Rational(1, 2), k);
+      const Exact exact_p = Rational(1, 2) * (exactly(b) + exactly(c)) + little * in + Rational(1, 3) * up;
+      const Point p{exact_p.x.to_double(), exact_p.y.to_double(), exact_p.z.to_double()};
+      EXPECT_LE(excess(polygon, element, 1e-12, p, a - p), 1) << k;
+    }
+  }
+}
+
+// Functions of higher degree, by the polar integral: a nearly coplanar pair, a cut polygon far from the origin, a low foot.
+TEST(PlaneElement, AgreesWithAPolarIntegral) {
+  struct Case {
+    std::array<Point, 3> corners;
+    Point p;
+    Point normal;
+  };
+  const std::vector<Case> cases{
+      {{Point{0, 0, 0}, {1 << 20, 3, 0}, {5, 1 << 20, 0}}, {1 << 19, 1 << 20, 1e-6}, {1, 2, -1e-10}},
+      {{Point{1e9, 0, 1}, {1e9 + 1, 0.5, 1}, {1e9, 1, 2}}, {1e9 - 0.5, 0.25, 3}, {1, 0.25, -1.5}},
+      {{Point{0, 0, 0}, {1, 0, 0}, {0.25, 1, 0}}, {-0.5, 0.5, 1e-9}, {1, 0.125, 0}},
+      {{Point{0, 0, 0}, {1, 0, 1e-7}, {0.25, 1, 0}}, {0.5, 0.25, 0.75}, {0, 0.5, -1}},
+  };
+  for (const Case& one : cases) {
+    const auto& c = one.corners;
+    const PlanePolygon polygon = plane_polygon({exactly(c[0]), exactly(c[1]), exactly(c[2])}).value();
+    const judge::Polygon judged =
+        judge::triangle(triple(exactly(c[0])), triple(exactly(c[1])), triple(exactly(c[2])));
+    for (const int degree : {1, 2, 5}) {
+      const std::vector<Polynomial> functions = degree == 5 ? one_function(5, 2) : monomials(degree);
+      const PlaneElement element(polygon, functions);
+      std::vector<double> values(functions.size());
+      (void)element.integrals(one.p, one.normal, values);
+      const BallPrecision precision(320);
+      const judge::PolarIntegral integral(judged, triple(exactly(one.p)), triple(exactly(one.normal)), degree,
+                                          96);
+      for (std::size_t k = 0; k < functions.size(); ++k) {
+        const Polynomial& q = functions[k];
+        Ball exact;
+        for (int i = 0; i <= q.degree(); ++i)
+          for (int j = 0; i + j <= q.degree(); ++j)
+            if (q(i, j).sign() != 0) exact += Ball(q(i, j)) * integral.moment(i, j);
+        const Ball allowed = Ball(1e-14) * abs(integral.moment(0, 0)) * Ball(largest(polygon, q));
+        EXPECT_LE(exact.radius(), 1e-3 * allowed.lower_double());
+        EXPECT_TRUE(certainly_at_most(abs(Ball(values[k]) - exact).lower(), allowed.upper()))
+            << "degree " << degree << ", function " << k << ": " << values[k] << ", " << exact.to_text();
+      }
+    }
+  }
 }
 
 /// Int G q over a triangle by a product of Gauss rules of 16 points, for P so far away that this is enough.
