@@ -325,15 +325,23 @@ TEST(PlaneElement, FindsTheFootInsideByALittle) {
   const PlanePolygon polygon = plane_polygon({exactly(a), exactly(b), exactly(c)}).value();
   const Exact up = cross(exactly(b) - exactly(a), exactly(c) - exactly(a));
   const Exact in = cross(up, exactly(c) - exactly(b));
-  for (const int degree : {0, 1, 2}) {
-    const PlaneElement element(polygon, monomials(degree), 1e-12);
-    for (int k = 40; k < 80; ++k) {
-      const Rational little = power(Rational(1, 2), k);
-      const Exact exact_p = Rational(1, 2) * (exactly(b) + exactly(c)) + little * in + Rational(1, 3) * up;
-      const Point p{exact_p.x.to_double(), exact_p.y.to_double(), exact_p.z.to_double()};
-      EXPECT_LE(excess(polygon, element, 1e-12, p, a - p), 1) << k;
-    }
+  Draw draw(18);
+  const PlaneElement element(polygon, monomials(1), 1e-4);
+  for (int trial = 0; trial < 4000; ++trial) {
+    const Rational part = Rational::exactly(0.1 + 0.8 * draw.unit());
+    const Rational little = power(Rational(1, 2), 56 + static_cast<long>(draw.below(6)));
+    const Exact exact_p = exactly(b) + part * (exactly(c) - exactly(b)) + little * in + Rational(1, 50) * up;
+    const Point p{exact_p.x.to_double(), exact_p.y.to_double(), exact_p.z.to_double()};
+    ASSERT_LE(excess(polygon, element, 1e-4, p, -1.0 * cross(b - a, c - a)), 1) << trial;
   }
+}
+
+TEST(PlaneElement, RoundsIntegralsBelowTheNormalNumbers) {
+  const PlaneElement element(triangle(), monomials(0));
+  std::array<double, 1> value{1};
+  // The triangle rises above the tangent plane by 5e-324.
+  EXPECT_EQ(element.integrals({0, 0, -0.5}, {5e-324, -0.5, 0}, value), Route::ball);
+  EXPECT_LE(std::abs(value[0]), 1e-320);
 }
 
 // Functions of higher degree, by the polar integral: a nearly coplanar pair, a cut polygon far from the origin, a low foot.

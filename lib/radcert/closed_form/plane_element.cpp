@@ -796,6 +796,7 @@ PlaneElement::Route PlaneElement::Prepared::by_balls(const Vector<double>& p, co
   };
   const Vector<Rational> exact_p = exactly(p);
   const Vector<Rational> exact_normal = exactly(normal);
+  const Ball smallest_half = Ball(std::numeric_limits<double>::denorm_min()) / 2;
   constexpr long first_bits = 128;
   constexpr long most_bits = 1L << 14;
   for (long bits = first_bits;; bits *= 2) {
@@ -813,8 +814,9 @@ PlaneElement::Route PlaneElement::Prepared::by_balls(const Vector<double>& p, co
         if (coefficients[n].sign() != 0) sum += Ball(coefficients[n]) * moments[n];
       }
       zero = zero && certainly_zero(sum);
-      // Half for the radius; rounding to a double costs 2^-53 of the value.
-      enough = sum.is_finite() && sum.radius() <= accuracy_ / 2 * least * functions_[k].maximum;
+      // Half for the radius; rounding to a double costs 2^-53 of the value, or 2^-1075.
+      enough = sum.is_finite() && (sum.radius() <= accuracy_ / 2 * least * functions_[k].maximum ||
+                                   certainly_at_most(sum.radius_ball(), smallest_half));
       if (enough) values[k] = sum.to_double();
     }
     if (enough) return zero ? Route::zero : Route::ball;
