@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -176,7 +177,7 @@ Truth truth(const PlanePolygon& polygon, const Instance& x, double part,
       result.moments.push_back(result.whole);
     } else {
       const judge::PolarIntegral integral(judged_polygon, p, normal, x.degree, points, behind);
-      if (!overlaps(integral.moment(0, 0), result.whole)) return result;  // never: the judges disagree
+      if (!overlaps(integral.moment(0, 0), result.whole)) throw std::logic_error("the judges disagree");
       for (const auto& [i, j] : x.powers) {
         Ball value = integral.moment(i, j);
         if (x.shifted && i + j > 0) value -= result.whole / 4;

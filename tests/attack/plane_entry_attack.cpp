@@ -141,7 +141,10 @@ Judgement judge_entries(const Pair& pair) {
       if (pair.degree == 0) {
         moments.push_back(judge::lambert_integral(other, node, normal));
       } else {
-        const judge::PolarIntegral integral(other, node, normal, pair.degree, bits == 128 ? 44 : bits == 256 ? 96 : 192);
+        const judge::PolarIntegral integral(other, node, normal, pair.degree,
+                                            bits == 128   ? 44
+                                            : bits == 256 ? 96
+                                                          : 192);
         for (int m = 0; m <= pair.degree; ++m)
           for (int j = 0; j <= m; ++j) moments.push_back(integral.moment(m - j, j));
       }

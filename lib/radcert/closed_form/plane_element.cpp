@@ -601,6 +601,7 @@ double summand_roundings(double ratio) {
 /// compensated total and the sums in long double; and for every factor of a Bernstein polynomial the node 1, a product 1, and in a
 /// part of a triangle 2 for its coordinates in all of it, which are nowhere above 1 and have the sum 1 also half computed.
 double sum_roundings(int degree, bool whole) {
+  static_assert(std::numeric_limits<long double>::digits >= 64);
   return static_cast<double>(PieceSums::rule_block - 1) + 5.2 + (whole ? 2 : 4) * degree;
 }
 

@@ -25,8 +25,9 @@ namespace radcert {
 ///           value, or by a ball; 2^-1074 more where that is not a normal number. With sizes: sizes[k] >= max |q_k| in its place, such as the maximum over an element of which the
 ///           polygon is a part. The same bits for the same numbers, in any order and from any thread
 /// Limits    a ball costs a hundred to a thousand closed forms. It is needed very close to an edge or a corner and where the polygon
-///           is cut there, from degree 3 on between the reach of the closed form and that of the rules, and for functions whose
-///           Bernstein coefficients are several times their maximum: then the rules' roundings are not within the bound
+///           is cut there, where P's height is less than about 1e-14 of the coordinates, which is all that double-doubles know of
+///           it, from degree 3 on between the reach of the closed form and that of the rules, and for functions whose Bernstein
+///           coefficients are several times their maximum: then the rules' roundings are not within the bound
 class PlaneElement {
 public:
   static constexpr int largest_degree = 8;
