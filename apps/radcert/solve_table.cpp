@@ -83,6 +83,13 @@ std::string level_table(const Result& result, bool with_errors) {
   return aligned(rows, with_the_left);
 }
 
+/// The next number of two digits that is not smaller.
+double rounded_up(double radius) {
+  if (radius <= 0) return 0;
+  const double unit = std::pow(10.0, std::floor(std::log10(radius)) - 1);
+  return (std::floor(radius / unit) + 1) * unit;
+}
+
 /// The means of u_n over the pieces, a row a level.
 std::string means_table(const Result& result) {
   std::vector<std::vector<std::string>> rows = {{"level"}};
@@ -95,6 +102,17 @@ std::string means_table(const Result& result) {
     rows.push_back(row);
   }
   return "Means of u_n over the pieces:\n" + aligned(rows);
+}
+
+/// How well the means are known, level by level.
+std::string means_line(const Result& result) {
+  std::string radii;
+  for (const LevelResult& level : result.levels)
+    radii += (radii.empty() ? "" : ", ") +
+             (level.means_radius ? upper_text(*level.means_radius) + " (level " +
+                                       std::to_string(level.level) + ")"
+                                 : "an unknown number (level " + std::to_string(level.level) + ")");
+  return "They are known within " + radii + ", an estimate, beside the rounding of the printed digits.\n";
 }
 
 std::string numbers(const std::vector<int>& levels) {
@@ -167,7 +185,7 @@ std::string guarantee_text(const Result& result) {
 
 std::string solve_table(const Result& result) {
   const bool with_errors = result.problem.solution.has_value();
-  std::string out = level_table(result, with_errors) + "\n" + means_table(result) + "\n";
+  std::string out = level_table(result, with_errors) + "\n" + means_table(result) + means_line(result) + "\n";
   for (const OrderFit& fit : result.orders)
     if (with_errors && (!fit.levels.empty() || !fit.left_out.empty())) out += order_line(fit);
   out += iteration_line(result);

@@ -20,6 +20,8 @@ TEST(LevelRecord, ReadsBackToTheBit) {
   EXPECT_FALSE(back->result.node_error->radius);
   EXPECT_FALSE(back->result.uniform_error);
   EXPECT_EQ(back->result.piece_means, level.result.piece_means);
+  EXPECT_EQ(back->result.solution_radius, level.result.solution_radius);
+  EXPECT_FALSE(back->result.means_radius);
   EXPECT_TRUE(std::signbit(back->nodes[0].point.y));
   EXPECT_EQ(back->nodes[1].piece, level.nodes[1].piece);
   EXPECT_EQ(back->nodes[1].u_n, level.nodes[1].u_n);

@@ -28,6 +28,8 @@ inline LevelOutcome sample_level() {
   level.result.discretisation_error = Figure{.value = 1.0 / 3, .radius = 5e-324, .guaranteed = false};
   level.result.node_error = Figure{.value = 0x1.fffffffffffffp-1, .radius = std::nullopt, .guaranteed = true};
   level.result.piece_means = {{"upper", 0.30000000000000004}, {"lower", -1e300}};
+  level.result.solution_radius = 1.0 / 7;
+  level.result.means_radius = std::nullopt;
   level.result.norm_K = {.value = 0.7, .radius = 0x1p-55, .guaranteed = true};
   level.result.planned_bytes = 0xffffffffffffffffU;
   level.result.iteration = {

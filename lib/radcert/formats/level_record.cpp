@@ -153,6 +153,8 @@ LevelResult read_level_result(const JsonReader& level) {
   out.planned_bytes = level.at("planned_bytes", "a number").unsigned_whole("a number");
   out.iteration = read_iteration(level.at("iteration", "a report or null"));
   out.verified = read_verified(level.at("verified", "a report or null"));
+  out.solution_radius = number_or_null_at(level, "solution_radius");
+  out.means_radius = number_or_null_at(level, "means_radius");
   return out;
 }
 

@@ -97,6 +97,8 @@ JsonValue level_json(const LevelResult& level) {
   out.set("planned_bytes", level.planned_bytes);
   out.set("iteration", iteration_json(level.iteration));
   out.set("verified", verified_json(level.verified));
+  out.set("solution_radius", finite_or_null(level.solution_radius));
+  out.set("means_radius", finite_or_null(level.means_radius));
   return out;
 }
 

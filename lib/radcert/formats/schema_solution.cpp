@@ -122,6 +122,16 @@ std::string_view solution_schema() {
           }
         },
         "planned_bytes": {"type": "integer", "minimum": 0},
+        "solution_radius": {
+          "description": "Bounds, for every node, what quadrature, rounding and the solution of the system may have changed u_n: proved with verified, else an estimate; null: not known.",
+          "type": ["number", "null"],
+          "minimum": 0
+        },
+        "means_radius": {
+          "description": "Bounds the same of every mean, and the error of its own rule; an estimate; null: not known.",
+          "type": ["number", "null"],
+          "minimum": 0
+        },
         "verified": {
           "description": "What verified has proved of u_n; null with other solvers.",
           "oneOf": [

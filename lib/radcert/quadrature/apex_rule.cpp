@@ -145,7 +145,11 @@ private:
   void integrate_sides(const ApexTriangle<R>& triangle, const R& m0, const R& m1, int depth,
                        CheckedSums<R>& result) {
     const double rho = ellipse(triangle, m0, m1);
-    if (rho < admissible_ellipse && depth < deepest_bisection) {
+    if (!(rho >= admissible_ellipse)) {
+      if (depth == deepest_bisection) {
+        result.complete = false;
+        return;
+      }
       const R middle = (m0 + m1) / R(2);
       integrate_sides(triangle, m0, middle, depth + 1, result);
       integrate_sides(triangle, middle, m1, depth + 1, result);
@@ -188,7 +192,7 @@ private:
       }
     }
     if (depth >= deepest_halving) {
-      result += best;
+      result.complete = false;
       return;
     }
     for (const Rectangle<R>& half : halves(triangle, area, across, best.sums))

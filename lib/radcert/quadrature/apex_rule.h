@@ -9,11 +9,13 @@
 
 namespace radcert {
 
-/// Sums over a triangle with its apex at the observer, and how far a coarser rule differed.
+/// Sums over a part of an element, and how far a coarser rule differed.
+/// Limits    where not all of the part was integrated, the sums say nothing of the rest, and `complete` says so
 template <Real R>
 struct CheckedSums {
   KernelSums<R> sums;
   std::array<R, KernelSums<R>::most_functions> difference;  ///< |finer rule - coarser rule|, by function
+  bool complete = true;  ///< false: a limit of work or of the arithmetic left something out
 
   explicit CheckedSums(const KernelSums<R>& fine) : sums(fine) {
     for (std::size_t j = 0; j < sums.functions; ++j) difference[j] = R(0);
@@ -23,6 +25,7 @@ struct CheckedSums {
   CheckedSums& operator+=(const CheckedSums& other) {
     sums += other.sums;
     for (std::size_t j = 0; j < sums.functions; ++j) difference[j] += other.difference[j];
+    complete = complete && other.complete;
     return *this;
   }
 };
@@ -55,7 +58,7 @@ void share_largest_difference(CheckedSums<R>& checked, const R& intended) {
 /// Source    triangle coordinates: Duffy; G is bounded: [ac98, (5)-(6)]; (Q-P).n_P by divided differences: see Chord
 /// Requires  p on the chart of the element, in it or outside: then the rays from p run between its near and far sides; the
 ///           chart is not flat (there G = 0)
-/// Result    the integral; `difference` compares two orders
+/// Result    the integral; `difference` compares two orders. Not complete where two orders still differ after 40 halvings
 /// Limits    on a chart that is not analytic on a line both variables are gathered towards their ends
 template <Real R>
 CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,

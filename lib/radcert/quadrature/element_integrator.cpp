@@ -19,8 +19,8 @@ constexpr double admissible_ratio_of_block = 2.5;
 constexpr int order_step = 3;
 /// A block whose two rules differ is tried again so often with the next finer ones.
 constexpr int most_tries = 4;
-/// Each two bisections halve a piece; at this depth its area is 2^-52 of the element's.
-constexpr int deepest_bisection = 52;
+/// Each two bisections halve a piece; at this depth its corners are neighbouring doubles.
+constexpr int deepest_bisection = 104;
 /// Two rules that still differ on a far piece after so many bisections differ by rounding, which no bisection mends: the
 /// difference goes into the radius.
 constexpr int most_failures = 8;
@@ -74,23 +74,30 @@ const Samples<R>& ElementIntegrator<R>::samples(const Cell<R>& cell, bool whole,
 }
 
 template <Real R>
-KernelSums<R> ElementIntegrator<R>::sums(const Observer<R>& p, const Cell<R>& cell, bool whole, int order) {
+R ElementIntegrator<R>::extent_for(const R& coordinate, std::size_t chart_of_p, const R& reach) const {
+  const R loss = std::max(scheme_->normal_loss(chart_of_p), scheme_->normal_loss(chart_index_));
+  return std::max({extent_, coordinate, static_cast<R>(loss / R(2) * reach)});
+}
+
+template <Real R>
+KernelSums<R> ElementIntegrator<R>::sums(const Observer<R>& p, const Cell<R>& cell, bool whole,
+                                         const R& extent, int order) {
   const Samples<R>& points = samples(cell, whole, order);
   const bool same_curved_piece_nearby = !whole && p.at.chart == chart_index_;
-  return same_curved_piece_nearby ? chord_sums(p, chart_, points)
-                                  : kernel_sums(p, points, std::max(extent_, largest_coordinate(p.point)));
+  return same_curved_piece_nearby ? chord_sums(p, chart_, points) : kernel_sums(p, points, extent);
 }
 
 template <Real R>
 std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>& p, const Cell<R>& cell,
-                                                              bool whole, double ratio, Insistence insist) {
+                                                              bool whole, double ratio, const R& extent,
+                                                              Insistence insist) {
   using std::abs;
   const int check_step = scheme_->check_step(chart_.facts());
   const int last = ConicalRules<R>::largest_order - check_step;
   int order = scheme_->order_by_model(chart_.facts(), ratio);
   while (true) {
-    const KernelSums<R> coarse = sums(p, cell, whole, order);
-    CheckedSums<R> fine(sums(p, cell, whole, order + check_step));
+    const KernelSums<R> coarse = sums(p, cell, whole, extent, order);
+    CheckedSums<R> fine(sums(p, cell, whole, extent, order + check_step));
     R difference = R(0);
     R size = R(0);
     R noise = R(0);
@@ -105,9 +112,6 @@ std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>&
     if (difference <= R(scheme_->tolerance().converged()) * size + noise) return fine;
     if (order == last) {
       if (insist == Insistence::none) return std::nullopt;
-      if (insist == Insistence::rounding) return fine;
-      for (std::size_t j = 0; j < basis().size(); ++j)
-        fine.difference[j] = std::max(fine.difference[j], fine.sums.size[j]);
       return fine;
     }
     order = std::min(order + order_step, last);
@@ -118,24 +122,31 @@ template <Real R>
 CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const Cell<R>& cell,
                                                     bool is_element) {
   CheckedSums<R> result(basis().size());
+  const R coordinate = largest_coordinate(p.point);
+  const R told_apart = least_distance(std::max(extent_, coordinate));
   pending_.assign(1, {cell, 0, 0});
   while (!pending_.empty()) {
     Piece piece = pending_.back();
     pending_.pop_back();
     const bool whole = is_element && piece.depth == 0;
-    const bool deepest = piece.depth == deepest_bisection;
     const Ball fresh = whole ? ball_ : ball_about(piece.cell);
-    const auto ratio = nearest_double<R>(norm(p.point - fresh.centre) / fresh.radius);
-    if (ratio >= (whole ? admissible_ratio_of_whole : admissible_ratio) || deepest) {
-      const Insistence insist = deepest                           ? Insistence::deepest
-                                : piece.failures == most_failures ? Insistence::rounding
-                                                                  : Insistence::none;
-      const auto checked = try_piece(p, piece.cell, whole, std::max(ratio, 1.0), insist);
+    const R distance = norm(p.point - fresh.centre);
+    const auto ratio = nearest_double<R>(distance / fresh.radius);
+    const bool admissible = ratio >= (whole ? admissible_ratio_of_whole : admissible_ratio);
+    if (admissible && distance - fresh.radius >= told_apart) {
+      const Insistence insist = piece.failures == most_failures ? Insistence::rounding : Insistence::none;
+      const R extent = extent_for(coordinate, p.at.chart, distance + fresh.radius);
+      const auto checked = try_piece(p, piece.cell, whole, ratio, extent, insist);
       if (checked) {
         result += *checked;
         continue;
       }
       ++piece.failures;
+    }
+    // No part of a piece that small, and that near, is farther away than what rounding hides.
+    if (!(fresh.radius >= told_apart) || piece.depth == deepest_bisection) {
+      result.complete = false;
+      continue;
     }
     std::size_t opposite = 0;  // the vertex opposite to the longest side
     R longest = R(0);
@@ -159,6 +170,7 @@ ElementIntegral<R> ElementIntegrator<R>::with_radius(const CheckedSums<R>& check
   for (std::size_t j = 0; j < basis().size(); ++j) {
     result.value[j] = checked.sums.value[j];
     result.radius[j] = checked.difference[j] + rounding(checked.sums, j);
+    if (!checked.complete) result.radius[j] += pi<R>() * scheme_->largest_value(j);
   }
   return result;
 }
@@ -281,13 +293,17 @@ void ElementIntegrator<R>::integrate(const ObserverBlock<R>& block, std::span<co
     for (std::size_t j = 0; j < basis().size(); ++j) integral.value[j] = integral.radius[j] = B(R(0));
     return;
   }
-  const auto ratio = nearest_double<R>((norm(block.centre - ball_.centre) - block.radius) / ball_.radius);
-  if (!(ratio >= admissible_ratio_of_block)) {
+  const R distance = norm(block.centre - ball_.centre);
+  const auto ratio = nearest_double<R>((distance - block.radius) / ball_.radius);
+  const R extent = extent_for(block.extent, block.chart, distance + block.radius + ball_.radius);
+  const bool told_apart =
+      distance - block.radius - ball_.radius >= least_distance(std::max(extent_, block.extent));
+  if (!(ratio >= admissible_ratio_of_block) || !told_apart) {
     for (std::size_t lane = 0; lane < block.count; ++lane) integrate_lane(block, observers, lane, integral);
     return;
   }
   if (!view_) view_.emplace(kept(ConicalRules<R>::smallest_order + 2), ball_.centre);
-  const FarBounds<R> bounds(block, *view_, ball_.centre, ball_.radius, std::max(extent_, block.extent));
+  const FarBounds<R> bounds(block, *view_, ball_.centre, ball_.radius, extent);
   const FarRule rule = scheme_->far_rule(chart_.facts(), ratio);
   if (rule.compared_with)
     integrate_far_by_comparison(block, observers, bounds, *rule.compared_with, integral);

@@ -39,10 +39,12 @@ struct BlockIntegral {
 /// Maths     far: conical Gauss rules on the element, of an order chosen from the ratio of distance and size; near: the
 ///           longest side is bisected until the pieces are far in terms of their own size; near and around an observer on
 ///           the element's own curved chart: integrate_around; on the element's own plane: exactly 0.  What a rule leaves out:
-///           flat_rule_bound on plane elements seen from afar, elsewhere the difference of two rules
+///           flat_rule_bound on plane elements seen from afar, elsewhere the difference of two rules.  A piece that rounding does
+///           not tell apart from P, or that bisection does not reach, is left out: then |Int G l_j| over it is at most
+///           max|l_j| Int |G| dS, and Int |G| dS <= pi over what each ray from P meets once: |cos| over a hemisphere
 /// Source    [ac98, section 5.1] asks for effort that grows as P comes near; the rules are ours
 /// Requires  P not on an edge of the element at which another piece meets it at an angle
-/// Result    each value to the scheme's tolerance, radius with it. A near block's lanes have the bits of their observers alone;
+/// Result    each value to the scheme's tolerance, radius with it, or with the radius pi max|l_j| more. A near block's lanes have the bits of their observers alone;
 ///           a far block takes one rule for all its lanes, so that an observer's bits depend on its block
 /// Limits    one thread at a time; samples are kept for the element's life, so let one element serve all observers
 template <Real R>
@@ -81,18 +83,19 @@ private:
   enum class Insistence {
     none,      ///< it is bisected
     rounding,  ///< it counts, with the difference as its error
-    deepest,   ///< it counts, with all of its integral as its error
   };
 
   const TriangleBasis<R>& basis() const { return scheme_->basis(); }
   Ball ball_about(const Cell<R>& cell) const;
   bool is_near(const Vector<R>& p) const;
+  /// What stands for the largest coordinate in the bounds of rounding, for points within `reach` of P.
+  R extent_for(const R& coordinate, std::size_t chart_of_p, const R& reach) const;
   const Samples<R>& kept(int order);
   const Samples<R>& samples(const Cell<R>& cell, bool whole, int order);
-  KernelSums<R> sums(const Observer<R>& p, const Cell<R>& cell, bool whole, int order);
+  KernelSums<R> sums(const Observer<R>& p, const Cell<R>& cell, bool whole, const R& extent, int order);
   /// The sums of a piece if two rules agree on it; otherwise what `insist` says.
   std::optional<CheckedSums<R>> try_piece(const Observer<R>& p, const Cell<R>& cell, bool whole, double ratio,
-                                          Insistence insist);
+                                          const R& extent, Insistence insist);
   CheckedSums<R> integrate_away(const Observer<R>& p) { return integrate_away(p, element_, true); }
   CheckedSums<R> integrate_away(const Observer<R>& p, const Cell<R>& cell, bool is_element);
   ElementIntegral<R> with_radius(const CheckedSums<R>& checked) const;

@@ -41,6 +41,26 @@ struct Sizes {
   }
 };
 
+/// The largest |D_s F| |D_t F| / |D_s F x D_t F| at corners and in the middles of the domain and of its sides, off a singular line; at
+/// one place if F is affine. At least 1; infinite where the chart degenerates. Each component of D_s F x D_t F is off by
+/// 4 u |D_s F| |D_t F| at most where the tangents are off by u.
+template <Real R>
+R largest_normal_loss(const Chart& chart) {
+  const int first = chart.facts().singular == SingularLine::none ? 0 : 1;
+  const int last = chart.facts().plane ? 0 : 2;
+  R largest = R(1);
+  for (int i = first; i <= std::max(first, last); ++i)
+    for (int k = 0; k <= last; ++k) {
+      const R t = R(k) / R(2);
+      const R s = chart.facts().domain == ChartDomain::unit_triangle ? R(i) / R(2) * (R(1) - t) : R(i) / R(2);
+      if (first == 1 && s == R(0)) continue;
+      const Frame<R> frame = chart.in<R>().frame({s, t});
+      const R loss = norm(frame.tangent_s) * norm(frame.tangent_t) / area_element(frame);
+      if (!(loss <= largest)) largest = loss;
+    }
+  return largest;
+}
+
 /// The finer of two rules has this much more order; more where the rules are gathered and converge slowly. Odd: two sets of
 /// samples are told apart by the parity of their orders.
 constexpr int check_step_analytic = 1;
@@ -84,6 +104,7 @@ IntegrationScheme<R>::IntegrationScheme(const Surface& surface, const TriangleBa
   const Sizes<R> sizes(basis);
   largest_values_ = sizes.largest;
   flat_truncation_ = tolerance.converged() * sizes.least_ratio();
+  for (const Chart& chart : surface.charts) normal_loss_.push_back(largest_normal_loss<R>(chart));
   std::vector<std::size_t> first_of_plane;
   for (std::size_t a = 0; a < surface.charts.size(); ++a) {
     if (!surface.charts[a].facts().plane) {

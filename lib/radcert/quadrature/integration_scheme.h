@@ -38,6 +38,8 @@ public:
   const R& largest_value(std::size_t j) const { return largest_values_[j]; }
 
   double flat_truncation() const { return flat_truncation_; }
+  /// By how much the rounding of a chart's normal exceeds that of its tangents: the largest |D_s F| |D_t F| / |D_s F x D_t F| found.
+  const R& normal_loss(std::size_t chart) const { return normal_loss_[chart]; }
 
   /// Whether G vanishes between two charts because both lie in one plane.
   bool in_plane(std::size_t a, std::size_t b) const {
@@ -61,6 +63,7 @@ private:
   Tolerance tolerance_;
   std::vector<R> largest_values_;
   double flat_truncation_;
+  std::vector<R> normal_loss_;      ///< by chart
   std::vector<std::size_t> plane_;  ///< by chart: the first chart in the same plane
   std::vector<double>
       least_distance_by_bound_;  ///< by order: the eta from which flat_rule_bound is small enough

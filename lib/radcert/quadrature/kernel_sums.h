@@ -136,16 +136,31 @@ KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const
 template <Real R>
 KernelSums<R> chord_sums(const Observer<R>& p, const Chart& chart, const Samples<R>& samples);
 
+/// Coordinates are off by at most so many u of the largest.
+inline constexpr int coordinate_roundings = 8;
+
 /// A bound for what rounding did to value_j, to first order in the unit roundoff u.
 /// Maths     (points + 60) u size_j + 8 u tilt_j: each term passes at most 60 roundings in chart, kernel, weight and
 ///           basis, a sum of k terms at most k more; coordinates are off by at most 8 u of the largest
 /// Source    standard model of rounding; the counts are those of the formulas in this layer
-/// Requires  -
+/// Requires  no point of the cell nearer to P than least_distance
 /// Result    a bound if the chart's own formula loses no more than 8 u of the largest coordinate
 /// Limits    -
 template <class V, class R>
 V rounding_bound(std::size_t points, const V& size, const V& tilt, const R& u) {
-  return V(R(static_cast<double>(points + 60)) * u) * size + V(R(8) * u) * tilt;
+  return V(R(static_cast<double>(points + 60)) * u) * size + V(R(coordinate_roundings) * u) * tilt;
+}
+
+/// The distance from which on P and Q are told apart by their rounded coordinates.
+/// Maths     64 times what coordinates are off by, 512 u X: relatively |Q-P| then changes by sqrt(3)/64 at most, and G by terms of
+///           second order that are below a tenth of those of first order
+/// Source    -
+/// Requires  `extent` bounds the coordinates of P and Q
+/// Result    rounded
+/// Limits    nearer than that a sum over rounded points says nothing about the integral
+template <class R>
+R least_distance(const R& extent) {
+  return R(64 * coordinate_roundings) * unit_roundoff<R>() * extent;
 }
 
 template <Real R>

@@ -41,6 +41,20 @@ std::vector<double> DirectSolver::solve(std::span<const double> e) const {
   return {u.data(), u.data() + n};
 }
 
+double DirectSolver::inverse_norm() const {
+  const Eigen::Index n = factors_->lu.rows();
+  constexpr Eigen::Index columns_at_a_time = 64;
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index first = 0; first < n; first += columns_at_a_time) {
+    const Eigen::Index count = std::min(columns_at_a_time, n - first);
+    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(n, count);
+    for (Eigen::Index j = 0; j < count; ++j) unit(first + j, j) = 1;
+    const Eigen::MatrixXd columns = factors_->lu.solve(unit);
+    sums += columns.cwiseAbs().rowwise().sum();
+  }
+  return sums.maxCoeff();
+}
+
 double DirectSolver::inverse_norm_estimate() const {
   // ||A^-1||_inf = ||B||_1 with B = A^-T: maximise ||B x||_1 over the unit ball of the 1-norm, whose corners are e_j.
   const auto& lu = factors_->lu;

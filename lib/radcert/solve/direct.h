@@ -33,6 +33,14 @@ public:
   /// Limits    an estimate: radii built on it are not guaranteed
   double inverse_norm_estimate() const;
 
+  /// The maximum norm of (I - K)^-1, from all of the inverse.
+  /// Maths     max_i sum_j |((I - K)^-1)_ij|
+  /// Source    -
+  /// Requires  -
+  /// Result    rounded: relatively wrong by about the condition number times n u
+  /// Limits    2 n^3 operations, of a matrix kept by 64 columns at a time
+  double inverse_norm() const;
+
 private:
   struct Factors;
   std::unique_ptr<Factors> factors_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "radcert/collocation/assembly.h"
 #include "radcert/core/errors.h"
@@ -35,15 +36,34 @@ double largest_size(std::span<const double> values) {
   return size;
 }
 
+bool all_finite(std::span<const double> values) {
+  return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
 /// max_i |a_i - b_i| with what is known of each difference.
 Figure largest_difference(std::span<const double> a, std::span<const double> b,
-                          std::span<const double> radius) {
-  Figure figure{.value = 0, .radius = 0.0, .guaranteed = false};
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    figure.value = std::max(figure.value, std::abs(a[i] - b[i]));
-    figure.radius = std::max(*figure.radius, radius[i]);
-  }
+                          std::optional<double> radius) {
+  Figure figure{.value = 0, .radius = radius, .guaranteed = false};
+  for (std::size_t i = 0; i < a.size(); ++i) figure.value = std::max(figure.value, std::abs(a[i] - b[i]));
   return figure;
+}
+
+/// A bound of sum |l_j| on the element: the sum of the largest |l_j| over the points k/48, |k| = 48.
+double sum_of_largest(const TriangleBasis<double>& basis) {
+  constexpr int steps = 48;
+  std::vector<double> largest(basis.size());
+  std::vector<double> values(basis.size());
+  for (int i = 0; i <= steps; ++i)
+    for (int k = 0; i + k <= steps; ++k) {
+      basis.values({{i / double{steps}, k / double{steps}, (steps - i - k) / double{steps}}}, values);
+      for (std::size_t j = 0; j < values.size(); ++j) largest[j] = std::max(largest[j], std::abs(values[j]));
+    }
+  return std::accumulate(largest.begin(), largest.end(), 0.0);
+}
+
+/// Whether the functions of a basis have the sum 1.
+bool sum_to_one(const BasisChoice& basis) {
+  return !basis.functions || basis.functions->reproduced_degree() >= 0;
 }
 
 /// The finished pieces of one level, in the order in which they are computed.
@@ -70,12 +90,17 @@ public:
     if (surface_.closed) refuse_norm_from_one(norm_of_K(surface_, problem_.reflectivity, rho_, {}));
     if (problem_.solution) u_ = values_at_nodes(*problem_.solution, "/solution", surface_, nodes_);
     if (problem_.emission) emission_ = values_at_nodes(*problem_.emission, "/emission", surface_, nodes_);
+    find_radii_of_data();
     assemble_matrix();
-    if (problem_.solver.name != SolverName::direct) find_weights();
+    require_rows_of_pi();
+    find_weights();
     if (problem_.solution) manufacture_emission(route);
     solve();
-    describe_level(problem_, geometry_.data(), basis_,
-                   {.u_n = u_n_, .radius = {}, .emission = emission_, .u = u_}, outcome_);
+    describe_level(
+        problem_, geometry_.data(), basis_,
+        {.u_n = u_n_, .radius = {}, .emission = emission_, .u = u_, .solution_radius = solution_radius_},
+        outcome_);
+    require_finite();
     return std::move(outcome_);
   }
 
@@ -90,6 +115,58 @@ private:
                                  ? largest_row(rho_, matrix_.kernel_integral)
                                  : norm_of_K(surface_, problem_.reflectivity, rho_, matrix_.kernel_integral);
     refuse_norm_from_one(outcome_.result.norm_K);
+    if (!all_finite(matrix_.kernel_integral) || !all_finite(matrix_.row_radius))
+      refuse("the collocation integrals are not found: numbers run over the range of double");
+    if (rho_radius_)
+      for (std::size_t i = 0; i < nodes_.size(); ++i)
+        matrix_.row_radius[i] += (*rho_radius_)[i] / pi<double>() * matrix_.kernel_integral[i] * largest_sum_;
+  }
+
+  /// What rounding may have done to rho, u and E at the nodes.
+  void find_radii_of_data() {
+    rho_radius_ = value_radii(problem_.reflectivity, surface_, nodes_, rho_);
+    const std::vector<double>& data = problem_.solution ? u_ : emission_;
+    data_radius_ =
+        value_radii(problem_.solution ? *problem_.solution : *problem_.emission, surface_, nodes_, data);
+    data_are_known_ = rho_radius_ && data_radius_;
+    if (!data_radius_) data_radius_.emplace(nodes_.size());
+    if (problem_.emission) emission_radius_ = *data_radius_;
+  }
+
+  /// Int_S G dS = pi at every point of a closed surface that hides nothing of itself [ac98, section 2]; where the functions have the
+  /// sum 1 it is also the sum of a row's integrals, whose radii are known. A row that tells otherwise is wrong, and so is its radius.
+  void require_rows_of_pi() const {
+    if (!surface_.closed || !surface_.unoccluded || problem_.geometry || !sum_to_one(problem_.basis)) return;
+    const double rounding = unit * static_cast<double>(triangulation_.triangles.size() + 64);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (rho_[i] == 0) continue;
+      const double radius = pi<double>() * (matrix_.row_radius[i] / rho_[i] + rounding);
+      if (std::abs(matrix_.kernel_integral[i] - pi<double>()) <= radius) continue;
+      const Vector<double>& at = nodes_[i].point;
+      refuse("the integral of G over the closed surface is " + shortest(matrix_.kernel_integral[i]) +
+             " at node " + std::to_string(i) + " (" + shortest(at.x) + ", " + shortest(at.y) + ", " +
+             shortest(at.z) + "), and not pi within its radius " + shortest(radius));
+    }
+  }
+
+  void require_finite() const {
+    const auto is_finite = [](const std::optional<Figure>& figure) {
+      return !figure || (std::isfinite(figure->value) && (!figure->radius || std::isfinite(*figure->radius)));
+    };
+    const LevelResult& result = outcome_.result;
+    if (all_finite(u_n_) && all_finite(emission_) && is_finite(result.discretisation_error) &&
+        is_finite(result.node_error) && std::isfinite(result.solution_radius.value_or(0)) &&
+        std::isfinite(result.means_radius.value_or(0)) &&
+        std::all_of(result.piece_means.begin(), result.piece_means.end(),
+                    [](const auto& mean) { return std::isfinite(mean.second); }))
+      return;
+    refuse("u_n or its radius runs over the range of double");
+  }
+
+  [[noreturn]] void refuse(const std::string& reason) const {
+    throw AccuracyNotReached(
+        "level " + std::to_string(outcome_.result.level) + ", solver " + solver_name(problem_.solver.name),
+        reason);
   }
 
   /// E = u - Ku by the second route; K(I-P_n)u is the difference of the two.
@@ -99,16 +176,22 @@ private:
     outcome_.timing.operator_seconds = watch.seconds();
     const std::vector<double> k_pn_u = accurate_product(matrix_.entries, u_);
     const double u_size = largest_size(u_);
-    std::vector<double> radius(nodes_.size());
+    double radius = 0;
     emission_.resize(nodes_.size());
     emission_radius_.resize(nodes_.size());
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      const double rho_moved =
+          rho_radius_ && rho_[i] > 0 ? (*rho_radius_)[i] / rho_[i] * std::abs(ku.value[i]) : 0;
       const double rounded = unit * (std::abs(u_[i]) + 4 * std::abs(ku.value[i]));
-      radius[i] = ku.radius[i] + matrix_.row_radius[i] * u_size + rounded;
+      // sum_j |k_ij| |u_j's radius|, the largest of these.
+      const double u_moved = outcome_.result.norm_K.value * largest_sum_ * largest(*data_radius_);
+      radius =
+          std::max(radius, ku.radius[i] + matrix_.row_radius[i] * u_size + rounded + rho_moved + u_moved);
       emission_[i] = u_[i] - ku.value[i];
-      emission_radius_[i] = ku.radius[i] + rounded;
+      emission_radius_[i] = ku.radius[i] + rounded + rho_moved + (*data_radius_)[i];
     }
-    outcome_.result.discretisation_error = largest_difference(ku.value, k_pn_u, radius);
+    outcome_.result.discretisation_error =
+        largest_difference(ku.value, k_pn_u, data_are_known_ ? std::optional(radius) : std::nullopt);
   }
 
   /// The norm in which the matrix contracts, whatever its entries are within their radii: without one an iteration has
@@ -116,36 +199,47 @@ private:
   void find_weights() {
     const Stopwatch watch;
     Outcome<Contraction, NoContraction> found = find_contraction(matrix_.entries, matrix_.row_radius);
-    if (!found)
+    if (found)
+      contraction_ = std::move(found).value();
+    else if (problem_.solver.name != SolverName::direct)
       throw InputError({.pointer = "/solver/name",
                         .value = solver_name(problem_.solver.name),
                         .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
-                                   ": the collocation matrix contracts by " +
-                                   upper_text(found.reason().theta, DecimalForm::general(6)) +
-                                   " at best, which is not below 1",
+                                   ": the collocation matrix, known within " +
+                                   upper_text(largest(matrix_.row_radius)) + " a row, contracts by " +
+                                   upper_text(found.reason().theta, DecimalForm::general(6)) + " at best, which is not below 1",
                         .allowed = "direct"});
-    contraction_ = std::move(found).value();
     outcome_.timing.solve_seconds += watch.seconds();
   }
 
   void solve() {
     const Stopwatch watch;
-    const double node_radius = contraction_ ? iterate() : eliminate();
+    const double node_radius = problem_.solver.name == SolverName::direct ? eliminate() : iterate();
+    if (data_are_known_) solution_radius_ = node_radius;
     if (problem_.solution)
-      outcome_.result.node_error = largest_difference(u_, u_n_, std::vector<double>(u_.size(), node_radius));
+      outcome_.result.node_error = largest_difference(
+          u_, u_n_, data_are_known_ ? std::optional(node_radius + largest(*data_radius_)) : std::nullopt);
     outcome_.timing.solve_seconds += watch.seconds();
   }
 
   double eliminate() {
     const DirectSolver solver(matrix_.entries);
     u_n_ = solver.solve(emission_);
-    if (!problem_.solution) return 0;
     const std::vector<double> k_u_n = accurate_product(matrix_.entries, u_n_);
     std::vector<double> residual(u_n_.size());
     for (std::size_t i = 0; i < u_n_.size(); ++i)
       residual[i] =
           std::abs(emission_[i] - (u_n_[i] - k_u_n[i])) + unit * (std::abs(u_n_[i]) + 4 * std::abs(k_u_n[i]));
-    return solver.inverse_norm_estimate() * largest(defects(std::move(residual)));
+    const std::vector<double> bounds = defects(std::move(residual));
+    if (contraction_) return contraction_->inverse_bound(contraction_->norm(bounds));
+    // (I - K) d = r for every K within the radii: |d| <= N (|r| + row_radius |d|), N the norm of the inverse of the matrix at hand.
+    const double inverse = solver.inverse_norm();
+    const double moved = inverse * largest(matrix_.row_radius);
+    if (!(moved < 1))
+      refuse("the collocation matrix is known within " + shortest(largest(matrix_.row_radius)) +
+             " a row, and the inverse of I - K_n has the norm " + shortest(inverse) +
+             ": the matrices within the radii are not all regular");
+    return inverse * largest(bounds) / (1 - moved);
   }
 
   double iterate() {
@@ -159,7 +253,6 @@ private:
                                  .contraction = contraction_->theta(),
                                  .error_bound = solution->error_bound};
     u_n_ = std::move(solution->values);
-    if (!problem_.solution) return 0;
     std::vector<double> residual(u_n_.size());
     accurate_residual(matrix_.entries, u_n_, emission_, residual);
     const std::vector<double> bounds = residual_bounds(*contraction_, u_n_, emission_, residual);
@@ -170,11 +263,9 @@ private:
     const std::string demanded = problem_.solver.tolerance
                                      ? "the tolerance " + shortest(problem_.solver.tolerance->to_double())
                                      : "an error bound as small as double holds";
-    throw AccuracyNotReached(
-        "level " + std::to_string(outcome_.result.level) + ", solver " + solver_name(problem_.solver.name),
-        demanded + " is not reached: after " + std::to_string(best.iterations) +
-            " iterations the error bound is " + upper_text(best.error_bound) +
-            " where |u_n| <= " + upper_text(best.size));
+    refuse(demanded + " is not reached: after " + std::to_string(best.iterations) +
+           " iterations the error bound is " + upper_text(best.error_bound) +
+           " where |u_n| <= " + upper_text(best.size));
   }
 
   /// Bounds of the sizes of (I - K_n)(u_n - exact u_n): residual, errors of matrix and right-hand side.
@@ -188,6 +279,7 @@ private:
   static constexpr double unit = unit_roundoff<double>();
   const Problem& problem_;
   TriangleBasis<double> basis_;
+  double largest_sum_ = sum_of_largest(basis_);
   LevelGeometry geometry_;
   const Surface& surface_ = geometry_.data().surface;
   const Triangulation& triangulation_ = geometry_.data().triangulation;
@@ -196,6 +288,10 @@ private:
   std::vector<double> u_;
   std::vector<double> emission_;
   std::vector<double> emission_radius_ = std::vector<double>(nodes_.size());
+  std::optional<std::vector<double>> rho_radius_;
+  std::optional<std::vector<double>> data_radius_;  ///< of u_, or of emission_ where that is given
+  bool data_are_known_ = false;                     ///< whether both are known; 0 stands for the others
+  std::optional<double> solution_radius_;
   CollocationMatrix<double> matrix_;
   std::optional<Contraction> contraction_;
   std::vector<double> u_n_;

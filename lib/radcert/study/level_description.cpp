@@ -20,6 +20,8 @@ void describe_level(const Problem& problem, const NodedSurface& data, const Tria
   const NodalFunction function(data.surface, data.triangulation, basis, values.u_n);
   if (problem.solution) outcome.result.uniform_error = uniform_error(function, *problem.solution);
   outcome.result.piece_means = piece_means(function);
+  outcome.result.solution_radius = values.solution_radius;
+  if (values.solution_radius) outcome.result.means_radius = means_radius(function, *values.solution_radius);
   for (std::size_t i = 0; i < data.nodes.size(); ++i)
     outcome.nodes.push_back({.piece = data.surface.charts[data.nodes[i].at.chart].facts().piece,
                              .element = i / basis.size(),

@@ -14,9 +14,46 @@ namespace {
 constexpr int sample_degree = 8;
 constexpr int mean_order = 12;
 
+constexpr int finer_mean_order = 16;
+
 struct AreaAndIntegral {
   double area = 0;
   double integral = 0;
+};
+
+/// Area, and Int l_j of every function over an element.
+struct Moments {
+  double area = 0;
+  std::array<double, 45> functions{};
+  std::array<double, 45> sizes{};  ///< Int |l_j|
+};
+
+Moments moments(const NodalFunction& u_n, std::size_t k, const TriangleRule<double>& rule) {
+  const ParameterTriangle& triangle = u_n.triangulation().triangles[k];
+  const auto& v = triangle.vertices;
+  const double parallelogram = cross(v[1] - v[0], v[2] - v[0]);
+  const ChartIn<double>& chart = u_n.surface().charts[triangle.chart].in<double>();
+  Moments found;
+  std::array<double, 45> values{};
+  for (std::size_t q = 0; q < rule.weights.size(); ++q) {
+    const double weight =
+        rule.weights[q] * parallelogram * area_element(chart.frame(triangle.at(rule.points[q].x)));
+    u_n.basis().values(rule.points[q], values);
+    found.area += weight;
+    for (std::size_t j = 0; j < u_n.basis().size(); ++j) {
+      found.functions[j] += weight * values[j];
+      found.sizes[j] += weight * std::abs(values[j]);
+    }
+  }
+  return found;
+}
+
+/// What is known of a piece: its area and the errors of the area and of the integral of u_n.
+struct PieceErrors {
+  double area = 0;
+  double area_error = 0;
+  double integral = 0;
+  double integral_error = 0;
 };
 
 }  // namespace
@@ -93,6 +130,50 @@ std::vector<std::pair<std::string, double>> piece_means(const NodalFunction& u_n
   for (std::size_t i = 0; i < names.size(); ++i)
     means.emplace_back(names[i], by_piece[i].integral / by_piece[i].area);
   return means;
+}
+
+double means_radius(const NodalFunction& u_n, double node_radius) {
+  const Surface& surface = u_n.surface();
+  const std::vector<ParameterTriangle>& triangles = u_n.triangulation().triangles;
+  const std::size_t functions = u_n.basis().size();
+  const TriangleRule<double> rule = conical_rule<double>(mean_order, Gathering::nowhere);
+  const TriangleRule<double> finer = conical_rule<double>(finer_mean_order, Gathering::nowhere);
+  // Roundings of a term, of the sum over a rule, over the functions and over the elements.
+  const double roundings =
+      unit_roundoff<double>() * static_cast<double>(rule.weights.size() + functions + triangles.size() + 64);
+  std::vector<PieceErrors> by_element(triangles.size());
+  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const bool plane = surface.charts[triangles[k].chart].facts().plane.has_value();
+      const Moments now = moments(u_n, k, rule);
+      const Moments better = plane ? now : moments(u_n, k, finer);
+      PieceErrors& errors = by_element[k];
+      errors.area = now.area;
+      errors.area_error = std::abs(better.area - now.area) + roundings * now.area;
+      for (std::size_t j = 0; j < functions; ++j) {
+        const double value = u_n.value(k, j);
+        errors.integral += now.functions[j] * value;
+        errors.integral_error += std::abs(now.functions[j]) * node_radius +
+                                 std::abs(better.functions[j] - now.functions[j]) * std::abs(value) +
+                                 roundings * now.sizes[j] * std::abs(value);
+      }
+    }
+  });
+  std::vector<PieceErrors> by_piece(surface.piece_names().size());
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    PieceErrors& piece = by_piece[surface.piece_of(triangles[k].chart)];
+    piece.area += by_element[k].area;
+    piece.area_error += by_element[k].area_error;
+    piece.integral += by_element[k].integral;
+    piece.integral_error += by_element[k].integral_error;
+  }
+  double largest = 0;
+  for (const PieceErrors& piece : by_piece) {
+    const double mean = std::abs(piece.integral) / piece.area;
+    const double radius = (piece.integral_error + mean * piece.area_error) / (piece.area - piece.area_error);
+    if (!(radius <= largest)) largest = radius;
+  }
+  return largest;
 }
 
 }  // namespace radcert

@@ -27,6 +27,8 @@ public:
       : surface_(surface), triangulation_(triangulation), basis_(std::move(basis)), values_(values) {}
 
   double at(std::size_t element, const Barycentric<double>& x) const;
+  const TriangleBasis<double>& basis() const { return basis_; }
+  double value(std::size_t element, std::size_t j) const { return values_[element * basis_.size() + j]; }
   const Surface& surface() const { return surface_; }
   const Triangulation& triangulation() const { return triangulation_; }
 
@@ -54,7 +56,17 @@ std::optional<Figure> uniform_error(const NodalFunction& u_n, const PiecewiseExp
 /// Source    -
 /// Requires  -
 /// Result    pieces in the order of the surface
-/// Limits    no error estimate
+/// Limits    means_radius estimates the error
 std::vector<std::pair<std::string, double>> piece_means(const NodalFunction& u_n);
+
+/// A radius of every such mean, for nodal values within `node_radius`.
+/// Maths     the mean is sum_kj c_kj u_kj, c_kj = Int_{Delta_k} l_j dS / Int_piece dS: nodal values within r move it by r sum |c_kj| at most.
+///           What the rule leaves out of the c_kj: on plane charts nothing, elsewhere the difference from the rule of order 16;
+///           n terms are rounded by (n + 64) u of the sum of their sizes
+/// Source    -
+/// Requires  node_radius >= 0
+/// Result    the largest over the pieces; an estimate where charts are not plane
+/// Limits    two rules that are wrong in the same way are not seen
+double means_radius(const NodalFunction& u_n, double node_radius);
 
 }  // namespace radcert

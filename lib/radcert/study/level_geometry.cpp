@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/study/level_geometry.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
 #include "radcert/collocation/nodes.h"
-#include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/text.h"
 #include "radcert/triangulation/conforming_charts.h"
 #include "radcert/triangulation/interpolated_surface.h"
 
@@ -34,16 +38,37 @@ NodedSurface noded(Surface surface, Triangulation triangulation, const TriangleB
   return result;
 }
 
+/// Fourth powers of distances, down to 2^-44 of the coordinates, and areas must be in the range of double.
+void require_scale(const std::vector<Observer<double>>& nodes) {
+  constexpr double least = 0x1p-200;
+  constexpr double most = 0x1p200;
+  double largest = 0;
+  for (const Observer<double>& node : nodes)
+    largest = std::max({largest, std::abs(node.point.x), std::abs(node.point.y), std::abs(node.point.z)});
+  if (largest >= least && largest <= most) return;
+  throw InputError(
+      {.pointer = "/surface",
+       .value = shortest(largest),
+       .problem = "is the largest coordinate of a node: G is not found in double at such a scale",
+       .allowed = "a surface whose largest coordinate is between 1e-60 and 1e60"});
+}
+
 }  // namespace
 
 LevelGeometry::LevelGeometry(const Problem& problem, int level, const TriangleBasis<double>& basis) {
   Surface surface = surface_of(problem);
   Triangulation triangulation = triangulate(surface, level, options_of(problem, surface));
   const Outcome<void> fits = conforming(surface, triangulation);
-  expects(fits.has_value(), "a triangulation with T1-T3", named("fault", fits ? "" : fits.reason()));
+  if (!fits)
+    throw InputError(
+        {.pointer = "/triangulation",
+         .value = "level " + std::to_string(level),
+         .problem = "makes no triangulation whose triangles double tells apart: " + fits.reason(),
+         .allowed = "a lower level, or a grading nearer to 1"});
   mesh_size_ = radcert::mesh_size(triangulation);
   if (!problem.geometry) {
     data_ = noded(std::move(surface), std::move(triangulation), basis);
+    require_scale(data_.nodes);
     return;
   }
   InterpolatedSurface interpolated = interpolate(surface, triangulation, problem.geometry->degree);
@@ -55,6 +80,7 @@ LevelGeometry::LevelGeometry(const Problem& problem, int level, const TriangleBa
     data_ = noded(std::move(surface), std::move(triangulation), basis);
     interpolant_ = std::move(interpolant);
   }
+  require_scale(data_.nodes);
 }
 
 }  // namespace radcert

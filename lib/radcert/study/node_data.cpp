@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/study/node_data.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/quadrature/kernel_sums.h"
+#include "radcert/scalar/ball.h"
+#include "radcert/scalar/ball_precision.h"
 #include "radcert/study/surface_function.h"
 
 namespace radcert {
@@ -33,7 +37,46 @@ std::string number_text(double value) {
                     .allowed = allowed});
 }
 
+/// The coordinates of a node as balls.
+Vector<Ball> enclosed_point(const Chart& chart, const Observer<double>& node) {
+  constexpr double roundings = coordinate_roundings * unit_roundoff<double>();
+  const auto largest = std::max({std::abs(node.point.x), std::abs(node.point.y), std::abs(node.point.z)});
+  Vector<double> sizes{largest, largest, largest};
+  if (chart.facts().plane) {
+    const Frame<double> frame = chart.in<double>().frame({0, 0});
+    const auto terms = [&frame](double Vector<double>::*x) {
+      return std::abs(frame.point.*x) + std::abs(frame.tangent_s.*x) + std::abs(frame.tangent_t.*x);
+    };
+    sizes = {terms(&Vector<double>::x), terms(&Vector<double>::y), terms(&Vector<double>::z)};
+  }
+  const auto ball = [](double value, double size) { return widened(Ball(value), Ball(roundings * size)); };
+  return {ball(node.point.x, sizes.x), ball(node.point.y, sizes.y), ball(node.point.z, sizes.z)};
+}
+
 }  // namespace
+
+std::optional<std::vector<double>> value_radii(const PiecewiseExpression& function, const Surface& surface,
+                                               std::span<const Observer<double>> nodes,
+                                               std::span<const double> values) {
+  constexpr long bits = 64;
+  const BallPrecision precision(bits);
+  std::vector<double> radii;
+  radii.reserve(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Chart& chart = surface.charts[nodes[i].at.chart];
+    const Expression& f = function.on(chart.facts().piece);
+    if (f.is_constant()) {
+      radii.push_back(unit_roundoff<double>() * std::abs(values[i]));
+      continue;
+    }
+    const Vector<Ball> q = enclosed_point(chart, nodes[i]);
+    const Ball value = f.evaluate<Ball>({q.x, q.y, q.z});
+    if (!value.is_finite()) return std::nullopt;
+    radii.push_back(abs(value - Ball(values[i])).upper_double());
+    if (!std::isfinite(radii.back())) return std::nullopt;
+  }
+  return radii;
+}
 
 std::vector<double> values_at_nodes(const PiecewiseExpression& function, const std::string& pointer,
                                     const Surface& surface, std::span<const Observer<double>> nodes) {

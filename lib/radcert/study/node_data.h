@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,17 @@ namespace radcert {
 /// Limits    -
 std::vector<double> values_at_nodes(const PiecewiseExpression& function, const std::string& pointer,
                                     const Surface& surface, std::span<const Observer<double>> nodes);
+
+/// What rounding may have done to the values of a piecewise expression at the collocation nodes.
+/// Maths     |f(v_i) - values_i|, v_i the node of exact parameters, whose coordinates are off by no more than 8 u of the largest, on
+///           plane charts by 8 u of the numbers that they are summed up from
+/// Source    interval arithmetic: the expression in balls about the rounded coordinates
+/// Requires  values from values_at_nodes
+/// Result    a radius a node; nothing where an expression is not proved to have a value at a node
+/// Limits    a bound if the chart's own formula loses no more than 8 u
+std::optional<std::vector<double>> value_radii(const PiecewiseExpression& function, const Surface& surface,
+                                               std::span<const Observer<double>> nodes,
+                                               std::span<const double> values);
 
 /// The reflectivity at the collocation nodes.
 /// Maths     rho(v_i)

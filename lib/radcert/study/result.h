@@ -61,6 +61,10 @@ struct LevelResult {
   std::optional<double> discretisation_order;  ///< log of the ratio over log of the mesh sizes' ratio
   std::optional<double> node_order;
   std::vector<std::pair<std::string, double>> piece_means;  ///< mean of u_n over each piece
+  /// Bounds, for each node, what quadrature, rounding and the solution of the system may have changed u_n; for each mean, the same.
+  /// Proved for the nodes with `verified`, an estimate else; absent: not known.
+  std::optional<double> solution_radius = std::nullopt;
+  std::optional<double> means_radius = std::nullopt;
   NormOfK norm_K;
   std::optional<IterationReport> iteration;  ///< of `gmres` and `neumann`
   std::optional<VerifiedReport> verified;    ///< of `verified`

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "radcert/core/errors.h"
+#include "radcert/core/text.h"
 #include "radcert/expression/batch.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/study/problem.h"
@@ -28,10 +32,17 @@ public:
     return by_chart_[chart].at(q.x, q.y, q.z);
   }
 
-  /// The values at many points of one chart, the same bits.
+  /// The values at many points of one chart, the same bits; InputError at /solution where one is not finite.
   void evaluate(std::size_t chart, std::span<const double> x, std::span<const double> y,
                 std::span<const double> z, std::span<double> values) const {
     by_chart_[chart].evaluate(x, y, z, values);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!std::isfinite(values[i]))
+        throw InputError({.pointer = "/solution",
+                          .value = std::nullopt,
+                          .problem = "is not finite at (" + shortest(x[i]) + ", " + shortest(y[i]) + ", " +
+                                     shortest(z[i]) + "), a point of the surface",
+                          .allowed = "an expression that is finite on the whole surface"});
   }
 
 private:

@@ -164,6 +164,7 @@ public:
     const Stopwatch assembly;
     CertifiedEntries matrix =
         problem_.solution && !all_plane_ && !problem_.geometry ? entries_and_integrals() : entries();
+    require_rows_of_one(matrix);
     outcome_.result.norm_K = norm(matrix);
     scale_row_entries(matrix, rho_);
     outcome_.timing.assembly_seconds = assembly.seconds();
@@ -186,6 +187,17 @@ private:
     const Outcome<void> exact =
         is_exact_interpolant(geometry_.data(), geometry_.integrals(), problem_.geometry->degree);
     if (!exact) refuse("the interpolated geometry is not known exactly: " + exact.reason());
+  }
+
+  /// Int_S G dS = pi at every point of the boundary of a convex body [ac98, section 2]: where the functions have the sum 1, so has
+  /// each row of the matrix for the reflectivity 1. A row that is proved to have another sum would be a false proof.
+  void require_rows_of_one(const CertifiedEntries& matrix) const {
+    if (!surface_.closed || problem_.geometry || functions_.reproduced_degree() < 0) return;
+    const std::vector<Ball> sums = enclosed_product(matrix, std::vector<Ball>(nodes_.size(), Ball(1)));
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      if (!overlaps(sums[i], Ball(1)))
+        refuse("row " + std::to_string(i) + " of the collocation matrix is enclosed by " + sums[i].to_text() +
+               " where it must be 1");
   }
 
   const std::string& piece_of(std::size_t i) const { return surface_.charts[nodes_[i].chart].facts().piece; }
@@ -384,7 +396,12 @@ private:
     const std::vector<double> emission = midpoints(emission_);
     const std::vector<double> u = midpoints(u_);
     describe_level(problem_, geometry_.data(), basis_,
-                   {.u_n = u_n_, .radius = radius_, .emission = emission, .u = u}, outcome_);
+                   {.u_n = u_n_,
+                    .radius = radius_,
+                    .emission = emission,
+                    .u = u,
+                    .solution_radius = outcome_.result.verified->solution_radius},
+                   outcome_);
   }
 
   const BallPrecision precision_{ball_bits};
