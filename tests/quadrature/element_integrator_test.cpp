@@ -65,6 +65,38 @@ TEST(ElementIntegrator, RowsSumToPiBesideAnEdge) {
   expect_pi(surface, 1, {1e-6, 1e-6}, 1, 1, 1e-6, 1e-9);
 }
 
+TEST(ElementIntegrator, RowsSumToPiInThinBoxesWithinTheirRadii) {
+  // The nearer the walls, the less their rounded coordinates say: the radius tells how little.
+  Rational thickness = 1;
+  for (int k = 1; k <= 40; ++k) {
+    thickness = thickness / Rational(10);
+    const std::vector<Surface> boxes{box(thickness, 1, 1), box(3, thickness, Rational(1, 3)),
+                                     box(1, thickness, thickness)};
+    for (std::size_t which = 0; which < boxes.size(); ++which)
+      for (std::size_t chart = 0; chart < 6; chart += 1 + which)
+        for (const ParameterPoint<double>& at : {ParameterPoint<double>{0.3, 0.45}, {1.0 / 6, 2.0 / 3}}) {
+          const Row r = row(boxes[which], {chart, at}, 0, 1, 1.0 / 6);
+          EXPECT_LE(std::abs(r.sum - pi<double>()), r.radius + 1e-15)
+              << "10^-" << k << " box " << which << " chart " << chart << " at " << at.s << " " << at.t;
+          if (which == 0 && k <= 6)
+            EXPECT_LT(r.radius, 1e-13 * std::pow(10.0, k + 1)) << k << " chart " << chart;
+        }
+  }
+}
+
+TEST(ElementIntegrator, KnowsThatNothingIsKnownNearerThanRounding) {
+  // Two walls that coordinates in double do not tell apart: the entry is somewhere between 0 and pi.
+  const Surface surface = box(Rational(1, 1000000) * Rational(1, 1000000) * Rational(1, 1000000), 1, 1);
+  const InsetBasis<double> basis(0, 0);
+  for (const ParameterTriangle& triangle : triangulate(surface, 0).triangles) {
+    if (surface.charts[triangle.chart].facts().name != "east") continue;
+    const ElementIntegral<double> integral = ElementIntegrator<double>(surface, triangle, basis)
+                                                 .integrate(observer<double>(surface, {0, {0.3, 0.4}}));
+    EXPECT_GE(integral.value[0] + integral.radius[0], pi<double>());
+    EXPECT_LE(integral.value[0] - integral.radius[0], 0);
+  }
+}
+
 TEST(ElementIntegrator, RowsSumToPiOnSeamsAndCornersOfTheOctahedron) {
   for (const Surface& surface : {sphere(), ellipsoid(1, 2, 5)})
     for (const int degree : {0, 2})

@@ -23,8 +23,9 @@ constexpr int order_step = 6;
 constexpr int check_step_analytic = 2;
 constexpr int check_step_gathered = 6;
 constexpr double admissible_ellipse = 3.0;
-constexpr int deepest_bisection = 60;  // of a side
-constexpr int deepest_halving = 40;    // of a rectangle
+constexpr int deepest_bisection = 60;          // of a side
+constexpr int deepest_halving = 40;            // of a rectangle
+constexpr std::size_t most_rectangles = 1024;  // of one observer and element
 
 /// Points of [0,1] with their distances from both ends, free of cancellation; padded to whole blocks by zero weights.
 template <Real R>
@@ -182,6 +183,10 @@ private:
   void integrate_rectangle(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int across, int depth,
                            CheckedSums<R>& result) {
     CheckedSums<R> best(basis_.size());
+    if (++rectangles_ > most_rectangles) {
+      result.complete = false;
+      return;
+    }
     for (int order = first_order_; order <= last_order<R>; order += order_step) {
       const int side_order = std::clamp(across + order - first_order_, 4, last_order<R>);
       best.sums = sums(triangle, area, order + check_step_, side_order + check_step_);
@@ -296,6 +301,7 @@ private:
   int check_step_;
   Frame<R> at_p_;
   R largest_size_{};
+  std::size_t rectangles_ = 0;
 };
 
 /// The lines of sight from p through the sides of the element.

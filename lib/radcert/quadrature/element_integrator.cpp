@@ -21,6 +21,8 @@ constexpr int order_step = 3;
 constexpr int most_tries = 4;
 /// Each two bisections halve a piece; at this depth its corners are neighbouring doubles.
 constexpr int deepest_bisection = 104;
+/// More pieces are not looked at.
+constexpr std::size_t most_pieces = 20000;
 /// Two rules that still differ on a far piece after so many bisections differ by rounding, which no bisection mends: the
 /// difference goes into the radius.
 constexpr int most_failures = 8;
@@ -125,7 +127,11 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const 
   const R coordinate = largest_coordinate(p.point);
   const R told_apart = least_distance(std::max(extent_, coordinate));
   pending_.assign(1, {cell, 0, 0});
-  while (!pending_.empty()) {
+  for (std::size_t pieces = 0; !pending_.empty(); ++pieces) {
+    if (pieces == most_pieces) {
+      result.complete = false;
+      break;
+    }
     Piece piece = pending_.back();
     pending_.pop_back();
     const bool whole = is_element && piece.depth == 0;

@@ -114,7 +114,8 @@ FarBounds<R>::FarBounds(const ObserverBlock<R>& observers, const FarView<R>& vie
   const B inverse = B(R(1)) / (least_squared * least_squared);
   const R root_three = sqrt(R(3));
   largest = seen_from_p * seen_from_q * inverse;
-  lean = B(extent) * ((B(root_three) * seen_from_p + seen_from_q) * inverse);
+  const B blur = B(R(coordinate_roundings) * unit_roundoff<R>() * extent);
+  lean = B(extent) * ((B(root_three) * (seen_from_p + blur) + seen_from_q) * inverse);
   solid_angle = B(view.area) * face_on / (squared * distance);
 }
 

@@ -57,7 +57,7 @@ struct FarView {
 /// Maths     with R = |P-c|, r the radius of the element's ball, n_P = a normal + t, t orthogonal to normal:
 ///           |(Q-P).n_P| <= |(c-P).n_P| + |a| height + r |t|,  |(P-Q).n_Q| <= |(P-c).normal| + sum_i |P-c|_i spread_i + rise,
 ///           |P-Q| >= R - r; from these
-///           largest >= |G| and lean >= X (|(Q-P).n_P| |n_Q| + |(P-Q).n_Q|) / |P-Q|^4, |n_Q| by components at most sqrt 3;
+///           largest >= |G| and lean >= X ((|(Q-P).n_P| + 8 u X) |n_Q| + |(P-Q).n_Q|) / |P-Q|^4, |n_Q| by components at most sqrt 3;
 ///           solid_angle = area |(P-c).normal| / R^3
 /// Source    see KernelSums
 /// Requires  R > r

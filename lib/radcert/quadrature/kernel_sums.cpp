@@ -44,6 +44,7 @@ KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const
   const Vector<B> point = broadcast<R>(p.point);
   const Vector<B> normal_p = broadcast<R>(p.normal);
   const B largest_coordinate = B(extent);
+  const B blur = B(R(coordinate_roundings) * unit_roundoff<R>() * extent);
   KernelSumsByLane<R> sums(samples.functions);
   for (std::size_t block = 0; block < samples.blocks(); ++block) {
     const std::size_t at = block * Samples<R>::lanes;
@@ -56,7 +57,7 @@ KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const
     const B squared = dot(d, d);
     const B inverse = B(R(1)) / (squared * squared);
     const B g = seen_from_p * seen_from_q * inverse;
-    const B lean = largest_coordinate * ((abs(seen_from_p) * weight + abs(seen_from_q)) * inverse);
+    const B lean = largest_coordinate * (((abs(seen_from_p) + blur) * weight + abs(seen_from_q)) * inverse);
     sums.add(g, lean, basis_of_block(samples, block));
   }
   return sums.sums(samples.count);

@@ -3,16 +3,21 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "radcert/quadrature/observer.h"
 #include "radcert/quadrature/samples.h"
 
 namespace radcert {
 
+/// Coordinates are off by at most so many u of the largest.
+inline constexpr int coordinate_roundings = 8;
+
 /// G at one point of a chord, and its part of KernelSums::tilt.
 /// Maths     value = (bend_p.n_P) (bend_q.n_Q) / |P-Q|^4;
-///           lean = (|bend_p|.|n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q|.|n_Q|) / |P-Q|^4, |v| by components
-/// Source    lean: first-order effect of relative changes of the bends' components on [ac98, (2)]
+///           lean = (|bend_p|.|n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q|.|n_Q| + e |bend_p|.|n_P| |bend_q|.|n_Q|) / |P-Q|^4, |v| by
+///           components, e = 8 u
+/// Source    lean: e times it bounds what changes of the bends' components by e do to the product of [ac98, (2)]
 /// Requires  P != Q
 /// Result    lean >= 2 |value|; much larger where a bend is nearly tangential
 /// Limits    -
@@ -28,12 +33,19 @@ struct ChordValue {
     const R towards_q = dot(chord.bend_p, normal_p) * inverse;
     const R towards_p = dot(chord.bend_q, normal_q) * inverse;
     value = towards_q * towards_p;
-    lean = (absolute_dot(chord.bend_p, normal_p) * abs(towards_p) +
-            abs(towards_q) * absolute_dot(chord.bend_q, normal_q)) *
-           inverse;
+    const R bend_p = absolute_dot(chord.bend_p, normal_p);
+    const R bend_q = absolute_dot(chord.bend_q, normal_q);
+    const R second = R(coordinate_roundings * roundoff()) * bend_q * inverse;
+    lean = (bend_p * (abs(towards_p) + second) + abs(towards_q) * bend_q) * inverse;
   }
 
 private:
+  static auto roundoff() {
+    if constexpr (std::is_same_v<R, Pack>)
+      return unit_roundoff<double>();
+    else
+      return unit_roundoff<R>();
+  }
   static R absolute_dot(const Vector<R>& a, const Vector<R>& b) {
     using std::abs;
     return abs(a.x * b.x) + abs(a.y * b.y) + abs(a.z * b.z);
@@ -42,8 +54,8 @@ private:
 
 /// What a rule sums up for one observer over one cell.
 /// Maths     value_j = sum g_q l_j(x_q),  size_j = sum |g_q| |l_j(x_q)|,  total = sum g_q,  size = sum |g_q|,
-///           tilt_j = sum of what a relative change of all coordinates by 1 would do to the two scalar products, to first
-///           order: |X| (|(Q-P).n_P| + |(P-Q).n_Q|) |l_j| / |P-Q|^4 (weighted), X the largest coordinate; for chords
+///           tilt_j: e tilt_j is what a change of all coordinates by e X does to the product of the two scalar products at most, e = 8 u:
+///           sum of X (|(Q-P).n_P| + |(P-Q).n_Q| + e X) |l_j| / |P-Q|^4 (weighted), X the largest coordinate; for chords
 ///           the products of lengths |bend| |n| stand for |X|.  g_q = G(P,Q_q) times area element and weight
 /// Source    [ac98, (40)]
 /// Requires  at most 45 functions (degree 8)
@@ -135,9 +147,6 @@ KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const
 /// Limits    -
 template <Real R>
 KernelSums<R> chord_sums(const Observer<R>& p, const Chart& chart, const Samples<R>& samples);
-
-/// Coordinates are off by at most so many u of the largest.
-inline constexpr int coordinate_roundings = 8;
 
 /// A bound for what rounding did to value_j, to first order in the unit roundoff u.
 /// Maths     (points + 60) u size_j + 8 u tilt_j: each term passes at most 60 roundings in chart, kernel, weight and

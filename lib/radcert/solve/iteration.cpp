@@ -51,6 +51,9 @@ std::size_t patience(double theta, std::size_t reflections) {
   return std::max<std::size_t>(2, static_cast<std::size_t>(steps) / reflections + 1);
 }
 
+/// More reflections one by one are not begun.
+constexpr std::size_t most_reflections = 1000000;
+
 /// The goals of an iteration and how far it is from them.
 struct Descent {
   const Contraction& contraction;
@@ -119,6 +122,7 @@ Outcome<IterativeSolution, NotReached> iterate(const Matrix<double>& k, const Co
     // v grows from e to u, or shrinks, by 1 + theta <= 2 at most.
     if (step == 0)
       planned = planned_steps(contraction.theta(), residual, descent.goal(v) / 2) + patient_steps;
+    if (step == 0 && correction.reflections == 1 && planned > most_reflections) break;
     if (residual <= mark / 2) {
       mark = residual;
       marked_at = step;

@@ -48,7 +48,7 @@ struct Correction {
 /// Result    a vector whose bound keeps to the goal, the bound made of a residual computed after the last correction and
 ///           of the rounding errors of that residual. NotReached: when ||r||_w has not halved over m corrections with
 ///           ((1 + theta)/2)^m <= 1/2, where v <- v + r would without rounding make it a quarter, or after as many as
-///           theta plans; without a tolerance, then, only if ||r||_w also exceeds what rounding can do,
+///           theta plans, or at once where it plans more than 10^6 single reflections; without a tolerance, then, only if ||r||_w also exceeds what rounding can do,
 ///           4 u (1 + theta)/(1 - theta) ||v||_w. The same bits for any number of threads; Interrupted when asked to
 ///           stop
 /// Limits    a bound of the error of the linear system alone, whose matrix and right-hand side are taken as exact

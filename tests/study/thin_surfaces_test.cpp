@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Problems at the ends of what double holds: a value within its radius, or a refusal with a name.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "radcert/core/errors.h"
+#include "radcert/reference/operator_integral.h"
+#include "radcert/study/study.h"
+#include "tests/study/problems.h"
+
+namespace radcert {
+namespace {
+
+using testing::everywhere;
+using testing::fault_of;
+using testing::sample_problem;
+using testing::with_basis;
+using testing::with_emission;
+using testing::with_solution;
+
+AppliedOperator route(const Surface& surface, const SurfaceFunction& u) {
+  const reference::Density density = [&u](const reference::PointBlock& q, std::span<double> values) {
+    u.evaluate(q.chart, q.x, q.y, q.z, values);
+  };
+  return [applied = reference::AppliedOperator(surface, density)](const SurfacePoint<double>& p) {
+    const reference::Estimate integral = applied(p);
+    return OperatorValue{.value = integral.value, .radius = integral.radius};
+  };
+}
+
+/// The level, or nothing where it is refused.
+std::optional<LevelOutcome> solved(const Problem& problem) {
+  try {
+    check(problem, std::uint64_t{1} << 32U);
+    return solve_level(problem, 0, route);
+  } catch (const InputError&) {
+    return std::nullopt;
+  } catch (const AccuracyNotReached&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether u = 1 lies within what a level says of itself.
+void expect_one(const LevelOutcome& level, const std::string& what) {
+  const LevelResult& result = level.result;
+  ASSERT_TRUE(result.solution_radius && result.means_radius) << what;
+  for (const NodeValue& node : level.nodes)
+    EXPECT_LE(std::abs(node.u_n - 1), *result.solution_radius) << what;
+  for (const auto& [piece, mean] : result.piece_means)
+    EXPECT_LE(std::abs(mean - 1), *result.means_radius) << what << ", " << piece;
+  if (result.node_error) EXPECT_LE(result.node_error->value, *result.node_error->radius) << what;
+  if (result.discretisation_error)
+    EXPECT_LE(result.discretisation_error->value, *result.discretisation_error->radius) << what;
+}
+
+Rational power_of_ten(int exponent) {
+  Rational value = 1;
+  for (int k = 0; k < std::abs(exponent); ++k)
+    value = exponent < 0 ? value / Rational(10) : value * Rational(10);
+  return value;
+}
+
+TEST(ThinSurfaces, HaveTheSolutionWithinTheRadiusOrAreRefused) {
+  for (const int exponent : {-1, -3, -6, -7, -8, -9, -10, -11, -12, -13, -14, -15, -16, -20, -30})
+    for (const SolverName solver : {SolverName::direct, SolverName::gmres}) {
+      const std::string what = "10^" + std::to_string(exponent) + ", " + solver_name(solver);
+      Problem problem = sample_problem("box", {{"a", power_of_ten(exponent)}, {"b", 1}, {"c", 1}});
+      problem.solver = {.name = solver, .tolerance = std::nullopt};
+      for (const Problem& p : {with_emission(problem, "1/2"), with_solution(problem, "1")}) {
+        const std::optional<LevelOutcome> level = solved(p);
+        if (level) expect_one(*level, what);
+        if (exponent >= -9) EXPECT_TRUE(level) << what;
+        if (exponent >= -6) EXPECT_LT(*level->result.solution_radius, 1e-7) << what;
+        if (exponent <= -16) EXPECT_FALSE(level) << what;
+      }
+    }
+}
+
+TEST(ThinSurfaces, KnowTheirMeansOnCurvedPieces) {
+  for (const char* surface : {"sphere", "cylinder", "ellipsoid"})
+    for (int degree = 0; degree <= 2; ++degree) {
+      const std::string what = std::string(surface) + ", degree " + std::to_string(degree);
+      std::vector<SurfaceParameter> parameters;
+      if (std::string(surface) == "ellipsoid") parameters = {{"a", 1}, {"b", 2}, {"c", Rational(1, 10)}};
+      if (std::string(surface) == "cylinder") parameters = {{"radius", 1}, {"height", 2}};
+      const Problem problem =
+          with_basis(sample_problem(surface, parameters), degree, degree == 0 ? Rational(0) : Rational(1, 8));
+      const std::optional<LevelOutcome> level = solved(with_emission(problem, "1/2"));
+      ASSERT_TRUE(level) << what;
+      expect_one(*level, what);
+    }
+}
+
+TEST(ThinSurfaces, AreRefusedAtScalesBeyondDouble) {
+  for (const int exponent : {-200, -100, 100, 200}) {
+    const Rational side = power_of_ten(exponent);
+    const Problem problem = sample_problem("box", {{"a", side}, {"b", side}, {"c", side}});
+    for (const SolverName solver : {SolverName::direct, SolverName::verified}) {
+      Problem p = problem;
+      p.solver = {.name = solver, .tolerance = std::nullopt};
+      EXPECT_EQ(fault_of([&] { static_cast<void>(solve_level(p, 0, route)); }).pointer, "/surface")
+          << exponent;
+    }
+  }
+  const std::optional<LevelOutcome> level = solved(with_emission(
+      sample_problem("box", {{"a", power_of_ten(-55)}, {"b", power_of_ten(-55)}, {"c", power_of_ten(-55)}}),
+      "1/2"));
+  ASSERT_TRUE(level);
+  expect_one(*level, "10^-55");
+}
+
+TEST(ThinSurfaces, AreRefusedWhereAGradingLeavesNoTriangles) {
+  Problem problem = sample_problem("cube");
+  problem.triangulation.grading = 50;
+  EXPECT_EQ(fault_of([&] { static_cast<void>(solve_level(problem, 3, route)); }).pointer, "/triangulation");
+}
+
+TEST(Solutions, AreRefusedAtAPole) {
+  for (const char* u : {"1/(x-0.3)", "1/(y-1/2)^2"}) {
+    const Problem problem = with_solution(sample_problem("cube"), u);
+    EXPECT_FALSE(solved(problem)) << u;
+  }
+}
+
+TEST(Solutions, BeyondTheRangeOfDoubleAreRefused) {
+  for (const char* u : {"x*1e300", "1e308", "x*1e307 + y"}) {
+    const std::optional<LevelOutcome> level = solved(with_solution(sample_problem("cube"), u));
+    if (!level) continue;
+    EXPECT_TRUE(std::isfinite(*level->result.node_error->radius)) << u;
+    EXPECT_TRUE(std::isfinite(level->result.discretisation_error->value)) << u;
+  }
+}
+
+TEST(Solutions, AreKnownAsFarAsTheirExpressionIs) {
+  // The nodes' coordinates are rounded, and next to a pole u says so.
+  for (const char* u : {"1/(x + 1e-9)", "1/(1.000000001 - y)", "exp(1e3*x)", "sin(1e8*z)"}) {
+    const Problem rough = with_solution(sample_problem("cube"), u);
+    Problem proved = rough;
+    proved.solver.name = SolverName::verified;
+    const std::optional<LevelOutcome> level = solved(rough);
+    const std::optional<LevelOutcome> truth = solved(proved);
+    if (!level || !truth || !level->result.solution_radius) continue;
+    for (std::size_t i = 0; i < level->nodes.size(); ++i)
+      EXPECT_LE(std::abs(level->nodes[i].u_n - truth->nodes[i].u_n),
+                *level->result.solution_radius + *truth->nodes[i].radius)
+          << u << " " << i;
+  }
+}
+
+TEST(Solutions, ThatNeedTooManyReflectionsAreRefusedAtOnce) {
+  Problem problem = with_solution(sample_problem("cube"), "x");
+  problem.reflectivity = everywhere("0.999999999999");
+  problem.solver = {.name = SolverName::neumann, .tolerance = std::nullopt};
+  EXPECT_THROW(static_cast<void>(solve_level(problem, 0, route)), AccuracyNotReached);
+}
+
+}  // namespace
+}  // namespace radcert
