@@ -83,36 +83,33 @@ std::string level_table(const Result& result, bool with_errors) {
   return aligned(rows, with_the_left);
 }
 
-/// The next number of two digits that is not smaller.
-double rounded_up(double radius) {
-  if (radius <= 0) return 0;
-  const double unit = std::pow(10.0, std::floor(std::log10(radius)) - 1);
-  return (std::floor(radius / unit) + 1) * unit;
-}
-
-/// The means of u_n over the pieces, a row a level.
+/// The means of u_n over the pieces, a row a level, with one radius for all of them.
 std::string means_table(const Result& result) {
   std::vector<std::vector<std::string>> rows = {{"level"}};
   if (!result.levels.empty())
     for (const auto& [piece, mean] : result.levels.front().piece_means) rows.front().push_back(piece);
+  rows.front().emplace_back("+-");
+  const bool known = std::all_of(result.levels.begin(), result.levels.end(), [](const LevelResult& level) {
+    return level.means_radius && std::isfinite(*level.means_radius);
+  });
   for (const LevelResult& level : result.levels) {
     std::vector<std::string> row = {std::to_string(level.level)};
-    for (const auto& [piece, mean] : level.piece_means)
-      row.push_back(nearest_text(mean, DecimalForm::general(8)));
+    std::string radius = "-";
+    for (const auto& [piece, mean] : level.piece_means) {
+      if (!known) {
+        row.push_back(nearest_text(mean, DecimalForm::general(8)));
+        continue;
+      }
+      const EnclosingText text = enclosing_text(mean, *level.means_radius, DecimalForm::general(8));
+      row.push_back(text.value);
+      if (radius == "-" || std::stod(radius) < std::stod(text.radius)) radius = text.radius;
+    }
+    row.push_back(radius);
     rows.push_back(row);
   }
-  return "Means of u_n over the pieces:\n" + aligned(rows);
-}
-
-/// How well the means are known, level by level.
-std::string means_line(const Result& result) {
-  std::string radii;
-  for (const LevelResult& level : result.levels)
-    radii += (radii.empty() ? "" : ", ") +
-             (level.means_radius ? upper_text(*level.means_radius) + " (level " +
-                                       std::to_string(level.level) + ")"
-                                 : "an unknown number (level " + std::to_string(level.level) + ")");
-  return "They are known within " + radii + ", an estimate, beside the rounding of the printed digits.\n";
+  return std::string("Means of u_n over the pieces") +
+         (known ? ", with an estimate of their radius:\n" : "; no radius of theirs is known:\n") +
+         aligned(rows);
 }
 
 std::string numbers(const std::vector<int>& levels) {
@@ -185,7 +182,7 @@ std::string guarantee_text(const Result& result) {
 
 std::string solve_table(const Result& result) {
   const bool with_errors = result.problem.solution.has_value();
-  std::string out = level_table(result, with_errors) + "\n" + means_table(result) + means_line(result) + "\n";
+  std::string out = level_table(result, with_errors) + "\n" + means_table(result) + "\n";
   for (const OrderFit& fit : result.orders)
     if (with_errors && (!fit.levels.empty() || !fit.left_out.empty())) out += order_line(fit);
   out += iteration_line(result);

@@ -116,16 +116,44 @@ std::string text(const Pair& pair) {
          insets()[static_cast<std::size_t>(pair.alpha)].to_text() + ", tolerance " + shortest(pair.tolerance);
 }
 
-bool degenerate(const std::array<Vector<double>, 3>& t) {
-  const auto exactly = [](const Vector<double>& v) {
-    return Vector<Rational>{Rational::exactly(v.x), Rational::exactly(v.y), Rational::exactly(v.z)};
-  };
-  const Vector<Rational> n = cross(exactly(t[1]) - exactly(t[0]), exactly(t[2]) - exactly(t[0]));
-  return n.x == Rational(0) && n.y == Rational(0) && n.z == Rational(0);
+using Exact = std::array<Vector<Rational>, 3>;
+
+Exact exactly(const std::array<Vector<double>, 3>& t) {
+  Exact out;
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = {Rational::exactly(t[i].x), Rational::exactly(t[i].y), Rational::exactly(t[i].z)};
+  return out;
 }
 
-Judgement judge(const Pair& pair) {
-  if (degenerate(pair.first) || degenerate(pair.second)) return Judgement::refused();
+/// On which side of a triangle's plane the corners of another lie: 1 where its cross product points to, -1, or 0: on both or on none.
+int side_of(const Exact& other, const Exact& t) {
+  const Vector<Rational> n = cross(t[1] - t[0], t[2] - t[0]);
+  int side = 0;
+  for (const Vector<Rational>& corner : other) {
+    const Rational height = dot(n, corner - t[0]);
+    if (height == Rational(0)) continue;
+    const int here = height > Rational(0) ? 1 : -1;
+    if (side == -here) return 0;
+    side = here;
+  }
+  return side;
+}
+
+/// The pair with its triangles turned so that each faces the other, as on the boundary of a convex body; nothing if that is not to be had.
+std::optional<Pair> face_to_face(Pair pair) {
+  const int of_second = side_of(exactly(pair.second), exactly(pair.first));
+  const int of_first = side_of(exactly(pair.first), exactly(pair.second));
+  if (of_second == 0 || of_first == 0) return std::nullopt;
+  // The inner normal is against the cross product.
+  if (of_second > 0) std::swap(pair.first[1], pair.first[2]);
+  if (of_first > 0) std::swap(pair.second[1], pair.second[2]);
+  return pair;
+}
+
+Judgement judge(const Pair& drawn) {
+  const std::optional<Pair> turned = face_to_face(drawn);
+  if (!turned) return Judgement::refused();
+  const Pair& pair = *turned;
   TriangleMesh mesh;
   for (const auto* triangle : {&pair.first, &pair.second}) {
     const std::size_t at = mesh.vertices.size();
@@ -181,12 +209,16 @@ std::vector<Pair> smaller(const Pair& pair) {
     found.push_back(pair);
     found.back().degree = degree;
   }
-  if (text(pair).size() < 400) return found;
   const auto rounded = [](double x) { return static_cast<double>(static_cast<float>(x)); };
-  found.push_back(pair);
-  for (auto* triangle : {&found.back().first, &found.back().second})
-    for (Vector<double>& corner : *triangle)
-      corner = {rounded(corner.x), rounded(corner.y), rounded(corner.z)};
+  Pair shorter = pair;
+  bool changed = false;
+  for (auto* triangle : {&shorter.first, &shorter.second})
+    for (Vector<double>& corner : *triangle) {
+      const Vector<double> now{rounded(corner.x), rounded(corner.y), rounded(corner.z)};
+      changed = changed || norm(now - corner) > 0;
+      corner = now;
+    }
+  if (changed) found.push_back(shorter);
   return found;
 }
 

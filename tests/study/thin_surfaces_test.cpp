@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "radcert/core/errors.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/study.h"
+#include "radcert/surface/mesh_surface.h"
 #include "tests/study/problems.h"
 
 namespace radcert {
@@ -51,9 +54,12 @@ void expect_one(const LevelOutcome& level, const std::string& what) {
     EXPECT_LE(std::abs(node.u_n - 1), *result.solution_radius) << what;
   for (const auto& [piece, mean] : result.piece_means)
     EXPECT_LE(std::abs(mean - 1), *result.means_radius) << what << ", " << piece;
-  if (result.node_error) EXPECT_LE(result.node_error->value, *result.node_error->radius) << what;
-  if (result.discretisation_error)
+  if (result.node_error) {
+    EXPECT_LE(result.node_error->value, *result.node_error->radius) << what;
+  }
+  if (result.discretisation_error) {
     EXPECT_LE(result.discretisation_error->value, *result.discretisation_error->radius) << what;
+  }
 }
 
 Rational power_of_ten(int exponent) {
@@ -64,7 +70,7 @@ Rational power_of_ten(int exponent) {
 }
 
 TEST(ThinSurfaces, HaveTheSolutionWithinTheRadiusOrAreRefused) {
-  for (const int exponent : {-1, -3, -6, -7, -8, -9, -10, -11, -12, -13, -14, -15, -16, -20, -30})
+  for (const int exponent : {-1, -6, -8, -9, -10, -12, -14, -16, -30})
     for (const SolverName solver : {SolverName::direct, SolverName::gmres}) {
       const std::string what = "10^" + std::to_string(exponent) + ", " + solver_name(solver);
       Problem problem = sample_problem("box", {{"a", power_of_ten(exponent)}, {"b", 1}, {"c", 1}});
@@ -72,9 +78,15 @@ TEST(ThinSurfaces, HaveTheSolutionWithinTheRadiusOrAreRefused) {
       for (const Problem& p : {with_emission(problem, "1/2"), with_solution(problem, "1")}) {
         const std::optional<LevelOutcome> level = solved(p);
         if (level) expect_one(*level, what);
-        if (exponent >= -9) EXPECT_TRUE(level) << what;
-        if (exponent >= -6) EXPECT_LT(*level->result.solution_radius, 1e-7) << what;
-        if (exponent <= -16) EXPECT_FALSE(level) << what;
+        if (exponent >= -9) {
+          EXPECT_TRUE(level) << what;
+        }
+        if (exponent >= -6) {
+          EXPECT_LT(*level->result.solution_radius, 1e-7) << what;
+        }
+        if (exponent <= -16) {
+          EXPECT_FALSE(level) << what;
+        }
       }
     }
 }
@@ -94,22 +106,39 @@ TEST(ThinSurfaces, KnowTheirMeansOnCurvedPieces) {
     }
 }
 
+/// A tetrahedron of that size, as a mesh.
+Problem tetrahedron(double size) {
+  TriangleMesh mesh{.vertices = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}},
+                    .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+                    .group = {0, 0, 0, 0},
+                    .group_names = {""},
+                    .face = {0, 1, 2, 3}};
+  const std::vector<std::size_t> pieces{0, 1, 2, 3};
+  const std::vector<std::string> names{"a", "b", "c", "d"};
+  Problem problem = sample_problem("t.off");
+  problem.surface.mesh = MeshChoice{.file = "t.off",
+                                    .digest = "",
+                                    .angle = 30,
+                                    .repair = {},
+                                    .surface = std::make_shared<const Surface>(mesh_surface(
+                                        "t.off", mesh, pieces, names, {.closed = true, .unoccluded = true}))};
+  return problem;
+}
+
 TEST(ThinSurfaces, AreRefusedAtScalesBeyondDouble) {
-  for (const int exponent : {-200, -100, 100, 200}) {
-    const Rational side = power_of_ten(exponent);
-    const Problem problem = sample_problem("box", {{"a", side}, {"b", side}, {"c", side}});
+  for (const double size : {1e-200, 1e-100, 1e-75, 1e75, 1e100})
     for (const SolverName solver : {SolverName::direct, SolverName::verified}) {
-      Problem p = problem;
-      p.solver = {.name = solver, .tolerance = std::nullopt};
-      EXPECT_EQ(fault_of([&] { static_cast<void>(solve_level(p, 0, route)); }).pointer, "/surface")
-          << exponent;
+      Problem problem = tetrahedron(size);
+      problem.solver = {.name = solver, .tolerance = std::nullopt};
+      EXPECT_EQ(fault_of([&] { static_cast<void>(solve_level(problem, 0, route)); }).pointer, "/surface")
+          << size;
     }
+  for (const double size : {1e-55, 1e-20, 1.0, 1e20, 1e55}) {
+    const std::optional<LevelOutcome> level = solved(with_emission(tetrahedron(size), "1/2"));
+    ASSERT_TRUE(level) << size;
+    expect_one(*level, std::to_string(size));
+    EXPECT_LT(*level->result.solution_radius, 1e-11) << size;
   }
-  const std::optional<LevelOutcome> level = solved(with_emission(
-      sample_problem("box", {{"a", power_of_ten(-55)}, {"b", power_of_ten(-55)}, {"c", power_of_ten(-55)}}),
-      "1/2"));
-  ASSERT_TRUE(level);
-  expect_one(*level, "10^-55");
 }
 
 TEST(ThinSurfaces, AreRefusedWhereAGradingLeavesNoTriangles) {

@@ -23,9 +23,9 @@ constexpr int order_step = 6;
 constexpr int check_step_analytic = 2;
 constexpr int check_step_gathered = 6;
 constexpr double admissible_ellipse = 3.0;
-constexpr int deepest_bisection = 60;          // of a side
-constexpr int deepest_halving = 40;            // of a rectangle
-constexpr std::size_t most_rectangles = 1024;  // of one observer and element
+constexpr int deepest_bisection = 60;         // of a side
+constexpr int deepest_halving = 40;           // of a rectangle
+constexpr std::size_t most_rectangles = 300;  // of one observer and element
 
 /// Points of [0,1] with their distances from both ends, free of cancellation; padded to whole blocks by zero weights.
 template <Real R>

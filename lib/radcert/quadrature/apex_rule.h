@@ -59,7 +59,7 @@ void share_largest_difference(CheckedSums<R>& checked, const R& intended) {
 /// Requires  p on the chart of the element, in it or outside: then the rays from p run between its near and far sides; the
 ///           chart is not flat (there G = 0)
 /// Result    the integral; `difference` compares two orders. Not complete where two orders still differ after 40 halvings, or
-///           in the first 1024 rectangles
+///           in the first 300 rectangles
 /// Limits    on a chart that is not analytic on a line both variables are gathered towards their ends
 template <Real R>
 CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,

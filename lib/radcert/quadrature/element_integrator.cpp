@@ -22,7 +22,7 @@ constexpr int most_tries = 4;
 /// Each two bisections halve a piece; at this depth its corners are neighbouring doubles.
 constexpr int deepest_bisection = 104;
 /// More pieces are not looked at.
-constexpr std::size_t most_pieces = 20000;
+constexpr std::size_t most_pieces = 5000;
 /// Two rules that still differ on a far piece after so many bisections differ by rounding, which no bisection mends: the
 /// difference goes into the radius.
 constexpr int most_failures = 8;
