@@ -106,15 +106,19 @@ TEST(ThinSurfaces, KnowTheirMeansOnCurvedPieces) {
     }
 }
 
-/// A tetrahedron of that size, as a mesh.
-Problem tetrahedron(double size) {
+/// A tetrahedron of that size, as a mesh of so many of its faces that says to be closed.
+Problem tetrahedron(double size, std::size_t faces = 4) {
   TriangleMesh mesh{.vertices = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}},
                     .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
                     .group = {0, 0, 0, 0},
                     .group_names = {""},
                     .face = {0, 1, 2, 3}};
-  const std::vector<std::size_t> pieces{0, 1, 2, 3};
-  const std::vector<std::string> names{"a", "b", "c", "d"};
+  mesh.triangles.resize(faces);
+  mesh.group.resize(faces);
+  mesh.face.resize(faces);
+  const std::vector<std::size_t> pieces(mesh.face.begin(), mesh.face.end());
+  std::vector<std::string> names{"a", "b", "c", "d"};
+  names.resize(faces);
   Problem problem = sample_problem("t.off");
   problem.surface.mesh = MeshChoice{.file = "t.off",
                                     .digest = "",
@@ -138,6 +142,16 @@ TEST(ThinSurfaces, AreRefusedAtScalesBeyondDouble) {
     ASSERT_TRUE(level) << size;
     expect_one(*level, std::to_string(size));
     EXPECT_LT(*level->result.solution_radius, 1e-11) << size;
+  }
+}
+
+TEST(ClosedSurfaces, AreRefusedWhereARowIsProvedWrong) {
+  // A surface that is not what it says to be stands for integrals that are not what they say to be.
+  for (const SolverName solver : {SolverName::direct, SolverName::gmres, SolverName::verified}) {
+    Problem problem = with_emission(tetrahedron(1, 3), "1/2");
+    problem.solver = {.name = solver, .tolerance = std::nullopt};
+    EXPECT_THROW(static_cast<void>(solve_level(problem, 0, route)), AccuracyNotReached)
+        << solver_name(solver);
   }
 }
 
