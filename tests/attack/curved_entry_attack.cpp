@@ -262,7 +262,7 @@ Judgement judge(const Entry& e) {
 
 TEST(CurvedEntryAttack, EnclosesTheIntegrals) {
   hold(Attack<Entry>{.name = "certified curved and interpolated entries",
-                     .usual_instances = 100,
+                     .usual_instances = 20,
                      .make = make_entry,
                      .judge = judge,
                      .text = text,

@@ -224,7 +224,7 @@ std::vector<Pair> smaller(const Pair& pair) {
 
 TEST(PlaneRowsAttack, LieWithinTheRadiiOfTheirRows) {
   hold(Attack<Pair>{.name = "estimated rows of plane entries",
-                    .usual_instances = 150,
+                    .usual_instances = 60,
                     .make = make_pair_of_triangles,
                     .judge = judge,
                     .text = text,

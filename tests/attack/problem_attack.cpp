@@ -149,7 +149,7 @@ std::vector<Instance> smaller(const Instance& x) {
 
 TEST(ProblemAttack, ReproducesConstantsWithinTheRadii) {
   hold(Attack<Instance>{.name = "estimated problems, constant solutions",
-                        .usual_instances = 30,
+                        .usual_instances = 4,
                         .make =
                             [](Draw& draw) {
                               Instance x = make_instance(draw, true, false);
@@ -222,7 +222,7 @@ Instance with_random_data(Draw& draw, bool plane) {
 
 TEST(ProblemAttack, AgreesWithProofsOnPlaneSurfaces) {
   hold(Attack<Instance>{.name = "estimated problems, plane surfaces",
-                        .usual_instances = 20,
+                        .usual_instances = 3,
                         .make =
                             [](Draw& draw) {
                               Instance x = with_random_data(draw, true);

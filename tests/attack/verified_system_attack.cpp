@@ -226,7 +226,7 @@ std::vector<System> smaller(const System& s) {
 
 TEST(VerifiedSystemAttack, EnclosesTheSolutionsOfAllSystemsWithinTheRadii) {
   const Count count = hold(Attack<System>{.name = "verified systems",
-                                          .usual_instances = 3000,
+                                          .usual_instances = 1000,
                                           .make = make_system,
                                           .judge = judge,
                                           .text = text,
