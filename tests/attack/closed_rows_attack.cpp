@@ -57,7 +57,7 @@ Judgement judge(const Closed& c) {
 
 TEST(ClosedRowsAttack, SumToPiWithinTheirRadii) {
   hold(Attack<Closed>{.name = "estimated rows of closed surfaces",
-                      .usual_instances = 3,
+                      .usual_instances = 1,
                       .make =
                           [](Draw& draw) {
                             Closed c;
@@ -113,7 +113,7 @@ sample::Polyhedron polyhedron_of(const Room& room) {
 TEST(ClosedRowsAttack, SumToPiWhereSomethingHides) {
   hold(Attack<Room>{
       .name = "estimated rows of closed occluded meshes",
-      .usual_instances = 2,
+      .usual_instances = 1,
       .make =
           [](Draw& draw) {
             Room room;
