@@ -70,8 +70,11 @@ struct LevelOutcome {
 /// Result    the same bits for any number of threads; throws InputError naming the node where an expression is not finite
 ///           or rho leaves [0,1], or where the norm of K is not below 1, or at /solver/name where the matrix has no weighted
 ///           maximum norm below 1 and the solver needs one; AccuracyNotReached; Interrupted when asked to stop
-/// Limits    radii are estimates: with `gmres` and `neumann` because those of the matrix and of Ku are, with `direct`
-///           the norm of the inverse is one too. With `verified` see verified_level, which does not take the route
+///           AccuracyNotReached too where the matrices within the radii are not all regular, where a row of a closed unoccluded surface
+///           does not sum to Int G = pi within its radius, and where numbers run over the range of double
+/// Limits    radii are estimates because those of the matrix and of Ku are. From them to u_n leads a contraction of all matrices within the
+///           radii; with `direct`, where there is none, the norm of the inverse, N d / (1 - N r) for defects d and row radii r. With
+///           `verified` see verified_level, which does not take the route
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route);
 
 /// The result of finished levels: ratios, orders, fits.
