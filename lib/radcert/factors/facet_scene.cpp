@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/text.h"
 #include "radcert/geometry/orientation.h"
 #include "radcert/geometry/plane_classes.h"
 
@@ -24,11 +25,21 @@ using Side = std::pair<std::size_t, std::size_t>;
 /// so.
 class Projection {
 public:
+  /// The rounded normal of a sliver may be anything: an axis serves if the exact projection has an area.
   explicit Projection(const std::array<Point, 3>& corners) {
     const Point n = cross(corners[1] - corners[0], corners[2] - corners[0]);
     const std::array<double, 3> size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
-    axis_ = static_cast<int>(std::max_element(size.begin(), size.end()) - size.begin());
-    turned_ = orientation(flat(corners[0]), flat(corners[1]), flat(corners[2])) < 0;
+    std::array<int, 3> axes{0, 1, 2};
+    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) {
+      return size[static_cast<std::size_t>(a)] > size[static_cast<std::size_t>(b)];
+    });
+    for (const int axis : axes) {
+      axis_ = axis;
+      const int turn = orientation(flat(corners[0]), flat(corners[1]), flat(corners[2]));
+      turned_ = turn < 0;
+      if (turn != 0) return;
+    }
+    expects(false, "a triangle with an area");
   }
   /// The sign of the turn at b, exactly; coordinates are only left out.
   [[nodiscard]] int turn(const Point& a, const Point& b, const Point& c) const {
@@ -42,7 +53,7 @@ private:
     if (axis_ == 1) return {p.z, p.x};
     return {p.x, p.y};
   }
-  int axis_;
+  int axis_ = 0;
   bool turned_ = false;
 };
 
@@ -188,21 +199,36 @@ unsigned sides(const std::array<Point, 3>& plane, const Points& points) {
   return sides(Plane(plane), points);
 }
 
-/// What of a polygon lies in front of a plane; which corners do is exact, cut ones are rounded.
+/// The exact cross product of two sides of a triangle.
+Vector<Rational> exact_normal(const std::array<Point, 3>& corners) {
+  const Vector<Rational> origin = exactly(corners[0]);
+  return cross(exactly(corners[1]) - origin, exactly(corners[2]) - origin);
+}
+
+/// A direction rounded: its largest coordinate divides the others before they leave the range of doubles.
+Point unit_vector(const Vector<Rational>& direction) {
+  const Rational largest = std::max({abs(direction.x), abs(direction.y), abs(direction.z)});
+  const Point v{(direction.x / largest).to_double(), (direction.y / largest).to_double(),
+                (direction.z / largest).to_double()};
+  return (1 / norm(v)) * v;
+}
+
+/// What of a polygon lies in front of a plane; which corners do is exact, and those cut off are exact points rounded.
 FacetCorners in_front(const FacetCorners& polygon, const std::array<Point, 3>& plane) {
-  const Point normal = cross(plane[1] - plane[0], plane[2] - plane[0]);
+  std::vector<int> side;
+  for (const Point& p : polygon) side.push_back(side_of(plane, p));
+  const Vector<Rational> normal = exact_normal(plane);
+  const Vector<Rational> origin = exactly(plane[0]);
   FacetCorners out;
   for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point& here = polygon[k];
-    const Point& next = polygon[(k + 1) % polygon.size()];
-    const int side = side_of(plane, here);
-    if (side >= 0) out.push_back(here);
-    if (side * side_of(plane, next) < 0) {
-      const double above = std::abs(dot(normal, here - plane[0]));
-      const double below = std::abs(dot(normal, next - plane[0]));
-      const double sum = above + below;
-      out.push_back(here + (sum > 0 ? above / sum : 0.5) * (next - here));
-    }
+    const std::size_t next = (k + 1) % polygon.size();
+    if (side[k] >= 0) out.push_back(polygon[k]);
+    if (side[k] * side[next] >= 0) continue;
+    const Vector<Rational> from = exactly(polygon[k]);
+    const Vector<Rational> to = exactly(polygon[next]);
+    const Rational above = dot(normal, from - origin);
+    const Vector<Rational> at = from + (above / (above - dot(normal, to - origin))) * (to - from);
+    out.push_back({at.x.to_double(), at.y.to_double(), at.z.to_double()});
   }
   return out;
 }
@@ -218,14 +244,45 @@ bool apart(const Box& a, const Box& b) {
 
 }  // namespace
 
+std::optional<std::string> beyond_doubles(const TriangleMesh& mesh) {
+  const auto first = mesh.corners(0);
+  Box box = box_about(first);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const Point& p : mesh.corners(t)) box = box_about(std::array<Point, 3>{box.low, box.high, p});
+  const Point size = box.high - box.low;
+  const double length = std::max({size.x, size.y, size.z});
+  constexpr double longest = 0x1p100;
+  constexpr double shortest_length = 0x1p-100;
+  if (!(length <= longest && length >= shortest_length))
+    return "is " + shortest(length) + " long, and doubles carry exchange areas of scenes from 2^-100 to 2^100";
+  const Rational least = Rational::exactly(0x1p-200 * length * length);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto corners = mesh.corners(t);
+    // Nearly always decided in doubles: a rounded area errs by some roundings of its sides' product.
+    const Point a = corners[1] - corners[0];
+    const Point b = corners[2] - corners[0];
+    if (norm(cross(a, b)) > 0x1p-40 * norm(a) * norm(b) && norm(cross(a, b)) > 0x1p-190 * length * length) continue;
+    const Vector<Rational> normal = exact_normal(corners);
+    if (dot(normal, normal) >= least * least) continue;
+    return "has the triangle " + std::to_string(t) + " at (" + shortest(corners[0].x) + ", " +
+           shortest(corners[0].y) + ", " + shortest(corners[0].z) +
+           ") with an area below 2^-200 of the square of the scene's length " + shortest(length);
+  }
+  return std::nullopt;
+}
+
 FacetScene::FacetScene(TriangleMesh mesh) : scene_(std::move(mesh)) {
+  if (const auto words = beyond_doubles(scene_.mesh())) expects(false, "a scene that doubles carry: it " + *words);
   for (std::size_t t = 0; t < facet_count(); ++t) {
-    areas_.push_back(norm(vector_area(facet(t))));
+    const Vector<Rational> normal = exact_normal(scene_.corners(t));
+    areas_.push_back(sqrt(Ball(dot(normal, normal) / 4)).to_double());
     total_area_ += areas_.back();
+    unit_normals_.push_back(unit_vector(normal));
   }
   find_occluders();
   find_solids();
   find_neighbours();
+  find_contained();
   TriangleMesh boxes;
   for (const ConvexOccluder& occluder : occluders_) {
     // Three points whose box is the occluder's.
@@ -283,6 +340,7 @@ void FacetScene::find_solids() {
   spoil(topology.open_edges);
   spoil(topology.crowded_edges);
   spoil(topology.disagreeing_edges);
+  const PlaneClasses oriented = plane_classes(scene_.mesh());
   std::vector<std::vector<std::size_t>> members(topology.component_count);
   for (std::size_t t = 0; t < facet_count(); ++t) members[topology.component[t]].push_back(t);
   for (std::size_t c = 0; c < topology.component_count; ++c) {
@@ -291,7 +349,7 @@ void FacetScene::find_solids() {
     // only in planes.
     std::set<std::size_t> seen;
     for (const std::size_t t : members[c]) {
-      if (!is_convex[c] || !seen.insert(scene_.plane(t)).second) continue;
+      if (!is_convex[c] || !seen.insert(oriented.of_triangle[t]).second) continue;
       for (const std::size_t other : members[c])
         if ((sides(scene_.corners(t), scene_.corners(other)) & 1U) != 0) {
           is_convex[c] = false;
@@ -349,6 +407,39 @@ void FacetScene::find_neighbours() {
       }
     }
   }
+}
+
+void FacetScene::find_contained() {
+  bodies_of_.resize(facet_count());
+  std::map<std::size_t, std::vector<std::size_t>> faces;
+  for (std::size_t k = 0; k < occluders_.size(); ++k)
+    if (is_body_[occluders_[k].solid]) faces[occluders_[k].solid].push_back(k);
+  for (const auto& [solid, of_body] : faces) {
+    // The faces that are no occluders have the whole scene behind them.
+    const std::size_t component = topology_.component[occluder_triangle_[of_body.front()]];
+    std::optional<Box> box;
+    for (std::size_t t = 0; t < facet_count(); ++t)
+      if (topology_.component[t] == component)
+        for (const Point& p : scene_.corners(t))
+          box = box ? box_about(std::array<Point, 3>{box->low, box->high, p}) : Box{p, p};
+    for (std::size_t t = 0; t < facet_count(); ++t) {
+      const std::array<Point, 3> corners = scene_.corners(t);
+      const Box mine = box_about(corners);
+      const bool in_box = mine.low.x >= box->low.x && mine.high.x <= box->high.x && mine.low.y >= box->low.y &&
+                          mine.high.y <= box->high.y && mine.low.z >= box->low.z && mine.high.z <= box->high.z;
+      if (topology_.component[t] == component || !in_box) continue;
+      // Behind each face, a corner at least.
+      if (std::all_of(of_body.begin(), of_body.end(), [&](std::size_t k) {
+            return sides(scene_.corners(occluder_triangle_[k]), corners) == 2U;
+          }))
+        bodies_of_[t].push_back(solid);
+    }
+  }
+}
+
+bool FacetScene::lies_within(std::size_t triangle, std::size_t solid) const {
+  const std::vector<std::size_t>& bodies = bodies_of_[triangle];
+  return std::find(bodies.begin(), bodies.end(), solid) != bodies.end();
 }
 
 bool FacetScene::may_stand_between(const ConvexOccluder& occluder, std::size_t first,
@@ -444,11 +535,18 @@ FacetPair FacetScene::pair(std::size_t first, std::size_t second) const {
   if ((a_sides & 1U) == 0 || (b_sides & 1U) == 0) return out;
   out.first = a_sides == 3U ? in_front(facet(first), b) : facet(first);
   out.second = b_sides == 3U ? in_front(facet(second), a) : facet(second);
+  out.first_normal = unit_normals_[first];
+  out.second_normal = unit_normals_[second];
+  if (bodies_of_[first] != bodies_of_[second]) {
+    out.sight = PairSight::hidden;
+    return out;
+  }
   if (tree_) {
     const Box box = hull_box(a, b);
     tree_->visit([&](const Box& other) { return !apart(box, other); },
                  [&](std::size_t k) {
-                   if (may_stand_between(occluders_[k], first, second)) out.occluders.push_back(k);
+                   if (!lies_within(first, occluders_[k].solid) && may_stand_between(occluders_[k], first, second))
+                     out.occluders.push_back(k);
                    return true;
                  });
     std::sort(out.occluders.begin(), out.occluders.end());

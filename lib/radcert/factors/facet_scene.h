@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "radcert/factors/exchange_area.h"
@@ -38,16 +39,30 @@ struct FacetPair {
   PairSight sight = PairSight::nothing;
   FacetCorners first;
   FacetCorners second;
+  Vector<double> first_normal;  ///< of unit length, from the exact corners
+  Vector<double> second_normal;
   std::vector<std::size_t> occluders;
 };
+
+/// Why doubles cannot carry exchange areas of a mesh, if so.
+/// Maths     products of six lengths, and of two areas over a squared length, must not leave the range of doubles
+/// Source    IEEE 754
+/// Requires  finite coordinates, at least one triangle, none degenerate
+/// Result    words with numbers where the box about all triangles is longer than 2^100 or shorter than 2^-100 in all directions, or
+///           where a triangle has less than 2^-200 of the square of that length; exact but for a factor of 2
+[[nodiscard]] std::optional<std::string> beyond_doubles(const TriangleMesh& mesh);
 
 /// A scene made ready for exchange areas between its triangles.
 /// Maths     occluders: the triangles of one oriented plane, joined along their common sides while the union
 ///           stays convex; left out are those that have the whole scene on one side. solid: the occluders
 ///           that are faces of one closed convex body, of which light enters through the faces that look at
-///           it, once; else those of one plane, which a segment crosses once
+///           it, once; else those of one plane, which a segment crosses once. A triangle that crosses no body
+///           lies in it or outside: in it, if no corner is in front of a face's plane and not all are in the
+///           plane. From outside to inside each segment meets the body's surface: the pair is hidden; between
+///           two points inside none does, for the body is convex: its faces are no occluders of the pair
 /// Source    -
-/// Requires  the scene has no faults (scene_faults), else pairs may be called whole that are not
+/// Requires  the scene has no faults (scene_faults), else pairs may be called whole that are not;
+///           !beyond_doubles(mesh), else ContractViolation
 /// Result    pair(): every decision exact for the given doubles; corners that a plane cuts off are rounded.
 ///           nothing, whole and hidden hold up to sets without area. Symmetric: pair(i, j) and pair(j, i)
 ///           have the same sight and occluders
@@ -61,6 +76,8 @@ public:
   [[nodiscard]] std::size_t facet_count() const { return scene_.triangle_count(); }
   [[nodiscard]] FacetCorners facet(std::size_t triangle) const;
   [[nodiscard]] double area(std::size_t triangle) const { return areas_[triangle]; }
+  /// From the exact corners, rounded: that of a sliver too.
+  [[nodiscard]] const Vector<double>& unit_normal(std::size_t triangle) const { return unit_normals_[triangle]; }
   /// How the triangles fit together, vertices with equal coordinates being one.
   [[nodiscard]] const MeshTopology& topology() const { return topology_; }
   [[nodiscard]] double total_area() const { return total_area_; }
@@ -68,6 +85,12 @@ public:
   /// Whether occluders of one number are faces of a convex body, of which only those that look at a point
   /// hide anything from it.
   [[nodiscard]] bool solid_is_body(std::size_t solid) const { return is_body_[solid]; }
+  /// One of the triangles that make up an occluder.
+  [[nodiscard]] std::size_t triangle_of_occluder(std::size_t occluder) const {
+    return occluder_triangle_[occluder];
+  }
+  /// Whether a triangle lies in a convex body; of one that crosses its surface this says nothing.
+  [[nodiscard]] bool lies_within(std::size_t triangle, std::size_t solid) const;
   [[nodiscard]] FacetPair pair(std::size_t first, std::size_t second) const;
   /// Whether a segment between two triangles may meet two occluders: false only where a plane shows that those which meet one of
   /// them, up to a set without measure, pass by the other.
@@ -81,14 +104,17 @@ private:
   void find_occluders();
   void find_solids();
   void find_neighbours();
+  void find_contained();
 
   Scene scene_;
   MeshTopology topology_;
   std::vector<double> areas_;
+  std::vector<Vector<double>> unit_normals_;
   double total_area_ = 0;
   std::vector<ConvexOccluder> occluders_;
   std::vector<std::size_t> occluder_triangle_;  ///< a triangle of each
   std::vector<bool> is_body_;
+  std::vector<std::vector<std::size_t>> bodies_of_;  ///< for each triangle the bodies that it lies within
   std::optional<BoxTree> tree_;  ///< of the occluders' boxes
 };
 

@@ -10,27 +10,29 @@ namespace radcert {
 /// How far the integral over a receiver is driven.
 struct CubatureDemand {
   double tolerance = 0;           ///< of the exchange area
-  std::size_t most_cells = 4096;  ///< triangles of the receiver that are taken up anew, at most
+  std::size_t most_cells = 4096;  ///< cells of the receiver that are made, at most, rounded up to the last refinement
 };
 
 /// The direct exchange area of two triangles between which others may stand, in doubles.
-/// Maths     Int_{A_1} f(P) dS / pi, f(P) = 1/2 sum of Gamma n.m over the sides of what P sees of the other:
-///           its part in front, minus for each occluder what lies in the pyramid from P over it and beyond
-///           its plane, cut convex piece by convex piece
-/// Source    f: Lambert's flux of a polygon. The receiver is the smaller of the two, in receiver_cells. Where
-///           no solid hides anything exchange_area serves, where one hides all the integral is 0. Else
-///           product Gauss rules of orders 3 and 2: where they differ most, of orders 5 and 4, 3, then on
-///           quarters. Where several solids cast shadows, f has kinks along curves at which these begin to
-///           meet, or to hide everything together: on triangles at whose corners and middles of sides one or
-///           the other is partly so, a share of its size joins the error
-/// Requires  a pair of this scene with sight mixed or whole; tolerance > 0
-/// Result    value; radius: the sum of the differences of rules, of those shares and rounding, an estimate;
-///           that sum is at most the tolerance unless the cells are used up, the radius at least four times
-///           the tolerance where rules were needed. The same bits for any number of threads
-/// Limits    other changes of kind where shadows of several solids meet are seen by the rules' points or not
-///           at all. Pieces are cut in doubles: f is right to some 1e-15, however the pieces fall
+/// Maths     Int_{A_1} f(P) dS / pi, f(P) the flux of what P sees of the other: SourceViewer. The receiver is the smaller of the
+///           two, cut into triangles. Where SightEvents lists nothing that may hide, exchange_area serves; where the source is hidden,
+///           the integral is 0. On another cell f = g + d, g analytic and 0 <= |d| <= c, the change of its events: a product
+///           Gauss rule with positive weights errs by its error on g, for which four times the difference from the rule
+///           of the next lower order stands, and on d by at most rule_error_on_kinks c. Where c is not less than the unoccluded flux
+///           e, f lies between 0 and e: the middle is taken, with the half as error
+/// Source    SightEvents. The cell with the largest error is taken up next: cut along its lines, where these are few, else into four;
+///           without events a rule of higher order comes first
+/// Requires  a pair of this scene; tolerance > 0
+/// Result    value; radius: the sum of the errors of all cells, those of exchange_area and a bound of rounding, at least the
+///           tolerance where rules were needed; an estimate, for the errors on g are. At most about the tolerance, unless the
+///           cells are used up: then it is what was reached, and covers the cells that were not cut. The same bits for any
+///           number of threads
+/// Limits    the difference of two rules may be less than a quarter of the error by chance
 [[nodiscard]] Estimate visible_exchange_area(const FacetScene& scene, const FacetPair& pair,
                                              const CubatureDemand& demand);
+
+/// On max(D, 0) and on max(D, 0)^2 with D linear and at most 1 on a triangle, the rules of orders 3 and 5 err by less, in areas.
+inline constexpr double rule_error_on_kinks = 1.0 / 16;
 
 /// The same for one point of view: f(P) of what P with this unit normal sees of a polygon past occluders of
 /// the scene, without 1/pi.
