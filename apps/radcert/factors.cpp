@@ -125,7 +125,11 @@ NamedMesh mesh_of_catalogue(const FactorsOptions& options) {
 /// What makes the numbers meaningless is the input's fault, with coordinates.
 void require_scene(const std::string& name, const TriangleMesh& mesh) {
   const std::vector<SceneFault> faults = scene_faults(mesh);
-  if (faults.empty()) return;
+  if (faults.empty()) {
+    if (const auto words = beyond_doubles(mesh))
+      throw InputError({.source = name, .problem = *words, .allowed = "a scene that doubles carry"});
+    return;
+  }
   const std::string more = faults.size() == 1 ? "" : fmt::format("; and {} more faults", faults.size() - 1);
   throw InputError({.source = name,
                     .problem = faults.front().words + more,
@@ -174,14 +178,37 @@ std::vector<std::string> warnings(const FactorReport& report) {
   for (std::size_t i = 0; i < matrix.rows.size(); ++i)
     if (matrix.rows[i].sum.value == 0 && matrix.rows[i].sum.radius == 0)
       out.push_back(report.names[i] + " sees nothing: its normals are probably reversed");
-  // Radii of doubles are estimates: ten of them.
-  constexpr double slack = 10;
-  std::size_t failing = 0;
-  for (std::size_t i = 0; i < matrix.rows.size() && !report.open; ++i)
-    if (matrix.closure_defect(i) > (matrix.guaranteed ? 1 : slack) * matrix.rows[i].sum.radius) ++failing;
-  if (failing > 0)
-    out.push_back(fmt::format("{} rows do not sum to 1 within their radius, the worst is {}", failing,
-                              report.names[matrix.worst_row()]));
+  return out;
+}
+
+/// The rows, worst first, of which something is to be said: their number, and the names of the first.
+std::string worst_rows(const FactorReport& report, std::vector<std::pair<double, std::size_t>> rows) {
+  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  constexpr std::size_t most_names = 3;
+  std::string out = fmt::format("{} of {} rows", rows.size(), report.names.size());
+  for (std::size_t k = 0; k < std::min(rows.size(), most_names); ++k)
+    out += (k == 0 ? ": " : ", ") + report.names[rows[k].second];
+  return out + (rows.size() > most_names ? ", ..." : "");
+}
+
+/// Why the numbers must not be relied on: rows of a closed scene that do not sum to 1 within their radius, or an accuracy that was
+/// demanded and not reached.
+std::vector<std::string> failures(const FactorReport& report, const std::optional<double>& demanded) {
+  std::vector<std::string> out;
+  const FactorMatrix& matrix = report.matrix;
+  std::vector<std::pair<double, std::size_t>> unclosed;
+  std::vector<std::pair<double, std::size_t>> wide;
+  for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
+    const double off = matrix.closure_defect(i) - matrix.rows[i].sum.radius;
+    if (!report.open && off > 0) unclosed.emplace_back(off, i);
+    if (demanded && matrix.rows[i].sum.radius > *demanded) wide.emplace_back(matrix.rows[i].sum.radius, i);
+  }
+  if (!unclosed.empty())
+    out.push_back("rows of a closed scene that do not sum to 1 within their radius: " +
+                  worst_rows(report, std::move(unclosed)));
+  if (!wide.empty())
+    out.push_back("incomplete: the row sums' radius is above the accuracy asked for, " + shortest(*demanded) + ", in " +
+                  worst_rows(report, std::move(wide)));
   return out;
 }
 
@@ -268,7 +295,10 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
                                                         [](const FactorComparison& pair) {
                                                           return pair.agreement == Agreement::differs;
                                                         });
-  return differs ? ExitCode::differs : ExitCode::done;
+  const std::vector<std::string> failed =
+      failures(report, options.accuracy.empty() ? std::nullopt : std::optional(demand.accuracy));
+  for (const std::string& failure : failed) say("radcert: " + failure + "\n");
+  return differs || !failed.empty() ? ExitCode::differs : ExitCode::done;
 }
 
 }  // namespace
@@ -320,7 +350,8 @@ void add_factors(CLI::App& program, Common& common, Action& action) {
       "several bodies that fall on one another, widen the radius: look at it.\n"
       "Rows that are finished are kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted run goes on "
       "there.\n"
-      "With --compare the exit code is 1 where a pair differs.");
+      "The exit code is 1 where rows of a closed scene do not sum to 1 within their radius, where a row's radius is above "
+      "an --accuracy that was given, and with --compare where a pair differs.");
   command.callback(
       [&common, &action, options] { action = [&common, options] { return factors(common, *options); }; });
 }

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
-
 #include <set>
 
+#include "radcert/core/contract.h"
+#include "radcert/factors/factor_matrix.h"
 #include "sample_rooms.h"
 
 namespace radcert {
@@ -100,6 +103,142 @@ TEST(FacetScene, SeesThatALargeOccluderHidesAll) {
                                           {{{-1, -1, 0.5}, {2, -1, 0.5}, {2, 2, 0.5}, {-1, 2, 0.5}}}}));
   for (const std::size_t i : {0U, 1U})
     for (const std::size_t j : {2U, 3U}) EXPECT_EQ(scene.pair(i, j).sight, PairSight::hidden);
+}
+
+sample::Quadrangle quadrangle(Vector<double> a, Vector<double> b, Vector<double> c, Vector<double> d) {
+  return {a, b, c, d};
+}
+
+// A cube, a triangle within and one outside that look at each other; the inner one apart, with a corner, a side or all corners on the
+// cube's own.
+TEST(FacetScene, HidesWhatABodyContainsFromWhatIsOutside) {
+  const std::vector<sample::Quadrangle> cube = sample::box({0, 0, 0}, {4, 4, 4}, false);
+  const std::vector<std::array<Vector<double>, 3>> inner{{{{2, 1, 1}, {2, 3, 1}, {2, 2, 3}}},
+                                                         {{{4, 4, 0}, {2, 3, 1}, {2, 2, 3}}},
+                                                         {{{4, 4, 0}, {2, 3, 3}, {4, 4, 4}}},
+                                                         {{{0, 0, 0}, {4, 4, 4}, {3, 1, 2}}}};
+  for (const bool reversed : {false, true})
+    for (const auto& corners : inner) {
+      TriangleMesh mesh = sample::mesh_of(cube);
+      if (reversed)
+        for (VertexTriple& t : mesh.triangles) std::swap(t[1], t[2]);
+      const auto add = [&](const std::array<Vector<double>, 3>& c) {
+        const std::size_t n = mesh.vertices.size();
+        mesh.vertices.insert(mesh.vertices.end(), c.begin(), c.end());
+        mesh.triangles.push_back({n, n + 1, n + 2});
+        mesh.group.push_back(0);
+        mesh.face.push_back(mesh.face.size());
+      };
+      add(corners);
+      add({{{9, 1, 1}, {9, 1, 3}, {9, 3, 1}}});
+      add({{{9, 8, 1}, {9, 1, 4}, {9, 9, 9}}});
+      ASSERT_TRUE(scene_faults(mesh).empty());
+      const FacetScene scene(mesh);
+      for (const std::size_t outside : {13U, 14U}) {
+        for (const bool certified : {false, true}) {
+          if (certified && reversed && outside == 14U) continue;  // as the other, and slow
+          const PairExchange found = pair_exchange(scene, 12, outside, {.certified = certified, .accuracy = 1e-2});
+          EXPECT_LE(found.area.value, found.area.radius);
+          // A cube with a triangle along its side is no body for us, but a wall of six plates.
+          if (!reversed && !(corners[0] == Vector<double>{4, 4, 0} && corners[2] == Vector<double>{4, 4, 4})) {
+            EXPECT_EQ(found.area.value, 0);
+            EXPECT_EQ(found.area.radius, 0);
+          }
+        }
+      }
+      EXPECT_EQ(scene.pair(13, 14).sight, PairSight::nothing);
+    }
+}
+
+TEST(FacetScene, LetsWhatABodyContainsSeeItself) {
+  // Two triangles within a cube, and a plate between them: the cube's faces are no occluders of theirs.
+  for (const bool plate : {false, true}) {
+    std::vector<sample::Quadrangle> faces = sample::box({-4, -4, -4}, {4, 4, 4}, false);
+    faces.push_back(quadrangle({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}));
+    faces.push_back(quadrangle({0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}));
+    if (plate) faces.push_back(quadrangle({-2, -2, 0.5}, {2, -2, 0.5}, {2, 2, 0.5}, {-2, 2, 0.5}));
+    // And something outside, so that the cube has occluders.
+    faces.push_back(quadrangle({9, -9, -9}, {9, 9, -9}, {9, 9, 9}, {9, -9, 9}));
+    faces.push_back(quadrangle({-9, -9, -9}, {-9, 9, -9}, {-9, 9, 9}, {-9, -9, 9}));
+    const FacetScene scene(sample::mesh_of(faces));
+    EXPECT_EQ(scene.bodies_of(12).size(), 1U);
+    EXPECT_EQ(scene.pair(12, 14).sight, plate ? PairSight::hidden : PairSight::whole);
+  }
+}
+
+TEST(FacetScene, KnowsBodiesInBodies) {
+  std::vector<sample::Quadrangle> faces = sample::box({-4, -4, -4}, {4, 4, 4}, false);
+  for (const auto& face : sample::box({-1, -1, -1}, {1, 1, 1}, false)) faces.push_back(face);
+  faces.push_back(quadrangle({-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}));
+  faces.push_back(quadrangle({-0.5, -0.5, 0.5}, {-0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}, {0.5, -0.5, 0.5}));
+  faces.push_back(quadrangle({-0.5, -0.5, 2}, {-0.5, 0.5, 2}, {0.5, 0.5, 2}, {0.5, -0.5, 2}));
+  faces.push_back(quadrangle({-0.5, -0.5, 9}, {-0.5, 0.5, 9}, {0.5, 0.5, 9}, {0.5, -0.5, 9}));
+  faces.push_back(quadrangle({9, -9, -9}, {9, 9, -9}, {9, 9, 9}, {9, -9, 9}));
+  faces.push_back(quadrangle({-9, -9, -9}, {-9, 9, -9}, {-9, 9, 9}, {-9, -9, 9}));
+  const FacetScene scene(sample::mesh_of(faces));
+  EXPECT_EQ(scene.pair(24, 26).sight, PairSight::whole);
+  EXPECT_EQ(scene.pair(24, 28).sight, PairSight::hidden);
+  EXPECT_EQ(scene.pair(24, 30).sight, PairSight::hidden);
+  // The inner body's upper face sees what is in the outer one, not what is outside.
+  std::size_t upper = 12;
+  while (!(scene.unit_normal(upper) == Vector<double>{0, 0, 1})) ++upper;
+  EXPECT_EQ(scene.pair(upper, 28).sight, PairSight::whole);
+  EXPECT_EQ(scene.pair(upper, 30).sight, PairSight::hidden);
+}
+
+// Corners so close to one line that the rounded normal is zero, or has lost its direction.
+TEST(FacetScene, TakesSliversWhoseRoundedNormalIsZero) {
+  const std::array<Vector<double>, 3> sliver{{{-1.1695644156503835, -0.7950591661281423, 0},
+                                              {-0.9823117908892629, 0.18725262476112056, 0},
+                                              {-0.7950591661281423, 1.1695644156503835, 0}}};
+  ASSERT_EQ(cross(sliver[1] - sliver[0], sliver[2] - sliver[0]), (Vector<double>{0, 0, 0}));
+  for (const double scale : {1.0, 0x1p-60, 0x1p60})
+    for (int turn = 0; turn < 3; ++turn) {
+      const auto placed = [&](const Vector<double>& p) {
+        const Vector<double> q = turn == 0 ? p : turn == 1 ? Vector<double>{p.z, p.x, p.y} : Vector<double>{p.y, p.z, p.x};
+        return scale * q;
+      };
+      TriangleMesh mesh;
+      mesh.group_names = {""};
+      for (const auto& c : {sliver, std::array<Vector<double>, 3>{{{2, 1, 3}, {0, 2, 3}, {-1, -2, 4}}},
+                            std::array<Vector<double>, 3>{{{2, 1, -3}, {0, 2, -3}, {-1, -2, -4}}}}) {
+        const std::size_t n = mesh.vertices.size();
+        for (const Vector<double>& p : c) mesh.vertices.push_back(placed(p));
+        mesh.triangles.push_back({n, n + 1, n + 2});
+        mesh.group.push_back(0);
+        mesh.face.push_back(mesh.face.size());
+      }
+      const FacetScene scene(mesh);
+      EXPECT_GT(scene.area(0), 0);
+      EXPECT_NEAR(norm(scene.unit_normal(0)), 1, 1e-15);
+      EXPECT_EQ(std::abs(dot(scene.unit_normal(0), placed({0, 0, 1}))), scale);
+      for (const ConvexOccluder& occluder : scene.occluders()) EXPECT_GE(occluder.corners.size(), 3U);
+      for (std::size_t j : {1U, 2U})
+        for (const bool certified : {false, true}) {
+          const PairExchange found = pair_exchange(scene, 0, j, {.certified = certified});
+          EXPECT_TRUE(std::isfinite(found.area.value) && std::isfinite(found.area.radius));
+        }
+    }
+}
+
+TEST(FacetScene, RefusesWhatDoublesDoNotCarry) {
+  TriangleMesh mesh = sample::cube_in_cube(0.25);
+  EXPECT_FALSE(beyond_doubles(mesh).has_value());
+  for (const double scale : {1e-40, 1e-200, 1e-300, 1e31}) {
+    TriangleMesh other = mesh;
+    for (Vector<double>& v : other.vertices) v = scale * v;
+    EXPECT_TRUE(beyond_doubles(other).has_value()) << scale;
+    EXPECT_THROW(FacetScene{other}, ContractViolation) << scale;
+  }
+  // A triangle with hardly any area.
+  const std::size_t n = mesh.vertices.size();
+  mesh.vertices.insert(mesh.vertices.end(), {{0.5, 0.5, 0.1}, {0.5, 0.6, 0.1}, {0.5, 0.7, 0.1 + 0x1p-50}});
+  mesh.triangles.push_back({n, n + 1, n + 2});
+  EXPECT_FALSE(beyond_doubles(mesh).has_value());
+  mesh.vertices[n] = {0, 0, 0};
+  mesh.vertices[n + 1] = {1e-320, 0, 0};
+  mesh.vertices[n + 2] = {0, 1e-300, 0};
+  EXPECT_TRUE(beyond_doubles(mesh).has_value());
 }
 
 }  // namespace

@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 
-#include "radcert/factors/receiver_cells.h"
+#include "radcert/factors/sight_events.h"
 #include "radcert/geometry/orientation.h"
+#include "radcert/polynomial/conical_rule.h"
 #include "radcert/visibility/solid_configuration.h"
 #include "sample_rooms.h"
 
@@ -25,7 +28,7 @@ TEST(VisibleExchangeArea, IsTheKnownValueOfTheObstructedSquares) {
   for (const std::size_t i : {0U, 1U})
     for (const std::size_t j : {2U, 3U}) {
       const Estimate part = visible_exchange_area(scene, scene.pair(i, j), {.tolerance = 1e-8});
-      EXPECT_LE(part.radius, 4.001e-8);
+      EXPECT_LE(part.radius, 1.001e-8);
       sum += part;
     }
   EXPECT_LE(std::abs(sum.value - obstruction), sum.radius);
@@ -42,45 +45,114 @@ TEST(VisibleExchangeArea, IsTheExchangeAreaWhereNothingStandsBetween) {
   }
 }
 
-TEST(ReceiverCells, CoverTheReceiverAndPartItWhereWhatIsSeenHasKinks) {
+/// What a test asks of one pair of a scene: geometry, all screens, and what a point sees of the source past some of them.
+struct PairSights {
+  PairSights(const FacetScene& scene, const FacetPair& pair)
+      : geometry(exchange_geometry(scene, {pair.first, pair.first_normal}, {pair.second, pair.second_normal},
+                                   pair.occluders)),
+        viewer(geometry) {
+    for (std::size_t k = 0; k < geometry.screens.size(); ++k) all.push_back(k);
+  }
+  ExchangeGeometry geometry;
+  std::vector<std::size_t> all;
+  SourceViewer viewer;
+};
+
+TEST(SightEvents, KnowWhatACellSees) {
   const FacetScene scene(sample::room_with_two_boxes());
-  std::size_t parted = 0;
-  std::size_t looked_at = 0;
+  constexpr unsigned seed = 5;
+  std::mt19937_64 stream(seed);
+  const auto uniform = [&stream] { return static_cast<double>(stream() >> 11U) * 0x1p-53; };
+  std::size_t hidden = 0;
+  std::size_t whole = 0;
+  std::size_t steady = 0;
   for (std::size_t i = 0; i < 12; ++i)
     for (std::size_t j = 0; j < 12; ++j) {
       const FacetPair pair = scene.pair(i, j);
       if (pair.sight != PairSight::mixed) continue;
-      const auto area = vector_area(pair.first);
-      const Vector<double> normal = (1 / norm(area)) * area;
-      const std::size_t solid = scene.occluders()[pair.occluders.front()].solid;
-      std::vector<std::size_t> body;
-      for (const std::size_t k : pair.occluders)
-        if (scene.occluders()[k].solid == solid) body.push_back(k);
-      double sum = 0;
-      const std::vector<FacetCorners> cells = receiver_cells(scene, pair.first, pair.second, body);
-      parted += cells.size() > 1 ? 1 : 0;
-      for (const FacetCorners& cell : cells) {
-        ASSERT_GE(cell.size(), 3U);
-        EXPECT_GT(dot(vector_area(cell), normal), 0);
-        sum += norm(vector_area(cell));
-        // All points see the same: everything, nothing, or a part.
-        const auto kind = [&](const Vector<double>& at) {
-          const double whole = visible_flux(scene, at, normal, pair.second, {});
-          const double seen = visible_flux(scene, at, normal, pair.second, body);
-          constexpr double rounding = 1e-14;
-          return seen >= whole - rounding ? 2 : seen <= rounding ? 0 : 1;
-        };
-        const Vector<double> centre = roundness(cell).centre;
-        const int expected = kind(centre);
-        for (const Vector<double>& corner : cell) {
-          EXPECT_EQ(kind(centre + 0.9 * (corner - centre)), expected) << i << " " << j;
-          ++looked_at;
+      PairSights sights(scene, pair);
+      SightEvents events(sights.geometry);
+      const FacetCorners& receiver = sights.geometry.receiver;
+      const auto point = [&](const ReceiverCell& c) {
+        const double s = uniform();
+        const double t = (1 - s) * uniform();
+        return c[0] + s * (c[1] - c[0]) + t * (c[2] - c[0]);
+      };
+      for (int k = 0; k < 20; ++k) {
+        const ReceiverCell large{receiver[0], receiver[1], receiver[2]};
+        ReceiverCell cell{point(large), point(large), point(large)};
+        for (int corner : {1, 2}) cell[corner] = cell[0] + 0.2 * uniform() * (cell[corner] - cell[0]);
+        const CellSight sight = events.of(cell, sights.all);
+        // Whether a part is seen, all or none is the same on all of a cell without events.
+        std::array<int, 3> kinds{};
+        for (int n = 0; n < 30; ++n) {
+          const Vector<double> at = point(cell);
+          const double unoccluded = sights.viewer.flux(at, {});
+          const double seen = sights.viewer.flux(at, sights.all);
+          constexpr double rounding = 1e-13;
+          EXPECT_NEAR(sights.viewer.flux(at, sight.hidden ? sights.all : sight.screens), seen, rounding);
+          if (sight.hidden) {
+            EXPECT_LE(seen, rounding) << i << " " << j;
+          } else if (sight.screens.empty()) {
+            EXPECT_NEAR(seen, unoccluded, rounding) << i << " " << j;
+          }
+          ++kinds[seen >= unoccluded - rounding ? 2U : seen <= rounding ? 0U : 1U];
         }
+        hidden += sight.hidden ? 1 : 0;
+        whole += !sight.hidden && sight.screens.empty() ? 1 : 0;
+        if (sight.change > 0) continue;
+        ++steady;
+        EXPECT_EQ(*std::max_element(kinds.begin(), kinds.end()), 30) << i << " " << j;
       }
-      EXPECT_NEAR(sum, norm(area), 1e-14);
     }
-  EXPECT_GT(parted, 20U);
-  EXPECT_GT(looked_at, 1000U);
+  EXPECT_GT(hidden, 0U);
+  EXPECT_GT(whole, 200U);
+  EXPECT_GT(steady, 500U);
+}
+
+// Of max(D, 0) the exact mean is a divided difference of the cubes at the corners.
+TEST(VisibleExchangeArea, BoundsTheErrorOfRulesWhereAFunctionBegins) {
+  constexpr unsigned seed = 3;
+  std::mt19937_64 stream(seed);
+  const auto uniform = [&stream] { return static_cast<double>(stream() >> 11U) * 0x1p-53; };
+  for (const int order : {3, 5}) {
+    const TriangleRule<double> rule = conical_rule<double>(order, Gathering::nowhere);
+    double largest = 0;
+    for (int k = 0; k < 20'000; ++k) {
+      std::array<double, 3> d{1, 1 + (k % 2 == 0 ? 0.01 : 0.3) * std::log(uniform()), 1 - 9 * uniform()};
+      std::shuffle(d.begin(), d.end(), stream);
+      const auto cube = [](double x) { return x > 0 ? x * x * x : 0; };
+      const double low = (cube(d[1]) - cube(d[0])) / (d[1] - d[0]);
+      const double high = (cube(d[2]) - cube(d[1])) / (d[2] - d[1]);
+      const double mean = (high - low) / (d[2] - d[0]) / 3;
+      double found = 0;
+      for (std::size_t i = 0; i < rule.points.size(); ++i) {
+        const auto& x = rule.points[i].x;
+        found += 2 * rule.weights[i] * std::max(x[0] * d[0] + x[1] * d[1] + x[2] * d[2], 0.0);
+      }
+      largest = std::max(largest, std::abs(found - mean));
+    }
+    EXPECT_LE(largest, rule_error_on_kinks(order)) << order;
+    EXPECT_GE(largest, rule_error_on_kinks(order) / 2) << order;
+  }
+}
+
+// At each limit of work the radius covers what was not looked at.
+TEST(VisibleExchangeArea, HoldsWhereCellsAreUsedUp) {
+  const FacetScene scene(sample::room_with_two_boxes());
+  for (std::size_t i = 0; i < 12; i += 3)
+    for (std::size_t j = 1; j < 12; j += 2) {
+      const FacetPair pair = scene.pair(i, j);
+      if (pair.sight != PairSight::mixed) continue;
+      const Estimate fine = visible_exchange_area(scene, pair, {.tolerance = 1e-5});
+      double last = 1;
+      for (const std::size_t most : {1U, 4U, 16U, 64U, 256U}) {
+        const Estimate coarse = visible_exchange_area(scene, pair, {.tolerance = 1e-5, .most_cells = most});
+        EXPECT_LE(std::abs(coarse.value - fine.value), coarse.radius + fine.radius) << i << " " << j << " " << most;
+        EXPECT_LE(coarse.radius, 2 * last);
+        last = coarse.radius;
+      }
+    }
 }
 
 // The layer visibility finds the parts exactly, triangle by triangle, and knows nothing of joined occluders.

@@ -45,10 +45,10 @@ void cut_behind(Screen& screen, const Point& unit_normal, const Point& at) {
   screen.beyond_side = std::move(beyond);
 }
 
-FacetCorners scaled(const FacetCorners& corners, double factor) {
+FacetCorners placed(const FacetCorners& corners, const Point& origin, double factor) {
   FacetCorners out;
   out.reserve(corners.size());
-  for (const Point& p : corners) out.push_back(factor * p);
+  for (const Point& p : corners) out.push_back(factor * (p - origin));
   return out;
 }
 
@@ -82,14 +82,15 @@ ExchangeGeometry exchange_geometry(const FacetScene& scene, const Facing& receiv
     for (const Point& q : source.corners) largest = std::max(largest, norm(p - q));
   ExchangeGeometry out;
   out.unit = std::exp2(std::ceil(std::log2(largest)));
+  out.origin = receiver.corners.front();
   const double factor = 1 / out.unit;
-  out.receiver = scaled(receiver.corners, factor);
-  out.source = scaled(source.corners, factor);
+  out.receiver = placed(receiver.corners, out.origin, factor);
+  out.source = placed(source.corners, out.origin, factor);
   out.receiver_normal = receiver.unit_normal;
   std::vector<Screen> all;
   for (const std::size_t k : occluders) {
     const ConvexOccluder& occluder = scene.occluders()[k];
-    Screen screen{.corners = scaled(occluder.corners, factor),
+    Screen screen{.corners = placed(occluder.corners, out.origin, factor),
                   .normal = scene.unit_normal(scene.triangle_of_occluder(k)),
                   .solid = occluder.solid,
                   .is_of_body = scene.solid_is_body(occluder.solid),

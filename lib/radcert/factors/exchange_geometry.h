@@ -24,13 +24,15 @@ struct Screen {
 ///           where the segment from P to Q crosses a screen: what lies behind either plane meets no such segment
 /// Source    -
 /// Requires  receiver and source wholly in front of each other's planes, rounding apart; unit normals
-/// Result    all lengths are divided by `unit`, a power of two near the largest distance: so nothing is rounded but the corners
-///           that a plane cuts off. Heights above either plane within some roundings of the largest distance count as none
+/// Result    (p - origin) / unit for each corner p, origin a corner of the receiver and unit a power of two near the largest
+///           distance: within 2^-53 of its length, but for corners that a plane cuts off. Heights above either plane within
+///           some roundings of the largest distance count as none
 /// Limits    -
 struct ExchangeGeometry {
   FacetCorners receiver;
   FacetCorners source;
   Vector<double> receiver_normal;
+  Vector<double> origin;
   double unit = 1;
   std::vector<Screen> screens;
 };

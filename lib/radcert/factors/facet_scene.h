@@ -91,6 +91,7 @@ public:
   }
   /// Whether a triangle lies in a convex body; of one that crosses its surface this says nothing.
   [[nodiscard]] bool lies_within(std::size_t triangle, std::size_t solid) const;
+  [[nodiscard]] const std::vector<std::size_t>& bodies_of(std::size_t triangle) const { return bodies_of_[triangle]; }
   [[nodiscard]] FacetPair pair(std::size_t first, std::size_t second) const;
   /// Whether a segment between two triangles may meet two occluders: false only where a plane shows that those which meet one of
   /// them, up to a set without measure, pass by the other.

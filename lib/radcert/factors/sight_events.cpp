@@ -14,6 +14,8 @@ using Point = Vector<double>;
 
 /// Products of three lengths say nothing below this part of their sizes' product: some roundings.
 constexpr double roundings = 0x1p-46;
+/// Corners of cells are rounded to some of these; lengths are at most about 1.
+constexpr double cell_rounding = 0x1p-48;
 
 double determinant(const Point& a, const Point& b, const Point& c) { return dot(cross(a, b), c); }
 
@@ -31,19 +33,32 @@ SightEvents::Sign SightEvents::sign(const Side& side, const Corner& corner) cons
   const Corner& to = corners_[side.to];
   if (corner.at == from.at || corner.at == to.at) return none;
   unsigned found = none;
+  const double moved = cell_rounding * norm(cross(from.at - corner.at, to.at - corner.at));
   for (std::size_t k = 0; k < 3; ++k) {
     const double height = dot(side.normal[k], corner.ray[k]);
-    if (std::abs(height) > roundings * from.distance[k] * to.distance[k] * corner.distance[k])
+    if (std::abs(height) > roundings * from.distance[k] * to.distance[k] * corner.distance[k] + moved)
       found |= height > 0 ? positive : negative;
   }
   return static_cast<Sign>(found);
+}
+
+SightEvents::Sign SightEvents::sign(std::size_t side, std::size_t corner) {
+  constexpr unsigned char unknown = 255;
+  if (signs_.size() != sides_.size() * corners_.size()) signs_.assign(sides_.size() * corners_.size(), unknown);
+  unsigned char& kept = signs_[side * corners_.size() + corner];
+  if (kept == unknown) kept = static_cast<unsigned char>(sign(sides_[side], corners_[corner]));
+  return static_cast<Sign>(kept);
+}
+
+bool SightEvents::keeps_facing(std::size_t solid) const {
+  return std::find(turning_.begin(), turning_.end(), solid) == turning_.end();
 }
 
 std::size_t SightEvents::corner_at(const Point& at, std::size_t solid) {
   for (std::size_t k = 0; k < corners_.size(); ++k)
     if (corners_[k].solid == solid && corners_[k].at == at) return k;
   Corner corner{.at = at, .ray = {}, .solid = solid};
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 4; ++k) {
     corner.ray[k] = at - cell_[k];
     corner.distance[k] = norm(corner.ray[k]);
   }
@@ -53,7 +68,7 @@ std::size_t SightEvents::corner_at(const Point& at, std::size_t solid) {
 
 void SightEvents::add_side(std::size_t from, std::size_t to, std::size_t solid) {
   Side side{.from = from, .to = to, .solid = solid};
-  for (std::size_t k = 0; k < 3; ++k) side.normal[k] = cross(corners_[from].ray[k], corners_[to].ray[k]);
+  for (std::size_t k = 0; k < 4; ++k) side.normal[k] = cross(corners_[from].ray[k], corners_[to].ray[k]);
   sides_.push_back(side);
 }
 
@@ -70,20 +85,21 @@ void SightEvents::add_corners_of_source() {
 bool SightEvents::list_screens(const std::vector<std::size_t>& screens, CellSight& out) {
   const std::size_t source_sides = sides_.size();
   facing_.clear();
+  turning_.clear();
   for (const std::size_t number : screens) {
     const Screen& screen = geometry_.screens[number];
     unsigned facing = none;
-    for (const Point& p : cell_) {
-      const Point d = p - screen.corners[0];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point d = cell_[k] - screen.corners[0];
       const double height = dot(screen.normal, d);
-      if (std::abs(height) > roundings * norm(d)) facing |= height > 0 ? positive : negative;
+      if (std::abs(height) > roundings * norm(d) + cell_rounding) facing |= height > 0 ? positive : negative;
     }
     if (facing == none || (screen.is_of_body && (facing & positive) == 0)) continue;
     // Corners and sides of this screen alone, behind those of the source.
     const std::size_t first = corners_.size();
     for (const Point& q : screen.corners) {
       Corner corner{.at = q, .ray = {}, .solid = screen.solid};
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < 4; ++k) {
         corner.ray[k] = q - cell_[k];
         corner.distance[k] = norm(corner.ray[k]);
       }
@@ -112,6 +128,7 @@ bool SightEvents::list_screens(const std::vector<std::size_t>& screens, CellSigh
     if (hides) return true;
     out.screens.push_back(number);
     facing_.push_back(static_cast<Sign>(facing));
+    if (facing == both) turning_.push_back(screen.solid);
   }
   return false;
 }
@@ -151,7 +168,7 @@ bool SightEvents::body_hides() const {
   for (std::size_t begin = source_sides; begin < sides_.size();) {
     std::size_t end = begin;
     while (end < sides_.size() && sides_[end].solid == sides_[begin].solid) ++end;
-    bool hides = true;
+    bool hides = keeps_facing(sides_[begin].solid);
     for (std::size_t e = begin; e < end && hides; ++e)
       for (std::size_t k = 0; k < source_sides && hides; ++k)
         hides = (sign(sides_[e], corners_[k]) & positive) == 0;
@@ -159,6 +176,30 @@ bool SightEvents::body_hides() const {
     begin = end;
   }
   return false;
+}
+
+/// What lies inside all sides of a solid's picture, from all points of the cell, is not seen. A side is hidden if both its ends lie
+/// inside one picture.
+void SightEvents::mark_hidden() {
+  const std::size_t source_sides = geometry_.source.size();
+  signs_.clear();
+  std::vector<std::vector<std::size_t>> hidden_by(corners_.size());
+  for (std::size_t begin = source_sides; begin < sides_.size();) {
+    const std::size_t solid = sides_[begin].solid;
+    std::size_t end = begin;
+    while (end < sides_.size() && sides_[end].solid == solid) ++end;
+    for (std::size_t c = 0; c < corners_.size() && keeps_facing(solid); ++c) {
+      if (corners_[c].solid == solid) continue;
+      bool inside = true;
+      for (std::size_t e = begin; e < end && inside; ++e) inside = sign(e, c) == negative;
+      if (inside) hidden_by[c].push_back(solid);
+    }
+    begin = end;
+  }
+  for (std::size_t c = 0; c < corners_.size(); ++c) corners_[c].apart = !hidden_by[c].empty();
+  for (Side& side : sides_)
+    for (const std::size_t solid : hidden_by[side.from])
+      side.hidden = side.hidden || std::find(hidden_by[side.to].begin(), hidden_by[side.to].end(), solid) != hidden_by[side.to].end();
 }
 
 void SightEvents::drop_sides_apart() {
@@ -171,6 +212,7 @@ void SightEvents::drop_sides_apart() {
     bool apart = found != both;
     for (std::size_t g = 0; g < source_sides && !apart; ++g)
       apart = ((sign(sides_[g], corners_[side.from]) | sign(sides_[g], corners_[side.to])) & negative) == 0;
+    if (side.hidden) continue;
     if (apart) {
       // Then its ends are not over the source either.
       corners_[side.from].apart = true;
@@ -213,7 +255,7 @@ double SightEvents::change(const Side& one, const Side& two, const Side& three, 
   Point centre;
   for (const Point& q : geometry_.source) centre = centre + (1.0 / static_cast<double>(geometry_.source.size())) * q;
   double largest = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 4; ++k) {
     std::array<Point, 3> direction{cross(one.normal[k], two.normal[k]), cross(two.normal[k], three.normal[k]),
                                    cross(three.normal[k], one.normal[k])};
     const std::array<double, 3> size{norm(one.normal[k]), norm(two.normal[k]), norm(three.normal[k])};
@@ -239,22 +281,29 @@ void SightEvents::find_lines(CellSight& out) {
       if (std::abs(height) > roundings) found |= height > 0 ? positive : negative;
     }
     if (found != both) continue;
-    out.lines.push_back({screen.normal, screen.corners[0], out.unoccluded});
-    out.change += out.unoccluded;
+    // What changes is at most what this screen hides.
+    double largest = 0;
+    for (const Point& p : cell_)
+      largest = std::max(largest, std::abs(polygon_flux(screen.corners, p, geometry_.receiver_normal)));
+    largest = std::min(largest, out.unoccluded);
+    out.lines.push_back({screen.normal, screen.corners[0], largest});
+    out.change += largest;
   }
   const std::size_t source_sides = geometry_.source.size();
   constexpr std::size_t enough = 8;
-  for (const Corner& corner : corners_) {
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
+    const Corner& corner = corners_[c];
     if (corner.apart || corner.sides.empty()) continue;
     if (out.lines.size() >= enough && out.change >= out.unoccluded) return;
     if (corner.solid != of_source) {
       bool outside = false;
       for (std::size_t g = 0; g < source_sides && !outside; ++g)
-        outside = (sign(sides_[g], corner) & negative) == 0 && sign(sides_[g], corner) != none;
+        outside = sign(g, c) == positive;
       if (outside) continue;
     }
-    for (const Side& side : sides_) {
-      if (side.solid == corner.solid || sign(side, corner) != both || !passes_within(corner, side)) continue;
+    for (std::size_t e = 0; e < sides_.size(); ++e) {
+      const Side& side = sides_[e];
+      if (side.hidden || side.solid == corner.solid || sign(e, c) != both || !passes_within(corner, side)) continue;
       double largest = corner.sides.size() < 2 ? out.unoccluded : 0;
       for (std::size_t i = 0; i < corner.sides.size(); ++i)
         for (std::size_t j = i + 1; j < corner.sides.size(); ++j)
@@ -266,9 +315,9 @@ void SightEvents::find_lines(CellSight& out) {
   }
 }
 
-bool SightEvents::may_cross(const Side& one, const Side& other) const {
-  const auto part = [&](const Side& side, const Side& ends) {
-    return (sign(side, corners_[ends.from]) | sign(side, corners_[ends.to])) != both;
+bool SightEvents::may_cross(std::size_t one, std::size_t other) {
+  const auto part = [&](std::size_t side, std::size_t ends) {
+    return (sign(side, sides_[ends].from) | sign(side, sides_[ends].to)) != both;
   };
   return !part(one, other) && !part(other, one);
 }
@@ -297,7 +346,8 @@ void SightEvents::find_curves(CellSight& out) {
   std::vector<std::vector<std::size_t>> crossing(count);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j)
-      if (sides_[i].solid != sides_[j].solid && may_cross(sides_[i], sides_[j])) crossing[i].push_back(j);
+      if (!sides_[i].hidden && !sides_[j].hidden && sides_[i].solid != sides_[j].solid && may_cross(i, j))
+        crossing[i].push_back(j);
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t a = 0; a < crossing[i].size(); ++a)
       for (std::size_t b = a + 1; b < crossing[i].size(); ++b) {
@@ -312,8 +362,8 @@ void SightEvents::find_curves(CellSight& out) {
 
 CellSight SightEvents::of(const ReceiverCell& cell, const std::vector<std::size_t>& screens) {
   CellSight out;
-  cell_ = cell;
-  for (const Point& p : cell)
+  cell_ = {cell[0], cell[1], cell[2], (1.0 / 3) * (cell[0] + cell[1] + cell[2])};
+  for (const Point& p : cell_)
     out.unoccluded = std::max(out.unoccluded, polygon_flux(geometry_.source, p, geometry_.receiver_normal));
   add_corners_of_source();
   if (list_screens(screens, out)) {
@@ -325,11 +375,13 @@ CellSight SightEvents::of(const ReceiverCell& cell, const std::vector<std::size_
   find_sides(out);
   std::stable_sort(sides_.begin() + static_cast<std::ptrdiff_t>(geometry_.source.size()), sides_.end(),
                    [](const Side& a, const Side& b) { return a.solid < b.solid; });
-  if (std::all_of(facing_.begin(), facing_.end(), [](Sign s) { return s != both; }) && body_hides()) {
+  if (body_hides()) {
     out.hidden = true;
     return out;
   }
+  mark_hidden();
   drop_sides_apart();
+  signs_.clear();
   find_lines(out);
   if (out.change < out.unoccluded) find_curves(out);
   return out;

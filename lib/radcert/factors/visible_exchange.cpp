@@ -43,11 +43,11 @@ void part(const ReceiverCell& cell, const EventLine& line, std::vector<ReceiverC
   std::array<double, 3> height{};
   bool above = false;
   bool below = false;
-  constexpr double roundings = 0x1p-46;
+  // As SightEvents has it: lengths are at most about 1.
+  constexpr double roundings = 0x1p-48;
   for (std::size_t k = 0; k < 3; ++k) {
-    const Point d = cell[k] - line.at;
-    height[k] = dot(line.normal, d);
-    if (std::abs(height[k]) <= roundings * norm(line.normal) * norm(d)) height[k] = 0;
+    height[k] = dot(line.normal, cell[k] - line.at);
+    if (std::abs(height[k]) <= roundings * norm(line.normal)) height[k] = 0;
     above = above || height[k] > 0;
     below = below || height[k] < 0;
   }
@@ -104,20 +104,31 @@ private:
     for (; !copy.empty(); copy.pop()) error_ += copy.top().error;
   }
 
+  static double error_on_kinks(const Cell& cell) {
+    return rule_error_on_kinks(cell.order) * area_of(cell.corners) / std::numbers::pi * cell.sight.change;
+  }
+
   void refine(const Cell& cell) {
-    constexpr std::size_t few = 4;
-    const std::vector<EventLine>& lines = cell.sight.lines;
+    // Along the lines that matter most, as far as they make up most of the change; else in four.
+    constexpr std::size_t most_lines = 4;
+    if (cell.order == low_order && cell.error > 2 * error_on_kinks(cell)) {
+      push(cell.corners, cell.sight.screens, high_order);
+      return;
+    }
+    std::vector<EventLine> lines = cell.sight.lines;
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const EventLine& a, const EventLine& b) { return a.change > b.change; });
+    if (lines.size() > most_lines) lines.resize(most_lines);
+    double of_lines = 0;
+    for (const EventLine& line : lines) of_lines += line.change;
     std::vector<ReceiverCell> parts;
-    if (!lines.empty() && lines.size() <= few) {
+    if (2 * of_lines >= cell.sight.change && !lines.empty()) {
       parts.push_back(cell.corners);
       for (const EventLine& line : lines) {
         std::vector<ReceiverCell> next;
         for (const ReceiverCell& one : parts) part(one, line, next);
         parts = std::move(next);
       }
-    } else if (cell.sight.change == 0 && cell.order == low_order) {
-      push(cell.corners, cell.sight.screens, high_order);
-      return;
     }
     if (parts.size() < 2) {
       const ReceiverCell& c = cell.corners;
@@ -159,15 +170,16 @@ private:
     }
     used_rules_ = true;
     area_ += area;
-    const double scale = area / std::numbers::pi;
     if (cell.sight.change >= cell.sight.unoccluded) {
+      const Estimate whole = exchange_area({c.begin(), c.end()}, geometry_.source);
       cell.order = 0;
-      cell.value = cell.error = scale * cell.sight.unoccluded / 2;
+      cell.value = whole.value / 2;
+      cell.error = whole.value / 2 + whole.radius;
     } else {
       constexpr double safety = 4;
       cell.value = by_rule(c, cell.sight.screens, order);
-      cell.error = safety * std::abs(cell.value - by_rule(c, cell.sight.screens, order - 1)) +
-                   rule_error_on_kinks * scale * cell.sight.change;
+      cell.error =
+          safety * std::abs(cell.value - by_rule(c, cell.sight.screens, order - 1)) + error_on_kinks(cell);
     }
     error_ += cell.error;
     cells_.push(std::move(cell));
@@ -193,7 +205,7 @@ double visible_flux(const FacetScene& scene, const Vector<double>& point, const 
                                                 facing(source, (1 / norm(area)) * area), occluders);
   std::vector<std::size_t> all(geometry.screens.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  return SourceViewer(geometry).flux((1 / geometry.unit) * point, all);
+  return SourceViewer(geometry).flux((1 / geometry.unit) * (point - geometry.origin), all);
 }
 
 Estimate visible_exchange_area(const FacetScene& scene, const FacetPair& pair, const CubatureDemand& demand) {
