@@ -207,8 +207,8 @@ std::vector<std::string> failures(const FactorReport& report, const std::optiona
     out.push_back("rows of a closed scene that do not sum to 1 within their radius: " +
                   worst_rows(report, std::move(unclosed)));
   if (!wide.empty())
-    out.push_back("incomplete: the row sums' radius is above the accuracy asked for, " + shortest(*demanded) + ", in " +
-                  worst_rows(report, std::move(wide)));
+    out.push_back("incomplete: the row sums' radius is above the accuracy asked for, " + shortest(*demanded) +
+                  ", in " + worst_rows(report, std::move(wide)));
   return out;
 }
 
@@ -350,7 +350,8 @@ void add_factors(CLI::App& program, Common& common, Action& action) {
       "several bodies that fall on one another, widen the radius: look at it.\n"
       "Rows that are finished are kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted run goes on "
       "there.\n"
-      "The exit code is 1 where rows of a closed scene do not sum to 1 within their radius, where a row's radius is above "
+      "The exit code is 1 where rows of a closed scene do not sum to 1 within their radius, where a row's "
+      "radius is above "
       "an --accuracy that was given, and with --compare where a pair differs.");
   command.callback(
       [&common, &action, options] { action = [&common, options] { return factors(common, *options); }; });

@@ -89,7 +89,8 @@ private:
       const double here = dot(normal, a) - offset;
       const double there = dot(normal, b) - offset;
       if (here >= 0) out.push_back(a);
-      if ((here < 0) != (there < 0) && here != 0 && there != 0) out.push_back(a + (here / (here - there)) * (b - a));
+      if ((here < 0) != (there < 0) && here != 0 && there != 0)
+        out.push_back(a + (here / (here - there)) * (b - a));
     }
     if (out.size() < 3) out.clear();
     return out;
@@ -113,7 +114,8 @@ private:
       if (height == 0) continue;
       const double sign = height > 0 ? 1 : -1;
       bool passes = false;
-      for (std::size_t k = 0; k < 3 && !passes; ++k) passes = outside(whole, sign * cross(ray[k], ray[(k + 1) % 3]));
+      for (std::size_t k = 0; k < 3 && !passes; ++k)
+        passes = outside(whole, sign * cross(ray[k], ray[(k + 1) % 3]));
       if (passes) continue;
       std::vector<Polygon> next;
       for (Polygon& piece : seen) {

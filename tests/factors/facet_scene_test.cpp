@@ -137,10 +137,12 @@ TEST(FacetScene, HidesWhatABodyContainsFromWhatIsOutside) {
       for (const std::size_t outside : {13U, 14U}) {
         for (const bool certified : {false, true}) {
           if (certified && reversed && outside == 14U) continue;  // as the other, and slow
-          const PairExchange found = pair_exchange(scene, 12, outside, {.certified = certified, .accuracy = 1e-2});
+          const PairExchange found =
+              pair_exchange(scene, 12, outside, {.certified = certified, .accuracy = 1e-2});
           EXPECT_LE(found.area.value, found.area.radius);
           // A cube with a triangle along its side is no body for us, but a wall of six plates.
-          if (!reversed && !(corners[0] == Vector<double>{4, 4, 0} && corners[2] == Vector<double>{4, 4, 4})) {
+          if (!reversed &&
+              !(corners[0] == Vector<double>{4, 4, 0} && corners[2] == Vector<double>{4, 4, 4})) {
             EXPECT_EQ(found.area.value, 0);
             EXPECT_EQ(found.area.radius, 0);
           }
@@ -195,7 +197,9 @@ TEST(FacetScene, TakesSliversWhoseRoundedNormalIsZero) {
   for (const double scale : {1.0, 0x1p-60, 0x1p60})
     for (int turn = 0; turn < 3; ++turn) {
       const auto placed = [&](const Vector<double>& p) {
-        const Vector<double> q = turn == 0 ? p : turn == 1 ? Vector<double>{p.z, p.x, p.y} : Vector<double>{p.y, p.z, p.x};
+        const Vector<double> q = turn == 0   ? p
+                                 : turn == 1 ? Vector<double>{p.z, p.x, p.y}
+                                             : Vector<double>{p.y, p.z, p.x};
         return scale * q;
       };
       TriangleMesh mesh;

@@ -148,7 +148,8 @@ TEST(VisibleExchangeArea, HoldsWhereCellsAreUsedUp) {
       double last = 1;
       for (const std::size_t most : {1U, 4U, 16U, 64U, 256U}) {
         const Estimate coarse = visible_exchange_area(scene, pair, {.tolerance = 1e-5, .most_cells = most});
-        EXPECT_LE(std::abs(coarse.value - fine.value), coarse.radius + fine.radius) << i << " " << j << " " << most;
+        EXPECT_LE(std::abs(coarse.value - fine.value), coarse.radius + fine.radius)
+            << i << " " << j << " " << most;
         EXPECT_LE(coarse.radius, 2 * last);
         last = coarse.radius;
       }

@@ -97,9 +97,9 @@ ExchangeGeometry exchange_geometry(const FacetScene& scene, const Facing& receiv
                   .beyond_side = {}};
     for (const std::optional<std::size_t>& beyond : occluder.beyond_side) {
       const auto at = beyond ? std::find(occluders.begin(), occluders.end(), *beyond) : occluders.end();
-      screen.beyond_side.push_back(
-          at == occluders.end() ? std::nullopt
-                                : std::optional(static_cast<std::size_t>(at - occluders.begin())));
+      screen.beyond_side.push_back(at == occluders.end()
+                                       ? std::nullopt
+                                       : std::optional(static_cast<std::size_t>(at - occluders.begin())));
     }
     all.push_back(std::move(screen));
   }

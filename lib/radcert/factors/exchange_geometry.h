@@ -13,7 +13,7 @@ namespace radcert {
 struct Screen {
   FacetCorners corners;  ///< convex, counterclockwise as seen from its front
   Vector<double> normal;
-  std::size_t solid = 0;  ///< as ConvexOccluder has it
+  std::size_t solid = 0;    ///< as ConvexOccluder has it
   bool is_of_body = false;  ///< only its front hides anything
   /// The screen beyond the side from each corner to the next: of the same body or plane, with the same ends.
   std::vector<std::optional<std::size_t>> beyond_side;

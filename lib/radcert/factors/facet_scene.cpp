@@ -254,14 +254,16 @@ std::optional<std::string> beyond_doubles(const TriangleMesh& mesh) {
   constexpr double longest = 0x1p100;
   constexpr double shortest_length = 0x1p-100;
   if (!(length <= longest && length >= shortest_length))
-    return "is " + shortest(length) + " long, and doubles carry exchange areas of scenes from 2^-100 to 2^100";
+    return "is " + shortest(length) +
+           " long, and doubles carry exchange areas of scenes from 2^-100 to 2^100";
   const Rational least = Rational::exactly(0x1p-200 * length * length);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto corners = mesh.corners(t);
     // Nearly always decided in doubles: a rounded area errs by some roundings of its sides' product.
     const Point a = corners[1] - corners[0];
     const Point b = corners[2] - corners[0];
-    if (norm(cross(a, b)) > 0x1p-40 * norm(a) * norm(b) && norm(cross(a, b)) > 0x1p-190 * length * length) continue;
+    if (norm(cross(a, b)) > 0x1p-40 * norm(a) * norm(b) && norm(cross(a, b)) > 0x1p-190 * length * length)
+      continue;
     const Vector<Rational> normal = exact_normal(corners);
     if (dot(normal, normal) >= least * least) continue;
     return "has the triangle " + std::to_string(t) + " at (" + shortest(corners[0].x) + ", " +
@@ -272,7 +274,8 @@ std::optional<std::string> beyond_doubles(const TriangleMesh& mesh) {
 }
 
 FacetScene::FacetScene(TriangleMesh mesh) : scene_(std::move(mesh)) {
-  if (const auto words = beyond_doubles(scene_.mesh())) expects(false, "a scene that doubles carry: it " + *words);
+  if (const auto words = beyond_doubles(scene_.mesh()))
+    expects(false, "a scene that doubles carry: it " + *words);
   for (std::size_t t = 0; t < facet_count(); ++t) {
     const Vector<Rational> normal = exact_normal(scene_.corners(t));
     areas_.push_back(sqrt(Ball(dot(normal, normal) / 4)).to_double());
@@ -425,8 +428,9 @@ void FacetScene::find_contained() {
     for (std::size_t t = 0; t < facet_count(); ++t) {
       const std::array<Point, 3> corners = scene_.corners(t);
       const Box mine = box_about(corners);
-      const bool in_box = mine.low.x >= box->low.x && mine.high.x <= box->high.x && mine.low.y >= box->low.y &&
-                          mine.high.y <= box->high.y && mine.low.z >= box->low.z && mine.high.z <= box->high.z;
+      const bool in_box = mine.low.x >= box->low.x && mine.high.x <= box->high.x &&
+                          mine.low.y >= box->low.y && mine.high.y <= box->high.y &&
+                          mine.low.z >= box->low.z && mine.high.z <= box->high.z;
       if (topology_.component[t] == component || !in_box) continue;
       // Behind each face, a corner at least.
       if (std::all_of(of_body.begin(), of_body.end(), [&](std::size_t k) {
@@ -543,12 +547,13 @@ FacetPair FacetScene::pair(std::size_t first, std::size_t second) const {
   }
   if (tree_) {
     const Box box = hull_box(a, b);
-    tree_->visit([&](const Box& other) { return !apart(box, other); },
-                 [&](std::size_t k) {
-                   if (!lies_within(first, occluders_[k].solid) && may_stand_between(occluders_[k], first, second))
-                     out.occluders.push_back(k);
-                   return true;
-                 });
+    tree_->visit(
+        [&](const Box& other) { return !apart(box, other); },
+        [&](std::size_t k) {
+          if (!lies_within(first, occluders_[k].solid) && may_stand_between(occluders_[k], first, second))
+            out.occluders.push_back(k);
+          return true;
+        });
     std::sort(out.occluders.begin(), out.occluders.end());
   }
   out.sight = out.occluders.empty() ? PairSight::whole : PairSight::mixed;

@@ -77,7 +77,9 @@ public:
   [[nodiscard]] FacetCorners facet(std::size_t triangle) const;
   [[nodiscard]] double area(std::size_t triangle) const { return areas_[triangle]; }
   /// From the exact corners, rounded: that of a sliver too.
-  [[nodiscard]] const Vector<double>& unit_normal(std::size_t triangle) const { return unit_normals_[triangle]; }
+  [[nodiscard]] const Vector<double>& unit_normal(std::size_t triangle) const {
+    return unit_normals_[triangle];
+  }
   /// How the triangles fit together, vertices with equal coordinates being one.
   [[nodiscard]] const MeshTopology& topology() const { return topology_; }
   [[nodiscard]] double total_area() const { return total_area_; }
@@ -91,7 +93,9 @@ public:
   }
   /// Whether a triangle lies in a convex body; of one that crosses its surface this says nothing.
   [[nodiscard]] bool lies_within(std::size_t triangle, std::size_t solid) const;
-  [[nodiscard]] const std::vector<std::size_t>& bodies_of(std::size_t triangle) const { return bodies_of_[triangle]; }
+  [[nodiscard]] const std::vector<std::size_t>& bodies_of(std::size_t triangle) const {
+    return bodies_of_[triangle];
+  }
   [[nodiscard]] FacetPair pair(std::size_t first, std::size_t second) const;
   /// Whether a segment between two triangles may meet two occluders: false only where a plane shows that those which meet one of
   /// them, up to a set without measure, pass by the other.
@@ -116,7 +120,7 @@ private:
   std::vector<std::size_t> occluder_triangle_;  ///< a triangle of each
   std::vector<bool> is_body_;
   std::vector<std::vector<std::size_t>> bodies_of_;  ///< for each triangle the bodies that it lies within
-  std::optional<BoxTree> tree_;  ///< of the occluders' boxes
+  std::optional<BoxTree> tree_;                      ///< of the occluders' boxes
 };
 
 }  // namespace radcert

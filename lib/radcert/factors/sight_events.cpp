@@ -44,7 +44,8 @@ SightEvents::Sign SightEvents::sign(const Side& side, const Corner& corner) cons
 
 SightEvents::Sign SightEvents::sign(std::size_t side, std::size_t corner) {
   constexpr unsigned char unknown = 255;
-  if (signs_.size() != sides_.size() * corners_.size()) signs_.assign(sides_.size() * corners_.size(), unknown);
+  if (signs_.size() != sides_.size() * corners_.size())
+    signs_.assign(sides_.size() * corners_.size(), unknown);
   unsigned char& kept = signs_[side * corners_.size() + corner];
   if (kept == unknown) kept = static_cast<unsigned char>(sign(sides_[side], corners_[corner]));
   return static_cast<Sign>(kept);
@@ -146,7 +147,8 @@ void SightEvents::find_sides(const CellSight& listed) {
     for (std::size_t k = 0; k < count; ++k) {
       if (screen.beyond_side[k]) {
         if (const auto other = place(*screen.beyond_side[k])) {
-          const bool both_seen = !screen.is_of_body || (facing_[i] == positive && facing_[*other] == positive);
+          const bool both_seen =
+              !screen.is_of_body || (facing_[i] == positive && facing_[*other] == positive);
           // A side of two listed faces counts once.
           if (both_seen || *other < i) continue;
         }
@@ -199,7 +201,8 @@ void SightEvents::mark_hidden() {
   for (std::size_t c = 0; c < corners_.size(); ++c) corners_[c].apart = !hidden_by[c].empty();
   for (Side& side : sides_)
     for (const std::size_t solid : hidden_by[side.from])
-      side.hidden = side.hidden || std::find(hidden_by[side.to].begin(), hidden_by[side.to].end(), solid) != hidden_by[side.to].end();
+      side.hidden = side.hidden || std::find(hidden_by[side.to].begin(), hidden_by[side.to].end(), solid) !=
+                                       hidden_by[side.to].end();
 }
 
 void SightEvents::drop_sides_apart() {
@@ -253,7 +256,8 @@ bool SightEvents::passes_within(const Corner& corner, const Side& side) const {
 
 double SightEvents::change(const Side& one, const Side& two, const Side& three, double most) const {
   Point centre;
-  for (const Point& q : geometry_.source) centre = centre + (1.0 / static_cast<double>(geometry_.source.size())) * q;
+  for (const Point& q : geometry_.source)
+    centre = centre + (1.0 / static_cast<double>(geometry_.source.size())) * q;
   double largest = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     std::array<Point, 3> direction{cross(one.normal[k], two.normal[k]), cross(two.normal[k], three.normal[k]),
@@ -297,17 +301,18 @@ void SightEvents::find_lines(CellSight& out) {
     if (out.lines.size() >= enough && out.change >= out.unoccluded) return;
     if (corner.solid != of_source) {
       bool outside = false;
-      for (std::size_t g = 0; g < source_sides && !outside; ++g)
-        outside = sign(g, c) == positive;
+      for (std::size_t g = 0; g < source_sides && !outside; ++g) outside = sign(g, c) == positive;
       if (outside) continue;
     }
     for (std::size_t e = 0; e < sides_.size(); ++e) {
       const Side& side = sides_[e];
-      if (side.hidden || side.solid == corner.solid || sign(e, c) != both || !passes_within(corner, side)) continue;
+      if (side.hidden || side.solid == corner.solid || sign(e, c) != both || !passes_within(corner, side))
+        continue;
       double largest = corner.sides.size() < 2 ? out.unoccluded : 0;
       for (std::size_t i = 0; i < corner.sides.size(); ++i)
         for (std::size_t j = i + 1; j < corner.sides.size(); ++j)
-          largest = std::max(largest, change(sides_[corner.sides[i]], sides_[corner.sides[j]], side, out.unoccluded));
+          largest = std::max(largest,
+                             change(sides_[corner.sides[i]], sides_[corner.sides[j]], side, out.unoccluded));
       out.lines.push_back(
           {cross(corners_[side.from].at - corner.at, corners_[side.to].at - corner.at), corner.at, largest});
       out.change += largest;

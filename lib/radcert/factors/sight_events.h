@@ -91,11 +91,11 @@ private:
 
   const ExchangeGeometry& geometry_;
   std::array<Vector<double>, 4> cell_;  ///< its corners, which decide signs, and its centre
-  std::vector<Corner> corners_;  ///< first those of the source
+  std::vector<Corner> corners_;         ///< first those of the source
   std::vector<Side> sides_;
-  std::vector<Sign> facing_;  ///< of the listed screens towards the cell's corners
-  std::vector<std::size_t> turning_;    ///< solids of which a face's plane passes through the cell
-  std::vector<unsigned char> signs_;    ///< of sides and corners, once asked for
+  std::vector<Sign> facing_;          ///< of the listed screens towards the cell's corners
+  std::vector<std::size_t> turning_;  ///< solids of which a face's plane passes through the cell
+  std::vector<unsigned char> signs_;  ///< of sides and corners, once asked for
 };
 
 }  // namespace radcert

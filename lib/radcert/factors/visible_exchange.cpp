@@ -63,7 +63,8 @@ void part(const ReceiverCell& cell, const EventLine& line, std::vector<ReceiverC
       if (height[k] * height[next] < 0)
         polygon.push_back(cell[k] + (height[k] / (height[k] - height[next])) * (cell[next] - cell[k]));
     }
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) out.push_back({polygon[0], polygon[k], polygon[k + 1]});
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+      out.push_back({polygon[0], polygon[k], polygon[k + 1]});
   }
 }
 
@@ -90,8 +91,8 @@ public:
     constexpr double rounding = 0x1p-46;
     // Each flux errs by roundings of 1, the cells' corners by roundings of the unit of length.
     const double rounded = used_rules_ ? rounding * (area_ + std::sqrt(area_) * rounding) : 0;
-    return {std::max(out.value, 0.0),
-            (used_rules_ ? std::max(out.radius, tolerance) : out.radius) + rounded + 0x1p-50 * std::abs(out.value)};
+    return {std::max(out.value, 0.0), (used_rules_ ? std::max(out.radius, tolerance) : out.radius) + rounded +
+                                          0x1p-50 * std::abs(out.value)};
   }
 
 private:
