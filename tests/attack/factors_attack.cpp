@@ -133,8 +133,6 @@ public:
     }
   }
 
-  Draw& draw() { return *draw_; }
-
 private:
   Draw* draw_;
   bool on_grid_;
@@ -233,7 +231,7 @@ Judgement held_by_points(const Instance& instance, const Estimate& found, std::s
 TEST(FactorsAttack, EstimatesOfOccludedPairsHold) {
   static_cast<void>(hold(Attack<Instance>{
       .name = "factors_occluded_estimated",
-      .usual_instances = 60,
+      .usual_instances = 40,
       .make = occluded,
       .judge =
           [](const Instance& instance) {
@@ -250,7 +248,7 @@ TEST(FactorsAttack, EstimatesOfOccludedPairsHold) {
 TEST(FactorsAttack, CertifiedOccludedPairsHold) {
   static_cast<void>(hold(Attack<Instance>{
       .name = "factors_occluded_certified",
-      .usual_instances = 8,
+      .usual_instances = 4,
       .make = occluded,
       .judge =
           [](const Instance& instance) {
@@ -297,7 +295,7 @@ Instance open_pair(Draw& draw) {
 TEST(FactorsAttack, OpenPairsHold) {
   static_cast<void>(hold(Attack<Instance>{
       .name = "factors_open",
-      .usual_instances = 150,
+      .usual_instances = 80,
       .make = open_pair,
       .judge =
           [](const Instance& instance) {
@@ -340,7 +338,7 @@ Instance room(Draw& draw) {
 TEST(FactorsAttack, RowsOfClosedRoomsSumToOne) {
   static_cast<void>(hold(Attack<Instance>{
       .name = "factors_closed",
-      .usual_instances = 12,
+      .usual_instances = 4,
       .make = room,
       .judge =
           [](const Instance& instance) {
@@ -398,7 +396,7 @@ Instance contained(Draw& draw) {
 TEST(FactorsAttack, PairsInAndOutsideBodiesHold) {
   static_cast<void>(hold(Attack<Instance>{
       .name = "factors_contained",
-      .usual_instances = 60,
+      .usual_instances = 30,
       .make = contained,
       .judge =
           [](const Instance& instance) {

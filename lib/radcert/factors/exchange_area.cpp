@@ -256,16 +256,28 @@ Estimate exchange_area_by_rules(const FacetCorners& first, const FacetCorners& s
     sum += Pack(from.weight[i]) * inner;
   }
   const double value = std::max(sum.sum() / std::numbers::pi, 0.0);
-  // Near a plane of grazing both cosines cancel: the roundings are those of cosines of size one.
-  const double largest_value =
-      norm(vector_area(first)) * norm(vector_area(second)) / (std::numbers::pi * distance * distance);
-  return {value, value * far.relative_error + 8 * rounding * largest_value};
+  // Near a plane of grazing both cosines cancel: the roundings are those of cosines of size one. A cross product of
+  // differences up to 2 r errs by 32 units of r^2, of which a vector area takes half for each triangle: of a sliver that is much,
+  // in the normal as in the weights.
+  const auto relative = [](const FacetCorners& polygon, double radius, double area) {
+    return static_cast<double>(polygon.size() - 2) * radius * radius / area;
+  };
+  const double first_area = norm(vector_area(first));
+  const double second_area = norm(vector_area(second));
+  const double largest_value = first_area * second_area / (std::numbers::pi * distance * distance);
+  const double slivers = relative(first, p.radius, first_area) + relative(second, q.radius, second_area);
+  return {value, value * far.relative_error + (8 + 16 * slivers) * rounding * largest_value};
 }
 
 Estimate exchange_area(const FacetCorners& first, const FacetCorners& second) {
   const Roundness p = roundness(first);
   const Roundness q = roundness(second);
-  if (norm(p.centre - q.centre) > far_ratio * (p.radius + q.radius))
+  const bool far = norm(p.centre - q.centre) > far_ratio * (p.radius + q.radius);
+  // Without a normal in doubles there are the contours.
+  const auto is_plane = [](const FacetCorners& polygon, double radius) {
+    return norm(vector_area(polygon)) > 0x1p-40 * radius * radius;
+  };
+  if (far && is_plane(first, p.radius) && is_plane(second, q.radius))
     return exchange_area_by_rules(first, second);
   return exchange_area_by_contours(first, second);
 }

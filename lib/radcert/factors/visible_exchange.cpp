@@ -88,10 +88,7 @@ public:
     }
     Estimate out = settled_;
     for (; !cells_.empty(); cells_.pop()) out += {cells_.top().value, cells_.top().error};
-    constexpr double rounding = 0x1p-46;
-    // Each flux errs by roundings of 1, the cells' corners by roundings of the unit of length.
-    const double rounded = used_rules_ ? rounding * (area_ + std::sqrt(area_) * rounding) : 0;
-    return {std::max(out.value, 0.0), (used_rules_ ? std::max(out.radius, tolerance) : out.radius) + rounded +
+    return {std::max(out.value, 0.0), (used_rules_ ? std::max(out.radius, tolerance) : out.radius) + rounded_ +
                                           0x1p-50 * std::abs(out.value)};
   }
 
@@ -170,7 +167,8 @@ private:
       return;
     }
     used_rules_ = true;
-    area_ += area;
+    // Each flux errs by roundings of 1, a cell's area by roundings of the product of its sides.
+    rounded_ += 0x1p-46 * area + 0x1p-50 * norm(c[1] - c[0]) * norm(c[2] - c[0]);
     if (cell.sight.change >= cell.sight.unoccluded) {
       const Estimate whole = exchange_area({c.begin(), c.end()}, geometry_.source);
       cell.order = 0;
@@ -191,7 +189,7 @@ private:
   SightEvents events_;
   std::priority_queue<Cell> cells_;
   Estimate settled_;
-  double area_ = 0;  ///< on which rules served
+  double rounded_ = 0;
   double error_ = 0;
   std::size_t made_ = 0;
   bool used_rules_ = false;
