@@ -193,7 +193,7 @@ Instance occluded(Draw& draw) {
     scene.triangle(low[0], low[1], low[2]);
     scene.triangle(high[0], high[1], high[2]);
     if (!scene_faults(scene.mesh()).empty()) continue;
-    const std::size_t count = 1 + draw.below(6);
+    const std::size_t count = draw.below(6) == 0 ? 16 : 1 + draw.below(6);
     SceneDraw whole = scene;
     for (std::size_t k = 0; k < count; ++k) {
       SceneDraw more = whole;
