@@ -94,8 +94,8 @@ struct FactorPlan {
 /// Maths     A_i F_ij
 /// Source    exchange_area, visible_exchange_area; certified: certified_exchange_area
 /// Requires  triangles that are there
-/// Result    mixed pairs: to accuracy A_i A_j / A, A the scene's area, which gives each row a radius of at
-///           most about four times `accuracy`. Exactly 0 with radius 0 where nothing is seen. certified: the
+/// Result    mixed pairs: to accuracy A_i A_j / A, A the scene's area, which gives each row a radius of about
+///           `accuracy`, unless cells or work are used up: then a wider one. Exactly 0 with radius 0 where nothing is seen. certified: the
 ///           radius is proved, however wide; a shadow is driven to the same accuracy, or to its limit of work
 /// Limits    -
 [[nodiscard]] PairExchange pair_exchange(const FacetScene& scene, std::size_t first, std::size_t second,
