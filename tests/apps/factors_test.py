@@ -105,6 +105,38 @@ class Factors(ProgramTest):
             total += float(factors["piece_1", "piece_2"]["factor"])
         self.assertAlmostEqual(total, OPPOSITE, delta=2e-5)
 
+    def test_an_accuracy_that_is_not_reached_is_an_error(self):
+        # What two bodies hide together is known within bounds alone.
+        plates = [[(0.25, 0.25, z), (0.5, 0.25, z), (0.5, 0.5, z), (0.25, 0.5, z)] for z in (0.5, 0.625)]
+        self.write("plates.off", off(OBSTRUCTED[:2] + plates))
+        words = ("factors", "plates.off", "--space", "--by", "piece")
+        done = self.run_program(*words, "--certified", "--accuracy", "1e-6")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn(b"incomplete: the row sums' radius is above the accuracy asked for, 1e-06, in 2 of 4 rows: piece_", done.stderr)
+        self.expect(0, *words, "--accuracy", "1e-6")
+
+    def test_a_wall_of_a_body_hides_what_is_in_it(self):
+        cube = box((0.0, 0.0, 0.0), (4.0, 4.0, 4.0), inwards=True)
+        inner = [(2.0, 3.0, 1.0), (3.0, 2.0, 1.0), (2.5, 2.5, 2.0)]
+        outer = [(4.0, 8.0, 1.0), (6.0, 6.0, 3.0), (8.0, 4.0, 1.0)]
+        for words in ([], ["--certified"]):
+            for faces, seen in (([inner, outer], 2), (cube + [inner, outer], None)):
+                self.write("body.off", off(faces))
+                self.expect(0, "factors", "body.off", "--space", "--out", "body.csv", *words)
+                last = f"piece_{len(faces) - 1}/1", f"piece_{len(faces)}/1"
+                found = [row for row in self.rows("body.csv") if {row["from"], row["to"]} == set(last)]
+                self.assertEqual(len(found), seen or 0)
+
+    def test_slivers_and_scales_have_a_value_or_a_refusal(self):
+        sliver = [(-1.1695644156503835, -0.7950591661281423, 0.0), (-0.9823117908892629, 0.18725262476112056, 0.0),
+                  (-0.7950591661281423, 1.1695644156503835, 0.0)]
+        other = [(2.0, 1.0, 3.0), (0.0, 2.0, 3.0), (-1.0, -2.0, 4.0)]
+        for scale, code in ((1.0, 0), (1e-25, 0), (1e-200, 2), (1e-310, 2)):
+            self.write("sliver.off", off([[tuple(scale * x for x in p) for p in face] for face in (sliver, other)]))
+            for words in ([], ["--certified"]):
+                done = self.run_program("factors", "sliver.off", "--space", *words)
+                self.assertEqual(done.returncode, code, (scale, done.stderr))
+
     def test_bad_scenes_are_named_with_coordinates(self):
         self.write("reversed.off", off(box(*UNIT) + box(*INNER)))
         self.write("crossing.off", off(box(*UNIT) + box((0.5, 0.25, 0.25), (1.5, 0.75, 0.75), inwards=True)))
