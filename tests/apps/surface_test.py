@@ -228,7 +228,7 @@ class SurfaceCommand(ProgramTest):
                 ("a.off", b"", "", "is empty"),
                 ("a.off", bytes(range(256)) * 20, "line 1", "OFF"),
                 ("a.ply", bytes(range(256)) * 20, "line 1", "PLY"),
-                ("a.obj", bytes(range(256)) * 20, "", "no vertices")]:
+                ("a.obj", bytes(range(256)) * 20, "", "no statement of an OBJ file")]:
             self.write(name, content)
             done = self.run_program("surface", name)
             said = done.stderr.decode()
