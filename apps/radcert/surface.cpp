@@ -149,8 +149,9 @@ void topology_rows(Rows& rows, const MeshSurvey& survey) {
   if (!found.crossing.empty()) {
     const auto [a, b] = found.crossing.front();
     defect_row(defects, found.crossing,
-               found.crossing.size() == most_crossings ? "pairs or more of triangles that cross or overlap"
-                                                       : "pairs of triangles that cross or overlap",
+               found.crossing.size() == most_crossings.count()
+                   ? "pairs or more of triangles that cross or overlap"
+                   : "pairs of triangles that cross or overlap",
                "of faces " + std::to_string(survey.mesh.face[a] + 1) + " and " +
                    std::to_string(survey.mesh.face[b] + 1));
   }

@@ -4,9 +4,13 @@
 #include <string>
 
 #include "radcert/core/outcome.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/scalar/ball.h"
 
 namespace radcert {
+
+/// Of an enclosure, where the demand says nothing else.
+extern const WorkLimit most_evaluations;
 
 /// What is asked of an enclosure.
 /// Maths     a ball of at most this radius around the number, with at most so many evaluations of the function
@@ -16,7 +20,7 @@ namespace radcert {
 /// Limits    rounding is not in it: BallPrecision::current() must leave the digits, some 30 bits beyond the radius
 struct Demand {
   double radius;
-  long work_limit = 20'000'000;
+  long work_limit = most_evaluations.value();
 };
 
 /// A number enclosed as demanded.

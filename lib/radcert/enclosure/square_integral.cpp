@@ -13,6 +13,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/enclosure/ellipse_bound.h"
 #include "radcert/enclosure/gauss_legendre.h"
 
@@ -23,6 +24,11 @@ namespace {
 /// The ellipses that are tried: from one in which a side is better bisected, to one in which few nodes are left to win.
 constexpr std::array rhos{1.7, 2.1, 2.7, 3.5, 4.5, 6.0, 8.0, 11.0, 16.0, 24.0, 36.0, 60.0, 100.0};
 constexpr int first_rho = 3;
+
+const WorkLimit evaluations_of_a_bound("enclosure/square_integral: evaluations for a bound on an ellipse",
+                                       160, 1, "no bound: a smaller ellipse, or the cell is halved");
+const WorkLimit evaluations_of_a_comparison("enclosure/square_integral: evaluations to compare two sides", 24,
+                                            1, "another side is halved: no value depends on it");
 
 struct OpenCell {
   std::size_t function = 0;
@@ -95,7 +101,7 @@ private:
   }
 
   std::optional<RuleChoice> try_rho(SquareAxis axis, int rho) {
-    constexpr long budget = 160;
+    const long budget = evaluations_of_a_bound.value();
     if (!take(budget)) return std::nullopt;
     const EllipseBound found =
         bound_on_ellipse(f_, cell_.sides, axis, rhos[static_cast<std::size_t>(rho)], budget);
@@ -172,7 +178,7 @@ private:
   /// The side along which the values of the complex formula vary more, the other variable in the middle.
   SquareAxis rougher_side() {
     constexpr double rho = 1.2;
-    constexpr long budget = 24;
+    const long budget = evaluations_of_a_comparison.value();
     if (!take(2 * budget)) return SquareAxis::x;
     SquareCell along_x = cell_.sides;
     along_x.y_low = along_x.y_high = cell_.sides.y_low + (cell_.sides.y_high - cell_.sides.y_low) / 2;

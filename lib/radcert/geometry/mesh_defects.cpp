@@ -9,6 +9,9 @@
 
 namespace radcert {
 
+const WorkLimit most_crossings("geometry/mesh_defects: pairs that cross", 1000, 1,
+                               "a fault all the same: that there may be more is said");
+
 MeshDefects mesh_defects(const TriangleMesh& mesh) {
   MeshDefects defects;
   std::vector<char> used(mesh.vertices.size(), 0);
@@ -42,7 +45,7 @@ MeshDefects mesh_defects(const TriangleMesh& mesh) {
   std::sort(defects.duplicate_vertices.begin(), defects.duplicate_vertices.end());
   for (VertexTriple& triangle : joined.triangles)
     for (std::size_t& v : triangle) v = first[v];
-  defects.crossing = crossing_triangles(joined, most_crossings);
+  defects.crossing = crossing_triangles(joined, most_crossings.count());
   return defects;
 }
 

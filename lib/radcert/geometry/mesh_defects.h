@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/core/work_limit.h"
 #include "radcert/geometry/triangle_mesh.h"
 
 namespace radcert {
@@ -24,7 +25,7 @@ struct MeshDefects {
   std::vector<std::pair<std::size_t, std::size_t>> crossing;
 };
 
-inline constexpr std::size_t most_crossings = 1000;
+extern const WorkLimit most_crossings;
 
 [[nodiscard]] MeshDefects mesh_defects(const TriangleMesh& mesh);
 

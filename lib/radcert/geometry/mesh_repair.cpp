@@ -126,7 +126,7 @@ void mend_crossings(TriangleMesh& mesh, std::vector<std::string>& done) {
   std::size_t dropped = 0;
   while (true) {
     std::set<std::size_t> crossing;
-    for (const auto& [first, second] : crossing_triangles(mesh, most_crossings))
+    for (const auto& [first, second] : crossing_triangles(mesh, most_crossings.count()))
       crossing.insert({first, second});
     if (crossing.empty()) break;
     dropped += keep_triangles(mesh, [&](std::size_t k) { return !crossing.contains(k); });

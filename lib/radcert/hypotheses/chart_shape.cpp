@@ -5,6 +5,8 @@
 #include <array>
 #include <deque>
 
+#include "radcert/core/work_limit.h"
+
 namespace radcert {
 namespace {
 
@@ -33,13 +35,13 @@ std::string not_an_identity(const ExactFunction& f) {
   return f.is_known() ? "does not hold" : "is not shown: the formula is not one of powers and simple roots";
 }
 
-/// Boxes that a sign over one domain may take.
-constexpr std::size_t most_boxes = 20000;
+const WorkLimit boxes_of_a_sign("hypotheses/chart_shape: boxes of a sign over a domain", 20000, 1,
+                                "the stated shape counts as not proved");
 
 /// Whether a number is positive on all frames of a chart, by balls over boxes.
 bool is_positive(const Chart& chart, std::size_t& boxes,
                  const std::function<Ball(const Frame<Ball>&)>& number) {
-  return boxes_left(chart, most_boxes, boxes,
+  return boxes_left(chart, boxes_of_a_sign.count(), boxes,
                     [&](const Frame<Ball>& over) { return certainly_positive(number(over)); }) == 0;
 }
 

@@ -5,17 +5,21 @@
 #include <cmath>
 #include <vector>
 
+#include "radcert/core/work_limit.h"
 #include "radcert/hypotheses/chart_patch.h"
 
 namespace radcert {
 namespace {
 
-constexpr long witness_bits = 192;
-constexpr std::size_t lattice_points = 1500;
+const WorkLimit witness_bits("hypotheses/chart_witness: bits of a witness", 192, BallPrecision::smallest_bits,
+                             "no witness: the pair of points refutes nothing");
+const WorkLimit lattice_points("hypotheses/chart_witness: points of the lattices", 1500, 1,
+                               "fewer pairs of points are looked at: what they miss stays undecided");
 /// A product of a lattice below the rounding of its points in doubles would be confirmed by chance only.
 constexpr double rounding = 1e-13;
 /// Halvings of a step that is at most as long as the domain: beyond it doubles do not tell parameters apart well.
-constexpr int halvings = 40;
+const WorkLimit halvings("hypotheses/chart_witness: halvings of a step", 40, 0,
+                         "no witness: the surface stays undecided");
 
 struct LatticePoint {
   std::size_t chart;
@@ -34,7 +38,7 @@ std::vector<LatticePoint> lattice_of(const Surface& surface) {
   const auto points = [&](int n) {
     return surface.chart_count() * static_cast<std::size_t>(n + 1) * static_cast<std::size_t>(n + 1);
   };
-  while (intervals > 2 && points(intervals) > lattice_points) intervals /= 2;
+  while (intervals > 2 && points(intervals) > lattice_points.count()) intervals /= 2;
   std::vector<LatticePoint> lattice;
   for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
     for (int i = 0; i <= intervals; ++i)
@@ -90,7 +94,7 @@ std::optional<ChartWitness> dent_at(const Surface& surface, const LatticePoint& 
   const auto direction = hollow_direction(surface.charts[p.chart], p);
   if (!direction) return std::nullopt;
   double step = 0.5;
-  for (int k = 0; k < halvings / 2; ++k, step /= 2)
+  for (int k = 0; k < halvings.value() / 2; ++k, step /= 2)
     for (const double along : {step, -step}) {
       const ParameterPoint<double> q = p.at + along * *direction;
       if (!is_in_domain(q, surface.charts[p.chart].facts().domain)) continue;
@@ -101,7 +105,7 @@ std::optional<ChartWitness> dent_at(const Surface& surface, const LatticePoint& 
 
 std::optional<ChartWitness> crease_at(const Surface& surface, const LatticePoint& p, const LatticePoint& q) {
   double step = 0.5;
-  for (int k = 0; k < halvings; ++k, step /= 2) {
+  for (int k = 0; k < halvings.value(); ++k, step /= 2) {
     const ParameterPoint<double> inner_p = p.at + step * (centre_of(surface, p.chart) - p.at);
     const ParameterPoint<double> inner_q = q.at + step * (centre_of(surface, q.chart) - q.at);
     if (auto found = witness_at(surface, p.chart, inner_p, q.chart, inner_q)) return found;
@@ -115,7 +119,7 @@ std::optional<ChartWitness> witness_at(const Surface& surface, std::size_t chart
                                        const ParameterPoint<double>& p, std::size_t chart_q,
                                        const ParameterPoint<double>& q) {
   if (!has_balls(surface.charts[chart_p]) || !has_balls(surface.charts[chart_q])) return std::nullopt;
-  const BallPrecision precision(witness_bits);
+  const BallPrecision precision(witness_bits.value());
   const Frame<Ball> at_p = surface.charts[chart_p].in<Ball>().frame({Ball(p.s), Ball(p.t)});
   const Frame<Ball> at_q = surface.charts[chart_q].in<Ball>().frame({Ball(q.s), Ball(q.t)});
   const Ball product = dot(at_q.point - at_p.point, at_p.area_normal);
@@ -165,7 +169,7 @@ std::optional<ChartWitness> witness_nearby(const Surface& surface) {
 }
 
 double relative_depth(const Surface& surface, const ChartWitness& witness) {
-  const BallPrecision precision(witness_bits);
+  const BallPrecision precision(witness_bits.value());
   const Ball depth = -witness.product / norm(witness.inner_normal);
   return depth.to_double() / diagonal_of(lattice_of(surface));
 }

@@ -17,7 +17,11 @@ namespace radcert {
 namespace {
 
 /// Enough for boxes as small as bisection makes them: what is decided has a margin far above the rounding.
-constexpr long box_bits = 64;
+const WorkLimit box_bits("hypotheses/convex_containment: bits of boxes", 64, BallPrecision::smallest_bits,
+                         "undecided: wide balls settle nothing");
+/// A condition on Q alone is decided by few boxes or not at all.
+const WorkLimit boxes_of_a_condition("hypotheses/convex_containment: boxes of a condition on Q", 2000, 1,
+                                     "not settled this way: pairs of boxes are tried");
 
 /// A chart with what is known of it.
 struct KnownChart {
@@ -128,8 +132,7 @@ private:
 
   Settled over_boxes(KnownChart& of_q, const std::string& how,
                      const std::function<bool(const Frame<Ball>&)>& holds) {
-    // A condition on Q alone is decided by few boxes or not at all.
-    constexpr std::size_t most_boxes = 2000;
+    const std::size_t most_boxes = boxes_of_a_condition.count();
     const std::size_t left = boxes_left(*of_q.chart, std::min(limit(), most_boxes), result_.boxes, holds);
     return left == 0 ? Settled{.how = how} : Settled{.how = "", .boxes_left = left};
   }
@@ -166,6 +169,11 @@ std::string what_is_left(const Surface& surface, const std::vector<OpenPair>& op
 
 }  // namespace
 
+const WorkLimit most_boxes_a_pair("hypotheses/convex_containment: boxes of a pair of charts", 60000, 1,
+                                  "undecided, with the pairs of charts that are left");
+const WorkLimit most_containment_boxes("hypotheses/convex_containment: boxes in all", 200000, 1,
+                                       "undecided, with the pairs of charts that are left");
+
 std::string containment_word(Containment verdict) {
   switch (verdict) {
     case Containment::certified: return "certified";
@@ -186,7 +194,7 @@ ConvexContainment convex_containment(const Surface& surface, const ContainmentBu
       return result;
     }
   if (auto witness = witness_on_lattices(surface)) return refuted_by(surface, std::move(*witness));
-  const BallPrecision precision(box_bits);
+  const BallPrecision precision(box_bits.value());
   ConvexContainment result = Certificate(surface, budget).result();
   if (!result.open.empty() && !result.chart_witness) result.chart_witness = witness_nearby(surface);
   if (result.chart_witness) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/core/work_limit.h"
 #include "radcert/geometry/triangle_mesh.h"
 #include "radcert/surface/surface.h"
 
@@ -101,10 +102,13 @@ struct ConvexContainment {
 [[nodiscard]] ConvexContainment convex_containment(const TriangleMesh& mesh, Orientation orientation,
                                                    double unit);
 
+extern const WorkLimit most_boxes_a_pair;
+extern const WorkLimit most_containment_boxes;
+
 /// How much work a certificate may take: boxes of parameters, or pairs of them, that are looked at.
 struct ContainmentBudget {
-  std::size_t boxes_a_pair = 60000;  ///< of charts
-  std::size_t boxes = 200000;        ///< in all
+  std::size_t boxes_a_pair = most_boxes_a_pair.count();  ///< of charts
+  std::size_t boxes = most_containment_boxes.count();    ///< in all
 };
 
 /// The same for a surface of charts.

@@ -78,7 +78,7 @@ std::optional<std::string> MeshSurvey::obstacle() const {
            " across which the triangles run against each other";
   if (!defects.crossing.empty())
     return "has triangles that cross or overlap, " + several(defects.crossing.size(), "pair", "pairs") +
-           (defects.crossing.size() == most_crossings ? " or more" : "");
+           (defects.crossing.size() == most_crossings.count() ? " or more" : "");
   if (!misoriented.empty())
     return "has " + several(misoriented.size(), "component", "components") +
            " whose inner side is not the inside of the body, the first with a corner at " +

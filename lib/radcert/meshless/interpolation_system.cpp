@@ -13,12 +13,16 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
+#include "radcert/core/work_limit.h"
 
 namespace radcert {
 namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Triplet = Eigen::Triplet<double>;
+
+const WorkLimit most_corners("meshless/interpolation_system: corners that a condition is sought at", 5, 1,
+                             "a lower bound all the same, and it is called one");
 
 // Above this, elimination fills the rest and a dense matrix is faster.
 constexpr double dense_from = 0.2;
@@ -119,8 +123,8 @@ double InterpolationSystem::condition() const {
   Eigen::VectorXd x = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
   double inverse_norm = 0;
   Eigen::Index corner = -1;
-  constexpr int most_steps = 5;
-  for (int step = 0; step < most_steps; ++step) {
+  const long most_steps = most_corners.value();
+  for (long step = 0; step < most_steps; ++step) {
     const Eigen::VectorXd y = parts_->solve(x);
     const double here = y.lpNorm<1>();
     if (step > 0 && here <= inverse_norm) break;

@@ -8,6 +8,7 @@
 
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/meshless/interpolation_system.h"
 #include "radcert/meshless/sampling.h"
 #include "radcert/scalar/enclosing_text.h"
@@ -15,6 +16,10 @@
 
 namespace radcert {
 namespace {
+
+const WorkLimit points_for_areas(
+    "meshless/light_solution: points for an area", 200'000, 1000,
+    "errors of the weights as large as the last cells tell, infinite where none were compared");
 
 bool is_finite(const Matrix<double>& matrix) {
   for (std::size_t j = 0; j < matrix.columns(); ++j)
@@ -43,10 +48,12 @@ Outcome<LightWeights> light_weights(const RadialBasis& basis, const Surface& sur
     case WeightRule::neighbours: return estimated(neighbour_weights(basis));
     case WeightRule::mean_density: {
       // The area of smooth charts converges with the fourth power of the cells' size, whatever the elements do on them.
-      constexpr std::size_t points_for_areas = 200'000;
       IntegrationDemand of_area = demand;
-      of_area.most_points = std::min(of_area.most_points, points_for_areas);
-      return estimated(mean_density_weights(basis, integrate_basis(basis, surface, of_area).area));
+      of_area.most_points = std::min(of_area.most_points, points_for_areas.count());
+      const BasisIntegrals integrals = integrate_basis(basis, surface, of_area);
+      const double each = integrals.area_error / std::sqrt(static_cast<double>(basis.size()));
+      return LightWeights{.weights = mean_density_weights(basis, integrals.area),
+                          .errors = std::vector<double>(basis.size(), each)};
     }
     case WeightRule::integrated: break;
   }

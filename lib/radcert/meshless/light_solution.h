@@ -42,7 +42,9 @@ enum class CoefficientRule : std::uint8_t { as_values, interpolated };
 /// Maths     w_j = int phi_j dS, or an estimate of it
 /// Source    [psg10, section VII]; see weights.h
 /// Requires  the sites belong to the surface
-/// Result    weights, and an estimate of the error of each where the rule is `integrated`, else none. Refused: what the rule refuses
+/// Result    weights, and an estimate of the error of each where the rule is `integrated`. Those of `mean_density` err together, by the
+///           error of the area: sqrt(n) times that of each, so that the root of a sum of squares bounds what all do at once. None for
+///           the others. Refused: what the rule refuses
 /// Limits    what an estimate of w_j by its sites alone leaves out is not estimated
 struct LightWeights {
   std::vector<double> weights;

@@ -13,13 +13,15 @@
 #include <vector>
 
 #include "radcert/core/text.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/meshless/surface_cells.h"
 
 namespace radcert {
 namespace {
 
 // More cells than this would not fit beside anything else in memory.
-constexpr std::size_t most_cells = std::size_t{1} << 22U;
+const WorkLimit most_cells("meshless/sampling: cells", 1L << 22U, 1,
+                           "no sites: the separation is too small for the surface");
 
 // Covers what rounding does to an area element that is constant.
 constexpr double rounding_slack = 1 + 0x1p-20;
@@ -218,7 +220,7 @@ Outcome<SiteSet> uniform_sites(const Surface& surface, const UniformSites& choic
   if (choice.count == 0) return because("uniform sites: a count of at least 1 is needed");
   // Any size of cell gives the same distribution; on cells of no more than a division the element varies little.
   const std::optional<std::vector<SurfaceCell>> cells =
-      cells_below(surface, std::numeric_limits<double>::infinity(), most_cells);
+      cells_below(surface, std::numeric_limits<double>::infinity(), most_cells.count());
   if (!cells || cells->empty()) return because("uniform sites: a surface with charts is needed");
   return with_valid_bounds([&](double slack) {
     SiteSet sites;
@@ -234,11 +236,12 @@ Outcome<SiteSet> poisson_disk_sites(const Surface& surface, const PoissonDiskSit
   if (!(choice.separation > 0) || !std::isfinite(choice.separation))
     return because("Poisson-disk sites: the separation " + shortest(choice.separation) +
                    " is not a positive number");
-  const std::optional<std::vector<SurfaceCell>> cells = cells_below(surface, choice.separation, most_cells);
+  const std::optional<std::vector<SurfaceCell>> cells =
+      cells_below(surface, choice.separation, most_cells.count());
   if (!cells)
     return because("Poisson-disk sites: the separation " + shortest(choice.separation) +
                    " is too small for the surface: it would be cut into more than " +
-                   std::to_string(most_cells) + " cells of that size");
+                   std::to_string(most_cells.count()) + " cells of that size");
   if (cells->empty()) return because("Poisson-disk sites: a surface with charts is needed");
   return with_valid_bounds([&](double slack) { return fill(surface, *cells, choice, slack); });
 }

@@ -84,6 +84,10 @@ double mean_magnitude(std::span<const double> values) {
 
 }  // namespace
 
+const WorkLimit most_integration_points(
+    "meshless/weights: points of an integration", 20'000'000, 1,
+    "errors as large as the last cells tell, infinite where none were compared");
+
 Outcome<Ball> plane_integral(const MotherFunction& mother) {
   const Ball two_pi = Ball(2) * Ball::pi();
   switch (mother.kind) {
@@ -171,6 +175,7 @@ BasisIntegrals integrate_basis(const RadialBasis& basis, const Surface& surface,
           std::abs(fine.weights[j] - coarse.weights[j]) + typical + rounding * std::abs(fine.weights[j]);
       result.reached = result.reached && result.errors[j] <= allowed;
     }
+    result.area_error = std::abs(fine.area - coarse.area) + rounding * fine.area;
     coarse = std::move(fine);
   }
   result.weights = std::move(coarse.weights);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "radcert/core/outcome.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/meshless/radial_basis.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/surface/surface.h"
@@ -31,10 +33,12 @@ namespace radcert {
 /// 1/delta, delta = n / area everywhere. ContractViolation unless area > 0.
 [[nodiscard]] std::vector<double> mean_density_weights(const RadialBasis& basis, double area);
 
+extern const WorkLimit most_integration_points;
+
 /// How far an integration goes.
 struct IntegrationDemand {
-  double relative_error = 1e-3;          ///< of each w_j against the mean |w_j|
-  std::size_t most_points = 20'000'000;  ///< at which elements are evaluated
+  double relative_error = 1e-3;                               ///< of each w_j against the mean |w_j|
+  std::size_t most_points = most_integration_points.count();  ///< at which elements are evaluated
 };
 
 /// Integrals of basis functions over a surface.
@@ -42,7 +46,9 @@ struct BasisIntegrals {
   std::vector<double> weights;  ///< w_j
   std::vector<double> errors;   ///< an estimate of the error of each
   double area = 0;              ///< of S, by the same rule
-  double uncovered_area = 0;    ///< of the part of S where the basis has no value
+  double area_error =
+      std::numeric_limits<double>::infinity();  ///< its difference from that of the cells before
+  double uncovered_area = 0;                    ///< of the part of S where the basis has no value
   std::size_t points = 0;
   bool reached = false;  ///< whether the demand was met
 };
@@ -52,7 +58,7 @@ struct BasisIntegrals {
 /// Source    -
 /// Requires  the sites belong to the surface; demand positive, else ContractViolation
 /// Result    w_j of the finest cells; errors: the difference from the cells before, and the root mean square of
-///           these differences, and the rounding of the sums. Same bits for every number of threads
+///           these differences, and the rounding of the sums; infinite where the points did not suffice for cells to compare. Same bits for every number of threads
 /// Limits    an estimate, not a bound: elements have edges at the rim of their supports
 [[nodiscard]] BasisIntegrals integrate_basis(const RadialBasis& basis, const Surface& surface,
                                              const IntegrationDemand& demand = {});

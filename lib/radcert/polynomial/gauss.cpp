@@ -3,12 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <type_traits>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/work_limit.h"
 
 namespace radcert {
 namespace {
+
+const WorkLimit newton_steps("polynomial/gauss: steps to a zero", 60, 1, "no rule: AccuracyNotReached");
+const WorkLimit doublings("polynomial/gauss: doublings of an enclosed zero's digits", 24, 0,
+                          "the zero is not isolated: a failed ball");
 
 template <Real R>
 struct ValueAndSlope {
@@ -36,6 +43,11 @@ ValueAndSlope<R> jacobi(int n, int b, const R& z) {
   return now;
 }
 
+[[noreturn]] void not_found(int points) {
+  throw AccuracyNotReached("Gauss' rule of " + std::to_string(points) + " points",
+                           "its zeros were not found by " + std::to_string(newton_steps.value()) + " steps");
+}
+
 template <Real R>
 IntervalRule<R> compute(int points, int b) {
   using std::abs;
@@ -45,7 +57,7 @@ IntervalRule<R> compute(int points, int b) {
     R z = -cos(pi<R>() * (R(4 * k + 3) / R(4)) / (R(points) + R(b + 1) / R(2)));
     // Newton with the zeros already found divided out: converges to a new one from every start used here; the last two
     // steps are plain Newton, to the last digit.
-    for (int step = 0; step < 60; ++step) {
+    for (long step = 0; step < newton_steps.value(); ++step) {
       const ValueAndSlope<R> p = jacobi(points, b, z);
       R found = R(0);
       for (const R& zero : zeros) found += R(1) / (z - zero);
@@ -53,13 +65,21 @@ IntervalRule<R> compute(int points, int b) {
       z -= change;
       if (abs(change) < R(4) * unit_roundoff<R>()) break;
     }
+    R change = R(1);
     for (int step = 0; step < 2; ++step) {
       const ValueAndSlope<R> p = jacobi(points, b, z);
-      z -= p.value / p.slope;
+      change = p.value / p.slope;
+      z -= change;
     }
+    // What is left is rounding, see Result: Newton's method has squared far larger steps away.
+    if (!(abs(change) <= R(16 * points * points) * unit_roundoff<R>())) not_found(points);
     zeros.push_back(z);
   }
   std::sort(zeros.begin(), zeros.end());
+  if (!(R(-1) < zeros.front() && zeros.back() < R(1)) ||
+      std::adjacent_find(zeros.begin(), zeros.end(), [](const R& a, const R& c) { return !(a < c); }) !=
+          zeros.end())
+    not_found(points);
   IntervalRule<R> rule;
   for (const R& z : zeros) {
     const R slope = jacobi(points, b, z).slope;
@@ -74,7 +94,8 @@ Ball enclosed_zero(int points, int b, double z) {
   Ball middle(z);
   Ball step(1);
   // Each step doubles the digits: from those of a double to those of the largest precision there is.
-  for (int k = 0; k < 24 && !certainly_less(abs(step), power(Ball(2), -BallPrecision::current())); ++k) {
+  for (long k = 0;
+       k < doublings.value() && !certainly_less(abs(step), power(Ball(2), -BallPrecision::current())); ++k) {
     const ValueAndSlope<Ball> p = jacobi(points, b, middle);
     step = (p.value / p.slope).midpoint();
     middle = (middle - step).midpoint();

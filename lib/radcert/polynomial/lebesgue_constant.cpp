@@ -234,6 +234,9 @@ int sign_below_a_third(const RationalPolynomial& p) {
 
 }  // namespace
 
+const WorkLimit most_lebesgue_triangles("polynomial/lebesgue_constant: triangles", 1'000'000, 1,
+                                        "the enclosure is wider than the tolerance, and says so");
+
 LebesgueConstant lebesgue_constant(const LagrangeFunctions& functions, const Rational& tolerance,
                                    long triangle_limit) {
   expects(tolerance.sign() > 0, "tolerance > 0", named("tolerance", tolerance));

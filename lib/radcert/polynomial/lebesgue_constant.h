@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "radcert/core/work_limit.h"
 #include "radcert/polynomial/inset_family.h"
 #include "radcert/polynomial/lagrange_functions.h"
 
 namespace radcert {
+
+/// Unless a caller says otherwise.
+extern const WorkLimit most_lebesgue_triangles;
 
 /// A number between two others, and how it was found.
 struct LebesgueConstant {
@@ -27,7 +31,8 @@ struct LebesgueConstant {
 /// Limits    not reached where the limit ends the search (the enclosure holds all the same), or where the tolerance is below
 ///           10^-30 times the largest |c_kj|
 [[nodiscard]] LebesgueConstant lebesgue_constant(const LagrangeFunctions& functions,
-                                                 const Rational& tolerance, long triangle_limit = 1000000);
+                                                 const Rational& tolerance,
+                                                 long triangle_limit = most_lebesgue_triangles.value());
 
 /// The Lebesgue constant of linear interpolation at the inset nodes, for all insets at once.
 /// Maths     Lambda(alpha) = (1 + alpha)/(1 - 3 alpha), 0 <= alpha < 1/3

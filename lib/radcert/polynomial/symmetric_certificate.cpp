@@ -9,6 +9,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/matrix.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/polynomial/lattice.h"
 #include "radcert/scalar/dual.h"
 #include "radcert/scalar/real.h"
@@ -17,7 +18,8 @@ namespace radcert {
 namespace {
 
 // Sixty digits of the data, as many again for the inverse, and room for the cancellation in determinants.
-constexpr long working_bits = 512;
+const WorkLimit working_bits("polynomial/symmetric_certificate: bits", 512, BallPrecision::smallest_bits,
+                             "no certificate: the step that failed is named");
 
 // e_2^two e_3^three.
 struct Invariant {
@@ -249,7 +251,7 @@ Outcome<SymmetricCertificate> certify(const SymmetricNodes& nodes, const Rationa
   expects(radius.sign() > 0, "radius > 0", named("radius", radius));
   expects(nodes.precision >= nodes.degree, "precision >= degree: the rule is interpolatory",
           named("precision", nodes.precision), named("degree", nodes.degree));
-  const BallPrecision scope(working_bits);
+  const BallPrecision scope(working_bits.value());
   const std::size_t count = polynomial_dimension(nodes.degree);
   if (nodes.nodes().size() != count)
     return because(std::to_string(nodes.nodes().size()) + " nodes in place of " + std::to_string(count));

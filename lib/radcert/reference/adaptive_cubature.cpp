@@ -6,12 +6,15 @@
 #include <cmath>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
 
 namespace radcert::reference {
 namespace {
 
-constexpr double tolerance = 4e-14;         // what the adaptive rule aims at, relative to Int |G u|
-constexpr std::size_t region_limit = 4000;  // a density that is not smooth must not run for ever
+constexpr double tolerance = 4e-14;  // what the adaptive rule aims at, relative to Int |G u|
+// A density that is not smooth must not run for ever.
+const WorkLimit region_limit("reference/adaptive_cubature: regions", 4000, 0,
+                             "what is left of the estimated errors goes into the radius");
 constexpr double rounding = 32 * roundoff;  // of one G J u and of its share in the sum, relatively
 
 constexpr std::size_t lanes = Pack::lanes;
@@ -162,7 +165,8 @@ void AdaptiveCubature::refine() {
   resum();
   if (error <= allowed) return;
   std::make_heap(regions_.begin(), regions_.end(), less);
-  while (regions_.size() < region_limit) {
+  const std::size_t most = region_limit.count();
+  while (regions_.size() < most) {
     if (error <= allowed) {
       resum();
       if (error <= allowed) return;

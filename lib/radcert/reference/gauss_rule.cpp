@@ -4,13 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/scalar/pack.h"
+#include "radcert/scalar/real.h"
 
 namespace radcert::reference {
 namespace {
+
+const WorkLimit newton_steps("reference/gauss_rule: steps to a zero", 6, 0, "no rule: AccuracyNotReached");
 
 /// P_0(x) ... P_n(x) by the recurrence of Legendre's polynomials.
 using Values = std::array<long double, GaussRule::largest + 1>;
@@ -34,12 +40,18 @@ Zero zero(std::size_t n, std::size_t i) {
   const auto degree = static_cast<long double>(n);
   Zero z{std::cos(std::numbers::pi_v<long double> * (static_cast<long double>(i) + 0.75L) / (degree + 0.5L)),
          1};
-  for (int step = 0; step < 6;
-       ++step) {  // Newton's method doubles the digits of a guess that has two; the slope is one step behind
+  long double change = 1;
+  // Newton's method doubles the digits of a guess that has two; the slope is one step behind.
+  for (long step = 0; step < newton_steps.value(); ++step) {
     const Values p = legendre(n, z.x);
     z.slope = degree * (p[n - 1] - z.x * p[n]) / (1 - z.x * z.x);
-    z.x -= p[n] / z.slope;
+    change = p[n] / z.slope;
+    z.x -= change;
   }
+  if (!(std::abs(change) <= 16 * degree * degree * unit_roundoff<long double>()))
+    throw AccuracyNotReached(
+        "Gauss' rule of " + std::to_string(n) + " points",
+        "its zeros were not found by " + std::to_string(newton_steps.value()) + " steps");
   return z;
 }
 

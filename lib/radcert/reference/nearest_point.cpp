@@ -6,7 +6,17 @@
 #include <cstddef>
 #include <limits>
 
+#include "radcert/core/work_limit.h"
+
 namespace radcert::reference {
+namespace {
+
+const WorkLimit most_steps("reference/nearest_point: steps", 30, 0,
+                           "a point that is not the nearest: no value depends on it");
+const WorkLimit most_halvings("reference/nearest_point: halvings of a step", 8, 1,
+                              "the search ends: no value depends on it");
+
+}  // namespace
 
 Parameters nearest_on_side(const Parameters& from, const Parameters& to, const Parameters& centre,
                            const Parameters& target, const TangentPlane& plane) {
@@ -53,12 +63,12 @@ Parameters nearest_to(const Vector<double>& p, const ChartIn<double>& chart, con
     frame = other;
     distance = norm(other.point - p);
   }
-  for (int step = 0; step < 30; ++step) {
+  for (long step = 0; step < most_steps.value(); ++step) {
     const TangentPlane plane(frame.tangent_s, frame.tangent_t);
     const Parameters goal = nearest_in_polygon(polygon, best, plane.projection(p - frame.point), plane);
     Parameters move = goal - best;
     bool nearer = false;
-    for (int halving = 0; halving < 8 && !nearer; ++halving, move = 0.5 * move) {
+    for (long halving = 0; halving < most_halvings.value() && !nearer; ++halving, move = 0.5 * move) {
       const Parameters candidate = halving == 0 ? goal : best + move;
       const Frame<double> other = chart.frame(candidate);
       const double candidate_distance = norm(other.point - p);

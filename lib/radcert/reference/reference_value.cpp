@@ -8,10 +8,14 @@
 
 #include "radcert/closed_form/raised_precision.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/reference/values/families.h"
 
 namespace radcert::reference {
 namespace {
+
+const WorkLimit precision_of_formulas("reference/reference_value: bits of a formula for each bit wanted", 64,
+                                      1, "refused, with the ball reached");
 
 Rational power_of_ten(int exponent) { return power(Rational(10), exponent); }
 
@@ -102,7 +106,7 @@ Route by_formula(std::string how, std::function<Ball(const Arguments&)> f) {
   route.enclose = [f = std::move(f)](const Arguments& arguments, const Rational& radius) {
     const long wanted = bits_for(radius);
     return at_raised_precision(
-        wanted + 32, 64 * (wanted + 32), [&] { return f(arguments); },
+        wanted + 32, precision_of_formulas.value() * (wanted + 32), [&] { return f(arguments); },
         [&radius](const Ball& value) { return certainly_at_most(value.radius_ball(), Ball(radius)); });
   };
   return route;

@@ -4,16 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
+#include "radcert/core/text.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/polynomial/gauss.h"
 
 namespace radcert::reference {
 namespace {
 
 /// The rounds of Neumann's series contract by less than (radius/height)^2 albedo^2; this many serve down to contractions of 0.99.
-constexpr int most_rounds = 12000;
+const WorkLimit most_rounds("reference/sphere_over_disk: rounds of Neumann's series", 12000, 1,
+                            "no solution: AccuracyNotReached with the last change");
 
 template <Real R>
 R cosine_of_latitude(const R& t) {
@@ -244,7 +249,7 @@ void SphereOverDisk<R>::solve() {
     return largest;
   };
   R last(0);
-  for (rounds_ = 1; rounds_ <= most_rounds; ++rounds_) {
+  for (rounds_ = 1; rounds_ <= most_rounds.value(); ++rounds_) {
     const R sphere_change = update(of_sphere, disk_, sphere_);
     const R change = larger_of(sphere_change, update(of_disk, sphere_, disk_));
     // Rounding is reached where the change, small already, no longer falls.
@@ -252,6 +257,9 @@ void SphereOverDisk<R>::solve() {
     if (certainly_zero(change) || (small && !certainly_less(change, last))) return;
     last = change;
   }
+  throw AccuracyNotReached("the sphere over the disk",
+                           "the parts change by " + shortest(nearest_double(last)) + " in round " +
+                               std::to_string(rounds_ - 1) + " of Neumann's series, the last one");
 }
 
 template <Real R>

@@ -99,7 +99,8 @@ struct SphereOverDiskRule {
 ///           side is evaluated (Nystrom's interpolation)
 /// Source    [psg10, (20)-(21)]
 /// Requires  allows(scene), 2 <= nodes, 2 <= points <= 192, else ContractViolation
-/// Result    rounded; how far it has converged shows by comparison with a finer rule
+/// Result    rounded; how far it has converged shows by comparison with a finer rule. AccuracyNotReached where Neumann's series
+///           has not come down to rounding after 12000 rounds: it contracts by less than (radius/height)^2 albedo^2
 /// Limits    nothing is proved. Where the sphere comes close to the disk, (height - radius)/radius << 1, more nodes are needed.
 ///           Arithmetics: double, Mpfr<50>
 template <Real R>

@@ -7,6 +7,8 @@
 #include <memory>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/reference/sphere_over_disk_cubature.h"
 #include "radcert/reference/values/families.h"
 #include "radcert/scalar/ball.h"
@@ -18,7 +20,8 @@ using Digits = Mpfr<50>;
 using Part = SphereOverDiskPoint::Part;
 
 /// Finer discretisations bring no digits any more: their Gauss rules end at 192 points.
-constexpr int most_nodes = 96;
+const WorkLimit most_nodes_a_panel("reference/sphere_over_disk_value: nodes a panel", 96, 2,
+                                   "refused, with the difference of the last two discretisations");
 constexpr int points_of(int nodes) { return 2 * nodes; }
 
 /// The steps of the double exponential rules: at 16 points a unit their error is below that of double.
@@ -94,8 +97,10 @@ const std::string& sphere_over_disk_second_route() {
   return how;
 }
 
-Outcome<std::vector<EstimatedRadiance>> estimate(const SphereOverDiskScene& scene,
-                                                 std::span<const SphereOverDiskPoint> points, int digits) {
+namespace {
+
+Outcome<std::vector<EstimatedRadiance>> estimated(const SphereOverDiskScene& scene,
+                                                  std::span<const SphereOverDiskPoint> points, int digits) {
   expects(1 <= digits && digits <= most_sphere_over_disk_digits, "1 <= digits <= 24",
           named("digits", digits));
   for (const SphereOverDiskPoint& point : points)
@@ -109,6 +114,7 @@ Outcome<std::vector<EstimatedRadiance>> estimate(const SphereOverDiskScene& scen
   int nodes = 8 + 2 * digits;
   auto coarse = std::make_unique<SphereOverDisk<Digits>>(scene, rule_with(nodes));
   int coarse_nodes = nodes;
+  const int most_nodes = static_cast<int>(most_nodes_a_panel.value());
   for (nodes += 8;; nodes = std::min(most_nodes, nodes * 4 / 3)) {
     auto fine = std::make_unique<SphereOverDisk<Digits>>(scene, rule_with(nodes));
     out.clear();
@@ -142,6 +148,17 @@ Outcome<std::vector<EstimatedRadiance>> estimate(const SphereOverDiskScene& scen
                      out[i].second.to_text());
   }
   return out;
+}
+
+}  // namespace
+
+Outcome<std::vector<EstimatedRadiance>> estimate(const SphereOverDiskScene& scene,
+                                                 std::span<const SphereOverDiskPoint> points, int digits) {
+  try {
+    return estimated(scene, points, digits);
+  } catch (const AccuracyNotReached& refusal) {
+    return because(refusal.what());
+  }
 }
 
 std::vector<CurvePoint> curves(const SphereOverDiskScene& scene, int count) {

@@ -14,11 +14,15 @@
 #include <gmp.h>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/scalar/ball_access.h"
 
 namespace radcert {
 
 namespace {
+
+const WorkLimit most_bits("scalar/dilogarithm: bits for a rounded value", 65536, BallPrecision::smallest_bits,
+                          "refused: ContractViolation names the angle");
 
 // Bernoulli's numbers B_2, B_4, ... as numerator and denominator. With |u| <= 1.26 the first term left out is below
 // 2 (1.26 / (2 pi))^26 / 27 < 2^-61 of the sum, in either series.
@@ -155,8 +159,7 @@ Ball at_point(const Ball& radius, const Ball& angle) {
 /// Bits that the value loses against 1 where the angle is near a multiple of pi.
 long lost_bits(const Ball& angle) {
   const double size = abs(sin(angle)).lower_double();
-  constexpr long most = 1100;  // doubles reach down to 2^-1074
-  return size > 0 ? std::clamp<long>(-std::ilogb(size), 0, most) : BallPrecision::current();
+  return size > 0 ? std::max<long>(-std::ilogb(size), 0) : BallPrecision::current();
 }
 
 template <int Digits>
@@ -165,9 +168,15 @@ Mpfr<Digits> rounded(const Mpfr<Digits>& radius, const Mpfr<Digits>& angle) {
           "0 <= radius <= 1, a finite angle", named("radius", radius), named("angle", angle));
   const Rational exact_radius = radius.to_rational();
   const Rational exact_angle = angle.to_rational();
-  // at_point gives the midpoint as many correct bits as the precision, up to a few: sixteen make them good for rounding.
-  const BallPrecision precision(Mpfr<Digits>::bits + 32);
-  const Ball value = dilogarithm_imaginary(Ball(exact_radius), Ball(exact_angle));
+  // Sixteen bits beyond those of the result make the midpoint good for rounding.
+  long bits = Mpfr<Digits>::bits + 32;
+  Ball value;
+  for (bool enough = false; !enough; bits *= 2) {
+    expects(bits <= most_bits.value(), "an angle not so near to a multiple of pi", named("angle", angle));
+    const BallPrecision precision(bits);
+    value = dilogarithm_imaginary(Ball(exact_radius), Ball(exact_angle));
+    enough = value.is_finite() && (value.is_exact() || value.accurate_bits() >= Mpfr<Digits>::bits + 16);
+  }
   fmpq_t quotient;
   mpq_t copy;
   fmpq_init(quotient);

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "radcert/core/work_limit.h"
+
 namespace radcert {
 namespace {
 
@@ -14,8 +16,9 @@ const std::array<Rational, 2>& constant_exponents() {
   return zeros;
 }
 
-/// Beyond this degree Bernstein's coefficients are not computed: their number grows with its square.
-constexpr long highest_bernstein_degree = 64;
+/// The number of coefficients grows with its square.
+const WorkLimit highest_bernstein_degree("surface/exact_function: degree of Bernstein's coefficients", 64, 0,
+                                         "the sign is not shown: boxes are tried");
 
 void add_to(PowerSum& sum, const std::array<Rational, 2>& exponents, const Rational& coefficient) {
   const auto [at, added] = sum.try_emplace(exponents, coefficient);
@@ -120,10 +123,11 @@ std::optional<WholePowers> whole_powers(const PowerSum& sum, ParameterRegion reg
       if (!(scale[i] * exponents[i]).is_integer()) scale[i] *= (scale[i] * exponents[i]).denominator();
   if (region == ParameterRegion::triangle && (scale[0] != 1 || scale[1] != 1)) return std::nullopt;
   WholePowers result;
+  const long highest = highest_bernstein_degree.value();
   for (const auto& [exponents, coefficient] : sum) {
     const std::optional<long> i = (scale[0] * exponents[0]).to_long();
     const std::optional<long> j = (scale[1] * exponents[1]).to_long();
-    if (!i || !j || *i > highest_bernstein_degree || *j > highest_bernstein_degree) return std::nullopt;
+    if (!i || !j || *i > highest || *j > highest) return std::nullopt;
     result.exponents.push_back({*i, *j});
     result.coefficients.push_back(coefficient);
     result.degrees = {std::max(result.degrees[0], *i), std::max(result.degrees[1], *j)};

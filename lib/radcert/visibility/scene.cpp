@@ -124,7 +124,7 @@ std::vector<SceneFault> scene_faults(const TriangleMesh& mesh) {
     }
   }
   const std::vector<std::size_t> planes = planes_of(sound);
-  for (const auto& [i, j] : crossing_triangles(sound, most_crossings)) {
+  for (const auto& [i, j] : crossing_triangles(sound, most_crossings.count())) {
     const std::size_t first = number[i];
     const std::size_t second = number[j];
     VertexTriple s = sound.triangles[i];

@@ -16,7 +16,7 @@
 namespace radcert::verification::psg10 {
 namespace {
 
-constexpr Demand demand{.radius = 1e-24};
+const Demand demand{.radius = 1e-24};
 
 Ball beta() { return Ball(Rational(9, 10)); }
 

@@ -3,6 +3,7 @@
 // Radiosities that are known exactly, and the exponents with which they behave along an edge.
 #include "radcert/closed_form/factor_catalogue.h"
 #include "radcert/closed_form/polygon_to_polygon.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/reference/values/families.h"
 #include "radcert/reference/values/line.h"
 #include "radcert/scalar/beta_function.h"
@@ -12,6 +13,8 @@ namespace {
 
 constexpr int digits_of_a_line = 300;
 constexpr int digits_of_a_search = 100;
+const WorkLimit quarterings("reference/values/exact_solutions: quarterings towards the symbol's pole", 8, 1,
+                            "refused: no upper end was found");
 
 /// What E = exp(z) adds to itself on the unit sphere: rho/(1 - rho) times its mean.
 Enclosure sphere_by_integral(const Arguments& a, const Demand& demand) {
@@ -174,10 +177,11 @@ Outcome<Ball> exponent_by_integral(const Arguments& a, const Rational& radius) {
   Ball lower(0);  // where the symbol is rho/2 - 1 < 0
   Ball upper;
   Ball gap(1);
+  long quartered = 0;
   for (bool above = false; !above;) {
+    if (quartered++ == quarterings.value()) return because("no upper end was found below " + upper.to_text());
     gap = gap / 4;
     upper = Ball(1) - gap;
-    if (certainly_less(gap, Ball(0x1p-16))) return because("no upper end was found below " + upper.to_text());
     const Outcome<Ball> value = symbol(upper, 0, 1e-3);
     if (!value) return value;
     above = certainly_positive(*value);
