@@ -23,9 +23,9 @@ Parameters nearest_in_polygon(const Polygon& polygon, const Parameters& centre, 
 /// Maths     argmin |F(x) - P| by damped Gauss-Newton, each step the nearest point of the polygon in the tangent plane
 /// Source    -
 /// Requires  a polygon with count > 0
-/// Result    a point of the polygon up to rounding
+/// Result    a point of the polygon up to rounding; AccuracyNotReached where the steps do not end and a point may be four times as near
 /// Limits    may end in a local minimum. It is the apex of a decomposition: any point gives the right integral, this one
-///           gives it cheaply
+///           gives it cheaply, and shows the points of a rule where the kernel has its peak
 Parameters nearest_to(const Vector<double>& p, const ChartIn<double>& chart, const Polygon& polygon);
 
 /// The greatest distance of a vertex from the apex, and the apex moved onto a corner or a side that is near enough.
