@@ -256,7 +256,7 @@ R factor_in(Ball (&factor)(Declared...), const Given&... parameters) {
   } else {
     constexpr long bits = detail::significant_bits<R>() + 10;
     const Ball value = at_raised_precision(
-                           bits + 10, most_raised_bits, [&] { return factor(parameters...); },
+                           bits + 10, most_raised_bits.value(), [&] { return factor(parameters...); },
                            [](const Ball& ball) { return ball.accurate_bits() >= bits; })
                            .value();
     return detail::nearest<R>(value);

@@ -14,6 +14,7 @@
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/closed_form/twofold.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/scalar/mpfr_real.h"
 
 namespace radcert {
@@ -23,6 +24,10 @@ namespace {
 using Wide = Mpfr<50>;
 
 constexpr double unit = 0x1p-53;
+const WorkLimit bits_of_an_element("closed_form/plane_element: bits of a ball", 1L << 14U,
+                                   BallPrecision::smallest_bits, "refused: ContractViolation");
+const WorkLimit pieces_of_an_element("closed_form/plane_element: pieces of a rule", 200, 0,
+                                     "no rule: balls serve");
 /// The part of the error allowed that a rule's truncation may take.
 constexpr double truncation_part = 0.05;
 /// Bounds the length of a normal whose largest part is scaled to [1, 2).
@@ -705,7 +710,7 @@ PlaneElement::Prepared::GeometryErrors PlaneElement::Prepared::geometry_errors(
 }
 
 bool PlaneElement::Prepared::by_rule(const Eye& eye, bool whole_triangles, std::span<double> values) const {
-  constexpr std::size_t many = 200;
+  const std::size_t many = pieces_of_an_element.count();
   const Permitted& permitted = whole_triangles ? permitted_whole_ : permitted_parts_;
   if (permitted.ratio == 0) return false;
   std::vector<KernelPiece>& pieces = scratch().pieces;
@@ -799,9 +804,9 @@ PlaneElement::Route PlaneElement::Prepared::by_balls(const Vector<double>& p, co
   const Vector<Rational> exact_normal = exactly(normal);
   const Ball smallest_half = Ball(std::numeric_limits<double>::denorm_min()) / 2;
   constexpr long first_bits = 128;
-  constexpr long most_bits = 1L << 14;
+  const long most_bits = bits_of_an_element.value();
   for (long bits = first_bits;; bits *= 2) {
-    expects(bits <= most_bits, "2^14 bits suffice", named("bits", bits));
+    expects(bits <= most_bits, "an integral that so many bits enclose", named("bits", bits));
     const BallPrecision precision(bits);
     const std::vector<Ball> moments =
         point_to_polygon_moments<Ball>(exact_p, exact_normal, polygon_, degree_);

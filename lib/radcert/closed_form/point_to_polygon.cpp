@@ -249,6 +249,9 @@ Ball integral(const Setting& setting, const PlanePolynomial<Rational>& q) {
 
 }  // namespace
 
+const WorkLimit most_bits_of_a_point("closed_form/point_to_polygon: bits", 1L << 16U,
+                                     BallPrecision::smallest_bits, "refused, with the ball reached");
+
 Ball point_to_polygon(const Vector<Rational>& p, const Vector<Rational>& normal, const PlanePolygon& polygon,
                       const PlanePolynomial<Rational>& q, BehindTangentPlane behind) {
   expect_degree(q.degree());

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "radcert/core/outcome.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/geometry/plane_polygon.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/polynomial/plane_polynomial.h"
@@ -13,6 +14,9 @@
 #include "radcert/scalar/real.h"
 
 namespace radcert {
+
+/// Of point_to_polygon_within, unless a caller says otherwise.
+extern const WorkLimit most_bits_of_a_point;
 
 /// What becomes of the part of a polygon that lies behind the tangent plane of P.
 enum class BehindTangentPlane {
@@ -47,7 +51,7 @@ enum class BehindTangentPlane {
                                                     const PlanePolygon& polygon,
                                                     const PlanePolynomial<Rational>& q,
                                                     BehindTangentPlane behind = BehindTangentPlane::left_out,
-                                                    long most_bits = 1L << 16);
+                                                    long most_bits = most_bits_of_a_point.value());
 
 /// The same for all monomials at once.
 /// Maths     Int G s^i t^j dS, i + j <= degree, in the order of PlanePolynomial's coefficients

@@ -39,6 +39,10 @@
 //   d = m/(|n||a|),  tau = D.a/|a|,  rho = r/|a|,  and the coefficients of log w are rational.
 
 namespace radcert {
+
+const WorkLimit most_raised_bits("closed_form/raised_precision: bits", 32768, BallPrecision::smallest_bits,
+                                 "refused, with the ball reached");
+
 namespace {
 
 using Point = Vector<Rational>;
@@ -243,7 +247,8 @@ Outcome<Ball> polygon_to_polygon_within(const PlanePolygon& from, const PlanePol
   expects(radius.sign() > 0, "radius > 0", named("radius", radius));
   constexpr long first_bits = 128;  // fewer cost hardly less
   return at_raised_precision(
-      first_bits, most_raised_bits, [&] { return polygon_to_polygon(from, to); },
+      std::min(first_bits, most_raised_bits.value()), most_raised_bits.value(),
+      [&] { return polygon_to_polygon(from, to); },
       [&](const Ball& factor) { return certainly_at_most(factor.radius_ball(), Ball(radius)); });
 }
 

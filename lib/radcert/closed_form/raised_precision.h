@@ -6,6 +6,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/outcome.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/scalar/ball.h"
 
 namespace radcert {
@@ -13,7 +14,7 @@ namespace radcert {
 /// Where the search for a precision ends unless told otherwise. Bits are lost in proportion to the logarithm
 /// of the ratio of lengths; for 10^800, the most that decimals from 1e-400 to 1e400 allow,
 /// opposed_rectangles, which loses the fourth power, is narrow at 18688 bits and not at 9344.
-inline constexpr long most_raised_bits = 32768;
+extern const WorkLimit most_raised_bits;
 
 /// One value at growing precision, until its ball is good enough.
 /// Maths     evaluate() at bits, 2 bits, 4 bits, ... <= most_bits; the first ball that accept() takes
