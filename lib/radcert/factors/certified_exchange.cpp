@@ -79,6 +79,9 @@ std::vector<std::vector<const Solid*>> groups(const FacetScene& scene, std::size
 
 }  // namespace
 
+const WorkLimit most_evaluations_of_a_shadow("factors/certified_exchange: evaluations of a shadow", 60'000, 1,
+                                             "the ball reached, or all between nothing and the whole");
+
 Ball certified_area(const FacetScene& scene, std::size_t triangle) {
   return area_of(exact_corners(scene.facet(triangle)));
 }

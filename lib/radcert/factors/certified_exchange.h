@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "radcert/core/work_limit.h"
 #include "radcert/factors/facet_scene.h"
 #include "radcert/scalar/ball.h"
 
 namespace radcert {
 
+extern const WorkLimit most_evaluations_of_a_shadow;
+
 /// What a guaranteed exchange area may cost.
 struct CertifiedDemand {
-  double radius = 1e-10;     ///< wanted of each shadow's integral, relative to the receiver's area
-  long work_limit = 60'000;  ///< evaluations for each shadow: some seconds
+  double radius = 1e-10;  ///< wanted of each shadow's integral, relative to the receiver's area
+  long work_limit = most_evaluations_of_a_shadow.value();  ///< evaluations for each shadow: some seconds
 };
 
 /// The direct exchange area of two triangles between which others may stand, enclosed.

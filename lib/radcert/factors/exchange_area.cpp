@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/polynomial/conical_rule.h"
 #include "radcert/polynomial/gauss.h"
 #include "radcert/scalar/pack_functions.h"
@@ -19,6 +20,11 @@ namespace {
 using Point = Vector<double>;
 
 constexpr double rounding = 0x1p-52;
+
+const WorkLimit deepest("factors/exchange_area: halvings of an edge", 60, 0,
+                        "the difference of two rules goes into the radius");
+const WorkLimit most_points("factors/exchange_area: points of a rule for far polygons", 12, 2,
+                            "the rate of convergence reached goes into the radius");
 
 // The rule on an edge: eight points fill a pack.
 struct EdgeRule {
@@ -66,14 +72,14 @@ public:
       for (std::size_t k = i; k > 1 && ends[k] < ends[k - 1]; --k) std::swap(ends[k], ends[k - 1]);
     Estimate sum;
     for (std::size_t k = 0; k + 1 < ends.size(); ++k)
-      if (ends[k] < ends[k + 1]) sum += over(ends[k], ends[k + 1], by_rule(ends[k], ends[k + 1]), deepest);
+      if (ends[k] < ends[k + 1])
+        sum += over(ends[k], ends[k + 1], by_rule(ends[k], ends[k + 1]), deepest.value());
     // The logarithms and angles err by a few roundings, tau and rho by those of the unit of length.
     sum.radius += 4 * rounding * (largest_ + 1) / length_;
     return sum;
   }
 
 private:
-  static constexpr int deepest = 60;
   /// In the units of I, of which A F takes |a.b| / (4 pi): below what rounding leaves.
   static constexpr double tolerance = 0x1p-52;
   /// Halves of analytic cells are 2^16 times as accurate as the whole, those at a singular end s log s four
@@ -99,12 +105,14 @@ private:
     return (to - from) / length_ * (inner * edge_rule().weights).sum();
   }
 
-  Estimate over(double from, double to, double whole, int depth) {
+  Estimate over(double from, double to, double whole, long depth) {
     const double middle = from + (to - from) / 2;
     const double low = by_rule(from, middle);
     const double high = by_rule(middle, to);
     const double difference = std::abs(low + high - whole);
-    if (difference <= acceptance || depth == 0) return {low + high, difference / 4};
+    if (difference <= acceptance) return {low + high, difference / 4};
+    // That a quarter will do is not known where the cells are not what the argument takes them for.
+    if (depth == 0) return {low + high, difference};
     Estimate sum = over(from, middle, low, depth - 1);
     sum += over(middle, to, high, depth - 1);
     return sum;
@@ -176,7 +184,7 @@ FarOrder far_order(double distance, double first, double second) {
   const double rho = z + std::sqrt(std::max(z * z - 1, 0.0));
   constexpr double growth = 16;
   constexpr double wanted = 0x1p-47;
-  constexpr int most = 12;
+  const auto most = static_cast<int>(most_points.value());
   int order = 2;
   double error = growth * std::pow(rho, -2.0 * order);
   while (error > wanted && order < most) error = growth * std::pow(rho, -2.0 * ++order);

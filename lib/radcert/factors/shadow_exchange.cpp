@@ -367,6 +367,9 @@ private:
 
 }  // namespace
 
+const WorkLimit most_shadow_evaluations("factors/shadow_exchange: evaluations", 2'000'000, 1,
+                                        "the ball reached, or none where nothing was bounded");
+
 std::optional<Ball> shadow_exchange_area(const ExactCorners& receiver, const ExactCorners& source,
                                          const ExactCorners& occluder, OccludingSide side,
                                          const ShadowDemand& demand) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "radcert/core/work_limit.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/rational.h"
@@ -16,10 +17,12 @@ using ExactCorners = std::vector<Vector<Rational>>;
 /// From where an occluder hides something.
 enum class OccludingSide { both, front };
 
+extern const WorkLimit most_shadow_evaluations;
+
 /// What is asked of the enclosure of a shadow.
 struct ShadowDemand {
   double radius = 1e-12;  ///< of the exchange area
-  long work_limit = 2'000'000;
+  long work_limit = most_shadow_evaluations.value();
 };
 
 /// The direct exchange area that one convex occluder keeps back, enclosed.
