@@ -11,6 +11,7 @@
 #include "radcert/collocation/integral_from_within.h"
 #include "radcert/collocation/kernel_rule.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
 
 namespace radcert {
 namespace {
@@ -24,6 +25,10 @@ constexpr double down = 1 - 0x1p-40;
 constexpr long ball_bits = 64;
 
 constexpr std::size_t order_count = GaussOrders::orders.size();
+/// A point of another element's inside is resolved long before.
+const WorkLimit deepest("collocation/certified_kernel_sums: quarterings of an element", 16, 0,
+                        "refused, with the point and the element");
+
 /// The places of those ellipses for which there is a Taylor model of their own.
 constexpr std::array<std::size_t, 5> modelled{0, 2, 5, 8, 10};
 
@@ -253,9 +258,6 @@ public:
   }
 
 private:
-  /// A point of another element's inside is resolved long before.
-  static constexpr int deepest = 16;
-
   bool in_same_plane(std::size_t chart) const {
     return chart == triangle_.chart ? chart_.facts().flat_in().has_value()
                                     : in_one_plane(all_.surface_.charts[chart], chart_);
@@ -280,7 +282,7 @@ private:
 
   Outcome<void> from(const Cell& cell, std::span<const std::uint32_t> list) {
     if (list.empty()) return {};
-    if (cell.depth > deepest) {
+    if (cell.depth > deepest.value()) {
       const SurfacePoint<Rational>& name = all_.names_[list.front()];
       return because(
           "the integral over an element of chart " + chart_.facts().name + " from the point (" +

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "radcert/core/work_limit.h"
 #include "radcert/kernel/geometric_kernel.h"
 
 namespace radcert {
@@ -10,7 +11,8 @@ namespace {
 
 /// More than the roundings of any bound below: each takes fewer than 2^12 operations on positive numbers.
 constexpr double up = 1 + 0x1p-40;
-constexpr int deepest = 24;
+const WorkLimit deepest("collocation/integral_from_within: halvings of a square", 24, 0,
+                        "refused, with the element");
 
 template <Field R>
 ParameterPoint<R> taken_into(const ParameterPoint<Rational>& p) {
@@ -104,7 +106,7 @@ bool IntegralFromWithin::add(const Pieces& pieces, const SquareCell& cell, doubl
     add_rule(pieces.in_doubles, cell, x, y, sums);
     return true;
   }
-  if (depth == deepest) return false;
+  if (depth >= deepest.value()) return false;
   SquareCell low = cell;
   SquareCell high = cell;
   const bool longer_in_y = cell.y_high - cell.y_low >= cell.x_high - cell.x_low;
