@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radcert/core/lazy_table.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/polynomial/gauss.h"
 #include "radcert/quadrature/bernstein.h"
 
@@ -23,9 +24,12 @@ constexpr int order_step = 6;
 constexpr int check_step_analytic = 2;
 constexpr int check_step_gathered = 6;
 constexpr double admissible_ellipse = 3.0;
-constexpr int deepest_bisection = 60;         // of a side
-constexpr int deepest_halving = 40;           // of a rectangle
-constexpr std::size_t most_rectangles = 300;  // of one observer and element
+const WorkLimit deepest_bisection("quadrature/apex_rule: bisections of a side", 60, 0,
+                                  "all that the element may hold joins the radius");
+const WorkLimit deepest_halving("quadrature/apex_rule: halvings of a rectangle", 40, 0,
+                                "all that the element may hold joins the radius");
+const WorkLimit most_rectangles("quadrature/apex_rule: rectangles", 300, 0,
+                                "all that the element may hold joins the radius");
 
 /// Points of [0,1] with their distances from both ends, free of cancellation; padded to whole blocks by zero weights.
 template <Real R>
@@ -147,7 +151,7 @@ private:
                        CheckedSums<R>& result) {
     const double rho = ellipse(triangle, m0, m1);
     if (!(rho >= admissible_ellipse)) {
-      if (depth == deepest_bisection) {
+      if (depth >= deepest_bisection_) {
         result.complete = false;
         return;
       }
@@ -183,7 +187,7 @@ private:
   void integrate_rectangle(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int across, int depth,
                            CheckedSums<R>& result) {
     CheckedSums<R> best(basis_.size());
-    if (++rectangles_ > most_rectangles) {
+    if (++rectangles_ > most_rectangles_) {
       result.complete = false;
       return;
     }
@@ -196,7 +200,7 @@ private:
         return;
       }
     }
-    if (depth >= deepest_halving) {
+    if (depth >= deepest_halving_) {
       result.complete = false;
       return;
     }
@@ -302,6 +306,9 @@ private:
   Frame<R> at_p_;
   R largest_size_{};
   std::size_t rectangles_ = 0;
+  const std::size_t most_rectangles_ = most_rectangles.count();
+  const long deepest_bisection_ = deepest_bisection.value();
+  const long deepest_halving_ = deepest_halving.value();
 };
 
 /// The lines of sight from p through the sides of the element.

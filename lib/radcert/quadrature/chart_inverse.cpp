@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/quadrature/chart_inverse.h"
 
+#include "radcert/core/work_limit.h"
+
 namespace radcert {
+namespace {
+
+const WorkLimit most_steps("quadrature/chart_inverse: steps", 30, 0,
+                           "no parameters: P is integrated as a point off the element");
+
+}  // namespace
 
 template <Real R>
 bool contains(const Cell<R>& cell, const ParameterPoint<R>& at) {
@@ -20,7 +28,7 @@ std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const Cell<R>
   const R third = R(1) / R(3);
   ParameterPoint<R> x = third * (v[0] + v[1] + v[2]);
   const R close = R(64) * unit_roundoff<R>() * extent;
-  for (int step = 0; step < 30; ++step) {
+  for (long step = 0; step < most_steps.value(); ++step) {
     const Frame<R> frame = formula.frame(x);
     const Vector<R> rest = point - frame.point;
     const R ss = dot(frame.tangent_s, frame.tangent_s);

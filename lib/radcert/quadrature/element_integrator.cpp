@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radcert/core/work_limit.h"
 #include "radcert/quadrature/bernstein.h"
 #include "radcert/quadrature/chart_inverse.h"
 
@@ -18,14 +19,17 @@ constexpr double admissible_ratio_of_whole = 1.35;
 constexpr double admissible_ratio_of_block = 2.5;
 constexpr int order_step = 3;
 /// A block whose two rules differ is tried again so often with the next finer ones.
-constexpr int most_tries = 4;
+const WorkLimit most_tries("quadrature/element_integrator: tries with finer rules", 4, 1,
+                           "the observers are integrated one by one");
 /// Each two bisections halve a piece; at this depth its corners are neighbouring doubles.
-constexpr int deepest_bisection = 104;
-/// More pieces are not looked at.
-constexpr std::size_t most_pieces = 5000;
+const WorkLimit deepest_bisection("quadrature/element_integrator: bisections", 104, 0,
+                                  "all that the element may hold joins the radius");
+const WorkLimit most_pieces("quadrature/element_integrator: pieces", 5000, 0,
+                            "all that the element may hold joins the radius");
 /// Two rules that still differ on a far piece after so many bisections differ by rounding, which no bisection mends: the
 /// difference goes into the radius.
-constexpr int most_failures = 8;
+const WorkLimit most_failures("quadrature/element_integrator: bisections of a far piece", 8, 0,
+                              "the difference of two rules goes into the radius");
 
 template <Real R>
 R largest_coordinate(const Vector<R>& p) {
@@ -126,9 +130,12 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const 
   CheckedSums<R> result(basis().size());
   const R coordinate = largest_coordinate(p.point);
   const R told_apart = least_distance(std::max(extent_, coordinate));
+  const long deepest = deepest_bisection.value();
+  const long failures = most_failures.value();
+  const std::size_t most = most_pieces.count();
   pending_.assign(1, {cell, 0, 0});
   for (std::size_t pieces = 0; !pending_.empty(); ++pieces) {
-    if (pieces == most_pieces) {
+    if (pieces == most) {
       result.complete = false;
       break;
     }
@@ -140,7 +147,7 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const 
     const auto ratio = nearest_double<R>(distance / fresh.radius);
     const bool admissible = ratio >= (whole ? admissible_ratio_of_whole : admissible_ratio);
     if (admissible && distance - fresh.radius >= told_apart) {
-      const Insistence insist = piece.failures == most_failures ? Insistence::rounding : Insistence::none;
+      const Insistence insist = piece.failures == failures ? Insistence::rounding : Insistence::none;
       const R extent = extent_for(coordinate, p.at.chart, distance + fresh.radius);
       const auto checked = try_piece(p, piece.cell, whole, ratio, extent, insist);
       if (checked) {
@@ -150,7 +157,7 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const 
       ++piece.failures;
     }
     // No part of a piece that small, and that near, is farther away than what rounding hides.
-    if (!(fresh.radius >= told_apart) || piece.depth == deepest_bisection) {
+    if (!(fresh.radius >= told_apart) || piece.depth == deepest) {
       result.complete = false;
       continue;
     }
@@ -264,8 +271,8 @@ void ElementIntegrator<R>::integrate_far_by_comparison(const ObserverBlock<R>& b
   B excess = B(R(0));
   B largest_relative = B(R(0));
   std::size_t points = 0;
-  for (int tries = 0; tries < most_tries && order + step <= ConicalRules<R>::largest_order;
-       ++tries, ++order) {
+  const long most = most_tries.value();
+  for (int tries = 0; tries < most && order + step <= ConicalRules<R>::largest_order; ++tries, ++order) {
     const Samples<R>& fine = kept(order + step);
     far_sums(block, fine, g_, far_[0]);
     far_sums(block, kept(order), g_, far_[1]);

@@ -5,10 +5,14 @@
 #include <cmath>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/quadrature/flat_rule_bound.h"
 
 namespace radcert {
 namespace {
+
+const WorkLimit sampled_steps("quadrature/integration_scheme: steps of a sampled side", 48, 1,
+                              "the largest value of a function is taken from fewer points");
 
 /// Largest and mean values of |l_j|.
 template <Real R>
@@ -19,8 +23,8 @@ struct Sizes {
   /// Over the points k/48, |k| = 48: the vertices are among them.
   explicit Sizes(const TriangleBasis<R>& basis) : largest(basis.size(), R(0)), mean(basis.size(), R(0)) {
     using std::abs;
-    constexpr int steps = 48;
-    constexpr int points = (steps + 1) * (steps + 2) / 2;
+    const auto steps = static_cast<int>(sampled_steps.value());
+    const int points = (steps + 1) * (steps + 2) / 2;
     std::vector<R> values(basis.size());
     for (int i = 0; i <= steps; ++i)
       for (int k = 0; i + k <= steps; ++k) {
