@@ -32,6 +32,9 @@ double largest_ratio(std::span<const double> x, std::span<const double> w) {
 
 }  // namespace
 
+const WorkLimit most_power_steps("solve/contraction: steps of the power method", 40, 0,
+                                 "no contraction: an iteration is refused");
+
 double Contraction::least_weight() const { return *std::min_element(weights_.begin(), weights_.end()); }
 
 double Contraction::norm(std::span<const double> x) const {
@@ -74,14 +77,14 @@ struct ContractionSearch {
     return c.theta_ < 1 ? 1 / ((1 - c.theta_) * c.least_weight()) : infinity;
   }
 
-  Outcome<Contraction, NoContraction> run(int most_steps) {
+  Outcome<Contraction, NoContraction> run(long most_steps) {
     Contraction best;
     best.weights_.assign(k.rows(), 1.0);
     best.theta_ = measure(best.weights_);
     double least_theta = best.theta_;
     double theta = best.theta_;
     Contraction now = best;
-    for (int i = 0; i < most_steps && std::isfinite(theta) && theta > 0; ++i) {
+    for (long i = 0; i < most_steps && std::isfinite(theta) && theta > 0; ++i) {
       step(now.weights_, theta);
       if (!(now.least_weight() >= std::numeric_limits<double>::min())) break;
       now.theta_ = measure(now.weights_);
@@ -97,7 +100,7 @@ struct ContractionSearch {
 };
 
 Outcome<Contraction, NoContraction> find_contraction(const Matrix<double>& k,
-                                                     std::span<const double> row_radius, int most_steps) {
+                                                     std::span<const double> row_radius, long most_steps) {
   constexpr std::size_t most_rows = std::size_t{1} << 26U;
   expects(k.rows() == k.columns() && k.rows() > 0 && k.rows() <= most_rows, "a square matrix",
           named("rows", k.rows()), named("columns", k.columns()));

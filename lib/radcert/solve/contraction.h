@@ -6,6 +6,7 @@
 
 #include "radcert/core/matrix.h"
 #include "radcert/core/outcome.h"
+#include "radcert/core/work_limit.h"
 
 namespace radcert {
 
@@ -40,6 +41,8 @@ struct NoContraction {
   double theta = 0;
 };
 
+extern const WorkLimit most_power_steps;
+
 /// Looks for weights in which K contracts.
 /// Maths     w <- (|K| + theta/2 I) w from w = 1: theta never grows, and tends to the spectral radius where |K| is
 ///           irreducible; the shift keeps w positive and lets w converge where |K| is periodic, as for two surfaces that
@@ -52,6 +55,6 @@ struct NoContraction {
 /// Limits    at most `most_steps` products: a spectral radius just below 1 may be missed
 Outcome<Contraction, NoContraction> find_contraction(const Matrix<double>& k,
                                                      std::span<const double> row_radius = {},
-                                                     int most_steps = 40);
+                                                     long most_steps = most_power_steps.value());
 
 }  // namespace radcert

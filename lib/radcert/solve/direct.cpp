@@ -4,11 +4,19 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
 
 namespace radcert {
+namespace {
+
+const WorkLimit most_corners("solve/direct: corners that the inverse's norm is sought at", 40, 1,
+                             "the norm is not known: infinity");
+
+}  // namespace
 
 /// The factors take the place of the matrix.
 struct DirectSolver::Factors {
@@ -62,8 +70,9 @@ double DirectSolver::inverse_norm_estimate() const {
   Eigen::VectorXd x = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
   double estimate = 0;
   Eigen::Index corner = -1;
-  constexpr int most_steps = 5;
-  for (int step = 0; step < most_steps; ++step) {
+  // The sums grow strictly, so that no corner comes twice.
+  for (long step = 0;; ++step) {
+    if (step == most_corners.value()) return std::numeric_limits<double>::infinity();
     const Eigen::VectorXd y = lu.transpose().solve(x);
     const double norm = y.lpNorm<1>();
     if (step > 0 && norm <= estimate) break;

@@ -29,7 +29,7 @@ public:
   /// Maths     the 1-norm of the transposed inverse by power iteration on its convex functional
   /// Source    Hager (1984), Higham (1988), as in LAPACK's condition estimators
   /// Requires  -
-  /// Result    a lower bound, seldom below a third of the norm
+  /// Result    a lower bound, seldom below a third of the norm; infinity where the search did not end
   /// Limits    an estimate: radii built on it are not guaranteed
   double inverse_norm_estimate() const;
 

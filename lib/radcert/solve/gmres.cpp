@@ -37,7 +37,7 @@ public:
   Krylov(const Matrix<double>& k, double least_weight)
       : k_(k),
         least_weight_(least_weight),
-        vectors_(k.rows(), std::min(k.rows(), krylov_dimension) + 1),
+        vectors_(k.rows(), std::min(k.rows(), krylov_dimension.count()) + 1),
         hessenberg_(vectors_.columns(), vectors_.columns()),
         right_(vectors_.columns()),
         rotations_(vectors_.columns()) {}
@@ -133,13 +133,16 @@ private:
 
 }  // namespace
 
+const WorkLimit krylov_dimension("solve/gmres: vectors", 64, 1,
+                                 "begun anew; refused with the bound reached where that stands still");
+
 Outcome<IterativeSolution, NotReached> solve_by_gmres(const Matrix<double>& k, const Contraction& contraction,
                                                       std::span<const double> e,
                                                       std::optional<double> tolerance) {
   Krylov krylov(k, contraction.least_weight());
   return iterate(k, contraction, e, tolerance,
                  {.apply = [&krylov](std::span<double> r, double goal) { return krylov(r, goal); },
-                  .reflections = krylov_dimension});
+                  .reflections = krylov_dimension.count()});
 }
 
 }  // namespace radcert

@@ -7,13 +7,14 @@
 
 #include "radcert/core/matrix.h"
 #include "radcert/core/outcome.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/solve/contraction.h"
 #include "radcert/solve/iteration.h"
 
 namespace radcert {
 
 /// The largest number of Krylov vectors that GMRES holds, the first not counted.
-inline constexpr std::size_t krylov_dimension = 64;
+extern const WorkLimit krylov_dimension;
 
 /// The collocation system by GMRES, refined until the error bound is small enough.
 /// Maths     d minimises ||r - (I - K) d||_2 over span{r, K r, ..., K^(m-1) r}, m growing until the residual has fallen to

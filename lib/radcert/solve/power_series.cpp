@@ -64,7 +64,10 @@ bool has_negative_entry(const Matrix<double>& a) {
 
 }  // namespace
 
-Outcome<NeumannSeries, NoPowerContracts> NeumannSeries::make(Matrix<double> r, int most_squarings) {
+const WorkLimit most_matrix_squarings("solve/power_series: squarings", 4, 0,
+                                      "refused: no power was shown to contract");
+
+Outcome<NeumannSeries, NoPowerContracts> NeumannSeries::make(Matrix<double> r, long most_squarings) {
   expects(r.rows() == r.columns() && r.rows() > 0, "a square matrix", named("rows", r.rows()),
           named("columns", r.columns()));
   NeumannSeries series;

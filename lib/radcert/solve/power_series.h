@@ -7,10 +7,14 @@
 
 #include "radcert/core/matrix.h"
 #include "radcert/core/outcome.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/solve/contraction.h"
 #include "radcert/solve/iteration.h"
 
 namespace radcert {
+
+/// Of a matrix whose powers are looked at, unless a caller says otherwise.
+extern const WorkLimit most_matrix_squarings;
 
 /// No power of a matrix was found to contract.
 struct NoPowerContracts {
@@ -32,8 +36,8 @@ class NeumannSeries {
 public:
   /// At most 2^most_squarings = k; ContractViolation unless R is square and not empty. The same bits for any number of threads;
   /// InputError where memory does not do; Interrupted when asked to stop.
-  [[nodiscard]] static Outcome<NeumannSeries, NoPowerContracts> make(Matrix<double> r,
-                                                                     int most_squarings = 4);
+  [[nodiscard]] static Outcome<NeumannSeries, NoPowerContracts> make(
+      Matrix<double> r, long most_squarings = most_matrix_squarings.value());
 
   [[nodiscard]] const Matrix<double>& matrix() const { return r_; }
   /// k.

@@ -10,6 +10,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/real.h"
 #include "radcert/solve/accurate_dot.h"
@@ -28,6 +29,12 @@ constexpr double upward = 1 + 8 * unit;
 constexpr std::size_t most_rows = std::size_t{1} << 26U;
 /// The columns of a product of matrices that a thread takes at a time.
 constexpr std::size_t columns_at_a_time = 64;
+
+const WorkLimit steps_to_weights("solve/verified_system: steps to weights", 40, 0,
+                                 "refused, with the least bound found");
+const WorkLimit refinements("solve/verified_system: refinements", 20, 0, "a wider radius");
+const WorkLimit steps_of_a_bound("solve/verified_system: steps of a bound", 60, 0,
+                                 "a wider radius: each step's is one");
 
 using Values = std::vector<double>;
 
@@ -130,7 +137,7 @@ Values VerifiedSystem::defect_times(std::span<const double> w) const {
 
 /// The power method for H, from |R| (|A| 1) >= |R A| 1, about 1.
 void VerifiedSystem::find_weights() {
-  constexpr int most_steps = 40;
+  const long most_steps = steps_to_weights.value();
   constexpr double small_enough = 1.0 / 16;
   const std::size_t n = size();
   Values row_sums = sizes_times(k_, Values(n, 1.0));
@@ -184,7 +191,7 @@ Outcome<VerifiedSolution> VerifiedSystem::solve(std::span<const double> e,
   Values residual(n);
   multiply(inverse_, e, x);
   Values correction = corrections(x, e, residual);
-  constexpr int most_refinements = 20;
+  const long most_refinements = refinements.value();
   double distance = largest_ratio(sizes(correction), weights_);
   for (int step = 0; step < most_refinements && distance > 0; ++step) {
     Values refined = x;
@@ -220,7 +227,7 @@ Outcome<VerifiedSolution> VerifiedSystem::solve(std::span<const double> e,
   const double size = largest_ratio(z, weights_) / (1 - theta_) * upward;
   Values bound(n);
   for (std::size_t i = 0; i < n; ++i) bound[i] = size * weights_[i] * upward + underflow;
-  constexpr int most_steps = 60;
+  const long most_steps = steps_of_a_bound.value();
   constexpr double hardly_less = 0.99;
   bool is_shrinking = true;
   for (int step = 0; step < most_steps && is_shrinking; ++step) {

@@ -25,7 +25,7 @@ MemoryPlan level_plan(std::uint64_t elements, std::uint64_t functions_per_elemen
   if (solver == SolverName::direct) plan.add("factors of I - K", squared, sizeof(double));
   if (solver == SolverName::gmres)
     plan.add("Krylov vectors", unknowns,
-             (std::min<std::uint64_t>(unknowns, krylov_dimension) + 1) * sizeof(double));
+             (std::min<std::uint64_t>(unknowns, krylov_dimension.count()) + 1) * sizeof(double));
   plan.add("row sums and vectors", unknowns, vectors_of_rows * sizeof(double));
   plan.add("nodes", unknowns, bytes_per_node_record);
   plan.add("triangles", elements, bytes_per_node_record);
