@@ -6,11 +6,15 @@
 #include <string>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {
 namespace {
+
+const WorkLimit bits_of_a_point("study/exact_interpolant: bits", 1024, BallPrecision::smallest_bits,
+                                "refused: the interpolant is not known exactly");
 
 using Point = ParameterPoint<Rational>;
 
@@ -58,8 +62,7 @@ bool interpolates(const ExactImage& exact, const std::array<Point, 3>& corners, 
 
 Outcome<void> is_exact_interpolant(const NodedSurface& data, const NodedSurface& integrals, int degree) {
   // So that products of a few doubles are not rounded.
-  constexpr long bits = 1024;
-  const BallPrecision precision(bits);
+  const BallPrecision precision(bits_of_a_point.value());
   const std::vector<ParameterTriangle>& triangles = data.triangulation.triangles;
   expects(triangles.size() == integrals.triangulation.triangles.size(), "the same elements",
           named("elements", triangles.size()));

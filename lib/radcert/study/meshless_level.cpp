@@ -11,6 +11,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/meshless/interpolation_system.h"
 #include "radcert/meshless/sampling.h"
 #include "radcert/polynomial/conical_rule.h"
@@ -29,6 +30,8 @@ namespace {
 
 /// Elements may change from one site to the next: a low order, on triangles about as small.
 constexpr int mean_order = 4;
+const WorkLimit points_of_weights("study/meshless_level: points of the weights' integrals", 1'000'000, 1000,
+                                  "the errors reached go into the radius; refused where none were");
 
 [[noreturn]] void refuse(std::string pointer, std::string value, std::string problem, std::string allowed) {
   throw InputError({.pointer = std::move(pointer),
@@ -68,8 +71,9 @@ double effect_of_weights(const Matrix<double>& n, const LightWeights& weights) {
     if (weights.weights[j] == 0) continue;
     const double relative = weights.errors[j] / weights.weights[j];
     const std::span<const double> column = n.column(j);
+    // An error that is not known has no effect where nothing is sent.
     for (std::size_t i = 0; i < column.size(); ++i)
-      squares[i] += column[i] * relative * (column[i] * relative);
+      if (column[i] != 0) squares[i] += column[i] * relative * (column[i] * relative);
   }
   return std::sqrt(largest(squares));
 }
@@ -137,12 +141,15 @@ private:
                                       "unoccluded surfaces of the catalogue, and meshes");
     // What point lights leave out is above 1e-3 wherever the matrix fits into memory; each point costs as many elements as
     // are in reach.
-    constexpr IntegrationDemand demand{.relative_error = 1e-4, .most_points = 1'000'000};
+    const IntegrationDemand demand{.relative_error = 1e-4, .most_points = points_of_weights.count()};
     const LightWeights weights =
         admitted(light_weights(basis_, surface_, choice_.weights, demand), "/basis/weights",
                  std::string(name(choice_.weights)), "integrated, or another estimate");
     Matrix<double> matrix = point_light_transfer(scene, basis_.sites(), rho_, weights.weights);
     weight_effect_ = effect_of_weights(matrix, weights);
+    if (!std::isfinite(weight_effect_))
+      throw AccuracyNotReached(subject(), "the weights of the lights are not known within " +
+                                              std::to_string(demand.most_points) + " points");
     find_norm(matrix, weights.weights);
     if (choice_.coefficients == CoefficientRule::interpolated && !basis_.interpolates()) {
       system_ = admitted(InterpolationSystem::make(basis_), "/basis/coefficients", "interpolated",

@@ -9,6 +9,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/expression/expression.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/study/enclosed_number.h"
@@ -34,8 +35,10 @@ struct Box {
   int depth = 0;
 };
 
-constexpr int deepest = 12;
-constexpr std::size_t most_boxes = 20000;
+const WorkLimit deepest("study/operator_norm: halvings of a parameter", 12, 0,
+                        "refused: rho is not proved to stay below 1");
+const WorkLimit most_boxes("study/operator_norm: boxes", 20000, 0,
+                           "refused: rho is not proved to stay below 1");
 
 Ball side(long place, int depth) {
   const Rational step = Rational(1) / power(Rational(2), depth);
@@ -56,7 +59,7 @@ bool is_below_one(const Expression& f, const Chart& chart) {
     if (is_outside(box, chart.facts().domain)) continue;
     const Vector<Ball> q = chart.in<Ball>().frame({side(box.s, box.depth), side(box.t, box.depth)}).point;
     if (certainly_less(f.evaluate<Ball>({q.x, q.y, q.z}), Ball(1))) continue;
-    if (box.depth == deepest || seen == most_boxes) return false;
+    if (box.depth >= deepest.value() || seen >= most_boxes.count()) return false;
     for (const long s : {2 * box.s, 2 * box.s + 1})
       for (const long t : {2 * box.t, 2 * box.t + 1}) open.push_back({s, t, box.depth + 1});
   }

@@ -5,12 +5,14 @@
 #include <array>
 #include <atomic>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/collocation/exact_nodes.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/study/enclosed_number.h"
 
@@ -21,7 +23,8 @@ constexpr int largest_degree = 8;
 /// Far below the rounding of an entry to double: no entry that is seen is smaller than its element's solid angle.
 constexpr double wanted_bits = 60;
 constexpr long least_bits = 128;
-constexpr long most_bits = 4096;
+const WorkLimit most_bits("study/plane_entries: bits of an entry", 4096, 64,
+                          "refused: an entry is not enclosed");
 
 bool is_reversed(const PlaneChart& element) {
   return element.orientation == Orientation::against_the_cross_product;
@@ -84,7 +87,8 @@ std::optional<std::vector<EnclosedNumber>> integrals_at(const PlaneNode& node, c
 std::optional<std::vector<EnclosedNumber>> integrals(const PlaneNode& node, const PlanePolygon& polygon,
                                                      std::span<const PlanePolynomial<Rational>> functions,
                                                      int degree) {
-  for (long bits = least_bits; bits <= most_bits; bits *= 2) {
+  const long most = most_bits.value();
+  for (long bits = least_bits; bits <= most; bits *= 2) {
     const BallPrecision scope(bits);
     if (auto found = integrals_at(node, polygon, functions, degree)) return found;
   }
@@ -123,7 +127,9 @@ Outcome<CertifiedEntries> plane_entries_in_balls(std::span<const PlaneChart> ele
       }
     }
   });
-  if (!all_narrow) return because("an entry of the collocation matrix is not found with 4096 bits");
+  if (!all_narrow)
+    return because("an entry of the collocation matrix is not found with " +
+                   std::to_string(most_bits.value()) + " bits");
   return result;
 }
 

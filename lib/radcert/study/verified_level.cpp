@@ -15,6 +15,7 @@
 #include "radcert/collocation/certified_operator.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/hypotheses/convex_containment.h"
 #include "radcert/polynomial/lattice.h"
 #include "radcert/scalar/ball_precision.h"
@@ -34,7 +35,8 @@ namespace radcert {
 namespace {
 
 /// Of balls: the values at the nodes are then exact beside the radii of the matrix.
-constexpr long ball_bits = 128;
+const WorkLimit ball_bits("study/verified_level: bits of balls", 128, BallPrecision::smallest_bits,
+                          "wider radii, or refused");
 /// Of the polynomials that the closed form takes.
 constexpr int largest_degree = 8;
 constexpr double unit = unit_roundoff<double>();
@@ -105,7 +107,7 @@ std::vector<Ball> enclosed_product(const CertifiedEntries& k, std::span<const Ba
   std::vector<double> sizes;
   for (const Ball& value : u) sizes.push_back(abs(value).upper_double());
   parallel_for(n, rows_at_a_time, [&](std::size_t begin, std::size_t end) {
-    const BallPrecision inside(ball_bits);
+    const BallPrecision inside(ball_bits.value());
     std::vector<double> moved(end - begin);
     for (std::size_t j = 0; j < n; ++j) {
       const std::span<const double> entries = k.entries.column(j);
@@ -404,7 +406,7 @@ private:
                    outcome_);
   }
 
-  const BallPrecision precision_{ball_bits};
+  const BallPrecision precision_{ball_bits.value()};
   const Problem& problem_;
   TriangleBasis<double> basis_;
   LagrangeFunctions functions_;
