@@ -55,7 +55,8 @@ Case octant_from_itself(const std::string& limit) {
                     surface, 0, domain_polygon(surface.charts[0]), unit_density(), {.radius = 1e-3}));
               },
           .truth = [] { return std::vector<Ball>{Ball::pi() / 8}; },
-          .about = "an octant of the sphere from itself"};
+          .about = "an octant of the sphere from itself",
+          .is_long = true};
 }
 
 /// 1/((x - 1/2)^2 + a) 1/((y - 1/2)^2 + a), a = 10^-4: neither side has a rule at first.

@@ -138,7 +138,8 @@ Case over_disk(const std::string& limit, const SphereOverDiskScene& scene, int d
                 return answer;
               },
           .truth = [] { return std::vector<Ball>(); },
-          .about = about};
+          .about = about,
+          .is_long = true};
 }
 
 Case family(const std::string& limit, const std::string& name, const Arguments& arguments, int digits,

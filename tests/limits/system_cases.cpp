@@ -92,7 +92,8 @@ Case certified_integrals(const std::string& limit, const std::string& about) {
                 return numbers(all);
               },
           .truth = [] { return std::vector<Ball>(2, Ball::pi()); },
-          .about = about};
+          .about = about,
+          .is_long = true};
 }
 
 Matrix<double> contracting(std::size_t n, double row_sum, bool positive) {
@@ -260,7 +261,8 @@ Case level(const std::string& limit, const Problem& problem, int number_of_level
                 return numbers(all);
               },
           .truth = [] { return std::vector<Ball>(); },
-          .about = about};
+          .about = about,
+          .is_long = true};
 }
 
 Problem with_solver(Problem problem, SolverName solver) {
