@@ -186,33 +186,6 @@ Case verified(const std::string& limit, const std::function<Matrix<double>()>& k
           .truth = [=] { return exactly_solved(k(), right_hand_side(k().rows())); }};
 }
 
-/// The norm of the inverse by solving for every column; what is told is to bound it.
-Case inverse_norm() {
-  const auto k = [] {
-    return test::matrix(8,
-                        [](std::size_t i, std::size_t j) { return i + 1 == j ? 3.0 : (i == j ? 0.5 : 0); });
-  };
-  return {.limit = "solve/direct: corners that the inverse's norm is sought at",
-          .answer =
-              [k] {
-                const double norm = DirectSolver(k()).inverse_norm_estimate();
-                return std::isfinite(norm) ? numbers({hull(Ball(0), Ball(norm * (1 + 1e-12)))})
-                                           : refusal("unknown");
-              },
-          .truth =
-              [k] {
-                const std::size_t n = k().rows();
-                std::vector<double> rows(n);
-                for (std::size_t j = 0; j < n; ++j) {
-                  test::Values unit(n);
-                  unit[j] = 1;
-                  const test::Values column = DirectSolver(k()).solve(unit);
-                  for (std::size_t i = 0; i < n; ++i) rows[i] += std::abs(column[i]);
-                }
-                return std::vector<Ball>{Ball(*std::max_element(rows.begin(), rows.end()))};
-              }};
-}
-
 Case below_one(const std::string& limit) {
   return {.limit = limit, .answer = [] {
             const auto found =
@@ -308,9 +281,12 @@ std::vector<Case> system_cases() {
       rows("quadrature/element_integrator: bisections of a far piece", "paraboloid_cap", 1, 4),
       row("quadrature/element_integrator: bisections of a far piece", long_ellipsoid, on_octants, 0, 1,
           "an ellipsoid"),
+      row("quadrature/element_integrator: pieces", thin, on_box, 1, 1, "a thin box"),
+      row("quadrature/element_integrator: pieces", cube, on_box, 1, 1, "the cube"),
       rows("quadrature/element_integrator: tries with finer rules", "sphere", 1, 4),
       row("quadrature/apex_rule: bisections of a side", long_ellipsoid, on_octants, 0, 2, "an ellipsoid"),
       row("quadrature/apex_rule: halvings of a rectangle", long_ellipsoid, on_octants, 0, 2, "an ellipsoid"),
+      row("quadrature/apex_rule: rectangles", long_ellipsoid, on_octants, 0, 2, "an ellipsoid"),
       row("quadrature/chart_inverse: steps", unit_sphere, {{0, {0.0, 0.4}}, {0, {1e-9, 0.4}}}, 1, 1,
           "a seam"),
       rows("quadrature/integration_scheme: steps of a sampled side", "two_piece", 1, 4),
@@ -322,7 +298,6 @@ std::vector<Case> system_cases() {
       verified("solve/verified_system: steps to weights", nearly_singular, 1e-3),
       verified("solve/verified_system: refinements", nearly_singular, 1e-14),
       verified("solve/verified_system: steps of a bound", nearly_singular, 1e-4),
-      inverse_norm(),
       below_one("study/operator_norm: halvings of a parameter"),
       below_one("study/operator_norm: boxes"),
       plane_entries(),

@@ -49,6 +49,7 @@ struct ContractionSearch {
   const Matrix<double>& k;
   std::span<const double> row_radius;
   std::vector<double> image = std::vector<double>(k.rows());
+  double radius_from_below = 0;  ///< of all matrices within the radii; see NoContraction
 
   /// The image of the weights and a theta for them, rounded up.
   double measure(std::span<const double> weights) {
@@ -58,8 +59,13 @@ struct ContractionSearch {
     const auto n = static_cast<double>(k.rows());
     const double sums_upward = 1 + (n + 8) * unit;
     const double underflow = n * std::numeric_limits<double>::denorm_min();
-    for (std::size_t i = 0; i < image.size(); ++i)
-      image[i] = image[i] * sums_upward + underflow + (row_radius.empty() ? 0.0 : row_radius[i]);
+    double least = infinity;
+    for (std::size_t i = 0; i < image.size(); ++i) {
+      const double radius = row_radius.empty() ? 0.0 : row_radius[i];
+      least = std::min(least, (image[i] * (2 - sums_upward) - underflow - radius) / weights[i]);
+      image[i] = image[i] * sums_upward + underflow + radius;
+    }
+    if (std::isfinite(least)) radius_from_below = std::max(radius_from_below, least * (2 - upward));
     return largest_ratio(image, weights) * upward;
   }
 
@@ -94,7 +100,8 @@ struct ContractionSearch {
       least_theta = std::min(least_theta, theta);
       if (theta < 1 && gain < (1 - theta) / 8) break;
     }
-    if (!(best.theta_ < 1)) return because(NoContraction{least_theta});
+    if (!(best.theta_ < 1))
+      return because(NoContraction{.theta = least_theta, .radius_from_below = radius_from_below});
     return best;
   }
 };

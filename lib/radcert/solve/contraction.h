@@ -36,9 +36,12 @@ private:
   double theta_ = 0;
 };
 
-/// No weights were found: the least theta that was.
+/// No weights were found.
 struct NoContraction {
-  double theta = 0;
+  double theta = 0;  ///< the least that was
+  /// A lower bound of the spectral radius of |K|, min_i (|K| w)_i / w_i for the best positive w that was seen (Collatz, 1942;
+  /// Wielandt, 1950), rounded down.
+  double radius_from_below = 0;
 };
 
 extern const WorkLimit most_power_steps;

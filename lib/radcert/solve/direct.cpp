@@ -4,19 +4,11 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "radcert/core/contract.h"
-#include "radcert/core/work_limit.h"
 
 namespace radcert {
-namespace {
-
-const WorkLimit most_corners("solve/direct: corners that the inverse's norm is sought at", 40, 1,
-                             "the norm is not known: infinity");
-
-}  // namespace
 
 /// The factors take the place of the matrix.
 struct DirectSolver::Factors {
@@ -61,32 +53,6 @@ double DirectSolver::inverse_norm() const {
     sums += columns.cwiseAbs().rowwise().sum();
   }
   return sums.maxCoeff();
-}
-
-double DirectSolver::inverse_norm_estimate() const {
-  // ||A^-1||_inf = ||B||_1 with B = A^-T: maximise ||B x||_1 over the unit ball of the 1-norm, whose corners are e_j.
-  const auto& lu = factors_->lu;
-  const Eigen::Index n = lu.rows();
-  Eigen::VectorXd x = Eigen::VectorXd::Constant(n, 1.0 / static_cast<double>(n));
-  double estimate = 0;
-  Eigen::Index corner = -1;
-  // The sums grow strictly, so that no corner comes twice.
-  for (long step = 0;; ++step) {
-    if (step == most_corners.value()) return std::numeric_limits<double>::infinity();
-    const Eigen::VectorXd y = lu.transpose().solve(x);
-    const double norm = y.lpNorm<1>();
-    if (step > 0 && norm <= estimate) break;
-    estimate = norm;
-    const Eigen::VectorXd sign = y.unaryExpr([](double v) { return v < 0 ? -1.0 : 1.0; });
-    const Eigen::VectorXd gradient = lu.solve(sign);
-    Eigen::Index next = 0;
-    const double steepest = gradient.cwiseAbs().maxCoeff(&next);
-    if (next == corner || steepest <= gradient.dot(x)) break;
-    corner = next;
-    x.setZero();
-    x(corner) = 1;
-  }
-  return estimate;
 }
 
 }  // namespace radcert

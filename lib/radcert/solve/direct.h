@@ -25,18 +25,8 @@ public:
 
   std::vector<double> solve(std::span<const double> e) const;
 
-  /// An estimate of the maximum norm of (I - K)^-1.
-  /// Maths     the 1-norm of the transposed inverse by power iteration on its convex functional
-  /// Source    Hager (1984), Higham (1988), as in LAPACK's condition estimators
-  /// Requires  -
-  /// Result    a lower bound, seldom below a third of the norm; infinity where the search did not end
-  /// Limits    an estimate: radii built on it are not guaranteed
-  double inverse_norm_estimate() const;
-
   /// The maximum norm of (I - K)^-1, from all of the inverse.
   /// Maths     max_i sum_j |((I - K)^-1)_ij|
-  /// Source    -
-  /// Requires  -
   /// Result    rounded: relatively wrong by about the condition number times n u
   /// Limits    2 n^3 operations, of a matrix kept by 64 columns at a time
   double inverse_norm() const;

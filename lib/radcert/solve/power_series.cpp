@@ -87,8 +87,9 @@ Outcome<NeumannSeries, NoPowerContracts> NeumannSeries::make(Matrix<double> r, l
     }
     least = std::min(least, std::pow(contraction.reason().theta, 1 / static_cast<double>(series.power_)));
     if (!is_signed || squarings >= most_squarings || !std::isfinite(size * size))
-      return because(NoPowerContracts{
-          .power = series.power_, .theta = least, .diverges = !is_signed && std::isfinite(least)});
+      return because(NoPowerContracts{.power = series.power_,
+                                      .theta = least,
+                                      .diverges = !is_signed && contraction.reason().radius_from_below >= 1});
     // |fl(K^2) - K^2| <= gamma |K| |K|, and K is off by radius_: (K + E)^2 - K^2 = E K + K E + E^2.
     series.k_ = squared(k);
     series.radius_ =

@@ -21,8 +21,7 @@ struct NoPowerContracts {
   std::size_t power = 1;  ///< the last that was tried
   double theta =
       0;  ///< the least bound of the spectral radius of its sizes; infinite for numbers that are not finite
-  bool diverges =
-      false;  ///< the matrix has no negative entry: then the series diverges, up to the steps of find_contraction
+  bool diverges = false;  ///< the matrix has no negative entry, and a spectral radius that is not below 1
 };
 
 /// The Neumann series of a matrix of which a power contracts.

@@ -198,7 +198,7 @@ private:
     if (problem_.solver.name == SolverName::direct) {
       const DirectSolver solver(series.matrix());
       coefficients_ = solver.solve(epsilon);
-      growth = solver.inverse_norm_estimate();
+      growth = solver.inverse_norm();
     } else {
       const std::optional<double> tolerance =
           problem_.solver.tolerance ? std::optional(problem_.solver.tolerance->to_double()) : std::nullopt;
