@@ -57,10 +57,21 @@ public:
     double spread = 0;
     for (const double mean : means) spread += (mean - out.value) * (mean - out.value);
     const double scale = size / 2 / std::numbers::pi;
-    return {scale * out.value, scale * std::sqrt(spread / (shifts * (shifts - 1))), 0x1p-46 * scale};
+    return {scale * out.value, scale * std::sqrt(spread / (shifts * (shifts - 1))),
+            0x1p-46 * scale * (thinness(i) + thinness(j))};
   }
 
 private:
+  /// By what the rounding of a normal grows: the square of the longest side over the area.
+  [[nodiscard]] double thinness(std::size_t t) const {
+    const Triangle& c = triangles_[t];
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, dot(c[(k + 1) % 3] - c[k], c[(k + 1) % 3] - c[k]));
+    const Vec normal = cross(c[1] - c[0], c[2] - c[0]);
+    return 2 * longest / std::sqrt(dot(normal, normal));
+  }
+
   static constexpr int shifts = 16;
   struct Vec {
     double x = 0;
