@@ -289,7 +289,6 @@ std::vector<Case> system_cases() {
       row("quadrature/apex_rule: rectangles", long_ellipsoid, on_octants, 0, 2, "an ellipsoid"),
       row("quadrature/chart_inverse: steps", unit_sphere, {{0, {0.0, 0.4}}, {0, {1e-9, 0.4}}}, 1, 1,
           "a seam"),
-      rows("quadrature/integration_scheme: steps of a sampled side", "two_piece", 1, 4),
       certified_integrals("collocation/certified_kernel_sums: quarterings of an element", "the sphere"),
       certified_integrals("collocation/integral_from_within: halvings of a square", "the sphere"),
       by_gmres(),

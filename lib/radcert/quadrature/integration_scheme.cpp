@@ -5,16 +5,13 @@
 #include <cmath>
 
 #include "radcert/core/contract.h"
-#include "radcert/core/work_limit.h"
+#include "radcert/polynomial/largest_values.h"
 #include "radcert/quadrature/flat_rule_bound.h"
 
 namespace radcert {
 namespace {
 
-const WorkLimit sampled_steps("quadrature/integration_scheme: steps of a sampled side", 48, 1,
-                              "the largest value of a function is taken from fewer points");
-
-/// Largest and mean values of |l_j|.
+/// Largest and mean values of |l_j| as a lattice shows them: they choose what a rule may leave out, and enter no radius.
 template <Real R>
 struct Sizes {
   std::vector<R> largest;
@@ -23,7 +20,7 @@ struct Sizes {
   /// Over the points k/48, |k| = 48: the vertices are among them.
   explicit Sizes(const TriangleBasis<R>& basis) : largest(basis.size(), R(0)), mean(basis.size(), R(0)) {
     using std::abs;
-    const auto steps = static_cast<int>(sampled_steps.value());
+    constexpr int steps = 48;
     const int points = (steps + 1) * (steps + 2) / 2;
     std::vector<R> values(basis.size());
     for (int i = 0; i <= steps; ++i)
@@ -106,7 +103,7 @@ IntegrationScheme<R>::IntegrationScheme(const Surface& surface, const TriangleBa
   expects(tolerance.entry() >= Tolerance::finest_of<R>(), "a tolerance that the arithmetic can hold",
           named("tolerance", tolerance.entry()));
   const Sizes<R> sizes(basis);
-  largest_values_ = sizes.largest;
+  largest_values_ = largest_values(basis);
   flat_truncation_ = tolerance.converged() * sizes.least_ratio();
   for (const Chart& chart : surface.charts) normal_loss_.push_back(largest_normal_loss<R>(chart));
   std::vector<std::size_t> first_of_plane;

@@ -19,9 +19,9 @@ struct FarRule {
 };
 
 /// What all elements of one assembly share: surface, basis, tolerance, and what follows from them.
-/// Maths     largest_value(j) = max |l_j|, mean_value(j) = mean of |l_j|, over a lattice of the element;
-///           flat_truncation() = Tolerance::converged min_j mean_value(j)/largest_value(j): what a rule may leave out, relative
-///           to largest_value(j) times a solid angle, and still be small beside Int |G l_j|;
+/// Maths     largest_value(j) >= max |l_j|: see largest_values;
+///           flat_truncation() = Tolerance::converged min_j (mean |l_j|) / (max |l_j|), both over a lattice of the element: what a rule
+///           may leave out, relative to largest_value(j) times a solid angle, and still be small beside Int |G l_j|;
 ///           a conical rule of n x n points leaves out about rho^(-2n), rho = eta + sqrt(eta^2 - 1), seen from eta radii
 /// Source    see flat_rule_bound
 /// Requires  the surface outlives this

@@ -6,6 +6,7 @@
 #include "radcert/collocation/assembly.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/polynomial/largest_values.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/contraction.h"
@@ -48,16 +49,9 @@ Figure largest_difference(std::span<const double> a, std::span<const double> b,
   return figure;
 }
 
-/// A bound of sum |l_j| on the element: the sum of the largest |l_j| over the points k/48, |k| = 48.
+/// A bound of sum |l_j| on the element.
 double sum_of_largest(const TriangleBasis<double>& basis) {
-  constexpr int steps = 48;
-  std::vector<double> largest(basis.size());
-  std::vector<double> values(basis.size());
-  for (int i = 0; i <= steps; ++i)
-    for (int k = 0; i + k <= steps; ++k) {
-      basis.values({{i / double{steps}, k / double{steps}, (steps - i - k) / double{steps}}}, values);
-      for (std::size_t j = 0; j < values.size(); ++j) largest[j] = std::max(largest[j], std::abs(values[j]));
-    }
+  const std::vector<double> largest = largest_values(basis);
   return std::accumulate(largest.begin(), largest.end(), 0.0);
 }
 
@@ -207,7 +201,8 @@ private:
                         .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
                                    ": the collocation matrix, known within " +
                                    upper_text(largest(matrix_.row_radius)) + " a row, contracts by " +
-                                   upper_text(found.reason().theta, DecimalForm::general(6)) + " at best, which is not below 1",
+                                   upper_text(found.reason().theta, DecimalForm::general(6)) +
+                                   " at best, which is not below 1",
                         .allowed = "direct"});
     outcome_.timing.solve_seconds += watch.seconds();
   }
