@@ -112,7 +112,8 @@ TEST(DirectSolver, FindsTheNormOfTheInverseFromAllOfIt) {
       });
       const DirectSolver solver(k);
       const double truth = inverse_norm(solver, n);
-      if (std::isfinite(truth)) EXPECT_NEAR(solver.inverse_norm(), truth, 1e-9 * truth) << n << " " << scale;
+      if (!std::isfinite(truth)) continue;
+      EXPECT_NEAR(solver.inverse_norm(), truth, 1e-9 * truth) << n << " " << scale;
     }
 }
 

@@ -88,8 +88,8 @@ public:
     }
     Estimate out = settled_;
     for (; !cells_.empty(); cells_.pop()) out += {cells_.top().value, cells_.top().error};
-    return {std::max(out.value, 0.0), (used_rules_ ? std::max(out.radius, tolerance) : out.radius) + rounded_ +
-                                          0x1p-50 * std::abs(out.value)};
+    return {std::max(out.value, 0.0), (used_rules_ ? std::max(out.radius, tolerance) : out.radius) +
+                                          rounded_ + 0x1p-50 * std::abs(out.value)};
   }
 
 private:

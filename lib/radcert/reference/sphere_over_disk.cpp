@@ -9,7 +9,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
-#include "radcert/core/text.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/polynomial/gauss.h"
 
@@ -258,7 +258,8 @@ void SphereOverDisk<R>::solve() {
     last = change;
   }
   throw AccuracyNotReached("the sphere over the disk",
-                           "the parts change by " + shortest(nearest_double(last)) + " in round " +
+                           "the parts change by " +
+                               nearest_text(nearest_double(last), DecimalForm::general(2)) + " in round " +
                                std::to_string(rounds_ - 1) + " of Neumann's series, the last one");
 }
 

@@ -137,9 +137,11 @@ private:
       const double radius = pi<double>() * (matrix_.row_radius[i] / rho_[i] + rounding);
       if (std::abs(matrix_.kernel_integral[i] - pi<double>()) <= radius) continue;
       const Vector<double>& at = nodes_[i].point;
-      refuse("the integral of G over the closed surface is " + shortest(matrix_.kernel_integral[i]) +
+      const EnclosingText integral =
+          enclosing_text(matrix_.kernel_integral[i], radius, DecimalForm::general(17));
+      refuse("the integral of G over the closed surface is " + integral.value + " +- " + integral.radius +
              " at node " + std::to_string(i) + " (" + shortest(at.x) + ", " + shortest(at.y) + ", " +
-             shortest(at.z) + "), and not pi within its radius " + shortest(radius));
+             shortest(at.z) + "), and not pi");
     }
   }
 
@@ -231,8 +233,9 @@ private:
     const double inverse = solver.inverse_norm();
     const double moved = inverse * largest(matrix_.row_radius);
     if (!(moved < 1))
-      refuse("the collocation matrix is known within " + shortest(largest(matrix_.row_radius)) +
-             " a row, and the inverse of I - K_n has the norm " + shortest(inverse) +
+      refuse("the collocation matrix is known within " + upper_text(largest(matrix_.row_radius)) +
+             " a row, and the inverse of I - K_n has the norm " +
+             nearest_text(inverse, DecimalForm::general(4)) +
              ": the matrices within the radii are not all regular");
     return inverse * largest(bounds) / (1 - moved);
   }
