@@ -124,6 +124,7 @@ Problem tetrahedron(double size, std::size_t faces = 4) {
                                     .digest = "",
                                     .angle = 30,
                                     .repair = {},
+                                    .mended = {},
                                     .surface = std::make_shared<const Surface>(mesh_surface(
                                         "t.off", mesh, pieces, names, {.closed = true, .unoccluded = true}))};
   return problem;
