@@ -95,6 +95,7 @@ std::string means_table(const Result& result) {
   for (const LevelResult& level : result.levels) {
     std::vector<std::string> row = {std::to_string(level.level)};
     std::string radius = "-";
+    Rational largest = -1;
     for (const auto& [piece, mean] : level.piece_means) {
       if (!known) {
         row.push_back(nearest_text(mean, DecimalForm::general(8)));
@@ -102,7 +103,11 @@ std::string means_table(const Result& result) {
       }
       const EnclosingText text = enclosing_text(mean, *level.means_radius, DecimalForm::general(8));
       row.push_back(text.value);
-      if (radius == "-" || std::stod(radius) < std::stod(text.radius)) radius = text.radius;
+      const Rational shown = Rational::parse(text.radius).value();
+      if (largest < shown) {
+        largest = shown;
+        radius = text.radius;
+      }
     }
     row.push_back(radius);
     rows.push_back(row);

@@ -28,6 +28,7 @@ class Reference(ProgramTest):
         # Howell C-11 for the unit cube.
         s = mp.sqrt(2)
         truth = 2 / mp.pi * (mp.log(mpf(4) / 3) / 2 + 2 * s * mp.atan(1 / s) - mp.pi / 2)
+        self.assertEqual(self.value("cube_opposite_faces", "--digits", "1000")["digits"], 1000)
         for digits in (1, 10, 30, 60):
             found = self.value("cube_opposite_faces", "--digits", str(digits))
             self.assertLessEqual(mpf(found["radius"]), mpf(10) ** -digits)

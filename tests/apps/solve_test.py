@@ -109,6 +109,15 @@ class Solve(ProgramTest):
             self.assertEqual(self.entries(), ["problem.json"])
             self.assertIn("level 0, solver " + name + ": the tolerance 5e-16 is not reached", said)
 
+    def test_data_that_vanish_or_nearly_so_are_data(self):
+        cube = dict(surface={"name": "cube"}, reflectivity="1/2", triangulation={"levels": [0]})
+        for solver in ["direct", "gmres", "neumann", "verified"]:
+            for data in [{"emission": "0"}, {"emission": "1e-310"}, {"solution": "0"}, {"solution": "1e-320"},
+                         {"solution": "1e-300*x"}]:
+                problem = small(**cube, solver={"name": solver}, **{"solution": None, **data})
+                done = self.run_program("solve", self.write("small.json", problem))
+                self.assertIn(done.returncode, (0, 1), f"{solver} {data}: {done.stderr}")
+
     def test_progress_goes_to_stderr_and_quiet_silences_it(self):
         self.write("problem.json", small())
         self.assertIn(b"level 1: ", self.run_program("solve", "problem.json").stderr)

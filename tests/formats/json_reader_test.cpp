@@ -18,7 +18,7 @@ TEST(NearestWord, FindsASlipOfTheFingerAndNothingFarther) {
 }
 
 TEST(JsonReader, TakesANumberAsItsNearestDoubleAndAStringExactly) {
-  const JsonValue document = parse_json(R"([0.1, "0.1", 2, "1/6", 1e-400])", "");
+  const JsonValue document = parse_json(R"([0.1, "0.1", 2, "1/6", 0e-400])", "");
   const auto cells = JsonReader(document).elements("");
   EXPECT_EQ(cells[0].rational(""), Rational::exactly(0.1));
   EXPECT_EQ(cells[1].rational(""), Rational(1, 10));

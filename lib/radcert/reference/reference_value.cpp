@@ -75,7 +75,7 @@ Arguments default_arguments(const ValueFamily& family) {
 }
 
 Outcome<EnclosedValue> enclose(const ValueFamily& family, const Arguments& arguments, int digits) {
-  expects(1 <= digits && digits <= most_reference_digits, "1 <= digits <= 1000", named("digits", digits));
+  expects(1 <= digits && digits <= most_reference_digits + 1, "1 <= digits <= 1001", named("digits", digits));
   expects(arguments.size() == family.parameters.size(), "a value for each parameter",
           named("values", arguments.size()), named("family", family.name));
   for (std::size_t i = 0; i < arguments.size(); ++i)

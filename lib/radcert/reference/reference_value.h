@@ -96,7 +96,7 @@ inline constexpr int most_reference_digits = 1000;
 /// A member of a family by both of its routes.
 /// Maths     see EnclosedValue
 /// Source    -
-/// Requires  1 <= digits <= most_reference_digits, arguments that the parameters allow, else ContractViolation
+/// Requires  1 <= digits <= most_reference_digits + 1, one more than is shown, arguments that the parameters allow, else ContractViolation
 /// Result    the value, or why a route did not reach its radius
 /// Limits    std::logic_error if the routes contradict each other: then one of them is wrong
 [[nodiscard]] Outcome<EnclosedValue> enclose(const ValueFamily& family, const Arguments& arguments,

@@ -9,9 +9,9 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
-#include "radcert/scalar/enclosing_text.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/polynomial/gauss.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert::reference {
 namespace {

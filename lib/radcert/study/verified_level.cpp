@@ -340,10 +340,11 @@ private:
       piecewise.by_chart.push_back(problem_.solution->on(chart.facts().piece));
     return density(std::move(piecewise));
   }
-  /// At the nodes; 1 where it vanishes there.
+  /// At the nodes; 1 where it vanishes there, or nearly so: a part of it is still a number to be demanded.
   double size_of_u() const {
+    constexpr double least = 1e-250;
     const double size = largest_size(enclosed_numbers(u_)).value;
-    return size > 0 ? size : 1;
+    return size > least ? size : 1;
   }
   static std::vector<Ball> balls_of(const CertifiedValues& found) {
     std::vector<Ball> balls;

@@ -16,14 +16,14 @@
 namespace radcert::verification::psg10 {
 namespace {
 
-const Demand demand{.radius = 1e-24};
+Demand demand() { return {.radius = 1e-24}; }
 
 Ball beta() { return Ball(Rational(9, 10)); }
 
 /// Int H dv over the directions with a cosine between `least` and 1.
 Ball over_directions(const Ball& least) {
   return ac98::known(
-             integral_on_interval(line_function([](const auto& c) { return c; }), least, Ball(1), demand)) *
+             integral_on_interval(line_function([](const auto& c) { return c; }), least, Ball(1), demand())) *
          Ball(2) * Ball::pi();
 }
 
@@ -33,7 +33,7 @@ Ball over_disk() {
     const auto square = u * u + 1;
     return u / (square * square);
   };
-  return ac98::known(integral_on_interval(line_function(integrand), Ball(0), Ball(2), demand)) * Ball(2) *
+  return ac98::known(integral_on_interval(line_function(integrand), Ball(0), Ball(2), demand())) * Ball(2) *
          Ball::pi();
 }
 
