@@ -119,7 +119,7 @@ TEST(ReferenceValues, RefuseArgumentsThatTheyDoNotAllow) {
   EXPECT_THROW((void)enclose(family, {1, 1, 0}, 10), ContractViolation);
   EXPECT_THROW((void)enclose(family, {1, 1}, 10), ContractViolation);
   EXPECT_THROW((void)enclose(family, {1, 1, 1}, 0), ContractViolation);
-  EXPECT_THROW((void)enclose(family, {1, 1, 1}, 1001), ContractViolation);
+  EXPECT_THROW((void)enclose(family, {1, 1, 1}, 1002), ContractViolation);
   EXPECT_EQ(find_family("opposed_rectangle"), nullptr);
   EXPECT_EQ(find_value("cube"), nullptr);
 }
