@@ -41,10 +41,9 @@ struct CellSight {
 /// Result    of(cell, screens): no event of those screens is left out that lies inside the cell, up to rounding. A linear form keeps its
 ///           sign on the cell if it does at the corners; a cubic does if its Bernstein coefficients have one sign. Left out are sides
 ///           that are not over the source from any point of the cell, sides between two faces that both look at it or
-///           neither, and pairs of sides that do not cross. screens: those whose picture no side of it or of the source
-///           parts from that of the source, for all P at once
-///           parts from that of the source, for all P at once. Left out are also events in the inside of the picture that a solid has from
-///           all points: there nothing is seen, whatever stands before or behind
+///           neither, pairs of sides that do not cross, and events in the inside of the picture that a solid has from all
+///           points: there nothing is seen, whatever stands before or behind. screens: those whose picture no side of it or
+///           of the source parts from that of the source, for all P at once
 /// Limits    other events that cannot be seen count as well. Where lines alone come to the whole flux, the rest is not looked for
 class SightEvents {
 public:

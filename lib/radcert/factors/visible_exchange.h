@@ -10,8 +10,8 @@ namespace radcert {
 /// How far the integral over a receiver is driven.
 struct CubatureDemand {
   double tolerance = 0;  ///< of the exchange area
-  std::size_t most_cells =
-      8192;  ///< cells of the receiver that are made, at most, rounded up to the last refinement
+  /// Cells of the receiver that are made, at most, rounded up to the last refinement.
+  std::size_t most_cells = 8192;
 };
 
 /// The direct exchange area of two triangles between which others may stand, in doubles.
