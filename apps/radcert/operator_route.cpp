@@ -12,7 +12,8 @@ OperatorRoute operator_route() {
     const reference::Density density = [&u](const reference::PointBlock& q, std::span<double> values) {
       u.evaluate(q.chart, q.x, q.y, q.z, values);
     };
-    return [applied = reference::AppliedOperator(surface, density)](const SurfacePoint<double>& p) {
+    return [applied =
+                reference::AppliedOperator(surface, density, u.formulas())](const SurfacePoint<double>& p) {
       const reference::Estimate integral = applied(p);
       return OperatorValue{.value = integral.value, .radius = integral.radius};
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <numbers>
 
+#include "radcert/expression/parse.h"
 #include "radcert/reference/gauss_rule.h"
 #include "radcert/reference/nearest_point.h"
 #include "radcert/reference/operator_integral.h"
@@ -71,6 +72,24 @@ Case peak_of_density() {
                 return std::vector<Ball>{widened(Ball::pi() / 4 * log((a + 4) / a), Ball(1e-12))};
               },
           .about = "a density with a peak"};
+}
+
+/// Densities with a feature that few points see, by their formulas: the cells that are left are in the radius.
+Case formula_of_density(const std::string& text, const std::string& about) {
+  const Surface surface = cube();
+  const Place p{4, {0.375, 0.25}};
+  const Expression u = parse_expression(text).value();
+  return {.limit = "reference/density_cells: halvings",
+          .answer =
+              [=] {
+                const auto density = [u](const Place&, const Vector<double>& q) {
+                  return u.evaluate<double>({q.x, q.y, q.z});
+                };
+                const std::vector<Expression> formulas(surface.chart_count(), u);
+                const reference::Estimate found = reference::AppliedOperator(surface, density, formulas)(p);
+                return numbers({number(found.value, found.radius)});
+              },
+          .about = about};
 }
 
 /// The distance from points above the roof of two_piece; a fourth of what is found is less.
@@ -167,6 +186,9 @@ std::vector<Case> reference_cases() {
   std::vector<Case> cases{
       edge_of_density(),
       peak_of_density(),
+      formula_of_density("1 + exp(-1e6*((x-0.3)^2 + (y-0.4)^2 + (z-1)^2))", "a peak"),
+      formula_of_density("1 + max(0, 0.01 - abs(x-0.3) - abs(y-0.4) - abs(z-1))", "a tent"),
+      formula_of_density("sqrt(z)", "a root"),
       legendre(8),
       legendre(23),
       over_disk("reference/sphere_over_disk: rounds of Neumann's series", {}, 1, "the paper's scene"),

@@ -29,10 +29,11 @@ AppliedOperator reference_route(const Surface& surface, const SurfaceFunction& u
   const auto density = [&u](const SurfacePoint<double>& q, const Vector<double>& point) {
     return u(q.chart, point);
   };
-  return [applied = reference::AppliedOperator(surface, density)](const SurfacePoint<double>& p) {
-    const reference::Estimate estimate = applied(p);
-    return OperatorValue{estimate.value, estimate.radius};
-  };
+  return
+      [applied = reference::AppliedOperator(surface, density, u.formulas())](const SurfacePoint<double>& p) {
+        const reference::Estimate estimate = applied(p);
+        return OperatorValue{estimate.value, estimate.radius};
+      };
 }
 
 AppliedOperator no_route(const Surface&, const SurfaceFunction&) {

@@ -115,9 +115,9 @@ void add_own_chart(AdaptiveCubature& cubature, const Collocation& at, const Poly
       }
       return;
     }
-    const Polygon strip = clipped(polygon, 0.5 * p.s, -1);
+    const Polygon strip = clipped(polygon, {1, 0}, 0.5 * p.s, -1);
     if (strip.count != 0) add_slabs(cubature, integrand(p), strip, p, true, spread, graded_roughness);
-    analytic = clipped(polygon, 0.5 * p.s, 1);
+    analytic = clipped(polygon, {1, 0}, 0.5 * p.s, 1);
     if (analytic.count == 0) return;
     scale = 0.5 * p.s * plane.ss;
   }

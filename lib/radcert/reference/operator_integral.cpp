@@ -2,6 +2,7 @@
 #include "radcert/reference/operator_integral.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -39,10 +40,11 @@ Collocation collocation(const Surface& surface, const SurfacePoint<double>& p, c
 
 /// Adds what P sees of a chart, if that may be less than all of it; false: all of it is seen, and nothing was added.
 bool add_if_hidden(AdaptiveCubature& cubature, const Collocation& at, std::size_t chart,
-                   const SurfaceScene& scene, std::optional<PointView>& view) {
+                   const SurfaceScene& scene, std::optional<PointView>& view,
+                   std::span<const DensityCell> cells) {
   if (!view) view = scene.view(at.p.chart, at.frame.point, at.normal);
   const ChartView seen = scene.seen(*view, chart);
-  if (seen.sight == Sight::part) add_visible_parts(cubature, at, chart, seen);
+  if (seen.sight == Sight::part) add_visible_parts(cubature, at, chart, seen, cells);
   return seen.sight != Sight::whole;
 }
 
@@ -52,6 +54,27 @@ std::optional<SurfaceScene> scene_of(const Surface& surface) {
 
 constexpr std::size_t least_bytes_a_chart = 15000;  // two rules
 
+DensityCell whole_chart(const Surface& surface, std::size_t chart) {
+  return {.chart = chart, .polygon = whole_domain(surface.charts[chart].facts().domain)};
+}
+
+/// Nothing known but what samples tell.
+std::vector<DensityCell> whole_charts(const Surface& surface) {
+  std::vector<DensityCell> cells;
+  for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
+    cells.push_back(whole_chart(surface, chart));
+  return cells;
+}
+
+/// What the deviations of a chart's cells may change of the integral over it, P not in one plane with it but on it.
+double deviation_bound(std::span<const DensityCell> cells, const Collocation& at) {
+  if (at.surface->charts[at.p.chart].facts().flat_in() && cells.front().chart == at.p.chart) return 0;
+  double sum = 0;
+  for (const DensityCell& cell : cells)
+    if (cell.deviation > 0) sum += deviation_at(cell, at.frame.point);
+  return sum;
+}
+
 }  // namespace
 
 struct AppliedOperator::Prepared {
@@ -59,11 +82,29 @@ struct AppliedOperator::Prepared {
   Density u;
   std::vector<FarChart> charts;
   std::optional<SurfaceScene> scene;  ///< where parts of the surface hide others
+  std::vector<DensityCell> cells;
+  std::vector<std::size_t> first_cell;  ///< of each chart; at the end their number
+
+  std::span<const DensityCell> cells_of(std::size_t chart) const {
+    return std::span(cells).subspan(first_cell[chart], first_cell[chart + 1] - first_cell[chart]);
+  }
 };
 
-AppliedOperator::AppliedOperator(const Surface& surface, Density u) {
+AppliedOperator::AppliedOperator(const Surface& surface, Density u)
+    : AppliedOperator(surface, std::move(u), whole_charts(surface)) {}
+
+AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::span<const Expression> formulas)
+    : AppliedOperator(surface, std::move(u), density_cells(surface, formulas)) {}
+
+AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::vector<DensityCell> cells) {
   expects(static_cast<bool>(u), "a density");
-  auto prepared = std::make_shared<Prepared>(Prepared{&surface, std::move(u), {}, scene_of(surface)});
+  auto prepared = std::make_shared<Prepared>(
+      Prepared{&surface, std::move(u), {}, scene_of(surface), std::move(cells), {}});
+  std::size_t place = 0;
+  for (std::size_t chart = 0; chart <= surface.chart_count(); ++chart) {
+    while (place < prepared->cells.size() && prepared->cells[place].chart < chart) ++place;
+    prepared->first_cell.push_back(place);
+  }
   constexpr std::size_t bytes = std::size_t{1} << 25U;  // for all charts, but for those that each needs
   const std::size_t bytes_a_chart =
       std::max(bytes / std::max<std::size_t>(surface.chart_count(), 1), least_bytes_a_chart);
@@ -86,12 +127,15 @@ Estimate AppliedOperator::operator()(const SurfacePoint<double>& p) const {
     if (!is_own && may_lie_in_one_plane(own, other) &&
         in_one_plane(surface.charts[p.chart], surface.charts[chart]))
       continue;
-    if (prepared_->scene && !is_own && add_if_hidden(cubature, at, chart, *prepared_->scene, view)) continue;
-    const FarSamples* samples = is_own ? nullptr : other.samples_for(at.frame.point);
+    const std::span<const DensityCell> cells = prepared_->cells_of(chart);
+    cubature.add_unseen(deviation_bound(cells, at));
+    if (prepared_->scene && !is_own && add_if_hidden(cubature, at, chart, *prepared_->scene, view, cells))
+      continue;
+    const FarSamples* samples = is_own || cells.size() > 1 ? nullptr : other.samples_for(at.frame.point);
     if (samples != nullptr) {
       cubature.add(other.map(), chart, samples->region(at.frame.point, at.normal, norm(at.frame.point)));
     } else {
-      add_part(cubature, at, chart, whole_domain(surface.charts[chart].facts().domain));
+      for (const DensityCell& cell : cells) add_part(cubature, at, chart, cell.polygon);
     }
   }
   return cubature.estimate();
@@ -103,7 +147,8 @@ Estimate operator_integral(const Surface& surface, const SurfacePoint<double>& p
   std::optional<PointView> view;
   AdaptiveCubature cubature(u);
   for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
-    if (!scene || chart == p.chart || !add_if_hidden(cubature, at, chart, *scene, view))
+    if (!scene || chart == p.chart ||
+        !add_if_hidden(cubature, at, chart, *scene, view, std::array{whole_chart(surface, chart)}))
       add_part(cubature, at, chart, whole_domain(surface.charts[chart].facts().domain));
   return cubature.estimate();
 }

@@ -21,17 +21,19 @@ Polygon counterclockwise(const std::array<Parameters, 3>& triangle) {
   return polygon;
 }
 
-Polygon clipped(const Polygon& polygon, double cut, double sign) {
+Polygon clipped(const Polygon& polygon, const Parameters& normal, double cut, double sign) {
+  const auto beyond = [&](const Parameters& v) { return normal.s * v.s + normal.t * v.t - cut; };
   Polygon part;
   for (std::size_t i = 0; i < polygon.count; ++i) {
     const Parameters& v = polygon[i];
     const Parameters& next = polygon[i + 1];
-    const double here = sign * (v.s - cut);
-    const double there = sign * (next.s - cut);
-    if (here >= 0) part.add(v);
+    const double here = beyond(v);
+    const double there = beyond(next);
+    if (sign * here >= 0) part.add(v);
     if ((here > 0 && there < 0) || (here < 0 && there > 0)) {
-      const double l = here / (here - there);
-      part.add({cut, v.t + l * (next.t - v.t)});
+      Parameters on_cut = v + here / (here - there) * (next - v);
+      if (normal.t == 0) on_cut.s = cut / normal.s;
+      part.add(on_cut);
     }
   }
   if (part.count < 3) part.count = 0;

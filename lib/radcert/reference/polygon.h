@@ -26,13 +26,14 @@ struct Polygon {
 };
 
 /// The domain of a chart, a triangle with its corners in either order, and the part of a polygon on one side of a line.
-/// Maths     R_j;  the triangle, counterclockwise;  {(s,t) in the polygon : sign (s - cut) >= 0}
+/// Maths     R_j;  the triangle, counterclockwise;  {x in the polygon : sign (normal . x - cut) >= 0}
 /// Source    -
-/// Requires  sign 1 or -1
-/// Result    a polygon, the vertices on the cut rounded in t alone; count = 0 where fewer than three are left
+/// Requires  sign 1 or -1; a normal other than 0; no more than eight vertices after the cut
+/// Result    a polygon, on both sides of a cut with the same vertices there, rounded, where the normal is (1,0) in t alone; count = 0 where
+///           fewer than three are left
 /// Limits    -
 Polygon whole_domain(ChartDomain domain);
 Polygon counterclockwise(const std::array<Parameters, 3>& triangle);
-Polygon clipped(const Polygon& polygon, double cut, double sign);
+Polygon clipped(const Polygon& polygon, const Parameters& normal, double cut, double sign);
 
 }  // namespace radcert::reference

@@ -168,8 +168,12 @@ private:
   /// E = u - Ku by the second route; K(I-P_n)u is the difference of the two.
   void manufacture_emission(const OperatorRoute& route) {
     const Stopwatch watch;
-    const OperatorAtNodes ku = apply_operator(problem_, surface_, route, nodes_, rho_);
+    OperatorAtNodes ku = apply_operator(problem_, surface_, route, nodes_, rho_);
     outcome_.timing.operator_seconds = watch.seconds();
+    if (!all_finite(ku.radius)) {
+      data_are_known_ = false;
+      ku.radius.assign(nodes_.size(), 0);
+    }
     const std::vector<double> k_pn_u = accurate_product(matrix_.entries, u_);
     const double u_size = largest_size(u_);
     double radius = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -233,8 +234,10 @@ private:
     // Where the coefficients are the values, an error of a value passes through the elements once more.
     const double smoothing = system_ ? 1 : row_sum;
     const double defect = emission_radius_ + weight_effect_ * largest(coefficients_);
-    Figure error{
-        .value = 0, .radius = smoothing * growth * defect + row_sum * system_error, .guaranteed = false};
+    const double radius = smoothing * growth * defect + row_sum * system_error;
+    Figure error{.value = 0,
+                 .radius = std::isfinite(radius) ? std::optional(radius) : std::nullopt,
+                 .guaranteed = false};
     for (std::size_t i = 0; i < u_.size(); ++i)
       error.value = std::max(error.value, std::abs(u_[i] - u_n_[i]));
     outcome_.result.node_error = error;

@@ -13,7 +13,7 @@ namespace radcert {
 /// Maths     rho(P)/pi Int_S G(P,Q) u(Q) dS_Q
 /// Source    [ac98, (2)]
 /// Requires  -
-/// Result    plain data, a number a point; radius as the route says
+/// Result    plain data, a number a point; radius as the route says, infinite where nothing bounds it
 /// Limits    -
 struct OperatorAtNodes {
   std::vector<double> value;

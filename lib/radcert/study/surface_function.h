@@ -25,8 +25,12 @@ namespace radcert {
 class SurfaceFunction {
 public:
   SurfaceFunction(const PiecewiseExpression& function, const Surface& surface) {
-    for (const Chart& chart : surface.charts) by_chart_.emplace_back(function.on(chart.facts().piece));
+    for (const Chart& chart : surface.charts) formulas_.push_back(function.on(chart.facts().piece));
+    for (const Expression& formula : formulas_) by_chart_.emplace_back(formula);
   }
+
+  /// The expression of each chart.
+  std::span<const Expression> formulas() const { return formulas_; }
 
   double operator()(std::size_t chart, const Vector<double>& q) const {
     return by_chart_[chart].at(q.x, q.y, q.z);
@@ -46,6 +50,7 @@ public:
   }
 
 private:
+  std::vector<Expression> formulas_;
   std::vector<CompiledExpression> by_chart_;
 };
 

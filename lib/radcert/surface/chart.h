@@ -171,6 +171,8 @@ public:
   const ChartFacts& facts() const { return facts_; }
   template <Real R>
   const ChartIn<R>& in() const;
+  /// Whether in<Ball>() has a formula to give.
+  bool is_known_in_balls() const { return in_balls_ != nullptr; }
 
 private:
   ChartFacts facts_;

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/reference/density_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <tuple>
+#include <utility>
+
+#include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
+#include "radcert/expression/batch.h"
+#include "radcert/scalar/ball_precision.h"
+
+namespace radcert::reference {
+namespace {
+
+const WorkLimit most_halvings("reference/density_cells: halvings", 2000, 0,
+                              "how far u is from a polynomial on the cells left goes into the radius");
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr long bits = 64;
+constexpr double narrowest = 0x1p-40;  // of a parameter; a cell so narrow is not halved
+constexpr double goal = 0x1p-44;       // of Int |u|
+
+/// An interval of one coordinate.
+struct Interval {
+  double low = infinite;
+  double high = -infinite;
+
+  void include(const Ball& x) {
+    low = std::min(low, x.lower_double());
+    high = std::max(high, x.upper_double());
+  }
+  double middle() const { return low + (high - low) / 2; }
+  /// No end is farther from the middle.
+  double half() const { return std::nextafter(std::max(high - middle(), middle() - low), infinite); }
+};
+
+struct Box {
+  Interval x, y, z;
+};
+
+/// The ball from one end of an interval, exact there, to the other or a little farther: a root may end at that end.
+Ball from_end(const Interval& x, bool from_low) {
+  if (x.low == x.high) return Ball(x.low);
+  int exponent = 0;
+  constexpr int digits = 20;  // so few that a ball's radius holds them
+  const double mantissa = std::frexp(x.high - x.low, &exponent);
+  const double width = std::ldexp(std::ceil(std::ldexp(mantissa, digits)) + 1,
+                                  exponent - digits);  // the difference is rounded
+  const Ball half = Ball(width / 2);
+  return widened(from_low ? Ball(x.low) + half : Ball(x.high) - half, half);
+}
+
+/// The complex square about the disk of `growth` times the radius about an interval.
+ComplexBall disk_about(const Interval& x, double growth) {
+  const Ball radius = Ball(growth) * Ball(x.half());
+  const Ball across = widened(Ball(0), radius);
+  return {Ball(x.middle()) + across, across};
+}
+
+Ball range(const Expression& f, const Box& box) {
+  Ball value;
+  for (const bool from_low : {true, false}) {
+    value =
+        f.evaluate<Ball>({from_end(box.x, from_low), from_end(box.y, from_low), from_end(box.z, from_low)});
+    if (value.is_finite()) break;
+  }
+  return value;
+}
+
+/// How far f is on a box from a polynomial of degree < 64.
+double deviation_on(const Expression& f, const Box& box) {
+  const Ball values = range(f, box);
+  if (!values.is_finite()) return infinite;
+  double least = values.radius();
+  const double negligible = 0x1p-60 * abs(values).upper_double();
+  for (const double growth : {2.0, 3.0, 5.0 / 3}) {
+    if (least <= negligible) break;
+    const double m = f.evaluate<ComplexBall>(
+                          {disk_about(box.x, growth), disk_about(box.y, growth), disk_about(box.z, growth)})
+                         .magnitude_bound();
+    constexpr int degree = 64;
+    constexpr double rounding = 1 + 0x1p-40;
+    least = std::min(least, rounding * m / (std::pow(growth, degree - 1) * (growth - 1)));
+  }
+  return least;
+}
+
+void include(Box& box, const Vector<Ball>& q) {
+  box.x.include(q.x);
+  box.y.include(q.y);
+  box.z.include(q.z);
+}
+
+/// A box about F(polygon): about the corners of a plane one, else about the images of rectangles of parameters.
+Box box_about(const Chart& chart, const Polygon& polygon) {
+  const ChartIn<Ball>& formula = chart.in<Ball>();
+  Box box;
+  if (chart.facts().plane) {
+    for (std::size_t i = 0; i < polygon.count; ++i)
+      include(box, formula.frame({Ball(polygon[i].s), Ball(polygon[i].t)}).point);
+    return box;
+  }
+  Interval s;
+  Interval t;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    s.include(Ball(polygon[i].s));
+    t.include(Ball(polygon[i].t));
+  }
+  const int parts = std::max(s.high - s.low, t.high - t.low) > 0.125 ? 4 : 2;  // a wide one loses more
+  const auto part = [parts](const Interval& x, int i) -> Interval {
+    const double step = (x.high - x.low) / parts;
+    return {i == 0 ? x.low : x.low + i * step, i + 1 == parts ? x.high : x.low + (i + 1) * step};
+  };
+  for (int i = 0; i < parts; ++i)
+    for (int j = 0; j < parts; ++j) {
+      const Interval of_s = part(s, i);
+      const Interval of_t = part(t, j);
+      if (chart.facts().domain == ChartDomain::unit_triangle && of_s.low + of_t.low > 1) continue;
+      include(box, formula.frame({from_end(of_s, true), from_end(of_t, true)}).point);
+    }
+  return box;
+}
+
+Parameters middle_of(const Polygon& polygon) {
+  Parameters sum{0, 0};
+  for (std::size_t i = 0; i < polygon.count; ++i) sum = sum + polygon[i];
+  return (1 / static_cast<double>(polygon.count)) * sum;
+}
+
+double area_of(const Polygon& polygon) {
+  double twice = 0;
+  for (std::size_t i = 1; i + 1 < polygon.count; ++i)
+    twice += cross(polygon[i] - polygon[0], polygon[i + 1] - polygon[0]);
+  return std::abs(twice) / 2;
+}
+
+/// A cell at work.
+struct Open {
+  DensityCell cell;
+  double share = 0;     // deviation times area
+  double integral = 0;  // of |u|, by the value in the middle
+  double longest = 0;   // extent in space
+  bool is_final = false;
+};
+
+/// Infinite shares first, then the larger ones; the longer of two that are alike.
+bool is_less_urgent(const Open& a, const Open& b) {
+  return std::tuple(!a.is_final, a.share, a.longest) < std::tuple(!b.is_final, b.share, b.longest);
+}
+
+/// The cells of one density.
+class Cells {
+public:
+  Cells(const Surface& surface, std::span<const Expression> formulas)
+      : surface_(surface), formulas_(formulas) {
+    for (const Expression& f : formulas) values_.emplace_back(f);
+  }
+
+  std::vector<DensityCell> found() && {
+    for (std::size_t chart = 0; chart < surface_.chart_count(); ++chart)
+      put(opened(chart, whole_domain(surface_.charts[chart].facts().domain), true));
+    const std::size_t most = most_halvings.count();
+    for (std::size_t k = 0; k < most && !is_enough(); ++k) {
+      std::pop_heap(cells_.begin(), cells_.end(), is_less_urgent);
+      const Open cell = std::move(cells_.back());
+      cells_.pop_back();
+      for (Open& part : halved(cell)) put(std::move(part));
+    }
+    std::sort(cells_.begin(), cells_.end(), [](const Open& a, const Open& b) {
+      const auto place = [](const Open& x) {
+        return std::tuple(x.cell.chart, x.cell.polygon[0].s, x.cell.polygon[0].t, x.cell.polygon[1].s,
+                          x.cell.polygon[1].t);
+      };
+      return place(a) < place(b);
+    });
+    std::vector<DensityCell> result;
+    result.reserve(cells_.size());
+    for (const Open& open : cells_) result.push_back(open.cell);
+    return result;
+  }
+
+private:
+  Open opened(std::size_t index, const Polygon& polygon, bool is_whole) const {
+    const Chart& chart = surface_.charts[index];
+    const Expression& f = formulas_[index];
+    Open open{.cell = {.chart = index, .polygon = polygon, .is_whole = is_whole}};
+    const Parameters middle = middle_of(polygon);
+    const Frame<double> frame = chart.in<double>().frame(middle);
+    open.cell.area = area_element(frame) * area_of(polygon);
+    const double value = values_[index].at(frame.point.x, frame.point.y, frame.point.z);
+    if (std::isfinite(value)) open.integral = std::abs(value) * open.cell.area;
+    if (f.is_constant()) {
+      open.is_final = true;
+      return open;
+    }
+    open.cell.deviation = infinite;
+    open.cell.centre = frame.point;
+    open.cell.half = {infinite, infinite, infinite};
+    if (chart.is_known_in_balls()) {
+      const Box box = box_about(chart, polygon);
+      open.cell.centre = {box.x.middle(), box.y.middle(), box.z.middle()};
+      open.cell.half = {box.x.half(), box.y.half(), box.z.half()};
+      open.longest = std::max({open.cell.half.x, open.cell.half.y, open.cell.half.z});
+      if (std::isfinite(open.longest)) open.cell.deviation = deviation_on(f, box);
+    } else {
+      open.is_final = true;
+    }
+    open.share = open.cell.deviation == 0 ? 0 : open.cell.deviation * open.cell.area;
+    if (open.share == 0) open.is_final = true;
+    return open;
+  }
+
+  /// The halves by the line that leaves the least, or the cell itself, if it is too narrow.
+  std::vector<Open> halved(const Open& cell) const {
+    const Polygon& polygon = cell.cell.polygon;
+    std::vector<Open> best;
+    const auto cost = [](const std::vector<Open>& parts) {
+      int without_bound = 0;
+      double share = 0;
+      double longest = 0;
+      for (const Open& part : parts) {
+        if (std::isinf(part.share)) ++without_bound;
+        if (std::isfinite(part.share)) share += part.share;
+        longest = std::max(longest, part.longest);
+      }
+      return std::tuple(without_bound, share, longest);
+    };
+    for (const Parameters& normal :
+         {Parameters{1, 0}, Parameters{0, 1}, Parameters{1, 1}, Parameters{1, -1}}) {
+      Interval extent;
+      for (std::size_t i = 0; i < polygon.count; ++i) {
+        const double here = normal.s * polygon[i].s + normal.t * polygon[i].t;
+        extent.low = std::min(extent.low, here);
+        extent.high = std::max(extent.high, here);
+      }
+      if (extent.high - extent.low < narrowest) continue;
+      std::vector<Open> parts;
+      for (const double side : {1.0, -1.0}) {
+        const Polygon part = clipped(polygon, normal, extent.middle(), side);
+        if (part.count != 0) parts.push_back(opened(cell.cell.chart, part, false));
+      }
+      if (parts.size() == 2 && (best.empty() || cost(parts) < cost(best))) best = std::move(parts);
+    }
+    if (best.empty()) {
+      best.push_back(cell);
+      best.back().is_final = true;
+    }
+    return best;
+  }
+
+  void put(Open open) {
+    cells_.push_back(std::move(open));
+    std::push_heap(cells_.begin(), cells_.end(), is_less_urgent);
+  }
+
+  bool is_enough() const {
+    if (cells_.front().is_final) return true;
+    double share = 0;
+    double integral = 0;
+    for (const Open& open : cells_) {
+      share += open.share;
+      integral += open.integral;
+    }
+    return share <= goal * integral;
+  }
+
+  const Surface& surface_;
+  std::span<const Expression> formulas_;
+  std::vector<CompiledExpression> values_;
+  std::vector<Open> cells_;
+};
+
+}  // namespace
+
+std::vector<DensityCell> density_cells(const Surface& surface, std::span<const Expression> formulas) {
+  expects(formulas.size() == surface.chart_count(), "a formula for each chart",
+          named("formulas", formulas.size()));
+  const BallPrecision precision(bits);
+  return Cells(surface, formulas).found();
+}
+
+double deviation_at(const DensityCell& cell, const Vector<double>& p) {
+  const auto beyond = [](double x, double half) { return std::max(std::abs(x) - half, 0.0); };
+  const Vector<double> d = p - cell.centre;
+  const double distance =
+      norm(Vector<double>{beyond(d.x, cell.half.x), beyond(d.y, cell.half.y), beyond(d.z, cell.half.z)});
+  const double most = distance > 0 ? std::min(pi<double>(), cell.area / (distance * distance)) : pi<double>();
+  return 2 * cell.deviation * most;
+}
+
+}  // namespace radcert::reference

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/reference/density_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
+#include "radcert/expression/parse.h"
+#include "radcert/reference/operator_integral.h"
+#include "radcert/surface/catalogue.h"
+#include "radcert/surface/catalogue/box.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/two_piece.h"
+
+namespace radcert::reference {
+namespace {
+
+std::vector<DensityCell> cells_of(const Surface& surface, const std::string& u) {
+  return density_cells(surface, std::vector<Expression>(surface.chart_count(), parse_expression(u).value()));
+}
+
+/// Fewer halvings than usual.
+std::unique_ptr<LoweredWorkLimit> few_halvings(long count) {
+  for (const WorkLimit* limit : work_limits())
+    if (limit->name() == "reference/density_cells: halvings")
+      return std::make_unique<LoweredWorkLimit>(*limit, count);
+  return nullptr;
+}
+
+bool holds(const Polygon& polygon, const Parameters& at) {
+  for (std::size_t i = 0; i < polygon.count; ++i)
+    if (cross(polygon[i + 1] - polygon[i], at - polygon[i]) < -1e-15) return false;
+  return true;
+}
+
+/// Largest error of the polynomial of degree 63 through 64 Chebyshev nodes of a segment: at most (1 + Lambda) times the best one's,
+/// Lambda <= 2/pi log 64 + 1 (Trefethen, Approximation Theory and Approximation Practice, Theorem 15.2).
+double interpolation_error(const std::function<double(double)>& g) {
+  constexpr int n = 64;
+  std::vector<double> x(n);
+  std::vector<double> values(n);
+  for (int k = 0; k < n; ++k) {
+    x[k] = std::cos(std::numbers::pi * (k + 0.5) / n);
+    values[k] = g(x[k]);
+  }
+  double largest = 0;
+  for (int i = 1; i < 200; ++i) {
+    const double at = -1 + i / 100.0 + 1e-4;
+    double above = 0;
+    double below = 0;
+    for (int k = 0; k < n; ++k) {
+      const double weight = (k % 2 == 0 ? 1 : -1) * std::sin(std::numbers::pi * (k + 0.5) / n) / (at - x[k]);
+      above += weight * values[k];
+      below += weight;
+    }
+    largest = std::max(largest, std::abs(above / below - g(at)));
+  }
+  return largest;
+}
+
+constexpr double one_and_lebesgue = 1 + 3.65;
+
+/// On segments of its cells u is as near to a polynomial as its cells say.
+void expect_deviations(const Surface& surface, const std::string& u) {
+  const Expression f = parse_expression(u).value();
+  std::mt19937 stream(7);
+  for (const DensityCell& cell : cells_of(surface, u)) {
+    const ChartIn<double>& chart = surface.charts[cell.chart].in<double>();
+    const auto corner = [&] { return cell.polygon[stream() % cell.polygon.count]; };
+    const Parameters from = corner();
+    Parameters to = corner();
+    if (from == to) to = 0.5 * (cell.polygon[0] + cell.polygon[2]);
+    double size = 0;
+    const double error = interpolation_error([&](double x) {
+      const Vector<double> q = chart.frame(from + (1 + x) / 2 * (to - from)).point;
+      EXPECT_LE(std::abs(q.x - cell.centre.x), cell.half.x + 1e-15) << u;
+      EXPECT_LE(std::abs(q.y - cell.centre.y), cell.half.y + 1e-15) << u;
+      EXPECT_LE(std::abs(q.z - cell.centre.z), cell.half.z + 1e-15) << u;
+      const double value = f.evaluate<double>({q.x, q.y, q.z});
+      size = std::max(size, std::abs(value));
+      return value;
+    });
+    EXPECT_LE(error, one_and_lebesgue * cell.deviation + 1e-12 * size + 1e-15)
+        << u << " on chart " << cell.chart << " of " << surface.name << " about (" << cell.centre.x << ", "
+        << cell.centre.y << ", " << cell.centre.z << ")";
+  }
+}
+
+const std::vector<std::string> sharp{"1 + exp(-1e6*((x-0.3)^2 + (y-0.4)^2 + z^2))",
+                                     "abs(x - y*0.7 - 0.1)",
+                                     "max(0, 0.001 - abs(x-0.3) - abs(y-0.4) - z)",
+                                     "1/(1e-5 + (x-1)^2 + (y-0.2)^2)",
+                                     "sqrt(z)",
+                                     "cos(300*x*y)"};
+
+TEST(DensityCells, IsOneCellAChartWhereTheDensityIsSmooth) {
+  for (const std::string& u : std::vector<std::string>{"2", "exp(x/2 + y/3 - z/4)", "x^4*y",
+                                                       "cos(3*x)*sin(y - z)", "1/sqrt(x^2 + y^2 + (z-6)^2)"})
+    for (const Surface& surface : {cube(), two_piece(1)}) {
+      const std::vector<DensityCell> cells = cells_of(surface, u);
+      EXPECT_EQ(cells.size(), surface.chart_count()) << u << " on " << surface.name;
+      for (const DensityCell& cell : cells) {
+        EXPECT_TRUE(cell.is_whole);
+        EXPECT_LE(cell.deviation, 1e-12) << u << " on " << surface.name;
+      }
+    }
+}
+
+TEST(DensityCells, CoversEveryChartOnce) {
+  std::mt19937 stream(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto few = few_halvings(200);
+  for (const Surface& surface : {cube(), ellipsoid(1, 2, 3), two_piece(1)})
+    for (const std::string& u : sharp) {
+      const std::vector<DensityCell> cells = cells_of(surface, u);
+      for (int i = 0; i < 100; ++i) {
+        const std::size_t chart = stream() % surface.chart_count();
+        Parameters at{uniform(stream), uniform(stream)};
+        if (surface.charts[chart].facts().domain == ChartDomain::unit_triangle && at.s + at.t > 1)
+          at = {1 - at.s, 1 - at.t};
+        EXPECT_EQ(std::ranges::count_if(cells,
+                                        [&](const DensityCell& cell) {
+                                          return cell.chart == chart && holds(cell.polygon, at);
+                                        }),
+                  1)
+            << u << " on " << surface.name;
+      }
+    }
+}
+
+TEST(DensityCells, BoundsHowFarTheDensityIsFromAPolynomial) {
+  for (const long halvings : {40, 400}) {
+    const auto few = few_halvings(halvings);
+    for (const Surface& surface : {cube(), box(Rational(3, 10), 1, 7), two_piece(1)})
+      for (const std::string& u : sharp) expect_deviations(surface, u);
+  }
+}
+
+TEST(DensityCells, ResolvesPeaksAndLinesAlongTheSides) {
+  for (const std::string& u : std::vector<std::string>{sharp[0], sharp[2], "sqrt(z)", "abs(x - 0.3)"}) {
+    double left = 0;
+    for (const DensityCell& cell : cells_of(cube(), u)) left += cell.deviation * cell.area;
+    EXPECT_LE(left, 1e-11) << u;
+  }
+}
+
+TEST(DensityCells, HasNoBoundWhereTheFormulaHasNoValue) {
+  double largest = 0;
+  for (const DensityCell& cell : cells_of(cube(), "1/(x - 0.3)")) largest = std::max(largest, cell.deviation);
+  EXPECT_TRUE(std::isinf(largest));
+  EXPECT_THROW(density_cells(cube(), {}), ContractViolation);
+}
+
+/// On the whole catalogue a smooth density has small bounds: each chart's images are enclosed.
+TEST(DensityCells, KnowsTheCatalogue) {
+  for (const SurfaceDescription& description : surface_catalogue()) {
+    std::vector<Rational> values;
+    for (const ParameterDescription& parameter : description.parameters)
+      values.push_back(*Rational::parse(parameter.default_text));
+    const Surface surface = description.make(values);
+    double left = 0;
+    const std::vector<DensityCell> cells = cells_of(surface, "exp(x/2 + y/3 - z/4)");
+    for (const DensityCell& cell : cells) left += cell.deviation * cell.area;
+    EXPECT_LE(left, 1e-10) << description.name;
+    EXPECT_LE(cells.size(), 8 * surface.chart_count()) << description.name;
+  }
+}
+
+/// Int G u for a peak exp(-a |Q - Q_0|^2) amid a plane side: pi/a G(P, Q_0) (1 + O(1/a)), the factor from G'' and d >= 1/2.
+TEST(AppliedOperator, SeesPeaksNarrowerThanItsPoints) {
+  const Surface surface = cube();
+  const SurfacePoint<double> p{5, {0.4, 0.7}};
+  const Frame<double> frame = surface.charts[5].in<double>().frame(p.at);
+  for (const double a : {1e4, 1e6, 1e8, 1e12}) {
+    const std::string text = std::to_string(a) + "*((x-0.3)^2 + (y-0.4)^2 + z^2)";
+    const Expression u = parse_expression("1 + exp(-" + text + ")").value();
+    const std::vector<Expression> formulas(surface.chart_count(), u);
+    const Density density = [&](const SurfacePoint<double>&, const Vector<double>& q) {
+      return u.evaluate<double>({q.x, q.y, q.z});
+    };
+    const Estimate found = AppliedOperator(surface, density, formulas)(p);
+    const Vector<double> d = Vector<double>{0.3, 0.4, 0} - frame.point;
+    const Vector<double> n = unit_normal(frame);
+    const double g = dot(d, n) * -d.z / (dot(d, d) * dot(d, d));
+    EXPECT_NEAR(found.value - std::numbers::pi, std::numbers::pi / a * g, found.radius + 100 / (a * a)) << a;
+    EXPECT_LE(found.radius, 1e-12) << a;
+  }
+}
+
+}  // namespace
+}  // namespace radcert::reference
