@@ -20,6 +20,7 @@
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
+#include "radcert/surface/mesh_surface.h"
 
 namespace radcert::reference {
 namespace {
@@ -175,25 +176,67 @@ TEST(DensityCells, KnowsTheCatalogue) {
   }
 }
 
-/// Int G u for a peak exp(-a |Q - Q_0|^2) amid a plane side: pi/a G(P, Q_0) (1 + O(1/a)), the factor from G'' and d >= 1/2.
-TEST(AppliedOperator, SeesPeaksNarrowerThanItsPoints) {
-  const Surface surface = cube();
-  const SurfacePoint<double> p{5, {0.4, 0.7}};
-  const Frame<double> frame = surface.charts[5].in<double>().frame(p.at);
+/// Int G V u for u = 1 + exp(-a |Q - Q_0|^2), Q_0 amid a plane part, less that for 1: pi/a G(P, Q_0) V(P, Q_0) (1 + O(1/a)), the factor from
+/// G'' at distances of 1/2 and more.
+void expect_peak(const Surface& surface, const SurfacePoint<double>& p, const Vector<double>& q,
+                 const Vector<double>& normal_q, bool is_seen, double without_peak) {
+  const Frame<double> frame = surface.charts[p.chart].in<double>().frame(p.at);
   for (const double a : {1e4, 1e6, 1e8, 1e12}) {
-    const std::string text = std::to_string(a) + "*((x-0.3)^2 + (y-0.4)^2 + z^2)";
-    const Expression u = parse_expression("1 + exp(-" + text + ")").value();
+    const auto square = [](const char* name, double at) {
+      return "(" + std::string(name) + " - " + std::to_string(at) + ")^2";
+    };
+    const Expression u = parse_expression("1 + exp(-" + std::to_string(a) + "*(" + square("x", q.x) + " + " +
+                                          square("y", q.y) + " + " + square("z", q.z) + "))")
+                             .value();
     const std::vector<Expression> formulas(surface.chart_count(), u);
-    const Density density = [&](const SurfacePoint<double>&, const Vector<double>& q) {
-      return u.evaluate<double>({q.x, q.y, q.z});
+    const Density density = [&](const SurfacePoint<double>&, const Vector<double>& point) {
+      return u.evaluate<double>({point.x, point.y, point.z});
     };
     const Estimate found = AppliedOperator(surface, density, formulas)(p);
-    const Vector<double> d = Vector<double>{0.3, 0.4, 0} - frame.point;
-    const Vector<double> n = unit_normal(frame);
-    const double g = dot(d, n) * -d.z / (dot(d, d) * dot(d, d));
-    EXPECT_NEAR(found.value - std::numbers::pi, std::numbers::pi / a * g, found.radius + 100 / (a * a)) << a;
+    const Vector<double> d = q - frame.point;
+    const double g = is_seen ? dot(d, unit_normal(frame)) * -dot(d, normal_q) / (dot(d, d) * dot(d, d)) : 0;
+    EXPECT_NEAR(found.value - without_peak, std::numbers::pi / a * g, found.radius + 100 / (a * a)) << a;
     EXPECT_LE(found.radius, 1e-12) << a;
   }
+}
+
+TEST(AppliedOperator, SeesPeaksNarrowerThanItsPoints) {
+  expect_peak(cube(), {5, {0.4, 0.7}}, {0.3, 0.4, 0}, {0, 0, 1}, true, std::numbers::pi);
+}
+
+/// A floor and a ceiling with a plate between them.
+Surface plate_in_a_room() {
+  const TriangleMesh mesh{.vertices = {{0, 0, 0},
+                                       {2, 0, 0},
+                                       {2, 2, 0},
+                                       {0, 2, 0},
+                                       {0, 0, 2},
+                                       {2, 0, 2},
+                                       {2, 2, 2},
+                                       {0, 2, 2},
+                                       {0.5, 0.5, 1},
+                                       {1.5, 0.5, 1},
+                                       {1, 1.5, 1}},
+                          .triangles = {{0, 1, 2}, {0, 2, 3}, {4, 6, 5}, {4, 7, 6}, {8, 9, 10}},
+                          .group = {0, 0, 1, 1, 2},
+                          .group_names = {"floor", "ceiling", "plate"},
+                          .face = {0, 1, 2, 3, 4}};
+  const std::vector<std::size_t> pieces{0, 0, 1, 1, 2};
+  const std::vector<std::string> names{"floor", "ceiling", "plate"};
+  return mesh_surface(
+      "plate", mesh, pieces, names,
+      {.orientation = Orientation::along_the_cross_product, .closed = false, .unoccluded = false});
+}
+
+TEST(AppliedOperator, SeesPeaksPastOccludersOnly) {
+  const Surface surface = plate_in_a_room();
+  const SurfacePoint<double> p{2, {0.3, 0.4}};  // on the ceiling, at (1.4, 0.6, 2)
+  const Density one = [](const SurfacePoint<double>&, const Vector<double>&) { return 1.0; };
+  const double without_peak = AppliedOperator(surface, one)(p).value;
+  const Vector<double> up{0, 0, 1};
+  expect_peak(surface, p, {0.25, 1.75, 0}, up, true, without_peak);
+  expect_peak(surface, p, {0.625, 1, 0}, up, false, without_peak);
+  expect_peak(surface, p, {1.75, 0.25, 0}, up, true, without_peak);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/expression/batch.h"
+#include "radcert/reference/box_value.h"
 #include "radcert/scalar/ball_precision.h"
 
 namespace radcert::reference {
@@ -62,31 +63,26 @@ ComplexBall disk_about(const Interval& x, double growth) {
   return {Ball(x.middle()) + across, across};
 }
 
-Ball range(const Expression& f, const Box& box) {
-  Ball value;
-  for (const bool from_low : {true, false}) {
-    value =
-        f.evaluate<Ball>({from_end(box.x, from_low), from_end(box.y, from_low), from_end(box.z, from_low)});
-    if (value.is_finite()) break;
-  }
-  return value;
+BoxValue value_on(const Expression& f, const Box& box, bool from_low, double growth) {
+  const auto of = [&](const Interval& x) { return BoxValue(from_end(x, from_low), disk_about(x, growth)); };
+  return f.evaluate<BoxValue>({of(box.x), of(box.y), of(box.z)});
 }
 
 /// How far f is on a box from a polynomial of degree < 64.
 double deviation_on(const Expression& f, const Box& box) {
-  const Ball values = range(f, box);
-  if (!values.is_finite()) return infinite;
-  double least = values.radius();
-  const double negligible = 0x1p-60 * abs(values).upper_double();
-  for (const double growth : {2.0, 3.0, 5.0 / 3}) {
-    if (least <= negligible) break;
-    const double m = f.evaluate<ComplexBall>(
-                          {disk_about(box.x, growth), disk_about(box.y, growth), disk_about(box.z, growth)})
-                         .magnitude_bound();
-    constexpr int degree = 64;
-    constexpr double rounding = 1 + 0x1p-40;
-    least = std::min(least, rounding * m / (std::pow(growth, degree - 1) * (growth - 1)));
-  }
+  constexpr int degree = 64;
+  constexpr double rounding = 1 + 0x1p-40;
+  double least = infinite;
+  for (const double growth : {2.0, 3.0, 5.0 / 3})
+    for (const bool from_low : {true, false}) {
+      const BoxValue value = value_on(f, box, from_low, growth);
+      if (!value.on_box.is_finite()) continue;
+      const double m = value.on_disks.magnitude_bound();
+      least = std::min(
+          {least, value.on_box.radius(), rounding * m / (std::pow(growth, degree - 1) * (growth - 1))});
+      if (least <= 0x1p-60 * abs(value.on_box).upper_double()) return least;
+      break;
+    }
   return least;
 }
 
@@ -144,13 +140,13 @@ struct Open {
   DensityCell cell;
   double share = 0;     // deviation times area
   double integral = 0;  // of |u|, by the value in the middle
-  double longest = 0;   // extent in space
+  double extent = 0;    // half the diagonal of its box
   bool is_final = false;
 };
 
-/// Infinite shares first, then the larger ones; the longer of two that are alike.
+/// Infinite shares first, then the larger ones; the wider of two that are alike.
 bool is_less_urgent(const Open& a, const Open& b) {
-  return std::tuple(!a.is_final, a.share, a.longest) < std::tuple(!b.is_final, b.share, b.longest);
+  return std::tuple(!a.is_final, a.share, a.extent) < std::tuple(!b.is_final, b.share, b.extent);
 }
 
 /// The cells of one density.
@@ -205,8 +201,8 @@ private:
       const Box box = box_about(chart, polygon);
       open.cell.centre = {box.x.middle(), box.y.middle(), box.z.middle()};
       open.cell.half = {box.x.half(), box.y.half(), box.z.half()};
-      open.longest = std::max({open.cell.half.x, open.cell.half.y, open.cell.half.z});
-      if (std::isfinite(open.longest)) open.cell.deviation = deviation_on(f, box);
+      open.extent = norm(open.cell.half);
+      if (std::isfinite(open.extent)) open.cell.deviation = deviation_on(f, box);
     } else {
       open.is_final = true;
     }
@@ -215,42 +211,66 @@ private:
     return open;
   }
 
-  /// The halves by the line that leaves the least, or the cell itself, if it is too narrow.
-  std::vector<Open> halved(const Open& cell) const {
-    const Polygon& polygon = cell.cell.polygon;
-    std::vector<Open> best;
-    const auto cost = [](const std::vector<Open>& parts) {
-      int without_bound = 0;
-      double share = 0;
-      double longest = 0;
-      for (const Open& part : parts) {
-        if (std::isinf(part.share)) ++without_bound;
-        if (std::isfinite(part.share)) share += part.share;
-        longest = std::max(longest, part.longest);
+  /// Two halves of a cell, and what they leave.
+  struct Halves {
+    std::vector<Open> parts;
+    int without_bound = 0;
+    double share = 0;   // of those with a bound
+    double extent = 0;  // of the larger one, in space
+  };
+
+  Halves halves(const DensityCell& cell, const Parameters& normal) const {
+    Interval along;
+    for (std::size_t i = 0; i < cell.polygon.count; ++i) {
+      const double here = normal.s * cell.polygon[i].s + normal.t * cell.polygon[i].t;
+      along.low = std::min(along.low, here);
+      along.high = std::max(along.high, here);
+    }
+    Halves result;
+    if (along.high - along.low < narrowest) return result;
+    for (const double side : {1.0, -1.0}) {
+      const Polygon part = clipped(cell.polygon, normal, along.middle(), side);
+      if (part.count == 0) return {};
+      result.parts.push_back(opened(cell.chart, part, false));
+      const Open& half = result.parts.back();
+      if (std::isfinite(half.share)) {
+        result.share += half.share;
+      } else {
+        ++result.without_bound;
       }
-      return std::tuple(without_bound, share, longest);
+      result.extent = std::max(result.extent, half.extent);
+    }
+    return result;
+  }
+
+  /// The halves of least extent, or those that leave far less: towards a line on which u is not analytic cells become thin. The cell itself,
+  /// if it is too narrow.
+  std::vector<Open> halved(const Open& cell) const {
+    const auto is_rounder = [](const Halves& a, const Halves& b) {
+      return std::tuple(a.extent, a.without_bound, a.share) < std::tuple(b.extent, b.without_bound, b.share);
     };
+    const auto leaves_less = [](const Halves& a, const Halves& b) {
+      return std::tuple(a.without_bound, a.share, a.extent) < std::tuple(b.without_bound, b.share, b.extent);
+    };
+    Halves round;
+    Halves least;
     for (const Parameters& normal :
          {Parameters{1, 0}, Parameters{0, 1}, Parameters{1, 1}, Parameters{1, -1}}) {
-      Interval extent;
-      for (std::size_t i = 0; i < polygon.count; ++i) {
-        const double here = normal.s * polygon[i].s + normal.t * polygon[i].t;
-        extent.low = std::min(extent.low, here);
-        extent.high = std::max(extent.high, here);
-      }
-      if (extent.high - extent.low < narrowest) continue;
-      std::vector<Open> parts;
-      for (const double side : {1.0, -1.0}) {
-        const Polygon part = clipped(polygon, normal, extent.middle(), side);
-        if (part.count != 0) parts.push_back(opened(cell.cell.chart, part, false));
-      }
-      if (parts.size() == 2 && (best.empty() || cost(parts) < cost(best))) best = std::move(parts);
+      const Halves found = halves(cell.cell, normal);
+      if (found.parts.empty()) continue;
+      if (round.parts.empty() || is_rounder(found, round)) round = found;
+      if (least.parts.empty() || leaves_less(found, least)) least = found;
     }
-    if (best.empty()) {
-      best.push_back(cell);
-      best.back().is_final = true;
+    if (round.parts.empty()) {
+      Open last = cell;
+      last.is_final = true;
+      return {last};
     }
-    return best;
+    constexpr double far_less = 0.6;  // r^b leaves 2^-(1+b)
+    const bool is_worth_it =
+        least.without_bound < round.without_bound ||
+        (least.without_bound == round.without_bound && least.share < far_less * round.share);
+    return is_worth_it ? least.parts : round.parts;
   }
 
   void put(Open open) {
