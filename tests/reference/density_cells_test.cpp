@@ -139,7 +139,7 @@ TEST(DensityCells, CoversEveryChartOnce) {
 }
 
 TEST(DensityCells, BoundsHowFarTheDensityIsFromAPolynomial) {
-  for (const long halvings : {40, 400}) {
+  for (const long halvings : {40, 150}) {
     const auto few = few_halvings(halvings);
     for (const Surface& surface : {cube(), box(Rational(3, 10), 1, 7), two_piece(1)})
       for (const std::string& u : sharp) expect_deviations(surface, u);
@@ -181,7 +181,7 @@ TEST(DensityCells, KnowsTheCatalogue) {
 void expect_peak(const Surface& surface, const SurfacePoint<double>& p, const Vector<double>& q,
                  const Vector<double>& normal_q, bool is_seen, double without_peak) {
   const Frame<double> frame = surface.charts[p.chart].in<double>().frame(p.at);
-  for (const double a : {1e4, 1e6, 1e8, 1e12}) {
+  for (const double a : {1e4, 1e10}) {
     const auto square = [](const char* name, double at) {
       return "(" + std::string(name) + " - " + std::to_string(at) + ")^2";
     };

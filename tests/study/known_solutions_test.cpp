@@ -198,5 +198,41 @@ TEST(KnownSolutions, TheSphericalCapIsSuperconvergent) {
   EXPECT_LT(coarse / fine, 32);
 }
 
+TEST(KnownSolutions, PeaksBetweenThePointsOfTheSecondRouteAreSeen) {
+  // Ku for u = 1 + c exp(-a |Q - Q_0|^2) on the cube is rho (1 + c/a G(P, Q_0) (1 + O(1/a))).
+  const Vector<double> peak{0.3, 0.4, 0};
+  for (const auto& [a, c] : {std::pair{1e4, 1.0}, {1e6, 1.0}, {1e8, 1e6}, {1e12, -1e3}}) {
+    Problem problem =
+        with_solution(sample_problem("cube"), "1 + (" + std::to_string(c) + ")*exp(-" + std::to_string(a) +
+                                                  "*((x-0.3)^2 + (y-0.4)^2 + z^2))");
+    const LevelOutcome level = solve_level(problem, 0, reference_route);
+    ASSERT_TRUE(level.result.discretisation_error->radius);
+    double largest = 0;
+    for (const NodeValue& node : level.nodes) {
+      const Vector<double> d = peak - node.point;
+      const double g = node.piece == "floor" ? 0 : dot(d, node.normal) * -d.z / (dot(d, d) * dot(d, d));
+      const double peak_of_ku = c / a * g / 2;
+      largest = std::max(largest, std::abs(peak_of_ku));
+      EXPECT_NEAR(*node.u - node.emission, 0.5 + peak_of_ku,
+                  *level.result.discretisation_error->radius + 1000 * std::abs(c) / (a * a));
+    }
+    // u = 1 at all nodes, so that K P_n u = 1/2.
+    EXPECT_NEAR(level.result.discretisation_error->value, largest,
+                *level.result.discretisation_error->radius + 1000 * std::abs(c) / (a * a))
+        << a;
+    EXPECT_LT(*level.result.discretisation_error->radius, 1e-2 * largest + 1e-12) << a;
+  }
+}
+
+TEST(KnownSolutions, WithoutABoundHaveNoRadius) {
+  for (const char* u : {"log((x - 0.3)^2)", "sin(y - 0.4)/(y - 0.4)", "1/sqrt(abs(z - 0.3))"}) {
+    const LevelResult level =
+        solve_level(with_solution(sample_problem("cube"), u), 0, reference_route).result;
+    EXPECT_FALSE(level.discretisation_error->radius) << u;
+    EXPECT_FALSE(level.node_error->radius) << u;
+    EXPECT_FALSE(level.solution_radius) << u;
+  }
+}
+
 }  // namespace
 }  // namespace radcert

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "radcert/core/lazy_table.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/polynomial/gauss.h"
 #include "radcert/quadrature/bernstein.h"
+#include "radcert/quadrature/even_shape.h"
 
 namespace radcert {
 namespace {
@@ -19,16 +21,16 @@ constexpr int smallest_first_order = 4;
 template <Real R>
 constexpr int last_order = std::is_same_v<R, double> ? 22 : 70;
 constexpr int order_step = 6;
-/// The finer rule has this many points more in each variable. Where the chart is not analytic the gathered rules converge
+/// The finer rule has this many points more in each variable. Where the chart is not analytic, or does not change evenly, the rules converge
 /// so slowly that two points more leave an error larger than the difference.
 constexpr int check_step_analytic = 2;
-constexpr int check_step_gathered = 6;
+constexpr int check_step_slow = 6;
 constexpr double admissible_ellipse = 3.0;
 const WorkLimit deepest_bisection("quadrature/apex_rule: bisections of a side", 60, 0,
                                   "all that the element may hold joins the radius");
 const WorkLimit deepest_halving("quadrature/apex_rule: halvings of a rectangle", 40, 0,
                                 "all that the element may hold joins the radius");
-const WorkLimit most_rectangles("quadrature/apex_rule: rectangles", 300, 0,
+const WorkLimit most_rectangles("quadrature/apex_rule: rectangles", 1000, 0,
                                 "all that the element may hold joins the radius");
 
 /// Points of [0,1] with their distances from both ends, free of cancellation; padded to whole blocks by zero weights.
@@ -74,7 +76,7 @@ Nodes<R> make_nodes(int points, bool gathered) {
 
 template <Real R>
 const Nodes<R>& nodes(int points, bool gathered) {
-  constexpr std::size_t sizes = last_order<R> + check_step_gathered + 1;
+  constexpr std::size_t sizes = last_order<R> + check_step_slow + 1;
   constexpr int most_gathered = std::is_same_v<R, double> ? 32 : 80;
   static LazyTable<Nodes<R>, 2 * sizes> tables;
   const int n = gathered ? std::min(points, most_gathered) : points;
@@ -124,11 +126,12 @@ public:
                  const Tolerance& tolerance)
       : p_(p),
         formula_(chart.in<B>()),
+        scalar_formula_(chart.in<R>()),
         basis_(basis),
         tolerance_(tolerance),
         first_order_(first_order(tolerance)),
         singular_(chart.facts().singular != SingularLine::none),
-        check_step_(singular_ ? check_step_gathered : check_step_analytic),
+        check_step_(singular_ ? check_step_slow : check_step_analytic),
         at_p_(chart.in<R>().frame(p.at.at)) {}
 
   CheckedSums<R> integrate(const ApexTriangle<R>& triangle) {
@@ -191,6 +194,15 @@ private:
       result.complete = false;
       return;
     }
+    if (const auto halves = halves_of_uneven(triangle, area)) {
+      if (depth >= deepest_halving_) {
+        result.complete = false;
+        return;
+      }
+      check_step_ = check_step_slow;
+      for (const Rectangle<R>& half : *halves) integrate_rectangle(triangle, half, across, depth + 1, result);
+      return;
+    }
     for (int order = first_order_; order <= last_order<R>; order += order_step) {
       const int side_order = std::clamp(across + order - first_order_, 4, last_order<R>);
       best.sums = sums(triangle, area, order + check_step_, side_order + check_step_);
@@ -208,6 +220,43 @@ private:
       integrate_rectangle(triangle, half, across, depth + 1, result);
   }
 
+  static std::array<Rectangle<R>, 2> halves_along_l(const Rectangle<R>& area) {
+    const R l = (area.l0 + area.l1) / R(2);
+    return {Rectangle<R>{area.l0, l, area.m0, area.m1}, Rectangle<R>{l, area.l1, area.m0, area.m1}};
+  }
+  static std::array<Rectangle<R>, 2> halves_along_m(const Rectangle<R>& area) {
+    const R m = (area.m0 + area.m1) / R(2);
+    return {Rectangle<R>{area.l0, area.l1, area.m0, m}, Rectangle<R>{area.l0, area.l1, m, area.m1}};
+  }
+
+  /// The normal at a point of a rectangle, from_cut of the way from the cut to the side on the ray m.
+  Vector<R> normal_at(const ApexTriangle<R>& triangle, const R& from_cut, const R& m) const {
+    const R other = R(1) - m;
+    R l = from_cut;
+    if (triangle.extent != Extent::to_side) {
+      const R cut = triangle.offset / (other * triangle.slope_a + m * triangle.slope_b);
+      l = cut + from_cut * (R(1) - cut);
+    }
+    ParameterPoint<R> w = l * (other * triangle.to_a + m * triangle.to_b);
+    if (singular_) w.s = std::max(w.s, -p_.at.at.s);
+    return scalar_formula_.frame(p_.at.at + w).area_normal;
+  }
+
+  /// The halves of a rectangle on which the chart does not bend evenly along three lines of either direction.
+  std::optional<std::array<Rectangle<R>, 2>> halves_of_uneven(const ApexTriangle<R>& triangle,
+                                                              const Rectangle<R>& area) const {
+    std::array<std::array<Vector<R>, 3>, 3> normal;  // by l, by m
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        normal[i][k] = normal_at(triangle, area.l0 + R(static_cast<int>(i)) / R(2) * (area.l1 - area.l0),
+                                 area.m0 + R(static_cast<int>(k)) / R(2) * (area.m1 - area.m0));
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!is_even(normal[0][k], normal[1][k], normal[2][k])) return halves_along_l(area);
+      if (!is_even(normal[k][0], normal[k][1], normal[k][2])) return halves_along_m(area);
+    }
+    return std::nullopt;
+  }
+
   /// The rectangle cut across the variable in which fewer points cost more.
   std::array<Rectangle<R>, 2> halves(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int across,
                                      const KernelSums<R>& best) const {
@@ -215,11 +264,7 @@ private:
     const int side = std::clamp(across + last_order<R> - first_order_, 4, last_order<R>);
     const R by_l = largest_difference(sums(triangle, area, last_order<R> / 2, side + check_step_), best);
     const R by_m = largest_difference(sums(triangle, area, fine, side / 2), best);
-    const R l = (area.l0 + area.l1) / R(2);
-    const R m = (area.m0 + area.m1) / R(2);
-    if (by_l > by_m)
-      return {Rectangle<R>{area.l0, l, area.m0, area.m1}, Rectangle<R>{l, area.l1, area.m0, area.m1}};
-    return {Rectangle<R>{area.l0, area.l1, area.m0, m}, Rectangle<R>{area.l0, area.l1, m, area.m1}};
+    return by_l > by_m ? halves_along_l(area) : halves_along_m(area);
   }
 
   static R largest_difference(const KernelSums<R>& a, const KernelSums<R>& b) {
@@ -298,6 +343,7 @@ private:
 
   const Observer<R>& p_;
   const ChartIn<B>& formula_;
+  const ChartIn<R>& scalar_formula_;
   const TriangleBasis<R>& basis_;
   const Tolerance& tolerance_;
   int first_order_;

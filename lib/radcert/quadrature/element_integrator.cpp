@@ -7,6 +7,7 @@
 #include "radcert/core/work_limit.h"
 #include "radcert/quadrature/bernstein.h"
 #include "radcert/quadrature/chart_inverse.h"
+#include "radcert/quadrature/even_shape.h"
 
 namespace radcert {
 namespace {
@@ -47,6 +48,7 @@ ElementIntegrator<R>::ElementIntegrator(std::shared_ptr<const IntegrationScheme<
       chart_index_(triangle.chart),
       element_(whole_element<R>(triangle)),
       ball_(ball_about(element_)),
+      is_even_(bends_evenly(element_)),
       extent_(largest_coordinate(ball_.centre) + ball_.radius),
       kept_(ConicalRules<R>::largest_order + 1) {}
 
@@ -62,6 +64,20 @@ typename ElementIntegrator<R>::Ball ElementIntegrator<R>::ball_about(const Cell<
     ball.radius = std::max(ball.radius, norm(ball.corners[i] - ball.centre));
   }
   return ball;
+}
+
+template <Real R>
+bool ElementIntegrator<R>::bends_evenly(const Cell<R>& cell) const {
+  if (chart_.facts().plane) return true;
+  const auto normal = [&](const ParameterPoint<R>& at) { return chart_.in<R>().frame(at).area_normal; };
+  std::array<Vector<R>, 3> at_corner;
+  for (std::size_t i = 0; i < 3; ++i) at_corner[i] = normal(cell.vertices[i]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const ParameterPoint<R> middle = (R(1) / R(2)) * (cell.vertices[i] + cell.vertices[j]);
+    if (!is_even(at_corner[i], normal(middle), at_corner[j])) return false;
+  }
+  return true;
 }
 
 template <Real R>
@@ -98,9 +114,9 @@ std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>&
                                                               bool whole, double ratio, const R& extent,
                                                               Insistence insist) {
   using std::abs;
-  const int check_step = scheme_->check_step(chart_.facts());
+  const int check_step = scheme_->check_step(chart_.facts(), is_even_);
   const int last = ConicalRules<R>::largest_order - check_step;
-  int order = scheme_->order_by_model(chart_.facts(), ratio);
+  int order = std::min(scheme_->order_by_model(chart_.facts(), ratio), last);
   while (true) {
     const KernelSums<R> coarse = sums(p, cell, whole, extent, order);
     CheckedSums<R> fine(sums(p, cell, whole, extent, order + check_step));
@@ -146,7 +162,8 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const 
     const R distance = norm(p.point - fresh.centre);
     const auto ratio = nearest_double<R>(distance / fresh.radius);
     const bool admissible = ratio >= (whole ? admissible_ratio_of_whole : admissible_ratio);
-    if (admissible && distance - fresh.radius >= told_apart) {
+    if (admissible && distance - fresh.radius >= told_apart &&
+        (whole ? is_even_ : bends_evenly(piece.cell))) {
       const Insistence insist = piece.failures == failures ? Insistence::rounding : Insistence::none;
       const R extent = extent_for(coordinate, p.at.chart, distance + fresh.radius);
       const auto checked = try_piece(p, piece.cell, whole, ratio, extent, insist);
@@ -311,7 +328,7 @@ void ElementIntegrator<R>::integrate(const ObserverBlock<R>& block, std::span<co
   const R extent = extent_for(block.extent, block.chart, distance + block.radius + ball_.radius);
   const bool told_apart =
       distance - block.radius - ball_.radius >= least_distance(std::max(extent_, block.extent));
-  if (!(ratio >= admissible_ratio_of_block) || !told_apart) {
+  if (!(ratio >= admissible_ratio_of_block) || !told_apart || !is_even_) {
     for (std::size_t lane = 0; lane < block.count; ++lane) integrate_lane(block, observers, lane, integral);
     return;
   }

@@ -62,10 +62,10 @@ R largest_normal_loss(const Chart& chart) {
   return largest;
 }
 
-/// The finer of two rules has this much more order; more where the rules are gathered and converge slowly. Odd: two sets of
-/// samples are told apart by the parity of their orders.
+/// The finer of two rules has this much more order; more where they converge slowly. Odd: two sets of samples are told apart by the parity
+/// of their orders.
 constexpr int check_step_analytic = 1;
-constexpr int check_step_gathered = 3;
+constexpr int check_step_slow = 3;
 
 /// The least eta from which the bound is within `truncation`, to 1 %.
 double least_distance_by_bound(int order, int degree, double truncation) {
@@ -128,8 +128,8 @@ IntegrationScheme<R>::IntegrationScheme(const Surface& surface, const TriangleBa
 }
 
 template <Real R>
-int IntegrationScheme<R>::check_step(const ChartFacts& chart) {
-  return chart.singular == SingularLine::none ? check_step_analytic : check_step_gathered;
+int IntegrationScheme<R>::check_step(const ChartFacts& chart, bool is_even) {
+  return is_even && chart.singular == SingularLine::none ? check_step_analytic : check_step_slow;
 }
 
 template <Real R>

@@ -52,8 +52,9 @@ public:
 
   /// The least order for which the error model reaches Tolerance::intended_truncation, so that a finer rule exists.
   int order_by_model(const ChartFacts& chart, double eta) const;
-  /// How much finer the rule is with which a rule is compared.
-  static int check_step(const ChartFacts& chart);
+  /// How much finer the rule is with which a rule is compared; more where rules converge slowly: on singular charts, and on elements on which
+  /// the chart does not change evenly.
+  static int check_step(const ChartFacts& chart, bool is_even = true);
 
 private:
   static constexpr std::size_t no_plane = static_cast<std::size_t>(-1);

@@ -34,10 +34,11 @@ struct Estimate {
 ///           over the parts that P sees
 /// Result    value, with a radius of about 1e-13 of `absolute` where double allows: at any distance from an edge of flat pieces and from a smooth
 ///           seam (there up to 1e-12). The same bits on any number of threads, which may share it
-/// Limits    estimates, no proof: what a density does between the samples is not known. Where its formulas are given too, the charts are cut until
-///           it is nearly a polynomial on every part, and what is left of that joins the radius, see density_cells. A flat chart has the doubles nearest to its coefficients. Where a curved piece meets another at an angle the
-///           radius grows like u |P| / distance. A u that is not smooth costs time, bounded, and is seen in the radius. Keeps u and points
-///           of each chart for the P far from it: 15 kB a chart, or more within 32 MB
+/// Limits    estimates, no proof: what a density does between the samples is not known. Where its formulas are given too, the charts are cut
+///           until it is nearly a polynomial on every part, and what is left of that joins the radius, see density_cells. A flat chart has
+///           the doubles nearest to its coefficients. Where a curved piece meets another at an angle the radius grows like u |P| / distance.
+///           A u that is not smooth costs time, bounded, and is seen in the radius. Keeps u and points of each chart for the P far from it:
+///           15 kB a chart, or more within 32 MB
 class AppliedOperator {
 public:
   AppliedOperator(const Surface& surface, Density u);
