@@ -67,6 +67,7 @@ void summary(std::string_view kind, const Count& count) {
   std::string line(kind);
   line += ": " + std::to_string(count.instances) + " instances, " + std::to_string(count.refused) +
           " refused, " + std::to_string(count.violated) + " violated";
+  if (count.values > 0) line += ", " + std::to_string(count.values) + " values held";
   testing::Test::RecordProperty(std::string(kind), line);
   std::printf("[  ATTACK  ] %s\n", line.c_str());
 }

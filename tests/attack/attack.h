@@ -27,9 +27,10 @@ struct Judgement {
     violated,  ///< the truth lies outside
   };
   Kind kind = Kind::held;
-  std::string text{};  ///< of a violation: value, radius, truth
+  std::string text{};      ///< of a violation: value, radius, truth
+  std::size_t values = 0;  ///< how many were held against the truth; 0: not counted
 
-  static Judgement held() { return {}; }
+  static Judgement held(std::size_t values = 0) { return {.kind = Kind::held, .text = {}, .values = values}; }
   static Judgement refused() { return {.kind = Kind::refused, .text = {}}; }
   static Judgement violated(std::string text) { return {.kind = Kind::violated, .text = std::move(text)}; }
 };
@@ -39,6 +40,7 @@ struct Count {
   std::size_t instances = 0;
   std::size_t refused = 0;
   std::size_t violated = 0;
+  std::size_t values = 0;  ///< within their radii, of the instances that held
 };
 
 /// A kind of value under attack.
@@ -102,6 +104,7 @@ Count hold(const Attack<Instance>& attack) {
     Instance instance = attack.make(draw);
     Judgement judgement = detail::judged(attack, instance);
     ++count.instances;
+    count.values += judgement.values;
     count.refused += judgement.kind == Judgement::Kind::refused ? 1 : 0;
     if (judgement.kind != Judgement::Kind::violated) continue;
     if (++count.violated > most_reports) continue;

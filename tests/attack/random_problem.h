@@ -23,8 +23,16 @@ struct RandomSurface {
   }
 };
 
+/// How often parameters lie at the ends of their ranges, where a problem takes seconds and is mostly refused.
+enum class Extremes {
+  often,   ///< one parameter in three
+  seldom,  ///< one surface in thirty; one parameter in four is 10^3 or its like, though
+};
+
 /// One that hides nothing of itself; `closed`: the whole boundary of a body.
-inline RandomSurface random_surface(Draw& draw, bool closed, bool plane = false) {
+inline RandomSurface random_surface(Draw& draw, bool closed, bool plane = false,
+                                    Extremes extremes = Extremes::often) {
+  static const std::vector<Rational> wide{Rational(100), Rational(1, 100), Rational(1000), Rational(1, 1000)};
   static const std::vector<Rational> ordinary{Rational(1),    Rational(2),    Rational(1, 2), Rational(3),
                                               Rational(5, 2), Rational(3, 7), Rational(9, 10)};
   static const std::vector<Rational> extreme = [] {
@@ -39,12 +47,14 @@ inline RandomSurface random_surface(Draw& draw, bool closed, bool plane = false)
   }();
   while (true) {
     RandomSurface surface;
+    const bool everyday = extremes == Extremes::seldom && draw.below(30) != 0;
     surface.description = &surface_catalogue()[draw.below(surface_catalogue().size())];
     if (!surface.description->unoccluded) continue;
     for (const ParameterDescription& parameter : surface.description->parameters) {
       Rational value;
       do {
-        const std::vector<Rational>& from = draw.below(3) == 0 ? extreme : ordinary;
+        const bool ends = draw.below(everyday ? 4 : 3) == 0;
+        const std::vector<Rational>& from = !ends ? ordinary : everyday ? wide : extreme;
         value = from[draw.below(from.size())];
       } while (!parameter.admits(value));
       surface.values.push_back(value);
