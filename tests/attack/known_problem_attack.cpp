@@ -233,7 +233,7 @@ Attack<Known> attack_of(std::string_view name, std::size_t usual, std::function<
 }
 
 TEST(KnownProblemAttack, FindsReproducedSolutionsOnTheCatalogue) {
-  hold(attack_of("estimated problems, reproduced solutions", 8, [](Draw& draw) {
+  hold(attack_of("estimated problems, reproduced solutions", 12, [](Draw& draw) {
     ProblemInstance x;
     x.surface = random_surface(draw, draw.below(3) == 0, draw.below(3) == 0, Extremes::seldom);
     draw_method(draw, x);
@@ -247,7 +247,7 @@ TEST(KnownProblemAttack, FindsReproducedSolutionsOnTheCatalogue) {
 }
 
 TEST(KnownProblemAttack, FindsReproducedSolutionsOnMeshes) {
-  hold(attack_of("estimated problems, reproduced solutions on meshes", 4, [](Draw& draw) {
+  hold(attack_of("estimated problems, reproduced solutions on meshes", 8, [](Draw& draw) {
     ProblemInstance x;
     const bool closed = draw.below(2) == 0;
     x.mesh = random_mesh(draw, draw.below(2) == 0, closed);
@@ -338,7 +338,7 @@ std::vector<Vector<Rational>> corners(const PlaneChart& plane, ChartDomain domai
 }
 
 TEST(KnownProblemAttack, FindsPiecewiseConstantsFromTheEmissionOfPlaneSurfaces) {
-  hold(attack_of("estimated problems, piecewise constants from the emission", 6, [](Draw& draw) {
+  hold(attack_of("estimated problems, piecewise constants from the emission", 10, [](Draw& draw) {
     ProblemInstance x;
     draw_method(draw, x);
     x.surface = random_surface(draw, false, true, Extremes::seldom);

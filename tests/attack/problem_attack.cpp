@@ -58,11 +58,12 @@ Judgement judge_by_proof(const ProblemInstance& x) {
   return Judgement::held(values);
 }
 
-std::string random_solution(Draw& draw) {
+/// A polynomial, or anything. Of polynomials the operator is known in closed form on plane surfaces; of others a proof takes minutes.
+std::string random_solution(Draw& draw, bool polynomial) {
   const std::vector<std::string> coordinates{"x", "y", "z"};
   const auto coordinate = [&] { return coordinates[draw.below(3)]; };
   const std::string number = std::to_string(1 + draw.below(9));
-  switch (draw.below(8)) {
+  switch (draw.below(polynomial ? 3 : 8)) {
     case 0: return coordinate();
     case 1: return number + " + " + coordinate() + "*" + coordinate() + "/10 - " + coordinate() + "^2/5";
     case 2: return coordinate() + "^" + std::to_string(1 + draw.below(6)) + " - " + number;
@@ -78,15 +79,26 @@ ProblemInstance with_random_data(Draw& draw, bool plane) {
   ProblemInstance x;
   x.surface = random_surface(draw, draw.below(2) == 0, plane, Extremes::seldom);
   draw_method(draw, x);
+  // Proofs for other bases, and for finer levels, take minutes.
   x.level = 0;
-  (draw.below(3) == 0 ? x.emission : x.solution) = everywhere(random_solution(draw));
-  x.reflectivity = random_reflectivity(draw, x.surface.description->pieces);
+  x.symmetric = false;
+  x.nodes = {};
+  x.degree = std::min(x.degree, 1);
+  x.alpha = x.degree == 0 ? Rational(0) : std::vector{Rational(1, 6), Rational(1, 100)}[draw.below(2)];
+  (draw.below(3) == 0 ? x.emission : x.solution) = everywhere(random_solution(draw, plane));
+  // Those of random_reflectivity are proved to lie below 1 in minutes, where they are.
+  const std::vector<std::string> reflectivities{"1/2", "0.3", "1/2 + sin(x + 2*y)/5", "9/10"};
+  x.reflectivity = everywhere(reflectivities[draw.below(reflectivities.size())]);
+  if (draw.below(2) == 0) {
+    const std::vector<std::string>& pieces = x.surface.description->pieces;
+    x.reflectivity.emplace_back(pieces[draw.below(pieces.size())], "1/5");
+  }
   return x;
 }
 
 TEST(ProblemAttack, AgreesWithProofsOnPlaneSurfaces) {
   hold(Attack<ProblemInstance>{.name = "estimated problems, plane surfaces",
-                               .usual_instances = 3,
+                               .usual_instances = 2,
                                .make = [](Draw& draw) { return with_random_data(draw, true); },
                                .judge = judge_by_proof,
                                .text = text,
@@ -95,10 +107,12 @@ TEST(ProblemAttack, AgreesWithProofsOnPlaneSurfaces) {
 
 TEST(ProblemAttack, AgreesWithProofsOnConvexMeshes) {
   hold(Attack<ProblemInstance>{.name = "estimated problems, convex meshes",
-                               .usual_instances = 2,
+                               .usual_instances = 1,
                                .make =
                                    [](Draw& draw) {
                                      ProblemInstance x = with_random_data(draw, true);
+                                     x.degree = std::min(x.degree, 1);
+                                     if (x.degree == 0) x.alpha = 0;
                                      x.mesh = random_mesh(draw, false, draw.below(2) == 0);
                                      x.reflectivity = everywhere(x.reflectivity.front().second);
                                      return x;
@@ -114,8 +128,6 @@ TEST(ProblemAttack, AgreesWithProofsOnCurvedSurfaces) {
                                .make =
                                    [](Draw& draw) {
                                      ProblemInstance x = with_random_data(draw, false);
-                                     x.degree = std::min(x.degree, 1);
-                                     if (x.degree == 0) x.alpha = 0;
                                      if (draw.below(4) == 0)
                                        x.interpolated = static_cast<int>(1 + draw.below(2));
                                      return x;
