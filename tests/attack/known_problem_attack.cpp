@@ -247,7 +247,7 @@ TEST(KnownProblemAttack, FindsReproducedSolutionsOnTheCatalogue) {
 }
 
 TEST(KnownProblemAttack, FindsReproducedSolutionsOnMeshes) {
-  hold(attack_of("estimated problems, reproduced solutions on meshes", 8, [](Draw& draw) {
+  hold(attack_of("estimated problems, reproduced solutions on meshes", 6, [](Draw& draw) {
     ProblemInstance x;
     const bool closed = draw.below(2) == 0;
     x.mesh = random_mesh(draw, draw.below(2) == 0, closed);
@@ -265,7 +265,7 @@ ByPiece emission_of_constant(const ByPiece& reflectivity, const std::string& c) 
 }
 
 TEST(KnownProblemAttack, FindsConstantsFromTheEmissionOfClosedSurfaces) {
-  hold(attack_of("estimated problems, constants from the emission", 6, [](Draw& draw) {
+  hold(attack_of("estimated problems, constants from the emission", 3, [](Draw& draw) {
     ProblemInstance x;
     draw_method(draw, x);
     switch (draw.below(4)) {

@@ -140,7 +140,7 @@ std::string random_emission(Draw& draw) {
 
 TEST(ResidualProblemAttack, LeavesNoDefectBeyondItsRadius) {
   hold(Attack<ProblemInstance>{.name = "estimated problems, residuals",
-                               .usual_instances = 2,
+                               .usual_instances = 1,
                                .make =
                                    [](Draw& draw) {
                                      ProblemInstance x;
