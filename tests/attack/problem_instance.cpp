@@ -82,10 +82,11 @@ AppliedOperator route(const Surface& surface, const SurfaceFunction& u) {
   const reference::Density density = [&u](const reference::PointBlock& q, std::span<double> values) {
     u.evaluate(q.chart, q.x, q.y, q.z, values);
   };
-  return [applied = reference::AppliedOperator(surface, density)](const SurfacePoint<double>& p) {
-    const reference::Estimate integral = applied(p);
-    return OperatorValue{.value = integral.value, .radius = integral.radius};
-  };
+  return
+      [applied = reference::AppliedOperator(surface, density, u.formulas())](const SurfacePoint<double>& p) {
+        const reference::Estimate integral = applied(p);
+        return OperatorValue{.value = integral.value, .radius = integral.radius};
+      };
 }
 
 /// Nodes at random places of a lattice inside the triangle, not always unisolvent, some of them close to each other.
