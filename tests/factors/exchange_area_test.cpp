@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "radcert/closed_form/polygon_to_polygon.h"
 #include "radcert/core/contract.h"
@@ -61,6 +62,23 @@ TEST(ExchangeArea, IsTheClosedFormWherePolygonsTouch) {
   expect_closed_form(triangle, {{0, 0, 0}, {-1, 1, 0.5}, {-0.25, 0.25, 1}}, "a corner in common");
   expect_closed_form(triangle, {{0, 0.25, 0}, {0, 0.75, 0}, {0, 0.5, 1}}, "a part of a side in common");
   expect_closed_form(triangle, {{0, 0, 1e-9}, {0, 1, 1e-9}, {0, 0.5, 1}}, "nearly a side in common");
+}
+
+TEST(ExchangeArea, IsTheClosedFormOfStripsHoweverNarrow) {
+  // Whichever edges are short: the work does not grow, and rounding is that of the short ones.
+  for (int k = 10; k <= 50; k += 5) {
+    const std::string what = "width 2^-" + std::to_string(k);
+    const double width = std::ldexp(1, -k);
+    const FacetCorners strip{{0, 0, 0.5}, {0, 1, 0.5}, {0, 1, 0.5 + width}, {0, 0, 0.5 + width}};
+    const FacetCorners opposite{{1, 0, 0.5}, {1, 0, 0.5 + width}, {1, 1, 0.5 + width}, {1, 1, 0.5}};
+    for (const FacetCorners& other : {square, opposite})
+      for (const auto& [first, second] : {std::pair(strip, other), std::pair(other, strip)}) {
+        const double expected = closed_form(first, second);
+        const Estimate found = exchange_area(first, second);
+        EXPECT_LE(std::abs(found.value - expected), found.radius + 4e-16 * expected) << what;
+        EXPECT_LE(found.radius, 0x1p-46) << what;
+      }
+  }
 }
 
 TEST(ExchangeArea, IsTheClosedFormOfRandomTrianglesNearAndFar) {

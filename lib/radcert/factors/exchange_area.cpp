@@ -23,6 +23,8 @@ constexpr double rounding = 0x1p-52;
 
 const WorkLimit deepest("factors/exchange_area: halvings of an edge", 60, 0,
                         "the difference of two rules goes into the radius");
+const WorkLimit most_halvings("factors/exchange_area: halvings of an edge in all", 4096, 0,
+                              "the difference of two rules goes into the radius");
 const WorkLimit most_points("factors/exchange_area: points of a rule for far polygons", 12, 2,
                             "the rate of convergence reached goes into the radius");
 
@@ -42,7 +44,8 @@ const EdgeRule& edge_rule() {
   return rule;
 }
 
-/// Int_0^1 I(s) ds for one pair of edges; the unit of length is near the largest distance.
+/// Int_0^1 I(s) ds for one pair of edges; the unit of length is near the largest distance. The inner integral is that over b: of the
+/// difference of two antiderivatives rounding leaves an error over |b|, which the longer edge keeps small.
 class EdgePair {
 public:
   EdgePair(const Point& difference, const Point& a, const Point& b)
@@ -74,8 +77,7 @@ public:
     for (std::size_t k = 0; k + 1 < ends.size(); ++k)
       if (ends[k] < ends[k + 1])
         sum += over(ends[k], ends[k + 1], by_rule(ends[k], ends[k + 1]), deepest.value());
-    // The logarithms and angles err by a few roundings, tau and rho by those of the unit of length.
-    sum.radius += 4 * rounding * (largest_ + 1) / length_;
+    sum.radius += rounded();
     return sum;
   }
 
@@ -86,6 +88,9 @@ private:
   /// times: a quarter of the difference is never less than their error by much, and cells are accepted early
   /// enough by sixteen times.
   static constexpr double acceptance = 16 * tolerance;
+
+  /// Of a rule on all of [0,1]: the logarithms and angles err by a few roundings, tau and rho by those of the unit of length.
+  [[nodiscard]] double rounded() const { return 4 * rounding * (largest_ + 1) / length_; }
 
   Pack antiderivative(const Pack& tau, const Pack& rho) {
     const Pack square = max(tau * tau + rho * rho, Pack(0x1p-1000));
@@ -111,8 +116,13 @@ private:
     const double high = by_rule(middle, to);
     const double difference = std::abs(low + high - whole);
     if (difference <= acceptance) return {low + high, difference / 4};
+    // Two values that differ by no more than their roundings do not come nearer to each other: what the rules differ by without
+    // rounding is at most four times a rule's.
+    const double rounded_here = (to - from) * rounded();
+    if (difference <= 2 * rounded_here) return {low + high, rounded_here};
     // That a quarter will do is not known where the cells are not what the argument takes them for.
-    if (depth == 0) return {low + high, difference};
+    if (depth == 0 || halvings_ == 0) return {low + high, difference};
+    --halvings_;
     Estimate sum = over(from, middle, low, depth - 1);
     sum += over(middle, to, high, depth - 1);
     return sum;
@@ -127,6 +137,7 @@ private:
   Point across_;
   Point across_a_;
   double largest_ = 0;
+  long halvings_ = most_halvings.value();
 };
 
 /// Points of a rule on a polygon, padded to whole packs by points of no weight.
@@ -230,7 +241,9 @@ Estimate exchange_area_by_contours(const FacetCorners& first, const FacetCorners
       const Point b = along(second, k);
       const double product = dot(a, b);
       if (product == 0) continue;
-      Estimate pair = EdgePair((1 / unit) * (first[i] - second[k]), a, b).integral();
+      const Point difference = (1 / unit) * (first[i] - second[k]);
+      const Estimate pair = dot(a, a) <= dot(b, b) ? EdgePair(difference, a, b).integral()
+                                                   : EdgePair(-difference, b, a).integral();
       sum += {product * pair.value, std::abs(product) * pair.radius};
     }
   const double factor = unit * unit / (4 * std::numbers::pi);
