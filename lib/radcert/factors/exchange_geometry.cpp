@@ -159,13 +159,21 @@ void SourceViewer::subtract(const Screen& screen, const Vector<double>& at) {
   const std::size_t sides = corners.size();
   rays_.resize(sides);
   for (std::size_t k = 0; k < sides; ++k) rays_[k] = corners[k] - at;
+  normals_.resize(sides);
+  for (std::size_t k = 0; k < sides; ++k)
+    normals_[k] = -side * cross(rays_[k], rays_[k + 1 == sides ? 0 : k + 1]);
   std::swap(pieces_, before_);
   const std::size_t count = count_;
   count_ = 0;
   for (std::size_t i = 0; i < count; ++i) {
     rest_ = before_[i];
-    for (std::size_t k = 0; k < sides && !rest_.empty(); ++k)
-      cut_off(-side * cross(rays_[k], rays_[k + 1 == sides ? 0 : k + 1]));
+    const std::size_t kept = count_;
+    for (std::size_t k = 0; k < sides && !rest_.empty(); ++k) cut_off(normals_[k]);
+    // Of a piece that is seen whole the parts are not needed.
+    if (rest_.empty() && count_ != kept + 1) {
+      count_ = kept;
+      next_place() = before_[i];
+    }
   }
 }
 

@@ -81,6 +81,7 @@ private:
   std::vector<Piece> before_;
   std::size_t count_ = 0;
   std::vector<Vector<double>> rays_;
+  std::vector<Vector<double>> normals_;
   std::vector<double> heights_;
   Piece rest_;
   Piece inside_;
