@@ -162,19 +162,31 @@ void SourceViewer::subtract(const Screen& screen, const Vector<double>& at) {
   normals_.resize(sides);
   for (std::size_t k = 0; k < sides; ++k)
     normals_[k] = -side * cross(rays_[k], rays_[k + 1 == sides ? 0 : k + 1]);
-  std::swap(pieces_, before_);
   const std::size_t count = count_;
+  std::swap(pieces_, before_);
   count_ = 0;
   for (std::size_t i = 0; i < count; ++i) {
+    if (lies_beside(before_[i])) {
+      std::swap(next_place(), before_[i]);
+      continue;
+    }
     rest_ = before_[i];
     const std::size_t kept = count_;
     for (std::size_t k = 0; k < sides && !rest_.empty(); ++k) cut_off(normals_[k]);
     // Of a piece that is seen whole the parts are not needed.
     if (rest_.empty() && count_ != kept + 1) {
       count_ = kept;
-      next_place() = before_[i];
+      std::swap(next_place(), before_[i]);
     }
   }
+}
+
+/// Whether one of the planes through P has all of a piece outside.
+bool SourceViewer::lies_beside(const Piece& piece) const {
+  return std::any_of(normals_.begin(), normals_.end(), [&](const Vector<double>& normal) {
+    return std::all_of(piece.begin(), piece.end(),
+                       [&](const Vector<double>& corner) { return dot(normal, corner) <= 0; });
+  });
 }
 
 /// What of the rest lies outside is seen.

@@ -74,6 +74,7 @@ private:
 
   Piece& next_place();
   void subtract(const Screen& screen, const Vector<double>& at);
+  [[nodiscard]] bool lies_beside(const Piece& piece) const;
   void cut_off(const Vector<double>& normal);
 
   const ExchangeGeometry& geometry_;
@@ -81,7 +82,7 @@ private:
   std::vector<Piece> before_;
   std::size_t count_ = 0;
   std::vector<Vector<double>> rays_;
-  std::vector<Vector<double>> normals_;
+  std::vector<Vector<double>> normals_;  ///< of the planes through P and the screen's sides, inwards
   std::vector<double> heights_;
   Piece rest_;
   Piece inside_;
