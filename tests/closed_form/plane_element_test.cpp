@@ -12,6 +12,8 @@
 
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/work_limit.h"
 #include "tests/closed_form/kernel_quadrature.h"
 #include "tests/closed_form/polar_kernel_integral.h"
 #include "tests/scalar/draw.h"
@@ -517,6 +519,20 @@ TEST(PlaneElement, SeesNothingBehindItAndRefusesPointsOnThePolygon) {
   EXPECT_THROW(PlaneElement(triangle(), {Polynomial(1)}), ContractViolation);
   EXPECT_THROW(PlaneElement(triangle(), monomials(0), 1e-15), ContractViolation);
   EXPECT_THROW(PlaneElement(triangle(), monomials(0), 0.1), ContractViolation);
+}
+
+TEST(PlaneElement, RefusesByNameWhatBallsDoNotEnclose) {
+  // A normal this short leaves the closed form to balls, whose first ones have 128 bits.
+  const PlaneElement element(triangle(), monomials(1));
+  std::vector<double> values(3);
+  const Vector<double> p{0.3, 0.3, 0.5};
+  const Vector<double> normal{0, 0, -1e-70};
+  EXPECT_EQ(element.integrals(p, normal, values), Route::ball);
+  for (const WorkLimit* limit : work_limits())
+    if (limit->name() == "closed_form/plane_element: bits of a ball") {
+      const LoweredWorkLimit lowered(*limit, 127);
+      EXPECT_THROW((void)element.integrals(p, normal, values), AccuracyNotReached);
+    }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/closed_form/twofold.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/scalar/mpfr_real.h"
 
@@ -25,7 +26,7 @@ using Wide = Mpfr<50>;
 
 constexpr double unit = 0x1p-53;
 const WorkLimit bits_of_an_element("closed_form/plane_element: bits of a ball", 1L << 14U,
-                                   BallPrecision::smallest_bits, "refused: ContractViolation");
+                                   BallPrecision::smallest_bits, "refused: AccuracyNotReached");
 const WorkLimit pieces_of_an_element("closed_form/plane_element: pieces of a rule", 200, 0,
                                      "no rule: balls serve");
 /// The part of the error allowed that a rule's truncation may take.
@@ -806,7 +807,10 @@ PlaneElement::Route PlaneElement::Prepared::by_balls(const Vector<double>& p, co
   constexpr long first_bits = 128;
   const long most_bits = bits_of_an_element.value();
   for (long bits = first_bits;; bits *= 2) {
-    expects(bits <= most_bits, "an integral that so many bits enclose", named("bits", bits));
+    if (bits > most_bits)
+      throw AccuracyNotReached(
+          "the integral over a plane element",
+          "not enclosed to its accuracy by balls of " + std::to_string(most_bits) + " bits");
     const BallPrecision precision(bits);
     const std::vector<Ball> moments =
         point_to_polygon_moments<Ball>(exact_p, exact_normal, polygon_, degree_);

@@ -43,7 +43,8 @@ public:
   ~PlaneElement();
 
   [[nodiscard]] std::size_t function_count() const;
-  /// One integral a function; ContractViolation unless values has that size.
+  /// One integral a function; ContractViolation unless values has that size; AccuracyNotReached where balls of 2^14 bits do not
+  /// enclose one to the accuracy.
   Route integrals(const Vector<double>& p, const Vector<double>& normal, std::span<double> values) const;
 
 private:
