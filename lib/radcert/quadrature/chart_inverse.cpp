@@ -6,8 +6,9 @@
 namespace radcert {
 namespace {
 
-const WorkLimit most_steps("quadrature/chart_inverse: steps", 30, 0,
-                           "no parameters: P is integrated as a point off the element");
+const WorkLimit most_steps(
+    "quadrature/chart_inverse: steps", 30, 0,
+    "no parameters: P counts as off the element, and all that the element may hold joins the radius");
 
 }  // namespace
 
