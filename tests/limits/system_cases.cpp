@@ -273,6 +273,9 @@ std::vector<Case> system_cases() {
     return test::matrix(
         12, [](std::size_t i, std::size_t j) { return (i == j ? 0.0 : 0.09) + (i + 1 == j ? 0.4 : 0); });
   };
+  const Problem peaked = with_solver(
+      testing::with_solution(testing::sample_problem("cube"), "exp(-100*((x-0.3)^2 + (y-0.4)^2 + z^2))"),
+      SolverName::verified);
   const Problem plane =
       with_solver(testing::with_emission(testing::sample_problem("cube"), "1 + x"), SolverName::verified);
   return {
@@ -302,6 +305,7 @@ std::vector<Case> system_cases() {
       plane_entries(),
       level("study/exact_interpolant: bits", verified_interpolant(), 0, "two_piece"),
       level("study/verified_level: bits of balls", plane, 0, "the cube"),
+      level("study/verified_level: boxes in search of the largest value", peaked, 0, "the cube"),
       level("study/meshless_level: points of the weights' integrals", meshless_problem(), 0, "the sphere")};
 }
 

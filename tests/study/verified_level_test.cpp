@@ -422,6 +422,14 @@ TEST(VerifiedLevel, RefusesWhatHasNoGuarantee) {
   EXPECT_THAT(refusal(with_emission(open, "1")), HasSubstr("norm of K is not proved to be below 1"));
 }
 
+TEST(VerifiedLevel, HoldsPeaksBetweenTheNodes) {
+  // At the nodes the second is 0 as far as doubles show; both are large where complex numbers enter the bounds.
+  for (const std::string peak :
+       {"exp(-1000*((x-0.3)^2+(y-0.4)^2+z^2))", "exp(-10000*((x-0.3)^2+(y-0.4)^2+z^2))",
+        "1+exp(-100*((x-0.3)^2+(y-0.4)^2+z^2))"})
+    EXPECT_EQ(refusal(verified(with_solution(sample_problem("cube"), peak))), "(none)") << peak;
+}
+
 TEST(VerifiedLevel, RefusesInputThatIsWrongAsOtherSolversDo) {
   Problem problem = verified(sample_problem("cube"));
   problem.reflectivity = everywhere("2*x");

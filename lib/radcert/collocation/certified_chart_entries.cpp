@@ -98,6 +98,10 @@ public:
     const double of_density = u_.in_models({at.chart, at.at, at.point}).magnitude_bound();
     return std::max(functions_.bound(at), inverse_scale_ * of_density);
   }
+  /// |u| / scale is at most 1 or so on the surface, however large it is beside it.
+  double allowed(const ElementPoint<TaylorModel>& at, double bound) const override {
+    return std::min(bound, functions_.bound(at));
+  }
 
 private:
   LagrangeOnElements functions_;

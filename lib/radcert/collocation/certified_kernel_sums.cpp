@@ -103,9 +103,10 @@ struct SquareToElement {
 /// What a Taylor model says of the integrand for all P that are far enough: see CertifiedKernelSums.
 struct DiskBound {
   std::size_t ellipse;
-  double linear;  ///< L
-  double rest;    ///< E
-  double weight;  ///< of |area normal| times Jacobian times max |f_j|
+  double linear;   ///< L
+  double rest;     ///< E
+  double weight;   ///< of |area normal| times Jacobian times max |f_j|
+  double allowed;  ///< the same times what an error may be relative to instead of max |f_j|
 
   /// d^2 times the bound of the integrand, infinity where there is none.
   double scaled(double d) const {
@@ -337,11 +338,13 @@ private:
     const ParameterPoint<TaylorModel> at = map.parameters(b);
     const Frame<TaylorModel> frame = chart_.in<TaylorModel>().frame(at);
     const TaylorModel jacobian = disks.x * map.determinant;
-    const double weight =
-        jacobian.magnitude_bound() *
-        upper_norm(frame.area_normal.x.magnitude_bound(), frame.area_normal.y.magnitude_bound(),
-                   frame.area_normal.z.magnitude_bound()) *
-        all_.functions_.bound({b, triangle_.chart, at, frame.point}) * up;
+    const double area = jacobian.magnitude_bound() * upper_norm(frame.area_normal.x.magnitude_bound(),
+                                                                frame.area_normal.y.magnitude_bound(),
+                                                                frame.area_normal.z.magnitude_bound());
+    const ElementPoint<TaylorModel> place{b, triangle_.chart, at, frame.point};
+    const double of_functions = all_.functions_.bound(place);
+    const double weight = area * of_functions * up;
+    const double allowed = area * all_.functions_.allowed(place, of_functions) * up;
     const std::array<const TaylorModel*, 3> f{&frame.point.x, &frame.point.y, &frame.point.z};
     for (const TaylorModel* component : f)
       if (!component->is_finite()) {
@@ -389,7 +392,8 @@ private:
       bounds.push_back({.ellipse = r,
                         .linear = (linear[0] + linear[1] * smaller) * up,
                         .rest = upper_norm(others[0], others[1], others[2]) * up,
-                        .weight = weight});
+                        .weight = weight,
+                        .allowed = allowed});
     }
     return true;
   }
@@ -426,7 +430,7 @@ private:
     // The first disks are little more than the cell: the integrand's weight there is about twice its area.
     const double smallest = std::max(bounds[0].front().linear, bounds[1].front().linear);
     const double allowance = share * all_.demand_ / static_cast<double>(functions_) *
-                             std::min(bounds[0].front().weight, bounds[1].front().weight) / 2;
+                             std::min(bounds[0].front().allowed, bounds[1].front().allowed) / 2;
     constexpr double farthest = 1e4;
     double beyond = farthest * smallest;
     for (std::size_t m = 0; m < order_count; ++m) {

@@ -27,6 +27,8 @@ public:
   double bound(const ElementPoint<TaylorModel>& q) const override {
     return u_.in_models({q.chart, q.at, q.point}).magnitude_bound();
   }
+  /// The demand is absolute, wherever u is small or large.
+  double allowed(const ElementPoint<TaylorModel>& /*q*/, double /*bound*/) const override { return 1; }
 
 private:
   const Density& u_;

@@ -35,6 +35,11 @@ public:
   virtual void values(const ElementPoint<BoundedDouble>& at, std::span<BoundedDouble> out) const = 0;
   /// At least |f_j| on the set of the models, for all j; infinity where nothing was shown.
   [[nodiscard]] virtual double bound(const ElementPoint<TaylorModel>& at) const = 0;
+  /// What an error over the set of the models is allowed to be relative to. Not the bound where the functions are much larger
+  /// beside the real points than on them, or where an absolute error is demanded.
+  [[nodiscard]] virtual double allowed(const ElementPoint<TaylorModel>& /*at*/, double bound) const {
+    return bound;
+  }
 };
 
 }  // namespace radcert

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <queue>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +38,8 @@ namespace {
 /// Of balls: the values at the nodes are then exact beside the radii of the matrix.
 const WorkLimit ball_bits("study/verified_level: bits of balls", 128, BallPrecision::smallest_bits,
                           "wider radii, or refused");
+const WorkLimit boxes_of_size("study/verified_level: boxes in search of the largest value", 2000, 0,
+                              "a demand relative to the largest value found: tighter than need be");
 /// Of the polynomials that the closed form takes.
 constexpr int largest_degree = 8;
 constexpr double unit = unit_roundoff<double>();
@@ -69,6 +72,50 @@ void require_provable(const Problem& problem, int level) {
   const ConvexContainment containment = convex_containment(surface);
   if (containment.verdict != Containment::certified)
     refuse(level, "the surface is not proved to lie in the boundary of a convex body: " + containment.reason);
+}
+
+/// A square of a chart's parameters with corners at multiples of 2^-depth, and a bound of |u| over it.
+struct Box {
+  double most = 0;
+  std::size_t chart = 0;
+  long s = 0;
+  long t = 0;
+  int depth = 0;
+  friend bool operator<(const Box& a, const Box& b) { return a.most < b.most; }
+};
+
+/// A value of |u| that no other is twice as large as, or the largest that was found: at least `at_nodes`.
+/// Maths     the box with the largest bound is quartered, and |u| taken at its corner, until no bound exceeds twice the largest value
+double found_size(const PiecewiseExpression& u, const Surface& surface, double at_nodes) {
+  const auto range = [&](std::size_t chart, const Ball& s, const Ball& t) {
+    const Vector<Ball> q = surface.charts[chart].in<Ball>().frame({s, t}).point;
+    return abs(u.on(surface.charts[chart].facts().piece).evaluate<Ball>({q.x, q.y, q.z}));
+  };
+  const auto place = [](long k, int depth) { return Ball(std::ldexp(static_cast<double>(k), -depth)); };
+  constexpr int deepest = 50;
+  double found = at_nodes;
+  std::priority_queue<Box> boxes;
+  const auto add = [&](Box box) {
+    const bool triangle = surface.charts[box.chart].facts().domain == ChartDomain::unit_triangle;
+    if (triangle && box.s + box.t >= 1L << box.depth) return;
+    const Ball s = place(box.s, box.depth);
+    const Ball t = place(box.t, box.depth);
+    const double value = range(box.chart, s, t).lower_double();
+    if (std::isfinite(value)) found = std::max(found, value);
+    box.most = range(box.chart, hull(s, place(box.s + 1, box.depth)), hull(t, place(box.t + 1, box.depth)))
+                   .upper_double();
+    boxes.push(box);
+  };
+  for (std::size_t chart = 0; chart < surface.chart_count(); ++chart) add({.chart = chart});
+  for (long seen = 0; seen < boxes_of_size.value() && !boxes.empty(); ++seen) {
+    const Box box = boxes.top();
+    if (!(box.most > 2 * found) || box.depth >= deepest) break;
+    boxes.pop();
+    for (const long s : {2 * box.s, 2 * box.s + 1})
+      for (const long t : {2 * box.t, 2 * box.t + 1})
+        add({.chart = box.chart, .s = s, .t = t, .depth = box.depth + 1});
+  }
+  return found;
 }
 
 /// A piecewise expression as a density.
@@ -340,10 +387,11 @@ private:
       piecewise.by_chart.push_back(problem_.solution->on(chart.facts().piece));
     return density(std::move(piecewise));
   }
-  /// At the nodes; 1 where it vanishes there, or nearly so: a part of it is still a number to be demanded.
+  /// About the largest |u|, not at the nodes alone: a peak between them is what Ku comes from, and a demand relative to less
+  /// would not be met. 1 where u vanishes, or nearly so: a part of it is still a number to be demanded.
   double size_of_u() const {
     constexpr double least = 1e-250;
-    const double size = largest_size(enclosed_numbers(u_)).value;
+    const double size = found_size(*problem_.solution, surface_, largest_size(enclosed_numbers(u_)).value);
     return size > least ? size : 1;
   }
   static std::vector<Ball> balls_of(const CertifiedValues& found) {
