@@ -11,6 +11,7 @@
 #include "radcert/collocation/integral_from_within.h"
 #include "radcert/collocation/kernel_rule.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/interrupt.h"
 #include "radcert/core/work_limit.h"
 
 namespace radcert {
@@ -283,6 +284,7 @@ private:
 
   Outcome<void> from(const Cell& cell, std::span<const std::uint32_t> list) {
     if (list.empty()) return {};
+    throw_if_interrupted();
     if (cell.depth > deepest.value()) {
       const SurfacePoint<Rational>& name = all_.names_[list.front()];
       return because(

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/interrupt.h"
 #include "radcert/factors/sight_events.h"
 #include "radcert/polynomial/conical_rule.h"
 
@@ -79,6 +80,7 @@ public:
     for (std::size_t k = 1; k + 1 < geometry_.receiver.size(); ++k)
       push({geometry_.receiver[0], geometry_.receiver[k], geometry_.receiver[k + 1]}, all, low_order);
     while (!cells_.empty() && made_ < most_cells && error_ > tolerance) {
+      throw_if_interrupted();
       const Cell worst = cells_.top();
       cells_.pop();
       error_ -= worst.error;
