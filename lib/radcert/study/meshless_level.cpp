@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 
