@@ -163,6 +163,23 @@ TEST(ThinSurfaces, AreRefusedWhereAGradingLeavesNoTriangles) {
   EXPECT_EQ(fault_of([&] { static_cast<void>(solve_level(problem, 3, route)); }).pointer, "/triangulation");
 }
 
+TEST(SteepRoofs, AreIntegratedWithinTheirRadii) {
+  // z = 2 - s^p has a layer of width 1/p at s = 1, which two rules for the whole roof miss alike.
+  for (const int p : {7, 30, 200, 1000})
+    for (const Rational& tolerance :
+         {Rational(1, 1000), Rational(1, 1000000), Rational(1, 100000000), Rational(1, 1000000000000)})
+      for (const int degree : {0, 2}) {
+        Problem problem = with_basis(sample_problem("two_piece", {{"p", p}}), degree,
+                                     degree == 0 ? Rational(0) : Rational(1, 10));
+        problem.quadrature.tolerance = tolerance;
+        const std::optional<LevelOutcome> level = solved(with_solution(problem, "1"));
+        ASSERT_TRUE(level);
+        expect_one(*level, "p = " + std::to_string(p) + ", degree " + std::to_string(degree) +
+                               ", tolerance " + tolerance.to_text());
+        EXPECT_LT(*level->result.solution_radius, 10 * tolerance.to_double() + 1e-12);
+      }
+}
+
 TEST(Solutions, AreRefusedAtAPole) {
   for (const char* u : {"1/(x-0.3)", "1/(y-1/2)^2"}) {
     const Problem problem = with_solution(sample_problem("cube"), u);

@@ -187,7 +187,11 @@ private:
     Open open{.cell = {.chart = index, .polygon = polygon, .is_whole = is_whole}};
     const Parameters middle = middle_of(polygon);
     const Frame<double> frame = chart.in<double>().frame(middle);
-    open.cell.area = area_element(frame) * area_of(polygon);
+    double stretch = area_element(frame);
+    if (!chart.facts().plane)
+      for (std::size_t i = 0; i < polygon.count; ++i)
+        stretch = std::max(stretch, area_element(chart.in<double>().frame(polygon[i])));
+    open.cell.area = stretch * area_of(polygon);
     const double value = values_[index].at(frame.point.x, frame.point.y, frame.point.z);
     if (std::isfinite(value)) open.integral = std::abs(value) * open.cell.area;
     if (f.is_constant()) {

@@ -14,7 +14,8 @@ namespace radcert::reference {
 
 /// A part of a chart on which a density is nearly a polynomial: no feature of it hides between the points of a rule there.
 /// Maths     |u(F(s,t)) - p(F(s,t))| <= deviation for (s,t) in the polygon, p a polynomial of space of degree < 64;
-///           |F_i(s,t) - centre_i| <= half_i there; area >= that of the part on a plane chart, about that on another
+///           |F_i(s,t) - centre_i| <= half_i there; area that of the part on a plane chart, elsewhere that of the polygon times the
+///           largest area element at its corners and in its middle
 /// Source    see density_cells
 /// Requires  -
 /// Result    deviation: infinite where none was proved
