@@ -199,7 +199,6 @@ private:
         result.complete = false;
         return;
       }
-      check_step_ = check_step_slow;
       for (const Rectangle<R>& half : *halves) integrate_rectangle(triangle, half, across, depth + 1, result);
       return;
     }
@@ -242,18 +241,24 @@ private:
     return scalar_formula_.frame(p_.at.at + w).area_normal;
   }
 
-  /// The halves of a rectangle on which the chart does not bend evenly along three lines of either direction.
+  /// The halves of a rectangle on which the chart does not change evenly along three lines of either direction; sets the step of checks.
   std::optional<std::array<Rectangle<R>, 2>> halves_of_uneven(const ApexTriangle<R>& triangle,
-                                                              const Rectangle<R>& area) const {
+                                                              const Rectangle<R>& area) {
     std::array<std::array<Vector<R>, 3>, 3> normal;  // by l, by m
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k)
         normal[i][k] = normal_at(triangle, area.l0 + R(static_cast<int>(i)) / R(2) * (area.l1 - area.l0),
                                  area.m0 + R(static_cast<int>(k)) / R(2) * (area.m1 - area.m0));
+    R along_l = R(0);
+    R along_m = R(0);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!is_even(normal[0][k], normal[1][k], normal[2][k])) return halves_along_l(area);
-      if (!is_even(normal[k][0], normal[k][1], normal[k][2])) return halves_along_m(area);
+      along_l = std::max(along_l, unevenness(normal[0][k], normal[1][k], normal[2][k]));
+      along_m = std::max(along_m, unevenness(normal[k][0], normal[k][1], normal[k][2]));
     }
+    const R largest = std::max(along_l, along_m);
+    if (!(largest < R(uneven_for_close_rules))) check_step_ = check_step_slow;
+    if (!(largest < R(uneven_for_any_rule)))
+      return along_l >= along_m ? halves_along_l(area) : halves_along_m(area);
     return std::nullopt;
   }
 

@@ -48,7 +48,7 @@ ElementIntegrator<R>::ElementIntegrator(std::shared_ptr<const IntegrationScheme<
       chart_index_(triangle.chart),
       element_(whole_element<R>(triangle)),
       ball_(ball_about(element_)),
-      is_even_(bends_evenly(element_)),
+      unevenness_(unevenness_of(element_)),
       extent_(largest_coordinate(ball_.centre) + ball_.radius),
       kept_(ConicalRules<R>::largest_order + 1) {}
 
@@ -67,17 +67,18 @@ typename ElementIntegrator<R>::Ball ElementIntegrator<R>::ball_about(const Cell<
 }
 
 template <Real R>
-bool ElementIntegrator<R>::bends_evenly(const Cell<R>& cell) const {
-  if (chart_.facts().plane) return true;
+double ElementIntegrator<R>::unevenness_of(const Cell<R>& cell) const {
+  if (chart_.facts().plane) return 0;
   const auto normal = [&](const ParameterPoint<R>& at) { return chart_.in<R>().frame(at).area_normal; };
   std::array<Vector<R>, 3> at_corner;
   for (std::size_t i = 0; i < 3; ++i) at_corner[i] = normal(cell.vertices[i]);
+  R largest = R(0);
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const ParameterPoint<R> middle = (R(1) / R(2)) * (cell.vertices[i] + cell.vertices[j]);
-    if (!is_even(at_corner[i], normal(middle), at_corner[j])) return false;
+    largest = std::max(largest, unevenness(at_corner[i], normal(middle), at_corner[j]));
   }
-  return true;
+  return nearest_double<R>(largest);
 }
 
 template <Real R>
@@ -114,9 +115,9 @@ std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>&
                                                               bool whole, double ratio, const R& extent,
                                                               Insistence insist) {
   using std::abs;
-  const int check_step = scheme_->check_step(chart_.facts(), is_even_);
+  const int check_step = scheme_->check_step(chart_.facts(), unevenness_);
   const int last = ConicalRules<R>::largest_order - check_step;
-  int order = std::min(scheme_->order_by_model(chart_.facts(), ratio), last);
+  int order = std::min(scheme_->order_by_model(ratio), last);
   while (true) {
     const KernelSums<R> coarse = sums(p, cell, whole, extent, order);
     CheckedSums<R> fine(sums(p, cell, whole, extent, order + check_step));
@@ -163,7 +164,7 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const 
     const auto ratio = nearest_double<R>(distance / fresh.radius);
     const bool admissible = ratio >= (whole ? admissible_ratio_of_whole : admissible_ratio);
     if (admissible && distance - fresh.radius >= told_apart &&
-        (whole ? is_even_ : bends_evenly(piece.cell))) {
+        (whole ? unevenness_ : unevenness_of(piece.cell)) < uneven_for_any_rule) {
       const Insistence insist = piece.failures == failures ? Insistence::rounding : Insistence::none;
       const R extent = extent_for(coordinate, p.at.chart, distance + fresh.radius);
       const auto checked = try_piece(p, piece.cell, whole, ratio, extent, insist);
@@ -283,7 +284,7 @@ void ElementIntegrator<R>::integrate_far_by_comparison(const ObserverBlock<R>& b
   using std::abs;
   using std::max;
   const Tolerance& tolerance = scheme_->tolerance();
-  const int step = scheme_->check_step(chart_.facts());
+  const int step = scheme_->check_step(chart_.facts(), unevenness_);
   const B noise = B(R(4) * unit_roundoff<R>() * view_->area) * bounds.lean;
   B excess = B(R(0));
   B largest_relative = B(R(0));
@@ -328,13 +329,13 @@ void ElementIntegrator<R>::integrate(const ObserverBlock<R>& block, std::span<co
   const R extent = extent_for(block.extent, block.chart, distance + block.radius + ball_.radius);
   const bool told_apart =
       distance - block.radius - ball_.radius >= least_distance(std::max(extent_, block.extent));
-  if (!(ratio >= admissible_ratio_of_block) || !told_apart || !is_even_) {
+  if (!(ratio >= admissible_ratio_of_block) || !told_apart || unevenness_ >= uneven_for_any_rule) {
     for (std::size_t lane = 0; lane < block.count; ++lane) integrate_lane(block, observers, lane, integral);
     return;
   }
   if (!view_) view_.emplace(kept(ConicalRules<R>::smallest_order + 2), ball_.centre);
   const FarBounds<R> bounds(block, *view_, ball_.centre, ball_.radius, extent);
-  const FarRule rule = scheme_->far_rule(chart_.facts(), ratio);
+  const FarRule rule = scheme_->far_rule(chart_.facts(), ratio, unevenness_);
   if (rule.compared_with)
     integrate_far_by_comparison(block, observers, bounds, *rule.compared_with, integral);
   else

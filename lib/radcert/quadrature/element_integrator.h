@@ -37,7 +37,7 @@ struct BlockIntegral {
 
 /// Integrates G l_j over one element for many observers.
 /// Maths     far: conical Gauss rules on the element, of an order chosen from the ratio of distance and size; near: the
-///           longest side is bisected until the pieces are far in terms of their own size, and bend evenly (even_shape.h); near and around an observer on
+///           longest side is bisected until the pieces are far in terms of their own size, and change evenly (even_shape.h); near and around an observer on
 ///           the element's own curved chart: integrate_around; on the element's own plane: exactly 0.  What a rule leaves out:
 ///           flat_rule_bound on plane elements seen from afar, elsewhere the difference of two rules.  A piece that rounding does
 ///           not tell apart from P, or that bisection does not reach, is left out: then |Int G l_j| over it is at most
@@ -87,7 +87,7 @@ private:
 
   const TriangleBasis<R>& basis() const { return scheme_->basis(); }
   Ball ball_about(const Cell<R>& cell) const;
-  bool bends_evenly(const Cell<R>& cell) const;
+  double unevenness_of(const Cell<R>& cell) const;
   bool is_near(const Vector<R>& p) const;
   /// What stands for the largest coordinate in the bounds of rounding, for points within `reach` of P.
   R extent_for(const R& coordinate, std::size_t chart_of_p, const R& reach) const;
@@ -114,7 +114,7 @@ private:
   std::size_t chart_index_;
   Cell<R> element_;
   Ball ball_;
-  bool is_even_;
+  double unevenness_;
   R extent_{};
   std::optional<FarView<R>> view_;
   std::vector<Piece> pending_;

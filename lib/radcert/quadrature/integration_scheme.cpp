@@ -6,6 +6,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/largest_values.h"
+#include "radcert/quadrature/even_shape.h"
 #include "radcert/quadrature/flat_rule_bound.h"
 
 namespace radcert {
@@ -128,20 +129,21 @@ IntegrationScheme<R>::IntegrationScheme(const Surface& surface, const TriangleBa
 }
 
 template <Real R>
-int IntegrationScheme<R>::check_step(const ChartFacts& chart, bool is_even) {
-  return is_even && chart.singular == SingularLine::none ? check_step_analytic : check_step_slow;
+int IntegrationScheme<R>::check_step(const ChartFacts& chart, double unevenness) {
+  const bool is_slow = chart.singular != SingularLine::none || unevenness >= uneven_for_close_rules;
+  return is_slow ? check_step_slow : check_step_analytic;
 }
 
 template <Real R>
-int IntegrationScheme<R>::order_by_model(const ChartFacts& chart, double eta) const {
+int IntegrationScheme<R>::order_by_model(double eta) const {
   return std::min(first_within(least_distance_by_model_, eta),
-                  ConicalRules<R>::largest_order - check_step(chart));
+                  ConicalRules<R>::largest_order - check_step_slow);
 }
 
 template <Real R>
-FarRule IntegrationScheme<R>::far_rule(const ChartFacts& chart, double eta) const {
-  const int coarse = order_by_model(chart, eta);
-  const int fine = coarse + check_step(chart);
+FarRule IntegrationScheme<R>::far_rule(const ChartFacts& chart, double eta, double unevenness) const {
+  const int coarse = order_by_model(eta);
+  const int fine = coarse + check_step(chart, unevenness);
   if (!chart.plane) return {fine, coarse};
   const int bounded = first_within(least_distance_by_bound_, eta);
   if (bounded <= ConicalRules<R>::largest_order && bounded * bounded <= coarse * coarse + fine * fine)

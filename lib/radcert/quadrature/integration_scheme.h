@@ -48,13 +48,13 @@ public:
 
   /// The rules for an element seen from eta radii: one whose bound is within flat_truncation() if the element is plane and
   /// that takes fewer points than two rules of the orders that the error model asks for.
-  FarRule far_rule(const ChartFacts& chart, double eta) const;
+  FarRule far_rule(const ChartFacts& chart, double eta, double unevenness) const;
 
   /// The least order for which the error model reaches Tolerance::intended_truncation, so that a finer rule exists.
-  int order_by_model(const ChartFacts& chart, double eta) const;
-  /// How much finer the rule is with which a rule is compared; more where rules converge slowly: on singular charts, and on elements on which
-  /// the chart does not change evenly.
-  static int check_step(const ChartFacts& chart, bool is_even = true);
+  int order_by_model(double eta) const;
+  /// How much finer the rule is with which a rule is compared; more where rules may converge slowly: on singular charts, and on elements on
+  /// which the chart does not change evenly.
+  static int check_step(const ChartFacts& chart, double unevenness);
 
 private:
   static constexpr std::size_t no_plane = static_cast<std::size_t>(-1);
