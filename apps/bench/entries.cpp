@@ -45,7 +45,7 @@ void entries(benchmark::State& state, const Surface& surface, const ParameterTri
     integrator.integrate(block, observers, integral);
     benchmark::DoNotOptimize(integral);
   }
-  const FarRule rule = scheme->far_rule(surface.charts[element.chart].facts(), radii);
+  const FarRule rule = scheme->far_rule(surface.charts[element.chart].facts(), radii, 0);
   const int points =
       rule.order * rule.order + (rule.compared_with ? *rule.compared_with * *rule.compared_with : 0);
   const auto functions = static_cast<double>(basis.size());

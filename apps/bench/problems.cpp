@@ -47,7 +47,7 @@ double far_evaluations(const Surface& surface, const Triangulation& triangulatio
     for (const ObserverBlock<double>& block : blocks) {
       const double eta = (norm(block.centre - centre) - block.radius) / radius;
       if (scheme.in_plane(block.chart, triangle.chart) || eta < 2.5) continue;
-      const FarRule rule = scheme.far_rule(chart.facts(), eta);
+      const FarRule rule = scheme.far_rule(chart.facts(), eta, 0);
       const int compared = rule.compared_with.value_or(0);
       evaluations += static_cast<double>(Pack::lanes) * (rule.order * rule.order + compared * compared);
     }

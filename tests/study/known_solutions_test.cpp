@@ -225,7 +225,7 @@ TEST(KnownSolutions, PeaksBetweenThePointsOfTheSecondRouteAreSeen) {
 }
 
 TEST(KnownSolutions, WithoutABoundHaveNoRadius) {
-  for (const char* u : {"log((x - 0.3)^2)", "sin(y - 0.4)/(y - 0.4)", "1/sqrt(abs(z - 0.3))"}) {
+  for (const char* u : {"log((x - 0.3)^2)", "sin(y - 0.4)/(y - 0.4)"}) {
     const LevelResult level =
         solve_level(with_solution(sample_problem("cube"), u), 0, reference_route).result;
     EXPECT_FALSE(level.discretisation_error->radius) << u;

@@ -36,10 +36,10 @@ AppliedOperator route(const Surface& surface, const SurfaceFunction& u) {
 }
 
 /// The level, or nothing where it is refused.
-std::optional<LevelOutcome> solved(const Problem& problem) {
+std::optional<LevelOutcome> solved(const Problem& problem, int level = 0) {
   try {
     check(problem, std::uint64_t{1} << 32U);
-    return solve_level(problem, 0, route);
+    return solve_level(problem, level, route);
   } catch (const InputError&) {
     return std::nullopt;
   } catch (const AccuracyNotReached&) {
@@ -161,6 +161,21 @@ TEST(ThinSurfaces, AreRefusedWhereAGradingLeavesNoTriangles) {
   Problem problem = sample_problem("cube");
   problem.triangulation.grading = 50;
   EXPECT_EQ(fault_of([&] { static_cast<void>(solve_level(problem, 3, route)); }).pointer, "/triangulation");
+}
+
+TEST(FlatEllipsoids, HaveTwoSidesForTheSecondRouteToo) {
+  // The far side is nearer than the disk about a point beyond a seam that is bounded instead of integrated.
+  for (const Rational& axis : {Rational(1, 1000000), Rational(3, 100000000), Rational(1, 1000000000)})
+    for (const int degree : {0, 1})
+      for (const int level : {0, 1}) {
+        const std::vector<SurfaceParameter> axes{
+            {"a", 1}, {"b", level == 0 ? Rational(1) : Rational(2)}, {"c", axis}};
+        const Problem problem =
+            with_basis(sample_problem("ellipsoid", axes), degree, degree == 0 ? Rational(0) : Rational(1, 6));
+        const std::optional<LevelOutcome> outcome = solved(with_solution(problem, "1"), level);
+        if (outcome) expect_one(*outcome, "c = " + axis.to_text() + ", level " + std::to_string(level));
+        EXPECT_TRUE(outcome || degree == 1 || level == 1) << axis.to_text();
+      }
 }
 
 TEST(SteepRoofs, AreIntegratedWithinTheirRadii) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/reference/decomposition.h"
 #include "radcert/reference/kernel_integrands.h"
@@ -148,6 +149,23 @@ Point difference(const Collocation& at, std::size_t index, const Parameters& q) 
   return accurate_difference(chart.in<double>().frame({0, 0}), q, own.in<double>().frame({0, 0}), at.p.at);
 }
 
+/// Whether the surface goes on smoothly from P to the disk of a chart about the point nearest to P: n_Q is about n_P all over it. The far sheet
+/// of a flat body is no such disk, nor is one about a rim that bends within it.
+bool goes_on_smoothly(const Collocation& at, const ChartIn<double>& chart, ChartDomain domain,
+                      const Parameters& nearest, double radius) {
+  constexpr double least_cosine = 0.9;
+  const Frame<double> frame = chart.frame(nearest);
+  const Parameters step{radius / norm(frame.tangent_s), radius / norm(frame.tangent_t)};
+  for (const int s : {-1, 0, 1})
+    for (const int t : {-1, 0, 1}) {
+      Parameters q{std::clamp(nearest.s + s * step.s, 0.0, 1.0),
+                   std::clamp(nearest.t + t * step.t, 0.0, 1.0)};
+      if (domain == ChartDomain::unit_triangle) q.t = std::min(q.t, 1 - q.s);
+      if (!(dot(unit_normal(chart.frame(q)), at.normal) > least_cosine)) return false;
+    }
+  return true;
+}
+
 void add_other_chart(AdaptiveCubature& cubature, const Collocation& at, std::size_t index,
                      const Polygon& polygon) {
   const Chart& own = at.surface->charts[at.p.chart];
@@ -174,7 +192,13 @@ void add_other_chart(AdaptiveCubature& cubature, const Collocation& at, std::siz
     return;
   }
   // Where one piece goes on smoothly G is bounded, but nearer than this rounding hides it: that disk is not integrated.
-  const double blind = same_piece ? 1e-8 * extent : 0;
+  const double hidden = 1e-8 * extent;
+  const bool is_seam =
+      same_piece && goes_on_smoothly(at, formula, chart.facts().domain, apex, std::max(delta, hidden));
+  if (!is_seam && !(delta > 0))
+    throw AccuracyNotReached("Ku at a point of chart " + own.facts().name,
+                             "chart " + chart.facts().name + " bends there within what rounding hides");
+  const double blind = is_seam ? hidden : 0;
   const double bend = flat ? 0 : bend_of(formula, polygon);
   Polar polar{.delta = std::max(delta, blind), .bend = bend};
   if (delta < blind) {
@@ -196,7 +220,7 @@ void add_other_chart(AdaptiveCubature& cubature, const Collocation& at, std::siz
   plane = TangentPlane(frame.tangent_s, frame.tangent_t);
   const double strip = add_sectors(cubature, integrand(apex), polygon, apex, plane, polar);
   // G <= 1/|P-Q|^2; across a smooth seam it is bounded, and nothing is lost.
-  if (strip > 0 && !same_piece)
+  if (strip > 0 && !is_seam)
     cubature.add_unseen(strip * pi<double>() / delta * std::abs((*at.density)({index, apex}, frame.point)));
 }
 

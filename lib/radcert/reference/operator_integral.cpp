@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
 #include "radcert/reference/adaptive_cubature.h"
 #include "radcert/reference/chart_parts.h"
 #include "radcert/reference/far_chart.h"
@@ -75,6 +76,30 @@ double deviation_bound(std::span<const DensityCell> cells, const Collocation& at
   return sum;
 }
 
+/// Whether a curved closed surface is so thin that G over its far side is a peak which only the point nearest to P shows: that point is
+/// sought by Newton's method, and Int G = pi tells whether it was found [ac98, section 2].
+bool has_to_close(const Surface& surface) {
+  constexpr double thin = 1e-2;
+  if (!surface.closed || !surface.unoccluded) return false;
+  Vector<double> low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Vector<double> high = -low;
+  bool is_curved = false;
+  for (const Chart& chart : surface.charts) {
+    is_curved = is_curved || !chart.facts().flat_in();
+    const Polygon domain = whole_domain(chart.facts().domain);
+    for (std::size_t i = 0; i < domain.count; ++i) {
+      const Vector<double> q = chart.in<double>().frame(domain[i]).point;
+      low = {std::min(low.x, q.x), std::min(low.y, q.y), std::min(low.z, q.z)};
+      high = {std::max(high.x, q.x), std::max(high.y, q.y), std::max(high.z, q.z)};
+    }
+  }
+  const Vector<double> extent = high - low;
+  return is_curved &&
+         std::min({extent.x, extent.y, extent.z}) < thin * std::max({extent.x, extent.y, extent.z});
+}
+
+double one(const SurfacePoint<double>& /*q*/, const Vector<double>& /*point*/) { return 1; }
+
 }  // namespace
 
 struct AppliedOperator::Prepared {
@@ -83,7 +108,8 @@ struct AppliedOperator::Prepared {
   std::vector<FarChart> charts;
   std::optional<SurfaceScene> scene;  ///< where parts of the surface hide others
   std::vector<DensityCell> cells;
-  std::vector<std::size_t> first_cell;  ///< of each chart; at the end their number
+  std::vector<std::size_t> first_cell;      ///< of each chart; at the end their number
+  std::optional<AppliedOperator> of_one{};  ///< where Int G has to be looked at
 
   std::span<const DensityCell> cells_of(std::size_t chart) const {
     return std::span(cells).subspan(first_cell[chart], first_cell[chart + 1] - first_cell[chart]);
@@ -91,12 +117,13 @@ struct AppliedOperator::Prepared {
 };
 
 AppliedOperator::AppliedOperator(const Surface& surface, Density u)
-    : AppliedOperator(surface, std::move(u), whole_charts(surface)) {}
+    : AppliedOperator(surface, std::move(u), whole_charts(surface), has_to_close(surface)) {}
 
 AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::span<const Expression> formulas)
-    : AppliedOperator(surface, std::move(u), density_cells(surface, formulas)) {}
+    : AppliedOperator(surface, std::move(u), density_cells(surface, formulas), has_to_close(surface)) {}
 
-AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::vector<DensityCell> cells) {
+AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::vector<DensityCell> cells,
+                                 bool must_close) {
   expects(static_cast<bool>(u), "a density");
   auto prepared = std::make_shared<Prepared>(
       Prepared{&surface, std::move(u), {}, scene_of(surface), std::move(cells), {}});
@@ -110,12 +137,22 @@ AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::vector<
       std::max(bytes / std::max<std::size_t>(surface.chart_count(), 1), least_bytes_a_chart);
   for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
     prepared->charts.emplace_back(surface.charts[chart], chart, prepared->u, bytes_a_chart);
+  if (must_close) prepared->of_one = AppliedOperator(surface, one, whole_charts(surface), false);
   prepared_ = std::move(prepared);
 }
 
 Estimate AppliedOperator::operator()(const SurfacePoint<double>& p) const {
   const Surface& surface = *prepared_->surface;
   const Collocation at = collocation(surface, p, prepared_->u);
+  if (prepared_->of_one) {
+    const Estimate whole = (*prepared_->of_one)(p);
+    constexpr double slack = 1e-12;
+    if (!(std::abs(whole.value - pi<double>()) <= whole.radius + slack))
+      throw AccuracyNotReached(
+          "Ku at a point of chart " + surface.charts[p.chart].facts().name,
+          "the integral of G over the closed surface is not pi within its radius: the surface is too "
+          "thin to find its far side");
+  }
   AdaptiveCubature cubature(prepared_->u, [&at](std::size_t chart) {
     return other_integrand(at, chart, {0, 0});
   });

@@ -38,7 +38,8 @@ struct Estimate {
 ///           until it is nearly a polynomial on every part, and what is left of that joins the radius, see density_cells. A flat chart has
 ///           the doubles nearest to its coefficients. Where a curved piece meets another at an angle the radius grows like u |P| / distance.
 ///           A u that is not smooth costs time, bounded, and is seen in the radius. Keeps u and points of each chart for the P far from it:
-///           15 kB a chart, or more within 32 MB
+///           15 kB a chart, or more within 32 MB. AccuracyNotReached on a curved closed surface a hundred times as wide as thick where
+///           Int G is not pi within its radius
 class AppliedOperator {
 public:
   AppliedOperator(const Surface& surface, Density u);
@@ -48,7 +49,7 @@ public:
 
 private:
   struct Prepared;
-  AppliedOperator(const Surface& surface, Density u, std::vector<DensityCell> cells);
+  AppliedOperator(const Surface& surface, Density u, std::vector<DensityCell> cells, bool must_close);
   std::shared_ptr<const Prepared> prepared_;
 };
 
