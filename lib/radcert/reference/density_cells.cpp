@@ -68,11 +68,27 @@ BoxValue value_on(const Expression& f, const Box& box, bool from_low, double gro
   return f.evaluate<BoxValue>({of(box.x), of(box.y), of(box.z)});
 }
 
-/// How far f is on a box from a polynomial of degree < 64.
-double deviation_on(const Expression& f, const Box& box) {
+/// What is known of f on a box.
+struct Behaviour {
+  double deviation = infinite;  ///< from a polynomial of degree < 64
+  double rounding = 0;          ///< what that of coordinates may do to f
+};
+
+/// sum_i |D_i f| 2^-51 |X_i|: where |f| <= m on the disks, |D_i f| <= m / ((growth - 1) h_i) on the box.
+double rounding_of(const Box& box, double m, double growth) {
+  double sum = 0;
+  for (const Interval& x : {box.x, box.y, box.z})
+    if (x.high > x.low)
+      sum += 0x1p-51 * std::max(std::abs(x.low), std::abs(x.high)) / ((growth - 1) * x.half());
+  return m * sum;
+}
+
+Behaviour behaviour_on(const Expression& f, const Box& box) {
   constexpr int degree = 64;
   constexpr double rounding = 1 + 0x1p-40;
-  double least = infinite;
+  Behaviour result;
+  double& least = result.deviation;
+  double least_rounding = infinite;
   for (const double growth : {2.0, 3.0, 5.0 / 3})
     for (const bool from_low : {true, false}) {
       const BoxValue value = value_on(f, box, from_low, growth);
@@ -80,10 +96,13 @@ double deviation_on(const Expression& f, const Box& box) {
       const double m = value.on_disks.magnitude_bound();
       least = std::min(
           {least, value.on_box.radius(), rounding * m / (std::pow(growth, degree - 1) * (growth - 1))});
-      if (least <= 0x1p-60 * abs(value.on_box).upper_double()) return least;
+      // No more than all that f changes on the box.
+      least_rounding = std::min({least_rounding, rounding_of(box, m, growth), 2 * value.on_box.radius()});
+      if (std::isfinite(least_rounding)) result.rounding = least_rounding;
+      if (least <= 0x1p-60 * abs(value.on_box).upper_double()) return result;
       break;
     }
-  return least;
+  return result;
 }
 
 void include(Box& box, const Vector<Ball>& q) {
@@ -206,7 +225,11 @@ private:
       open.cell.centre = {box.x.middle(), box.y.middle(), box.z.middle()};
       open.cell.half = {box.x.half(), box.y.half(), box.z.half()};
       open.extent = norm(open.cell.half);
-      if (std::isfinite(open.extent)) open.cell.deviation = deviation_on(f, box);
+      if (std::isfinite(open.extent)) {
+        const Behaviour behaviour = behaviour_on(f, box);
+        open.cell.deviation = behaviour.deviation;
+        open.cell.rounding = behaviour.rounding;
+      }
     } else {
       open.is_final = true;
     }
@@ -314,7 +337,7 @@ double deviation_at(const DensityCell& cell, const Vector<double>& p) {
   const double distance =
       norm(Vector<double>{beyond(d.x, cell.half.x), beyond(d.y, cell.half.y), beyond(d.z, cell.half.z)});
   const double most = distance > 0 ? std::min(pi<double>(), cell.area / (distance * distance)) : pi<double>();
-  return 2 * cell.deviation * most;
+  return (2 * cell.deviation + cell.rounding) * most;
 }
 
 }  // namespace radcert::reference

@@ -25,6 +25,7 @@ struct DensityCell {
   Polygon polygon{};
   bool is_whole = true;  ///< the domain of its chart
   double deviation = 0;
+  double rounding = 0;      ///< what that of coordinates may do to u, where u is known to be analytic
   Vector<double> centre{};  ///< of the box
   Vector<double> half{};    ///< of its sides
   double area = 0;
@@ -45,7 +46,7 @@ struct DensityCell {
 std::vector<DensityCell> density_cells(const Surface& surface, std::span<const Expression> formulas);
 
 /// What the deviation of a cell may change of the integral of G u over it.
-/// Maths     2 deviation min(pi, area / d^2) >= 2 deviation Int_cell G(P,Q) dS_Q, d the distance of the cell's box from P: once for the integral, once
+/// Maths     (2 deviation + rounding) min(pi, area / d^2), where min(pi, area / d^2) >= Int_cell G(P,Q) dS_Q, d the distance of the cell's box from P: once for the integral, once
 ///           for what a rule of positive weights gives in its place
 /// Source    [ac98, section 2]: Int G dS <= pi over what is seen from P; G <= 1 / |P-Q|^2
 /// Requires  -

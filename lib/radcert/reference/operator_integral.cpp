@@ -72,7 +72,7 @@ double deviation_bound(std::span<const DensityCell> cells, const Collocation& at
   if (at.surface->charts[at.p.chart].facts().flat_in() && cells.front().chart == at.p.chart) return 0;
   double sum = 0;
   for (const DensityCell& cell : cells)
-    if (cell.deviation > 0) sum += deviation_at(cell, at.frame.point);
+    if (cell.deviation > 0 || cell.rounding > 0) sum += deviation_at(cell, at.frame.point);
   return sum;
 }
 
