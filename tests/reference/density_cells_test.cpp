@@ -196,7 +196,7 @@ void expect_peak(const Surface& surface, const SurfacePoint<double>& p, const Ve
     const Vector<double> d = q - frame.point;
     const double g = is_seen ? dot(d, unit_normal(frame)) * -dot(d, normal_q) / (dot(d, d) * dot(d, d)) : 0;
     EXPECT_NEAR(found.value - without_peak, std::numbers::pi / a * g, found.radius + 100 / (a * a)) << a;
-    EXPECT_LE(found.radius, 1e-9) << a;
+    EXPECT_LE(found.radius, 1e-12) << a;
   }
 }
 

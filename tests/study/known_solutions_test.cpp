@@ -220,7 +220,7 @@ TEST(KnownSolutions, PeaksBetweenThePointsOfTheSecondRouteAreSeen) {
     EXPECT_NEAR(level.result.discretisation_error->value, largest,
                 *level.result.discretisation_error->radius + 1000 * std::abs(c) / (a * a))
         << a;
-    EXPECT_LT(*level.result.discretisation_error->radius, 1e-2 * largest + 1e-8) << a;
+    EXPECT_LT(*level.result.discretisation_error->radius, 1e-2 * largest + 1e-12) << a;
   }
 }
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <tuple>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "radcert/expression/batch.h"
 #include "radcert/reference/box_value.h"
 #include "radcert/scalar/ball_precision.h"
+#include "radcert/scalar/dual.h"
 
 namespace radcert::reference {
 namespace {
@@ -68,27 +68,11 @@ BoxValue value_on(const Expression& f, const Box& box, bool from_low, double gro
   return f.evaluate<BoxValue>({of(box.x), of(box.y), of(box.z)});
 }
 
-/// What is known of f on a box.
-struct Behaviour {
-  double deviation = infinite;  ///< from a polynomial of degree < 64
-  double rounding = 0;          ///< what that of coordinates may do to f
-};
-
-/// sum_i |D_i f| 2^-51 |X_i|: where |f| <= m on the disks, |D_i f| <= m / ((growth - 1) h_i) on the box.
-double rounding_of(const Box& box, double m, double growth) {
-  double sum = 0;
-  for (const Interval& x : {box.x, box.y, box.z})
-    if (x.high > x.low)
-      sum += 0x1p-51 * std::max(std::abs(x.low), std::abs(x.high)) / ((growth - 1) * x.half());
-  return m * sum;
-}
-
-Behaviour behaviour_on(const Expression& f, const Box& box) {
+/// How far f is on a box from a polynomial of degree < 64.
+double deviation_on(const Expression& f, const Box& box) {
   constexpr int degree = 64;
   constexpr double rounding = 1 + 0x1p-40;
-  Behaviour result;
-  double& least = result.deviation;
-  double least_rounding = infinite;
+  double least = infinite;
   for (const double growth : {2.0, 3.0, 5.0 / 3})
     for (const bool from_low : {true, false}) {
       const BoxValue value = value_on(f, box, from_low, growth);
@@ -96,13 +80,56 @@ Behaviour behaviour_on(const Expression& f, const Box& box) {
       const double m = value.on_disks.magnitude_bound();
       least = std::min(
           {least, value.on_box.radius(), rounding * m / (std::pow(growth, degree - 1) * (growth - 1))});
-      // No more than all that f changes on the box.
-      least_rounding = std::min({least_rounding, rounding_of(box, m, growth), 2 * value.on_box.radius()});
-      if (std::isfinite(least_rounding)) result.rounding = least_rounding;
-      if (least <= 0x1p-60 * abs(value.on_box).upper_double()) return result;
+      if (least <= 0x1p-60 * abs(value.on_box).upper_double()) return least;
       break;
     }
-  return result;
+  return least;
+}
+
+/// A box that is nowhere much thinner than it is wide.
+Box fattened(const Box& box) {
+  const double least = 0x1p-10 * std::max({box.x.half(), box.y.half(), box.z.half()});
+  const auto fat = [least](const Interval& x) -> Interval {
+    return {std::min(x.low, x.middle() - least), std::max(x.high, x.middle() + least)};
+  };
+  return {fat(box.x), fat(box.y), fat(box.z)};
+}
+
+/// A bound of sum_i |D_i f| off_i on a box: where |f| <= m on disks of `growth` times its radii h_i, |D_i f| is at most
+/// m / ((growth - 1) h_i) by Cauchy.
+double change_by_disks(const Expression& f, const Box& box, const Vector<double>& off, double growth) {
+  const double m = value_on(f, box, true, growth).on_disks.magnitude_bound();
+  const Ball sum =
+      Ball(off.x) / Ball(box.x.half()) + Ball(off.y) / Ball(box.y.half()) + Ball(off.z) / Ball(box.z.half());
+  const Ball change = Ball(m) * sum / (Ball(growth) - Ball(1));
+  return change.is_finite() ? change.upper_double() : infinite;
+}
+
+/// The same by an enclosure of the slopes on the box.
+double change_by_slopes(const Expression& f, const Variables<Ball>& box, const Vector<double>& off) {
+  using Slope = Dual<Ball>;
+  const Ball zero(0);
+  const Ball one(1);
+  const Slope by_xy = f.evaluate<Slope>({Slope(box.x, one, zero), Slope(box.y, zero, one), Slope(box.z)});
+  const Slope by_z = f.evaluate<Slope>({Slope(box.x), Slope(box.y), Slope(box.z, one, zero)});
+  const Ball change =
+      abs(by_xy.by_s) * Ball(off.x) + abs(by_xy.by_t) * Ball(off.y) + abs(by_z.by_s) * Ball(off.z);
+  return change.is_finite() ? change.upper_double() : infinite;
+}
+
+/// What rounding may do to f on a box whose points are off by `off`: no more than f changes there.
+double rounding_on(const Expression& f, const Box& box, const Vector<double>& off) {
+  double least = infinite;
+  for (const double growth : {2.0, 3.0, 5.0 / 3})
+    least = std::min(least, change_by_disks(f, fattened(box), off, growth));
+  for (const bool from_low : {true, false}) {
+    const Variables<Ball> balls{from_end(box.x, from_low), from_end(box.y, from_low),
+                                from_end(box.z, from_low)};
+    const Ball value = f.evaluate<Ball>(balls);
+    if (value.is_finite()) least = std::min(least, 2 * value.radius());
+    least = std::min(least, change_by_slopes(f, balls, off));
+  }
+  return least;
 }
 
 void include(Box& box, const Vector<Ball>& q) {
@@ -196,10 +223,34 @@ public:
     std::vector<DensityCell> result;
     result.reserve(cells_.size());
     for (const Open& open : cells_) result.push_back(open.cell);
+    for (std::size_t first = 0; first < result.size();) {
+      std::size_t end = first;
+      while (end < result.size() && result[end].chart == result[first].chart) ++end;
+      set_rounding(std::span(result).subspan(first, end - first));
+      first = end;
+    }
     return result;
   }
 
 private:
+  /// Sets `rounding` of all cells of one chart, whose points are off by eight roundings of the largest coordinate.
+  void set_rounding(std::span<DensityCell> cells) const {
+    const Expression& f = formulas_[cells.front().chart];
+    if (f.is_constant()) return;
+    Vector<double> off;
+    const auto include = [](double& largest, double centre, double half) {
+      if (std::isfinite(half)) largest = std::max(largest, 0x1p-50 * (std::abs(centre) + half));
+    };
+    for (const DensityCell& cell : cells) {
+      include(off.x, cell.centre.x, cell.half.x);
+      include(off.y, cell.centre.y, cell.half.y);
+      include(off.z, cell.centre.z, cell.half.z);
+    }
+    for (DensityCell& cell : cells)
+      if (std::isfinite(cell.deviation))
+        cell.rounding = rounding_on(f, box_about(surface_.charts[cell.chart], cell.polygon), off);
+  }
+
   Open opened(std::size_t index, const Polygon& polygon, bool is_whole) const {
     const Chart& chart = surface_.charts[index];
     const Expression& f = formulas_[index];
@@ -225,11 +276,7 @@ private:
       open.cell.centre = {box.x.middle(), box.y.middle(), box.z.middle()};
       open.cell.half = {box.x.half(), box.y.half(), box.z.half()};
       open.extent = norm(open.cell.half);
-      if (std::isfinite(open.extent)) {
-        const Behaviour behaviour = behaviour_on(f, box);
-        open.cell.deviation = behaviour.deviation;
-        open.cell.rounding = behaviour.rounding;
-      }
+      if (std::isfinite(open.extent)) open.cell.deviation = deviation_on(f, box);
     } else {
       open.is_final = true;
     }
@@ -270,8 +317,8 @@ private:
     return result;
   }
 
-  /// The halves of least extent, or those that leave far less: towards a line on which u is not analytic cells become thin. The cell itself,
-  /// if it is too narrow.
+  /// The halves of least extent, or those that leave far less: towards a line on which u is not analytic cells
+  /// become thin. The cell itself, if it is too narrow.
   std::vector<Open> halved(const Open& cell) const {
     const auto is_rounder = [](const Halves& a, const Halves& b) {
       return std::tuple(a.extent, a.without_bound, a.share) < std::tuple(b.extent, b.without_bound, b.share);

@@ -25,7 +25,7 @@ struct DensityCell {
   Polygon polygon{};
   bool is_whole = true;  ///< the domain of its chart
   double deviation = 0;
-  double rounding = 0;      ///< what that of coordinates may do to u, where u is known to be analytic
+  double rounding = 0;      ///< what that of coordinates may do to u
   Vector<double> centre{};  ///< of the box
   Vector<double> half{};    ///< of its sides
   double area = 0;
