@@ -37,8 +37,9 @@ struct BlockIntegral {
 
 /// Integrates G l_j over one element for many observers.
 /// Maths     far: conical Gauss rules on the element, of an order chosen from the ratio of distance and size; near: the
-///           longest side is bisected until the pieces are far in terms of their own size, and change evenly (even_shape.h); near and around an observer on
-///           the element's own curved chart: integrate_around; on the element's own plane: exactly 0.  What a rule leaves out:
+///           longest side is bisected until the pieces are far in terms of their own size, and change evenly
+///           (even_shape.h); near and around an observer on the element's own curved chart: integrate_around; on the
+///           element's own plane: exactly 0.  What a rule leaves out:
 ///           flat_rule_bound on plane elements seen from afar, elsewhere the difference of two rules.  A piece that rounding does
 ///           not tell apart from P, or that bisection does not reach, is left out: then |Int G l_j| over it is at most
 ///           max|l_j| Int |G| dS, and Int |G| dS <= pi over what each ray from P meets once: |cos| over a hemisphere
