@@ -83,7 +83,7 @@ void row_of_room(benchmark::State& state) {
   double accuracy = 1;
   for (std::int64_t k = 0; k < state.range(0); ++k) accuracy /= 2;
   constexpr std::size_t row = 5;
-  Estimate sum;
+  Approximation sum = Approximation::exact(0);
   for (auto step : state) {
     sum = {};
     for (std::size_t k = 0; k < scene.facet_count(); ++k)

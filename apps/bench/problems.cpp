@@ -5,13 +5,13 @@
 #include <cmath>
 #include <string>
 
-#include "apps/radcert/operator_route.h"
 #include "plain.h"
 #include "radcert/collocation/assembly.h"
 #include "radcert/collocation/nodes.h"
 #include "radcert/core/parallel.h"
 #include "radcert/formats/problem_json.h"
 #include "radcert/quadrature/element_integrator.h"
+#include "radcert/reference/operator_integral.h"
 #include "radcert/study/study.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
@@ -93,7 +93,7 @@ void study(benchmark::State& state, const std::string& file, SolverName solver) 
   const ThreadLimit limit(static_cast<std::size_t>(state.range(0)));
   Problem problem = read_problem(std::string(RADCERT_SOURCE_DIR) + "/papers/ac98/problems/" + file);
   problem.solver.name = solver;
-  const OperatorRoute route = app::operator_route();
+  const OperatorRoute route = reference::applied_operator;
   double assembly_seconds = 0;
   double operator_seconds = 0;
   double solve_seconds = 0;

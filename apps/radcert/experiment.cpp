@@ -13,7 +13,6 @@
 
 #include "command.h"
 #include "experiment_table.h"
-#include "operator_route.h"
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
@@ -24,6 +23,7 @@
 #include "radcert/formats/experiment_plots.h"
 #include "radcert/formats/latex_plot.h"
 #include "radcert/formats/latex_table.h"
+#include "radcert/reference/operator_integral.h"
 #include "radcert/study/study.h"
 #include "verification/framework/levels.h"
 #include "verification/report/report_page.h"
@@ -135,7 +135,7 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   const std::optional<ThreadLimit> limit =
       threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
   ResultStore store;
-  verification::StoredLevels levels(store, verification::solve_with(operator_route(), memory));
+  verification::StoredLevels levels(store, verification::solve_with(reference::applied_operator, memory));
   const Finished finished = solve_all(experiment, options.experiment, levels, common.quiet);
   const std::size_t asked = level_count(experiment);
   if (finished.levels < asked) return interrupted(finished.levels, asked, store);

@@ -18,7 +18,7 @@ constexpr int digits_of_factors = 16;
 constexpr int digits_of_areas = 10;
 
 /// As many digits as the radius leaves a meaning, and two more.
-void push(std::vector<std::string>& row, const Estimate& number, int digits) {
+void push(std::vector<std::string>& row, const Approximation& number, int digits) {
   if (number.value != 0 && number.radius > 0) {
     const double known = std::log10(std::abs(number.value)) - std::log10(number.radius);
     digits = static_cast<int>(std::clamp(std::ceil(known) + 2, 2.0, static_cast<double>(digits)));

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "command.h"
-#include "operator_route.h"
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
@@ -26,6 +25,7 @@
 #include "radcert/formats/problem_json.h"
 #include "radcert/formats/result_json.h"
 #include "radcert/formats/vtu.h"
+#include "radcert/reference/operator_integral.h"
 #include "solve_table.h"
 #include "verification/framework/levels.h"
 
@@ -120,7 +120,7 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   const std::optional<ThreadLimit> limit =
       threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
   ResultStore store;
-  verification::StoredLevels levels(store, verification::solve_with(operator_route(), memory));
+  verification::StoredLevels levels(store, verification::solve_with(reference::applied_operator, memory));
   const std::vector<LevelOutcome> finished =
       with_source(options.problem, [&] { return solve_levels(problem, levels, common.quiet); });
   const std::size_t asked = problem.triangulation.levels.size();

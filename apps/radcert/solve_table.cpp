@@ -17,21 +17,16 @@ namespace {
 constexpr int digits = 5;
 
 /// The value and its radius, which counts the digits that are not printed; without a radius no enclosure.
-void push(std::vector<std::string>& row, const std::optional<double>& value,
-          const std::optional<double>& radius, DecimalForm form) {
-  if (!value || !std::isfinite(*value)) {
+void push(std::vector<std::string>& row, const std::optional<Approximation>& number,
+          DecimalForm form = DecimalForm::scientific(digits)) {
+  if (!number || !std::isfinite(number->value)) {
     row.insert(row.end(), {"-", "-"});
-  } else if (!radius) {
-    row.insert(row.end(), {nearest_text(*value, form), "-"});
+  } else if (!number->has_radius()) {
+    row.insert(row.end(), {nearest_text(number->value, form), "-"});
   } else {
-    const EnclosingText text = enclosing_text(*value, *radius, form);
+    const EnclosingText text = enclosing_text(number->value, number->radius, form);
     row.insert(row.end(), {text.value, text.radius});
   }
-}
-
-void push(std::vector<std::string>& row, const std::optional<Figure>& figure) {
-  push(row, figure ? std::optional(figure->value) : std::nullopt, figure ? figure->radius : std::nullopt,
-       DecimalForm::scientific(digits));
 }
 
 std::string ratio_text(const std::optional<double>& ratio) {
@@ -46,10 +41,10 @@ bool any_level(const Result& result, const Has& has) {
 
 std::string level_table(const Result& result, bool with_errors) {
   const bool sample_has_radius = any_level(result, [](const LevelResult& level) {
-    return level.uniform_error && level.uniform_error->radius.has_value();
+    return level.uniform_error && level.uniform_error->has_radius();
   });
   const bool norm_has_radius =
-      any_level(result, [](const LevelResult& level) { return level.norm_K.radius.has_value(); });
+      any_level(result, [](const LevelResult& level) { return level.norm_K.has_radius(); });
   std::vector<std::string> head = {"level", "elements", "unknowns", "h"};
   if (with_errors) {
     head.insert(head.end(), {"|K(I-P_n)u|", "+-", "ratio", "|u-u_n| nodes", "+-", "ratio", "|u-u_n| sample"});
@@ -67,11 +62,10 @@ std::string level_table(const Result& result, bool with_errors) {
       row.push_back(ratio_text(level.discretisation_ratio));
       push(row, level.node_error);
       row.push_back(ratio_text(level.node_ratio));
-      push(row, level.uniform_error ? std::optional(level.uniform_error->value) : std::nullopt,
-           level.uniform_error ? level.uniform_error->radius : std::nullopt, DecimalForm::scientific(4));
+      push(row, level.uniform_error, DecimalForm::scientific(4));
       if (!sample_has_radius) row.pop_back();
     }
-    push(row, level.norm_K.value, level.norm_K.radius, DecimalForm::general(6));
+    push(row, level.norm_K, DecimalForm::general(6));
     if (!norm_has_radius) row.pop_back();
     if (!level.norm_K.guaranteed) row[row.size() - (norm_has_radius ? 2 : 1)] += " (estimate)";
     rows.push_back(row);
@@ -154,7 +148,7 @@ std::string iteration_line(const Result& result) {
 bool nodes_are_guaranteed(const Result& result) {
   return !result.levels.empty() &&
          std::all_of(result.levels.begin(), result.levels.end(), [](const LevelResult& level) {
-           const auto proved = [](const std::optional<Figure>& figure) {
+           const auto proved = [](const std::optional<Approximation>& figure) {
              return !figure || figure->guaranteed;
            };
            return level.verified && proved(level.discretisation_error) && proved(level.node_error);

@@ -13,12 +13,12 @@
 #include <vector>
 
 #include "command.h"
-#include "operator_route.h"
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/result_store.h"
+#include "radcert/reference/operator_integral.h"
 #include "verification/framework/embedded.h"
 #include "verification/framework/run_verification.h"
 #include "verification/report/report_text.h"
@@ -42,7 +42,7 @@ verification::Budget budget_of(const std::string& word) {
 
 verification::Report run(const Common& common, const VerifyOptions& options, verification::Budget budget,
                          ResultStore& store) {
-  const OperatorRoute route = operator_route();
+  const OperatorRoute route = reference::applied_operator;
   verification::StoredLevels levels(store, verification::solve_with(route, common.memory_limit()));
   const verification::Bench bench{.budget = budget, .route = route, .levels = levels, .store = store};
   ProgressDisplay progress(common.quiet);

@@ -42,7 +42,7 @@ void expect_agreement(Place place, std::uint64_t seed) {
         const ElementIntegral<double> integral = ElementIntegrator<double>(surface, c->element, basis)
                                                      .integrate(observer<double>(surface, c->observer));
         const std::size_t j = stream.index(basis.size());
-        const reference::Estimate other =
+        const Approximation other =
             reference::operator_integral(surface, c->observer, c->element.chart, c->element.vertices,
                                          basis_function(c->element, basis, j));
         EXPECT_LE(std::abs(integral.value[j] - other.value), integral.radius[j] + other.radius)

@@ -45,7 +45,7 @@ TEST(OccludedOperator, AgreesWithTheCollocationMatrixOnItsOwnSpace) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       double sum = 0;
       for (std::size_t j = 0; j < nodes.size(); ++j) sum += k.entries(i, j) * density(nodes[j].point);
-      const reference::Estimate second = applied(nodes[i].at);
+      const Approximation second = applied(nodes[i].at);
       const double allowed = second.radius / pi<double>() + 5 * k.row_radius[i] + 1e-14;
       EXPECT_NEAR(sum, second.value / pi<double>(), allowed) << "row " << i;
       EXPECT_LT(allowed, 1e-9) << "row " << i;

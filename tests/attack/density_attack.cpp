@@ -82,7 +82,7 @@ Judgement judge(const Instance& x) {
   };
   const reference::AppliedOperator applied(surface, density,
                                            std::vector<Expression>(surface.chart_count(), u));
-  const reference::Estimate found = applied(x.p);
+  const Approximation found = applied(x.p);
   const Frame<double> frame = surface.charts[x.p.chart].in<double>().frame(x.p.at);
   const Vector<double> normal = unit_normal(frame);
   const double feature = feature_integral(x, [&](double qx, double qy) {

@@ -206,7 +206,7 @@ Instance occluded(Draw& draw) {
 }
 
 /// Whether what was found may be the exchange area of the first two triangles: first few points, then many.
-Judgement held_by_points(const Instance& instance, const Estimate& found, std::size_t i, std::size_t j) {
+Judgement held_by_points(const Instance& instance, const Approximation& found, std::size_t i, std::size_t j) {
   const SightJudge judge(instance.mesh);
   Draw draw(instance.seed);
   // Of 16 shifts: nine times the deviation is left out once in a million at 15 degrees of freedom.
@@ -255,7 +255,7 @@ TEST(FactorsAttack, CertifiedOccludedPairsHold) {
             const FacetScene scene(instance.mesh);
             constexpr CertifiedDemand quick{.radius = 1e-2, .work_limit = 300};
             const Ball ball = certified_exchange_area(scene, 0, 1, scene.pair(0, 1), quick);
-            return held_by_points(instance, enclosing_estimate(ball), 0, 1);
+            return held_by_points(instance, enclosing(ball), 0, 1);
           },
       .text = text_of,
       .smaller = without_one,
@@ -301,14 +301,14 @@ TEST(FactorsAttack, OpenPairsHold) {
           [](const Instance& instance) {
             if (beyond_doubles(instance.mesh)) return Judgement::refused();
             const FacetScene scene(instance.mesh);
-            const Estimate found = pair_exchange(scene, 0, 1, {}).area;
+            const Approximation found = pair_exchange(scene, 0, 1, {}).area;
             const Ball proved = certified_exchange_area(scene, 0, 1, scene.pair(0, 1), {});
-            if (!overlaps(enclosing_ball(found), proved))
+            if (!overlaps(ball_of(found), proved))
               return Judgement::violated("estimated " + shortest(found.value) + " +- " +
                                          shortest(found.radius) + ", certified " + proved.to_text());
             // A sliver is no receiver for the judge's doubles.
             if (scene.area(0) < 1e-9 * scene.total_area()) return Judgement::held();
-            return held_by_points(instance, enclosing_estimate(proved), 0, 1);
+            return held_by_points(instance, enclosing(proved), 0, 1);
           },
       .text = text_of,
   }));
@@ -406,7 +406,7 @@ TEST(FactorsAttack, PairsInAndOutsideBodiesHold) {
             if (estimated.kind != Judgement::Kind::held) return estimated;
             constexpr CertifiedDemand quick{.radius = 1e-2, .work_limit = 100};
             const Ball ball = certified_exchange_area(scene, 0, 1, scene.pair(0, 1), quick);
-            return held_by_points(instance, enclosing_estimate(ball), 0, 1);
+            return held_by_points(instance, enclosing(ball), 0, 1);
           },
       .text = text_of,
       .smaller = without_one,

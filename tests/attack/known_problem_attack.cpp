@@ -128,8 +128,8 @@ Judgement judge(const Known& x) {
   for (const auto& [name, figure] :
        {std::pair{"discretisation_error", result.discretisation_error}, {"node_error", result.node_error}}) {
     if (!figure) continue;
-    if (!(figure->value <= figure->radius.value()))
-      return Judgement::violated(off_text(name, figure->value, *figure->radius));
+    if (!(figure->value <= figure->radius))
+      return Judgement::violated(off_text(name, figure->value, figure->radius));
     ++values;
   }
   return Judgement::held(values);

@@ -17,8 +17,8 @@ namespace radcert::attack {
 namespace {
 
 /// Two figures with radii must overlap.
-bool overlap(const Figure& a, const Figure& b) {
-  return std::abs(a.value - b.value) <= (*a.radius + *b.radius) * (1 + 0x1p-40);
+bool overlap(const Approximation& a, const Approximation& b) {
+  return std::abs(a.value - b.value) <= (a.radius + b.radius) * (1 + 0x1p-40);
 }
 
 Judgement judge_by_proof(const ProblemInstance& x) {
@@ -51,8 +51,8 @@ Judgement judge_by_proof(const ProblemInstance& x) {
     if (!figure || !figure->radius) continue;
     if (!overlap(*figure, *exact))
       return Judgement::violated(std::string(name) + " is " + shortest(figure->value) + " +- " +
-                                 shortest(*figure->radius) + ", proved " + shortest(exact->value) + " +- " +
-                                 shortest(*exact->radius));
+                                 shortest(figure->radius) + ", proved " + shortest(exact->value) + " +- " +
+                                 shortest(exact->radius));
     ++values;
   }
   return Judgement::held(values);

@@ -77,18 +77,6 @@ std::string text(const ByPiece& cases) {
   return out;
 }
 
-/// The second route of the program.
-AppliedOperator route(const Surface& surface, const SurfaceFunction& u) {
-  const reference::Density density = [&u](const reference::PointBlock& q, std::span<double> values) {
-    u.evaluate(q.chart, q.x, q.y, q.z, values);
-  };
-  return
-      [applied = reference::AppliedOperator(surface, density, u.formulas())](const SurfacePoint<double>& p) {
-        const reference::Estimate integral = applied(p);
-        return OperatorValue{.value = integral.value, .radius = integral.radius};
-      };
-}
-
 /// Nodes at random places of a lattice inside the triangle, not always unisolvent, some of them close to each other.
 std::string random_nodes(Draw& draw) {
   const std::vector<std::string> spaces{
@@ -159,7 +147,7 @@ std::string text(const ProblemInstance& x) {
 std::optional<LevelOutcome> solved(const Problem& problem) {
   try {
     check(problem, std::uint64_t{1} << 32U);
-    return solve_level(problem, problem.triangulation.levels.front(), route);
+    return solve_level(problem, problem.triangulation.levels.front(), reference::applied_operator);
   } catch (const InputError&) {
     return std::nullopt;
   } catch (const AccuracyNotReached&) {

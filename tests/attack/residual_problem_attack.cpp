@@ -57,7 +57,7 @@ Known integral_of_u_n(const Surface& surface, const Triangulation& triangulation
       for (std::size_t j = 0; j < functions; ++j) value += at[j] * values[j];
       return value;
     };
-    const reference::Estimate part =
+    const Approximation part =
         reference::operator_integral(surface, node, t.chart, t.vertices, reference::Density(density));
     sum.value += part.value;
     sum.radius += part.radius + 1e-15 * part.absolute;

@@ -228,10 +228,11 @@ void judge_parenthesised(Faults& faults, const std::string& text, double value, 
 
 // ---- results of solve ----
 
-std::optional<Figure> some_figure(Draw& draw) {
+std::optional<Approximation> some_figure(Draw& draw) {
   if (draw.below(8) == 0) return std::nullopt;
   const double value = draw.below(2) == 0 ? std::abs(value_like(draw)) : value_like(draw);
-  Figure figure{.value = value, .radius = std::nullopt, .guaranteed = false};
+  Approximation figure{
+      .value = value, .radius = std::numeric_limits<double>::infinity(), .guaranteed = false};
   if (draw.below(4) != 0)
     figure = {.value = value, .radius = radius_like(draw, value), .guaranteed = draw.below(2) == 0};
   return figure;
@@ -261,7 +262,7 @@ Result some_result(Draw& draw) {
     level.uniform_error = some_figure(draw);
     if (draw.below(2) == 0) level.discretisation_ratio = nasty(draw);
     const double norm = draw.unit();
-    level.norm_K = {.value = norm, .radius = std::nullopt, .guaranteed = false};
+    level.norm_K = {.value = norm, .radius = std::numeric_limits<double>::infinity(), .guaranteed = false};
     if (draw.below(2) == 0)
       level.norm_K = {.value = norm, .radius = radius_like(draw, norm), .guaranteed = true};
     level.piece_means = {{"a piece", value_like(draw)}};
@@ -421,7 +422,7 @@ FactorReport some_report(Draw& draw) {
   const std::size_t count = 1 + draw.below(6);
   for (std::size_t i = 0; i < count; ++i) {
     report.names.push_back("t" + std::to_string(i));
-    const auto number = [&](double value) { return Estimate{value, radius_like(draw, value)}; };
+    const auto number = [&](double value) { return Approximation{value, radius_like(draw, value)}; };
     FactorRow row{
         .area = number(size(draw)),
         .sum = number(draw.below(2) == 0 ? 1 + (draw.unit() - 0.5) * std::pow(10.0, -16 * draw.unit())
@@ -577,7 +578,7 @@ verification::Report some_verification(Draw& draw) {
     claim.recorded = claim.found = Verdict::supported;
     const double value = value_like(draw);
     claim.ours =
-        Measured{.value = value, .radius = radius_like(draw, value), .guaranteed = draw.below(2) == 0};
+        Approximation{.value = value, .radius = radius_like(draw, value), .guaranteed = draw.below(2) == 0};
     Finding finding;
     finding.require("a number", AtMost{.value = 1, .slack = 0, .why = ""}, *claim.ours);
     finding.remark("another", *claim.ours);

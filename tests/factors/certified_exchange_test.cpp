@@ -56,7 +56,7 @@ TEST(CertifiedExchangeArea, OfAnApertureAndItsComplementIsThatOfNoWall) {
   for (const bool plug : {false, true}) {
     const FacetScene scene(sample::squares_past_a_wall(plug));
     Ball through = 0;
-    Estimate adaptive;
+    Approximation adaptive = Approximation::exact(0);
     for (const std::size_t i : {0U, 1U})
       for (const std::size_t j : {2U, 3U}) {
         const FacetPair pair = scene.pair(i, j);
@@ -64,7 +64,7 @@ TEST(CertifiedExchangeArea, OfAnApertureAndItsComplementIsThatOfNoWall) {
         through += certified_exchange_area(scene, i, j, pair, {.radius = 1e-6});
         adaptive += visible_exchange_area(scene, pair, {.tolerance = 1e-7});
       }
-    EXPECT_TRUE(overlaps(through, enclosing_ball(adaptive))) << through.to_text() << " " << adaptive.value;
+    EXPECT_TRUE(overlaps(through, ball_of(adaptive))) << through.to_text() << " " << adaptive.value;
     EXPECT_LE(through.radius(), 1e-5);
     sum += through;
   }
@@ -119,8 +119,8 @@ TEST(CertifiedExchangeArea, HoldsWhereShadowsMeet) {
   ASSERT_EQ(pair.occluders.size(), 2U);
   EXPECT_TRUE(scene.may_hide_together(0, 1, 0, 2));
   const Ball ball = certified_exchange_area(scene, 0, 2, pair, {.radius = 1e-7});
-  const Estimate adaptive = visible_exchange_area(scene, pair, {.tolerance = 1e-7});
-  EXPECT_TRUE(overlaps(ball, enclosing_ball(adaptive))) << ball.to_text() << " " << adaptive.value;
+  const Approximation adaptive = visible_exchange_area(scene, pair, {.tolerance = 1e-7});
+  EXPECT_TRUE(overlaps(ball, ball_of(adaptive))) << ball.to_text() << " " << adaptive.value;
 }
 
 TEST(ShadowExchangeArea, IsReciprocal) {
@@ -143,9 +143,9 @@ TEST(CertifiedExchangeArea, EnclosesWhatAdaptiveIntegrationFinds) {
   const FacetPair pair = scene.pair(0, 2);
   ASSERT_EQ(pair.sight, PairSight::mixed);
   const Ball ball = certified_exchange_area(scene, 0, 2, pair, {.radius = 1e-4, .work_limit = 20'000});
-  const Estimate adaptive = visible_exchange_area(scene, pair, {.tolerance = 1e-6});
+  const Approximation adaptive = visible_exchange_area(scene, pair, {.tolerance = 1e-6});
   EXPECT_LE(ball.radius(), 1e-2);
-  EXPECT_TRUE(overlaps(ball, enclosing_ball(adaptive))) << ball.to_text() << " " << adaptive.value;
+  EXPECT_TRUE(overlaps(ball, ball_of(adaptive))) << ball.to_text() << " " << adaptive.value;
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ double closed_form(const FacetCorners& first, const FacetCorners& second) {
 
 void expect_closed_form(const FacetCorners& first, const FacetCorners& second, const std::string& what) {
   const double expected = closed_form(first, second);
-  const Estimate found = exchange_area(first, second);
+  const Approximation found = exchange_area(first, second);
   const double scale = std::min(norm(vector_area(first)), norm(vector_area(second)));
   EXPECT_LE(std::abs(found.value - expected), found.radius + 4e-16 * expected) << what;
   EXPECT_LE(std::abs(found.value - expected), 2e-15 * scale) << what;
   EXPECT_LE(found.radius, 1e-13 * std::max(scale, roundness(first).radius * roundness(first).radius)) << what;
-  const Estimate back = exchange_area(second, first);
+  const Approximation back = exchange_area(second, first);
   EXPECT_LE(std::abs(found.value - back.value), found.radius + back.radius) << what;
 }
 
@@ -74,7 +74,7 @@ TEST(ExchangeArea, IsTheClosedFormOfStripsHoweverNarrow) {
     for (const FacetCorners& other : {square, opposite})
       for (const auto& [first, second] : {std::pair(strip, other), std::pair(other, strip)}) {
         const double expected = closed_form(first, second);
-        const Estimate found = exchange_area(first, second);
+        const Approximation found = exchange_area(first, second);
         EXPECT_LE(std::abs(found.value - expected), found.radius + 4e-16 * expected) << what;
         EXPECT_LE(found.radius, 0x1p-46) << what;
       }
@@ -105,8 +105,8 @@ TEST(ExchangeArea, IsTheClosedFormOfRandomTrianglesNearAndFar) {
 TEST(ExchangeArea, BothWaysAgreeBeyondTheFarRatio) {
   for (const double d : {4.0, 5.0, 7.0, 10.0, 20.0}) {
     const FacetCorners second{{0, 0, d}, {0.5, 1, d + 0.25}, {1, 0, d}};
-    const Estimate contours = exchange_area_by_contours(square, second);
-    const Estimate rules = exchange_area_by_rules(square, second);
+    const Approximation contours = exchange_area_by_contours(square, second);
+    const Approximation rules = exchange_area_by_rules(square, second);
     EXPECT_LE(std::abs(contours.value - rules.value), contours.radius + rules.radius) << d;
     EXPECT_LE(std::abs(contours.value - rules.value), 1e-13) << d;
   }
@@ -119,13 +119,13 @@ TEST(ExchangeArea, RefusesFewerThanThreeCornersAndNearPolygonsByRules) {
                ContractViolation);
 }
 
-TEST(Estimate, SumsEncloseAndBallsGoInAndOut) {
-  const Estimate third = enclosing_estimate(Ball(Rational(1, 3)));
-  Estimate sum;
+TEST(Approximation, SumsEncloseAndBallsGoInAndOut) {
+  const Approximation third = enclosing(Ball(Rational(1, 3)));
+  Approximation sum = Approximation::exact(0);
   for (int k = 0; k < 3000; ++k) sum += third;
-  EXPECT_TRUE(enclosing_ball(sum).contains(Rational(1000)));
+  EXPECT_TRUE(ball_of(sum).contains(Rational(1000)));
   EXPECT_LE(sum.radius, 1e-9);
-  EXPECT_TRUE(enclosing_ball(third).contains(Rational(1, 3)));
+  EXPECT_TRUE(ball_of(third).contains(Rational(1, 3)));
 }
 
 }  // namespace

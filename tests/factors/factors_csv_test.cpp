@@ -13,7 +13,7 @@ const std::vector<std::string> names{"a", "b \"x\", y"};
 FactorMatrix sample_matrix() {
   FactorMatrix matrix;
   matrix.rows = {{.area = {2, 0}, .sum = {0.25, 1e-9}, .to_space = std::nullopt},
-                 {.area = {1, 0}, .sum = {0.5, 2e-9}, .to_space = Estimate{0.5, 2e-9}}};
+                 {.area = {1, 0}, .sum = {0.5, 2e-9}, .to_space = Approximation{0.5, 2e-9}}};
   matrix.entries = {{0, 1, {0.25, 1e-9}}, {1, 0, {0.5, 2e-9}}};
   return matrix;
 }

@@ -24,10 +24,10 @@ constexpr double obstruction = 0.14986867177379053728;
 
 TEST(VisibleExchangeArea, IsTheKnownValueOfTheObstructedSquares) {
   const FacetScene scene(sample::obstructed_squares());
-  Estimate sum;
+  Approximation sum = Approximation::exact(0);
   for (const std::size_t i : {0U, 1U})
     for (const std::size_t j : {2U, 3U}) {
-      const Estimate part = visible_exchange_area(scene, scene.pair(i, j), {.tolerance = 1e-8});
+      const Approximation part = visible_exchange_area(scene, scene.pair(i, j), {.tolerance = 1e-8});
       EXPECT_LE(part.radius, 1.001e-8);
       sum += part;
     }
@@ -40,7 +40,7 @@ TEST(VisibleExchangeArea, IsTheExchangeAreaWhereNothingStandsBetween) {
   for (const std::size_t j : {2U, 3U, 4U}) {
     const FacetPair pair = scene.pair(0, j);
     ASSERT_EQ(pair.sight, PairSight::whole);
-    const Estimate adaptive = visible_exchange_area(scene, pair, {.tolerance = 1e-8});
+    const Approximation adaptive = visible_exchange_area(scene, pair, {.tolerance = 1e-8});
     EXPECT_LE(std::abs(adaptive.value - exchange_area(pair.first, pair.second).value), 1e-8) << j;
   }
 }
@@ -144,10 +144,11 @@ TEST(VisibleExchangeArea, HoldsWhereCellsAreUsedUp) {
     for (std::size_t j = 1; j < 12; j += 2) {
       const FacetPair pair = scene.pair(i, j);
       if (pair.sight != PairSight::mixed) continue;
-      const Estimate fine = visible_exchange_area(scene, pair, {.tolerance = 1e-5});
+      const Approximation fine = visible_exchange_area(scene, pair, {.tolerance = 1e-5});
       double last = 1;
       for (const std::size_t most : {1U, 4U, 16U, 64U, 256U}) {
-        const Estimate coarse = visible_exchange_area(scene, pair, {.tolerance = 1e-5, .most_cells = most});
+        const Approximation coarse =
+            visible_exchange_area(scene, pair, {.tolerance = 1e-5, .most_cells = most});
         EXPECT_LE(std::abs(coarse.value - fine.value), coarse.radius + fine.radius)
             << i << " " << j << " " << most;
         EXPECT_LE(coarse.radius, 2 * last);

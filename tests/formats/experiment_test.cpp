@@ -188,7 +188,8 @@ std::vector<Result> power_results(const Experiment& experiment, double order) {
       level.level = k;
       level.mesh_size = std::pow(2.0, -k);
       level.unknowns = std::uint64_t{12} << (2 * k);
-      const Figure figure{.value = std::pow(level.mesh_size, order), .radius = 1e-12, .guaranteed = false};
+      const Approximation figure{
+          .value = std::pow(level.mesh_size, order), .radius = 1e-12, .guaranteed = false};
       level.node_error = level.discretisation_error = level.uniform_error = figure;
       levels.push_back(level);
     }

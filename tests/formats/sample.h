@@ -25,8 +25,9 @@ inline LevelOutcome sample_level() {
   level.result.elements = 2;
   level.result.unknowns = 6;
   level.result.mesh_size = 0.1;
-  level.result.discretisation_error = Figure{.value = 1.0 / 3, .radius = 5e-324, .guaranteed = false};
-  level.result.node_error = Figure{.value = 0x1.fffffffffffffp-1, .radius = std::nullopt, .guaranteed = true};
+  level.result.discretisation_error = Approximation{.value = 1.0 / 3, .radius = 5e-324, .guaranteed = false};
+  level.result.node_error = Approximation{
+      .value = 0x1.fffffffffffffp-1, .radius = std::numeric_limits<double>::infinity(), .guaranteed = true};
   level.result.piece_means = {{"upper", 0.30000000000000004}, {"lower", -1e300}};
   level.result.solution_radius = 1.0 / 7;
   level.result.means_radius = std::nullopt;

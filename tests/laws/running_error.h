@@ -61,7 +61,7 @@ public:
   [[nodiscard]] const R& value() const { return value_; }
   [[nodiscard]] double bound() const { return bound_; }
   /// At least |exact|.
-  [[nodiscard]] double largest_size() const { return slack * (size_ + bound_); }
+  [[nodiscard]] double max_abs() const { return slack * (size_ + bound_); }
   [[nodiscard]] std::string to_text() const {
     return std::to_string(nearest_double(value_)) + " +/- " + std::to_string(bound_);
   }
@@ -280,9 +280,9 @@ RunningError<R> bend_with_remainder(const RunningError<R>& a, const RunningError
     term = term * x * (e.value() - Number(k)) / Number(k + 1);
     sum = sum + term;
   }
-  const double ratio = x.largest_size();
+  const double ratio = x.max_abs();
   const bool falls = ratio < 0.75 && nearest_double(e.value().value()) <= 2 * k;
-  const double rest = falls ? term.largest_size() * ratio / (1 - ratio) : infinity;
+  const double rest = falls ? term.max_abs() * ratio / (1 - ratio) : infinity;
   return sum.widened(rest) * power(a, e.minus_one()) / a;
 }
 

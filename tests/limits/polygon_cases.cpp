@@ -65,7 +65,7 @@ Case exchange(const std::string& limit, const FacetCorners& first, const FacetCo
   return {.limit = limit,
           .answer =
               [=] {
-                const Estimate found =
+                const Approximation found =
                     far ? exchange_area_by_rules(first, second) : exchange_area_by_contours(first, second);
                 return numbers({number(found.value, found.radius)});
               },

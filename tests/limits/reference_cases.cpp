@@ -23,19 +23,19 @@ double one(const Place&, const Vector<double>&) { return 1; }
 /// Int_S G u from points of a closed convex surface; pi for u = 1.
 Case operator_at(const std::string& limit, const Surface& surface, const std::vector<Place>& points,
                  const std::string& about) {
-  return {.limit = limit,
-          .answer =
-              [=] {
-                const AppliedOperator prepared(surface, Density(one));
-                std::vector<Ball> balls;
-                for (const Place& p : points)
-                  for (const reference::Estimate& found :
-                       {prepared(p), operator_integral(surface, p, Density(one))})
-                    balls.push_back(number(found.value, found.radius));
-                return numbers(balls);
-              },
-          .truth = [=] { return std::vector<Ball>(2 * points.size(), Ball::pi()); },
-          .about = about};
+  return {
+      .limit = limit,
+      .answer =
+          [=] {
+            const AppliedOperator prepared(surface, Density(one));
+            std::vector<Ball> balls;
+            for (const Place& p : points)
+              for (const Approximation& found : {prepared(p), operator_integral(surface, p, Density(one))})
+                balls.push_back(number(found.value, found.radius));
+            return numbers(balls);
+          },
+      .truth = [=] { return std::vector<Ball>(2 * points.size(), Ball::pi()); },
+      .about = about};
 }
 
 /// A density with an edge in the middle of a chart, against the two smooth halves.
@@ -46,7 +46,7 @@ Case edge_of_density() {
   return {.limit = "reference/adaptive_cubature: regions",
           .answer =
               [=] {
-                const reference::Estimate found = operator_integral(surface, p, Density(bent));
+                const Approximation found = operator_integral(surface, p, Density(bent));
                 return numbers({number(found.value, found.radius)});
               },
           .about = "a density with an edge"};
@@ -62,7 +62,7 @@ Case peak_of_density() {
   return {.limit = "reference/adaptive_cubature: regions",
           .answer =
               [=] {
-                const reference::Estimate found = operator_integral(surface, p, Density(peak));
+                const Approximation found = operator_integral(surface, p, Density(peak));
                 return numbers({number(found.value, found.radius)});
               },
           // G = 1/4, |Q - C|^2 = 2 - 2 c: 1/4 2 pi Int dc / (a + 2 - 2 c) = pi/4 log((a + 4)/a).
@@ -86,7 +86,7 @@ Case formula_of_density(const std::string& text, const std::string& about) {
                   return u.evaluate<double>({q.x, q.y, q.z});
                 };
                 const std::vector<Expression> formulas(surface.chart_count(), u);
-                const reference::Estimate found = reference::AppliedOperator(surface, density, formulas)(p);
+                const Approximation found = reference::AppliedOperator(surface, density, formulas)(p);
                 return numbers({number(found.value, found.radius)});
               },
           .about = about};

@@ -221,7 +221,7 @@ Case level(const std::string& limit, const Problem& problem, int number_of_level
           .answer =
               [=] {
                 const auto no_route = [](const Surface&, const SurfaceFunction&) -> radcert::AppliedOperator {
-                  return [](const SurfacePoint<double>&) { return OperatorValue{std::numbers::pi, 1e-12}; };
+                  return [](const SurfacePoint<double>&) { return Approximation{std::numbers::pi, 1e-12}; };
                 };
                 const LevelOutcome outcome = solve_level(problem, number_of_level, no_route);
                 std::vector<Ball> all;

@@ -192,7 +192,7 @@ void expect_peak(const Surface& surface, const SurfacePoint<double>& p, const Ve
     const Density density = [&](const SurfacePoint<double>&, const Vector<double>& point) {
       return u.evaluate<double>({point.x, point.y, point.z});
     };
-    const Estimate found = AppliedOperator(surface, density, formulas)(p);
+    const Approximation found = AppliedOperator(surface, density, formulas)(p);
     const Vector<double> d = q - frame.point;
     const double g = is_seen ? dot(d, unit_normal(frame)) * -dot(d, normal_q) / (dot(d, d) * dot(d, d)) : 0;
     EXPECT_NEAR(found.value - without_peak, std::numbers::pi / a * g, found.radius + 100 / (a * a)) << a;

@@ -32,7 +32,7 @@ double exp_z(const Place&, const Point& q) { return std::exp(q.z); }
 double smooth(const Place&, const Point& q) { return std::exp(q.x) * std::cos(q.y); }
 
 /// The value is right within its radius, and the radius is worth having.
-void expect_encloses(const Estimate& estimate, double truth, const std::string& what,
+void expect_encloses(const Approximation& estimate, double truth, const std::string& what,
                      double relative_radius = 1e-12) {
   EXPECT_LE(std::abs(estimate.value - truth), estimate.radius) << what;
   EXPECT_LE(estimate.radius, relative_radius * estimate.absolute) << what;
@@ -167,9 +167,12 @@ TEST(OperatorIntegral, HasTheConfigurationFactorsOfTheCube) {
   const Surface surface = cube();
   const Place centre{0, {0.5, 0.5}};
   const auto face = [&](std::size_t chart) {
-    const Estimate lower = operator_integral(surface, centre, chart, Triangle{{{0, 0}, {1, 0}, {1, 1}}}, one);
-    const Estimate upper = operator_integral(surface, centre, chart, Triangle{{{0, 0}, {0, 1}, {1, 1}}}, one);
-    return Estimate{lower.value + upper.value, lower.radius + upper.radius, lower.absolute + upper.absolute};
+    const Approximation lower =
+        operator_integral(surface, centre, chart, Triangle{{{0, 0}, {1, 0}, {1, 1}}}, one);
+    const Approximation upper =
+        operator_integral(surface, centre, chart, Triangle{{{0, 0}, {0, 1}, {1, 1}}}, one);
+    return Approximation{lower.value + upper.value, lower.radius + upper.radius,
+                         lower.absolute + upper.absolute};
   };
   // Four quarters of a parallel square at distance 1, each with a corner opposite to P and the side 1/2; and the rest.
   const double opposite = 4 / std::sqrt(5.0) * std::atan(1 / std::sqrt(5.0));
@@ -270,8 +273,8 @@ TEST(OperatorIntegral, AgreesWithLongDoubleAtASingularLine) {
 TEST(OperatorIntegral, IsContinuousUpToASingularLine) {
   for (const Rational& exponent : {Rational(3, 2), Rational(7, 3)}) {
     const Surface surface = two_piece(exponent);
-    const Estimate on_it = operator_integral(surface, {1, {0, 0.3}}, smooth);
-    const Estimate beside_it = operator_integral(surface, {1, {1e-14, 0.3}}, smooth);
+    const Approximation on_it = operator_integral(surface, {1, {0, 0.3}}, smooth);
+    const Approximation beside_it = operator_integral(surface, {1, {1e-14, 0.3}}, smooth);
     EXPECT_NEAR(on_it.value, beside_it.value, 1e-5 * on_it.absolute) << exponent.to_text();
     EXPECT_LE(on_it.radius, 1e-12 * on_it.absolute);
     EXPECT_LE(beside_it.radius, 1e-12 * beside_it.absolute);
@@ -304,11 +307,11 @@ TEST(OperatorIntegral, OverTrianglesSumsToTheWhole) {
     RandomPlaces places(surface, 11);
     for (int k = 0; k < 8; ++k) {
       const Place p = places.next();
-      const Estimate whole = operator_integral(surface, p, smooth);
-      Estimate sum;
+      const Approximation whole = operator_integral(surface, p, smooth);
+      Approximation sum = Approximation::exact(0);
       for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
         for (const Triangle& triangle : triangles_of(surface.charts[chart].facts().domain, 1)) {
-          const Estimate part = operator_integral(surface, p, chart, triangle, smooth);
+          const Approximation part = operator_integral(surface, p, chart, triangle, smooth);
           EXPECT_LE(part.radius, 1e-12 * whole.absolute) << text(surface, p);
           sum.value += part.value;
           sum.radius += part.radius;
@@ -322,11 +325,11 @@ TEST(OperatorIntegral, OverTrianglesSumsToTheWhole) {
 }
 
 /// The sum over the triangles of the domains' refinement: other nearest points, other parts, smaller ones.
-Estimate finer_integral(const Surface& surface, const Place& p, int levels, const Density& u) {
-  Estimate sum;
+Approximation finer_integral(const Surface& surface, const Place& p, int levels, const Density& u) {
+  Approximation sum = Approximation::exact(0);
   for (std::size_t chart = 0; chart < surface.chart_count(); ++chart)
     for (const Triangle& triangle : triangles_of(surface.charts[chart].facts().domain, levels)) {
-      const Estimate part = operator_integral(surface, p, chart, triangle, u);
+      const Approximation part = operator_integral(surface, p, chart, triangle, u);
       sum.value += part.value;
       sum.radius += part.radius;
       sum.absolute += part.absolute;
@@ -357,8 +360,8 @@ TEST(OperatorIntegral, IsWithinItsRadiusOfAFinerComputation) {
     const AppliedOperator applied(surface, smooth);
     for (std::size_t k = 0; k < places.size(); k += 1 + surface.chart_count() / 3) {
       const Place& p = places[k];
-      const Estimate finer = finer_integral(surface, p, 1, smooth);
-      for (const Estimate& estimate : {operator_integral(surface, p, smooth), applied(p)}) {
+      const Approximation finer = finer_integral(surface, p, 1, smooth);
+      for (const Approximation& estimate : {operator_integral(surface, p, smooth), applied(p)}) {
         EXPECT_LE(std::abs(estimate.value - finer.value), estimate.radius) << text(surface, p);
         EXPECT_LE(estimate.radius, 5e-12 * estimate.absolute) << text(surface, p);
       }
@@ -404,8 +407,8 @@ TEST(AppliedOperator, DoesNotDependOnHowASurfaceIsCutIntoCharts) {
     const double t = std::min(std::floor(n * p.at.t), n - 1.0);
     const Place q{p.chart * n * n + static_cast<std::size_t>(s * n + t), {n * p.at.s - s, n * p.at.t - t}};
     if (p.at.s == 0 || p.at.t == 0 || p.at.s == 1 || p.at.t == 1) continue;
-    const Estimate whole = operator_integral(coarse, p, smooth);
-    const Estimate parts = applied(q);
+    const Approximation whole = operator_integral(coarse, p, smooth);
+    const Approximation parts = applied(q);
     EXPECT_LE(std::abs(whole.value - parts.value), whole.radius + parts.radius) << text(coarse, p);
     expect_encloses(of_one(q), std::numbers::pi, text(fine, q), 2e-13);
   }
@@ -418,7 +421,7 @@ TEST(AppliedOperator, RefinesWhatItsSamplesDoNotResolve) {
   };
   const AppliedOperator applied(surface, wild);
   for (const Place& p : {Place{3, {0.3, 0.4}}, {40, {0.5, 0.1}}, {90, {0.9, 0.7}}}) {
-    const Estimate finer = finer_integral(surface, p, 2, wild);
+    const Approximation finer = finer_integral(surface, p, 2, wild);
     expect_encloses(applied(p), finer.value, text(surface, p), 1e-12);
   }
 }
@@ -429,8 +432,8 @@ TEST(Density, GivesTheSameByPointsAndByBlocks) {
   };
   for (const Surface& surface : {cube(), sphere(), two_piece(Rational(3, 2))}) {
     const Place p{1, {0.3, 0.4}};
-    const Estimate blocks = operator_integral(surface, p, by_block);
-    const Estimate points = operator_integral(surface, p, smooth);
+    const Approximation blocks = operator_integral(surface, p, by_block);
+    const Approximation points = operator_integral(surface, p, smooth);
     EXPECT_EQ(blocks.value, points.value);
     EXPECT_EQ(blocks.radius, points.radius);
   }
@@ -452,7 +455,7 @@ TEST(OperatorIntegral, OverATriangleAgreesWithLambertsFormula) {
       polygon.push_back(in_long_double(surface.charts[chart].in<double>().frame(corner).point));
     const long double truth =
         polygon_integral(in_long_double(frame.point), in_long_double(unit_normal(frame)), polygon);
-    const Estimate estimate = operator_integral(surface, p, chart, triangle, one);
+    const Approximation estimate = operator_integral(surface, p, chart, triangle, one);
     EXPECT_LE(std::abs(estimate.value - static_cast<double>(truth)), estimate.radius + 1e-17L)
         << text(surface, p) << " to chart " << chart;
     // Not 1e-13: the point nearest to P on a slanting side is rounded off it.
@@ -464,7 +467,7 @@ TEST(OperatorIntegral, OverATriangleAgreesWithLambertsFormula) {
 TEST(OperatorIntegral, CountsTheStripBesideASlantingSideThroughItsApex) {
   const Surface surface = cube();
   const Place p{3, {1.3811321121724655e-05, 0.99999158509369213}};
-  const Estimate sum = finer_integral(surface, p, 0, one);
+  const Approximation sum = finer_integral(surface, p, 0, one);
   EXPECT_GT(std::abs(sum.value - std::numbers::pi), 2e-13) << "or the place shows nothing";
   expect_encloses(sum, std::numbers::pi, text(surface, p), 1e-11);
 }
@@ -475,8 +478,8 @@ TEST(OperatorIntegral, DoesNotDependOnTheOrderOfTheCorners) {
   const ParameterPoint<double> a{0.25, 0.25};
   const ParameterPoint<double> b{0.5, 0.25};
   const ParameterPoint<double> c{0.25, 0.5};
-  const Estimate there = operator_integral(surface, p, 0, {a, b, c}, smooth);
-  const Estimate back = operator_integral(surface, p, 0, {c, b, a}, smooth);
+  const Approximation there = operator_integral(surface, p, 0, {a, b, c}, smooth);
+  const Approximation back = operator_integral(surface, p, 0, {c, b, a}, smooth);
   EXPECT_GT(there.value, 0);
   EXPECT_LE(std::abs(there.value - back.value), there.radius + back.radius);
 }
@@ -486,8 +489,8 @@ TEST(OperatorIntegral, IsLinearAndSeesTheSign) {
   const Place p{2, {0.1, 0.8}};
   const auto odd = [](const Place&, const Point& q) { return q.z - 0.5; };
   const auto shifted = [](const Place&, const Point& q) { return 3 * (q.z - 0.5) - 2; };
-  const Estimate first = operator_integral(surface, p, odd);
-  const Estimate second = operator_integral(surface, p, shifted);
+  const Approximation first = operator_integral(surface, p, odd);
+  const Approximation second = operator_integral(surface, p, shifted);
   EXPECT_LE(std::abs(second.value - (3 * first.value - 2 * std::numbers::pi)),
             second.radius + 3 * first.radius);
   EXPECT_LT(std::abs(first.value), 0.9 * first.absolute);
@@ -520,7 +523,7 @@ TEST(OperatorIntegral, HasARadiusThatCoversADensityItCannotResolve) {
   const std::vector<Vector<long double>> strip{
       {0, 0, 0}, {std::numbers::inv_pi, 0, 0}, {std::numbers::inv_pi, 1, 0}, {0, 1, 0}};
   const long double truth = polygon_integral({0.5, 0, z}, {0, 1, 0}, strip);
-  const Estimate estimate = operator_integral(surface, {0, {0.5, z}}, step);
+  const Approximation estimate = operator_integral(surface, {0, {0.5, z}}, step);
   EXPECT_LE(std::abs(estimate.value - static_cast<double>(truth)), estimate.radius);
   EXPECT_LE(estimate.radius, 0.1);
 }
@@ -530,7 +533,7 @@ TEST(OperatorIntegral, HasARadiusThatGrowsWhereRoundingDoes) {
   Surface surface = two_piece(2);
   surface.charts[0] = make_rectangle({.name = "wall", .piece = "wall"}, {1, 0, 1}, {0, 1, 0}, {0, 0, -1});
   const auto at_distance = [&](double d) { return operator_integral(surface, {0, {0.5, d}}, one); };
-  const Estimate near = at_distance(1e-8);
+  const Approximation near = at_distance(1e-8);
   EXPECT_GE(near.radius, 1e-10);
   EXPECT_LE(near.radius, 1e-6);
   EXPECT_NEAR(near.value, at_distance(1e-7).value, 1e-5);

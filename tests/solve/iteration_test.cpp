@@ -62,8 +62,7 @@ TEST_P(Iteration, BoundsItsErrorOnRandomMatrices) {
         const Contraction contraction = find_contraction(k).value();
         const auto solution = GetParam().solve(k, contraction, e, std::nullopt);
         ASSERT_TRUE(solution) << n << " " << row_sum;
-        const double reference =
-            test::long_rounding(contraction.theta(), test::largest_size(solution->values));
+        const double reference = test::long_rounding(contraction.theta(), test::max_abs(solution->values));
         EXPECT_LE(test::largest_error(test::long_solution(k, e), solution->values),
                   solution->error_bound + reference)
             << n << " " << row_sum;
@@ -106,7 +105,7 @@ TEST_P(Iteration, AgreesWithEliminationOnCollocationMatrices) {
           const Values e = test::random_values(random, k.entries.rows());
           const auto solution = GetParam().solve(k.entries, contraction, e, std::nullopt);
           ASSERT_TRUE(solution);
-          const double size = test::largest_size(solution->values);
+          const double size = test::max_abs(solution->values);
           const double error = test::largest_error(test::long_solution(k.entries, e), solution->values);
           EXPECT_LE(error, solution->error_bound);
           // The bound is not idle: a factor to the error itself, and to what rounding u to double leaves of it.
@@ -128,7 +127,7 @@ TEST_P(Iteration, KeepsToTheTolerance) {
     for (const double tolerance : {0.5, 1e-2, 1e-5, 1e-9, 1e-12}) {
       const auto solution = solve(k, e, tolerance);
       ASSERT_TRUE(solution) << row_sum << " " << tolerance;
-      EXPECT_LE(solution->error_bound, tolerance * test::largest_size(solution->values));
+      EXPECT_LE(solution->error_bound, tolerance * test::max_abs(solution->values));
       EXPECT_LE(test::largest_error(u, solution->values), solution->error_bound);
       EXPECT_GE(solution->iterations, before) << "a smaller tolerance";
       before = solution->iterations;
@@ -158,7 +157,7 @@ TEST_P(Iteration, SaysSoWhereTheToleranceIsOutOfReach) {
   const auto rounded = solve(k, e);
   ASSERT_TRUE(rounded);
   EXPECT_LE(test::largest_error(test::long_solution(k, e), rounded->values), rounded->error_bound);
-  EXPECT_LT(rounded->error_bound, 1e-10 * test::largest_size(rounded->values));
+  EXPECT_LT(rounded->error_bound, 1e-10 * test::max_abs(rounded->values));
 }
 
 TEST_P(Iteration, NeverCallsAnOverflowASolution) {
@@ -229,7 +228,7 @@ TEST_P(Iteration, BoundsItsErrorWhereRowSumsExceedOne) {
   const auto solution = GetParam().solve(k, *contraction, e, 1e-8);
   ASSERT_TRUE(solution);
   EXPECT_LE(test::largest_error(test::long_solution(k, e), solution->values), solution->error_bound);
-  EXPECT_LE(solution->error_bound, 1e-8 * test::largest_size(solution->values));
+  EXPECT_LE(solution->error_bound, 1e-8 * test::max_abs(solution->values));
 }
 
 TEST_P(Iteration, HasTheSameBitsForEveryNumberOfThreads) {

@@ -105,7 +105,7 @@ inline double largest_error(const std::vector<long double>& u, const Values& v) 
   return static_cast<double>(error);
 }
 
-inline double largest_size(const Values& values) {
+inline double max_abs(const Values& values) {
   double size = 0;
   for (const double value : values) size = std::max(size, std::abs(value));
   return size;

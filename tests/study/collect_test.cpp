@@ -17,8 +17,9 @@ LevelResult level(int number, double discretisation_error, double node_error, do
   LevelResult result;
   result.level = number;
   result.mesh_size = std::ldexp(1.0, -number);
-  result.discretisation_error = Figure{discretisation_error, relative_radius * discretisation_error, false};
-  result.node_error = Figure{node_error, relative_radius * node_error, false};
+  result.discretisation_error =
+      Approximation{discretisation_error, relative_radius * discretisation_error, false};
+  result.node_error = Approximation{node_error, relative_radius * node_error, false};
   return result;
 }
 

@@ -46,7 +46,7 @@ TEST(NodalFunction, TakesItsValuesAtTheNodes) {
 
 TEST(UniformError, VanishesForWhatTheBasisReproduces) {
   const Interpolated u(box(1, 2, 5), 1, 2, 0.125, quadratic);
-  const std::optional<Figure> error = uniform_error(u.function(), everywhere("x^2 - 2*x*y + z"));
+  const std::optional<Approximation> error = uniform_error(u.function(), everywhere("x^2 - 2*x*y + z"));
   ASSERT_TRUE(error);
   EXPECT_LT(error->value, 1e-13);
   EXPECT_FALSE(error->guaranteed);

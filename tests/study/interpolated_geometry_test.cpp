@@ -24,15 +24,6 @@ AppliedOperator no_route(const Surface&, const SurfaceFunction&) {
   return {};
 }
 
-AppliedOperator reference_route(const Surface& surface, const SurfaceFunction& u) {
-  return [&surface, &u](const SurfacePoint<double>& p) {
-    const reference::Estimate estimate = reference::operator_integral(
-        surface, p,
-        [&u](const SurfacePoint<double>& q, const Vector<double>& point) { return u(q.chart, point); });
-    return OperatorValue{estimate.value, estimate.radius};
-  };
-}
-
 Problem interpolated(Problem problem, int degree, DataPoints data = DataPoints::surface) {
   problem.geometry = InterpolatedGeometry{.degree = degree, .data = data};
   return problem;
@@ -49,8 +40,9 @@ TEST(InterpolatedGeometry, IsTheExactOneWhereTheSurfaceIsPolynomial) {
   for (const auto& [p, degree] : {std::pair(1, 1), {2, 2}, {3, 3}, {3, 5}})
     for (const DataPoints data : {DataPoints::surface, DataPoints::interpolant}) {
       const Problem problem = two_piece_problem(p);
-      const LevelOutcome exact = solve_level(problem, 1, reference_route);
-      const LevelOutcome other = solve_level(interpolated(problem, degree, data), 1, reference_route);
+      const LevelOutcome exact = solve_level(problem, 1, reference::applied_operator);
+      const LevelOutcome other =
+          solve_level(interpolated(problem, degree, data), 1, reference::applied_operator);
       ASSERT_EQ(other.nodes.size(), exact.nodes.size());
       for (std::size_t i = 0; i < exact.nodes.size(); ++i) {
         EXPECT_NEAR(other.nodes[i].u_n, exact.nodes[i].u_n, 1e-6) << p << " " << degree;
@@ -58,10 +50,9 @@ TEST(InterpolatedGeometry, IsTheExactOneWhereTheSurfaceIsPolynomial) {
         EXPECT_NEAR(norm(other.nodes[i].normal - exact.nodes[i].normal), 0, 1e-13);
       }
       for (const auto figure : {&LevelResult::discretisation_error, &LevelResult::node_error}) {
-        const Figure mine = (other.result.*figure).value();
-        const Figure truth = (exact.result.*figure).value();
-        EXPECT_NEAR(mine.value, truth.value, mine.radius.value() + truth.radius.value())
-            << p << " " << degree;
+        const Approximation mine = (other.result.*figure).value();
+        const Approximation truth = (exact.result.*figure).value();
+        EXPECT_NEAR(mine.value, truth.value, mine.radius + truth.radius) << p << " " << degree;
       }
       EXPECT_EQ(other.result.mesh_size, exact.result.mesh_size);
     }
@@ -98,11 +89,11 @@ TEST(InterpolatedGeometry, MakesNoErrorForALinearSolutionOnFlatElements) {
   // u is linear on each flat element, so P_n u = u where the problem is posed on the interpolant; on S it is not.
   const Problem problem = with_solution(sample_problem("sphere"), "3 + x - 2*y + z/2");
   const LevelResult posed_on_it =
-      solve_level(interpolated(problem, 1, DataPoints::interpolant), 0, reference_route).result;
-  EXPECT_LE(posed_on_it.discretisation_error->value, posed_on_it.discretisation_error->radius.value());
-  EXPECT_LE(posed_on_it.node_error->value, posed_on_it.node_error->radius.value());
+      solve_level(interpolated(problem, 1, DataPoints::interpolant), 0, reference::applied_operator).result;
+  EXPECT_LE(posed_on_it.discretisation_error->value, posed_on_it.discretisation_error->radius);
+  EXPECT_LE(posed_on_it.node_error->value, posed_on_it.node_error->radius);
   EXPECT_LT(posed_on_it.uniform_error->value, 1e-7);
-  const LevelResult posed_on_s = solve_level(interpolated(problem, 1), 0, reference_route).result;
+  const LevelResult posed_on_s = solve_level(interpolated(problem, 1), 0, reference::applied_operator).result;
   EXPECT_GT(posed_on_s.node_error->value, 0.01);
 }
 
@@ -116,11 +107,11 @@ TEST(InterpolatedGeometry, HasTheErrorsThatAnotherProgramFound) {
   };
   for (const Case& row : {Case{0, 2.1730e-1, 2.2677e-1, 8.097e-3}, Case{1, 3.2498e-2, 3.2544e-2, 6.124e-4}}) {
     const LevelResult on_s =
-        solve_level(interpolated(two_piece_problem(3), 2), row.level, reference_route).result;
+        solve_level(interpolated(two_piece_problem(3), 2), row.level, reference::applied_operator).result;
     EXPECT_NEAR(on_s.discretisation_error->value, row.discretisation_error, 2e-4 * row.discretisation_error);
     EXPECT_NEAR(on_s.node_error->value, row.node_error, 2e-4 * row.node_error);
     const LevelResult on_it = solve_level(interpolated(two_piece_problem(3), 2, DataPoints::interpolant),
-                                          row.level, reference_route)
+                                          row.level, reference::applied_operator)
                                   .result;
     EXPECT_NEAR(on_it.discretisation_error->value, row.posed_on_the_interpolant,
                 1e-3 * row.posed_on_the_interpolant);

@@ -24,13 +24,13 @@ constexpr std::uint64_t plenty = std::uint64_t{1} << 32U;
 
 AppliedOperator no_route(const Surface&, const SurfaceFunction&) {
   ADD_FAILURE() << "the second route was called";
-  return [](const SurfacePoint<double>&) { return OperatorValue{}; };
+  return [](const SurfacePoint<double>&) { return Approximation{}; };
 }
 
 /// Int G u of the unit sphere, G = 1/4: a constant for a u whose mean is known.
 OperatorRoute sphere_route(double mean) {
   return [mean](const Surface&, const SurfaceFunction&) {
-    return [mean](const SurfacePoint<double>&) { return OperatorValue{std::numbers::pi * mean, 1e-15}; };
+    return [mean](const SurfacePoint<double>&) { return Approximation{std::numbers::pi * mean, 1e-15}; };
   };
 }
 

@@ -269,11 +269,11 @@ Ball largest(const std::vector<Ball>& values) {
   return most;
 }
 
-void expect_contains(const Figure& figure, const Ball& truth, const std::string& what) {
+void expect_contains(const Approximation& figure, const Ball& truth, const std::string& what) {
   EXPECT_TRUE(figure.guaranteed) << what;
-  ASSERT_TRUE(figure.radius.has_value()) << what;
-  EXPECT_TRUE(overlaps(truth, widened(Ball(figure.value), Ball(*figure.radius))))
-      << what << ": " << truth.to_text() << " is not in " << figure.value << " +- " << *figure.radius;
+  ASSERT_TRUE(figure.has_radius()) << what;
+  EXPECT_TRUE(overlaps(truth, widened(Ball(figure.value), Ball(figure.radius))))
+      << what << ": " << truth.to_text() << " is not in " << figure.value << " +- " << figure.radius;
 }
 
 TEST(VerifiedLevel, EnclosesTheSolutionInHundredDigitsAndLittleElse) {
@@ -320,8 +320,8 @@ TEST(VerifiedLevel, ContainsTheCellsOfTheCube) {
   Problem cube = verified(with_solution(sample_problem("cube"), "x^2 + y^2 + z^2"));
   const LevelResult result = verified_level(cube, 1).result;
   EXPECT_NEAR(result.discretisation_error->value, 1.03521011e-3, 1e-10);
-  EXPECT_LT(*result.discretisation_error->radius, 1e-13);
-  EXPECT_LT(*result.node_error->radius, 1e-12);
+  EXPECT_LT(result.discretisation_error->radius, 1e-13);
+  EXPECT_LT(result.node_error->radius, 1e-12);
   EXPECT_TRUE(result.norm_K.guaranteed);
 }
 
@@ -331,9 +331,9 @@ TEST(VerifiedLevel, IsExactForPolynomialsOfTheBasis) {
     const Problem problem =
         verified(with_solution(with_basis(sample_problem(name), 1, Rational(1, 10)), "1 + x - 2*y/3 + z"));
     const LevelResult result = verified_level(problem, 0).result;
-    for (const Figure& figure : {*result.discretisation_error, *result.node_error}) {
-      EXPECT_LE(figure.value, *figure.radius) << name;
-      EXPECT_LT(*figure.radius, 1e-11) << name;
+    for (const Approximation& figure : {*result.discretisation_error, *result.node_error}) {
+      EXPECT_LE(figure.value, figure.radius) << name;
+      EXPECT_LT(figure.radius, 1e-11) << name;
     }
   }
 }

@@ -58,7 +58,7 @@ public:
   explicit PowersOfH(double order) : order_(order) {}
   LevelOutcome level(const Problem&, int level) override {
     LevelOutcome outcome;
-    outcome.result.node_error = Figure{.value = 5 * std::exp2(-order_ * level), .radius = 0.0};
+    outcome.result.node_error = Approximation{.value = 5 * std::exp2(-order_ * level), .radius = 0.0};
     return outcome;
   }
 

@@ -33,8 +33,8 @@ TEST(Judge, LeavesOpenWhatTheRadiusDoesNotSettle) {
 
 TEST(Judge, LeavesOpenWhatIsNotFinite) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  for (const Measured& observed :
-       {Measured{none, 0}, Measured{1, none}, Measured{1, infinite}, Measured{infinite, 0}}) {
+  for (const Approximation& observed : {Approximation{none, 0}, Approximation{1, none},
+                                        Approximation{1, infinite}, Approximation{infinite, 0}}) {
     EXPECT_EQ(judge(one, observed), Standing::open);
     EXPECT_EQ(judge(four, observed), Standing::open);
     EXPECT_EQ(judge(two, observed), Standing::open);
@@ -73,36 +73,36 @@ TEST(Finding, TakesTheAgreementOfBallsForAProof) {
 
 TEST(Finding, FailsWhereAControlIsNotRejected) {
   Finding finding;
-  finding.require("a", one, Measured{1, 0});
-  finding.control("b", one, Measured{1, 0});
+  finding.require("a", one, Approximation{1, 0});
+  finding.control("b", one, Approximation{1, 0});
   EXPECT_EQ(finding.verdict(), Verdict::failed);
   Finding open;
-  open.require("a", one, Measured{1, 0});
-  open.control("b", one, Measured{2, 5});
+  open.require("a", one, Approximation{1, 0});
+  open.control("b", one, Approximation{2, 5});
   EXPECT_EQ(open.verdict(), Verdict::failed);
   Finding one_of_two;
-  one_of_two.require("a", one, Measured{1, 0});
-  one_of_two.control("b", one, Measured{2, 0});
-  one_of_two.control("c", one, Measured{1, 0});
+  one_of_two.require("a", one, Approximation{1, 0});
+  one_of_two.control("b", one, Approximation{2, 0});
+  one_of_two.control("c", one, Approximation{1, 0});
   EXPECT_EQ(one_of_two.verdict(), Verdict::failed);
 }
 
 TEST(Finding, FailsWithoutAControlAndWithoutARequirement) {
   Finding no_control;
-  no_control.require("a", one, Measured{1, 0});
+  no_control.require("a", one, Approximation{1, 0});
   EXPECT_EQ(no_control.verdict(), Verdict::failed);
   Finding no_requirement;
-  no_requirement.control("b", one, Measured{2, 0});
+  no_requirement.control("b", one, Approximation{2, 0});
   EXPECT_EQ(no_requirement.verdict(), Verdict::failed);
   EXPECT_EQ(Finding().verdict(), Verdict::failed);
 }
 
 TEST(Finding, IsTheWorstOfItsRequirements) {
-  const auto with = [](const Measured& observed) {
+  const auto with = [](const Approximation& observed) {
     Finding finding;
-    finding.require("a", one, Measured{1, 0});
+    finding.require("a", one, Approximation{1, 0});
     finding.require("b", one, observed);
-    finding.control("c", one, Measured{2, 0});
+    finding.control("c", one, Approximation{2, 0});
     return finding.verdict();
   };
   EXPECT_EQ(with({1, 0}), Verdict::supported);
@@ -116,16 +116,16 @@ TEST(Finding, IsCertifiedOnlyIfEveryRequirementIsProved) {
   exact.require("a", IsExactly{Rational(1, 3)}, Rational(2, 6));
   exact.control("b", IsExactly{Rational(1, 3)}, Rational(1, 4));
   EXPECT_EQ(exact.verdict(), Verdict::certified);
-  exact.require("c", two, Measured{.value = 1, .radius = 0.5, .guaranteed = true});
+  exact.require("c", two, Approximation{.value = 1, .radius = 0.5, .guaranteed = true});
   EXPECT_EQ(exact.verdict(), Verdict::certified);
-  exact.require("d", two, Measured{.value = 1, .radius = 0.5, .guaranteed = false});
+  exact.require("d", two, Approximation{.value = 1, .radius = 0.5, .guaranteed = false});
   EXPECT_EQ(exact.verdict(), Verdict::supported);
 }
 
 // In doubles 1 + 2^-60 is 1, and 2^60 + 1 - 2^60 is 0.
 TEST(Judge, ComparesBothSidesWithoutRounding) {
   const auto number = [](double value, double radius) {
-    return Measured{.value = value, .radius = radius, .guaranteed = true};
+    return Approximation{.value = value, .radius = radius, .guaranteed = true};
   };
   EXPECT_EQ(judge(AtMost{.value = 1, .slack = 0, .why = ""}, number(1, 0x1p-60)), Standing::open);
   EXPECT_EQ(judge(AtMost{.value = 1, .slack = 0x1p-60, .why = ""}, number(1, 0x1p-60)), Standing::holds);
@@ -143,7 +143,7 @@ TEST(Judge, ComparesBothSidesWithoutRounding) {
 TEST(LiesIn, ComparesTheWholeEnclosureExactly) {
   const LiesIn third{.least = Rational(1, 4), .largest = Rational(1, 3)};
   const auto number = [](double value, double radius) {
-    return Measured{.value = value, .radius = radius, .guaranteed = true};
+    return Approximation{.value = value, .radius = radius, .guaranteed = true};
   };
   EXPECT_EQ(judge(third, number(0.28125, 0.03125)), Standing::holds);  // touches 1/4
   EXPECT_EQ(judge(third, number(0.28125, 0.0625)), Standing::open);    // sticks out on both sides

@@ -65,9 +65,9 @@ inline LevelOutcome made_up_level(const Problem& problem, int level) {
   outcome.result.mesh_size = std::ldexp(1.0, -level);
   const double factor = problem.basis.alpha == Rational(1, 10) ? 10 : 1;
   outcome.result.node_error =
-      Figure{.value = factor * std::ldexp(1.0, -2 * level), .radius = 1e-12, .guaranteed = false};
+      Approximation{.value = factor * std::ldexp(1.0, -2 * level), .radius = 1e-12, .guaranteed = false};
   outcome.result.discretisation_error =
-      Figure{.value = 3 * factor * std::ldexp(1.0, -2 * level), .radius = 1e-12, .guaranteed = false};
+      Approximation{.value = 3 * factor * std::ldexp(1.0, -2 * level), .radius = 1e-12, .guaranteed = false};
   return outcome;
 }
 

@@ -69,14 +69,14 @@ TEST(StoredLevels, TellProblemsApart) {
 TEST(StoredNumber, ComesBackToTheBit) {
   const Folder folder;
   ResultStore store(folder.path());
-  const Measured number{.value = 0.1, .radius = 3e-17, .guaranteed = true};
+  const Approximation number{.value = 0.1, .radius = 3e-17, .guaranteed = true};
   int computed = 0;
   const auto compute = [&] {
     ++computed;
     return number;
   };
   for (int i = 0; i < 2; ++i) {
-    const Measured back = stored(store, "key", compute);
+    const Approximation back = stored(store, "key", compute);
     EXPECT_EQ(back.value, number.value);
     EXPECT_EQ(back.radius, number.radius);
     EXPECT_TRUE(back.guaranteed);

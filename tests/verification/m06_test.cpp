@@ -20,7 +20,8 @@ public:
   LevelOutcome level(const Problem& problem, int level) override {
     LevelOutcome outcome = made_up_level(problem, level);
     const double h = outcome.result.mesh_size;
-    outcome.result.uniform_error = Figure{.value = h, .radius = std::nullopt, .guaranteed = false};
+    outcome.result.uniform_error =
+        Approximation{.value = h, .radius = std::numeric_limits<double>::infinity(), .guaranteed = false};
     for (const auto& [piece, error] :
          {std::pair<std::string, double>{"a", 3 * h * h}, std::pair<std::string, double>{"b", h * h * h}}) {
       NodeValue node;
@@ -57,7 +58,7 @@ TEST_F(OverLevels, OrdersAreThePowersOfTheErrors) {
 TEST_F(OverLevels, TheRadiusOfAnOrderHoldsTheOrdersOfAllErrorsWithinTheirs) {
   const Errors errors{.mesh_sizes = {1, 0.5},
                       .errors = {{.value = 8, .radius = 2}, {.value = 1, .radius = 0.5}}};
-  const Measured order = last_order(errors);
+  const Approximation order = last_order(errors);
   for (const double before : {6.0, 8.0, 10.0})
     for (const double after : {0.5, 1.0, 1.5})
       EXPECT_LE(std::abs(std::log2(before / after) - order.value), order.radius + 1e-12);
@@ -67,7 +68,8 @@ TEST_F(OverLevels, TheRadiusOfAnOrderHoldsTheOrdersOfAllErrorsWithinTheirs) {
 
 TEST_F(OverLevels, AnErrorWithinItsNoiseHasNoOrder) {
   for (const double radius : {1.0, 2.0}) {
-    const Errors errors{.mesh_sizes = {1, 0.5}, .errors = {{.value = 8}, {.value = 1, .radius = radius}}};
+    const Errors errors{.mesh_sizes = {1, 0.5},
+                        .errors = {{.value = 8, .radius = 0}, {.value = 1, .radius = radius}}};
     EXPECT_TRUE(std::isinf(last_order(errors).radius)) << radius;
   }
 }

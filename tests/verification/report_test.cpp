@@ -22,7 +22,7 @@ Report two_claims() {
   cell.says = "a | table";
   cell.found = Verdict::contradicted;
   cell.recorded = Verdict::reproduced;
-  cell.ours = Measured{.value = 1.0352e-3, .radius = 1e-16};
+  cell.ours = Approximation{.value = 1.0352e-3, .radius = 1e-16};
   cell.printed = "1.04E-4";
   cell.seconds = 1.25;
   cell.evidence.push_back({.what = "by the pipeline",
@@ -37,7 +37,7 @@ Report two_claims() {
   lemma.label = "lemma_2_1";
   lemma.says = "Int G = pi";
   lemma.found = lemma.recorded = Verdict::supported;
-  lemma.ours = Measured{.value = 3, .radius = std::numeric_limits<double>::infinity()};
+  lemma.ours = Approximation{.value = 3, .radius = std::numeric_limits<double>::infinity()};
   return {.budget = Budget::quick, .claims = {cell, lemma}};
 }
 

@@ -179,13 +179,13 @@ TEST(SphereCollocation, IsExactForConstantsAndForTheSumOfSquares) {
 }
 
 TEST(OrderBetween, EnclosesTheOrderAndRefusesErrorsThatMayBeZero) {
-  const Measured two = order_between({.value = 16, .radius = 1}, {.value = 1, .radius = 0.1}, 2);
+  const Approximation two = order_between({.value = 16, .radius = 1}, {.value = 1, .radius = 0.1}, 2);
   EXPECT_DOUBLE_EQ(two.value, 2);
   EXPECT_GE(two.radius, std::log2(17 / 0.9) / 2 - 2);
   EXPECT_LE(two.radius, 0.2);
-  const Measured rough = order_between({.value = 16, .radius = 8}, {.value = 1, .radius = 0.1}, 2);
+  const Approximation rough = order_between({.value = 16, .radius = 8}, {.value = 1, .radius = 0.1}, 2);
   EXPECT_GE(rough.radius, 2 - std::log2(8 / 1.1) / 2 - 1e-12);
-  EXPECT_FALSE(std::isfinite(order_between({.value = 1}, {.value = 0.1, .radius = 0.1}).value));
+  EXPECT_FALSE(std::isfinite(order_between({.value = 1, .radius = 0}, {.value = 0.1, .radius = 0.1}).value));
 }
 
 }  // namespace

@@ -121,8 +121,9 @@ TEST_F(OnABench, ASecondRouteThatDisagreesLeavesTheCellUndecided) {
                "node_ratio.second_route = true\nnode_ratio.verdict");
   const auto by = [&](double factor) {
     return check(paper_of(text), [factor](const Bench&, const Problem& p, int level, const std::string&) {
-      return Measured{.value = (level == 0 ? factor : 1) * made_up_level(p, level).result.node_error->value,
-                      .radius = 1e-12};
+      return Approximation{
+          .value = (level == 0 ? factor : 1) * made_up_level(p, level).result.node_error->value,
+          .radius = 1e-12};
     })[2];
   };
   EXPECT_EQ(by(1).found, Verdict::reproduced);
@@ -153,9 +154,9 @@ TEST_F(OnABench, FilesThatDoNotFitAreRefused) {
 }
 
 TEST(Ratio, EnclosesTheQuotientsOfAllNumbersWithinTheRadii) {
-  const Measured a{.value = 3, .radius = 0.25};
-  const Measured b{.value = 2, .radius = 0.5};
-  const Measured quotient = ratio(a, b);
+  const Approximation a{.value = 3, .radius = 0.25};
+  const Approximation b{.value = 2, .radius = 0.5};
+  const Approximation quotient = ratio(a, b);
   EXPECT_EQ(quotient.value, 1.5);
   for (const double x : {2.75, 3.25})
     for (const double y : {1.5, 2.5}) EXPECT_LE(std::abs(x / y - quotient.value), quotient.radius);

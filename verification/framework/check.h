@@ -35,8 +35,8 @@ using Check = std::function<Finding(const Bench& bench)>;
 /// Requires  a problem with `solution`
 /// Result    the figure with its radius
 /// Limits    may take minutes
-using SecondRoute =
-    std::function<Measured(const Bench& bench, const Problem& problem, int level, const std::string& figure)>;
+using SecondRoute = std::function<Approximation(const Bench& bench, const Problem& problem, int level,
+                                                const std::string& figure)>;
 
 /// The checks of one paper, by the labels of its claims.
 struct PaperChecks {

@@ -69,7 +69,7 @@ struct OrderClaim {
 };
 
 /// A number that can be enclosed with a proof: a figure of a problem, or a reference value.
-struct EnclosedNumber {
+struct EnclosedQuantity {
   std::string problem;       ///< file of a problem for the solver `verified`; empty: a reference value
   std::string quantity;      ///< of a problem: one of enclosed_quantities()
   std::optional<int> level;  ///< of a problem; absent: its last
@@ -85,8 +85,8 @@ struct EnclosedNumber {
 struct EnclosureClaim {
   Rational least;
   Rational largest;  ///< least <= largest
-  EnclosedNumber number;
-  EnclosedNumber control;  ///< a number that must be proved to lie outside
+  EnclosedQuantity number;
+  EnclosedQuantity control;  ///< a number that must be proved to lie outside
 };
 
 /// One numbered statement, as papers/<key>/claims.toml has it.

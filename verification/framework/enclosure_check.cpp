@@ -20,7 +20,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // What settles nothing.
-Measured unknown() { return {.value = infinity, .radius = infinity}; }
+Approximation unknown() { return {.value = infinity, .radius = infinity}; }
 
 struct FamilyMember {
   const reference::ValueFamily* family = nullptr;
@@ -37,7 +37,7 @@ InputFault fault_at(const Paper& paper, const Claim& claim, const std::string& k
           .allowed = std::move(allowed)};
 }
 
-FamilyMember member_of(const Paper& paper, const Claim& claim, const EnclosedNumber& number,
+FamilyMember member_of(const Paper& paper, const Claim& claim, const EnclosedQuantity& number,
                        bool is_control) {
   const std::string key = is_control ? "control" : "reference";
   const std::string values_key = is_control ? "control_values" : "values";
@@ -70,7 +70,7 @@ FamilyMember member_of(const Paper& paper, const Claim& claim, const EnclosedNum
   return member;
 }
 
-Problem problem_of(const Paper& paper, const EnclosedNumber& number) {
+Problem problem_of(const Paper& paper, const EnclosedQuantity& number) {
   return parse_problem(paper.file(number.problem), paper.source(number.problem));
 }
 
@@ -78,7 +78,7 @@ bool is_value_of_u_n(const std::string& quantity) {
   return quantity == "least_u_n" || quantity == "largest_u_n";
 }
 
-void check_problem(const Paper& paper, const EnclosedNumber& number) {
+void check_problem(const Paper& paper, const EnclosedQuantity& number) {
   const Problem problem = problem_of(paper, number);
   const std::string source = paper.source(number.problem);
   if (problem.solver.name != SolverName::verified)
@@ -95,8 +95,8 @@ void check_problem(const Paper& paper, const EnclosedNumber& number) {
 }
 
 // [low, high] as a number with a radius that encloses it.
-Measured enclosing(const Rational& low, const Rational& high) {
-  Measured out{.value = (Rational(1, 2) * (low + high)).to_double(), .radius = 0, .guaranteed = true};
+Approximation enclosing(const Rational& low, const Rational& high) {
+  Approximation out{.value = (Rational(1, 2) * (low + high)).to_double(), .radius = 0, .guaranteed = true};
   const Rational value = Rational::exactly(out.value);
   const Rational needed = value - low < high - value ? high - value : value - low;
   out.radius = needed.to_double();
@@ -105,7 +105,7 @@ Measured enclosing(const Rational& low, const Rational& high) {
 }
 
 // The least or the largest value of u_n at a node; no finite radius where a node has none.
-Measured extreme_node(const std::vector<NodeValue>& nodes, bool least) {
+Approximation extreme_node(const std::vector<NodeValue>& nodes, bool least) {
   std::optional<std::pair<Rational, Rational>> extreme;
   for (const NodeValue& node : nodes) {
     if (!node.radius || !std::isfinite(node.u_n) || !std::isfinite(*node.radius)) return unknown();
@@ -120,12 +120,11 @@ Measured extreme_node(const std::vector<NodeValue>& nodes, bool least) {
   return extreme ? enclosing(extreme->first, extreme->second) : unknown();
 }
 
-Measured figure_of(const std::optional<Figure>& figure) {
-  if (!figure || !figure->guaranteed || !figure->radius) return unknown();
-  return {.value = figure->value, .radius = *figure->radius, .guaranteed = true};
+Approximation figure_of(const std::optional<Approximation>& figure) {
+  return figure && figure->guaranteed && figure->has_radius() ? *figure : unknown();
 }
 
-Measured figure_of(const LevelOutcome& outcome, const std::string& quantity) {
+Approximation figure_of(const LevelOutcome& outcome, const std::string& quantity) {
   if (is_value_of_u_n(quantity)) return extreme_node(outcome.nodes, quantity == "least_u_n");
   return figure_of(quantity == "node_error" ? outcome.result.node_error
                                             : outcome.result.discretisation_error);
@@ -149,13 +148,13 @@ private:
   bool is_control_;
 };
 
-void observe_problem(const Paper& paper, const EnclosedNumber& number, const Bench& bench, const Line& line,
+void observe_problem(const Paper& paper, const EnclosedQuantity& number, const Bench& bench, const Line& line,
                      Finding& finding, bool is_control) {
   const Problem problem = problem_of(paper, number);
   const int level = number.level.value_or(problem.triangulation.levels.back());
   const std::string what = number.quantity + ", " + number.problem + ", level " + std::to_string(level);
   try {
-    const Measured figure = figure_of(bench.levels.level(problem, level), number.quantity);
+    const Approximation figure = figure_of(bench.levels.level(problem, level), number.quantity);
     line.add(what, figure);
     if (!is_control) finding.show(figure);
   } catch (const AccuracyNotReached& error) {
@@ -197,7 +196,7 @@ void observe_reference(const FamilyMember& member, const std::string& name, cons
 
 void observe(const Paper& paper, const Claim& claim, const Bench& bench, Finding& finding, bool is_control) {
   const EnclosureClaim& enclosure = claim.enclosure.value();
-  const EnclosedNumber& number = is_control ? enclosure.control : enclosure.number;
+  const EnclosedQuantity& number = is_control ? enclosure.control : enclosure.number;
   const LiesIn interval{.least = enclosure.least, .largest = enclosure.largest};
   const Line line(finding, interval, is_control);
   if (number.reference.empty())
@@ -211,7 +210,7 @@ void observe(const Paper& paper, const Claim& claim, const Bench& bench, Finding
 
 void check_names(const Paper& paper, const Claim& claim) {
   for (const bool is_control : {false, true}) {
-    const EnclosedNumber& number = is_control ? claim.enclosure->control : claim.enclosure->number;
+    const EnclosedQuantity& number = is_control ? claim.enclosure->control : claim.enclosure->number;
     if (number.reference.empty())
       check_problem(paper, number);
     else

@@ -13,7 +13,7 @@
 namespace radcert::verification {
 namespace {
 
-bool settles(const Measured& observed) {
+bool settles(const Approximation& observed) {
   return std::isfinite(observed.value) && std::isfinite(observed.radius) && observed.radius >= 0;
 }
 
@@ -23,7 +23,7 @@ struct Ends {
   Rational high;
 };
 
-Ends ends_of(const Measured& observed) {
+Ends ends_of(const Approximation& observed) {
   const Rational value = Rational::exactly(observed.value);
   const Rational radius = Rational::exactly(observed.radius);
   return {.low = value - radius, .high = value + radius};
@@ -31,7 +31,7 @@ Ends ends_of(const Measured& observed) {
 
 void require_slack(double slack) { expects(slack >= 0, "slack >= 0", named("slack", slack)); }
 
-Evidence line(const std::string& what, const Measured& observed, std::string allowed, Standing standing,
+Evidence line(const std::string& what, const Approximation& observed, std::string allowed, Standing standing,
               bool control, double slack) {
   Evidence evidence{.what = what,
                     .value = "",
@@ -82,7 +82,11 @@ std::string_view name(Standing standing) {
   return names.at(static_cast<std::size_t>(standing));
 }
 
-Standing judge(const Bound& statement, const Measured& observed) {
+Approximation as_sampled(const Approximation& figure) {
+  return figure.has_radius() ? figure : Approximation::estimated(figure.value, 0);
+}
+
+Standing judge(const Bound& statement, const Approximation& observed) {
   require_slack(statement.slack);
   if (!settles(observed) || !std::isfinite(statement.order) || !std::isfinite(statement.slack))
     return Standing::open;
@@ -92,7 +96,7 @@ Standing judge(const Bound& statement, const Measured& observed) {
   return ends.high < least ? Standing::violated : Standing::open;
 }
 
-Standing judge(const Equals& statement, const Measured& observed) {
+Standing judge(const Equals& statement, const Approximation& observed) {
   require_slack(statement.slack);
   if (!settles(observed) || !std::isfinite(statement.value) || !std::isfinite(statement.slack))
     return Standing::open;
@@ -103,7 +107,7 @@ Standing judge(const Equals& statement, const Measured& observed) {
   return distance - radius > slack ? Standing::violated : Standing::open;
 }
 
-Standing judge(const AtMost& statement, const Measured& observed) {
+Standing judge(const AtMost& statement, const Approximation& observed) {
   require_slack(statement.slack);
   if (!settles(observed) || !std::isfinite(statement.value) || !std::isfinite(statement.slack))
     return Standing::open;
@@ -117,7 +121,7 @@ Standing judge(const IsExactly& statement, const Rational& observed) {
   return observed == statement.value ? Standing::holds : Standing::violated;
 }
 
-Standing judge(const LiesIn& statement, const Measured& observed) {
+Standing judge(const LiesIn& statement, const Approximation& observed) {
   if (!settles(observed)) return Standing::open;
   const Ends ends = ends_of(observed);
   if (statement.least <= ends.low && ends.high <= statement.largest) return Standing::holds;
@@ -140,19 +144,22 @@ Standing judge(const AgreesWith& statement, const Ball& observed) {
   return certainly_less(Ball(statement.within), distance) ? Standing::violated : Standing::open;
 }
 
-void Finding::add(const std::string& what, const Bound& statement, const Measured& observed, bool control) {
+void Finding::add(const std::string& what, const Bound& statement, const Approximation& observed,
+                  bool control) {
   evidence_.push_back(line(
       what, observed, with_slack("order >= " + shortest(statement.order), statement.slack, statement.why),
       judge(statement, observed), control, statement.slack));
 }
 
-void Finding::add(const std::string& what, const Equals& statement, const Measured& observed, bool control) {
+void Finding::add(const std::string& what, const Equals& statement, const Approximation& observed,
+                  bool control) {
   evidence_.push_back(line(what, observed,
                            with_slack("= " + shortest(statement.value), statement.slack, statement.why),
                            judge(statement, observed), control, statement.slack));
 }
 
-void Finding::add(const std::string& what, const AtMost& statement, const Measured& observed, bool control) {
+void Finding::add(const std::string& what, const AtMost& statement, const Approximation& observed,
+                  bool control) {
   evidence_.push_back(line(what, observed,
                            with_slack("<= " + shortest(statement.value), statement.slack, statement.why),
                            judge(statement, observed), control, statement.slack));
@@ -188,7 +195,8 @@ void Finding::add(const std::string& what, const AgreesWith& statement, const Ba
   evidence_.push_back(std::move(evidence));
 }
 
-void Finding::add(const std::string& what, const LiesIn& statement, const Measured& observed, bool control) {
+void Finding::add(const std::string& what, const LiesIn& statement, const Approximation& observed,
+                  bool control) {
   evidence_.push_back(line(what, observed, interval_text(statement), judge(statement, observed), control, 0));
 }
 
@@ -209,7 +217,7 @@ void Finding::add(const std::string& what, const LiesIn& statement, const Ball& 
   evidence_.push_back(std::move(evidence));
 }
 
-void Finding::remark(std::string what, const Measured& observed) {
+void Finding::remark(std::string what, const Approximation& observed) {
   if (settles(observed)) {
     const EnclosingText text = enclosing_text(observed.value, observed.radius, DecimalForm::scientific(12));
     what += ": " + text.value + " +- " + text.radius;

@@ -5,23 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/rational.h"
 #include "verification/framework/verdict.h"
 
 namespace radcert::verification {
 
-/// A computed number and what is known of its error.
-/// Maths     the exact number lies in value +- radius: proved if guaranteed, estimated otherwise
-/// Source    -
-/// Requires  -
-/// Result    plain data
-/// Limits    a value or radius that is not finite settles nothing
-struct Measured {
-  double value = 0;
-  double radius = 0;
-  bool guaranteed = false;
-};
+/// A figure that is the largest over a sample, and has no radius, as what was sampled.
+/// Result    radius 0 in place of an infinite one, then not guaranteed
+[[nodiscard]] Approximation as_sampled(const Approximation& figure);
 
 /// "The error falls at least like h^order": the observed exponent may be short by the slack.
 struct Bound {
@@ -77,12 +70,12 @@ enum class Standing { holds, violated, open };
 /// Requires  slack >= 0, else ContractViolation
 /// Result    open where neither is the case, and for numbers that are not finite; the doubles of both sides are compared exactly
 /// Limits    -
-[[nodiscard]] Standing judge(const Bound& statement, const Measured& observed);
-[[nodiscard]] Standing judge(const Equals& statement, const Measured& observed);
-[[nodiscard]] Standing judge(const AtMost& statement, const Measured& observed);
+[[nodiscard]] Standing judge(const Bound& statement, const Approximation& observed);
+[[nodiscard]] Standing judge(const Equals& statement, const Approximation& observed);
+[[nodiscard]] Standing judge(const AtMost& statement, const Approximation& observed);
 [[nodiscard]] Standing judge(const IsExactly& statement, const Rational& observed);
 [[nodiscard]] Standing judge(const AgreesWith& statement, const Ball& observed);
-[[nodiscard]] Standing judge(const LiesIn& statement, const Measured& observed);
+[[nodiscard]] Standing judge(const LiesIn& statement, const Approximation& observed);
 [[nodiscard]] Standing judge(const LiesIn& statement, const Ball& observed);
 
 /// One line of evidence.
@@ -116,27 +109,27 @@ public:
     add(what, statement, observed, true);
   }
   /// A line for the reader that decides nothing.
-  void remark(std::string what, const Measured& observed);
+  void remark(std::string what, const Approximation& observed);
   /// What the figure beside the statement is.
-  void show(const Measured& figure) { figure_ = figure; }
+  void show(const Approximation& figure) { figure_ = figure; }
 
   [[nodiscard]] Verdict verdict() const;
   [[nodiscard]] const std::vector<Evidence>& evidence() const { return evidence_; }
   [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
-  [[nodiscard]] const std::optional<Measured>& figure() const { return figure_; }
+  [[nodiscard]] const std::optional<Approximation>& figure() const { return figure_; }
 
 private:
-  void add(const std::string& what, const Bound& statement, const Measured& observed, bool control);
-  void add(const std::string& what, const Equals& statement, const Measured& observed, bool control);
-  void add(const std::string& what, const AtMost& statement, const Measured& observed, bool control);
+  void add(const std::string& what, const Bound& statement, const Approximation& observed, bool control);
+  void add(const std::string& what, const Equals& statement, const Approximation& observed, bool control);
+  void add(const std::string& what, const AtMost& statement, const Approximation& observed, bool control);
   void add(const std::string& what, const IsExactly& statement, const Rational& observed, bool control);
   void add(const std::string& what, const AgreesWith& statement, const Ball& observed, bool control);
-  void add(const std::string& what, const LiesIn& statement, const Measured& observed, bool control);
+  void add(const std::string& what, const LiesIn& statement, const Approximation& observed, bool control);
   void add(const std::string& what, const LiesIn& statement, const Ball& observed, bool control);
 
   std::vector<Evidence> evidence_;
   std::vector<std::string> remarks_;
-  std::optional<Measured> figure_;
+  std::optional<Approximation> figure_;
 };
 
 }  // namespace radcert::verification

@@ -53,7 +53,7 @@ private:
 /// Requires  `key` says everything that the number depends on, but for radcert's own sources, which are added
 /// Result    the stored number to the bit, or that of compute(), stored
 /// Limits    -
-[[nodiscard]] Measured stored(ResultStore& store, const std::string& key,
-                              const std::function<Measured()>& compute);
+[[nodiscard]] Approximation stored(ResultStore& store, const std::string& key,
+                                   const std::function<Approximation()>& compute);
 
 }  // namespace radcert::verification

@@ -35,7 +35,7 @@ struct ClaimReport {
   std::vector<std::string> needs;
   Verdict found = Verdict::unchecked;
   Verdict recorded = Verdict::unchecked;
-  std::optional<Measured> ours;
+  std::optional<Approximation> ours;
   std::optional<std::string> printed;  ///< of a cell
   std::string note;                    ///< from claims.toml
   std::vector<Evidence> evidence;

@@ -23,7 +23,7 @@ const PaperChecks* checks_of(std::span<const PaperChecks> checks, const std::str
 }
 
 // The fitted order of a problem's levels, as collect() gives it.
-Measured fitted_order(const Problem& problem, const std::string& quantity, LevelSource& levels) {
+Approximation fitted_order(const Problem& problem, const std::string& quantity, LevelSource& levels) {
   std::vector<LevelResult> results;
   std::vector<LevelTiming> timing;
   for (const int level : problem.triangulation.levels) {
@@ -44,7 +44,7 @@ Finding check_order(const Paper& paper, const OrderClaim& claim, const Bench& be
     return fitted_order(parse_problem(paper.file(file), paper.source(file)), claim.quantity, bench.levels);
   };
   Finding finding;
-  const Measured order = observed(claim.problem);
+  const Approximation order = observed(claim.problem);
   finding.require("order of " + claim.quantity + ", " + claim.problem, bound, order);
   finding.control("order of " + claim.quantity + ", " + claim.control, bound, observed(claim.control));
   finding.show(order);

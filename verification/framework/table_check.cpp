@@ -166,18 +166,15 @@ void read_problems(const Paper& paper, Series& series) {
                         .allowed = "levels that the table prints"});
 }
 
-Measured measured(const std::optional<Figure>& figure) {
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  if (!figure) return {.value = std::numeric_limits<double>::quiet_NaN(), .radius = unknown};
-  return {
-      .value = figure->value, .radius = figure->radius.value_or(unknown), .guaranteed = figure->guaranteed};
+Approximation or_unknown(const std::optional<Approximation>& figure) {
+  return figure.value_or(Approximation::without_radius(std::numeric_limits<double>::quiet_NaN()));
 }
 
-Measured error_figure(const LevelResult& result, const std::string& error) {
-  return measured(error == "node_error" ? result.node_error : result.discretisation_error);
+Approximation error_figure(const LevelResult& result, const std::string& error) {
+  return or_unknown(error == "node_error" ? result.node_error : result.discretisation_error);
 }
 
-Verdict verdict_of(const PrintedNumber& printed, const Measured& ours) {
+Verdict verdict_of(const PrintedNumber& printed, const Approximation& ours) {
   if (!std::isfinite(ours.value) || !std::isfinite(ours.radius)) return Verdict::undecided;
   return decide(printed, ours.value, ours.radius, ours.guaranteed);
 }
@@ -196,7 +193,7 @@ public:
       if (triangle_count(surface, level).value() <= static_cast<std::uint64_t>(proved_elements))
         proved_levels_.insert(level);
   }
-  Measured at(int level, const std::string& error) {
+  Approximation at(int level, const std::string& error) {
     auto found = results_.find(level);
     if (found == results_.end()) {
       const Problem& problem = proved_levels_.contains(level) ? proved_ : problem_;
@@ -231,7 +228,7 @@ Evidence control_evidence(const Series& series, const Bench& bench) {
     const std::vector<int>& controlled = series.control.triangulation.levels;
     if (is_ratio(cell.figure) || std::find(controlled.begin(), controlled.end(), level) == controlled.end())
       continue;
-    const Measured other = errors.at(level, cell.figure);
+    const Approximation other = errors.at(level, cell.figure);
     if (verdict_of(cell.printed, other) != Verdict::contradicted) continue;
     const EnclosingText text = enclosing_text(other.value, other.radius, DecimalForm::scientific(4));
     evidence.what = "control: a problem that is not the table's, n = " + series.elements[cell.row];
@@ -250,7 +247,7 @@ Standing standing_of(Verdict verdict) {
 }
 
 // Ours against a figure by other means. Both radii are estimates: agreement is asked for within their sum.
-Evidence second_evidence(const Measured& ours, const Measured& other, const std::string& what) {
+Evidence second_evidence(const Approximation& ours, const Approximation& other, const std::string& what) {
   Evidence evidence{.what = what,
                     .value = shortest(other.value),
                     .radius = std::nullopt,
@@ -272,10 +269,10 @@ Evidence second_evidence(const Measured& ours, const Measured& other, const std:
 
 }  // namespace
 
-Measured ratio(const Measured& numerator, const Measured& denominator) {
-  Measured out{.value = numerator.value / denominator.value,
-               .radius = std::numeric_limits<double>::infinity(),
-               .guaranteed = numerator.guaranteed && denominator.guaranteed};
+Approximation ratio(const Approximation& numerator, const Approximation& denominator) {
+  Approximation out{.value = numerator.value / denominator.value,
+                    .radius = std::numeric_limits<double>::infinity(),
+                    .guaranteed = numerator.guaranteed && denominator.guaranteed};
   const double least = std::abs(denominator.value) - denominator.radius;
   if (!std::isfinite(out.value) || !(least > 0) || !std::isfinite(numerator.radius)) return out;
   // |a'/b' - a/b| <= (ra + |a/b| rb) / (|b| - rb); a few roundings are far below the factor.
@@ -326,13 +323,13 @@ std::vector<ClaimReport> check_table(const Paper& paper, const Claim& claim, con
                          .failure = std::nullopt};
       const std::string error = error_of(cell.figure);
       // The figure of this cell by some means: an error at its level, or the ratio of two.
-      const auto figure_by = [&](auto&& error_at) -> Measured {
-        const Measured here = error_at(series.levels[cell.row]);
+      const auto figure_by = [&](auto&& error_at) -> Approximation {
+        const Approximation here = error_at(series.levels[cell.row]);
         if (!is_ratio(cell.figure)) return here;
-        if (cell.row == 0) return measured(std::nullopt);
+        if (cell.row == 0) return or_unknown(std::nullopt);
         return ratio(error_at(series.levels[cell.row - 1]), here);
       };
-      const Measured ours = figure_by([&](int level) { return errors.at(level, error); });
+      const Approximation ours = figure_by([&](int level) { return errors.at(level, error); });
       if (!control) control = control_evidence(series, bench);
       report.found = verdict_of(cell.printed, ours);
       Evidence own{.what = ours.guaranteed ? "enclosed by the pipeline" : "by the pipeline",
@@ -354,7 +351,7 @@ std::vector<ClaimReport> check_table(const Paper& paper, const Claim& claim, con
           report.found = Verdict::failed;
           report.failure = "a second route is asked for, and this paper has none";
         } else {
-          const Measured other =
+          const Approximation other =
               figure_by([&](int level) { return second_route(bench, series.problem, level, error); });
           report.evidence.push_back(second_evidence(ours, other, "by a second route"));
           // Two computations that disagree, or of which one alone settles the cell, settle nothing.

@@ -17,7 +17,7 @@ namespace radcert::verification {
 /// Requires  nothing
 /// Result    guaranteed where both are; no finite radius where b +- its radius contains 0
 /// Limits    takes the two errors as independent
-[[nodiscard]] Measured ratio(const Measured& numerator, const Measured& denominator);
+[[nodiscard]] Approximation ratio(const Approximation& numerator, const Approximation& denominator);
 
 /// The labels of a table's cells, as the printed table has them.
 /// Maths     <claim>[.<series>].n<elements>.<figure>, a label for each cell that is not empty

@@ -30,9 +30,9 @@ std::size_t width(const std::string& text) {
 
 std::string seconds_text(double seconds) { return nearest_text(seconds, DecimalForm::fixed(1)); }
 
-bool is_finite(const Measured& m) { return std::isfinite(m.value) && std::isfinite(m.radius); }
+bool is_finite(const Approximation& m) { return std::isfinite(m.value) && std::isfinite(m.radius); }
 
-std::string ours_text(const std::optional<Measured>& ours) {
+std::string ours_text(const std::optional<Approximation>& ours) {
   if (!ours || !is_finite(*ours)) return "";
   const EnclosingText text = enclosing_text(ours->value, ours->radius, DecimalForm::scientific(6));
   return text.value + " ± " + text.radius;
@@ -68,7 +68,7 @@ JsonValue strings(const std::vector<std::string>& texts) {
   return json_array(texts, [](const std::string& text) { return JsonValue(text); });
 }
 
-JsonValue figure_json(const std::optional<Measured>& figure) {
+JsonValue figure_json(const std::optional<Approximation>& figure) {
   if (!figure || !is_finite(*figure)) return {};
   JsonValue out = JsonValue::object();
   out.set("value", figure->value);

@@ -29,18 +29,6 @@ Problem room(const std::string& walls) {
                        "room");
 }
 
-/// With an emission given, Ku is never asked for; with a solution, this is the second route to it.
-AppliedOperator operator_route(const Surface& surface, const SurfaceFunction& u) {
-  const reference::Density density = [&u](const reference::PointBlock& q, std::span<double> values) {
-    u.evaluate(q.chart, q.x, q.y, q.z, values);
-  };
-  return
-      [applied = reference::AppliedOperator(surface, density, u.formulas())](const SurfacePoint<double>& p) {
-        const reference::Estimate integral = applied(p);
-        return OperatorValue{.value = integral.value, .radius = integral.radius};
-      };
-}
-
 double mean_on(const LevelResult& result, const std::string& name) {
   for (const auto& [piece, mean] : result.piece_means)
     if (piece == name) return mean;
@@ -53,7 +41,7 @@ int main() try {
   for (const std::string walls : {"1/10", "1/2", "9/10"}) {
     const Problem problem = room(walls);
     check(problem, std::uint64_t{1} << 30);
-    const LevelOutcome outcome = solve_level(problem, level, operator_route);
+    const LevelOutcome outcome = solve_level(problem, level, reference::applied_operator);
     std::cout << "walls of reflectivity " << walls << ": mean radiosity of the floor "
               << mean_on(outcome.result, "floor") << '\n';
   }

@@ -53,17 +53,6 @@ TEST(OwnBasis, ObeysTheLawsInDouble) {
   EXPECT_TRUE(laws::is_a_lagrange_basis(basis, basis.reproduced, 1e-13));
 }
 
-AppliedOperator operator_route(const Surface& surface, const SurfaceFunction& u) {
-  const reference::Density density = [&u](const reference::PointBlock& q, std::span<double> values) {
-    u.evaluate(q.chart, q.x, q.y, q.z, values);
-  };
-  return
-      [applied = reference::AppliedOperator(surface, density, u.formulas())](const SurfacePoint<double>& p) {
-        const reference::Estimate integral = applied(p);
-        return OperatorValue{.value = integral.value, .radius = integral.radius};
-      };
-}
-
 // problem.json with a basis that is a type: what a file of nodes gives, bit for bit.
 TEST(OwnBasis, SolvesAProblemLikeItsFile) {
   const std::string folder = OWN_BASIS_FOLDER;
@@ -76,8 +65,8 @@ TEST(OwnBasis, SolvesAProblemLikeItsFile) {
                               .file = "LinearWithBubble",
                               .functions = std::make_shared<const LagrangeFunctions>(functions)};
   for (const int level : {0, 1}) {
-    const LevelResult one = solve_level(by_type, level, operator_route).result;
-    const LevelResult other = solve_level(by_file, level, operator_route).result;
+    const LevelResult one = solve_level(by_type, level, reference::applied_operator).result;
+    const LevelResult other = solve_level(by_file, level, reference::applied_operator).result;
     EXPECT_EQ(one.unknowns, 4 * one.elements);
     EXPECT_EQ(one.node_error.value().value, other.node_error.value().value) << "level " << level;
     EXPECT_EQ(one.discretisation_error.value().value, other.discretisation_error.value().value);

@@ -24,17 +24,6 @@ struct Wendland {
   }
 };
 
-AppliedOperator operator_route(const Surface& surface, const SurfaceFunction& u) {
-  const reference::Density density = [&u](const reference::PointBlock& q, std::span<double> values) {
-    u.evaluate(q.chart, q.x, q.y, q.z, values);
-  };
-  return
-      [applied = reference::AppliedOperator(surface, density, u.formulas())](const SurfacePoint<double>& p) {
-        const reference::Estimate integral = applied(p);
-        return OperatorValue{.value = integral.value, .radius = integral.radius};
-      };
-}
-
 }  // namespace
 
 int main() try {
@@ -43,8 +32,8 @@ int main() try {
   by_type.basis.meshless->basis.mother = own_mother("wendland", Wendland{}, Rational(1));
   double largest = 0;
   for (const int level : {0, 1}) {
-    const LevelResult expected = solve_level(by_expression, level, operator_route).result;
-    const LevelResult found = solve_level(by_type, level, operator_route).result;
+    const LevelResult expected = solve_level(by_expression, level, reference::applied_operator).result;
+    const LevelResult found = solve_level(by_type, level, reference::applied_operator).result;
     std::cout << found.unknowns << " sites: error " << found.uniform_error->value << " on the sample\n";
     largest = std::max(largest, std::abs(found.uniform_error->value - expected.uniform_error->value));
   }

@@ -54,7 +54,7 @@ Outcome<CertifiedEntries> certified_entries(std::span<const ExactTriangle> eleme
         element.integrals(nodes[i].point, nodes[i].normal, values);
         const double error = errors->bound(values);
         for (std::size_t j = 0; j < p; ++j) {
-          const CertifiedEntry entry = certified_entry(reflectivity[i], values[j], error);
+          const Approximation entry = certified_entry(reflectivity[i], values[j], error);
           result.entries(i, k * p + j) = entry.value;
           result.radius(i, k * p + j) = entry.radius;
         }

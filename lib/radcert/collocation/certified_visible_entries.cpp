@@ -254,7 +254,7 @@ Outcome<CertifiedEntries> certified_visible_entries(const Scene& scene,
                                       : region.sight == Sight::whole ? visible.over_all()
                                                                      : visible.over(seen);
           for (std::size_t j = 0; j < p; ++j) {
-            const CertifiedEntry entry =
+            const Approximation entry =
                 certified_entry(reflectivity[i], integrals.values[j], integrals.error);
             result.entries(i, k * p + j) = entry.value;
             result.radius(i, k * p + j) = entry.radius;

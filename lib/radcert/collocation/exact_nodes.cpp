@@ -139,11 +139,12 @@ double IntegralErrors::bound(std::span<const double> integrals) const {
   return accuracy * largest_ * integral * upward + 2 * underflow;
 }
 
-CertifiedEntry certified_entry(double reflectivity, double integral, double error) {
+Approximation certified_entry(double reflectivity, double integral, double error) {
   const double factor = reflectivity * std::numbers::inv_pi;
   const double entry = factor * integral;
   // The factor and the product are rounded, 1/pi as well: three units of the entry.
-  return {entry, (std::abs(factor) * error * upward + 4 * unit * std::abs(entry)) * upward + 4 * underflow};
+  return Approximation::proved(
+      entry, (std::abs(factor) * error * upward + 4 * unit * std::abs(entry)) * upward + 4 * underflow);
 }
 
 }  // namespace radcert

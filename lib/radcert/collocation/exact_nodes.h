@@ -10,6 +10,7 @@
 #include "radcert/geometry/vector.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/plane_polynomial.h"
+#include "radcert/scalar/approximation.h"
 #include "radcert/scalar/rational.h"
 
 namespace radcert {
@@ -62,13 +63,7 @@ private:
   double largest_;
 };
 
-/// A double with a proved radius.
-struct CertifiedEntry {
-  double value = 0;
-  double radius = 0;
-};
-
 /// reflectivity / pi times an integral that is off by at most `error`; encloses the exact product.
-[[nodiscard]] CertifiedEntry certified_entry(double reflectivity, double integral, double error);
+[[nodiscard]] Approximation certified_entry(double reflectivity, double integral, double error);
 
 }  // namespace radcert

@@ -58,7 +58,7 @@ public:
         across_(cross(difference, direction_)),
         across_a_(cross(a, direction_)) {}
 
-  [[nodiscard]] Estimate integral() {
+  [[nodiscard]] Approximation integral() {
     // At most three inner ends; those that are none stand at 1 and make empty parts.
     std::array<double, 5> ends{0, 1, 1, 1, 1};
     std::size_t count = 1;
@@ -73,7 +73,7 @@ public:
     if (squared_across > 0) part(-dot(across_, across_a_) / squared_across);
     for (std::size_t i = 1; i < 4; ++i)
       for (std::size_t k = i; k > 1 && ends[k] < ends[k - 1]; --k) std::swap(ends[k], ends[k - 1]);
-    Estimate sum;
+    Approximation sum = Approximation::exact(0);
     for (std::size_t k = 0; k + 1 < ends.size(); ++k)
       if (ends[k] < ends[k + 1])
         sum += over(ends[k], ends[k + 1], by_rule(ends[k], ends[k + 1]), deepest.value());
@@ -110,7 +110,7 @@ private:
     return (to - from) / length_ * (inner * edge_rule().weights).sum();
   }
 
-  Estimate over(double from, double to, double whole, long depth) {
+  Approximation over(double from, double to, double whole, long depth) {
     const double middle = from + (to - from) / 2;
     const double low = by_rule(from, middle);
     const double high = by_rule(middle, to);
@@ -123,7 +123,7 @@ private:
     // That a quarter will do is not known where the cells are not what the argument takes them for.
     if (depth == 0 || halvings_ == 0) return {low + high, difference};
     --halvings_;
-    Estimate sum = over(from, middle, low, depth - 1);
+    Approximation sum = over(from, middle, low, depth - 1);
     sum += over(middle, to, high, depth - 1);
     return sum;
   }
@@ -223,7 +223,7 @@ Vector<double> vector_area(const FacetCorners& polygon) {
   return 0.5 * sum;
 }
 
-Estimate exchange_area_by_contours(const FacetCorners& first, const FacetCorners& second) {
+Approximation exchange_area_by_contours(const FacetCorners& first, const FacetCorners& second) {
   expects(first.size() >= 3 && second.size() >= 3, "polygons have three corners or more",
           named("corners", std::min(first.size(), second.size())));
   double largest = 0;
@@ -234,7 +234,7 @@ Estimate exchange_area_by_contours(const FacetCorners& first, const FacetCorners
   const auto along = [unit](const FacetCorners& polygon, std::size_t k) {
     return (1 / unit) * (polygon[(k + 1) % polygon.size()] - polygon[k]);
   };
-  Estimate sum;
+  Approximation sum = Approximation::exact(0);
   for (std::size_t i = 0; i < first.size(); ++i)
     for (std::size_t k = 0; k < second.size(); ++k) {
       const Point a = along(first, i);
@@ -242,15 +242,15 @@ Estimate exchange_area_by_contours(const FacetCorners& first, const FacetCorners
       const double product = dot(a, b);
       if (product == 0) continue;
       const Point difference = (1 / unit) * (first[i] - second[k]);
-      const Estimate pair = dot(a, a) <= dot(b, b) ? EdgePair(difference, a, b).integral()
-                                                   : EdgePair(-difference, b, a).integral();
+      const Approximation pair = dot(a, a) <= dot(b, b) ? EdgePair(difference, a, b).integral()
+                                                        : EdgePair(-difference, b, a).integral();
       sum += {product * pair.value, std::abs(product) * pair.radius};
     }
   const double factor = unit * unit / (4 * std::numbers::pi);
   return {std::max(factor * sum.value, 0.0), factor * sum.radius};
 }
 
-Estimate exchange_area_by_rules(const FacetCorners& first, const FacetCorners& second) {
+Approximation exchange_area_by_rules(const FacetCorners& first, const FacetCorners& second) {
   const Roundness p = roundness(first);
   const Roundness q = roundness(second);
   const double distance = norm(p.centre - q.centre);
@@ -290,7 +290,7 @@ Estimate exchange_area_by_rules(const FacetCorners& first, const FacetCorners& s
   return {value, value * far.relative_error + (8 + 16 * slivers) * rounding * largest_value};
 }
 
-Estimate exchange_area(const FacetCorners& first, const FacetCorners& second) {
+Approximation exchange_area(const FacetCorners& first, const FacetCorners& second) {
   const Roundness p = roundness(first);
   const Roundness q = roundness(second);
   const bool far = norm(p.centre - q.centre) > far_ratio * (p.radius + q.radius);

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "radcert/factors/estimate.h"
 #include "radcert/geometry/vector.h"
+#include "radcert/scalar/approximation.h"
 
 namespace radcert {
 
@@ -27,7 +27,7 @@ using FacetCorners = std::vector<Vector<double>>;
 ///           rounding
 /// Limits    near: the value is a small difference of terms of the size of a side times the distance: about
 ///           2^-52 (diameter distance) is its least radius. far_ratio tells near from far
-[[nodiscard]] Estimate exchange_area(const FacetCorners& first, const FacetCorners& second);
+[[nodiscard]] Approximation exchange_area(const FacetCorners& first, const FacetCorners& second);
 
 /// Beyond so many times the sum of their circumradii polygons are far: z below is 4 there for equal ones, and
 /// rules of order 8 reach rounding.
@@ -35,8 +35,8 @@ inline constexpr double far_ratio = 2.5;
 
 /// The two ways by themselves, for comparison: the contour form for all pairs, product rules for far ones
 /// alone.
-[[nodiscard]] Estimate exchange_area_by_contours(const FacetCorners& first, const FacetCorners& second);
-[[nodiscard]] Estimate exchange_area_by_rules(const FacetCorners& first, const FacetCorners& second);
+[[nodiscard]] Approximation exchange_area_by_contours(const FacetCorners& first, const FacetCorners& second);
+[[nodiscard]] Approximation exchange_area_by_rules(const FacetCorners& first, const FacetCorners& second);
 
 /// The centre of a polygon's corners and the largest distance of a corner from it.
 struct Roundness {

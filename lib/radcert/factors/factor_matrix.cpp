@@ -99,7 +99,7 @@ std::optional<std::vector<PairExchange>> stored_pairs(std::string_view text, std
 class ExchangeSums {
 public:
   explicit ExchangeSums(std::size_t units) : units_(units), sums_(units * (units + 1) / 2) {}
-  Estimate& at(std::size_t a, std::size_t b) {
+  Approximation& at(std::size_t a, std::size_t b) {
     const std::size_t low = std::min(a, b);
     const std::size_t high = std::max(a, b);
     return sums_[high * (high + 1) / 2 + low];
@@ -108,14 +108,14 @@ public:
 
 private:
   std::size_t units_;
-  std::vector<Estimate> sums_;
+  std::vector<Approximation> sums_;
 };
 
 /// The ball's own midpoint keeps no more digits than the radius leaves; the quotient of values keeps
 /// reciprocity.
-Estimate quotient(const Estimate& exchange, const Estimate& area) {
+Approximation quotient(const Approximation& exchange, const Approximation& area) {
   const double value = exchange.value / area.value;
-  return {value, abs(enclosing_ball(exchange) / enclosing_ball(area) - Ball(value)).upper_double()};
+  return {value, abs(ball_of(exchange) / ball_of(area) - Ball(value)).upper_double()};
 }
 
 /// A bound of |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J) for these doubles: in double the products of which it is the difference would
@@ -129,20 +129,21 @@ void finish(FactorMatrix& matrix, ExchangeSums& sums, const FactorDemand& demand
   for (std::size_t i = 0; i < sums.size(); ++i) {
     FactorRow& row = matrix.rows[i];
     for (std::size_t j = 0; j < sums.size(); ++j) {
-      Estimate exchange = sums.at(i, j);
+      Approximation exchange = sums.at(i, j);
       if (exchange.value == 0 && exchange.radius == 0) continue;
       // Both orders of two triangles of one unit.
       if (i == j) exchange = exchange + exchange;
-      const Estimate factor = quotient(exchange, row.area);
+      const Approximation factor = quotient(exchange, row.area);
       matrix.entries.push_back({i, j, factor});
       row.sum += factor;
-      const Estimate& other = matrix.rows[j].area;
+      const Approximation& other = matrix.rows[j].area;
       const double back = quotient(exchange, other).value;
       matrix.largest_reciprocity_defect =
           std::max(matrix.largest_reciprocity_defect,
                    reciprocity_defect(row.area.value, factor.value, other.value, back));
     }
-    if (demand.open_to_space) row.to_space = Estimate{1, 0} + Estimate{-row.sum.value, row.sum.radius};
+    if (demand.open_to_space)
+      row.to_space = Approximation{1, 0} + Approximation{-row.sum.value, row.sum.radius};
   }
 }
 
@@ -193,7 +194,7 @@ PairExchange pair_exchange(const FacetScene& scene, std::size_t first, std::size
     // Shares of all shadows, each of which may come out twice as wide as was asked for.
     const double shadows = std::max(1.0, 2 * static_cast<double>(pair.occluders.size()));
     const CertifiedDemand certified{.radius = demand.accuracy * share / shadows};
-    out.area = enclosing_estimate(certified_exchange_area(scene, first, second, pair, certified));
+    out.area = enclosing(certified_exchange_area(scene, first, second, pair, certified));
   } else if (pair.sight == PairSight::whole) {
     out.area = exchange_area(pair.first, pair.second);
   } else {
@@ -209,7 +210,7 @@ FactorPlan factor_plan(const FacetScene& scene, const FactorUnits& units, const 
   const std::uint64_t n = scene.facet_count();
   const std::uint64_t m = units.names.size();
   plan.pairs = n * (n - 1) / 2;
-  plan.memory.add("exchange areas", m * (m + 1) / 2, sizeof(Estimate));
+  plan.memory.add("exchange areas", m * (m + 1) / 2, sizeof(Approximation));
   plan.memory.add("factors", m * m, sizeof(ConfigurationFactor));
   plan.memory.add("table", m * m, 64);
   if (plan.pairs == 0) return plan;
@@ -252,7 +253,7 @@ FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units, co
   for (std::size_t t = 0; t < scene.facet_count(); ++t) {
     expects(units.of_triangle[t] < units.names.size(), "units have names",
             named("unit", units.of_triangle[t]));
-    matrix.rows[units.of_triangle[t]].area += enclosing_estimate(certified_area(scene, t));
+    matrix.rows[units.of_triangle[t]].area += enclosing(certified_area(scene, t));
   }
   for (const FactorRow& row : matrix.rows) expects(row.area.value > 0, "each unit has a triangle");
   ExchangeSums sums(units.names.size());

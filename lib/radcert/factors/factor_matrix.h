@@ -29,7 +29,7 @@ struct FactorDemand {
 
 /// The direct exchange area of two triangles, and how it was found.
 struct PairExchange {
-  Estimate area;
+  Approximation area = Approximation::exact(0);
   PairSight sight = PairSight::nothing;
 };
 
@@ -37,14 +37,14 @@ struct PairExchange {
 struct ConfigurationFactor {
   std::size_t from = 0;
   std::size_t to = 0;
-  Estimate factor;
+  Approximation factor;
 };
 
 /// A row of the matrix as a whole.
 struct FactorRow {
-  Estimate area;
-  Estimate sum;
-  std::optional<Estimate> to_space;
+  Approximation area = Approximation::exact(0);
+  Approximation sum = Approximation::exact(0);
+  std::optional<Approximation> to_space;
 };
 
 /// The configuration factors of a scene.

@@ -74,7 +74,7 @@ public:
   explicit Receiver(const ExchangeGeometry& geometry)
       : geometry_(geometry), viewer_(geometry), events_(geometry) {}
 
-  Estimate integral(double tolerance, std::size_t most_cells) {
+  Approximation integral(double tolerance, std::size_t most_cells) {
     std::vector<std::size_t> all(geometry_.screens.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     for (std::size_t k = 1; k + 1 < geometry_.receiver.size(); ++k)
@@ -88,7 +88,7 @@ public:
       // A sum that is built up and taken down again carries its roundings.
       if (error_ < tolerance / 2 || cells_.empty()) sum_errors();
     }
-    Estimate out = settled_;
+    Approximation out = settled_;
     for (; !cells_.empty(); cells_.pop()) out += {cells_.top().value, cells_.top().error};
     return {std::max(out.value, 0.0), (used_rules_ ? std::max(out.radius, tolerance) : out.radius) +
                                           rounded_ + 0x1p-50 * std::abs(out.value)};
@@ -172,7 +172,7 @@ private:
     // Each flux errs by roundings of 1, a cell's area by roundings of the product of its sides.
     rounded_ += 0x1p-46 * area + 0x1p-50 * norm(c[1] - c[0]) * norm(c[2] - c[0]);
     if (cell.sight.change >= cell.sight.unoccluded) {
-      const Estimate whole = exchange_area({c.begin(), c.end()}, geometry_.source);
+      const Approximation whole = exchange_area({c.begin(), c.end()}, geometry_.source);
       cell.order = 0;
       cell.value = whole.value / 2;
       cell.error = whole.value / 2 + whole.radius;
@@ -190,7 +190,7 @@ private:
   SourceViewer viewer_;
   SightEvents events_;
   std::priority_queue<Cell> cells_;
-  Estimate settled_;
+  Approximation settled_ = Approximation::exact(0);
   double rounded_ = 0;
   double error_ = 0;
   std::size_t made_ = 0;
@@ -209,16 +209,17 @@ double visible_flux(const FacetScene& scene, const Vector<double>& point, const 
   return SourceViewer(geometry).flux((1 / geometry.unit) * (point - geometry.origin), all);
 }
 
-Estimate visible_exchange_area(const FacetScene& scene, const FacetPair& pair, const CubatureDemand& demand) {
+Approximation visible_exchange_area(const FacetScene& scene, const FacetPair& pair,
+                                    const CubatureDemand& demand) {
   expects(demand.tolerance > 0, "tolerance > 0", named("tolerance", demand.tolerance));
-  if (pair.sight == PairSight::nothing || pair.sight == PairSight::hidden) return {};
+  if (pair.sight == PairSight::nothing || pair.sight == PairSight::hidden) return Approximation::exact(0);
   const Facing first = facing(pair.first, pair.first_normal);
   const Facing second = facing(pair.second, pair.second_normal);
   const bool first_receives = norm(vector_area(pair.first)) <= norm(vector_area(pair.second));
   const ExchangeGeometry geometry = exchange_geometry(scene, first_receives ? first : second,
                                                       first_receives ? second : first, pair.occluders);
   const double unit_area = geometry.unit * geometry.unit;
-  const Estimate found = Receiver(geometry).integral(demand.tolerance / unit_area, demand.most_cells);
+  const Approximation found = Receiver(geometry).integral(demand.tolerance / unit_area, demand.most_cells);
   return {unit_area * found.value, unit_area * found.radius};
 }
 

@@ -29,8 +29,8 @@ struct CubatureDemand {
 ///           cells are used up: then it is what was reached, and covers the cells that were not cut. The same bits for any
 ///           number of threads
 /// Limits    the difference of two rules may be less than a quarter of the error by chance
-[[nodiscard]] Estimate visible_exchange_area(const FacetScene& scene, const FacetPair& pair,
-                                             const CubatureDemand& demand);
+[[nodiscard]] Approximation visible_exchange_area(const FacetScene& scene, const FacetPair& pair,
+                                                  const CubatureDemand& demand);
 
 /// How far the product Gauss rules of orders 3 and 5 may be off where a function begins on one side of a line.
 /// Maths     sup over D, linear and at most 1 on the triangle, of |rule - integral| of max(D, 0), in areas; of max(D, 0)^2 it is less

@@ -30,7 +30,8 @@ std::vector<PlotPoint> points(std::span<const LevelResult> levels, const ErrorKi
   std::vector<PlotPoint> out;
   for (const LevelResult& level : levels)
     if (const auto& error = level.*kind.figure; error && std::isnormal(error->value) && error->value > 0)
-      out.push_back({.x = abscissa(level, axis), .y = error->value, .radius = error->radius.value_or(0)});
+      out.push_back(
+          {.x = abscissa(level, axis), .y = error->value, .radius = error->has_radius() ? error->radius : 0});
   return out;
 }
 

@@ -33,13 +33,17 @@ JsonValue finite_or_null(const std::optional<double>& value) {
   return *value;
 }
 
-void push(std::vector<JsonValue>& row, const std::optional<Figure>& figure) {
+JsonValue radius_or_null(const Approximation& number) {
+  return number.has_radius() ? JsonValue(number.radius) : JsonValue();
+}
+
+void push(std::vector<JsonValue>& row, const std::optional<Approximation>& figure) {
   if (!figure) {
     row.resize(row.size() + 3);
     return;
   }
   row.emplace_back(figure->value);
-  row.emplace_back(figure->radius);
+  row.push_back(radius_or_null(*figure));
   row.emplace_back(figure->guaranteed);
 }
 
@@ -114,7 +118,7 @@ std::vector<JsonValue> level_cells(const LevelResult& level) {
   row.emplace_back(level.norm_K.value);
   row.emplace_back(level.norm_K.guaranteed);
   row.emplace_back(level.planned_bytes);
-  row.emplace_back(level.norm_K.radius);
+  row.push_back(radius_or_null(level.norm_K));
   return row;
 }
 

@@ -39,9 +39,9 @@ std::string order_text(const OrderFit& fit) {
 }
 
 /// An error at x; none where a logarithmic axis has no place for it.
-std::optional<PlotPoint> point(double x, const std::optional<Figure>& error) {
+std::optional<PlotPoint> point(double x, const std::optional<Approximation>& error) {
   if (!error || !std::isnormal(error->value) || error->value < 0) return std::nullopt;
-  return PlotPoint{.x = x, .y = error->value, .radius = error->radius.value_or(0)};
+  return PlotPoint{.x = x, .y = error->value, .radius = error->has_radius() ? error->radius : 0};
 }
 
 /// The points of one error; x of a level as asked.

@@ -67,7 +67,7 @@ enum class Agreement {
 struct FactorComparison {
   std::string from;
   std::string to;
-  Estimate ours;
+  Approximation ours;
   ClaimedFactor theirs;
   Agreement agreement = Agreement::undecided;
   [[nodiscard]] double difference() const;

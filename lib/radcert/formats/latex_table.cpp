@@ -25,9 +25,10 @@ LatexColumn ratio_column(std::string head) { return {std::move(head), "r"}; }
 
 std::string fixed(double value, int decimals) { return nearest_text(value, DecimalForm::fixed(decimals)); }
 
-std::string cell(const std::optional<Figure>& figure) {
+std::string cell(const std::optional<Approximation>& figure) {
   if (!figure || !std::isfinite(figure->value)) return std::string(absent);
-  return latex_number(figure->value, figure->radius, error_digits);
+  return latex_number(figure->value, figure->has_radius() ? std::optional(figure->radius) : std::nullopt,
+                      error_digits);
 }
 
 std::string ratio_cell(const std::optional<double>& ratio) {

@@ -109,11 +109,15 @@ std::optional<double> number_or_null_at(const JsonReader& object, std::string_vi
   return place.number("a number or null");
 }
 
-std::optional<Figure> read_figure(const JsonReader& figure) {
+Approximation read_approximation(const JsonReader& number) {
+  return {.value = number_at(number, "value"),
+          .radius = number_or_null_at(number, "radius").value_or(std::numeric_limits<double>::infinity()),
+          .guaranteed = number.at("guaranteed", "a truth value").boolean("a truth value")};
+}
+
+std::optional<Approximation> read_figure(const JsonReader& figure) {
   if (figure.value().is_null()) return std::nullopt;
-  return Figure{.value = number_at(figure, "value"),
-                .radius = number_or_null_at(figure, "radius"),
-                .guaranteed = figure.at("guaranteed", "a truth value").boolean("a truth value")};
+  return read_approximation(figure);
 }
 
 std::optional<IterationReport> read_iteration(const JsonReader& iteration) {
@@ -146,10 +150,7 @@ LevelResult read_level_result(const JsonReader& level) {
   if (means.value().members() == nullptr) means.refuse("is " + means.value().kind(), "an object");
   for (const auto& [piece, mean] : *means.value().members())
     out.piece_means.emplace_back(piece, number_at(means, piece));
-  const JsonReader norm = level.at("norm_K", "a norm");
-  out.norm_K.value = number_at(norm, "value");
-  out.norm_K.radius = number_or_null_at(norm, "radius");
-  out.norm_K.guaranteed = norm.at("guaranteed", "a truth value").boolean("a truth value");
+  out.norm_K = read_approximation(level.at("norm_K", "a norm"));
   out.planned_bytes = level.at("planned_bytes", "a number").unsigned_whole("a number");
   out.iteration = read_iteration(level.at("iteration", "a report or null"));
   out.verified = read_verified(level.at("verified", "a report or null"));

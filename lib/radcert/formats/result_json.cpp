@@ -13,13 +13,17 @@ namespace radcert {
 
 namespace {
 
-JsonValue figure_json(const std::optional<Figure>& figure) {
-  if (!figure) return {};
+/// An unknown radius is null.
+JsonValue number_json(const Approximation& number) {
   JsonValue out = JsonValue::object();
-  out.set("value", figure->value);
-  out.set("radius", figure->radius);
-  out.set("guaranteed", figure->guaranteed);
+  out.set("value", number.value);
+  out.set("radius", number.has_radius() ? JsonValue(number.radius) : JsonValue());
+  out.set("guaranteed", number.guaranteed);
   return out;
+}
+
+JsonValue figure_json(const std::optional<Approximation>& figure) {
+  return figure ? number_json(*figure) : JsonValue();
 }
 
 JsonValue finite_or_null(const std::optional<double>& value) {
@@ -89,11 +93,7 @@ JsonValue level_json(const LevelResult& level) {
   JsonValue means = JsonValue::object();
   for (const auto& [piece, mean] : level.piece_means) means.set(piece, mean);
   out.set("piece_means", std::move(means));
-  JsonValue norm = JsonValue::object();
-  norm.set("value", level.norm_K.value);
-  norm.set("radius", level.norm_K.radius);
-  norm.set("guaranteed", level.norm_K.guaranteed);
-  out.set("norm_K", std::move(norm));
+  out.set("norm_K", number_json(level.norm_K));
   out.set("planned_bytes", level.planned_bytes);
   out.set("iteration", iteration_json(level.iteration));
   out.set("verified", verified_json(level.verified));

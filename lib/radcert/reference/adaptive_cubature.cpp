@@ -207,22 +207,21 @@ void AdaptiveCubature::refine() {
   }
 }
 
-Estimate AdaptiveCubature::estimate() {
+Approximation AdaptiveCubature::estimate() {
   refine();
-  Estimate result;
-  double noise = unseen_;
+  double value = 0;
   double carry = 0;
+  double noise = unseen_;
+  double absolute = 0;  // of the absolute value of the integrand
   for (const Region& region : regions_) {
-    const double sum = result.value + region.value;
-    carry += std::abs(result.value) >= std::abs(region.value) ? (result.value - sum) + region.value
-                                                              : (region.value - sum) + result.value;
-    result.value = sum;
-    result.absolute += region.absolute;
+    const double sum = value + region.value;
+    carry += std::abs(value) >= std::abs(region.value) ? (value - sum) + region.value
+                                                       : (region.value - sum) + value;
+    value = sum;
+    absolute += region.absolute;
     noise += region.noise + region.error();
   }
-  result.value += carry;
-  result.radius = noise + rounding * result.absolute;
-  return result;
+  return Approximation::estimated(value + carry, noise + rounding * absolute);
 }
 
 }  // namespace radcert::reference

@@ -22,7 +22,7 @@ namespace radcert::reference {
 ///           coefficients fall so fast that fewer points than in two halves do, it gets these instead
 /// Source    global adaptive refinement; the rules and their estimate of the error: see GaussRule
 /// Requires  f finite, else ContractViolation; `integrand` one that add() has given; charts and density outlive this
-/// Result    estimate(): see Estimate. It aims at 4e-14 of the integral of |f| or at the noise of the samples; the same bits everywhere
+/// Result    estimate(): aims at 4e-14 of the integral of |f| or at the noise of the samples; the same bits everywhere
 /// Limits    an estimate, no proof; 4000 regions, where what is left of the error goes into the radius
 class AdaptiveCubature {
 public:
@@ -38,7 +38,7 @@ public:
   /// Adds the bound of an integral that is left out to the radius.
   void add_unseen(double bound) { unseen_ += bound; }
 
-  Estimate estimate();
+  Approximation estimate();
 
 private:
   struct Part {

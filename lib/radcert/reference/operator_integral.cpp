@@ -122,6 +122,12 @@ AppliedOperator::AppliedOperator(const Surface& surface, Density u)
 AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::span<const Expression> formulas)
     : AppliedOperator(surface, std::move(u), density_cells(surface, formulas), has_to_close(surface)) {}
 
+AppliedOperator::AppliedOperator(const Surface& surface, const SurfaceFunction& u)
+    : AppliedOperator(
+          surface,
+          [&u](const PointBlock& q, std::span<double> values) { u.evaluate(q.chart, q.x, q.y, q.z, values); },
+          u.formulas()) {}
+
 AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::vector<DensityCell> cells,
                                  bool must_close) {
   expects(static_cast<bool>(u), "a density");
@@ -141,11 +147,11 @@ AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::vector<
   prepared_ = std::move(prepared);
 }
 
-Estimate AppliedOperator::operator()(const SurfacePoint<double>& p) const {
+Approximation AppliedOperator::operator()(const SurfacePoint<double>& p) const {
   const Surface& surface = *prepared_->surface;
   const Collocation at = collocation(surface, p, prepared_->u);
   if (prepared_->of_one) {
-    const Estimate whole = (*prepared_->of_one)(p);
+    const Approximation whole = (*prepared_->of_one)(p);
     constexpr double slack = 1e-12;
     if (!(std::abs(whole.value - pi<double>()) <= whole.radius + slack))
       throw AccuracyNotReached(
@@ -178,7 +184,7 @@ Estimate AppliedOperator::operator()(const SurfacePoint<double>& p) const {
   return cubature.estimate();
 }
 
-Estimate operator_integral(const Surface& surface, const SurfacePoint<double>& p, const Density& u) {
+Approximation operator_integral(const Surface& surface, const SurfacePoint<double>& p, const Density& u) {
   const Collocation at = collocation(surface, p, u);
   const std::optional<SurfaceScene> scene = scene_of(surface);
   std::optional<PointView> view;
@@ -190,8 +196,8 @@ Estimate operator_integral(const Surface& surface, const SurfacePoint<double>& p
   return cubature.estimate();
 }
 
-Estimate operator_integral(const Surface& surface, const SurfacePoint<double>& p, std::size_t chart,
-                           const std::array<ParameterPoint<double>, 3>& triangle, const Density& u) {
+Approximation operator_integral(const Surface& surface, const SurfacePoint<double>& p, std::size_t chart,
+                                const std::array<ParameterPoint<double>, 3>& triangle, const Density& u) {
   const Collocation at = collocation(surface, p, u);
   expects(surface.unoccluded, "an unoccluded surface", named("surface", surface.name));
   expects(chart < surface.chart_count(), "a chart of the surface", named("chart", chart));

@@ -15,7 +15,7 @@ namespace {
 constexpr double unit = unit_roundoff<double>();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double largest_size(std::span<const double> values) {
+double max_abs(std::span<const double> values) {
   double size = 0;
   for (const double value : values) size = std::max(size, std::abs(value));
   return size;
@@ -61,13 +61,13 @@ struct Descent {
 
   /// The size of the residual at which v is good enough.
   double goal(std::span<const double> v) const {
-    if (tolerance) return *tolerance * (1 - 32 * unit) * (1 - contraction.theta()) * largest_size(v);
+    if (tolerance) return *tolerance * (1 - 32 * unit) * (1 - contraction.theta()) * max_abs(v);
     return 2 * unit * contraction.norm(v);
   }
   bool reached(std::span<const double> v, double residual) const {
     if (!std::isfinite(residual)) return false;
     if (!tolerance) return residual <= goal(v);
-    return contraction.inverse_bound(residual) <= *tolerance * (1 - 4 * unit) * largest_size(v);
+    return contraction.inverse_bound(residual) <= *tolerance * (1 - 4 * unit) * max_abs(v);
   }
   /// Whether no more than rounding is left, where no tolerance asks for more.
   bool left_to_rounding(std::span<const double> v, double residual) const {
@@ -96,7 +96,7 @@ Outcome<IterativeSolution, NotReached> iterate(const Matrix<double>& k, const Co
           "a tolerance in [least_tolerance, 1)", named("tolerance", tolerance.value_or(0)));
   const Descent descent{.contraction = contraction, .tolerance = tolerance};
   std::vector<double> v(e.begin(), e.end());
-  if (largest_size(e) == 0) return IterativeSolution{.values = std::move(v)};
+  if (max_abs(e) == 0) return IterativeSolution{.values = std::move(v)};
 
   std::vector<double> r(v.size());
   std::vector<double> bounds(v.size());
@@ -132,7 +132,7 @@ Outcome<IterativeSolution, NotReached> iterate(const Matrix<double>& k, const Co
     for (std::size_t i = 0; i < v.size(); ++i) v[i] += r[i];
   }
   const double error_bound = contraction.inverse_bound(best_residual);
-  const double size = largest_size(best);
+  const double size = max_abs(best);
   if (descent.left_to_rounding(best, best_residual))
     return IterativeSolution{.values = std::move(best), .iterations = iterations, .error_bound = error_bound};
   return because(NotReached{.iterations = iterations, .error_bound = error_bound, .size = size});

@@ -8,11 +8,12 @@
 namespace radcert {
 namespace {
 
-using FigureOfLevel = std::optional<Figure> LevelResult::*;
+using FigureOfLevel = std::optional<Approximation> LevelResult::*;
 
 constexpr double largest_relative_radius = 0.05;
 
-std::optional<double> ratio(const std::optional<Figure>& before, const std::optional<Figure>& now) {
+std::optional<double> ratio(const std::optional<Approximation>& before,
+                            const std::optional<Approximation>& now) {
   if (!before || !now || !(now->value > 0)) return std::nullopt;
   return before->value / now->value;
 }
@@ -27,10 +28,10 @@ OrderFit fit(const std::string& quantity, FigureOfLevel figure, const std::vecto
   OrderFit result{.quantity = quantity, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
   std::vector<CostPoint> points;
   for (const LevelResult& level : levels) {
-    const std::optional<Figure>& e = level.*figure;
+    const std::optional<Approximation>& e = level.*figure;
     if (!e) continue;
-    const bool trustworthy = e->value > 0 && std::isfinite(e->value) && e->radius &&
-                             *e->radius <= largest_relative_radius * e->value;
+    const bool trustworthy =
+        e->value > 0 && std::isfinite(e->value) && e->radius <= largest_relative_radius * e->value;
     (trustworthy ? result.levels : result.left_out).push_back(level.level);
     if (trustworthy) points.push_back({.cost = level.mesh_size, .error = e->value});
   }

@@ -11,7 +11,7 @@ template <class Cost>
 std::vector<CostPoint> error_against(const Result& result, const ErrorKind& kind, const Cost& cost) {
   std::vector<CostPoint> out;
   for (std::size_t k = 0; k < result.levels.size(); ++k) {
-    const std::optional<Figure>& error = result.levels[k].*kind.figure;
+    const std::optional<Approximation>& error = result.levels[k].*kind.figure;
     if (error && error->value > 0 && cost(k) > 0) out.push_back({cost(k), error->value});
   }
   return out;

@@ -43,7 +43,7 @@ struct Experiment {
 /// An error of a level, by its name in the file formats.
 struct ErrorKind {
   std::string name;
-  std::optional<Figure> LevelResult::*figure;
+  std::optional<Approximation> LevelResult::*figure;
 };
 
 /// discretisation_error, node_error, uniform_error.

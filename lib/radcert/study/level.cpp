@@ -31,7 +31,7 @@ double largest(std::span<const double> values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
-double largest_size(std::span<const double> values) {
+double max_abs(std::span<const double> values) {
   double size = 0;
   for (const double value : values) size = std::max(size, std::abs(value));
   return size;
@@ -41,12 +41,12 @@ bool all_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// max_i |a_i - b_i| with what is known of each difference.
-Figure largest_difference(std::span<const double> a, std::span<const double> b,
-                          std::optional<double> radius) {
-  Figure figure{.value = 0, .radius = radius, .guaranteed = false};
-  for (std::size_t i = 0; i < a.size(); ++i) figure.value = std::max(figure.value, std::abs(a[i] - b[i]));
-  return figure;
+/// max_i |a_i - b_i| with what is estimated of each difference, if anything is.
+Approximation largest_difference(std::span<const double> a, std::span<const double> b,
+                                 std::optional<double> radius) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return radius ? Approximation::estimated(largest, *radius) : Approximation::without_radius(largest);
 }
 
 /// A bound of sum |l_j| on the element.
@@ -146,8 +146,8 @@ private:
   }
 
   void require_finite() const {
-    const auto is_finite = [](const std::optional<Figure>& figure) {
-      return !figure || (std::isfinite(figure->value) && (!figure->radius || std::isfinite(*figure->radius)));
+    const auto is_finite = [this](const std::optional<Approximation>& error) {
+      return !error || (std::isfinite(error->value) && (error->has_radius() || !data_are_known_));
     };
     const LevelResult& result = outcome_.result;
     if (all_finite(u_n_) && all_finite(emission_) && is_finite(result.discretisation_error) &&
@@ -175,7 +175,7 @@ private:
       ku.radius.assign(nodes_.size(), 0);
     }
     const std::vector<double> k_pn_u = accurate_product(matrix_.entries, u_);
-    const double u_size = largest_size(u_);
+    const double u_size = max_abs(u_);
     double radius = 0;
     emission_.resize(nodes_.size());
     emission_radius_.resize(nodes_.size());
@@ -272,7 +272,7 @@ private:
 
   /// Bounds of the sizes of (I - K_n)(u_n - exact u_n): residual, errors of matrix and right-hand side.
   std::vector<double> defects(std::vector<double> residual_sizes) const {
-    const double u_n_size = largest_size(u_n_);
+    const double u_n_size = max_abs(u_n_);
     for (std::size_t i = 0; i < u_n_.size(); ++i)
       residual_sizes[i] = residual_sizes[i] + matrix_.row_radius[i] * u_n_size + emission_radius_[i];
     return residual_sizes;

@@ -6,7 +6,7 @@
 
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/conical_rule.h"
-#include "radcert/study/surface_function.h"
+#include "radcert/surface/surface_function.h"
 
 namespace radcert {
 namespace {
@@ -75,7 +75,7 @@ double NodalFunction::at(std::size_t element, const Barycentric<double>& x) cons
   return sum;
 }
 
-std::optional<Figure> uniform_error(const NodalFunction& u_n, const PiecewiseExpression& solution) {
+std::optional<Approximation> uniform_error(const NodalFunction& u_n, const PiecewiseExpression& solution) {
   const Surface& surface = u_n.surface();
   const std::vector<ParameterTriangle>& triangles = u_n.triangulation().triangles;
   const SurfaceFunction u(solution, surface);
@@ -97,7 +97,7 @@ std::optional<Figure> uniform_error(const NodalFunction& u_n, const PiecewiseExp
   const double largest =
       parallel_reduce_ordered(triangles.size(), default_grain(triangles.size()), 0.0, largest_of, larger);
   if (!std::isfinite(largest)) return std::nullopt;
-  return Figure{.value = largest, .radius = std::nullopt, .guaranteed = false};
+  return Approximation::without_radius(largest);
 }
 
 std::vector<std::pair<std::string, double>> piece_means(const NodalFunction& u_n) {

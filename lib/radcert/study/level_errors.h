@@ -49,7 +49,7 @@ private:
 /// Requires  -
 /// Result    nothing if u is not finite at a point of the sample; a lower bound of the supremum
 /// Limits    rounding is not estimated
-std::optional<Figure> uniform_error(const NodalFunction& u_n, const PiecewiseExpression& solution);
+std::optional<Approximation> uniform_error(const NodalFunction& u_n, const PiecewiseExpression& solution);
 
 /// The mean of u_n over each piece.
 /// Maths     Int_piece u_n dS / Int_piece dS, by a conical rule of order 12 on each element

@@ -24,7 +24,7 @@
 #include "radcert/study/operator_at_nodes.h"
 #include "radcert/study/operator_norm.h"
 #include "radcert/study/stopwatch.h"
-#include "radcert/study/surface_function.h"
+#include "radcert/surface/surface_function.h"
 
 namespace radcert {
 namespace {
@@ -165,7 +165,7 @@ private:
   }
 
   void find_norm(const Matrix<double>& n, std::span<const double> weights) {
-    NormOfK& norm = outcome_.result.norm_K;
+    Approximation& norm = outcome_.result.norm_K;
     if (surface_.closed) {
       norm = norm_of_K(surface_, problem_.reflectivity, rho_, {});
       return;
@@ -177,10 +177,8 @@ private:
       light += weights[j];
       for (std::size_t i = 0; i < n.rows(); ++i) sums[i] += n(i, j);
     }
-    norm = {.value = std::min(largest(sums) * surface_area(surface_) / light, largest(rho_)),
-            .radius = std::nullopt,
-            .guaranteed = false};
-    if (!std::isfinite(norm.value)) norm.value = largest(rho_);
+    const double found = std::min(largest(sums) * surface_area(surface_) / light, largest(rho_));
+    norm = Approximation::without_radius(std::isfinite(found) ? found : largest(rho_));
   }
 
   void manufacture_emission(const OperatorRoute& route) {
@@ -235,12 +233,9 @@ private:
     const double smoothing = system_ ? 1 : row_sum;
     const double defect = emission_radius_ + weight_effect_ * largest(coefficients_);
     const double radius = smoothing * growth * defect + row_sum * system_error;
-    Figure error{.value = 0,
-                 .radius = std::isfinite(radius) ? std::optional(radius) : std::nullopt,
-                 .guaranteed = false};
-    for (std::size_t i = 0; i < u_.size(); ++i)
-      error.value = std::max(error.value, std::abs(u_[i] - u_n_[i]));
-    outcome_.result.node_error = error;
+    double error = 0;
+    for (std::size_t i = 0; i < u_.size(); ++i) error = std::max(error, std::abs(u_[i] - u_n_[i]));
+    outcome_.result.node_error = Approximation::estimated(error, radius);
   }
 
   /// u_n at a point of S. InputError where no site is in reach.
@@ -275,8 +270,7 @@ private:
       }
     });
     if (u && std::all_of(errors.begin(), errors.end(), [](double error) { return std::isfinite(error); }))
-      outcome_.result.uniform_error =
-          Figure{.value = largest(errors), .radius = std::nullopt, .guaranteed = false};
+      outcome_.result.uniform_error = Approximation::without_radius(largest(errors));
     find_means(areas_and_integrals);
   }
 

@@ -9,7 +9,7 @@
 #include "radcert/quadrature/kernel_sums.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/ball_precision.h"
-#include "radcert/study/surface_function.h"
+#include "radcert/surface/surface_function.h"
 
 namespace radcert {
 namespace {

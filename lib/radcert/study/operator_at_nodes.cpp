@@ -2,7 +2,7 @@
 #include "radcert/study/operator_at_nodes.h"
 
 #include "radcert/core/parallel.h"
-#include "radcert/study/surface_function.h"
+#include "radcert/surface/surface_function.h"
 
 namespace radcert {
 
@@ -14,7 +14,7 @@ OperatorAtNodes apply_operator(const Problem& problem, const Surface& surface, c
   constexpr std::size_t grain = 8;
   parallel_for(nodes.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const OperatorValue integral = integral_at(nodes[i].at);
+      const Approximation integral = integral_at(nodes[i].at);
       result.value[i] = rho[i] / pi<double>() * integral.value;
       result.radius[i] = rho[i] / pi<double>() * integral.radius;
     }

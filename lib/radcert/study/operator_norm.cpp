@@ -11,8 +11,8 @@
 #include "radcert/core/text.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/expression/expression.h"
+#include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball.h"
-#include "radcert/study/enclosed_number.h"
 
 namespace radcert {
 namespace {
@@ -68,27 +68,23 @@ bool is_below_one(const Expression& f, const Chart& chart) {
 
 }  // namespace
 
-NormOfK largest_row(std::span<const double> rho_at_nodes, std::span<const double> kernel_integral) {
+Approximation largest_row(std::span<const double> rho_at_nodes, std::span<const double> kernel_integral) {
   double norm = 0;
   for (std::size_t i = 0; i < rho_at_nodes.size(); ++i)
     norm = std::max(norm, rho_at_nodes[i] * kernel_integral[i] / pi<double>());
-  return {.value = norm, .radius = std::nullopt, .guaranteed = false};
+  return Approximation::without_radius(norm);
 }
 
-NormOfK norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivity,
-                  std::span<const double> rho_at_nodes, std::span<const double> kernel_integral) {
+Approximation norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivity,
+                        std::span<const double> rho_at_nodes, std::span<const double> kernel_integral) {
   if (!surface.closed) return largest_row(rho_at_nodes, kernel_integral);
-  if (const std::optional<Rational> bound = constant_bound(reflectivity, surface)) {
-    // The double 0.8 is not 4/5: what lies between them is its radius.
-    const EnclosedNumber norm = enclosed_number(Ball(*bound));
-    return {.value = norm.value, .radius = norm.radius, .guaranteed = true};
-  }
-  return {.value = *std::max_element(rho_at_nodes.begin(), rho_at_nodes.end()),
-          .radius = std::nullopt,
-          .guaranteed = false};
+  // The double 0.8 is not 4/5: what lies between them is its radius.
+  if (const std::optional<Rational> bound = constant_bound(reflectivity, surface))
+    return enclosing(Ball(*bound));
+  return Approximation::without_radius(*std::max_element(rho_at_nodes.begin(), rho_at_nodes.end()));
 }
 
-void refuse_norm_from_one(const NormOfK& norm) {
+void refuse_norm_from_one(const Approximation& norm) {
   if (norm.value < 1) return;
   throw InputError({.pointer = "/reflectivity",
                     .value = shortest(norm.value),

@@ -16,7 +16,7 @@ namespace radcert {
 /// Requires  a number for each node
 /// Result    an estimate of ||K|| from below
 /// Limits    not guaranteed
-NormOfK largest_row(std::span<const double> rho_at_nodes, std::span<const double> kernel_integral);
+Approximation largest_row(std::span<const double> rho_at_nodes, std::span<const double> kernel_integral);
 
 /// The norm of K on C(S) or L^infinity(S).
 /// Maths     on a closed unoccluded surface Int G = pi makes it sup rho; on an open one largest_row estimates it from below
@@ -25,11 +25,11 @@ NormOfK largest_row(std::span<const double> rho_at_nodes, std::span<const double
 /// Result    guaranteed where the surface is closed and the reflectivity is a constant on every piece: the nearest double, its distance
 ///           from the constant rounded up as radius
 /// Limits    an estimate elsewhere
-NormOfK norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivity,
-                  std::span<const double> rho_at_nodes, std::span<const double> kernel_integral);
+Approximation norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivity,
+                        std::span<const double> rho_at_nodes, std::span<const double> kernel_integral);
 
 /// Throws InputError at /reflectivity unless the norm is below 1.
-void refuse_norm_from_one(const NormOfK& norm);
+void refuse_norm_from_one(const Approximation& norm);
 
 /// Whether the reflectivity is below 1 on the whole surface, and with it the norm of K.
 /// Maths     sup rho < 1 over S; ||K|| = sup_P rho(P)/pi Int_S G(P,Q) dS_Q <= sup rho where V = 1: S lies in the boundary of a convex

@@ -13,8 +13,8 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
+#include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball_precision.h"
-#include "radcert/study/enclosed_number.h"
 
 namespace radcert {
 namespace {
@@ -67,11 +67,11 @@ std::vector<PlaneNode> nodes_of(std::span<const PlaneChart> elements, const Lagr
 }
 
 /// 1/pi times the integrals of polynomials over one polygon; nothing if the precision does not suffice.
-std::optional<std::vector<EnclosedNumber>> integrals_at(const PlaneNode& node, const PlanePolygon& polygon,
-                                                        std::span<const PlanePolynomial<Rational>> functions,
-                                                        int degree) {
+std::optional<std::vector<Approximation>> integrals_at(const PlaneNode& node, const PlanePolygon& polygon,
+                                                       std::span<const PlanePolynomial<Rational>> functions,
+                                                       int degree) {
   const std::vector<Ball> moments = point_to_polygon_moments<Ball>(node.point, node.normal, polygon, degree);
-  std::vector<EnclosedNumber> integrals;
+  std::vector<Approximation> integrals;
   for (const PlanePolynomial<Rational>& q : functions) {
     Ball sum = 0;
     for (std::size_t m = 0; m < q.coefficients().size(); ++m) sum += Ball(q.coefficients()[m]) * moments[m];
@@ -79,14 +79,14 @@ std::optional<std::vector<EnclosedNumber>> integrals_at(const PlaneNode& node, c
     const bool narrow = sum.is_finite() &&
                         (certainly_zero(sum) || sum.accurate_bits() > wanted_bits || sum.radius() < 0x1p-80);
     if (!narrow) return std::nullopt;
-    integrals.push_back(enclosed_number(sum));
+    integrals.push_back(enclosing(sum));
   }
   return integrals;
 }
 
-std::optional<std::vector<EnclosedNumber>> integrals(const PlaneNode& node, const PlanePolygon& polygon,
-                                                     std::span<const PlanePolynomial<Rational>> functions,
-                                                     int degree) {
+std::optional<std::vector<Approximation>> integrals(const PlaneNode& node, const PlanePolygon& polygon,
+                                                    std::span<const PlanePolynomial<Rational>> functions,
+                                                    int degree) {
   const long most = most_bits.value();
   for (long bits = least_bits; bits <= most; bits *= 2) {
     const BallPrecision scope(bits);

@@ -216,16 +216,6 @@ void check_pieces(const PiecewiseExpression& function, const std::string& pointe
 
 }  // namespace
 
-const Expression& PiecewiseExpression::on(std::string_view piece) const {
-  const Case* rest = nullptr;
-  for (const Case& part : cases) {
-    if (part.piece == piece) return part.expression;
-    if (part.piece == "*") rest = &part;
-  }
-  expects(rest != nullptr, "an expression for every piece", named("piece", piece));
-  return rest->expression;
-}
-
 std::size_t function_count(const BasisChoice& basis) {
   if (basis.meshless) return 1;
   return basis.functions ? basis.functions->size() : polynomial_dimension(basis.degree);

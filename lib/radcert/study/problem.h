@@ -8,25 +8,13 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/expression/expression.h"
 #include "radcert/polynomial/triangle_basis.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/study/meshless_basis.h"
 #include "radcert/surface/surface.h"
+#include "radcert/surface/surface_function.h"
 
 namespace radcert {
-
-/// A function on a surface given by one expression a piece; the piece "*" stands for all others.
-struct PiecewiseExpression {
-  struct Case {
-    std::string piece;
-    Expression expression;
-  };
-  std::vector<Case> cases;  ///< in the order of the file
-
-  /// The expression on a piece. Requires a case for it, else ContractViolation.
-  const Expression& on(std::string_view piece) const;
-};
 
 /// A surface that was read from a mesh file.
 struct MeshChoice {

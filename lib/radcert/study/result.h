@@ -7,25 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/scalar/approximation.h"
 #include "radcert/study/problem.h"
 
 namespace radcert {
-
-/// A computed number and what is known of its error.
-struct Figure {
-  double value = 0;
-  std::optional<double>
-      radius;  ///< bounds what quadrature, geometry and rounding may have changed; null: not estimated
-  bool guaranteed = false;  ///< true: the radius is proved; false: it is an estimate
-};
-
-/// The norm of K and what is known of it.
-struct NormOfK {
-  double value = 0;
-  std::optional<double>
-      radius{};  ///< with guaranteed: bounds its distance from the norm, proved; null: an estimate
-  bool guaranteed = false;
-};
 
 /// How an iterative solver came to u_n.
 struct IterationReport {
@@ -47,15 +32,15 @@ struct VerifiedReport {
 /// Source    [ac98, section 5]
 /// Requires  -
 /// Result    with `emission` the three errors are absent
-/// Limits    figures are estimates unless they say guaranteed
+/// Limits    radii hold what quadrature, geometry and rounding may have changed; estimates unless they say guaranteed
 struct LevelResult {
   int level = 0;
   std::uint64_t elements = 0;
   std::uint64_t unknowns = 0;
   double mesh_size = 0;
-  std::optional<Figure> discretisation_error;
-  std::optional<Figure> node_error;
-  std::optional<Figure> uniform_error;
+  std::optional<Approximation> discretisation_error;
+  std::optional<Approximation> node_error;
+  std::optional<Approximation> uniform_error;
   std::optional<double> discretisation_ratio;  ///< the previous level's value over this one's
   std::optional<double> node_ratio;
   std::optional<double> discretisation_order;  ///< log of the ratio over log of the mesh sizes' ratio
@@ -65,7 +50,7 @@ struct LevelResult {
   /// Proved for the nodes with `verified`, an estimate else; absent: not known.
   std::optional<double> solution_radius = std::nullopt;
   std::optional<double> means_radius = std::nullopt;
-  NormOfK norm_K;
+  Approximation norm_K;
   std::optional<IterationReport> iteration;  ///< of `gmres` and `neumann`
   std::optional<VerifiedReport> verified;    ///< of `verified`
   std::uint64_t planned_bytes = 0;

@@ -8,16 +8,10 @@
 #include "radcert/geometry/vector.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
-#include "radcert/study/surface_function.h"
+#include "radcert/surface/surface_function.h"
 #include "radcert/surface/surface_point.h"
 
 namespace radcert {
-
-/// A value of Int_S G(P,Q) u(Q) dS_Q and an estimate of its error.
-struct OperatorValue {
-  double value = 0;
-  double radius = 0;
-};
 
 /// The operator applied to one density.
 /// Maths     P -> Int_S G(P,Q) u(Q) dS_Q
@@ -25,7 +19,7 @@ struct OperatorValue {
 /// Requires  safe to call from several threads at once
 /// Result    as its maker says
 /// Limits    -
-using AppliedOperator = std::function<OperatorValue(const SurfacePoint<double>& p)>;
+using AppliedOperator = std::function<Approximation(const SurfacePoint<double>& p)>;
 
 /// The second route to Ku, passed in from outside: this layer knows of no reference values.
 /// Maths     (surface, u) -> (P -> Int_S G(P,Q) u(Q) dS_Q)

@@ -19,9 +19,9 @@
 #include "radcert/core/work_limit.h"
 #include "radcert/hypotheses/convex_containment.h"
 #include "radcert/polynomial/lattice.h"
+#include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/solve/verified_system.h"
-#include "radcert/study/enclosed_number.h"
 #include "radcert/study/exact_interpolant.h"
 #include "radcert/study/level_description.h"
 #include "radcert/study/level_geometry.h"
@@ -129,14 +129,15 @@ struct PiecewiseDensity {
 
 /// rho_i times row i, for all numbers within the radii.
 void scale_row_entries(CertifiedEntries& matrix, std::span<const Ball> rho) {
-  std::vector<EnclosedNumber> factors;
-  for (const Ball& value : rho) factors.push_back(enclosed_number(value));
+  std::vector<Approximation> factors;
+  for (const Ball& value : rho) factors.push_back(enclosing(value));
   parallel_for(matrix.entries.columns(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t j = begin; j < end; ++j) {
       const std::span<double> entries = matrix.entries.column(j);
       const std::span<double> radii = matrix.radius.column(j);
       for (std::size_t i = 0; i < factors.size(); ++i) {
-        const auto [factor, inexact] = factors[i];
+        const double factor = factors[i].value;
+        const double inexact = factors[i].radius;
         const double entry = factor * entries[i];
         const double moved = std::abs(factor) * radii[i] + inexact * (std::abs(entries[i]) + radii[i]);
         radii[i] = (moved + unit * std::abs(entry)) * upward + 4 * underflow;
@@ -171,9 +172,9 @@ std::vector<Ball> enclosed_product(const CertifiedEntries& k, std::span<const Ba
   return result;
 }
 
-std::vector<EnclosedNumber> enclosed_numbers(std::span<const Ball> balls) {
-  std::vector<EnclosedNumber> numbers;
-  for (const Ball& ball : balls) numbers.push_back(enclosed_number(ball));
+std::vector<Approximation> enclosed_numbers(std::span<const Ball> balls) {
+  std::vector<Approximation> numbers;
+  for (const Ball& ball : balls) numbers.push_back(enclosing(ball));
   return numbers;
 }
 
@@ -341,7 +342,7 @@ private:
     return found;
   }
 
-  NormOfK norm(const CertifiedEntries& matrix) const {
+  Approximation norm(const CertifiedEntries& matrix) const {
     std::vector<double> integrals(nodes_.size());
     for (std::size_t j = 0; j < nodes_.size(); ++j)
       for (std::size_t i = 0; i < nodes_.size(); ++i) integrals[i] += pi<double>() * matrix.entries(i, j);
@@ -391,13 +392,13 @@ private:
   /// would not be met. 1 where u vanishes, or nearly so: a part of it is still a number to be demanded.
   double size_of_u() const {
     constexpr double least = 1e-250;
-    const double size = found_size(*problem_.solution, surface_, largest_size(enclosed_numbers(u_)).value);
+    const double size = found_size(*problem_.solution, surface_, max_abs(enclosed_numbers(u_)).value);
     return size > least ? size : 1;
   }
   static std::vector<Ball> balls_of(const CertifiedValues& found) {
     std::vector<Ball> balls;
     for (std::size_t i = 0; i < found.values.size(); ++i)
-      balls.push_back(ball_of({.value = found.values[i], .radius = found.radius[i]}));
+      balls.push_back(ball_of(Approximation::proved(found.values[i], found.radius[i])));
     return balls;
   }
 
@@ -413,7 +414,7 @@ private:
       emission_.push_back(u_[i] - ku);
       difference[i] = ku - difference[i];
     }
-    outcome_.result.discretisation_error = largest_size(enclosed_numbers(difference));
+    outcome_.result.discretisation_error = max_abs(enclosed_numbers(difference));
     return difference;
   }
 
@@ -422,20 +423,21 @@ private:
     if (!system) refuse("the collocation system is not proved to have one solution: " + system.reason());
     std::vector<double> right_hand_side;
     std::vector<double> radius;
-    for (const EnclosedNumber& number : enclosed_numbers(problem_.solution ? defect : emission_)) {
+    for (const Approximation& number : enclosed_numbers(problem_.solution ? defect : emission_)) {
       right_hand_side.push_back(number.value);
       radius.push_back(number.radius);
     }
     const Outcome<VerifiedSolution> solved = system->solve(right_hand_side, radius);
     if (!solved) refuse("the collocation system is not solved: " + solved.reason());
-    std::vector<EnclosedNumber> found;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) found.push_back({solved->values[i], solved->radius[i]});
+    std::vector<Approximation> found;
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      found.push_back(Approximation::proved(solved->values[i], solved->radius[i]));
     if (problem_.solution) {
-      outcome_.result.node_error = largest_size(found);
-      for (std::size_t i = 0; i < nodes_.size(); ++i) found[i] = enclosed_number(u_[i] - ball_of(found[i]));
+      outcome_.result.node_error = max_abs(found);
+      for (std::size_t i = 0; i < nodes_.size(); ++i) found[i] = enclosing(u_[i] - ball_of(found[i]));
     }
     double largest = 0;
-    for (const EnclosedNumber& number : found) {
+    for (const Approximation& number : found) {
       u_n_.push_back(number.value);
       radius_.push_back(number.radius);
       largest = std::max(largest, number.radius);

@@ -249,7 +249,7 @@ VertexErrors vertex_errors(int level, int degree, NodeNormals normals) {
 }
 
 // The rules of twice the order move no error by more than a thousandth of it at the levels taken.
-Measured figure(double error) { return {.value = error, .radius = error / 1000}; }
+Approximation figure(double error) { return {.value = error, .radius = error / 1000}; }
 
 }  // namespace
 
@@ -264,7 +264,7 @@ Finding section_4_2_averaged_normals(const Bench& bench) {
     const std::string with = ", alpha = 0, means of the normals, sphere, r = " + std::to_string(degree);
     const VertexErrors coarse = vertex_errors(finest - 1, degree, NodeNormals::means);
     const VertexErrors fine = vertex_errors(finest, degree, NodeNormals::means);
-    const Measured order = order_between(figure(coarse.of_solution), figure(fine.of_solution));
+    const Approximation order = order_between(figure(coarse.of_solution), figure(fine.of_solution));
     finding.require("order of the node error" + with, bound_of(std::min(2, degree)), order);
     // From P the interpolant fills the solid angle of a half space but for a rim as wide as the normals are off, on which the cosine is as small.
     if (degree == 2) {
@@ -273,9 +273,11 @@ Finding section_4_2_averaged_normals(const Bench& bench) {
       finding.control("order of the node error against 3" + with, bound_of(3), order);
       finding.show(order);
     }
-    finding.remark("its quotient by that with the normals of the sphere" + with,
-                   Measured{.value = fine.of_solution /
-                                     vertex_errors(finest, degree, NodeNormals::of_the_sphere).of_solution});
+    finding.remark(
+        "its quotient by that with the normals of the sphere" + with,
+        Approximation{
+            .value = fine.of_solution / vertex_errors(finest, degree, NodeNormals::of_the_sphere).of_solution,
+            .radius = 0});
   }
   finding.control("order of the node error against 4, alpha = 0, normals of the sphere, r = 4", bound_of(4),
                   order_between(figure(vertex_errors(finest - 1, 4, NodeNormals::of_the_sphere).of_solution),

@@ -28,8 +28,8 @@ namespace radcert::verification::ac98 {
 /// Result    the radius covers rounding and the tolerance of the matrix
 /// Limits    -
 struct EdgeError {
-  Measured at_midpoint;
-  Measured anywhere;
+  Approximation at_midpoint{.value = 0, .radius = 0};
+  Approximation anywhere{.value = 0, .radius = 0};
 };
 [[nodiscard]] EdgeError edge_error(const LevelOutcome& level, const Rational& reflectivity);
 

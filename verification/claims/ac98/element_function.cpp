@@ -39,10 +39,10 @@ double ElementFunction::operator()(std::size_t element, const ParameterPoint<dou
   return sum;
 }
 
-Measured ElementFunction::integral(const SurfacePoint<double>& p) const {
-  Measured total;
+Approximation ElementFunction::integral(const SurfacePoint<double>& p) const {
+  Approximation total{.value = 0, .radius = 0};
   for (std::size_t k = 0; k < triangles_.size(); ++k) {
-    const reference::Estimate part = reference::operator_integral(
+    const Approximation part = reference::operator_integral(
         surface_, p, triangles_[k].chart, triangles_[k].vertices,
         [&](const SurfacePoint<double>& q, const Vector<double>&) { return (*this)(k, q.at); });
     total.value += part.value;

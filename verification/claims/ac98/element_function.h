@@ -36,7 +36,7 @@ public:
   /// The value at a point of the parameter plane, taken as one of the element.
   [[nodiscard]] double operator()(std::size_t element, const ParameterPoint<double>& at) const;
   /// Int_S G(P,Q) u_n(Q) dS_Q, element by element through the reference layer.
-  [[nodiscard]] Measured integral(const SurfacePoint<double>& p) const;
+  [[nodiscard]] Approximation integral(const SurfacePoint<double>& p) const;
 
 private:
   Surface surface_;

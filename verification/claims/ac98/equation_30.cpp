@@ -129,18 +129,18 @@ Finding equation_76(const Bench&) {
       return std::exp(q.x + q.y / 2 - q.z / 3);
     };
     const SurfacePoint<double> p{0, {11.0 / 32, 5.0 / 16}};
-    const reference::Estimate whole = reference::operator_integral(surface, p, u);
-    Measured difference{.value = -whole.value, .radius = whole.radius};
+    const Approximation whole = reference::operator_integral(surface, p, u);
+    Approximation difference{.value = -whole.value, .radius = whole.radius};
     double largest = 0;
     for (const ParameterTriangle& each : triangles) {
-      const reference::Estimate part = reference::operator_integral(surface, p, each.chart, each.vertices, u);
+      const Approximation part = reference::operator_integral(surface, p, each.chart, each.vertices, u);
       difference.value += part.value;
       difference.radius += part.radius;
       largest = std::max(largest, std::abs(part.value));
     }
     finding.require("sum over the elements less the whole, " + name, zero, difference);
     finding.control("the same without the largest element, " + name, zero,
-                    Measured{.value = difference.value - largest, .radius = difference.radius});
+                    Approximation{.value = difference.value - largest, .radius = difference.radius});
   }
   return finding;
 }

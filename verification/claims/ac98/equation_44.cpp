@@ -49,22 +49,22 @@ double value_at(const PiecewiseExpression& expression, const ElementFunction& u_
 }
 
 // hat u_n - u_n over the nodes, the one furthest from 0. `emission` holds E by node.
-Measured furthest_at_nodes(const Problem& problem, const ElementFunction& u_n,
-                           const std::vector<double>& emission) {
+Approximation furthest_at_nodes(const Problem& problem, const ElementFunction& u_n,
+                                const std::vector<double>& emission) {
   const std::size_t per_element = u_n.nodes_per_element();
-  std::vector<Measured> differences(emission.size());
+  std::vector<Approximation> differences(emission.size());
   parallel_for(emission.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const SurfacePoint<double> p = u_n.node(i / per_element, i % per_element);
       const double factor = value_at(problem.reflectivity, u_n, p) / std::numbers::pi;
-      const Measured integral = u_n.integral(p);
+      const Approximation integral = u_n.integral(p);
       differences[i] = {
           .value = emission[i] + factor * integral.value - u_n.node_value(i / per_element, i % per_element),
           .radius = factor * integral.radius};
     }
   });
-  Measured worst;
-  for (const Measured& each : differences) {
+  Approximation worst{.value = 0, .radius = 0};
+  for (const Approximation& each : differences) {
     if (std::abs(each.value) > std::abs(worst.value)) worst.value = each.value;
     worst.radius = std::max(worst.radius, each.radius);
   }
@@ -72,15 +72,15 @@ Measured furthest_at_nodes(const Problem& problem, const ElementFunction& u_n,
 }
 
 // hat u_n - u_n at the middle of the first element, which is no node of degree 1.
-Measured difference_off_the_nodes(const Problem& problem, const ElementFunction& u_n,
-                                  const OperatorRoute& route) {
+Approximation difference_off_the_nodes(const Problem& problem, const ElementFunction& u_n,
+                                       const OperatorRoute& route) {
   constexpr double third = 1.0 / 3;
   const ParameterTriangle& triangle = u_n.triangles().front();
   const SurfacePoint<double> p{triangle.chart, triangle.at({third, third, third})};
   const double factor = value_at(problem.reflectivity, u_n, p) / std::numbers::pi;
   const PiecewiseExpression& u = problem.solution.value();
-  const OperatorValue of_u = route(u_n.surface(), SurfaceFunction(u, u_n.surface()))(p);
-  const Measured of_u_n = u_n.integral(p);
+  const Approximation of_u = route(u_n.surface(), SurfaceFunction(u, u_n.surface()))(p);
+  const Approximation of_u_n = u_n.integral(p);
   return {.value = value_at(u, u_n, p) + factor * (of_u_n.value - of_u.value) - u_n(0, p.at),
           .radius = factor * (of_u_n.radius + of_u.radius)};
 }
@@ -100,14 +100,14 @@ Finding equation_44(const Bench& bench) {
     cases.push_back(test_case("two_piece", {square}, "1", Rational(1, 6), 2, false));
   }
   Finding finding;
-  Measured worst;
+  Approximation worst{.value = 0, .radius = 0};
   for (const Case& each : cases) {
     const LevelOutcome level = bench.levels.level(each.problem, each.level);
     ElementFunction u_n(each.problem, level);
     std::vector<double> emission(level.nodes.size());
     for (const NodeValue& node : level.nodes)
       emission.at(node.element * u_n.nodes_per_element() + node.index_in_element) = node.emission;
-    const Measured difference = furthest_at_nodes(each.problem, u_n, emission);
+    const Approximation difference = furthest_at_nodes(each.problem, u_n, emission);
     finding.require("hat u_n - u_n, furthest from 0 over the nodes, " + each.name, zero, difference);
     if (std::abs(difference.value) + difference.radius > std::abs(worst.value) + worst.radius)
       worst = difference;

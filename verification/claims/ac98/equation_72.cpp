@@ -70,7 +70,7 @@ std::vector<PlanarPoint> thin_parallelogram(long thinness) {
 }
 
 // The exponent with which `last` exceeds `first` as r grows.
-Measured growth(const Ball& first, const Ball& last, long thin, long thinner) {
+Approximation growth(const Ball& first, const Ball& last, long thin, long thinner) {
   return proved(log(last / first) /
                 log(shape(thin_triangle(thinner)).ratio() / shape(thin_triangle(thin)).ratio()));
 }
@@ -174,7 +174,8 @@ Finding equation_72_power(const Bench&) {
         exceeding(bounded_errors({{p[0], p[1], p[3]}, {p[1], p[2], p[3]}}, p, 2), Rational(19, 2)));
     finding.remark("r(tau)" + at, proved(shape(t).ratio()));
   }
-  const Measured exponent = growth(largest_on_a_triangle(thick), largest_on_a_triangle(thin), thick, thin);
+  const Approximation exponent =
+      growth(largest_on_a_triangle(thick), largest_on_a_triangle(thin), thick, thin);
   finding.require("exponent of r in the largest error over the rest of (60)", grows, exponent);
   finding.require("exponent of r in the largest error over the rest of (65)", grows,
                   growth(largest_on_a_parallelogram(thick), largest_on_a_parallelogram(thin), thick, thin));

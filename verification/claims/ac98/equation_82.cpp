@@ -53,14 +53,15 @@ double value_beside_an_edge_of_the_cube(const LevelOutcome& level) {
 }
 
 // The order of what u_n changes by there from level to level, for E = x^2 and rho = 2/5, which (80) allows.
-Measured order_on_the_cube(const Bench& bench, int finest) {
+Approximation order_on_the_cube(const Bench& bench, int finest) {
   Problem cube = linear_problem("cube", {}, "2/5");
   cube.emission = on_all_pieces("x^2");
   cube.solver = {.name = SolverName::gmres, .tolerance = std::nullopt};
   const auto change = [&](int level) {
-    return Measured{.value = std::abs(value_beside_an_edge_of_the_cube(bench.levels.level(cube, level)) -
-                                      value_beside_an_edge_of_the_cube(bench.levels.level(cube, level - 1))),
-                    .radius = 1e-10};
+    return Approximation{
+        .value = std::abs(value_beside_an_edge_of_the_cube(bench.levels.level(cube, level)) -
+                          value_beside_an_edge_of_the_cube(bench.levels.level(cube, level - 1))),
+        .radius = 1e-10};
   };
   return order_between(change(finest - 1), change(finest));
 }

@@ -117,8 +117,8 @@ Finding equation_83(const Bench& bench) {
   const Problem squares = linear_problem_with_solution("two_squares", {}, "1/2", "x^2");
   const Problem box =
       linear_problem_with_solution("box", {{"a", 1}, {"b", 2}, {"c", 5}}, "1/2", "x^2 + y^2 + z^2");
-  const Measured on_squares = order_of(squares, finest_of_squares);
-  const Measured on_box = order_of(box, level);
+  const Approximation on_squares = order_of(squares, finest_of_squares);
+  const Approximation on_box = order_of(box, level);
   finding.require("order of |K(I - P_n)u|, (20), u = x^2", two, on_squares);
   finding.require("order of |K(I - P_n)u|, (20), u = x^2", no_more, on_squares);
   finding.require("order of |K(I - P_n)u|, box (1,2,5), u = x^2 + y^2 + z^2", two, on_box);
@@ -131,10 +131,10 @@ Finding equation_83(const Bench& bench) {
       "order of |K(I - P_n)u|, two_piece(2), a smooth surface", no_more,
       order_of(linear_problem_with_solution("two_piece", {square}, "1", "1/sqrt(x^2 + y^2 + (z-1/2)^2)"), 3));
   for (int at = 2; at <= finest_of_squares; ++at) {
-    const Figure error = bench.levels.level(squares, at).result.discretisation_error.value();
+    const Approximation error = bench.levels.level(squares, at).result.discretisation_error.value();
     const double per_square = std::ldexp(1.0, 2 * at);  // 1/h^2
     finding.remark("E_n/h^2, (20), u = x^2, h = 2^-" + std::to_string(at),
-                   {.value = error.value * per_square, .radius = error.radius.value_or(0) * per_square});
+                   {.value = error.value * per_square, .radius = as_sampled(error).radius * per_square});
   }
   finding.show(on_squares);
   return finding;

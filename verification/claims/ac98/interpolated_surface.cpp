@@ -86,7 +86,7 @@ Distances distances(const Surface& surface, int level, int degree) {
 }
 
 // The order of one of the distances between two levels; rounding leaves about 1e-15 in each.
-Measured order_of(const Surface& surface, int degree, double Distances::*which, int level) {
+Approximation order_of(const Surface& surface, int degree, double Distances::*which, int level) {
   constexpr double rounding = 1e-14;
   return order_between({.value = distances(surface, level - 1, degree).*which, .radius = rounding},
                        {.value = distances(surface, level, degree).*which, .radius = rounding});
@@ -106,7 +106,7 @@ void require_orders(Finding& finding, const Bench& bench, const OrderStatement& 
     const Surface surface = surface_of(geometry.problem);
     for (int degree = 1; degree <= largest_degree; ++degree) {
       const double expected = degree + statement.above_degree;
-      const Measured order = order_of(surface, degree, statement.which, level);
+      const Approximation order = order_of(surface, degree, statement.which, level);
       const std::string where = ", " + geometry.name + ", r = " + std::to_string(degree);
       finding.require("order of " + statement.what + where,
                       Bound{.order = expected, .slack = 0.4, .why = "elements of size 1/8 and 1/16"}, order);
@@ -123,10 +123,10 @@ Problem interpolated(Problem problem, int degree) {
 }
 
 // The mean order of the node error over levels from `from` to `to`.
-Measured mean_order(const Bench& bench, const Problem& problem, int from, int to) {
-  Measured mean;
+Approximation mean_order(const Bench& bench, const Problem& problem, int from, int to) {
+  Approximation mean{.value = 0, .radius = 0};
   for (int level = from + 1; level <= to; ++level) {
-    const Measured order = observed_order(bench.levels, problem, &LevelResult::node_error, level);
+    const Approximation order = observed_order(bench.levels, problem, &LevelResult::node_error, level);
     mean.value += order.value / (to - from);
     mean.radius += order.radius / (to - from);
   }
@@ -203,7 +203,7 @@ Finding theorem_4_2(const Bench& bench) {
                       .slack = 0.3,
                       .why = "elements of size 1/4 to 1/16 of a roof of degree 6, and log h beside h^4"};
     // With flat elements the error depends on where the nodes fall: two halvings are averaged.
-    const Measured order =
+    const Approximation order =
         mean_order(bench, interpolated(roof, degree), degree == 1 ? finest - 2 : finest - 1, finest);
     finding.require("order of the node error, two_piece(6), r = " + std::to_string(degree), bound, order);
     if (degree <= 3)
@@ -212,7 +212,7 @@ Finding theorem_4_2(const Bench& bench) {
     if (degree == 2) finding.show(order);
   }
   const Problem sphere = linear_problem_with_solution("sphere", {}, "1/2", "exp(x)");
-  const Measured flat = mean_order(bench, interpolated(sphere, 1), 0, 2);
+  const Approximation flat = mean_order(bench, interpolated(sphere, 1), 0, 2);
   finding.require("order of the node error, sphere, r = 1",
                   Bound{.order = 1, .slack = 0.3, .why = "two halvings from eight elements"}, flat);
   return finding;
@@ -224,7 +224,7 @@ Finding theorem_4_2_degree(const Bench& bench) {
   const int finest = bench.budget == Budget::quick ? 3 : 4;
   const AtMost short_of_four{.value = 3.3, .slack = 0, .why = "order 3, and what two levels leave open"};
   Finding finding;
-  const Measured cubic = mean_order(bench, interpolated(roof, 3), finest - 1, finest);
+  const Approximation cubic = mean_order(bench, interpolated(roof, 3), finest - 1, finest);
   finding.require("order of the node error, two_piece(6), r = 3", short_of_four, cubic);
   finding.require("order of the node error, two_piece(6), r = 2", short_of_four,
                   mean_order(bench, interpolated(roof, 2), finest - 1, finest));
@@ -244,8 +244,8 @@ Finding equation_93(const Bench& bench) {
   };
   const Bound one{.order = 1, .slack = 0.25, .why = "elements of size 1/2 and 1/4 of a quarter turn"};
   const Bound two{.order = 2, .slack = 0.25, .why = "elements of size 1/2 and 1/4 of a quarter turn"};
-  const Measured flat = order_at(interpolated(cylinder, 1));
-  const Measured quadratic = order_at(interpolated(cylinder, 2));
+  const Approximation flat = order_at(interpolated(cylinder, 1));
+  const Approximation quadratic = order_at(interpolated(cylinder, 2));
   finding.require("order of the node error, cylinder with lids, r = 1", one, flat);
   finding.control("order of the node error, cylinder with lids, r = 1, against 2", two, flat);
   finding.require("order of the node error, cylinder with lids, r = 2", two, quadratic);
@@ -267,10 +267,10 @@ Finding section_4_2(const Bench& bench) {
   const Equals one_normal{.value = 0, .slack = 1e-12, .why = "rounding"};
   Finding finding;
   finding.require("gap of normals at vertices, exact sphere", one_normal,
-                  Measured{.value = largest_gap(sphere, triangulate(sphere, level)), .radius = 0});
+                  Approximation{.value = largest_gap(sphere, triangulate(sphere, level)), .radius = 0});
   for (int degree = 1; degree <= 4; ++degree) {
     const std::string with = ", sphere, r = " + std::to_string(degree);
-    const Measured gap{.value = gap_of_interpolant(sphere, level, degree), .radius = 1e-12};
+    const Approximation gap{.value = gap_of_interpolant(sphere, level, degree), .radius = 1e-12};
     finding.control("gap of normals at vertices" + with, one_normal, gap);
     const Bound order{.order = degree * 1.0, .slack = 0.4, .why = "elements of size 1/4 and 1/8"};
     finding.require(

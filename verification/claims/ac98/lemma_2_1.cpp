@@ -69,7 +69,7 @@ const AtMost& never_negative() {
   return zero;
 }
 
-Measured negated(const Measured& m) {
+Approximation negated(const Approximation& m) {
   return {.value = 0 - m.value, .radius = m.radius, .guaranteed = m.guaranteed};
 }
 
@@ -89,8 +89,8 @@ Problem constant_problem(const Surface& surface) {
 }
 
 // u_n - 1, furthest from 0 over the nodes.
-Measured furthest_from_one(const LevelOutcome& level) {
-  Measured worst;
+Approximation furthest_from_one(const LevelOutcome& level) {
+  Approximation worst{.value = 0, .radius = 0};
   for (const NodeValue& node : level.nodes)
     if (std::abs(node.u_n - 1) > std::abs(worst.value)) worst.value = node.u_n - 1;
   return worst;

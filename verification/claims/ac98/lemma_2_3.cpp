@@ -82,7 +82,7 @@ Ball difference(const Function& f, int n, const Rational& h) {
   return sum;
 }
 
-Measured exponent(const Ball& coarse, const Ball& fine) {
+Approximation exponent(const Ball& coarse, const Ball& fine) {
   return proved(log(abs(coarse) / abs(fine)) / log(Ball(2)));
 }
 

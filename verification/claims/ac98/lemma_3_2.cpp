@@ -151,7 +151,7 @@ Finding lemma_3_2(const Bench&) {
                         exceeding(errors, c * power(h, 4)));
       largest = std::max(largest, largest_ratio(errors) / power(h, 3));
     }
-  finding.remark("largest error over h^3 and the bracket", {.value = largest.to_double()});
+  finding.remark("largest error over h^3 and the bracket", {.value = largest.to_double(), .radius = 0});
   return finding;
 }
 

@@ -113,7 +113,7 @@ Finding lemma_3_3(const Bench&) {
   const Rational tiny = power(Rational(10), -6);
   finding.control("products beyond (65) with h^5 for h^4" + placed_at(tiny, corners()[0]), IsExactly{0},
                   exceeding(errors_on(halves(square(tiny, corners()[0]), true)), c * power(tiny, 5)));
-  finding.remark("largest error over h^4 and the bracket", {.value = largest.to_double()});
+  finding.remark("largest error over h^4 and the bracket", {.value = largest.to_double(), .radius = 0});
   return finding;
 }
 

@@ -29,9 +29,9 @@ Problem linear_problem_with_solution(const std::string& surface, std::vector<Sur
   return problem;
 }
 
-Measured observed_order(LevelSource& levels, const Problem& problem, LevelError error, int level) {
+Approximation observed_order(LevelSource& levels, const Problem& problem, LevelError error, int level) {
   expects(level >= 1, "a level with one before it", named("level", level));
-  const auto of_level = [&](int at) { return measured(levels.level(problem, at).result.*error); };
+  const auto of_level = [&](int at) { return as_sampled((levels.level(problem, at).result.*error).value()); };
   return order_between(of_level(level - 1), of_level(level));
 }
 

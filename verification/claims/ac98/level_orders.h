@@ -28,7 +28,7 @@ namespace radcert::verification::ac98 {
                                                    const std::string& solution);
 
 /// One of the errors of a level.
-using LevelError = std::optional<Figure> LevelResult::*;
+using LevelError = std::optional<Approximation> LevelResult::*;
 
 /// The exponent of an error between two levels.
 /// Maths     log2(e_(level-1) / e_level), h being halved; the radius from those of both errors
@@ -36,7 +36,7 @@ using LevelError = std::optional<Figure> LevelResult::*;
 /// Requires  level >= 1, and the problem has that error
 /// Result    infinite, which settles nothing, if an error is not clearly above zero
 /// Limits    a radius that was not estimated counts as 0
-[[nodiscard]] Measured observed_order(LevelSource& levels, const Problem& problem, LevelError error,
-                                      int level);
+[[nodiscard]] Approximation observed_order(LevelSource& levels, const Problem& problem, LevelError error,
+                                           int level);
 
 }  // namespace radcert::verification::ac98

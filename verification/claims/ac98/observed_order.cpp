@@ -37,7 +37,7 @@ Problem known_problem(const std::string& surface, std::vector<SurfaceParameter> 
   return problem;
 }
 
-Measured order_between(const Measured& coarse, const Measured& fine, int steps) {
+Approximation order_between(const Approximation& coarse, const Approximation& fine, int steps) {
   const double lowest_coarse = coarse.value - coarse.radius;
   const double lowest_fine = fine.value - fine.radius;
   if (!(lowest_coarse > 0) || !(lowest_fine > 0)) {
@@ -57,20 +57,14 @@ NodeErrors node_errors(const Bench& bench, const Problem& problem, int level) {
   NodeErrors errors;
   for (const NodeValue& node : outcome.nodes) {
     const double error = std::abs(node.u_n - node.u.value());
-    Measured& part = at_the_border(surface, triangles.at(node.element)) ? errors.at_seams : errors.inside;
+    Approximation& part =
+        at_the_border(surface, triangles.at(node.element)) ? errors.at_seams : errors.inside;
     errors.all.value = std::max(errors.all.value, error);
     part.value = std::max(part.value, error);
   }
-  const double radius = measured(outcome.result.node_error).radius;
-  for (Measured* each : {&errors.all, &errors.at_seams, &errors.inside}) each->radius = radius;
+  const double radius = as_sampled(outcome.result.node_error.value()).radius;
+  for (Approximation* each : {&errors.all, &errors.at_seams, &errors.inside}) each->radius = radius;
   return errors;
-}
-
-Measured measured(const std::optional<Figure>& figure) {
-  expects(figure.has_value(), "a problem with a known solution");
-  return {.value = figure->value,
-          .radius = figure->radius.value_or(0),
-          .guaranteed = figure->guaranteed && figure->radius.has_value()};
 }
 
 }  // namespace radcert::verification::ac98

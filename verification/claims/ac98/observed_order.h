@@ -21,7 +21,8 @@ namespace radcert::verification::ac98 {
 /// Requires  `fine` belongs to a mesh size divided by 2^steps
 /// Result    the radius covers those of both errors; not finite where one of them may be 0
 /// Limits    -
-[[nodiscard]] Measured order_between(const Measured& coarse, const Measured& fine, int steps = 1);
+[[nodiscard]] Approximation order_between(const Approximation& coarse, const Approximation& fine,
+                                          int steps = 1);
 
 /// The errors of a level at its nodes, apart.
 /// Maths     max |u - u_n| over all nodes, over those of elements with a side or a corner on the border of their chart, and over the others
@@ -30,13 +31,10 @@ namespace radcert::verification::ac98 {
 /// Result    with the radius of the level's node error
 /// Limits    a part without nodes is 0
 struct NodeErrors {
-  Measured all;
-  Measured at_seams;
-  Measured inside;
+  Approximation all{.value = 0, .radius = 0};
+  Approximation at_seams{.value = 0, .radius = 0};
+  Approximation inside{.value = 0, .radius = 0};
 };
 [[nodiscard]] NodeErrors node_errors(const Bench& bench, const Problem& problem, int level);
-
-/// A figure of a level with its radius; ContractViolation where the level has none.
-[[nodiscard]] Measured measured(const std::optional<Figure>& figure);
 
 }  // namespace radcert::verification::ac98

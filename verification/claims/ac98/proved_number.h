@@ -18,7 +18,7 @@ namespace radcert::verification::ac98 {
 /// Result    guaranteed; infinite where the ball has failed, which settles nothing
 /// Limits    an inequality a <= b is proved by AtMost{0} for proved(a - b): a double that is added to its radius has the sign of the
 ///           exact sum or is zero
-[[nodiscard]] inline Measured proved(const Ball& x) {
+[[nodiscard]] inline Approximation proved(const Ball& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double low = x.lower_double();
   const double high = x.upper_double();

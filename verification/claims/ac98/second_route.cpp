@@ -298,15 +298,16 @@ private:
 
 // r_i = rho/pi Int G times the remainder, from node i, and, where asked for, A_ij = K l_j (v_i) row by row.
 struct System {
-  std::vector<Measured> r;
-  std::vector<Measured> a;
+  std::vector<Approximation> r;
+  std::vector<Approximation> a;
 };
 
 System system_of(const Level& level, bool with_matrix) {
   const Cubature cubature(level, with_matrix);
   const std::size_t m = level.basis.size();
   const std::size_t size = level.nodes.size();
-  System system{.r = std::vector<Measured>(size), .a = std::vector<Measured>(with_matrix ? size * size : 0)};
+  System system{.r = std::vector<Approximation>(size),
+                .a = std::vector<Approximation>(with_matrix ? size * size : 0)};
   parallel_for(size, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t k = 0; k < level.triangles.size(); ++k) {
@@ -362,18 +363,18 @@ double largest(const std::vector<double>& x) {
   return out;
 }
 
-Measured discretisation_error(const std::vector<Measured>& r) {
-  Measured out;
-  for (const Measured& each : r) {
+Approximation discretisation_error(const std::vector<Approximation>& r) {
+  Approximation out{.value = 0, .radius = 0};
+  for (const Approximation& each : r) {
     out.value = std::max(out.value, std::abs(each.value));
     out.radius = std::max(out.radius, each.radius);
   }
   return out;
 }
 
-Measured node_error(const System& system) {
-  const std::vector<Measured>& r = system.r;
-  const std::vector<Measured>& entries = system.a;
+Approximation node_error(const System& system) {
+  const std::vector<Approximation>& r = system.r;
+  const std::vector<Approximation>& entries = system.a;
   const std::size_t size = r.size();
   std::vector<double> a(entries.size());
   std::vector<double> moduli(entries.size());
@@ -399,7 +400,7 @@ Measured node_error(const System& system) {
 
 }  // namespace
 
-Measured second_route(const Bench& bench, const Problem& problem, int level, const std::string& figure) {
+Approximation second_route(const Bench& bench, const Problem& problem, int level, const std::string& figure) {
   expects(figure == "discretisation_error" || figure == "node_error", "a figure that the second route knows",
           named("figure", figure));
   return stored(bench.store, "second route, " + figure + "\n" + level_key(problem, level), [&] {

@@ -17,7 +17,7 @@ namespace radcert::verification::ac98 {
 /// Result    radius: what the two rules differ by, summed over the triangles; for the node error times the largest row sum of
 ///           (I - |A|)^-1. Stored
 /// Limits    an estimate of about 1e-6 of the figure; shares charts, interpolants, triangles and the formula of G with the pipeline
-[[nodiscard]] Measured second_route(const Bench& bench, const Problem& problem, int level,
-                                    const std::string& figure);
+[[nodiscard]] Approximation second_route(const Bench& bench, const Problem& problem, int level,
+                                         const std::string& figure);
 
 }  // namespace radcert::verification::ac98

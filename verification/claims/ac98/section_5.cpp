@@ -59,7 +59,7 @@ Finding section_5_centroid_rule(const Bench& bench) {
     return observed_order(bench.levels, problem, &LevelResult::node_error,
                           bench.budget == Budget::quick ? 3 : 4);
   };
-  const Measured smooth = order_of("two_piece", {{"p", 2}}, "1");
+  const Approximation smooth = order_of("two_piece", {{"p", 2}}, "1");
   finding.require("order of the node error, two_piece(2)", two, smooth);
   finding.require("order of the node error, two_piece(3)", two, order_of("two_piece", {{"p", 3}}, "1"));
   finding.control("order of the node error, cube", two, order_of("cube", {}, "1/2"));
@@ -75,11 +75,12 @@ Finding section_5_1(const Bench&) {
     finding.require("order needed at the distance " + std::to_string(distances.at(i)) + " less that at " +
                         std::to_string(distances.at(i + 1)),
                     fewer,
-                    Measured{.value = static_cast<double>(order_needed(distances.at(i)) -
-                                                          order_needed(distances.at(i + 1))),
-                             .radius = 0});
-  finding.control("order needed at the distance 1/4 less that at 4", fewer,
-                  Measured{.value = static_cast<double>(order_needed(0.25) - order_needed(4)), .radius = 0});
+                    Approximation{.value = static_cast<double>(order_needed(distances.at(i)) -
+                                                               order_needed(distances.at(i + 1))),
+                                  .radius = 0});
+  finding.control(
+      "order needed at the distance 1/4 less that at 4", fewer,
+      Approximation{.value = static_cast<double>(order_needed(0.25) - order_needed(4)), .radius = 0});
   for (const double d : distances) {
     finding.remark("order needed for 1e-6 at the distance " + std::to_string(d),
                    {.value = static_cast<double>(order_needed(d)), .radius = 0});

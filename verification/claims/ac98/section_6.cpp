@@ -21,8 +21,8 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-Measured order_in_the_middle(const Bench& bench, const Rational& reflectivity, const Rational& grading,
-                             int level) {
+Approximation order_in_the_middle(const Bench& bench, const Rational& reflectivity, const Rational& grading,
+                                  int level) {
   const Problem problem = constant_emission_on_two_squares(reflectivity, grading);
   return order_between(edge_error(bench.levels.level(problem, level - 1), reflectivity).at_midpoint,
                        edge_error(bench.levels.level(problem, level), reflectivity).at_midpoint);
@@ -35,11 +35,11 @@ struct ZonalEmission {
   double mean;
 };
 
-Measured order_on_the_sphere(const Bench& bench, const ZonalEmission& data, int level) {
+Approximation order_on_the_sphere(const Bench& bench, const ZonalEmission& data, int level) {
   Problem problem = linear_problem("sphere", {}, "1/2");
   problem.emission = on_all_pieces(data.emission);
   const auto error_at = [&](int of_level) {
-    Measured largest{.value = 0, .radius = 1e-11};
+    Approximation largest{.value = 0, .radius = 1e-11};
     for (const ElementValue& element : bench.levels.level(problem, of_level).elements)
       for (std::size_t i = 0; i < element.corners.size(); ++i)
         largest.value = std::max(largest.value, std::abs(element.corner_values.at(i) - data.mean -
@@ -60,7 +60,7 @@ Finding section_6_ill_behaved(const Bench& bench) {
         .value = edge_exponent(rho),
         .slack = 0.02,
         .why = "the next terms of u beside the edge, r and r log r, still show at h = 1/16"};
-    const Measured order = order_in_the_middle(bench, rho, 1, finest_level);
+    const Approximation order = order_in_the_middle(bench, rho, 1, finest_level);
     finding.require("order of u - u_n in the middle of the edge, rho = " + rho.to_text() + ", against b",
                     exponent, order);
     finding.control(
@@ -93,11 +93,11 @@ Finding section_6_grading(const Bench& bench) {
 Finding section_6_piecewise_emissivity(const Bench& bench) {
   const int level = bench.budget == Budget::quick ? 2 : 3;
   const AtMost lost{.value = 1, .slack = 0, .why = "halfway between the order 0 at a jump and 2 of (50)"};
-  const Measured kinked = order_on_the_sphere(bench,
-                                              {.emission = "2 + abs(z - 1/3)/(z - 1/3)",
-                                               .at = [](double z) { return 3 * z > 1 ? 3.0 : 1.0; },
-                                               .mean = 5.0 / 3},
-                                              level);
+  const Approximation kinked = order_on_the_sphere(bench,
+                                                   {.emission = "2 + abs(z - 1/3)/(z - 1/3)",
+                                                    .at = [](double z) { return 3 * z > 1 ? 3.0 : 1.0; },
+                                                    .mean = 5.0 / 3},
+                                                   level);
   Finding finding;
   finding.require("order of u - u_n at vertices of elements, sphere, E = 2 + sign(z - 1/3)", lost, kinked);
   finding.control(

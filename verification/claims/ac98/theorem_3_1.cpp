@@ -28,20 +28,20 @@ namespace {
 using Function = SphereCollocation::Function;
 
 // hat u_n - u = K (u_n - u), furthest from 0 over points away from the nodes.
-Measured furthest_off_the_nodes(const Bench& bench, const Problem& problem, int level) {
+Approximation furthest_off_the_nodes(const Bench& bench, const Problem& problem, int level) {
   const LevelOutcome outcome = bench.levels.level(problem, level);
   const ElementFunction u_n(problem, outcome);
   const SurfaceFunction u(problem.solution.value(), u_n.surface());
   const AppliedOperator of_u = bench.route(u_n.surface(), u);
-  Measured worst;
+  Approximation worst{.value = 0, .radius = 0};
   for (const auto& [s, t] : {std::pair{0.31, 0.42}, {0.17, 0.29}, {0.55, 0.13}}) {
     const SurfacePoint<double> p{0, {s, t}};
     const Chart& chart = u_n.surface().charts.front();
     const Vector<double> x = chart.in<double>().frame(p.at).point;
     const double factor =
         problem.reflectivity.on(chart.facts().piece).evaluate<double>({x.x, x.y, x.z}) / std::numbers::pi;
-    const OperatorValue exact = of_u(p);
-    const Measured ours = u_n.integral(p);
+    const Approximation exact = of_u(p);
+    const Approximation ours = u_n.integral(p);
     worst.value = std::max(worst.value, factor * std::abs(ours.value - exact.value));
     worst.radius = std::max(worst.radius, factor * (ours.radius + exact.radius));
   }
@@ -53,7 +53,7 @@ Ball peak(const Vector<Ball>& q) { return reciprocal(Ball(Rational(5, 4)) - q.z)
 Ball mean_of_peak() { return log(Ball(9)) / Ball(2); }
 
 // max |u - hat u_n| on the sphere, rho = 1/2, E the peak: rho/(1 - rho) |M E - M_n E|.
-Measured error_on_the_sphere(int level, const Rational& alpha) {
+Approximation error_on_the_sphere(int level, const Rational& alpha) {
   return proved(abs(mean_of_peak() - SphereCollocation(symmetric_octant(level), alpha).mean(peak)));
 }
 
@@ -66,7 +66,7 @@ Ball rough_reflectivity(const Vector<Ball>& q, bool jump) {
 }
 
 // max |u - hat u_n| over max rho, E = 1: |1/(1 - M rho) - 1/(1 - M_n rho)|.
-Measured error_with(bool jump, int level) {
+Approximation error_with(bool jump, int level) {
   const Function rho = [jump](const Vector<Ball>& q) { return rough_reflectivity(q, jump); };
   const Ball mean = SphereCollocation(symmetric_octant(level), Rational(1, 10)).mean(rho);
   return proved(abs(Ball(Rational(5, 3)) - reciprocal(Ball(1) - mean)));
@@ -99,7 +99,7 @@ Finding theorem_3_1(const Bench& bench) {
                                           wave, 1, tenth)));
   finding.remark("order off the nodes for alpha = 1/6, two_piece(2), " + squares_text,
                  between(known_problem("two_piece", {two_p}, "1", squares_text, 1, Rational(1, 6))));
-  std::vector<Measured> errors;
+  std::vector<Approximation> errors;
   for (int level = 3; level <= 5; ++level) errors.push_back(error_on_the_sphere(level, tenth));
   for (std::size_t level = 4; level <= 5; ++level)
     finding.require("sphere, 1/(5/4 - z): the same in balls, level " + std::to_string(level), two,
@@ -108,10 +108,10 @@ Finding theorem_3_1(const Bench& bench) {
   finding.control(
       "order of max |u - u_n| over S itself, degree 0, two_piece(2)", two,
       order_between(
-          measured(bench.levels.level(known_problem("two_piece", {two_p}, "1", squares_text, 0, tenth), 2)
-                       .result.uniform_error),
-          measured(bench.levels.level(known_problem("two_piece", {two_p}, "1", squares_text, 0, tenth), 3)
-                       .result.uniform_error)));
+          as_sampled(bench.levels.level(known_problem("two_piece", {two_p}, "1", squares_text, 0, tenth), 2)
+                         .result.uniform_error.value()),
+          as_sampled(bench.levels.level(known_problem("two_piece", {two_p}, "1", squares_text, 0, tenth), 3)
+                         .result.uniform_error.value())));
   finding.show(order_between(errors[1], errors[2]));
   return finding;
 }
@@ -138,7 +138,7 @@ Finding theorem_3_1_reflectivity(const Bench&) {
   const BallPrecision precision(192);
   const Bound two{.order = 2, .slack = 0.3, .why = "as in theorem_3_1"};
   Finding finding;
-  const Measured order = order_between(error_with(false, 1), error_with(false, 5), 4);
+  const Approximation order = order_between(error_with(false, 1), error_with(false, 5), 4);
   finding.require("order of max |u - hat u_n|, rho only continuous, E = 1, levels 1 to 5", two, order);
   finding.require("the same, levels 3 to 5", two,
                   order_between(error_with(false, 3), error_with(false, 5), 2));
@@ -157,8 +157,8 @@ Finding equation_50(const Bench& bench) {
   const auto order = [&](const std::string& solution, int degree) {
     const int last = (degree < 2 ? 3 : 2) + (bench.budget == Budget::quick ? 0 : 1);
     const Problem problem = known_problem("two_piece", {square}, "1", solution, degree, Rational(1, 10));
-    return order_between(measured(bench.levels.level(problem, last - 1).result.uniform_error),
-                         measured(bench.levels.level(problem, last).result.uniform_error));
+    return order_between(as_sampled(bench.levels.level(problem, last - 1).result.uniform_error.value()),
+                         as_sampled(bench.levels.level(problem, last).result.uniform_error.value()));
   };
   for (int degree = 0; degree <= 3; ++degree) {
     const Bound bound{.order = degree + 1.0,
@@ -199,11 +199,11 @@ Finding equation_51_constant(const Bench& bench) {
     for (int level = 0; level <= each.last; ++level)
       levels.push_back(bench.levels.level(each.problem, level).result);
     const auto quotient = [](const LevelResult& a, const LevelResult& b) {
-      const Measured error = measured(a.node_error);
-      const Measured right = measured(b.discretisation_error);
+      const Approximation error = as_sampled(a.node_error.value());
+      const Approximation right = as_sampled(b.discretisation_error.value());
       const double value = error.value / right.value;
-      return Measured{.value = value,
-                      .radius = value * (error.radius / error.value + right.radius / right.value)};
+      return Approximation{.value = value,
+                           .radius = value * (error.radius / error.value + right.radius / right.value)};
     };
     for (const LevelResult& level : levels)
       finding.require("max |u - u_n| over max |K(I - P_n)u| at the nodes, " + each.name + ", level " +

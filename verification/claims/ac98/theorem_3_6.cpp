@@ -128,14 +128,14 @@ double by_rule(const Frame<double>& p, const InterpolationError& error, const Tr
 
 // Int G (u - P_n u) over elements, seen from P: by the library's cubature where P is within a size of an element's centroid, by product
 // rules of two orders elsewhere.
-Measured seen_from(const Surface& surface, const SurfacePoint<double>& p,
-                   const std::vector<Element>& elements, double alpha) {
+Approximation seen_from(const Surface& surface, const SurfacePoint<double>& p,
+                        const std::vector<Element>& elements, double alpha) {
   // Two rules beside the element of P and its neighbours, two for the others.
   static const std::array<TriangleRule<double>, 4> rules{
       conical_rule<double>(12, Gathering::nowhere), conical_rule<double>(16, Gathering::nowhere),
       conical_rule<double>(4, Gathering::nowhere), conical_rule<double>(6, Gathering::nowhere)};
   const Frame<double> frame = surface.charts.at(p.chart).in<double>().frame(p.at);
-  Measured sum;
+  Approximation sum{.value = 0, .radius = 0};
   for (const Element& each : elements) {
     const InterpolationError error(surface, each, alpha);
     const ParameterPoint<double> middle = (1.0 / 3) * (each.corners[0] + each.corners[1] + each.corners[2]);
@@ -143,8 +143,7 @@ Measured seen_from(const Surface& surface, const SurfacePoint<double>& p,
         norm(surface.charts.at(each.chart).in<double>().frame(middle).point - frame.point) /
         size(surface, each);
     if (distance < 1) {
-      const reference::Estimate part =
-          reference::operator_integral(surface, p, each.chart, each.corners, error);
+      const Approximation part = reference::operator_integral(surface, p, each.chart, each.corners, error);
       sum.value += part.value;
       sum.radius += part.radius;
     } else {
@@ -157,11 +156,12 @@ Measured seen_from(const Surface& surface, const SurfacePoint<double>& p,
   return sum;
 }
 
-Measured largest_over_points(const Surface& surface, const std::vector<Element>& elements, double alpha) {
-  Measured worst;
+Approximation largest_over_points(const Surface& surface, const std::vector<Element>& elements,
+                                  double alpha) {
+  Approximation worst{.value = 0, .radius = 0};
   for (const auto& [chart, s, t] :
        {std::tuple<std::size_t, double, double>{0, 0.31, 0.42}, {1, 0.17, 0.29}, {6, 0.55, 0.13}}) {
-    const Measured here = seen_from(surface, {chart, {s, t}}, elements, alpha);
+    const Approximation here = seen_from(surface, {chart, {s, t}}, elements, alpha);
     worst.value = std::max(worst.value, std::abs(here.value));
     worst.radius = std::max(worst.radius, here.radius);
   }
@@ -174,8 +174,8 @@ bool contains(const Corners& v, const ParameterPoint<double>& p) {
 }
 
 // |Int G (u - P_n u)| over the triangle of v_i alone, largest over the nodes of the triangles at some points.
-Measured own_element(const Surface& surface, int level, double alpha) {
-  Measured worst;
+Approximation own_element(const Surface& surface, int level, double alpha) {
+  Approximation worst{.value = 0, .radius = 0};
   for (const Element& each : symmetric_elements(surface, level)) {
     const auto holds_one = [&](const std::pair<double, double>& at) {
       return contains(each.corners, {at.first, at.second});
@@ -185,7 +185,7 @@ Measured own_element(const Surface& surface, int level, double alpha) {
     for (std::size_t j = 0; j < 3; ++j) {
       ParameterPoint<double> node{0, 0};
       for (std::size_t i = 0; i < 3; ++i) node = node + (i == j ? 1 - 2 * alpha : alpha) * each.corners.at(i);
-      const Measured here = seen_from(surface, {0, node}, {each}, alpha);
+      const Approximation here = seen_from(surface, {0, node}, {each}, alpha);
       worst.value = std::max(worst.value, std::abs(here.value));
       worst.radius = std::max(worst.radius, here.radius);
     }
@@ -194,19 +194,19 @@ Measured own_element(const Surface& surface, int level, double alpha) {
 }
 
 // E = exp(2 z) on the unit sphere: |M E - M_n E|, which is max |u - hat u_n| for rho = 1/2.
-Measured error_on_the_sphere(const std::vector<OctantTriangle>& triangles, const Rational& alpha) {
+Approximation error_on_the_sphere(const std::vector<OctantTriangle>& triangles, const Rational& alpha) {
   const Ball mean =
       SphereCollocation(triangles, alpha).mean([](const Vector<Ball>& q) { return exp(Ball(2) * q.z); });
   return proved(abs((exp(Ball(2)) - exp(Ball(-2))) / Ball(4) - mean));
 }
 
 // Int G (u - P_n u)/h^4 seen from the centroid of the first octant, which is the centroid of its triangle at every level, levels 1, 2, ...
-std::vector<Measured> scaled_errors_at_centroids(int last) {
+std::vector<Approximation> scaled_errors_at_centroids(int last) {
   const Surface surface = test_ellipsoid();
   constexpr double third = 1.0 / 3;
-  std::vector<Measured> result;
+  std::vector<Approximation> result;
   for (int level = 1; level <= last; ++level) {
-    const Measured error =
+    const Approximation error =
         seen_from(surface, {0, {third, third}}, symmetric_elements(surface, level), 1.0 / 6);
     const double scale = std::pow(16.0, level) / 4;  // h = 2^(1/2) 2^-level
     result.push_back({.value = scale * error.value, .radius = scale * error.radius});
@@ -226,7 +226,7 @@ Finding theorem_3_6(const Bench& bench) {
     return order_between(error_on_the_sphere(upright_divided_octant(4), alpha),
                          error_on_the_sphere(upright_divided_octant(5), alpha));
   };
-  const Measured sphere_order = on_the_sphere(sixth);
+  const Approximation sphere_order = on_the_sphere(sixth);
   finding.require("order of max |u - hat u_n|, sphere, upright triangles divided, levels 4 and 5", three,
                   sphere_order);
   finding.control("the same, alpha = 1/10", three, on_the_sphere(tenth));
@@ -269,7 +269,7 @@ Finding theorem_3_7(const Bench& bench) {
                                 {"two_piece", {{"p", 2}}, "1", squares, 4, false},
                                 {"ellipsoid", axes, "1/2", squares, 3, true},
                                 {"ellipsoid", axes, "1/2", exponential, 3, false}};
-  Measured shown;
+  Approximation shown{.value = 0, .radius = 0};
   for (const Case& each : cases) {
     if (!each.at_quick && bench.budget == Budget::quick) continue;
     const Problem problem =
@@ -291,13 +291,13 @@ Finding theorem_3_7(const Bench& bench) {
   const Problem tenth = known_problem("two_piece", {{"p", 2}}, "1", inverse_distance, 1, Rational(1, 10));
   finding.control("the same, alpha = 1/10, two_piece(2), " + inverse_distance, four,
                   order_between(node_errors(bench, tenth, 3).all, node_errors(bench, tenth, 4).all));
-  std::vector<Measured> errors;
+  std::vector<Approximation> errors;
   for (int level = 3; level <= 5; ++level)
     errors.push_back(error_on_the_sphere(symmetric_octant(level), sixth));
   for (std::size_t level = 4; level <= 5; ++level)
     finding.require("sphere, E = exp(2 z): the same in balls, level " + std::to_string(level), four,
                     order_between(errors[level - 4], errors[level - 3]));
-  const std::vector<Measured> scaled = scaled_errors_at_centroids(bench.budget == Budget::quick ? 5 : 6);
+  const std::vector<Approximation> scaled = scaled_errors_at_centroids(bench.budget == Budget::quick ? 5 : 6);
   for (std::size_t i = 0; i < scaled.size(); ++i)
     finding.remark(
         "ellipsoid, Int G (u - P_n u) over h^4, P the centroid of an octant, level " + std::to_string(i + 1),
@@ -314,10 +314,10 @@ Finding theorem_3_7_own_element(const Bench& bench) {
   const int last = bench.budget == Budget::quick ? 5 : 6;
   const Surface surface = test_ellipsoid();
   Finding finding;
-  Measured shown;
+  Approximation shown{.value = 0, .radius = 0};
   for (const double alpha : {1.0 / 6, 0.1}) {
-    const Measured coarse = own_element(surface, last - 1, alpha);
-    const Measured fine = own_element(surface, last, alpha);
+    const Approximation coarse = own_element(surface, last - 1, alpha);
+    const Approximation fine = own_element(surface, last, alpha);
     const std::string at = ", ellipsoid (1,3/2,2), alpha = " + std::string(alpha == 0.1 ? "1/10" : "1/6");
     shown = order_between(coarse, fine);
     finding.require("order of the integral over the triangle of v_i" + at, four, shown);

@@ -86,16 +86,16 @@ Finding equation_81(const Bench& bench) {
     const double leg = std::ldexp(1.0, -level);
     const auto quotient = [&](const Problem& of) {
       const double error = bench.levels.level(of, level).result.uniform_error.value().value;
-      return Measured{.value = error / interpolation_error(leg), .radius = 1e-9};
+      return Approximation{.value = error / interpolation_error(leg), .radius = 1e-9};
     };
     const std::string at = ", level " + std::to_string(level);
     finding.require("norm of (u - u_n)/norm of (u - P_n u), cube, rho = 2/5" + at, bound, quotient(problem));
     finding.remark("the same for rho = 99/100, where (80) fails" + at, quotient(beyond));
     if (level == finest) finding.show(quotient(problem));
   }
-  Measured wrong = {.value = bench.levels.level(problem, 0).result.uniform_error.value().value /
-                             interpolation_error(std::ldexp(1.0, -3)),
-                    .radius = 1e-9};
+  Approximation wrong = {.value = bench.levels.level(problem, 0).result.uniform_error.value().value /
+                                  interpolation_error(std::ldexp(1.0, -3)),
+                         .radius = 1e-9};
   finding.control("norm of (u - u_n) at level 0/norm of (u - P_n u) at level 3", bound, wrong);
   return finding;
 }

@@ -17,15 +17,15 @@ Extremes total_factors(const Surface& surface, std::span<const SurfacePoint<doub
                                            [](const reference::PointBlock&, std::span<double> values) {
                                              std::fill(values.begin(), values.end(), 1.0);
                                            });
-  std::vector<Measured> values(points.size());
+  std::vector<Approximation> values(points.size());
   parallel_for(points.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const reference::Estimate total = applied(points[i]);
+      const Approximation total = applied(points[i]);
       values[i] = {.value = total.value, .radius = total.radius};
     }
   });
-  const auto by_value = [](const Measured& a, const Measured& b) { return a.value < b.value; };
-  const auto by_radius = [](const Measured& a, const Measured& b) { return a.radius < b.radius; };
+  const auto by_value = [](const Approximation& a, const Approximation& b) { return a.value < b.value; };
+  const auto by_radius = [](const Approximation& a, const Approximation& b) { return a.radius < b.radius; };
   Extremes extremes{.least = *std::min_element(values.begin(), values.end(), by_value),
                     .largest = *std::max_element(values.begin(), values.end(), by_value)};
   const double radius = std::max_element(values.begin(), values.end(), by_radius)->radius;
@@ -34,11 +34,11 @@ Extremes total_factors(const Surface& surface, std::span<const SurfacePoint<doub
   return extremes;
 }
 
-Measured least_kernel(const Surface& surface, std::span<const SurfacePoint<double>> points) {
+Approximation least_kernel(const Surface& surface, std::span<const SurfacePoint<double>> points) {
   std::vector<Frame<double>> frames;
   for (const SurfacePoint<double>& p : points)
     frames.push_back(surface.charts[p.chart].in<double>().frame(p.at));
-  Measured least{.value = std::numeric_limits<double>::infinity(), .radius = 0};
+  Approximation least{.value = std::numeric_limits<double>::infinity(), .radius = 0};
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < points.size(); ++j) {
       if (i == j) continue;

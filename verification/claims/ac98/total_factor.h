@@ -16,8 +16,8 @@ namespace radcert::verification::ac98 {
 /// Result    values of reference::operator_integral with the density 1; radii are estimates, the largest over the points
 /// Limits    -
 struct Extremes {
-  Measured least;
-  Measured largest;
+  Approximation least{.value = 0, .radius = 0};
+  Approximation largest{.value = 0, .radius = 0};
 };
 [[nodiscard]] Extremes total_factors(const Surface& surface, std::span<const SurfacePoint<double>> points);
 
@@ -27,6 +27,7 @@ struct Extremes {
 /// Requires  at least two points
 /// Result    rounded; the radius is an estimate of that
 /// Limits    a sample, no minimum over S
-[[nodiscard]] Measured least_kernel(const Surface& surface, std::span<const SurfacePoint<double>> points);
+[[nodiscard]] Approximation least_kernel(const Surface& surface,
+                                         std::span<const SurfacePoint<double>> points);
 
 }  // namespace radcert::verification::ac98

@@ -20,12 +20,12 @@ namespace {
 // "At least one": minus their number is at most -1.
 constexpr AtMost at_least_one{.value = -1, .slack = 0, .why = ""};
 
-Measured minus_the_number(const SuperconvergentInsets& answer) {
+Approximation minus_the_number(const SuperconvergentInsets& answer) {
   return {.value = 0 - static_cast<double>(answer.insets.size()), .radius = 0, .guaranteed = true};
 }
 
 // How many of (0, 1/3) are exact of a degree.
-Measured minus_the_number_exact_of(int degree, int r) {
+Approximation minus_the_number_exact_of(int degree, int r) {
   const RationalPolynomial condition = InsetFamily(r).condition(Region::triangle, degree);
   const int zeros = zeros_between(condition, 0, Rational(1, 3)) - (condition(Rational(1, 3)) == 0 ? 1 : 0);
   return {.value = 0 - static_cast<double>(zeros), .radius = 0, .guaranteed = true};

@@ -38,19 +38,19 @@ double rho_over_pi(const Vector<double>& p) { return (0.5 + p.x / 4) / std::numb
 
 double exact(const Vector<double>& q) { return std::exp(q.x / 2 + q.y / 3 - q.z / 4); }
 
-void keep_furthest(Measured& furthest, const Measured& difference) {
+void keep_furthest(Approximation& furthest, const Approximation& difference) {
   if (std::abs(difference.value) > std::abs(furthest.value)) furthest.value = difference.value;
   furthest.radius = std::max(furthest.radius, difference.radius);
 }
 
 // The two sides of (19), furthest apart over the nodes; rho at the node moved by `shift` in x.
-Measured residual(const ElementFunction& u_n, const LevelOutcome& level, double shift) {
-  Measured furthest;
+Approximation residual(const ElementFunction& u_n, const LevelOutcome& level, double shift) {
+  Approximation furthest{.value = 0, .radius = 0};
   for (const NodeValue& node : level.nodes) {
     const SurfacePoint<double> p = u_n.node(node.element, node.index_in_element);
     Vector<double> at = place(u_n, p);
     at.x += shift;
-    const Measured integral = u_n.integral(p);
+    const Approximation integral = u_n.integral(p);
     keep_furthest(furthest, {.value = u_n.node_value(node.element, node.index_in_element) -
                                       rho_over_pi(at) * integral.value - node.emission,
                              .radius = rho_over_pi(at) * integral.radius});
@@ -59,10 +59,10 @@ Measured residual(const ElementFunction& u_n, const LevelOutcome& level, double 
 }
 
 // K(u - v)(P) for v with the values of an element function.
-Measured of_difference(const ElementFunction& v, const SurfacePoint<double>& p) {
-  Measured total;
+Approximation of_difference(const ElementFunction& v, const SurfacePoint<double>& p) {
+  Approximation total{.value = 0, .radius = 0};
   for (std::size_t k = 0; k < v.triangles().size(); ++k) {
-    const reference::Estimate part = reference::operator_integral(
+    const Approximation part = reference::operator_integral(
         v.surface(), p, v.triangles()[k].chart, v.triangles()[k].vertices,
         [&](const SurfacePoint<double>& q, const Vector<double>& x) { return exact(x) - v(k, q.at); });
     total.value += part.value;
@@ -84,7 +84,7 @@ Finding equation_19(const Bench& bench) {
     const LevelOutcome outcome = bench.levels.level(problem, level);
     ElementFunction u_n(problem, outcome);
     const std::string of = ", r = " + std::to_string(r) + ", level " + std::to_string(level);
-    const Measured difference = residual(u_n, outcome, 0);
+    const Approximation difference = residual(u_n, outcome, 0);
     finding.require("left less right side of (19), furthest from 0 over the nodes" + of, zero, difference);
     finding.control("the same with rho at another point" + of, zero, residual(u_n, outcome, 0.01));
     u_n.add_to_node(0, 0, 1e-6);
@@ -111,19 +111,19 @@ Finding equation_25(const Bench& bench) {
     }
     const SurfaceFunction u(problem.solution.value(), u_n.surface());
     const AppliedOperator of_u = bench.route(u_n.surface(), u);
-    Measured furthest;
-    Measured without;
+    Approximation furthest{.value = 0, .radius = 0};
+    Approximation without{.value = 0, .radius = 0};
     for (const std::size_t element : {std::size_t{0}, std::size_t{3}}) {
       const auto& triangle = u_n.triangles()[element];
       const SurfacePoint<double> p{triangle.chart, triangle.at({0.5, 0.3, 0.2})};
-      const OperatorValue whole = of_u(p);
-      const Measured of_u_n = u_n.integral(p);
-      const Measured of_rest = rest.integral(p);
-      const Measured right = of_difference(interpolant, p);
+      const Approximation whole = of_u(p);
+      const Approximation of_u_n = u_n.integral(p);
+      const Approximation of_rest = rest.integral(p);
+      const Approximation right = of_difference(interpolant, p);
       // u - hat u_n = K u - K u_n: both are E plus an integral.
       const double factor = rho_over_pi(place(u_n, p));
-      const Measured left{.value = factor * (whole.value - of_u_n.value),
-                          .radius = factor * (whole.radius + of_u_n.radius)};
+      const Approximation left{.value = factor * (whole.value - of_u_n.value),
+                               .radius = factor * (whole.radius + of_u_n.radius)};
       keep_furthest(furthest, {.value = left.value - factor * (of_rest.value + right.value),
                                .radius = left.radius + factor * (of_rest.radius + right.radius)});
       keep_furthest(without, {.value = left.value - factor * right.value,

@@ -97,9 +97,9 @@ private:
 
 }  // namespace
 
-Measured kernel_error(const Surface& surface, const std::vector<ParameterTriangle>& elements,
-                      const TriangleBasis<double>& basis, Solution u, const SurfacePoint<double>& p,
-                      std::optional<std::size_t> only_chart) {
+Approximation kernel_error(const Surface& surface, const std::vector<ParameterTriangle>& elements,
+                           const TriangleBasis<double>& basis, Solution u, const SurfacePoint<double>& p,
+                           std::optional<std::size_t> only_chart) {
   const KernelIntegral coarse(surface, p, 10);
   const KernelIntegral fine(surface, p, 14);
   struct Sums {
@@ -124,12 +124,12 @@ Measured kernel_error(const Surface& surface, const std::vector<ParameterTriangl
   return {.value = sums.fine, .radius = std::abs(sums.fine - sums.coarse)};
 }
 
-Measured kernel_error_at_nodes(const Surface& surface, const std::vector<ParameterTriangle>& elements,
-                               const ParameterTriangle& of, const TriangleBasis<double>& basis, Solution u,
-                               std::optional<std::size_t> only_chart) {
-  Measured largest;
+Approximation kernel_error_at_nodes(const Surface& surface, const std::vector<ParameterTriangle>& elements,
+                                    const ParameterTriangle& of, const TriangleBasis<double>& basis,
+                                    Solution u, std::optional<std::size_t> only_chart) {
+  Approximation largest{.value = 0, .radius = 0};
   for (const Barycentric<double>& q : basis.nodes()) {
-    const Measured here = kernel_error(surface, elements, basis, u, {of.chart, of.at(q.x)}, only_chart);
+    const Approximation here = kernel_error(surface, elements, basis, u, {of.chart, of.at(q.x)}, only_chart);
     largest.value = std::max(largest.value, std::abs(here.value));
     largest.radius = std::max(largest.radius, here.radius);
   }

@@ -21,15 +21,17 @@ namespace radcert::verification::m06 {
 /// Result    by conical rules, collapsed at P on its own element, on triangles that are divided until they are further from P than they are
 ///           wide; the radius is the distance of two orders of the rule
 /// Limits    the radius is an estimate; charts other than P's own are taken by their distance from P in space
-[[nodiscard]] Measured kernel_error(const Surface& surface, const std::vector<ParameterTriangle>& elements,
-                                    const TriangleBasis<double>& basis, Solution u,
-                                    const SurfacePoint<double>& p,
-                                    std::optional<std::size_t> only_chart = {});
+[[nodiscard]] Approximation kernel_error(const Surface& surface,
+                                         const std::vector<ParameterTriangle>& elements,
+                                         const TriangleBasis<double>& basis, Solution u,
+                                         const SurfacePoint<double>& p,
+                                         std::optional<std::size_t> only_chart = {});
 
 /// The largest of it over the nodes of one element; the largest radius.
-[[nodiscard]] Measured kernel_error_at_nodes(const Surface& surface,
-                                             const std::vector<ParameterTriangle>& elements,
-                                             const ParameterTriangle& of, const TriangleBasis<double>& basis,
-                                             Solution u, std::optional<std::size_t> only_chart = {});
+[[nodiscard]] Approximation kernel_error_at_nodes(const Surface& surface,
+                                                  const std::vector<ParameterTriangle>& elements,
+                                                  const ParameterTriangle& of,
+                                                  const TriangleBasis<double>& basis, Solution u,
+                                                  std::optional<std::size_t> only_chart = {});
 
 }  // namespace radcert::verification::m06

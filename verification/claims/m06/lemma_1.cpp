@@ -21,8 +21,8 @@ namespace {
 constexpr AtMost never_negative{};
 
 // -G as a proved number.
-Measured minus_kernel(const Vector<Rational>& p, const Vector<Rational>& normal_p, const Vector<Rational>& q,
-                      const Vector<Rational>& normal_q) {
+Approximation minus_kernel(const Vector<Rational>& p, const Vector<Rational>& normal_p,
+                           const Vector<Rational>& q, const Vector<Rational>& normal_q) {
   // Exact: G is a dyadic fraction for the points that are used.
   return {
       .value = 0 - geometric_kernel(p, normal_p, q, normal_q).to_double(), .radius = 0, .guaranteed = true};
@@ -82,7 +82,7 @@ Series along(const Rational& x, const Rational& w, const Rational& d, const Rati
 }
 
 // The largest |D^i G| distance^power over directions of Q - P and of the derivative; distances as the larger of |w| and |d|.
-Measured largest(std::size_t i, int power_of_distance, int k) {
+Approximation largest(std::size_t i, int power_of_distance, int k) {
   const Rational distance = 1 / power(Rational(2), k);
   const std::vector<std::array<Rational, 2>> directions{{1, 0},
                                                         {0, 1},
@@ -98,7 +98,8 @@ Measured largest(std::size_t i, int power_of_distance, int k) {
     for (const auto& [w, d] : directions)
       for (const auto& [e, f] : directions)
         result = std::max(result, abs(along(x, distance * w, distance * d, e, f)[i]));
-  return {.value = (result * Rational(factorial[i]) * power(distance, power_of_distance)).to_double()};
+  return {.value = (result * Rational(factorial[i]) * power(distance, power_of_distance)).to_double(),
+          .radius = 0};
 }
 
 }  // namespace

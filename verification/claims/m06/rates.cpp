@@ -12,10 +12,6 @@
 namespace radcert::verification::m06 {
 namespace {
 
-Measured measured(const Figure& figure) {
-  return {.value = figure.value, .radius = figure.radius.value_or(0)};
-}
-
 template <class Error>
 Errors over_levels(const Problem& problem, const std::vector<int>& levels, const Bench& bench,
                    const Error& error) {
@@ -50,7 +46,7 @@ std::vector<int> levels_for(const Problem& problem, Budget budget, int fewer) {
 Errors node_errors(const Problem& problem, const std::vector<int>& levels, const Bench& bench,
                    const NodeChoice& choice) {
   return over_levels(problem, levels, bench, [&](const LevelOutcome& level) {
-    Measured error = measured(level.result.node_error.value());
+    Approximation error = as_sampled(level.result.node_error.value());
     if (!choice) return error;
     error.value = 0;
     for (const NodeValue& node : level.nodes)
@@ -60,19 +56,20 @@ Errors node_errors(const Problem& problem, const std::vector<int>& levels, const
 }
 
 Errors uniform_errors(const Problem& problem, const std::vector<int>& levels, const Bench& bench) {
-  return over_levels(problem, levels, bench,
-                     [](const LevelOutcome& level) { return measured(level.result.uniform_error.value()); });
+  return over_levels(problem, levels, bench, [](const LevelOutcome& level) {
+    return as_sampled(level.result.uniform_error.value());
+  });
 }
 
 Errors discretisation_errors(const Problem& problem, const std::vector<int>& levels, const Bench& bench) {
   return over_levels(problem, levels, bench, [](const LevelOutcome& level) {
-    return measured(level.result.discretisation_error.value());
+    return as_sampled(level.result.discretisation_error.value());
   });
 }
 
-Measured order_at(const Errors& errors, std::size_t k) {
-  const Measured& before = errors.errors.at(k - 1);
-  const Measured& after = errors.errors.at(k);
+Approximation order_at(const Errors& errors, std::size_t k) {
+  const Approximation& before = errors.errors.at(k - 1);
+  const Approximation& after = errors.errors.at(k);
   const double steps = std::log(errors.mesh_sizes.at(k - 1) / errors.mesh_sizes.at(k));
   if (!(before.value > before.radius && after.value > after.radius))
     return {.value = 0, .radius = std::numeric_limits<double>::infinity()};
@@ -80,11 +77,11 @@ Measured order_at(const Errors& errors, std::size_t k) {
   return {.value = std::log(before.value / after.value) / steps, .radius = spread / steps};
 }
 
-Measured last_order(const Errors& errors) { return order_at(errors, errors.errors.size() - 1); }
+Approximation last_order(const Errors& errors) { return order_at(errors, errors.errors.size() - 1); }
 
-Measured noise(const Errors& errors) {
-  const Measured& last = errors.errors.back();
-  return {.value = last.radius / last.value};
+Approximation noise(const Errors& errors) {
+  const Approximation& last = errors.errors.back();
+  return {.value = last.radius / last.value, .radius = 0};
 }
 
 }  // namespace radcert::verification::m06

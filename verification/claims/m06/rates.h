@@ -18,7 +18,7 @@ namespace radcert::verification::m06 {
 /// Errors over levels.
 struct Errors {
   std::vector<double> mesh_sizes;
-  std::vector<Measured> errors;
+  std::vector<Approximation> errors;
 };
 
 /// Which nodes an error is taken over.
@@ -43,10 +43,10 @@ using NodeChoice = std::function<bool(const NodeValue& node)>;
 /// Requires  1 <= k < number of levels
 /// Result    the radius is that of both errors, carried over; infinite where an error is not above its radius
 /// Limits    rounded
-[[nodiscard]] Measured order_at(const Errors& errors, std::size_t k);
-[[nodiscard]] Measured last_order(const Errors& errors);
+[[nodiscard]] Approximation order_at(const Errors& errors, std::size_t k);
+[[nodiscard]] Approximation last_order(const Errors& errors);
 
 /// The last error's radius as a part of it: the noise that the order is free of.
-[[nodiscard]] Measured noise(const Errors& errors);
+[[nodiscard]] Approximation noise(const Errors& errors);
 
 }  // namespace radcert::verification::m06

@@ -69,12 +69,14 @@ Finding theorem_4(const Bench& bench) {
       const double inverse = 1 + norm * 0.5 / (1 - result.norm_K.value);
       const double of_u = interpolation_error(problem, level);
       const std::string of = ", " + std::string(name) + ", level " + std::to_string(level);
-      finding.require("|u - u_n| over the bound of the inverse times |u - P_n u|" + of, bound,
-                      Measured{.value = result.uniform_error.value().value / (inverse * of_u)});
+      finding.require(
+          "|u - u_n| over the bound of the inverse times |u - P_n u|" + of, bound,
+          Approximation{.value = result.uniform_error.value().value / (inverse * of_u), .radius = 0});
       if (level > 1)
         finding.control("the same with |K(I - P_n)u| at the nodes in the place of |u - P_n u|" + of, bound,
-                        Measured{.value = result.uniform_error.value().value /
-                                          (inverse * result.discretisation_error.value().value)});
+                        Approximation{.value = result.uniform_error.value().value /
+                                               (inverse * result.discretisation_error.value().value),
+                                      .radius = 0});
     }
   }
   return finding;
@@ -106,7 +108,7 @@ Finding theorem_4_order(const Bench& bench) {
                            {"ellipsoid_r1", true},
                            {"ellipsoid_r2", true}}) {
     const Problem problem = problem_named(each.name);
-    const Measured order = last_order(uniform_errors(problem, levels_for(problem, bench.budget), bench));
+    const Approximation order = last_order(uniform_errors(problem, levels_for(problem, bench.budget), bench));
     finding.require("order of |u - u_n| over the sample, " + each.name, bound(problem.basis.degree), order);
     if (each.with_control)
       finding.control("the same against the order of the next degree, " + each.name,

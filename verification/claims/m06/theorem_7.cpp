@@ -141,11 +141,11 @@ void require_agreement(Finding& finding, const Bench& bench, const std::string& 
   });
   constexpr double rho = 0.5;
   const double largest = rho / std::numbers::pi * *std::max_element(of_element.begin(), of_element.end());
-  const Figure study = bench.levels.level(problem, level).result.discretisation_error.value();
+  const Approximation study = bench.levels.level(problem, level).result.discretisation_error.value();
   finding.require("largest |K(I - P_n)u| without a matrix over that of the study, " + name + ", level " +
                       std::to_string(level),
                   Equals{.value = 1, .slack = 0.001, .why = "rules of order 14 beside the nodes"},
-                  Measured{.value = largest / study.value});
+                  Approximation{.value = largest / study.value, .radius = 0});
 }
 
 // alpha_0 of degree 3.
@@ -168,14 +168,14 @@ void require_rate_at_spots(Finding& finding, const Bench& bench, const Rate& rat
 }
 
 // node error / uniform error at the last level over the same at the level before.
-Measured fall(const std::string& name, const Bench& bench) {
+Approximation fall(const std::string& name, const Bench& bench) {
   const Problem problem = problem_named(name);
   const std::vector<int> levels = levels_for(problem, bench.budget);
   const Errors nodes = node_errors(problem, levels, bench);
   const Errors everywhere = uniform_errors(problem, levels, bench);
   const std::size_t last = levels.size() - 1;
   const auto quotient = [&](std::size_t k) { return nodes.errors[k].value / everywhere.errors[k].value; };
-  return {.value = quotient(last) / quotient(last - 1)};
+  return {.value = quotient(last) / quotient(last - 1), .radius = 0};
 }
 
 }  // namespace
@@ -240,18 +240,19 @@ Finding equation_26(const Bench& bench) {
     const Problem problem = problem_named(name);
     for (const int level : levels_for(problem, Budget::quick)) {
       const LevelResult result = bench.levels.level(problem, level).result;
-      const Figure nodes = result.node_error.value();
-      const Figure source = result.discretisation_error.value();
+      const Approximation nodes = result.node_error.value();
+      const Approximation source = result.discretisation_error.value();
       // (I - K_n)(u - u_n) = K(I - P_n)u at the nodes.
       const AtMost bound{.value = 1 / (1 - result.norm_K.value),
                          .slack = 0.01,
                          .why = "norm of K_n and both errors are rounded and integrated"};
       const std::string of = ", " + std::string(name) + ", level " + std::to_string(level);
       finding.require("max |u - u_n|/max |K(I - P_n)u| over the nodes" + of, bound,
-                      Measured{.value = nodes.value / source.value});
+                      Approximation{.value = nodes.value / source.value, .radius = 0});
       if (level > 0)
-        finding.control("the same with |u - u_n| everywhere in the place of the nodes" + of, bound,
-                        Measured{.value = result.uniform_error.value().value / source.value});
+        finding.control(
+            "the same with |u - u_n| everywhere in the place of the nodes" + of, bound,
+            Approximation{.value = result.uniform_error.value().value / source.value, .radius = 0});
     }
   }
   return finding;
@@ -267,7 +268,7 @@ Finding abstract(const Bench& bench) {
         .order = static_cast<double>(r + 1), .slack = 0.6, .why = "coarse levels, less than one order"};
     const Bound nodes{
         .order = static_cast<double>(r + 2), .slack = 0.4, .why = "coarse levels, less than one order"};
-    const Measured of_uniform = last_order(uniform_errors(problem, levels, bench));
+    const Approximation of_uniform = last_order(uniform_errors(problem, levels, bench));
     finding.require("order of |u - u_n| over the sample, " + std::string(name), everywhere, of_uniform);
     finding.require("order of max |u - u_n| over the nodes, " + std::string(name), nodes,
                     last_order(node_errors(problem, levels, bench)));

@@ -31,7 +31,7 @@ Ball left_over(int r, const Rational& alpha, int k, long cells) {
   return of_a_cell * power(Ball(Rational(1, cells)), k);
 }
 
-Measured order(int r, const Rational& alpha, int k, long cells) {
+Approximation order(int r, const Rational& alpha, int k, long cells) {
   return ac98::proved(log(left_over(r, alpha, k, cells) / left_over(r, alpha, k, 2 * cells)) / log(Ball(2)));
 }
 

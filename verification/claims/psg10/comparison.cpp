@@ -166,7 +166,7 @@ private:
 };
 
 /// The geometric mean of ratios set by set, and twice the standard error of its logarithm as the radius; over the sets that both have.
-Measured ratio(const SetErrors& over, const SetErrors& under, double ProfileErrors::*error) {
+Approximation ratio(const SetErrors& over, const SetErrors& under, double ProfileErrors::*error) {
   const std::size_t common = std::min(over.sets.size(), under.sets.size());
   const auto count = static_cast<double>(common);
   double sum = 0;
@@ -227,8 +227,8 @@ Finding conclusion_images(const Bench& bench) {
 
 Finding conclusion_oscillation(const Bench& bench) {
   const auto share_of = [](const SetErrors& errors) {
-    return Measured{.value = errors.systematic / errors.oscillation,
-                    .radius = errors.scatter / errors.oscillation};
+    return Approximation{.value = errors.systematic / errors.oscillation,
+                         .radius = errors.scatter / errors.oscillation};
   };
   const Comparison shepard(Basis::shepard, 3, sets_of(bench));
   Finding finding;
@@ -277,8 +277,8 @@ void converges(Finding& finding, Basis basis, const Bench& bench) {
       finding.require("error at separation " + shortest(steps.back().separation) + " over that at 3" + of,
                       no_more, ratio(comparisons.back().errors(part, share), coarsest, &ProfileErrors::l2));
       for (std::size_t k = 1; k < steps.size(); ++k) {
-        const Measured fall = ratio(comparisons[k].errors(part, share),
-                                    comparisons[k - 1].errors(part, share), &ProfileErrors::l2);
+        const Approximation fall = ratio(comparisons[k].errors(part, share),
+                                         comparisons[k - 1].errors(part, share), &ProfileErrors::l2);
         const double step = std::log(steps[k].separation / steps[k - 1].separation);
         finding.remark("order from separation " + shortest(steps[k - 1].separation) + " to " +
                            shortest(steps[k].separation) + of,
@@ -296,17 +296,19 @@ Finding figure_of(Basis basis, const Bench& bench) {
   Finding finding;
   double bound = 0;
   for (const SolvedSet* set : compared.sets()) bound = std::max(bound, set->spectral_radius_bound);
-  finding.require("spectral radius of R, the largest of the sets", contracts, Measured{.value = bound});
+  finding.require("spectral radius of R, the largest of the sets", contracts,
+                  Approximation{.value = bound, .radius = 0});
   for (const Part part : parts)
     for (const Share share : shares) {
       const SetErrors errors = compared.errors(part, share);
       double largest = 0;
       for (const ProfileErrors& set : errors.sets) largest = std::max(largest, set.l2);
-      finding.require("error of the worst set, " + words(part, share), near, Measured{.value = largest});
+      finding.require("error of the worst set, " + words(part, share), near,
+                      Approximation{.value = largest, .radius = 0});
     }
   const SetErrors wrong = Comparison(Basis::gaussian, 3, 1).errors(Part::disk, Share::total);
   finding.control("error of the Gaussian basis with w_j = area/n, disk, total", near,
-                  Measured{.value = wrong.sets.front().l2});
+                  Approximation{.value = wrong.sets.front().l2, .radius = 0});
   return finding;
 }
 
@@ -333,7 +335,7 @@ Finding section_8_gaussian(const Bench&) {
     double largest = 0;
     for (const ProfileErrors& set : Comparison(basis, separation, 4).errors(Part::disk, Share::total).sets)
       largest = std::max(largest, set.l2);
-    return Measured{.value = largest};
+    return Approximation{.value = largest, .radius = 0};
   };
   Finding finding;
   for (const double separation : {3.0, 1.5})
@@ -346,7 +348,7 @@ Finding section_8_gaussian(const Bench&) {
     area += at.area;
   }
   finding.control("error of three times the solution, disk, total", same_values,
-                  Measured{.value = 2 * std::sqrt(squares / area)});
+                  Approximation{.value = 2 * std::sqrt(squares / area), .radius = 0});
   return finding;
 }
 
@@ -365,7 +367,7 @@ Finding figure_12(const Bench&) {
                          .weights
                    : plane_weights(basis).value();
     const TransferSums sums = transfer_sums(point_light_transfer(scene, basis.sites(), weights));
-    return Measured{.value = sums.spectral_radius, .radius = 1e-3};
+    return Approximation{.value = sums.spectral_radius, .radius = 1e-3};
   };
   const AtMost converges{.value = 1, .slack = 0, .why = "(6) converges"};
   Finding finding;

@@ -195,8 +195,9 @@ Finding equation_16_always(const Bench&) {
                     beside_two_at_one_point(Rational(4, 5), Rational(3, 5), power(Rational(1, 2), k)));
   finding.control("the same, both normals equal", IsExactly{1},
                   beside_two_at_one_point(1, 0, Rational(1, 2)));
-  finding.remark("phi_1 at 2^-40, normals at 90 degrees",
-                 {.value = beside_two_at_one_point(0, 1, power(Rational(1, 2), 40)).to_double()});
+  finding.remark(
+      "phi_1 at 2^-40, normals at 90 degrees",
+      {.value = beside_two_at_one_point(0, 1, power(Rational(1, 2), 40)).to_double(), .radius = 0});
   return finding;
 }
 

@@ -100,9 +100,10 @@ Finding equation_21(const Bench&) {
     largest_control = std::max(largest_control, std::abs(integral - higher.sphere(t).indirect));
   }
   Finding finding;
-  finding.require("B less the right-hand side, largest", zero, Measured{.value = largest, .radius = 1e-14});
+  finding.require("B less the right-hand side, largest", zero,
+                  Approximation{.value = largest, .radius = 1e-14});
   finding.control("B for the height 21 less that right-hand side", zero,
-                  Measured{.value = largest_control, .radius = 1e-14});
+                  Approximation{.value = largest_control, .radius = 1e-14});
   largest = 0;
   largest_control = 0;
   for (int i = 0; i <= 8; ++i) {
@@ -111,9 +112,10 @@ Finding equation_21(const Bench&) {
     largest = std::max(largest, std::abs(integral - paper.disk(u).indirect));
     largest_control = std::max(largest_control, std::abs(integral - higher.disk(u).indirect));
   }
-  finding.require("D less the right-hand side, largest", zero, Measured{.value = largest, .radius = 1e-14});
+  finding.require("D less the right-hand side, largest", zero,
+                  Approximation{.value = largest, .radius = 1e-14});
   finding.control("D for the height 21 less that right-hand side", zero,
-                  Measured{.value = largest_control, .radius = 1e-14});
+                  Approximation{.value = largest_control, .radius = 1e-14});
   return finding;
 }
 

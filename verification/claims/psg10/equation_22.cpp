@@ -31,7 +31,9 @@ SumReading reading_with(int n, Spacing spacing) {
 }
 
 /// The exponent with which an error falls from n to 2n points.
-Measured exponent(double coarse, double fine) { return {.value = std::log2(coarse / fine), .radius = 1e-6}; }
+Approximation exponent(double coarse, double fine) {
+  return {.value = std::log2(coarse / fine), .radius = 1e-6};
+}
 
 /// The largest difference between the sides of (22) and (23) for r = 5, h = 20, R = 40, beta = mu = 9/10, n = m = k.
 double residual(const SumSolution& sums) {
@@ -71,7 +73,7 @@ double residual(const SumSolution& sums) {
 }
 
 /// The factor by which the changes of lambda grow in an iteration, over two of them: R takes disk to sphere and back.
-Measured growth(const SumReading& reading) {
+Approximation growth(const SumReading& reading) {
   constexpr int iterations = 16;
   const SumSolution sums = reference::sum_solution({}, reading, iterations, 0);
   const auto last = sums.changes.end();
@@ -79,7 +81,7 @@ Measured growth(const SumReading& reading) {
 }
 
 /// The largest difference between two fixed points.
-Measured difference(const SumReading& first, const SumReading& second) {
+Approximation difference(const SumReading& first, const SumReading& second) {
   constexpr int iterations = 100;
   const SumSolution a = reference::sum_solution({}, first, iterations, 1e-14);
   const SumSolution b = reference::sum_solution({}, second, iterations, 1e-14);
@@ -124,15 +126,15 @@ Finding equation_24(const Bench&) {
   const SumSolution sums = reference::sum_solution({}, reading, 100, 1e-16);
   Finding finding;
   finding.require("left less right side of (22) and (23), largest, n = 40", zero,
-                  Measured{.value = residual(sums), .radius = 1e-14});
+                  Approximation{.value = residual(sums), .radius = 1e-14});
   SumSolution moved = sums;
   moved.sphere[0] += 1e-6;
   finding.control("the same with one latitude moved by 1e-6", zero,
-                  Measured{.value = residual(moved), .radius = 1e-14});
+                  Approximation{.value = residual(moved), .radius = 1e-14});
   reading.form_factor = Rational(1, 2);
   finding.control(
       "the same for the solution with half of F", zero,
-      Measured{.value = residual(reference::sum_solution({}, reading, 100, 1e-16)), .radius = 1e-14});
+      Approximation{.value = residual(reference::sum_solution({}, reading, 100, 1e-16)), .radius = 1e-14});
   return finding;
 }
 

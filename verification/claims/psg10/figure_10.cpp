@@ -25,16 +25,18 @@ using reference::SumWeights;
 constexpr int most_iterations = 60;
 
 /// The number of the first iteration that changes nothing by more than the tolerance, one more than the most if none does.
-Measured iterations_to(const SumReading& reading, double tolerance) {
+Approximation iterations_to(const SumReading& reading, double tolerance) {
   const auto changes = reference::sum_solution({}, reading, most_iterations, tolerance).changes;
   const std::size_t count = changes.size() + (changes.back() <= tolerance ? 0 : 1);
   return {.value = static_cast<double>(count), .radius = 0};
 }
 
-Measured of_sphere(const SumReading& reading) {
+Approximation of_sphere(const SumReading& reading) {
   return {.value = sum_errors(reading).sphere, .radius = 1e-12};
 }
-Measured of_disk(const SumReading& reading) { return {.value = sum_errors(reading).disk, .radius = 1e-12}; }
+Approximation of_disk(const SumReading& reading) {
+  return {.value = sum_errors(reading).disk, .radius = 1e-12};
+}
 
 }  // namespace
 
@@ -64,9 +66,9 @@ Finding figure_10(const Bench&) {
     least = std::min({least, truth.sphere(-1 + 0.02 * i).indirect, truth.disk(0.4 * i).indirect});
   const AtMost not_positive{.value = 0, .slack = 0, .why = ""};
   finding.require("minus the least of B+ and D+ at 101 places each", not_positive,
-                  Measured{.value = 0 - least, .radius = 0});
+                  Approximation{.value = 0 - least, .radius = 0});
   finding.control("minus the least of B+ and D+ less 0.01", not_positive,
-                  Measured{.value = 0.01 - least, .radius = 0});
+                  Approximation{.value = 0.01 - least, .radius = 0});
   return finding;
 }
 

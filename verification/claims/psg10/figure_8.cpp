@@ -29,7 +29,7 @@ TransferChoice choice_of(const RadialBasisChoice& basis, std::uint64_t seed) {
 }
 
 /// The largest difference that some iterations of (19) leave, in grey levels.
-Measured levels_left(const LightTransfer& transfer, const LightSolution& solution, int iterations) {
+Approximation levels_left(const LightTransfer& transfer, const LightSolution& solution, int iterations) {
   const Matrix<double>& r = transfer.matrix();
   const std::size_t n = solution.total.size();
   std::vector<double> lambda(n);
@@ -84,7 +84,7 @@ Finding figure_8_gaussian(const Bench& bench) {
         RadialBasis::make(make_sites(room.scene.surface(), made.meshless.sites).value(), choice).value();
     const auto radius = [&](const std::vector<double>& weights) {
       const TransferSums sums = transfer_sums(point_light_transfer(room.scene, basis.sites(), weights));
-      return Measured{.value = sums.spectral_radius, .radius = 1e-3};
+      return Approximation{.value = sums.spectral_radius, .radius = 1e-3};
     };
     finding.require("spectral radius of R, w_j integrated, sites " + std::to_string(seed), converges,
                     radius(integrate_basis(basis, room.scene.surface(), made.integration).weights));

@@ -65,7 +65,7 @@ Surface square() {
 }
 
 /// The mean of delta pi alpha^2 / t over the sites at least 6 from the rim, alpha the distance of the tenth other.
-Measured inner_ratio(const SiteSet& sites, double t) {
+Approximation inner_ratio(const SiteSet& sites, double t) {
   constexpr double rim = 6;
   const std::vector<double> radii = neighbour_radii(sites, SiteDistance::euclidean, ten).value();
   double sum = 0;
@@ -82,7 +82,7 @@ Measured inner_ratio(const SiteSet& sites, double t) {
 
 /// The sum of pi alpha^2 / 10 over the sites of the scene for which `wanted`, over `area`.
 template <class Wanted>
-Measured scene_ratio(SiteDistance distance, double area, const Wanted& wanted) {
+Approximation scene_ratio(SiteDistance distance, double area, const Wanted& wanted) {
   const SiteSet sites = scene_sites(1);
   const std::vector<double> radii = neighbour_radii(sites, distance, ten, TooFewNeighbours::farthest).value();
   double sum = 0;
@@ -114,7 +114,7 @@ double sets_without_radii(SiteDistance distance, std::size_t neighbour, int sets
   return count;
 }
 
-Measured mean_integral(const RadialBasisChoice& choice) {
+Approximation mean_integral(const RadialBasisChoice& choice) {
   const BasisIntegrals integrals =
       integrate_basis(basis_on(scene_sites(1), choice), scene(), {.relative_error = 0.05});
   return {.value = std::accumulate(integrals.weights.begin(), integrals.weights.end(), 0.0) / integrals.area,
@@ -122,7 +122,7 @@ Measured mean_integral(const RadialBasisChoice& choice) {
 }
 
 /// Points of 20000 anywhere on the scene without an element that is not zero.
-Measured not_covered(RadialBasisChoice choice, std::size_t neighbour) {
+Approximation not_covered(RadialBasisChoice choice, std::size_t neighbour) {
   choice.radius.neighbour = neighbour;
   const RadialBasis basis = basis_on(scene_sites(1), choice);
   const SiteSet points = uniform_sites(scene(), {.count = 20000, .seed = 2}).value();
@@ -133,13 +133,13 @@ Measured not_covered(RadialBasisChoice choice, std::size_t neighbour) {
   return {.value = count, .radius = 0};
 }
 
-Measured condition(const SiteSet& sites, const RadialBasisChoice& choice) {
+Approximation condition(const SiteSet& sites, const RadialBasisChoice& choice) {
   const auto system = InterpolationSystem::make(basis_on(sites, choice));
   return {.value = system ? system->condition() : std::numeric_limits<double>::max(), .radius = 0};
 }
 
 /// The mean over the sites of the value there with all coefficients 1.
-Measured mean_value(const RadialBasisChoice& choice) {
+Approximation mean_value(const RadialBasisChoice& choice) {
   const RadialBasis basis = basis_on(scene_sites(1), choice);
   const std::vector<double> ones(basis.size(), 1.0);
   double sum = 0;
@@ -198,7 +198,7 @@ Finding section_7_plane_integral_scene(const Bench&) {
     of_scene[where] += exact[i];
   }
   const auto quotient = [&](std::size_t k) {
-    return Measured{.value = of_plane[k] / of_scene[k], .radius = 0.01 * of_plane[k] / of_scene[k]};
+    return Approximation{.value = of_plane[k] / of_scene[k], .radius = 0.01 * of_plane[k] / of_scene[k]};
   };
   Finding finding;
   finding.require("constant alpha^2 over w_j, Gauss, the disk within 12 of the axis", one, quotient(1));
@@ -258,12 +258,15 @@ Finding section_5_radius(const Bench& bench) {
   const Equals none{.value = 0, .slack = 0, .why = "each site has a radius"};
   const std::string of = std::to_string(sets);
   Finding finding;
-  finding.require("sets of " + of + " with a site that has no radius, Euclidean distance", none,
-                  Measured{.value = sets_without_radii(SiteDistance::euclidean, ten, sets)});
-  finding.require("sets of " + of + " with a site that has no radius, distance (15)", none,
-                  Measured{.value = sets_without_radii(SiteDistance::normal_sensitive, ten, sets)});
+  finding.require(
+      "sets of " + of + " with a site that has no radius, Euclidean distance", none,
+      Approximation{.value = sets_without_radii(SiteDistance::euclidean, ten, sets), .radius = 0});
+  finding.require(
+      "sets of " + of + " with a site that has no radius, distance (15)", none,
+      Approximation{.value = sets_without_radii(SiteDistance::normal_sensitive, ten, sets), .radius = 0});
   finding.control("the same with a hundred others", none,
-                  Measured{.value = sets_without_radii(SiteDistance::normal_sensitive, 10 * ten, sets)});
+                  Approximation{.value = sets_without_radii(SiteDistance::normal_sensitive, 10 * ten, sets),
+                                .radius = 0});
   return finding;
 }
 

@@ -5,16 +5,29 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/expression/batch.h"
 #include "radcert/geometry/vector.h"
-#include "radcert/study/problem.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
+
+/// A function on a surface given by one expression a piece; the piece "*" stands for all others.
+struct PiecewiseExpression {
+  struct Case {
+    std::string piece;
+    Expression expression;
+  };
+  std::vector<Case> cases;  ///< in the order of the file
+
+  /// The expression on a piece. Requires a case for it, else ContractViolation.
+  const Expression& on(std::string_view piece) const;
+};
 
 /// A piecewise expression ready for use on a surface.
 /// Maths     u(Q) for Q on chart j: the expression of the chart's piece at the coordinates of Q
