@@ -5,9 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "radcert/collocation/certified_chart_entries.h"
+#include "radcert/collocation/certified/certified_chart_entries.h"
 #include "radcert/core/parallel.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closed forms over plane polygons: entries a second of PlaneElement and PlaneTriangle by distance and degree, and what a ball
+// Closed forms over plane polygons: entries a second of PlaneElement by distance and degree, and what a ball
 // costs. An entry is all functions, the monomials up to the degree, from one point to one triangle.
 #include <benchmark/benchmark.h>
 
@@ -11,9 +11,8 @@
 #include <vector>
 
 #include "radcert/closed_form/plane_element.h"
-#include "radcert/closed_form/plane_triangle.h"
 #include "radcert/closed_form/point_to_polygon.h"
-#include "radcert/scalar/dilogarithm.h"
+#include "radcert/scalar/functions/dilogarithm.h"
 
 namespace radcert::bench {
 namespace {
@@ -78,52 +77,6 @@ void plane_element(benchmark::State& state) {
 BENCHMARK(plane_element)
     ->ArgNames({"degree", "distance"})
     ->ArgsProduct({{0, 1, 2}, {3, 10, 30, 100, 300, 1000, 100000}});
-
-PlaneTriangle::Corners corners() { return {Vector<double>{0, 0, 0}, {1, 0, 0}, {0.25, 1, 0}}; }
-
-/// Blocks of eight points, for 1e-13; `served`: the part of the points whose bound is met.
-void plane_triangle(benchmark::State& state) {
-  const auto functions =
-      std::make_shared<const TriangleFunctions>(monomials(static_cast<int>(state.range(0))));
-  const PlaneTriangle element(corners(), functions, 1e-13);
-  const std::vector<Observer> all = observers(static_cast<double>(state.range(1)) / 100);
-  struct Eight {
-    Vector<Pack> point;
-    Vector<Pack> normal;
-  };
-  std::vector<Eight> blocks(all.size() / Pack::lanes);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    Eight& block = blocks[i / Pack::lanes];
-    const std::size_t lane = i % Pack::lanes;
-    block.point.x.set_lane(lane, all[i].point.x);
-    block.point.y.set_lane(lane, all[i].point.y);
-    block.point.z.set_lane(lane, all[i].point.z);
-    block.normal.x.set_lane(lane, all[i].normal.x);
-    block.normal.y.set_lane(lane, all[i].normal.y);
-    block.normal.z.set_lane(lane, all[i].normal.z);
-  }
-  std::vector<Pack> values(element.function_count());
-  int served = 0;
-  for (const Eight& block : blocks)
-    served += std::popcount(element.integrals(block.point, block.normal, values));
-  std::size_t k = 0;
-  for (auto step : state) {
-    benchmark::DoNotOptimize(element.integrals(blocks[k].point, blocks[k].normal, values));
-    k = (k + 1) % blocks.size();
-  }
-  using benchmark::Counter;
-  state.counters["entries"] = Counter(static_cast<double>(Pack::lanes), Counter::kIsIterationInvariantRate);
-  state.counters["served"] = static_cast<double>(served) / static_cast<double>(all.size());
-}
-BENCHMARK(plane_triangle)
-    ->ArgNames({"degree", "distance"})
-    ->ArgsProduct({{0, 1, 2, 3}, {3, 10, 30, 60, 100, 200}});
-
-void plane_triangle_preparation(benchmark::State& state) {
-  const auto functions = std::make_shared<const TriangleFunctions>(monomials(1));
-  for (auto step : state) benchmark::DoNotOptimize(PlaneTriangle(corners(), functions, 1e-13));
-}
-BENCHMARK(plane_triangle_preparation);
 
 void point_to_polygon_ball(benchmark::State& state) {
   const PlanePolygon polygon = triangle();

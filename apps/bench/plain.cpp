@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radcert/kernel/geometric_kernel.h"
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/gauss.h"
 
 namespace radcert::bench {
 namespace {

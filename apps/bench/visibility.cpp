@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "radcert/visibility/point_view.h"
-#include "radcert/visibility/solid_configuration.h"
 #include "radcert/visibility/visibility.h"
 
 namespace radcert::bench {
@@ -110,11 +109,10 @@ void line_of_sight(benchmark::State& state) {
 }
 BENCHMARK(line_of_sight)->ArgName("wall squares")->Arg(12)->Arg(28);
 
-/// One pair of a point and a triangle of which nothing (0), a part (1) or the whole (2) is seen; with the configuration (1) or not.
+/// One pair of a point and a triangle of which nothing (0), a part (1) or the whole (2) is seen.
 void view_of_triangle(benchmark::State& state) {
   const Scene scene = room(12);
   const auto sight = static_cast<Sight>(state.range(0));
-  const bool integrates = state.range(1) != 0;
   Numbers random;
   struct View {
     std::unique_ptr<PointView> view;
@@ -137,11 +135,7 @@ void view_of_triangle(benchmark::State& state) {
     for (View& one : views) {
       for (const std::size_t t : one.triangles) {
         const VisibleRegion region = one.view->region(t);
-        if (integrates) {
-          benchmark::DoNotOptimize(solid_configuration_in_double(scene, one.view->viewpoint(), t, region));
-        } else {
-          benchmark::DoNotOptimize(region.parts.data());
-        }
+        benchmark::DoNotOptimize(region.parts.data());
       }
     }
     done += pairs;
@@ -150,12 +144,8 @@ void view_of_triangle(benchmark::State& state) {
   state.counters["triangles"] = static_cast<double>(scene.triangle_count());
 }
 BENCHMARK(view_of_triangle)
-    ->ArgNames({"sight", "integrates"})
-    ->Args({0, 0})
-    ->Args({1, 0})
-    ->Args({2, 0})
-    ->Args({1, 1})
-    ->Args({2, 1})
+    ->ArgName("sight")
+    ->DenseRange(0, 2)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -17,8 +17,8 @@
 #include "radcert/formats/basis_json.h"
 #include "radcert/formats/json_reader.h"
 #include "radcert/formats/node_file.h"
-#include "radcert/polynomial/lattice.h"
-#include "radcert/polynomial/superconvergent_inset.h"
+#include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/polynomial/nodes/superconvergent_inset.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert::app {

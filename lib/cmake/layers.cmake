@@ -1,12 +1,13 @@
-# The layers of the library and the one rule between them: a layer may use only those declared above it and
-# named. The configuration stops at a layer that names a later one, and at an #include that does.
+# The layers of the library and the one rule between them: a layer includes only layers declared above it, and USES
+# names exactly those. The configuration stops at a layer that names a later one or one that it does not include, and at
+# an #include of one that is not named.
 
 include_guard(GLOBAL)
 
 # radcert_layer(<name> [UP_TO <layer>] [USES <layer>...] [SOURCES <file>...] [PRIVATE <target>...])
 #
-#   UP_TO    the layer may see nothing declared after this one, not even through USES
-#   USES     the layers it builds upon; what these use in turn may be included as well
+#   UP_TO    the layer may name nothing declared after this one
+#   USES     the layers that its files include
 #   SOURCES  relative to radcert/<name>/ below the caller's folder; none: a layer of headers alone
 #   PRIVATE  third-party targets, seen by the layer's own sources and by nobody else
 #
@@ -32,7 +33,6 @@ function(radcert_layer name)
     list(SUBLIST declared 0 ${count} visible)
   endif()
 
-  set(closure)
   foreach(used IN LISTS arg_USES)
     if(NOT used IN_LIST declared)
       message(FATAL_ERROR "radcert_layer(${name}): uses ${used}, which is not declared above it; "
@@ -41,14 +41,10 @@ function(radcert_layer name)
     if(NOT used IN_LIST visible)
       message(FATAL_ERROR "radcert_layer(${name}): uses ${used}, but may see nothing after ${arg_UP_TO}")
     endif()
-    get_property(indirect GLOBAL PROPERTY RADCERT_LAYER_CLOSURE_${used})
-    list(APPEND closure ${used} ${indirect})
   endforeach()
-  list(REMOVE_DUPLICATES closure)
 
   set_property(GLOBAL APPEND PROPERTY RADCERT_LAYERS ${name})
-  set_property(GLOBAL PROPERTY RADCERT_LAYER_CLOSURE_${name} ${closure})
-  radcert_check_includes(${name} "${CMAKE_CURRENT_SOURCE_DIR}/radcert/${name}" "${closure}")
+  radcert_check_includes(${name} "${CMAKE_CURRENT_SOURCE_DIR}/radcert/${name}" "${arg_USES}")
 
   set(target radcert_${name})
   if(arg_SOURCES)
@@ -80,11 +76,12 @@ function(radcert_layer name)
   endforeach()
 endfunction()
 
-# Reads every header and source of a layer, stops at an include of a layer that is not among `allowed`, and has
-# the configuration run again when one of the files changes, comes or goes.
+# Reads every header and source of a layer, stops at an include of a layer that is not among `allowed` and at one of
+# these that is never included, and has the configuration run again when one of the files changes, comes or goes.
 function(radcert_check_includes name folder allowed)
   file(GLOB_RECURSE files CONFIGURE_DEPENDS "${folder}/*.h" "${folder}/*.cpp")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${files})
+  set(unused ${allowed})
   foreach(file IN LISTS files)
     file(READ "${file}" text)
     string(REGEX MATCHALL "\n[ \t]*#[ \t]*include[ \t]*[<\"][^>\"\n]*" includes "\n${text}")
@@ -95,6 +92,7 @@ function(radcert_check_includes name folder allowed)
         set(complaint "includes \"${path}\"; write #include \"radcert/<layer>/<file>.h\"")
       elseif(path MATCHES "^radcert/([^/]+)")
         set(layer "${CMAKE_MATCH_1}")
+        list(REMOVE_ITEM unused ${layer})
         if(NOT layer STREQUAL name AND NOT layer IN_LIST allowed)
           set(complaint "includes \"${path}\" of layer ${layer}")
         endif()
@@ -111,6 +109,10 @@ function(radcert_check_includes name folder allowed)
       endif()
     endforeach()
   endforeach()
+  if(unused)
+    list(JOIN unused " " names)
+    message(FATAL_ERROR "radcert_layer(${name}): USES ${names}, but no file includes it")
+  endif()
 endfunction()
 
 # radcert_umbrella(): the target radcert::radcert, which is all layers declared so far, and their installation.

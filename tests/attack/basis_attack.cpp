@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "radcert/polynomial/algebraic_nodes.h"
+#include "radcert/polynomial/nodes/algebraic_nodes.h"
 #include "radcert/polynomial/basis_facts.h"
 #include "radcert/scalar/real.h"
 #include "tests/attack/attack.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Closed forms of points and polygons: PlaneElement and PlaneTriangle against their accuracy, point_to_polygon and
+// Closed forms of points and polygons: PlaneElement against its accuracy, point_to_polygon and
 // polygon_to_polygon as balls. The judges are Lambert's formula in space, a polar integral by Chebyshev rules, and the sum 1 of the
 // factors of a closed body; they share no function with the library above rationals and balls.
 #include <gtest/gtest.h>
@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "radcert/closed_form/plane_element.h"
-#include "radcert/closed_form/plane_triangle.h"
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/closed_form/polygon_to_polygon.h"
 #include "tests/attack/attack.h"
@@ -237,27 +236,6 @@ TEST(ClosedFormAttack, PlaneElementsOfConstants) {
 
 TEST(ClosedFormAttack, PlaneElementsOfPolynomials) {
   hold(attack_on("plane elements, degrees 1 to 8", 4, 1, 8, true, judge_plane_element));
-}
-
-Judgement judge_plane_triangle(const Instance& x) {
-  const PlanePolygon polygon = x.polygon();
-  const std::vector<Polynomial> functions = x.functions();
-  const PlaneTriangle element(x.sight.corners, std::make_shared<const TriangleFunctions>(functions),
-                              x.accuracy);
-  std::vector<double> values(functions.size());
-  if (!element.integrals(x.sight.p, x.sight.normal, values)) return Judgement::refused();
-  const Truth exact = truth(polygon, x, 1e-4 * x.accuracy);
-  if (!exact.known) return Judgement::refused();
-  return held_within(
-      x, exact, values, [&](std::size_t k) { return largest_value(polygon, functions[k]); }, "served");
-}
-
-TEST(ClosedFormAttack, PlaneTrianglesOfConstants) {
-  hold(attack_on("plane triangles, constants", 800, 0, 0, false, judge_plane_triangle));
-}
-
-TEST(ClosedFormAttack, PlaneTrianglesOfPolynomials) {
-  hold(attack_on("plane triangles, degrees 1 to 3", 25, 1, 3, false, judge_plane_triangle));
 }
 
 Judgement judge_ball(const Instance& x) {

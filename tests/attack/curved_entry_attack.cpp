@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "radcert/collocation/certified_chart_entries.h"
-#include "radcert/collocation/certified_kernel_sums.h"
-#include "radcert/collocation/kernel_rule.h"
+#include "radcert/collocation/certified/certified_chart_entries.h"
+#include "radcert/quadrature/certified/certified_kernel_sums.h"
+#include "radcert/quadrature/certified/kernel_rule.h"
 #include "radcert/core/text.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/surface/catalogue/cylinder.h"
 #include "radcert/surface/catalogue/ellipsoid.h"

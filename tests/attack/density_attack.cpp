@@ -11,7 +11,7 @@
 
 #include "radcert/core/text.h"
 #include "radcert/expression/parse.h"
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/surface/catalogue/box.h"
 #include "tests/attack/attack.h"

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "radcert/collocation/certified_chart_entries.h"
+#include "radcert/collocation/certified/certified_chart_entries.h"
 #include "radcert/core/text.h"
 #include "radcert/expression/parse.h"
 #include "radcert/scalar/ball_precision.h"
-#include "radcert/study/plane_chart.h"
+#include "radcert/collocation/certified/plane_chart.h"
 #include "tests/attack/problem_instance.h"
 
 namespace radcert::attack {

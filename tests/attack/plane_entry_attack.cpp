@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "radcert/collocation/certified_entries.h"
+#include "radcert/collocation/certified/certified_entries.h"
 #include "radcert/core/errors.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/study/verified_level.h"
 #include "radcert/surface/mesh_surface.h"
 #include "tests/attack/attack.h"

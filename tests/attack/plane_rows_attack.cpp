@@ -11,8 +11,8 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/text.h"
 #include "radcert/scalar/ball_precision.h"
-#include "radcert/study/plane_chart.h"
-#include "radcert/study/plane_entries.h"
+#include "radcert/collocation/certified/plane_chart.h"
+#include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/surface/mesh_surface.h"
 #include "tests/attack/attack.h"
 

@@ -12,7 +12,7 @@
 #include "radcert/geometry/mesh_file.h"
 #include "radcert/hypotheses/mesh_survey.h"
 #include "radcert/polynomial/inset_basis.h"
-#include "radcert/polynomial/symmetric_nodes.h"
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/reference/operator_integral.h"
 
 namespace radcert::attack {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "radcert/collocation/assembly.h"
-#include "radcert/collocation/certified_chart_entries.h"
+#include "radcert/collocation/certified/certified_chart_entries.h"
 #include "radcert/collocation/nodes.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/collocation/certified_visible_entries.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/collocation/certified/certified_visible_entries.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "tests/attack/attack.h"
 #include "tests/attack/nasty_geometry.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/closed_form/bounded_double.h"
+#include "radcert/scalar/bounded_double.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/kernel/geometric_kernel.h"
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/mpfr_real.h"
 

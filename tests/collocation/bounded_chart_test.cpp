@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/collocation/bounded_chart.h"
+#include "radcert/quadrature/certified/bounded_chart.h"
 
 #include <gtest/gtest.h>
 

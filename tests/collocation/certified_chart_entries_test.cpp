@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/collocation/certified_chart_entries.h"
+#include "radcert/collocation/certified/certified_chart_entries.h"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "radcert/closed_form/point_to_polygon.h"
-#include "radcert/collocation/certified_kernel_sums.h"
-#include "radcert/collocation/certified_operator.h"
+#include "radcert/quadrature/certified/certified_kernel_sums.h"
+#include "radcert/collocation/certified/certified_operator.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/surface/catalogue/cylinder.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/paraboloid_cap.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/collocation/certified_entries.h"
+#include "radcert/collocation/certified/certified_entries.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/ball.h"
 
 namespace radcert {

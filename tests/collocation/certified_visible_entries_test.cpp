@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/collocation/certified_visible_entries.h"
+#include "radcert/collocation/certified/certified_visible_entries.h"
 
 #include <gtest/gtest.h>
 

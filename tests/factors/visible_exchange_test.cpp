@@ -11,8 +11,8 @@
 
 #include "radcert/factors/sight_events.h"
 #include "radcert/geometry/orientation.h"
-#include "radcert/polynomial/conical_rule.h"
-#include "radcert/visibility/solid_configuration.h"
+#include "radcert/polynomial/rules/conical_rule.h"
+#include "tests/visibility/solid_configuration.h"
 #include "sample_rooms.h"
 
 namespace radcert {

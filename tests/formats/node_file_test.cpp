@@ -7,7 +7,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/expression/parse.h"
 #include "radcert/formats/polynomial_expression.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {

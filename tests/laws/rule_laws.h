@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/conical_rule.h"
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/polynomial/rules/gauss.h"
 
 namespace radcert::laws {
 

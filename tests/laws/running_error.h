@@ -10,7 +10,7 @@
 #include <string>
 #include <type_traits>
 
-#include "radcert/scalar/divided_difference.h"
+#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/exponent.h"
 #include "radcert/scalar/mpfr_real.h"
 #include "radcert/scalar/rational.h"

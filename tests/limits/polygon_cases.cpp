@@ -92,7 +92,7 @@ PlanePolynomial<Rational> one() {
 }
 
 Case far_squares() {
-  return {.limit = "closed_form/raised_precision: bits", .answer = [] {
+  return {.limit = "scalar/raised_precision: bits", .answer = [] {
             const Outcome<Ball> found = polygon_to_polygon_within(unit_square(0), square_from_above(100000),
                                                                   1 / power(Rational(10), 40));
             return found ? numbers({*found}) : refusal(found.reason());

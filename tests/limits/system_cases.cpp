@@ -2,18 +2,18 @@
 #include <numbers>
 #include <random>
 
-#include "radcert/collocation/certified_chart_entries.h"
-#include "radcert/collocation/certified_operator.h"
+#include "radcert/collocation/certified/certified_chart_entries.h"
+#include "radcert/collocation/certified/certified_operator.h"
 #include "radcert/core/errors.h"
 #include "radcert/expression/parse.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/quadrature/element_integrator.h"
 #include "radcert/solve/direct.h"
 #include "radcert/solve/gmres.h"
 #include "radcert/solve/power_series.h"
 #include "radcert/solve/verified_system.h"
 #include "radcert/study/operator_norm.h"
-#include "radcert/study/plane_entries.h"
+#include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/study/study.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"

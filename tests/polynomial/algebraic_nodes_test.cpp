@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/algebraic_nodes.h"
+#include "radcert/polynomial/nodes/algebraic_nodes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/lattice.h"
-#include "radcert/polynomial/superconvergent_inset.h"
-#include "radcert/polynomial/symmetric_nodes.h"
+#include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/polynomial/nodes/superconvergent_inset.h"
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/scalar/real.h"
 #include "tests/scalar/draw.h"
 

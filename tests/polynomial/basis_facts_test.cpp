@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "radcert/polynomial/interpolatory_rule.h"
-#include "radcert/polynomial/product_precision.h"
-#include "radcert/polynomial/symmetric_nodes.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
+#include "radcert/polynomial/rules/product_precision.h"
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "tests/polynomial/node_sets.h"
 
 namespace radcert {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/degree_of_precision.h"
+#include "radcert/polynomial/rules/degree_of_precision.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 
-#include "radcert/polynomial/interpolatory_rule.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "tests/laws/rule_laws.h"
 #include "tests/polynomial/node_sets.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/gauss.h"
 
 #include <gtest/gtest.h>
 

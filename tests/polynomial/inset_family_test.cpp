@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/inset_family.h"
+#include "radcert/polynomial/nodes/inset_family.h"
 
 #include <gtest/gtest.h>
 
-#include "radcert/polynomial/interpolatory_rule.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/polynomial/real_zeros.h"
 #include "tests/laws/basis_laws.h"
 #include "tests/polynomial/node_sets.h"

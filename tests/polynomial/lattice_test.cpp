@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 
 #include <gtest/gtest.h>
 

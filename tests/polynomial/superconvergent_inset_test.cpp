@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/superconvergent_inset.h"
+#include "radcert/polynomial/nodes/superconvergent_inset.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "radcert/polynomial/interpolatory_rule.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/scalar/ball.h"
 #include "tests/polynomial/node_sets.h"
 

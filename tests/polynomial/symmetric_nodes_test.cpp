@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/symmetric_nodes.h"
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "radcert/polynomial/interpolatory_rule.h"
-#include "radcert/polynomial/symmetric_certificate.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
+#include "radcert/polynomial/nodes/symmetric_certificate.h"
 #include "tests/polynomial/node_sets.h"
 
 namespace radcert {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "radcert/polynomial/symmetric_nodes.h"
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/pack.h"
 #include "tests/polynomial/node_sets.h"

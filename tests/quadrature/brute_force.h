@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "radcert/kernel/geometric_kernel.h"
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/reference/sphere_over_disk_cubature.h"
 #include "radcert/reference/sphere_over_disk_sums.h"
 #include "radcert/reference/sphere_over_disk_value.h"

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "radcert/scalar/divided_difference.h"
+#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/dual.h"
 #include "tests/scalar/draw.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/scalar/dilogarithm.h"
+#include "radcert/scalar/functions/dilogarithm.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "radcert/scalar/ball.h"
-#include "radcert/scalar/divided_difference.h"
+#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/mpfr_real.h"
-#include "radcert/scalar/power_difference.h"
+#include "radcert/scalar/functions/power_difference.h"
 #include "tests/scalar/draw.h"
 
 namespace radcert {

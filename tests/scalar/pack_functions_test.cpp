@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "radcert/scalar/dilogarithm.h"
+#include "radcert/scalar/functions/dilogarithm.h"
 #include "radcert/scalar/mpfr_real.h"
 #include "tests/scalar/draw.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/scalar/taylor_model.h"
+#include "radcert/scalar/functions/taylor_model.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/scalar/complex_ball.h"
-#include "radcert/scalar/divided_difference.h"
+#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/dual.h"
 #include "tests/scalar/draw.h"
 

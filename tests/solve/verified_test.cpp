@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/collocation/certified_entries.h"
+#include "radcert/collocation/certified/certified_entries.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/mpfr_real.h"
 #include "radcert/solve/contraction.h"
 #include "radcert/solve/elimination.h"

@@ -1,4 +1,5 @@
-# The configuration stops at a layer that uses, or includes, what is not declared above it and named.
+# The configuration stops at a layer that uses, or includes, what is not declared above it and named, and at one that
+# names what it does not include.
 # cmake -D root=<checkout> -D scratch=<folder> -D compiler=<c++> -D generator=<name> -P layers.cmake
 
 # Configures a project with the declarations `lines` and a header of layer `layer` that holds `include`, and
@@ -8,9 +9,11 @@ function(configure_project name lines layer include expected)
   file(WRITE "${folder}/CMakeLists.txt"
     "cmake_minimum_required(VERSION 3.25)\nproject(layers LANGUAGES CXX)\n"
     "include(\"${root}/lib/cmake/layers.cmake\")\n${lines}\n")
-  foreach(each IN ITEMS low middle high beside)
+  foreach(each IN ITEMS low beside)
     file(WRITE "${folder}/radcert/${each}/${each}.h" "#pragma once\n")
   endforeach()
+  file(WRITE "${folder}/radcert/middle/middle.h" "#pragma once\n#include \"radcert/low/low.h\"\n")
+  file(WRITE "${folder}/radcert/high/high.h" "#pragma once\n#include \"radcert/middle/middle.h\"\n")
   file(WRITE "${folder}/radcert/${layer}/probe.h" "#pragma once\n\n#include ${include}\n")
   execute_process(
     COMMAND ${CMAKE_COMMAND} -G "${generator}" -S "${folder}" -B "${folder}/build" -D "CMAKE_CXX_COMPILER=${compiler}"
@@ -35,7 +38,9 @@ file(REMOVE_RECURSE "${scratch}")
 set(tower "radcert_layer(low)\nradcert_layer(middle USES low)\nradcert_layer(beside)\nradcert_layer(high USES middle)")
 
 configure_project(right "${tower}" high "\"radcert/middle/middle.h\"" "")
-configure_project(right_through_another "${tower}" high "\"radcert/low/low.h\"" "")
+configure_project(includes_through_another "${tower}" high "\"radcert/low/low.h\"" "of layer low")
+configure_project(names_what_it_does_not_include "radcert_layer(low)\nradcert_layer(beside USES low)" low "<cmath>"
+  "radcert_layer(beside): USES low, but no file includes it")
 configure_project(includes_later "${tower}" low "\"radcert/high/high.h\""
   "radcert/low/probe.h:3: layer low includes \"radcert/high/high.h\" of layer high")
 configure_project(includes_later_in_brackets "${tower}" low "<radcert/high/high.h>" "of layer high")

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "radcert/core/parallel.h"
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/level_errors.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/plane_entries.h"
+#include "radcert/collocation/certified/plane_entries.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "problems.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/approximation.h"
 #include "radcert/surface/catalogue.h"
 

@@ -18,7 +18,7 @@
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/core/parallel.h"
 #include "radcert/geometry/orientation.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/surface/mesh_surface.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/interpolatory_rule.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "tests/verification/fixtures.h"
 #include "verification/claims/m06/interpolation_defects.h"
 #include "verification/claims/m06/rates.h"

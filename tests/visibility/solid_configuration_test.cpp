@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/visibility/solid_configuration.h"
+#include "tests/visibility/solid_configuration.h"
 
 #include <gtest/gtest.h>
 

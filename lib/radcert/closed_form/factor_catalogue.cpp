@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
-#include "radcert/scalar/dilogarithm.h"
+#include "radcert/scalar/functions/dilogarithm.h"
 
 namespace radcert {
 namespace {

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "radcert/closed_form/raised_precision.h"
+#include "radcert/scalar/raised_precision.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/mpfr_real.h"
 #include "radcert/scalar/rational.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/polynomial/plane_polynomial.h"
 #include "radcert/scalar/mpfr_real.h"
 
@@ -62,9 +62,9 @@ struct Cut {
 };
 
 Cut cut(const PieceCorner& seen, const PieceCorner& unseen) {
-  const Twofold drop = seen.level - unseen.level;
-  const Twofold share = seen.level / drop;
-  const Twofold rest = -unseen.level / drop;
+  const DoubleDouble drop = seen.level - unseen.level;
+  const DoubleDouble share = seen.level / drop;
+  const DoubleDouble rest = -unseen.level / drop;
   Cut result;
   result.corner.x = between(seen.x, unseen.x, share);
   result.corner.y = between(seen.y, unseen.y, share);
@@ -188,7 +188,7 @@ void PieceSums::add_in(const KernelPiece& piece, const PaddedRule& rule, double 
   const auto count = known < 0 ? count_ : static_cast<std::size_t>((known + 1) * (known + 2) / 2);
   const Pack h2(squared_height);
   const auto& [a, b, c] = piece.corner;
-  const auto side = [](const Twofold& from, const Twofold& to) {
+  const auto side = [](const DoubleDouble& from, const DoubleDouble& to) {
     return Pack((to.head - from.head) + (to.tail - from.tail));
   };
   const Pack x0(a.x.head);

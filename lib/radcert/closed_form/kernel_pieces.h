@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "radcert/closed_form/twofold.h"
+#include "radcert/geometry/double_double_vector.h"
 #include "radcert/scalar/pack.h"
 
 namespace radcert {
@@ -32,9 +32,9 @@ const PaddedRule* fitting_rule(double ratio, double needed, int degree);
 
 /// A corner of what is integrated at one go.
 struct PieceCorner {
-  Twofold x;  ///< about the foot of P
-  Twofold y;
-  Twofold level;                        ///< (corner - P) . n_P
+  DoubleDouble x;  ///< about the foot of P
+  DoubleDouble y;
+  DoubleDouble level;                        ///< (corner - P) . n_P
   std::array<double, 3> barycentric{};  ///< in the triangle that was cut
 };
 

@@ -8,11 +8,11 @@
 #include <optional>
 #include <utility>
 
-#include "radcert/closed_form/bounded_double.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/closed_form/kernel_moments.h"
 #include "radcert/closed_form/kernel_pieces.h"
 #include "radcert/closed_form/point_to_polygon.h"
-#include "radcert/closed_form/twofold.h"
+#include "radcert/geometry/double_double_vector.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/work_limit.h"
@@ -53,7 +53,7 @@ public:
 
 private:
   struct Corner {
-    TwofoldVector at;
+    DoubleDoubleVector at;
     double x = 0;  ///< about the centre
     double y = 0;
   };
@@ -63,8 +63,8 @@ private:
     double length = 0;
     double direction_x = 0;
     double direction_y = 0;
-    TwofoldVector direction;
-    TwofoldVector inward;  ///< in the plane, to the left, unit length
+    DoubleDoubleVector direction;
+    DoubleDoubleVector inward;  ///< in the plane, to the left, unit length
   };
   struct Triangle {
     std::array<std::size_t, 3> corner{};
@@ -81,12 +81,12 @@ private:
   struct Eye {
     std::array<double, 3> p{};
     double reach = 0;  ///< three times the sum of the largest coordinates of P and of the corners
-    TwofoldVector normal;
+    DoubleDoubleVector normal;
     BoundedDouble normal_length;
     BoundedDouble height;
     BoundedDouble normal_z;
-    std::vector<TwofoldVector> differences;  ///< P - corner
-    std::vector<Twofold> levels;             ///< (corner - P) . n_P, or 0 where its sign is not known
+    std::vector<DoubleDoubleVector> differences;  ///< P - corner
+    std::vector<DoubleDouble> levels;             ///< (corner - P) . n_P, or 0 where its sign is not known
     double level_error = 0;                  ///< of all of them
     double largest_level = 0;
     bool has_undecided = false;
@@ -131,7 +131,7 @@ private:
   bool by_rule(const Eye& eye, bool whole, std::span<double> values) const;
   Route by_balls(const Vector<double>& p, const Vector<double>& normal, std::span<double> values) const;
   [[nodiscard]] bool foot_is_outside(const Eye& eye, const std::vector<FootEdge<BoundedDouble>>& edges) const;
-  [[nodiscard]] static BoundedDouble plain_product(const TwofoldVector& direction, const TwofoldVector& r,
+  [[nodiscard]] static BoundedDouble plain_product(const DoubleDoubleVector& direction, const DoubleDoubleVector& r,
                                                    double reach);
 
   PlanePolygon polygon_;
@@ -142,13 +142,13 @@ private:
   std::vector<Edge> edges_;
   std::vector<Triangle> triangles_;  ///< fans over the loops
   std::vector<Function> functions_;
-  TwofoldVector axis_x_;
-  TwofoldVector axis_y_;
-  TwofoldVector axis_z_;
+  DoubleDoubleVector axis_x_;
+  DoubleDoubleVector axis_y_;
+  DoubleDoubleVector axis_z_;
   Vector<Wide> wide_x_;
   Vector<Wide> wide_y_;
   Vector<Wide> wide_centre_;
-  TwofoldVector centre_;
+  DoubleDoubleVector centre_;
   double x_scale_ = 1;
   double y_scale_ = 1;
   Permitted permitted_whole_;  ///< where every triangle is one piece
@@ -241,7 +241,7 @@ void PlaneElement::Prepared::add_loops(const PlanePolygon& polygon) {
     }
   }
   wide_centre_ = wide(Rational(1, 2) * (low + high));
-  centre_ = twofold(wide_centre_);
+  centre_ = double_double(wide_centre_);
   const Vector<Rational> plane_normal = polygon.normal();
   const auto normalised = [](const Vector<Rational>& a) {
     return reciprocal(sqrt(Wide(dot(a, a)))) * wide(a);
@@ -249,9 +249,9 @@ void PlaneElement::Prepared::add_loops(const PlanePolygon& polygon) {
   wide_x_ = normalised(along);
   const Vector<Wide> wide_z = normalised(plane_normal);
   wide_y_ = normalised(cross(plane_normal, along));
-  axis_x_ = twofold(wide_x_);
-  axis_y_ = twofold(wide_y_);
-  axis_z_ = twofold(wide_z);
+  axis_x_ = double_double(wide_x_);
+  axis_y_ = double_double(wide_y_);
+  axis_z_ = double_double(wide_z);
 
   double x_size = 0;
   double y_size = 0;
@@ -260,7 +260,7 @@ void PlaneElement::Prepared::add_loops(const PlanePolygon& polygon) {
     for (const auto& at : loop) {
       const Vector<Wide> point = wide(polygon.point(at));
       Corner corner;
-      corner.at = twofold(point);
+      corner.at = double_double(point);
       corner.x = as_double(dot(point - wide_centre_, wide_x_));
       corner.y = as_double(dot(point - wide_centre_, wide_y_));
       x_size = std::max(x_size, std::abs(corner.x));
@@ -277,10 +277,10 @@ void PlaneElement::Prepared::add_loops(const PlanePolygon& polygon) {
       const Vector<Wide> direction = normalised(exact);
       edge.length = as_double(sqrt(Wide(dot(exact, exact))));
       shortest_ = edges_.empty() ? edge.length : std::min(shortest_, edge.length);
-      edge.direction = twofold(direction);
+      edge.direction = double_double(direction);
       edge.direction_x = as_double(dot(direction, wide_x_));
       edge.direction_y = as_double(dot(direction, wide_y_));
-      edge.inward = twofold(normalised(cross(plane_normal, exact)));
+      edge.inward = double_double(normalised(cross(plane_normal, exact)));
       edges_.push_back(edge);
     }
     const Wide normal_length = sqrt(Wide(dot(plane_normal, plane_normal)));
@@ -463,7 +463,7 @@ std::optional<BoundedDouble> PlaneElement::Prepared::lambert(const Eye& eye) con
   const BoundedDouble squared_height = eye.height * eye.height;
   BoundedDouble sum;
   for (const Edge& edge : edges_) {
-    const TwofoldVector& from = eye.differences[edge.start];
+    const DoubleDoubleVector& from = eye.differences[edge.start];
     const BoundedDouble d = product(edge.inward, from, eye.reach);
     const BoundedDouble a2 = d * d + squared_height;
     const BoundedDouble a = sqrt(a2);
@@ -481,7 +481,7 @@ std::optional<BoundedDouble> PlaneElement::Prepared::lambert(const Eye& eye) con
 }
 
 /// direction . r in doubles, r a difference of corners and P.
-BoundedDouble PlaneElement::Prepared::plain_product(const TwofoldVector& direction, const TwofoldVector& r,
+BoundedDouble PlaneElement::Prepared::plain_product(const DoubleDoubleVector& direction, const DoubleDoubleVector& r,
                                                     double reach) {
   double sum = 0;
   double size = 0;
@@ -491,7 +491,7 @@ BoundedDouble PlaneElement::Prepared::plain_product(const TwofoldVector& directi
     size += std::abs(term);
   }
   // Both factors are rounded, the product, and two sums; and the difference itself is known to 2^-105 of P and the corner.
-  return {sum, 5.1 * unit * size + twofold_product_error(reach)};
+  return {sum, 5.1 * unit * size + product_error(reach)};
 }
 
 /// Whether the foot certainly lies outside, and no nearer to a corner than P's height. Of a polygon that is not convex the
@@ -522,8 +522,8 @@ bool PlaneElement::Prepared::by_closed_form(const Eye& eye, std::span<double> va
   edges.clear();
   const B squared_height = eye.height * eye.height;
   for (const Edge& edge : edges_) {
-    const TwofoldVector& from = eye.differences[edge.start];
-    const TwofoldVector& to = eye.differences[edge.end];
+    const DoubleDoubleVector& from = eye.differences[edge.start];
+    const DoubleDoubleVector& to = eye.differences[edge.end];
     FootEdge<B> seen;
     seen.direction_x = B::rounded(edge.direction_x);
     seen.direction_y = B::rounded(edge.direction_y);
@@ -560,7 +560,7 @@ bool PlaneElement::Prepared::by_closed_form(const Eye& eye, std::span<double> va
   const double hidden = hidden_part(eye);
   const double least = accuracy_ * (whole.smallest_size() - hidden);
   if (!(whole.error() + hidden <= least)) return false;
-  const TwofoldVector from_centre = difference(eye.p, centre_);
+  const DoubleDoubleVector from_centre = difference(eye.p, centre_);
   const B x_factor = B::rounded(1 / x_scale_);
   const B y_factor = B::rounded(1 / y_scale_);
   substitute(PlaneSubstitution<B>{.t_0 = product(axis_y_, from_centre, eye.reach) * y_factor,
@@ -631,8 +631,8 @@ bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, const Permitted& pe
     KernelPiece triangle;
     for (std::size_t c = 0; c < 3; ++c) {
       const std::size_t corner = triangles_[k].corner[c];
-      triangle.corner[c].x = twofold_product(axis_x_, eye.differences[corner]);
-      triangle.corner[c].y = twofold_product(axis_y_, eye.differences[corner]);
+      triangle.corner[c].x = product_in_double_double(axis_x_, eye.differences[corner]);
+      triangle.corner[c].y = product_in_double_double(axis_y_, eye.differences[corner]);
       triangle.corner[c].level = eye.levels[corner];
       triangle.corner[c].barycentric[c] = 1;
     }
@@ -673,7 +673,7 @@ PlaneElement::Prepared::GeometryErrors PlaneElement::Prepared::geometry_errors(
   constexpr double rounding = 1.01;
   constexpr double by_height = 33;
   constexpr double by_largest = 1.4;  // which is off by a quarter at most
-  errors.relative = by_height * rounding * twofold_product_error(eye.reach) / height;
+  errors.relative = by_height * rounding * product_error(eye.reach) / height;
   const double lowest = undecided_errors * eye.level_error;
   errors.level = lowest * over_pieces;
   double cut = 0;
@@ -862,10 +862,10 @@ PlaneElement::Route PlaneElement::Prepared::integrals(const Vector<double>& p, c
   int unseen = 0;
   eye.has_undecided = false;
   eye.largest_level = 0;
-  eye.level_error = twofold_product_error(normal_reach * eye.reach);
+  eye.level_error = product_error(normal_reach * eye.reach);
   for (const Corner& corner : corners_) {
     eye.differences.push_back(difference(eye.p, corner.at));
-    Twofold level = -twofold_product(eye.normal, eye.differences.back());
+    DoubleDouble level = -product_in_double_double(eye.normal, eye.differences.back());
     if (std::abs(level.head) <= decided_errors * eye.level_error) {
       eye.has_undecided = true;
       level = {};

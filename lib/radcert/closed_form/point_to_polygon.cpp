@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "radcert/closed_form/kernel_moments.h"
-#include "radcert/closed_form/raised_precision.h"
+#include "radcert/scalar/raised_precision.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/mpfr_real.h"
 

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/closed_form/raised_precision.h"
+#include "radcert/scalar/raised_precision.h"
 #include "radcert/core/contract.h"
 #include "radcert/geometry/vector.h"
-#include "radcert/scalar/dilogarithm.h"
+#include "radcert/scalar/functions/dilogarithm.h"
 #include "radcert/scalar/real.h"
 
 // The integral over one pair of edges.
@@ -39,9 +39,6 @@
 //   d = m/(|n||a|),  tau = D.a/|a|,  rho = r/|a|,  and the coefficients of log w are rational.
 
 namespace radcert {
-
-const WorkLimit most_raised_bits("closed_form/raised_precision: bits", 32768, BallPrecision::smallest_bits,
-                                 "refused, with the ball reached");
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <concepts>
 
 #include "radcert/core/contract.h"
-#include "radcert/scalar/dilogarithm.h"
+#include "radcert/scalar/functions/dilogarithm.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {

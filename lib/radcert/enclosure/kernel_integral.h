@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "radcert/closed_form/bounded_double.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/enclosure/exact_observer.h"
 #include "radcert/enclosure/polygon_integral.h"
 #include "radcert/surface/surface.h"

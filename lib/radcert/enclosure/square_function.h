@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "radcert/scalar/ball.h"
-#include "radcert/scalar/taylor_model.h"
+#include "radcert/scalar/functions/taylor_model.h"
 
 namespace radcert {
 

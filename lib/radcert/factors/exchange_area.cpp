@@ -9,8 +9,8 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/work_limit.h"
-#include "radcert/polynomial/conical_rule.h"
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/scalar/pack_functions.h"
 
 namespace radcert {

@@ -13,7 +13,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/factors/sight_events.h"
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 
 namespace radcert {
 

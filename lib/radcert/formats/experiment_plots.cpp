@@ -13,7 +13,7 @@
 #include "radcert/formats/order_text.h"
 #include "radcert/formats/problem_json.h"
 #include "radcert/formats/problem_words.h"
-#include "radcert/polynomial/superconvergent_inset.h"
+#include "radcert/polynomial/nodes/superconvergent_inset.h"
 
 namespace radcert {
 

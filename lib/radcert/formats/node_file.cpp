@@ -15,7 +15,7 @@
 #include "radcert/formats/json_document.h"
 #include "radcert/formats/json_reader.h"
 #include "radcert/formats/polynomial_expression.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/real_zeros.h"
 #include "radcert/scalar/real.h"
 

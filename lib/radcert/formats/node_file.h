@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "radcert/formats/json_value.h"
-#include "radcert/polynomial/algebraic_nodes.h"
+#include "radcert/polynomial/nodes/algebraic_nodes.h"
 #include "radcert/polynomial/lagrange_functions.h"
-#include "radcert/polynomial/symmetric_certificate.h"
+#include "radcert/polynomial/nodes/symmetric_certificate.h"
 
 namespace radcert {
 

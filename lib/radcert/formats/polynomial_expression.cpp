@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 
 namespace radcert {
 

@@ -7,8 +7,8 @@
 
 #include "radcert/formats/node_file.h"
 #include "radcert/formats/problem_parts.h"
-#include "radcert/polynomial/superconvergent_inset.h"
-#include "radcert/polynomial/symmetric_nodes.h"
+#include "radcert/polynomial/nodes/superconvergent_inset.h"
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {

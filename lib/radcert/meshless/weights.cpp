@@ -12,7 +12,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/meshless/surface_cells.h"
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 
 namespace radcert {
 namespace {

@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "radcert/polynomial/degree_of_precision.h"
+#include "radcert/polynomial/rules/degree_of_precision.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/lebesgue_constant.h"
-#include "radcert/polynomial/symmetric_certificate.h"
+#include "radcert/polynomial/nodes/symmetric_certificate.h"
 
 namespace radcert {
 

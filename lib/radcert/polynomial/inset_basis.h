@@ -7,7 +7,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/barycentric.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 
 namespace radcert {
 

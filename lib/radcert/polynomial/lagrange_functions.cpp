@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {

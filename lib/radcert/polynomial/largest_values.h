@@ -8,7 +8,7 @@
 
 #include "radcert/core/lazy_table.h"
 #include "radcert/polynomial/lagrange_functions.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/triangle_basis.h"
 
 namespace radcert {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/real_zeros.h"
 #include "radcert/scalar/real.h"
 

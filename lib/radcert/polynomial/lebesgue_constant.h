@@ -2,7 +2,7 @@
 #pragma once
 
 #include "radcert/core/work_limit.h"
-#include "radcert/polynomial/inset_family.h"
+#include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/lagrange_functions.h"
 
 namespace radcert {

@@ -8,7 +8,7 @@
 
 #include "radcert/core/lazy_table.h"
 #include "radcert/core/work_limit.h"
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/quadrature/bernstein.h"
 #include "radcert/quadrature/even_shape.h"
 

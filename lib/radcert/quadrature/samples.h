@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/polynomial/triangle_basis.h"
 #include "radcert/scalar/pack.h"
 #include "radcert/triangulation/triangulation.h"

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "radcert/closed_form/raised_precision.h"
+#include "radcert/scalar/raised_precision.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/reference/values/families.h"

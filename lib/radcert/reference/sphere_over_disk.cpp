@@ -10,7 +10,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/scalar/enclosing_text.h"
 
 namespace radcert::reference {

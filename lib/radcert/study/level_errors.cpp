@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "radcert/core/parallel.h"
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/surface/surface_function.h"
 
 namespace radcert {

@@ -9,7 +9,7 @@
 #include "radcert/core/checked.h"
 #include "radcert/core/contract.h"
 #include "radcert/meshless/surface_cells.h"
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 
 namespace radcert {
 namespace {

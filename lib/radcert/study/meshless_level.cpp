@@ -15,7 +15,7 @@
 #include "radcert/core/work_limit.h"
 #include "radcert/meshless/interpolation_system.h"
 #include "radcert/meshless/sampling.h"
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/direct.h"
 #include "radcert/study/level_errors.h"

@@ -6,7 +6,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/quadrature/tolerance.h"
 #include "radcert/solve/iteration.h"
 #include "radcert/study/plan.h"

@@ -12,13 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/collocation/certified_chart_entries.h"
-#include "radcert/collocation/certified_operator.h"
+#include "radcert/collocation/certified/certified_chart_entries.h"
+#include "radcert/collocation/certified/certified_operator.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/hypotheses/convex_containment.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/solve/verified_system.h"
@@ -28,8 +28,8 @@
 #include "radcert/study/node_data.h"
 #include "radcert/study/operator_norm.h"
 #include "radcert/study/plan.h"
-#include "radcert/study/plane_chart.h"
-#include "radcert/study/plane_entries.h"
+#include "radcert/collocation/certified/plane_chart.h"
+#include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/study/stopwatch.h"
 
 namespace radcert {

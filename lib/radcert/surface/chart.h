@@ -14,11 +14,11 @@
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/complex_ball.h"
-#include "radcert/scalar/divided_difference.h"
+#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/dual.h"
 #include "radcert/scalar/mpfr_real.h"
 #include "radcert/scalar/pack.h"
-#include "radcert/scalar/taylor_model.h"
+#include "radcert/scalar/functions/taylor_model.h"
 #include "radcert/surface/chart_structure.h"
 #include "radcert/surface/chord.h"
 

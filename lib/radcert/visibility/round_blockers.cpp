@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "radcert/closed_form/bounded_double.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/visibility/scene.h"

@@ -12,8 +12,8 @@
 #include <array>
 
 #include "radcert/polynomial/inset_basis.h"
-#include "radcert/polynomial/inset_family.h"
-#include "radcert/polynomial/interpolatory_rule.h"
+#include "radcert/polynomial/nodes/inset_family.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/polynomial/real_zeros.h"
 #include "verification/claims/ac98/checks.h"

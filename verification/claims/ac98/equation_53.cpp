@@ -6,8 +6,8 @@
 // Not checked  nothing is left out.
 
 #include "radcert/polynomial/inset_basis.h"
-#include "radcert/polynomial/inset_family.h"
-#include "radcert/polynomial/interpolatory_rule.h"
+#include "radcert/polynomial/nodes/inset_family.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "verification/claims/ac98/checks.h"
 #include "verification/claims/ac98/differing_coefficients.h"
 

@@ -6,7 +6,7 @@
 //              alpha. At 1/6 it is 2 and no more, for the rule typed in as printed.
 // Not checked  nothing is left out.
 
-#include "radcert/polynomial/inset_family.h"
+#include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/real_zeros.h"
 #include "verification/claims/ac98/checks.h"
 #include "verification/claims/ac98/differing_coefficients.h"

@@ -5,7 +5,7 @@
 //              triangles, for every monomial up to degree 4.
 // Not checked  nothing is left out.
 
-#include "radcert/polynomial/inset_family.h"
+#include "radcert/polynomial/nodes/inset_family.h"
 #include "verification/claims/ac98/checks.h"
 #include "verification/claims/ac98/differing_coefficients.h"
 #include "verification/claims/ac98/planar_rule.h"

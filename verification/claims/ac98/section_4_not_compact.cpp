@@ -18,7 +18,7 @@
 #include <string>
 
 #include "radcert/closed_form/two_squares.h"
-#include "radcert/scalar/beta_function.h"
+#include "radcert/scalar/functions/beta_function.h"
 #include "verification/claims/ac98/checks.h"
 #include "verification/claims/ac98/proved_number.h"
 

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "radcert/kernel/geometric_kernel.h"
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 #include "verification/claims/ac98/checks.h"
 #include "verification/claims/ac98/level_orders.h"
 

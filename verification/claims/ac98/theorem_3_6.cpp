@@ -21,7 +21,7 @@
 #include <cmath>
 
 #include "radcert/kernel/geometric_kernel.h"
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/triangulation/triangulation.h"

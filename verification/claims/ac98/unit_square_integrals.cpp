@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/gauss.h"
+#include "radcert/polynomial/rules/gauss.h"
 
 namespace radcert::verification::ac98 {
 namespace {

@@ -10,7 +10,7 @@
 // Not checked  odd r > 11.
 
 #include "radcert/polynomial/basis_facts.h"
-#include "radcert/polynomial/superconvergent_inset.h"
+#include "radcert/polynomial/nodes/superconvergent_inset.h"
 #include "verification/claims/ac98/differing_coefficients.h"
 #include "verification/claims/m06/checks.h"
 

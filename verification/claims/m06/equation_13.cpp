@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "radcert/polynomial/inset_family.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/inset_family.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "verification/claims/ac98/differing_coefficients.h"
 #include "verification/claims/m06/checks.h"
 

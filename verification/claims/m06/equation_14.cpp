@@ -10,7 +10,7 @@
 // Not checked  other alphas and degrees: the argument above speaks for them. (15) has g in C(S) for g in C(sigma).
 
 #include "radcert/polynomial/lagrange_functions.h"
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
 #include "verification/claims/m06/checks.h"
 

@@ -5,7 +5,7 @@
 //              Green's theorem, for every monomial of degree <= r in x and y. At alpha = 1/10 and r >= 1 the degree is r and no more.
 // Not checked  nothing is left of "at least r". When it is more: alpha_0.
 
-#include "radcert/polynomial/inset_family.h"
+#include "radcert/polynomial/nodes/inset_family.h"
 #include "verification/claims/ac98/differing_coefficients.h"
 #include "verification/claims/ac98/planar_rule.h"
 #include "verification/claims/m06/checks.h"

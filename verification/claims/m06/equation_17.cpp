@@ -7,7 +7,7 @@
 //              sum |l_j| at a corner of sigma to the width of the enclosure.
 // Not checked  that the corner is the place of the maximum for other alphas and r: for alpha = 0 it is not.
 
-#include "radcert/polynomial/lattice.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "verification/claims/ac98/differing_coefficients.h"
 #include "verification/claims/ac98/proved_number.h"

@@ -8,7 +8,7 @@
 //              with the g of (35) it is not. On a plane triangle both are zero. By a Gauss rule, enclosed arithmetic around it.
 // Not checked  nothing is left of (35). (34) itself has t for k in one index, and i up to 6n for n f_r.
 
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/octahedron.h"

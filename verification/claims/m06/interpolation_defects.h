@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "radcert/polynomial/degree_of_precision.h"
+#include "radcert/polynomial/rules/degree_of_precision.h"
 #include "radcert/polynomial/triangle_basis.h"
 #include "radcert/scalar/ball.h"
 

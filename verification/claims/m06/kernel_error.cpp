@@ -9,7 +9,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/kernel/geometric_kernel.h"
-#include "radcert/polynomial/conical_rule.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 
 namespace radcert::verification::m06 {
 namespace {

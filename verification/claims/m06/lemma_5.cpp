@@ -9,7 +9,7 @@
 // Not checked  the constant c. Of other r there is none with an alpha_0 up to 11. The remark on general triangles: an affine map
 //              takes B to a multiple of itself; the derivatives are then those of g and Phi behind the map.
 
-#include "radcert/polynomial/superconvergent_inset.h"
+#include "radcert/polynomial/nodes/superconvergent_inset.h"
 #include "verification/claims/ac98/proved_number.h"
 #include "verification/claims/m06/checks.h"
 #include "verification/claims/m06/interpolation_defects.h"

@@ -21,8 +21,8 @@
 #include <numbers>
 
 #include "radcert/core/parallel.h"
-#include "radcert/polynomial/interpolatory_rule.h"
-#include "radcert/polynomial/symmetric_certificate.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
+#include "radcert/polynomial/nodes/symmetric_certificate.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/triangulation/triangulation.h"

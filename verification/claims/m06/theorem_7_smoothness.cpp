@@ -10,7 +10,7 @@
 //              h^(r+2), enclosed; likewise h^(r+1) for the functions with r + 1 bounded derivatives. With r + 3 they fall like h^(r+3).
 // Not checked  such a u itself: it is not named.
 
-#include "radcert/polynomial/superconvergent_inset.h"
+#include "radcert/polynomial/nodes/superconvergent_inset.h"
 #include "verification/claims/ac98/proved_number.h"
 #include "verification/claims/m06/checks.h"
 

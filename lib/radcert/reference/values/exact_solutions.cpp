@@ -6,7 +6,7 @@
 #include "radcert/core/work_limit.h"
 #include "radcert/reference/values/families.h"
 #include "radcert/reference/values/line.h"
-#include "radcert/scalar/beta_function.h"
+#include "radcert/scalar/functions/beta_function.h"
 
 namespace radcert::reference::values {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Numbers of the collocation methods themselves: norms of interpolation, and insets with a degree of precision more.
-#include "radcert/polynomial/inset_family.h"
+#include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/polynomial/real_zeros.h"
 #include "radcert/reference/values/families.h"

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/collocation/certified/certified_chart_entries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "radcert/quadrature/certified/certified_kernel_sums.h"
+#include "radcert/core/contract.h"
+#include "radcert/core/parallel.h"
+#include "radcert/core/text.h"
+#include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/scalar/enclosing_text.h"
+
+namespace radcert {
+namespace {
+
+constexpr double unit = unit_roundoff<double>();
+constexpr int largest_degree = 8;
+
+/// l_j by Bernstein polynomials.
+class LagrangeOnElements final : public ElementFunctions {
+public:
+  explicit LagrangeOnElements(const LagrangeFunctions& functions)
+      : functions_(functions), indices_(lattice_indices(functions.degree())) {
+    const auto factorial = [](int n) {
+      Rational product = 1;
+      for (int i = 2; i <= n; ++i) product *= Rational(i);
+      return product;
+    };
+    Rational largest = 0;
+    for (std::size_t j = 0; j < functions.size(); ++j) {
+      const std::span<const Rational> c = functions.bernstein_coefficients(j);
+      for (std::size_t k = 0; k < indices_.size(); ++k) {
+        const auto [k1, k2, k3] = indices_[k];
+        const Rational multinomial =
+            factorial(functions.degree()) / (factorial(k1) * factorial(k2) * factorial(k3));
+        coefficients_.push_back(from_rational<BoundedDouble>(c[k] * multinomial));
+        largest = std::max(largest, abs(c[k]));
+      }
+    }
+    largest_ = largest.to_double() * (1 + 4 * unit);
+  }
+
+  std::size_t size() const override { return functions_.size(); }
+
+  void values(const ElementPoint<BoundedDouble>& at, std::span<BoundedDouble> out) const override {
+    std::array<std::array<BoundedDouble, largest_degree + 1>, 3> powers;
+    for (std::size_t i = 0; i < 3; ++i) {
+      powers[i][0] = 1;
+      for (int k = 1; k <= functions_.degree(); ++k) {
+        const auto place = static_cast<std::size_t>(k);
+        powers[i][place] = powers[i][place - 1] * at.in_element.x[i];
+      }
+    }
+    for (BoundedDouble& value : out) value = 0;
+    for (std::size_t k = 0; k < indices_.size(); ++k) {
+      const auto [k1, k2, k3] = indices_[k];
+      const BoundedDouble monomial = powers[0][static_cast<std::size_t>(k1)] *
+                                     powers[1][static_cast<std::size_t>(k2)] *
+                                     powers[2][static_cast<std::size_t>(k3)];
+      for (std::size_t j = 0; j < size(); ++j)
+        out[j] = out[j] + coefficients_[j * indices_.size() + k] * monomial;
+    }
+  }
+
+  /// |l_j| <= max |c_k| sum_k multinomial |x_1|^k_1 |x_2|^k_2 |x_3|^k_3 = max |c_k| (|x_1| + |x_2| + |x_3|)^r.
+  double bound(const ElementPoint<TaylorModel>& at) const override {
+    double sum = 0;
+    for (const TaylorModel& x : at.in_element.x) sum += x.magnitude_bound();
+    double product = largest_;
+    for (int k = 0; k < functions_.degree(); ++k) product *= sum * (1 + 4 * unit);
+    return product * (1 + 32 * unit);
+  }
+
+private:
+  const LagrangeFunctions& functions_;
+  std::vector<std::array<int, 3>> indices_;
+  std::vector<BoundedDouble> coefficients_;  ///< of the monomials, for each j in turn
+  double largest_ = 0;
+};
+
+/// The functions of the elements, and a density divided by a power of two.
+class LagrangeAndDensity final : public ElementFunctions {
+public:
+  LagrangeAndDensity(const LagrangeFunctions& functions, const Density& u, double scale)
+      : functions_(functions), u_(u), inverse_scale_(1 / scale) {}
+
+  std::size_t size() const override { return functions_.size() + 1; }
+  void values(const ElementPoint<BoundedDouble>& at, std::span<BoundedDouble> out) const override {
+    functions_.values(at, out.first(functions_.size()));
+    out.back() = BoundedDouble::exactly(inverse_scale_) * u_.in_doubles({at.chart, at.at, at.point});
+  }
+  double bound(const ElementPoint<TaylorModel>& at) const override {
+    const double of_density = u_.in_models({at.chart, at.at, at.point}).magnitude_bound();
+    return std::max(functions_.bound(at), inverse_scale_ * of_density);
+  }
+  /// |u| / scale is at most 1 or so on the surface, however large it is beside it.
+  double allowed(const ElementPoint<TaylorModel>& at, double bound) const override {
+    return std::min(bound, functions_.bound(at));
+  }
+
+private:
+  LagrangeOnElements functions_;
+  const Density& u_;
+  double inverse_scale_;
+};
+
+/// An integral and its radius times rho/pi.
+void scale_by_reflectivity(double reflectivity, double& value, double& radius) {
+  const double factor = reflectivity * std::numbers::inv_pi;
+  const bool vanishes = factor == 0 || (value == 0 && radius == 0);
+  value *= factor;
+  // The factor and the product are rounded, 1/pi as well: three units of the entry. Zeros are exact.
+  radius = vanishes
+               ? 0
+               : (std::abs(factor) * radius * (1 + 8 * unit) + 4 * unit * std::abs(value)) * (1 + 8 * unit) +
+                     4 * std::numeric_limits<double>::denorm_min();
+}
+
+CertifiedEntries entries_to_be(std::size_t n) {
+  return {.entries = Matrix<double>::uninitialised(n, n), .radius = Matrix<double>::uninitialised(n, n)};
+}
+
+/// Whether the radii of every row sum up to at most demand |rho|.
+Outcome<void> rows_within(const CertifiedEntries& found, std::span<const double> reflectivity,
+                          double demand) {
+  const std::size_t n = reflectivity.size();
+  std::vector<double> rows(n, 0.0);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) rows[i] += found.radius(i, j);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double reached = rows[i] * (1 + 2 * static_cast<double>(n) * unit);
+    if (!(reached <= demand * std::abs(reflectivity[i])))
+      return because("the radii of a row sum to " + upper_text(reached, DecimalForm::general(4)) +
+                     ", more than the " + shortest(demand * std::abs(reflectivity[i])) +
+                     " demanded: roundings in double are wider");
+  }
+  return {};
+}
+
+/// The integrals of u over a chunk of elements.
+struct Part {
+  CertifiedSums sums;
+  Outcome<void> found;
+};
+
+}  // namespace
+
+std::vector<SurfacePoint<Rational>> exact_collocation_nodes(const Triangulation& triangulation,
+                                                            const LagrangeFunctions& functions) {
+  std::vector<SurfacePoint<Rational>> nodes;
+  nodes.reserve(triangulation.triangles.size() * functions.size());
+  for (const ParameterTriangle& triangle : triangulation.triangles) {
+    std::array<ParameterPoint<Rational>, 3> v;
+    for (std::size_t i = 0; i < 3; ++i)
+      v[i] = {Rational::exactly(triangle.vertices[i].s), Rational::exactly(triangle.vertices[i].t)};
+    for (const Barycentric<Rational>& q : functions.nodes())
+      nodes.push_back({triangle.chart, q.x[0] * v[0] + q.x[1] * v[1] + q.x[2] * v[2]});
+  }
+  return nodes;
+}
+
+Outcome<CertifiedEntries> certified_chart_entries(const Surface& surface, const Triangulation& triangulation,
+                                                  const LagrangeFunctions& functions,
+                                                  std::span<const double> reflectivity, double demand) {
+  const std::size_t p = functions.size();
+  const std::size_t n = triangulation.triangles.size() * p;
+  expects_collocation_data(functions, n, reflectivity);
+  const LagrangeOnElements on_elements(functions);
+  const std::vector<SurfacePoint<Rational>> nodes = exact_collocation_nodes(triangulation, functions);
+  const CertifiedKernelSums sums(surface, triangulation, on_elements, nodes, demand);
+
+  CertifiedEntries result = entries_to_be(n);
+  std::vector<Outcome<void>> found(triangulation.triangles.size());
+  parallel_for(triangulation.triangles.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::span<double> values(&result.entries(0, k * p), n * p);
+      const std::span<double> radius(&result.radius(0, k * p), n * p);
+      found[k] = sums.element(k, values, radius);
+      if (!found[k]) continue;
+      for (std::size_t j = 0; j < p; ++j)
+        for (std::size_t i = 0; i < n; ++i)
+          scale_by_reflectivity(reflectivity[i], values[j * n + i], radius[j * n + i]);
+    }
+  });
+  for (const Outcome<void>& of_element : found)
+    if (!of_element) return because(of_element.reason());
+  if (const Outcome<void> narrow = rows_within(result, reflectivity, demand); !narrow)
+    return because(narrow.reason());
+  return result;
+}
+
+Outcome<CertifiedCollocation> certified_collocation(const Surface& surface,
+                                                    const Triangulation& triangulation,
+                                                    const LagrangeFunctions& functions, const Density& u,
+                                                    double size, double demand) {
+  expects(size > 0 && std::isfinite(size), "0 < size", named("size", size));
+  const std::size_t p = functions.size();
+  const std::size_t elements = triangulation.triangles.size();
+  const std::size_t n = elements * p;
+  const std::vector<double> ones(n, 1.0);
+  expects_collocation_data(functions, n, ones);
+  const double scale = std::ldexp(1.0, std::ilogb(size) + 1);
+  const LagrangeAndDensity on_elements(functions, u, scale);
+  const std::vector<SurfacePoint<Rational>> nodes = exact_collocation_nodes(triangulation, functions);
+  const CertifiedKernelSums sums(surface, triangulation, on_elements, nodes, demand);
+
+  CertifiedEntries matrix = entries_to_be(n);
+  Part total = parallel_reduce_ordered(
+      elements, default_grain(elements), Part{CertifiedSums(n), {}},
+      [&](std::size_t begin, std::size_t end) {
+        Part part{CertifiedSums(n), {}};
+        std::vector<double> values((p + 1) * n);
+        std::vector<double> radius((p + 1) * n);
+        for (std::size_t k = begin; k < end && part.found; ++k) {
+          part.found = sums.element(k, values, radius);
+          for (std::size_t j = 0; j < p; ++j)
+            for (std::size_t i = 0; i < n; ++i) {
+              double& value = matrix.entries(i, k * p + j) = values[j * n + i];
+              double& r = matrix.radius(i, k * p + j) = radius[j * n + i];
+              scale_by_reflectivity(1, value, r);
+            }
+          part.sums.add(std::span(values).last(n), std::span(radius).last(n));
+        }
+        return part;
+      },
+      [](Part all, const Part& part) {
+        if (all.found) all.found = part.found;
+        all.sums.add(part.sums);
+        return all;
+      });
+  if (!total.found) return because(total.found.reason());
+  if (const Outcome<void> narrow = rows_within(matrix, ones, demand); !narrow)
+    return because(narrow.reason());
+  Outcome<CertifiedValues> integrals =
+      std::move(total.sums).within(std::numbers::pi * (size / scale) * demand, elements);
+  if (!integrals) return because(integrals.reason());
+  for (double& value : integrals->values) value *= scale;
+  for (double& radius : integrals->radius) radius *= scale;
+  return CertifiedCollocation{.matrix = std::move(matrix), .integrals = std::move(*integrals)};
+}
+
+}  // namespace radcert
