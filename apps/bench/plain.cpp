@@ -13,8 +13,8 @@ namespace {
 
 constexpr int points_per_side = 10;
 constexpr double far_enough = 2;
-/// A piece of 2^-26 of the element's size that still holds or touches v_i is dropped: G is bounded on a smooth piece, and the
-/// piece has 2^-52 of the element's area.
+/// A piece of 2^-26 of the element's size that still holds or touches v_i is dropped: G is bounded on a
+/// smooth piece, and the piece has 2^-52 of the element's area.
 constexpr int deepest = 26;
 
 using Corners = std::array<Barycentric<double>, 3>;

@@ -31,8 +31,8 @@ const InsetBasis<double>& linear_basis() {
   return basis;
 }
 
-/// How often an assembly evaluates G from afar: blocks of observers at least 2.5 radii from an element. The near ones come on
-/// top, so that the rate that follows is a lower bound.
+/// How often an assembly evaluates G from afar: blocks of observers at least 2.5 radii from an element. The
+/// near ones come on top, so that the rate that follows is a lower bound.
 double far_evaluations(const Surface& surface, const Triangulation& triangulation,
                        std::span<const Observer<double>> nodes, const Tolerance& tolerance) {
   const IntegrationScheme<double> scheme(surface, linear_basis(), tolerance);

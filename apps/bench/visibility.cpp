@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exact visibility: what V(P,Q) costs among many triangles, and what a point's view of a triangle costs, by how much is seen, in a
-// room with boxes in it.
+// Exact visibility: what V(P,Q) costs among many triangles, and what a point's view of a triangle costs, by
+// how much is seen, in a room with boxes in it.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -143,10 +143,7 @@ void view_of_triangle(benchmark::State& state) {
   state.SetItemsProcessed(static_cast<std::int64_t>(done));
   state.counters["triangles"] = static_cast<double>(scene.triangle_count());
 }
-BENCHMARK(view_of_triangle)
-    ->ArgName("sight")
-    ->DenseRange(0, 2)
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(view_of_triangle)->ArgName("sight")->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace radcert::bench

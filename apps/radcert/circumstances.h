@@ -8,7 +8,8 @@
 
 namespace radcert::app {
 
-/// The libraries that numbers pass through, with the versions that are loaded, or built in where they are headers.
+/// The libraries that numbers pass through, with the versions that are loaded, or built in where they are
+/// headers.
 std::vector<LibraryVersion> library_versions();
 
 /// Name and version of the compiler that made this program.

@@ -8,8 +8,8 @@
 
 namespace radcert::app {
 
-/// The results of an experiment for people: the combinations by their error at equal unknowns, and their error at equal
-/// seconds beside it.
+/// The results of an experiment for people: the combinations by their error at equal unknowns, and their
+/// error at equal seconds beside it.
 std::string experiment_table(const Experiment& experiment, std::span<const Result> results);
 
 }  // namespace radcert::app

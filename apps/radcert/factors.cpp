@@ -191,8 +191,8 @@ std::string worst_rows(const FactorReport& report, std::vector<std::pair<double,
   return out + (rows.size() > most_names ? ", ..." : "");
 }
 
-/// Why the numbers must not be relied on: rows of a closed scene that do not sum to 1 within their radius, or an accuracy that was
-/// demanded and not reached.
+/// Why the numbers must not be relied on: rows of a closed scene that do not sum to 1 within their radius, or
+/// an accuracy that was demanded and not reached.
 std::vector<std::string> failures(const FactorReport& report, const std::optional<double>& demanded) {
   std::vector<std::string> out;
   const FactorMatrix& matrix = report.matrix;

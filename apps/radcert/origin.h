@@ -24,7 +24,8 @@ InputDigest input_digest(const std::filesystem::path& file);
 /// The files that problems name, a mesh or nodes, each once.
 std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems);
 
-/// What was mended in the meshes of problems, a line each: "room.off: face 7 (line 31), bent ...". Empty where nothing was.
+/// What was mended in the meshes of problems, a line each: "room.off: face 7 (line 31), bent ...". Empty
+/// where nothing was.
 std::string mended_text(std::span<const Problem> problems);
 
 /// The keys of the works that the method of a problem is taken from.
@@ -33,8 +34,8 @@ std::vector<std::string> references_of(const Problem& problem);
 /// The seed of the sites of meshless bases, where all problems that have one share it.
 std::optional<std::uint64_t> seed_of(std::span<const Problem> problems);
 
-/// Where the files of a folder come from: cite.bib with these entries of papers/references.bib and radcert's own, and
-/// provenance.json.
+/// Where the files of a folder come from: cite.bib with these entries of papers/references.bib and radcert's
+/// own, and provenance.json.
 Files origin_files(const std::filesystem::path& folder, const Common& common,
                    const std::vector<std::string>& references, std::vector<InputDigest> inputs,
                    std::optional<std::uint64_t> seed = std::nullopt);

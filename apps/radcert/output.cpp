@@ -40,8 +40,8 @@ std::string pad(const std::string& cell, std::size_t width, bool left) {
 
 constexpr std::size_t between_columns = 2;
 
-/// The columns in parts that are no wider than `most`, each but for the first column, which all parts have; groups that are to
-/// stay together are parted where they are too wide by themselves.
+/// The columns in parts that are no wider than `most`, each but for the first column, which all parts have;
+/// groups that are to stay together are parted where they are too wide by themselves.
 std::vector<std::vector<std::size_t>> parts(const std::vector<std::size_t>& widths, std::size_t most,
                                             const std::set<std::size_t>& with_the_left) {
   std::vector<std::vector<std::size_t>> out(1);

@@ -18,14 +18,15 @@ namespace radcert::app {
 /// The number of columns of the terminal that stdout is; none where it is no terminal.
 std::optional<std::size_t> terminal_width();
 
-/// Whether colour may be used on a stream, 1 stdout or 2 stderr: a terminal that is not dumb, and NO_COLOR is not set.
+/// Whether colour may be used on a stream, 1 stdout or 2 stderr: a terminal that is not dumb, and NO_COLOR is
+/// not set.
 bool colour_allowed(int stream);
 
 /// The text in red where colour is allowed.
 std::string alarming(std::string_view text, int stream);
 
-/// The lines of a text broken at spaces so that none is longer than `width`; what follows a break stands below the last column
-/// of the line.
+/// The lines of a text broken at spaces so that none is longer than `width`; what follows a break stands
+/// below the last column of the line.
 std::string folded(std::string_view text, std::size_t width);
 
 /// The same for the terminal that stdout is; as it is where it is none.
@@ -60,9 +61,9 @@ private:
 /// Text for people and JSON, each where the options want it: stdout has the one, fitted, or the other.
 void print_result(const Common& common, std::string_view text, std::string_view json);
 
-/// Rows of cells as lines, columns padded to their widest cell: the first column to the left, all others to the right.
-/// On a terminal that is too narrow the columns go on below, each part with the first column; one that stands in `with_the_left` is
-/// not parted from the column before it.
+/// Rows of cells as lines, columns padded to their widest cell: the first column to the left, all others to
+/// the right. On a terminal that is too narrow the columns go on below, each part with the first column; one
+/// that stands in `with_the_left` is not parted from the column before it.
 std::string aligned(const std::vector<std::vector<std::string>>& rows,
                     const std::set<std::size_t>& with_the_left = {});
 

@@ -9,8 +9,8 @@
 
 namespace radcert::app {
 
-/// How far long work has come, on stderr: a bar with the time left on a terminal, now and then a line elsewhere, the first
-/// within half a second; nothing when quiet.
+/// How far long work has come, on stderr: a bar with the time left on a terminal, now and then a line
+/// elsewhere, the first within half a second; nothing when quiet.
 class ProgressDisplay {
 public:
   explicit ProgressDisplay(bool quiet);
@@ -18,8 +18,8 @@ public:
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
 
-  /// The work before this point is so much of the whole; `label` is what begins now. `expected_seconds` is how long all
-  /// the rest may take, if that is known.
+  /// The work before this point is so much of the whole; `label` is what begins now. `expected_seconds` is
+  /// how long all the rest may take, if that is known.
   void at(double fraction, const std::string& label, double expected_seconds = 0);
   /// A line that stays.
   void note(const std::string& text);

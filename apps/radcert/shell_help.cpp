@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// radcert completion and radcert man: the tree of commands and options as a script for bash and as a manual page.
+// radcert completion and radcert man: the tree of commands and options as a script for bash and as a manual
+// page.
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>

@@ -51,10 +51,12 @@ Outputs checked_outputs(const Common& common, const SolveOptions& options) {
   return outputs;
 }
 
-/// The entries of the matrix at a level, in units of those at level 0: four times the unknowns from level to level.
+/// The entries of the matrix at a level, in units of those at level 0: four times the unknowns from level to
+/// level.
 double work(int level) { return std::pow(16.0, level); }
 
-/// The levels of a problem, each from the store or computed; fewer than asked for where somebody asked to stop.
+/// The levels of a problem, each from the store or computed; fewer than asked for where somebody asked to
+/// stop.
 std::vector<LevelOutcome> solve_levels(const Problem& problem, verification::StoredLevels& levels,
                                        bool quiet) {
   ProgressDisplay progress(quiet);

@@ -8,8 +8,9 @@
 
 namespace radcert::app {
 
-/// What a report leaves for a paper: errors.csv with the levels of the problems that its checks solved, table.tex with statements
-/// and verdicts, and plots of the errors, plot.tex and an SVG a problem, where there are some.
+/// What a report leaves for a paper: errors.csv with the levels of the problems that its checks solved,
+/// table.tex with statements and verdicts, and plots of the errors, plot.tex and an SVG a problem, where
+/// there are some.
 Files verify_files(const verification::Report& report, const std::filesystem::path& folder);
 
 }  // namespace radcert::app

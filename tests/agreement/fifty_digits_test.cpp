@@ -34,7 +34,8 @@ struct System {
   }
 };
 
-/// Every row and the solution in double lie within their radii of those in fifty digits; rows of a closed surface sum to rho.
+/// Every row and the solution in double lie within their radii of those in fifty digits; rows of a closed
+/// surface sum to rho.
 void expect_double_within_its_radii(const Surface& surface, int level, const Rational& rho,
                                     double tolerance) {
   const System<double> in_double(surface, level, rho, Tolerance::finest);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ku on occluded meshes: the collocation matrix against the second route, and both against a plain sum of rays.
+// Ku on occluded meshes: the collocation matrix against the second route, and both against a plain sum of
+// rays.
 #include <gtest/gtest.h>
 
 #include <cmath>

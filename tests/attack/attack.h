@@ -11,12 +11,14 @@
 
 #include "tests/scalar/draw.h"
 
-/// A standing attack on values that are called proved, or that carry a radius: random instances that are nasty on purpose, each held
-/// against a judge that shares nothing with what computed the value. A kind of value is a file of this folder.
+/// A standing attack on values that are called proved, or that carry a radius: random instances that are
+/// nasty on purpose, each held against a judge that shares nothing with what computed the value. A kind of
+/// value is a file of this folder.
 ///
-///   ./run test                                        a fixed number of instances of each kind, from a fixed seed: about a minute
-///   RADCERT_ATTACK=3600 build/release/bin/test_attack as many as an hour allows, shared among the kinds that run (--gtest_filter)
-///   RADCERT_ATTACK_SEED=7 ...                         other instances; the report of a violation names seed and number
+///   ./run test                                        a fixed number of instances of each kind, from a fixed
+///   seed: about a minute RADCERT_ATTACK=3600 build/release/bin/test_attack as many as an hour allows, shared
+///   among the kinds that run (--gtest_filter) RADCERT_ATTACK_SEED=7 ...                         other
+///   instances; the report of a violation names seed and number
 namespace radcert::attack {
 
 /// What became of an instance.
@@ -52,7 +54,8 @@ struct Attack {
   /// An exception that leaves it is a violation; what counts as a refusal, the judge says.
   std::function<Judgement(const Instance&)> judge;
   std::function<std::string(const Instance&)> text;
-  /// Instances that are smaller, best first: the report shows one that violates and has no smaller one that does.
+  /// Instances that are smaller, best first: the report shows one that violates and has no smaller one that
+  /// does.
   std::function<std::vector<Instance>(const Instance&)> smaller = [](const Instance&) {
     return std::vector<Instance>{};
   };
@@ -92,7 +95,8 @@ Judgement judged(const Attack<Instance>& attack, const Instance& instance) {
 
 }  // namespace detail
 
-/// Runs a kind's share of instances; each violation, at most ten, fails the test and prints its smallest instance.
+/// Runs a kind's share of instances; each violation, at most ten, fails the test and prints its smallest
+/// instance.
 template <class Instance>
 Count hold(const Attack<Instance>& attack) {
   constexpr std::size_t most_reports = 10;

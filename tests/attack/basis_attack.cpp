@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Bases on a triangle: weights, degrees of precision, norm and condition, of rational nodes and of algebraic ones. The judge solves
-// for the Lagrange functions by its own elimination in monomials, integrates by its own formula, and evaluates the Lebesgue function
-// where it likes; it shares nothing with the layer `polynomial` but the rational numbers and balls.
+// Bases on a triangle: weights, degrees of precision, norm and condition, of rational nodes and of algebraic
+// ones. The judge solves for the Lagrange functions by its own elimination in monomials, integrates by its
+// own formula, and evaluates the Lebesgue function where it likes; it shares nothing with the layer
+// `polynomial` but the rational numbers and balls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "radcert/polynomial/nodes/algebraic_nodes.h"
 #include "radcert/polynomial/basis_facts.h"
+#include "radcert/polynomial/nodes/algebraic_nodes.h"
 #include "radcert/scalar/real.h"
 #include "tests/attack/attack.h"
 
@@ -108,7 +109,8 @@ Rational fraction(Draw& draw, long denominator) {
   return Rational(static_cast<long>(draw.below(static_cast<std::size_t>(denominator) + 1)), denominator);
 }
 
-// Within the triangle: on a lattice (so that lines and conics carry many), anywhere, at corners and sides, close to another.
+// Within the triangle: on a lattice (so that lines and conics carry many), anywhere, at corners and sides,
+// close to another.
 std::array<Rational, 2> point(Draw& draw, const RationalBasis& basis) {
   while (true) {
     std::array<Rational, 2> p;
@@ -206,7 +208,8 @@ Judgement judge(const RationalBasis& basis) {
         judge_precision(basis, w, region == Region::triangle ? facts.triangle : facts.parallelogram, region);
     if (precision.kind != Judgement::Kind::held) return precision;
   }
-  // The norm: no value of the Lebesgue function exceeds the upper bound, and beside the place that is named it attains the lower one.
+  // The norm: no value of the Lebesgue function exceeds the upper bound, and beside the place that is named
+  // it attains the lower one.
   constexpr int steps = 6;
   Rational largest = 0;
   for (int i = 0; i <= steps; ++i)
@@ -253,7 +256,8 @@ TEST(BasisAttack, OfRationalNodes) {
   EXPECT_EQ(hold(attack).violated, 0U);
 }
 
-// Sets of which the judge knows what they are: orbits with algebraic coordinates in one disguise or another, pushed by a little.
+// Sets of which the judge knows what they are: orbits with algebraic coordinates in one disguise or another,
+// pushed by a little.
 struct AlgebraicBasis {
   enum class Kind { six_nodes, ten_nodes, three_nodes, centroid } kind = Kind::six_nodes;
   int disguise = 0;
@@ -345,8 +349,8 @@ int degree_of(AlgebraicBasis::Kind kind) {
                                                      : 0;
 }
 
-// What is known of these sets: the rules of Strang and Fix, of the inset (7 - sqrt 34)/15, of 1/6, of the centroid; those that are
-// pushed keep the degree of every symmetric set, or of the pushed point.
+// What is known of these sets: the rules of Strang and Fix, of the inset (7 - sqrt 34)/15, of 1/6, of the
+// centroid; those that are pushed keep the degree of every symmetric set, or of the pushed point.
 std::array<int, 2> truth(const AlgebraicBasis& basis) {
   switch (basis.kind) {
     case AlgebraicBasis::Kind::six_nodes: return basis.push == 0 ? std::array{4, 5} : std::array{2, 3};
@@ -445,7 +449,8 @@ Judgement judge(const Sign& s) {
   const Outcome<int> sign = field.sign(a);
   if (!sign) return Judgement::refused();
   if (*sign != expected) return Judgement::violated("sign " + std::to_string(*sign));
-  // Half of the bits that it took must not be enough to call a number zero that is none: whatever is answered is right.
+  // Half of the bits that it took must not be enough to call a number zero that is none: whatever is answered
+  // is right.
   for (const long bits : {128L, 160L, 256L, 400L, 1000L}) {
     const Outcome<int> limited = field.sign(a, bits);
     if (limited && *limited != expected) return Judgement::violated("with " + std::to_string(bits) + " bits");

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closed forms of points and polygons: PlaneElement against its accuracy, point_to_polygon and
-// polygon_to_polygon as balls. The judges are Lambert's formula in space, a polar integral by Chebyshev rules, and the sum 1 of the
-// factors of a closed body; they share no function with the library above rationals and balls.
+// polygon_to_polygon as balls. The judges are Lambert's formula in space, a polar integral by Chebyshev
+// rules, and the sum 1 of the factors of a closed body; they share no function with the library above
+// rationals and balls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -124,7 +125,8 @@ Instance drawn(Draw& draw, int lowest, int highest, bool polygons) {
   return x;
 }
 
-/// An upper bound of max |q| over the polygon: a monomial has its largest value on the boundary, and at 0 its smallest.
+/// An upper bound of max |q| over the polygon: a monomial has its largest value on the boundary, and at 0 its
+/// smallest.
 double largest_value(const PlanePolygon& polygon, const Polynomial& q) {
   double largest = 0;
   double change = 0;

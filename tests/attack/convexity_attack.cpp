@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Convex containment: of meshes, pushed by units in the last place, and of charts with parameters at the ends of their ranges. The
-// judge of a mesh is the definition, in rational numbers, vertex by plane; that of charts is a formula of its own for points and
-// normals of the surface.
+// Convex containment: of meshes, pushed by units in the last place, and of charts with parameters at the ends
+// of their ranges. The judge of a mesh is the definition, in rational numbers, vertex by plane; that of
+// charts is a formula of its own for points and normals of the surface.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,8 +38,8 @@ struct Mesh {
   bool inwards = true;  ///< the inner normals are against the cross products
 };
 
-// The hull of points, by trying every triple: a triangle counts if no point lies on its outer side. Points of one facet make
-// overlapping triangles, which the certificate allows.
+// The hull of points, by trying every triple: a triangle counts if no point lies on its outer side. Points of
+// one facet make overlapping triangles, which the certificate allows.
 TriangleMesh hull(const std::vector<Vector<double>>& points) {
   TriangleMesh mesh;
   mesh.vertices = points;
@@ -242,7 +242,8 @@ ParameterPoint<Rational> place(Draw& draw, ChartDomain domain) {
   }
 }
 
-// Points of the charts at 512 bits, normals by differences of them: nothing that the certificate rests on but the points.
+// Points of the charts at 512 bits, normals by differences of them: nothing that the certificate rests on but
+// the points.
 Judgement judge(const Named& n) {
   const SurfaceDescription& description = surface_catalogue()[n.surface];
   const Surface surface = description.make(n.values);

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "radcert/collocation/certified/certified_chart_entries.h"
-#include "radcert/quadrature/certified/certified_kernel_sums.h"
-#include "radcert/quadrature/certified/kernel_rule.h"
 #include "radcert/core/text.h"
 #include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/quadrature/certified/certified_kernel_sums.h"
+#include "radcert/quadrature/certified/kernel_rule.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/surface/catalogue/cylinder.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
@@ -39,7 +39,8 @@ public:
   static std::vector<ElementPolynomial> exactly() { return {{{{1, 0, 0}}}, {{{1, 0, 1}}}}; }
 };
 
-/// Chebyshev's polynomial of degree 4 over an element: the rule of order 2 is off by about as much as its bound allows.
+/// Chebyshev's polynomial of degree 4 over an element: the rule of order 2 is off by about as much as its
+/// bound allows.
 class Oscillating final : public ElementFunctions {
 public:
   explicit Oscillating(std::size_t coordinate) : coordinate_(coordinate) {}
@@ -172,7 +173,8 @@ Entry make_entry(Draw& draw) {
   return e;
 }
 
-/// Where the bounds are close to the errors: small elements that are seen in the face, or from a corner of their own.
+/// Where the bounds are close to the errors: small elements that are seen in the face, or from a corner of
+/// their own.
 Entry make_close_entry(Draw& draw) {
   Entry e;
   e.beside = draw.below(3) == 0 ? Beside::displaced : Beside::oscillating;
@@ -309,7 +311,8 @@ Judgement judge_row(const Row& r) {
   const Outcome<CertifiedEntries> found =
       certified_chart_entries(s.surface, pair, functions, r.reflectivity, r.demand);
   if (!found) return Judgement::refused();
-  // A radius is much larger than the error: that it grows with the reflectivity is held against the radii without one.
+  // A radius is much larger than the error: that it grows with the reflectivity is held against the radii
+  // without one.
   const std::vector<double> ones(r.reflectivity.size(), 1.0);
   const Outcome<CertifiedEntries> unscaled =
       certified_chart_entries(s.surface, pair, functions, ones, r.demand);
@@ -396,7 +399,8 @@ Judgement judge_rule(const Rule& r) {
                                Ball(of[2]) + Ball(by[2])};
   };
   const std::array<Ball, 3> true_point = displaced(point, {0, 0, towards * r.position_of_p});
-  // A normal turns towards the line of sight, or away from it, or is longer, which the bound allows for as well.
+  // A normal turns towards the line of sight, or away from it, or is longer, which the bound allows for as
+  // well.
   const std::array<Ball, 3> true_n_p = displaced(n_p, {0, 0, towards * r.normal_of_p});
 
   KernelRule rule(1);

@@ -412,8 +412,8 @@ private:
     }
     const Place<R> q = place(of_q_, s, t);
     if (own_) {
-      // Q - P = sum_k x^k h_k, and x times the derivative along the ray, which the normal at Q is perpendicular to, is
-      // sum_k k x^k h_k.
+      // Q - P = sum_k x^k h_k, and x times the derivative along the ray, which the normal at Q is
+      // perpendicular to, is sum_k k x^k h_k.
       std::vector<Triple<R>> h(static_cast<std::size_t>(of_q_.degree + 1));
       const std::vector<R> a = powers(towards_s, of_q_.degree);
       const std::vector<R> b = powers(towards_t, of_q_.degree);

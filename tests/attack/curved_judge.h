@@ -31,15 +31,15 @@ std::vector<ElementPolynomial> judged_lagrange(const std::vector<std::array<Rati
 
 /// A piece of a surface by a formula of this file's own, in balls.
 /// Maths     F(s,t); quadrics q(F(s,t)) = 0 with D_s F x D_t F = +- m grad q
-/// Source    the catalogue's headers say which maps the charts are; the implicit forms are written down here. A polynomial
-///           piece is interpolated from the chart's values on a lattice
+/// Source    the catalogue's headers say which maps the charts are; the implicit forms are written down here.
+///           A polynomial piece is interpolated from the chart's values on a lattice
 struct JudgedPatch {
   enum class Kind { octant, paraboloid, cap, mantle, disk, polynomial };
   Kind kind = Kind::polynomial;
-  std::array<Ball, 3>
-      size{};  ///< half axes with signs; radius, growth, height; the cap's fraction; radius, height
-  std::array<Ball, 3>
-      inverse{};  ///< of an octant: the half axes' inverse squares; of a mantle: growth / height
+  /// Half axes with signs; radius, growth, height; the cap's fraction; radius, height
+  std::array<Ball, 3> size{};
+  /// Of an octant: the half axes' inverse squares; of a mantle: growth / height
+  std::array<Ball, 3> inverse{};
   std::array<int, 2> sign{1, 1};  ///< of x and y
   int facing = 1;                 ///< of a disk: the sign of the inner normal's third coordinate
   int degree = 0;                 ///< of a polynomial
@@ -47,19 +47,20 @@ struct JudgedPatch {
   std::vector<std::array<Ball, 3>> coefficients;  ///< of s^i t^j, i ascending, then j
 };
 
-/// The patches of a surface of the catalogue, chart by chart; of interpolants of a degree, where that is not 0. None for
-/// surfaces that this file has no formula of.
+/// The patches of a surface of the catalogue, chart by chart; of interpolants of a degree, where that is not
+/// 0. None for surfaces that this file has no formula of.
 std::vector<JudgedPatch> judged_patches(const Surface& surface, int interpolated);
 
 /// Integrals of the kernel times polynomials over an element, proved with many digits.
 /// Maths     Int_Delta G(P,Q) f_j(Q) dS_Q
-/// Source    on one quadric grad q(P).(Q-P) = -A(Q-P) and grad q(Q).(Q-P) = A(Q-P), A the quadratic part of q, so that
+/// Source    on one quadric grad q(P).(Q-P) = -A(Q-P) and grad q(Q).(Q-P) = A(Q-P), A the quadratic part of
+///           q, so that
 ///             G dS = m (A(d)/|d|^2)^2 / |grad q(P)| ds dt,   d = Q - P,
-///           where d may be divided by any number: on the element of P by the step along a ray from P. On a polynomial piece
-///           the same is done with Taylor's coefficients at P. Elsewhere the kernel's definition. Product Gauss rules on halved
-///           squares; the error is Trefethen's 64/15 M rho^(-2n) / (1 - rho^-2) for |f| <= M on Bernstein's ellipse, M from the
-///           formula over a rectangle of complex numbers (L. N. Trefethen, Is Gauss quadrature better than Clenshaw-Curtis?,
-///           2008, theorem 4.5)
+///           where d may be divided by any number: on the element of P by the step along a ray from P. On a
+///           polynomial piece the same is done with Taylor's coefficients at P. Elsewhere the kernel's
+///           definition. Product Gauss rules on halved squares; the error is Trefethen's 64/15 M rho^(-2n) /
+///           (1 - rho^-2) for |f| <= M on Bernstein's ellipse, M from the formula over a rectangle of complex
+///           numbers (L. N. Trefethen, Is Gauss quadrature better than Clenshaw-Curtis?, 2008, theorem 4.5)
 /// Requires  parameters that are exact; P on no border of an element of another patch
 /// Result    the integrals within balls. None where too many values would have been needed
 std::optional<std::vector<Ball>> judged_integrals(const std::vector<JudgedPatch>& patches,

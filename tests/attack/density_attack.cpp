@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The second route to Ku for densities with a feature between its points: peaks and tents on one side of a box, seen from another.
+// The second route to Ku for densities with a feature between its points: peaks and tents on one side of a
+// box, seen from another.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,7 +20,8 @@
 namespace radcert::attack {
 namespace {
 
-/// u = base + height f, f a peak exp(-|Q-Q_0|^2 / width^2) or a tent max(0, 1 - |Q-Q_0|_1 / width) about a point of the floor.
+/// u = base + height f, f a peak exp(-|Q-Q_0|^2 / width^2) or a tent max(0, 1 - |Q-Q_0|_1 / width) about a
+/// point of the floor.
 struct Instance {
   std::array<Rational, 3> sides{Rational(1), Rational(1), Rational(1)};
   bool is_tent = false;
@@ -48,8 +50,8 @@ std::string text(const Instance& x) {
          ", " + shortest(x.p.at.t) + ")";
 }
 
-/// Int G f over the plane of the floor, f the feature: by the trapezoidal rule, which leaves out exp(-(pi/0.3)^2) of a peak, and by Gauss's
-/// rule on the four triangles of a tent.
+/// Int G f over the plane of the floor, f the feature: by the trapezoidal rule, which leaves out
+/// exp(-(pi/0.3)^2) of a peak, and by Gauss's rule on the four triangles of a tent.
 double feature_integral(const Instance& x, const std::function<double(double, double)>& kernel) {
   double sum = 0;
   if (!x.is_tent) {

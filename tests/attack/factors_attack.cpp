@@ -262,7 +262,8 @@ TEST(FactorsAttack, CertifiedOccludedPairsHold) {
   }));
 }
 
-/// Two triangles that may see each other wholly: in the open, with a common corner or side, far from each other, slivers.
+/// Two triangles that may see each other wholly: in the open, with a common corner or side, far from each
+/// other, slivers.
 Instance open_pair(Draw& draw) {
   for (;;) {
     SceneDraw scene(draw);
@@ -360,7 +361,8 @@ TEST(FactorsAttack, RowsOfClosedRoomsSumToOne) {
   }));
 }
 
-/// A convex body with triangles in it and outside, the first two of the mesh; the body's faces stand between some.
+/// A convex body with triangles in it and outside, the first two of the mesh; the body's faces stand between
+/// some.
 Instance contained(Draw& draw) {
   for (;;) {
     SceneDraw scene(draw);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Estimated solutions of random problems whose discrete solution u_n is known exactly, since the basis reproduces it.
+// Estimated solutions of random problems whose discrete solution u_n is known exactly, since the basis
+// reproduces it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,10 +10,10 @@
 #include <vector>
 
 #include "radcert/collocation/certified/certified_chart_entries.h"
+#include "radcert/collocation/certified/plane_chart.h"
 #include "radcert/core/text.h"
 #include "radcert/expression/parse.h"
 #include "radcert/scalar/ball_precision.h"
-#include "radcert/collocation/certified/plane_chart.h"
 #include "tests/attack/problem_instance.h"
 
 namespace radcert::attack {
@@ -39,8 +40,8 @@ ParameterPoint<Rational> middle(const ParameterPoint<Rational>& a, const Paramet
   return {(a.s + b.s) / Rational(2), (a.t + b.t) / Rational(2)};
 }
 
-/// The area of a plane element, and the integral of a polynomial of degree at most 3 over it, by the rule with corners, midpoints and
-/// centroid.
+/// The area of a plane element, and the integral of a polynomial of degree at most 3 over it, by the rule
+/// with corners, midpoints and centroid.
 std::pair<Ball, Ball> area_and_integral(const Expression& u, const PlaneChart& plane,
                                         const ParameterTriangle& triangle) {
   std::array<ParameterPoint<Rational>, 3> v;
@@ -287,7 +288,8 @@ TEST(KnownProblemAttack, FindsConstantsFromTheEmissionOfClosedSurfaces) {
   }));
 }
 
-// --- an emission that makes a plane piece differ by a constant from the rest -------------------------------------------------
+// --- an emission that makes a plane piece differ by a constant from the rest
+// -------------------------------------------------
 
 std::string in_parentheses(const Rational& q) { return "(" + q.to_text() + ")"; }
 
@@ -299,8 +301,9 @@ std::string linear_text(const Rational& c, const Vector<Rational>& by) {
   return "(" + out + ")";
 }
 
-/// Lambert's formula for the configuration factor from P = (x, y, z) with the inner normal n to a polygon whose corners run
-/// counterclockwise as seen from P: -1/(2 pi) sum_i angle(v_i - P, v_i+1 - P) n.(r_i)/|r_i|, r_i = (v_i - P) x (v_i+1 - v_i).
+/// Lambert's formula for the configuration factor from P = (x, y, z) with the inner normal n to a polygon
+/// whose corners run counterclockwise as seen from P: -1/(2 pi) sum_i angle(v_i - P, v_i+1 - P)
+/// n.(r_i)/|r_i|, r_i = (v_i - P) x (v_i+1 - v_i).
 std::string factor_text(const std::vector<Vector<Rational>>& v, const Vector<Rational>& n) {
   std::string sum;
   for (std::size_t i = 0; i < v.size(); ++i) {

@@ -55,8 +55,8 @@ inline judge::Polygon judged(const Corners& c) {
   return judge::triangle(triple(c[0]), triple(c[1]), triple(c[2]));
 }
 
-/// What makes geometry hard: nearly coplanar, nearly touching, edge-on, slivers, points over edges and corners, large ratios and
-/// offsets, steps of one unit in the last place.
+/// What makes geometry hard: nearly coplanar, nearly touching, edge-on, slivers, points over edges and
+/// corners, large ratios and offsets, steps of one unit in the last place.
 class NastyGeometry {
 public:
   explicit NastyGeometry(Draw& draw) : draw_(draw) {}
@@ -100,8 +100,9 @@ public:
     return std::max({norm(c[1] - c[0]), norm(c[2] - c[1]), norm(c[0] - c[2])});
   }
 
-  /// Two triangles of whole numbers with a common edge, almost in one plane: a corner of the second lies off the plane of the first by
-  /// a part 2^-bits of its size at most, or by as little as whole numbers can, a part 2^(-3 bits).
+  /// Two triangles of whole numbers with a common edge, almost in one plane: a corner of the second lies off
+  /// the plane of the first by a part 2^-bits of its size at most, or by as little as whole numbers can, a
+  /// part 2^(-3 bits).
   std::pair<Corners, Corners> nearly_coplanar_pair(int bits) {
     for (;;) {
       const Point a = draw_.below(2) == 0 ? Point{0, 0, 0} : whole_point(bits);
@@ -145,8 +146,8 @@ private:
     return {rest.y, rest.x - a / b * rest.y, rest.divisor};
   }
 
-  /// A whole point d for which the determinant of b - a, c - a and d - a, over the common divisor of their normal, is a small number;
-  /// |coordinates| at most 2^27.
+  /// A whole point d for which the determinant of b - a, c - a and d - a, over the common divisor of their
+  /// normal, is a small number; |coordinates| at most 2^27.
   Point closest_neighbour(const Point& a, const Point& b, const Point& c) {
     using Vector3 = std::array<Whole, 3>;
     const auto whole_vector = [](const Point& v) {

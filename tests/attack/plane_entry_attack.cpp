@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certified entries of pairs of triangles with a common edge, and what the solver "verified" makes of them. The judges are
-// Lambert's formula and the polar integral, a Vandermonde system of rationals for the functions, and Cramer's rule.
+// Certified entries of pairs of triangles with a common edge, and what the solver "verified" makes of them.
+// The judges are Lambert's formula and the polar integral, a Vandermonde system of rationals for the
+// functions, and Cramer's rule.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -22,8 +23,8 @@ namespace radcert::attack {
 namespace {
 
 struct Pair {
-  std::array<Corners, 2>
-      triangles;  ///< counterclockwise as seen from the side of their normals, which they see of each other
+  /// Counterclockwise as seen from the side of their normals, which they see of each other
+  std::array<Corners, 2> triangles;
   int degree = 0;
   long inset = 6;  ///< its reciprocal
   std::array<double, 2> reflectivity{0.5, 0.5};
@@ -84,7 +85,8 @@ std::vector<Pair> simpler_pairs(const Pair& pair) {
 
 using Functions = std::vector<std::vector<Rational>>;
 
-/// The coefficients of s^i t^j, by total degree and then by j, of the functions that are 1 at one node and 0 at the others.
+/// The coefficients of s^i t^j, by total degree and then by j, of the functions that are 1 at one node and 0
+/// at the others.
 Functions interpolating(const std::vector<judge::Pair>& nodes, int degree) {
   const std::size_t n = nodes.size();
   Functions rows(n, std::vector<Rational>(2 * n));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Estimated rows of collocation matrices between plane triangles in nasty positions, against closed forms in balls.
+// Estimated rows of collocation matrices between plane triangles in nasty positions, against closed forms in
+// balls.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,12 +8,12 @@
 #include <vector>
 
 #include "radcert/collocation/assembly.h"
+#include "radcert/collocation/certified/plane_chart.h"
+#include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/collocation/nodes.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/text.h"
 #include "radcert/scalar/ball_precision.h"
-#include "radcert/collocation/certified/plane_chart.h"
-#include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/surface/mesh_surface.h"
 #include "tests/attack/attack.h"
 
@@ -125,7 +126,8 @@ Exact exactly(const std::array<Vector<double>, 3>& t) {
   return out;
 }
 
-/// On which side of a triangle's plane the corners of another lie: 1 where its cross product points to, -1, or 0: on both or on none.
+/// On which side of a triangle's plane the corners of another lie: 1 where its cross product points to, -1,
+/// or 0: on both or on none.
 int side_of(const Exact& other, const Exact& t) {
   const Vector<Rational> n = cross(t[1] - t[0], t[2] - t[0]);
   int side = 0;
@@ -139,7 +141,8 @@ int side_of(const Exact& other, const Exact& t) {
   return side;
 }
 
-/// The pair with its triangles turned so that each faces the other, as on the boundary of a convex body; nothing if that is not to be had.
+/// The pair with its triangles turned so that each faces the other, as on the boundary of a convex body;
+/// nothing if that is not to be had.
 std::optional<Pair> face_to_face(Pair pair) {
   const int of_second = side_of(exactly(pair.second), exactly(pair.first));
   const int of_first = side_of(exactly(pair.first), exactly(pair.second));

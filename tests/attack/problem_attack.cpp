@@ -58,7 +58,8 @@ Judgement judge_by_proof(const ProblemInstance& x) {
   return Judgement::held(values);
 }
 
-/// A polynomial, or anything. Of polynomials the operator is known in closed form on plane surfaces; of others a proof takes minutes.
+/// A polynomial, or anything. Of polynomials the operator is known in closed form on plane surfaces; of
+/// others a proof takes minutes.
 std::string random_solution(Draw& draw, bool polynomial) {
   const std::vector<std::string> coordinates{"x", "y", "z"};
   const auto coordinate = [&] { return coordinates[draw.below(3)]; };

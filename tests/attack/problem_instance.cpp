@@ -77,7 +77,8 @@ std::string text(const ByPiece& cases) {
   return out;
 }
 
-/// Nodes at random places of a lattice inside the triangle, not always unisolvent, some of them close to each other.
+/// Nodes at random places of a lattice inside the triangle, not always unisolvent, some of them close to each
+/// other.
 std::string random_nodes(Draw& draw) {
   const std::vector<std::string> spaces{
       R"("degree": 0)",

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The families of reference values with parameters at the ends of their ranges. The judge has a formula of its own for each family that
-// has one (sums over corners, Lambert's formula, quadratics, elimination), at 1500 bits, and shares nothing with the routes but balls.
-// Families without one are held against the laws that they obey; that the two routes agree, the library itself insists on.
+// The families of reference values with parameters at the ends of their ranges. The judge has a formula of
+// its own for each family that has one (sums over corners, Lambert's formula, quadratics, elimination), at
+// 1500 bits, and shares nothing with the routes but balls. Families without one are held against the laws
+// that they obey; that the two routes agree, the library itself insists on.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -232,7 +233,8 @@ bool is_slow(const std::string& name) {
   return false;
 }
 
-// Closed forms are asked everywhere; integrals take long at the ends of the ranges, and are asked nearer to their middle.
+// Closed forms are asked everywhere; integrals take long at the ends of the ranges, and are asked nearer to
+// their middle.
 enum class Routes { closed_form, both, surfaces };
 
 Rational extreme(Draw& draw, Routes routes) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Estimated solutions u_n of random problems with an emission, against the residual of their system by the reference layer.
+// Estimated solutions u_n of random problems with an emission, against the residual of their system by the
+// reference layer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -65,7 +66,8 @@ Known integral_of_u_n(const Surface& surface, const Triangulation& triangulation
   return sum;
 }
 
-/// The defect r = E - (I - K_n) u_n at the nodes gives the error: (I - K_n)^-1 r, for which K_n need only be known roughly.
+/// The defect r = E - (I - K_n) u_n at the nodes gives the error: (I - K_n)^-1 r, for which K_n need only be
+/// known roughly.
 Judgement judge_level(const ProblemInstance& x, const Problem& problem, const LevelOutcome& level) {
   const BallPrecision precision(128);
   const double radius = *level.result.solution_radius;

@@ -11,9 +11,10 @@
 #include "radcert/geometry/triangle_mesh.h"
 #include "tests/scalar/draw.h"
 
-/// A judge of exchange areas with occlusion that knows triangles, planes through points and doubles, and nothing of the library's
-/// occluders, bodies, cells or events: the flux of what points of a triangle see of another, in closed form past all other triangles
-/// one by one, averaged over lattices of points, each shifted at random. The shifts' spread says how far the mean may be off.
+/// A judge of exchange areas with occlusion that knows triangles, planes through points and doubles, and
+/// nothing of the library's occluders, bodies, cells or events: the flux of what points of a triangle see of
+/// another, in closed form past all other triangles one by one, averaged over lattices of points, each
+/// shifted at random. The shifts' spread says how far the mean may be off.
 namespace radcert::attack {
 
 struct SampledArea {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is printed against the numbers it was made from: every text with a radius, and every bound, read as decimals, must enclose
-// the doubles of the JSON beside it. The judge reads JSON by another library and compares rational numbers.
+// What is printed against the numbers it was made from: every text with a radius, and every bound, read as
+// decimals, must enclose the doubles of the JSON beside it. The judge reads JSON by another library and
+// compares rational numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>

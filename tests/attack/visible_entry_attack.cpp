@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certified entries of scenes whose triangles hide each other. The judge cuts the pyramids over the other triangles out of the one that is
-// looked at, in rational numbers, and takes Lambert's formula of what is left.
+// Certified entries of scenes whose triangles hide each other. The judge cuts the pyramids over the other
+// triangles out of the one that is looked at, in rational numbers, and takes Lambert's formula of what is
+// left.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -30,8 +31,8 @@ TriangleMesh mesh_of(const Triangles& triangles) {
   return mesh;
 }
 
-/// Corners on a small lattice: corners in line with sides, sides in one plane with the node, common corners; now and then moved by a
-/// few units in the last place, or far away, or flat.
+/// Corners on a small lattice: corners in line with sides, sides in one plane with the node, common corners;
+/// now and then moved by a few units in the last place, or far away, or flat.
 Triangles drawn(Draw& draw) {
   NastyGeometry nasty(draw);
   constexpr std::size_t most_tries = 200;
@@ -101,7 +102,8 @@ std::pair<judge::Loop, judge::Loop> parted(const judge::Polygon& plane, const ju
   return parts;
 }
 
-/// What P does not see of the plane for a triangle between: the pyramid over it, beyond its plane. None where P lies in its plane.
+/// What P does not see of the plane for a triangle between: the pyramid over it, beyond its plane. None where
+/// P lies in its plane.
 std::vector<HalfSpace> shadow(const Corners& c, const judge::Triple& p) {
   const judge::Triple normal = normal_of(c);
   const int side = judge::dot(normal, judge::minus(p, triple(c[0]))).sign();

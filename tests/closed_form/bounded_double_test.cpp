@@ -26,7 +26,8 @@ struct Operand {
   Wide exact;
 };
 
-/// Sizes from 2^-40 to 2^40, some of them whole, some zero; bounds from 0 to a part of the size, reached or not.
+/// Sizes from 2^-40 to 2^40, some of them whole, some zero; bounds from 0 to a part of the size, reached or
+/// not.
 class Operands {
 public:
   explicit Operands(unsigned seed) : bits_(seed) {}

@@ -13,8 +13,8 @@
 
 namespace radcert {
 
-/// The kernel integrated by brute force, in long double: signed fans of triangles over the loops, each halved until a product
-/// of Gauss rules sees no change. Nothing behind the tangent plane is cut off.
+/// The kernel integrated by brute force, in long double: signed fans of triangles over the loops, each halved
+/// until a product of Gauss rules sees no change. Nothing behind the tangent plane is cut off.
 class KernelQuadrature {
 public:
   using Number = long double;

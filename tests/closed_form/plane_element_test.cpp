@@ -221,8 +221,8 @@ TEST(PlaneElement, StaysWithinItsErrorNextToEdgesCornersAndThePlane) {
 
 judge::Triple triple(const Exact& a) { return {a.x, a.y, a.z}; }
 
-/// How far a constant's integral is off, over what is allowed, by Lambert's formula in space: it shares nothing with the element and
-/// with the balls that it falls back to.
+/// How far a constant's integral is off, over what is allowed, by Lambert's formula in space: it shares
+/// nothing with the element and with the balls that it falls back to.
 double excess(const PlanePolygon& polygon, const PlaneElement& element, double accuracy, const Point& p,
               const Point& normal) {
   std::vector<double> values(element.function_count());
@@ -239,7 +239,8 @@ double excess(const PlanePolygon& polygon, const PlaneElement& element, double a
   return abs((Ball(values[0]) - exact) / (Ball(accuracy) * exact)).upper_double();
 }
 
-// The pair of the first lines was off by 5244 radii: the height of its nodes is a part 1e-17 of their coordinates.
+// The pair of the first lines was off by 5244 radii: the height of its nodes is a part 1e-17 of their
+// coordinates.
 TEST(PlaneElement, StaysWithinItsErrorNextToTrianglesInAlmostOnePlane) {
   using Four = std::array<std::array<long, 3>, 4>;
   const std::vector<Four> bodies{
@@ -278,7 +279,8 @@ TEST(PlaneElement, StaysWithinItsErrorNextToTrianglesInAlmostOnePlane) {
   }
 }
 
-// Heights of P down to 1e-18 of the size, over the polygon, next to its edges and beyond, in an oblique plane far from the origin.
+// Heights of P down to 1e-18 of the size, over the polygon, next to its edges and beyond, in an oblique plane
+// far from the origin.
 TEST(PlaneElement, StaysWithinItsErrorAtEveryHeight) {
   Draw draw(17);
   double worst = 0;
@@ -346,7 +348,8 @@ TEST(PlaneElement, RoundsIntegralsBelowTheNormalNumbers) {
   EXPECT_LE(std::abs(value[0]), 1e-320);
 }
 
-// Functions of higher degree, by the polar integral: a nearly coplanar pair, a cut polygon far from the origin, a low foot.
+// Functions of higher degree, by the polar integral: a nearly coplanar pair, a cut polygon far from the
+// origin, a low foot.
 TEST(PlaneElement, AgreesWithAPolarIntegral) {
   struct Case {
     std::array<Point, 3> corners;

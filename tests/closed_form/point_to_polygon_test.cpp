@@ -173,7 +173,8 @@ TEST(PointToPolygon, FacesOfACubeAddUpToPi) {
 }
 
 TEST(PointToPolygon, IsLambertsSumOfAngles) {
-  // Int G dS = 1/2 sum angle_k normal_P . (r_k x r_k+1) / |r_k x r_k+1|, the vector formula; without clipping.
+  // Int G dS = 1/2 sum angle_k normal_P . (r_k x r_k+1) / |r_k x r_k+1|, the vector formula; without
+  // clipping.
   Draw draw(2);
   const BallPrecision precision(160);
   for (int i = 0; i < 300; ++i) {
@@ -189,7 +190,8 @@ TEST(PointToPolygon, IsLambertsSumOfAngles) {
         const Rational along = dot(a, b);
         const Ball length = sqrt(Ball(size));
         const Ball angle = Ball::pi() / 2 - atan(Ball(along) / length);
-        // The polygon lies to the left as seen from its inner side, so that the sum has the sign of the outer one.
+        // The polygon lies to the left as seen from its inner side, so that the sum has the sign of the outer
+        // one.
         sum -= angle / length * Ball(dot(eye.normal, across));
       }
     }

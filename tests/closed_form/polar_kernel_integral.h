@@ -15,8 +15,8 @@
 
 namespace radcert {
 
-/// Judges of closed forms over plane polygons: enclosures that share nothing with the library but the arithmetic of rationals and balls.
-/// Both cut the polygon by the tangent plane of P exactly, on their own.
+/// Judges of closed forms over plane polygons: enclosures that share nothing with the library but the
+/// arithmetic of rationals and balls. Both cut the polygon by the tangent plane of P exactly, on their own.
 namespace judge {
 
 using Triple = std::array<Rational, 3>;
@@ -73,8 +73,8 @@ inline std::vector<Loop> seen_loops(const Polygon& polygon, const Triple& p, con
   return result;
 }
 
-/// Int G dS by Lambert's formula in space: the angle that P sees of each edge, times the component along n_P of the normal of the
-/// plane through P and the edge, halved; without 1/pi. P off the polygon's plane.
+/// Int G dS by Lambert's formula in space: the angle that P sees of each edge, times the component along n_P
+/// of the normal of the plane through P and the edge, halved; without 1/pi. P off the polygon's plane.
 inline Ball lambert_integral(const Polygon& polygon, const Triple& p, const Triple& normal,
                              Behind behind = Behind::left_out) {
   Ball sum;
@@ -96,7 +96,8 @@ inline Ball lambert_integral(const Polygon& polygon, const Triple& p, const Trip
   return sum / (2 * sqrt(Ball(dot(normal, normal))));
 }
 
-/// Clenshaw and Curtis' rule on [-1, 1]: exact for the polynomial that interpolates in the extrema of a Chebyshev polynomial.
+/// Clenshaw and Curtis' rule on [-1, 1]: exact for the polynomial that interpolates in the extrema of a
+/// Chebyshev polynomial.
 struct ChebyshevRule {
   std::vector<Ball> nodes;
   std::vector<Ball> weights;
@@ -119,13 +120,14 @@ struct ChebyshevRule {
   }
 };
 
-/// Int G s^i t^j dS, i + j <= degree, by polar coordinates about the foot F of P: every edge AB spans a triangle with F, of which
-/// F + lambda E(x), E(x) = A + x (B - A), runs over the points. With the kernel's level l_F + lambda l_E(x), h the height and
-/// v = |E|^2 / h^2, the integral over lambda is a sum of K_m(v) = Int_0^1 lambda^m / (1 + lambda^2 v)^2, in closed form. That
-/// over x is taken by the Chebyshev rule of n + 1 points on intervals about x_c so short that v changes by at most half of 1 + v(x_c)
-/// on the ellipse with the sum of half axes 3: there |1 + lambda^2 v| is at least half of its value in x_c, |K_m| at most four times
-/// K_m(v(x_c)), and a function bounded by M is off by at most 8 M 3^-n / 2 from its interpolant, integrated over [-1, 1]
-/// (Trefethen, Approximation Theory and Approximation Practice, 2013, theorem 8.2).
+/// Int G s^i t^j dS, i + j <= degree, by polar coordinates about the foot F of P: every edge AB spans a
+/// triangle with F, of which F + lambda E(x), E(x) = A + x (B - A), runs over the points. With the kernel's
+/// level l_F + lambda l_E(x), h the height and v = |E|^2 / h^2, the integral over lambda is a sum of K_m(v) =
+/// Int_0^1 lambda^m / (1 + lambda^2 v)^2, in closed form. That over x is taken by the Chebyshev rule of n + 1
+/// points on intervals about x_c so short that v changes by at most half of 1 + v(x_c) on the ellipse with
+/// the sum of half axes 3: there |1 + lambda^2 v| is at least half of its value in x_c, |K_m| at most four
+/// times K_m(v(x_c)), and a function bounded by M is off by at most 8 M 3^-n / 2 from its interpolant,
+/// integrated over [-1, 1] (Trefethen, Approximation Theory and Approximation Practice, 2013, theorem 8.2).
 class PolarIntegral {
 public:
   PolarIntegral(const Polygon& polygon, const Triple& p, const Triple& normal, int degree, int points,

@@ -138,7 +138,8 @@ TEST(TwoSquares, EnclosesTheValuesOfABoxAtItsPoints) {
   }
 }
 
-// The integral over a square by Gauss rules on panels that shrink geometrically towards (x,0) until they are as short as z.
+// The integral over a square by Gauss rules on panels that shrink geometrically towards (x,0) until they are
+// as short as z.
 double by_panels(const Place& p, const std::function<double(double, double)>& integrand) {
   static const IntervalRule<double> rule = gauss_rule<double>(16, IntervalWeight::one);
   const auto cuts = [&](double length) {

@@ -63,7 +63,8 @@ TEST(CollocationMatrix, MapsOneToOneOnClosedSurfaces) {
 }
 
 TEST(CollocationMatrix, HasEqualRowsOnTheSphere) {
-  // G = 1/4 there [m06, Lemma 1 (d)]: entry (i, c) = Int l_c dS / (4 pi) for every node i, near or far or inside.
+  // G = 1/4 there [m06, Lemma 1 (d)]: entry (i, c) = Int l_c dS / (4 pi) for every node i, near or far or
+  // inside.
   for (int degree = 0; degree <= 2; ++degree) {
     const Setting setting(sphere(), 1, degree, 0.1);
     const Matrix<double> a = setting.matrix(1).entries;

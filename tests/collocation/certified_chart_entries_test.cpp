@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "radcert/closed_form/point_to_polygon.h"
-#include "radcert/quadrature/certified/certified_kernel_sums.h"
 #include "radcert/collocation/certified/certified_operator.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/quadrature/certified/certified_kernel_sums.h"
 #include "radcert/surface/catalogue/cylinder.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/paraboloid_cap.h"
@@ -223,7 +223,8 @@ public:
   double bound(const ElementPoint<TaylorModel>&) const override { return 1.001; }
 };
 
-/// All functions within the bounds have their integrals within the radii, the extreme ones too: no radius may be half as large.
+/// All functions within the bounds have their integrals within the radii, the extreme ones too: no radius may
+/// be half as large.
 TEST(CertifiedKernelSums, HoldForAllFunctionsWithinTheirBounds) {
   const AboutOne functions;
   for (const Case& c : cases()) {

@@ -89,8 +89,8 @@ TEST(CertifiedVisibleEntries, RowsOfEnclosuresContainOne) {
   }
 }
 
-/// A triangle on the floor, one on the ceiling, and a square of two triangles between that hides a square of the latter from every
-/// point of the former.
+/// A triangle on the floor, one on the ceiling, and a square of two triangles between that hides a square of
+/// the latter from every point of the former.
 Scene screened_triangles() {
   const sample::Polyhedron bodies{{{0, 0, 0},
                                    {1, 0, 0},
@@ -107,8 +107,9 @@ Scene screened_triangles() {
 }
 
 TEST(CertifiedVisibleEntries, EncloseTheClosedFormLessThatOfAShadow) {
-  // Seen from (x, y, 0) the square [1/4, 5/8]^2 at half the height covers [1/2 - x, 5/4 - x] x [1/2 - y, 5/4 - y] of the ceiling,
-  // which lies inside the triangle: the integral is that over the triangle less that over this square.
+  // Seen from (x, y, 0) the square [1/4, 5/8]^2 at half the height covers [1/2 - x, 5/4 - x] x [1/2 - y, 5/4
+  // - y] of the ceiling, which lies inside the triangle: the integral is that over the triangle less that
+  // over this square.
   const BallPrecision scope(128);
   const Scene scene = screened_triangles();
   for (const int degree : {0, 1, 2, 3})

@@ -85,7 +85,8 @@ TEST(OccludedCollocation, HasTheEntriesOfTheUnoccludedOneWhereNothingHides) {
 }
 
 TEST(OccludedCollocation, IsIndependentOfHowWallsAreCut) {
-  // Degree 0 at the centroid of the L's triangles: the sum over the elements of one wall is that of the coarse wall.
+  // Degree 0 at the centroid of the L's triangles: the sum over the elements of one wall is that of the
+  // coarse wall.
   const Surface room = surface_of(sample::l_shaped_room());
   const InsetBasis<double> basis(0, 0);
   const Triangulation coarse = triangulate(room, 0);

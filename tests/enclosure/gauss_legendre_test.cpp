@@ -72,8 +72,8 @@ TEST(GaussErrorFactor, BoundsTheErrorForAPoleAndIsNotFarAbove) {
 }
 
 TEST(GaussErrorFactor, IsTheBoundForTheFirstChebyshevPolynomialLeftOut) {
-  // |T_2n| is at most (rho^2n + rho^-2n)/2 on the ellipse, so as rho grows the bound falls to 2 + 2/(4n^2 - 1). The error is between
-  // half of that (n = 1) and pi/4 of it (n large).
+  // |T_2n| is at most (rho^2n + rho^-2n)/2 on the ellipse, so as rho grows the bound falls to 2 + 2/(4n^2 -
+  // 1). The error is between half of that (n = 1) and pi/4 of it (n large).
   const BallPrecision precision(200);
   for (const int n : {1, 2, 3, 8, 15}) {
     const auto rule = enclosed_gauss_rule(n);

@@ -32,8 +32,8 @@ TEST(KernelIntegral, HasThirtyDigitsOfAPointAndASquare) {
     return kernel_integral(centre_of_ceiling, surface, chart, domain_polygon(surface.charts[chart]),
                            unit_density(), {.radius = 1e-30});
   };
-  // A quarter is a rectangle of sides 1/2, 1/2 with a corner below P at distance 1: pi F = 1/2 (x atan x + x atan x) with
-  // x = (1/2) / sqrt(1 + 1/4) (Howell, point to rectangle).
+  // A quarter is a rectangle of sides 1/2, 1/2 with a corner below P at distance 1: pi F = 1/2 (x atan x + x
+  // atan x) with x = (1/2) / sqrt(1 + 1/4) (Howell, point to rectangle).
   const Ball x = 1 / sqrt(Ball(5));
   const Ball opposite = 4 * x * atan(x);
   expect_value(integral(4), opposite, 1e-30);
@@ -150,7 +150,8 @@ TEST(KernelIntegral, IsAQuarterOfTheAreaOnTheSphere) {
 }
 
 TEST(KernelIntegral, AgreesWithItselfOverPartsAndFromBothSidesOfTheChart) {
-  // The roof z = 2 - x^3: the sum over two parts, of which only one contains P, is the integral over the whole.
+  // The roof z = 2 - x^3: the sum over two parts, of which only one contains P, is the integral over the
+  // whole.
   const BallPrecision precision(110);
   const Surface surface = two_piece(3);
   const ExactObserver p = ExactObserver::on_surface({{1, {Rational(2, 5), Rational(1, 3)}}});

@@ -65,7 +65,8 @@ TEST(Maximum, IsTakenOverDomainsAndPairsOfThem) {
   };
   expect_value(maximum(product(ChartDomain::unit_square), {.radius = 1e-12}), 1, 1e-12);
   expect_value(maximum(product(ChartDomain::unit_triangle), {.radius = 1e-12}), Ball(0.25), 1e-12);
-  // The distance of a point of the triangle to one of the square, at most sqrt(2), from the origin to (1,1) or corner to corner.
+  // The distance of a point of the triangle to one of the square, at most sqrt(2), from the origin to (1,1)
+  // or corner to corner.
   const auto distance = cube_function(4, []<class T>(std::span<const T> x) {
     const ParameterPoint<T> p = domain_point(ChartDomain::unit_triangle, x[0], x[1]);
     const ParameterPoint<T> q = domain_point(ChartDomain::unit_square, x[2], x[3]);

@@ -50,7 +50,8 @@ TEST(IntegralOverPolygon, DoesNotDependOnTheOrderOfTheCorners) {
 TEST(IntegralOverPolygon, HasTheValuesOfKnownIntegrals) {
   const BallPrecision precision(160);
   const Demand demand{.radius = 1e-30};
-  // Int Int 1/(a + s + t) = (a+2) log(a+2) - 2 (a+1) log(a+1) + a log a; a pole close to the corner makes the cells small.
+  // Int Int 1/(a + s + t) = (a+2) log(a+2) - 2 (a+1) log(a+1) + a log a; a pole close to the corner makes the
+  // cells small.
   for (const char* text : {"1", "1/8", "1/1000"}) {
     SCOPED_TRACE(text);
     const Rational a = *Rational::parse(text);

@@ -72,7 +72,8 @@ TEST(CertifiedExchangeArea, OfAnApertureAndItsComplementIsThatOfNoWall) {
 }
 
 TEST(CertifiedExchangeArea, BetweenACubeAndTheCubeAroundItIsItsArea) {
-  // The inner cube sees the outer one alone: A_1 F_12 = 3/2, so that F is 1 and, from outside, 1/4 of the area 6.
+  // The inner cube sees the outer one alone: A_1 F_12 = 3/2, so that F is 1 and, from outside, 1/4 of the
+  // area 6.
   for (const double gap : {1e-1, 1e-6, 1e-12}) {
     const FacetScene scene(sample::cube_in_cube(gap));
     Ball sum = 0;
@@ -85,7 +86,8 @@ TEST(CertifiedExchangeArea, BetweenACubeAndTheCubeAroundItIsItsArea) {
 }
 
 TEST(CertifiedExchangeArea, AddsShadowsThatDoNotMeet) {
-  // Two small squares between unit squares, in planes of their own and so far apart that no segment meets both.
+  // Two small squares between unit squares, in planes of their own and so far apart that no segment meets
+  // both.
   const auto room = [](bool left, bool right) {
     std::vector<sample::Quadrangle> faces{{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
                                           {{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}}};

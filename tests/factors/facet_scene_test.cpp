@@ -109,8 +109,8 @@ sample::Quadrangle quadrangle(Vector<double> a, Vector<double> b, Vector<double>
   return {a, b, c, d};
 }
 
-// A cube, a triangle within and one outside that look at each other; the inner one apart, with a corner, a side or all corners on the
-// cube's own.
+// A cube, a triangle within and one outside that look at each other; the inner one apart, with a corner, a
+// side or all corners on the cube's own.
 TEST(FacetScene, HidesWhatABodyContainsFromWhatIsOutside) {
   const std::vector<sample::Quadrangle> cube = sample::box({0, 0, 0}, {4, 4, 4}, false);
   const std::vector<std::array<Vector<double>, 3>> inner{{{{2, 1, 1}, {2, 3, 1}, {2, 2, 3}}},

@@ -84,7 +84,8 @@ TEST(FactorMatrix, OfACubeInACubeHasTheRatiosOfAreas) {
 }
 
 TEST(FactorMatrix, OfMeshesOfConcentricSpheresIsTheRoundOnes) {
-  // Similar polyhedra about one centre have the ratio of areas of the spheres, and the inner one sees the outer alone.
+  // Similar polyhedra about one centre have the ratio of areas of the spheres, and the inner one sees the
+  // outer alone.
   const sample::Polyhedron inner = sample::sphere(1);
   sample::Polyhedron outer = inner;
   for (Vector<double>& v : outer.vertices) v = 2.0 * v;

@@ -76,7 +76,8 @@ inline TriangleMesh obstructed_squares() {
                   {{{0, 0, 0.5}, {0.5, 0, 0.5}, {0.5, 0.5, 0.5}, {0, 0.5, 0.5}}}});
 }
 
-/// The same squares, and at z = 1/2 a wall over [0,1]^2 with the hole [1/4, 5/8] x [3/8, 3/4], or the plug that fits it.
+/// The same squares, and at z = 1/2 a wall over [0,1]^2 with the hole [1/4, 5/8] x [3/8, 3/4], or the plug
+/// that fits it.
 inline TriangleMesh squares_past_a_wall(bool plug) {
   std::vector<Quadrangle> faces{{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}},
                                 {{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}}};

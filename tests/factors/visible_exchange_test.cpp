@@ -12,8 +12,8 @@
 #include "radcert/factors/sight_events.h"
 #include "radcert/geometry/orientation.h"
 #include "radcert/polynomial/rules/conical_rule.h"
-#include "tests/visibility/solid_configuration.h"
 #include "sample_rooms.h"
+#include "tests/visibility/solid_configuration.h"
 
 namespace radcert {
 namespace {
@@ -45,7 +45,8 @@ TEST(VisibleExchangeArea, IsTheExchangeAreaWhereNothingStandsBetween) {
   }
 }
 
-/// What a test asks of one pair of a scene: geometry, all screens, and what a point sees of the source past some of them.
+/// What a test asks of one pair of a scene: geometry, all screens, and what a point sees of the source past
+/// some of them.
 struct PairSights {
   PairSights(const FacetScene& scene, const FacetPair& pair)
       : geometry(exchange_geometry(scene, {pair.first, pair.first_normal}, {pair.second, pair.second_normal},

@@ -276,7 +276,8 @@ TEST(FaceTriangulation, CutsWithoutChangingTheArea) {
     }
 }
 
-// Words that are no decimal number, or none that a double holds; in every text format the line and the word are named.
+// Words that are no decimal number, or none that a double holds; in every text format the line and the word
+// are named.
 TEST(MeshFile, RefusesWordsThatAreNoNumbers) {
   const TriangleMesh mesh = sample::mesh_of(sample::tetrahedron());
   const std::string off = "OFF\n3 1 0\n0 0 0\nX 0 0\n0 1 0\n3 0 1 2\n";
@@ -434,7 +435,8 @@ TEST(FaceTriangulation, RefusesFacesThatAreNotPlane) {
     }
 }
 
-// A square turned by 30 degrees about an axis is plane, its corners rounded to double are not: the message tells one from the other.
+// A square turned by 30 degrees about an axis is plane, its corners rounded to double are not: the message
+// tells one from the other.
 TEST(FaceTriangulation, SaysWhereRoundingAccountsForABend) {
   sample::Polyhedron solid = sample::cube();
   const double c = std::cos(0.5235987755982988);

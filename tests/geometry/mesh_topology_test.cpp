@@ -96,7 +96,8 @@ TEST(MeshTopology, FindsWhereSheetsMeet) {
 }
 
 TEST(VolumeSign, IsExactWhereTheVolumeIsLostInRounding) {
-  // A tetrahedron of height 2^-30 far from the origin: its volume is far below the rounding of the sum's terms.
+  // A tetrahedron of height 2^-30 far from the origin: its volume is far below the rounding of the sum's
+  // terms.
   std::mt19937_64 stream(11);
   const auto away = [&] { return 0x1p20 + std::ldexp(static_cast<double>(stream() >> 12U), -32); };
   for (int k = 0; k < 100; ++k) {
@@ -153,7 +154,8 @@ TEST(MeshDefects, FindsTrianglesThatCross) {
   const auto crossings = [](const sample::Polyhedron& p) {
     return crossing_triangles(sample::mesh_of(p), 10).size();
   };
-  // Apart; through each other; in a common plane, overlapping; on a common side, folded onto each other; through a shared vertex.
+  // Apart; through each other; in a common plane, overlapping; on a common side, folded onto each other;
+  // through a shared vertex.
   EXPECT_EQ(
       crossings({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, {{0, 1, 2}, {3, 4, 5}}}),
       0U);
@@ -247,8 +249,8 @@ std::size_t components_of_wedge(const Vector<double>& edge, const Vector<double>
 }
 
 TEST(SmoothComponents, CompareAnglesExactlyWhereDoublesDoNot) {
-  // Rows of the orthogonal matrix of a quaternion with whole components, times odd numbers near 2^24: right angles whose
-  // cosine in doubles is a rounding.
+  // Rows of the orthogonal matrix of a quaternion with whole components, times odd numbers near 2^24: right
+  // angles whose cosine in doubles is a rounding.
   std::mt19937_64 stream(5);
   const auto whole = [&] { return static_cast<double>(stream() % 199) - 99; };
   const auto odd = [&] { return static_cast<double>(0x1000001 + 2 * (stream() % 1000)); };

@@ -129,7 +129,8 @@ inline Polyhedron sphere(int level) {
   return out;
 }
 
-/// A grid of n by m squares whose sides are glued; `crooked` glues one pair the other way round, as in Klein's bottle.
+/// A grid of n by m squares whose sides are glued; `crooked` glues one pair the other way round, as in
+/// Klein's bottle.
 inline Polyhedron glued_grid(std::size_t n, std::size_t m, bool crooked) {
   Polyhedron out;
   for (std::size_t i = 0; i < n; ++i)

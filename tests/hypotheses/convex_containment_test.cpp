@@ -26,7 +26,8 @@ int polyhedra() {
   return count;
 }
 
-/// The witness, from the mesh and two numbers alone: P inside the triangle, Q a vertex, strictly behind P's plane.
+/// The witness, from the mesh and two numbers alone: P inside the triangle, Q a vertex, strictly behind P's
+/// plane.
 bool checks(const TriangleMesh& mesh, const ContainmentWitness& witness, Orientation orientation) {
   const auto corners = mesh.corners(witness.triangle);
   const Vector<Rational> a = exactly(corners[0]);
@@ -42,8 +43,8 @@ bool checks(const TriangleMesh& mesh, const ContainmentWitness& witness, Orienta
          product.sign() < 0;
 }
 
-/// Whether a vertex lies strictly inside the hull of the others, by exact orientations: it does exactly if after its removal
-/// it is strictly inside every facet of their hull, which the caller gives.
+/// Whether a vertex lies strictly inside the hull of the others, by exact orientations: it does exactly if
+/// after its removal it is strictly inside every facet of their hull, which the caller gives.
 bool strictly_inside(const TriangleMesh& hull, const Vector<double>& v) {
   for (std::size_t k = 0; k < hull.triangles.size(); ++k) {
     const auto [a, b, c] = hull.corners(k);
@@ -147,7 +148,8 @@ TEST(ConvexContainment, CountsThePlanesThatBruteForceCounts) {
 }
 
 TEST(ConvexContainment, KnowsTheDepthOfADent) {
-  // The upper triangle at (1, 0, 0) and (0, 1, 0) has the normal (-1, -1, 4)/4, and (-1, 0, 0) lies 1/2 / |n| beyond it.
+  // The upper triangle at (1, 0, 0) and (0, 1, 0) has the normal (-1, -1, 4)/4, and (-1, 0, 0) lies 1/2 / |n|
+  // beyond it.
   const ConvexContainment found =
       convex_containment(sample::mesh_of(sample::octahedron(-0.25)), inwards, 1e-9);
   ASSERT_EQ(found.verdict, Containment::refuted);

@@ -81,12 +81,14 @@ struct Rounded {
 }  // namespace detail
 
 /// One formula in every arithmetic at one set of exact inputs.
-/// Maths     f is a class with  template <class R> std::vector<R> operator()(std::span<const R>) const;  with v the
-///           values in 200 digits and B_b the balls at b bits:  v in B_128;  B_256 is narrow: its radius is below 2^-100
-///           of B_128's, or below 2^-200 |v|;  |f in R - v| <= the bound of f in RunningError<R>, whose value has the
-///           bits of f in R, for R = double and fifty digits;  the pack has the bits of the double
-/// Source    running error analysis, see RunningError. The radius of a ball at as many bits is no bound for the double: an
-///           operation that is exact for the ball's midpoint adds nothing to it, and rounds the double, another number
+/// Maths     f is a class with  template <class R> std::vector<R> operator()(std::span<const R>) const;  with
+///           v the values in 200 digits and B_b the balls at b bits:  v in B_128;  B_256 is narrow: its
+///           radius is below 2^-100 of B_128's, or below 2^-200 |v|;  |f in R - v| <= the bound of f in
+///           RunningError<R>, whose value has the bits of f in R, for R = double and fifty digits;  the pack
+///           has the bits of the double
+/// Source    running error analysis, see RunningError. The radius of a ball at as many bits is no bound for
+///           the double: an operation that is exact for the ball's midpoint adds nothing to it, and rounds
+///           the double, another number
 /// Requires  inputs where f has a value
 /// Result    a failure names the law and the output
 /// Limits    where the running error has no bound the rounded value is not looked at, and counted

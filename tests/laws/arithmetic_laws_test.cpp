@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernel, charts, basis, rules and expressions in double, pack, fifty digits and balls. RADCERT_LAWS=N multiplies the random inputs:
-// N = 1 makes about a million containment checks, N = 100 a hundred million.
+// Kernel, charts, basis, rules and expressions in double, pack, fifty digits and balls. RADCERT_LAWS=N
+// multiplies the random inputs: N = 1 makes about a million containment checks, N = 100 a hundred million.
 #include "arithmetic_laws.h"
 
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@
 #include "radcert/expression/expression.h"
 #include "radcert/expression/parse.h"
 #include "radcert/kernel/geometric_kernel.h"
+#include "radcert/polynomial/inset_basis.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/polynomial/rules/gauss.h"
-#include "radcert/polynomial/inset_basis.h"
 #include "radcert/surface/catalogue/cone.h"
 #include "radcert/surface/catalogue/disk.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
@@ -166,8 +166,8 @@ std::vector<Rational> numbers(const std::string& text) {
   return values;
 }
 
-/// The ball's midpoint is exact after an operation, so that its radius at 53 or 168 bits is less than what the double
-/// or the fifty digits lose there.
+/// The ball's midpoint is exact after an operation, so that its radius at 53 or 168 bits is less than what
+/// the double or the fifty digits lose there.
 TEST(ArithmeticLaws, HoldForRoofsWhereABallRoundsNothing) {
   laws::Checks checks;
   for (const char* inputs : {"624940356/625001875 53382127946/625003750005625 -10032991/390626171875000 "
@@ -320,7 +320,8 @@ TEST(ArithmeticLaws, HoldForTheConicalRules) {
 }
 
 TEST(ArithmeticLaws, EncloseRulesThatAreExact) {
-  // Int_0^1 x^k w = 1/(k + 1 + b): the balls' sum contains it up to the degree of precision, and not one degree further.
+  // Int_0^1 x^k w = 1/(k + 1 + b): the balls' sum contains it up to the degree of precision, and not one
+  // degree further.
   for (const int points : {1, 2, 5, 11, 24})
     for (const int b : {0, 1}) {
       const IntervalRule<Ball> rule =

@@ -143,8 +143,9 @@ template <Field R, BasisOver<R> Basis>
 }
 
 /// All laws of a Lagrange basis that is to serve in the collocation method, in one call.
-/// Maths     different nodes in the triangle; l_i(q_j) = delta_ij; sum_i l_i = 1; sum_i p(q_i) l_i = p for all polynomials p of the
-///           degree that is said to be reproduced: all the order of convergence everywhere depends on
+/// Maths     different nodes in the triangle; l_i(q_j) = delta_ij; sum_i l_i = 1; sum_i p(q_i) l_i = p for
+///           all polynomials p of the degree that is said to be reproduced: all the order of convergence
+///           everywhere depends on
 /// Source    [m06, (14)-(15)]
 /// Requires  `reproduced` >= 0; R = Rational with the tolerance 0 proves the first two laws
 /// Result    a failure names the law, the function, node or point, what is found there, and what should be
@@ -170,7 +171,8 @@ template <Field R, BasisOver<R> Basis>
   return ::testing::AssertionSuccess();
 }
 
-/// The nodes lie in the closed triangle, no two coincide, and turning or reflecting the triangle permutes them.
+/// The nodes lie in the closed triangle, no two coincide, and turning or reflecting the triangle permutes
+/// them.
 template <Field R, BasisOver<R> Basis>
 ::testing::AssertionResult has_symmetric_nodes_in_the_triangle(const Basis& basis, const R& tolerance) {
   const std::vector<Barycentric<R>> nodes = basis.nodes();

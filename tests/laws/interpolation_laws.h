@@ -13,8 +13,8 @@
 
 namespace radcert::laws {
 
-/// What an interpolated element differs by from the element: the errors (87), (88) and (90) of [ac98] over a sample of it,
-/// derivatives with respect to the element's own barycentric coordinates.
+/// What an interpolated element differs by from the element: the errors (87), (88) and (90) of [ac98] over a
+/// sample of it, derivatives with respect to the element's own barycentric coordinates.
 struct InterpolationError {
   double point = 0;
   double derivative = 0;

@@ -23,7 +23,8 @@
 
 namespace radcert::laws {
 
-/// All elements of a basis at a site, zeros included, in the order of the sites; nothing where the basis has no value.
+/// All elements of a basis at a site, zeros included, in the order of the sites; nothing where the basis has
+/// no value.
 using Elements = std::function<std::optional<std::vector<double>>(const Site<double>&)>;
 
 /// How a basis comes of its sites.
@@ -51,8 +52,8 @@ inline Vector<Rational> rational_direction(const Rational& s, const Rational& t)
   return {Rational(2) * s * scale, Rational(2) * t * scale, (Rational(1) - q) * scale};
 }
 
-/// Sites in a cube of edge 1 whose coordinates are multiples of 1/64 and whose normals are about `towards_z` or anywhere, from a fixed
-/// stream.
+/// Sites in a cube of edge 1 whose coordinates are multiples of 1/64 and whose normals are about `towards_z`
+/// or anywhere, from a fixed stream.
 inline std::vector<Site<Rational>> random_sites(std::uint64_t seed, std::size_t count, bool towards_z) {
   std::mt19937_64 random(seed);
   const auto small = [&random](int range) {
@@ -139,7 +140,8 @@ inline ::testing::AssertionResult is_partition_of_unity(const Elements& elements
   return ::testing::AssertionSuccess();
 }
 
-/// [psg10, (10)] with its bounds in order: c_min <= sum_i c_i phi_i(p) <= c_max, for coefficients from a fixed stream.
+/// [psg10, (10)] with its bounds in order: c_min <= sum_i c_i phi_i(p) <= c_max, for coefficients from a
+/// fixed stream.
 inline ::testing::AssertionResult stays_between_coefficients(const Elements& elements,
                                                              std::span<const Site<double>> points,
                                                              std::uint64_t seed, double tolerance) {
@@ -159,7 +161,8 @@ inline ::testing::AssertionResult stays_between_coefficients(const Elements& ele
   return ::testing::AssertionSuccess();
 }
 
-/// The site distance as its definition has it: infinite where the normals are not within 90 degrees, unless it is Euclidean alone.
+/// The site distance as its definition has it: infinite where the normals are not within 90 degrees, unless
+/// it is Euclidean alone.
 inline double site_distance(SiteDistance distance, const Site<double>& p, const Site<double>& q) {
   const double length = norm(p.point - q.point);
   if (distance == SiteDistance::euclidean) return length;
@@ -259,8 +262,8 @@ inline std::array<Site<Rational>, 3> triple_against_the_triangle_inequality() {
 }
 
 /// ||p, q|| + ||q, r|| < ||p, r|| in the normal-sensitive distance (15), decided without rounding.
-/// Maths     with the squares A, B of the left and C of the right: sqrt A + sqrt B < sqrt C if and only if C - A - B > 0 and
-///           4 A B < (C - A - B)^2
+/// Maths     with the squares A, B of the left and C of the right: sqrt A + sqrt B < sqrt C if and only if C
+///           - A - B > 0 and 4 A B < (C - A - B)^2
 inline bool breaks_the_triangle_inequality(const std::array<Site<Rational>, 3>& sites) {
   const auto& [p, q, r] = sites;
   const Rational a = squared_site_distance(p, q);

@@ -43,7 +43,8 @@ RuleSum<R> sum(const TriangleRule<R>& rule, const std::function<R(const Barycent
   return total;
 }
 
-/// As many nodes as weights, nodes ascending and strictly inside (0,1), weights positive with the sum `measure`.
+/// As many nodes as weights, nodes ascending and strictly inside (0,1), weights positive with the sum
+/// `measure`.
 template <class R>
 ::testing::AssertionResult is_positive_on_the_open_interval(const IntervalRule<R>& rule, const R& measure,
                                                             const R& tolerance) {
@@ -91,8 +92,8 @@ template <class R>
   return ::testing::AssertionSuccess();
 }
 
-/// Int x_1^a x_2^b x_3^c = a! b! c! / (a + b + c + 2)! over the reference triangle, to a relative tolerance, for
-/// a + b + c <= degree.
+/// Int x_1^a x_2^b x_3^c = a! b! c! / (a + b + c + 2)! over the reference triangle, to a relative tolerance,
+/// for a + b + c <= degree.
 template <class R>
 ::testing::AssertionResult integrates_polynomials(const TriangleRule<R>& rule, int degree,
                                                   const R& relative_tolerance) {

@@ -10,8 +10,8 @@
 #include <string>
 #include <type_traits>
 
-#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/exponent.h"
+#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/mpfr_real.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/scalar/real.h"
@@ -19,20 +19,23 @@
 namespace radcert::laws {
 
 /// A number of a rounding arithmetic R together with a bound of what rounding has done to it so far.
-/// Maths     value v and bound e with |v - exact| <= e, exact the value of the same formula without any rounding. An
-///           operation v = fl(a o b) has  e = sup { |A o B - a o b| : |A - a| <= e_a, |B - b| <= e_b } + k u |v|,
-///           the supremum bounded in closed form beside the operation; u is the unit roundoff of R, k = 1 for
-///           + - * / fma sqrt and every function of Mpfr, which round to nearest, k = 2 for the functions of libm
-/// Source    running error analysis: N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed. 2002,
-///           section 3.3; libm: the manual of glibc, "Known Maximum Errors in Math Functions": one unit in the last
-///           place, which is at most 2 u |v|, for exp log sin cos tan atan pow on x86-64 and AArch64
+/// Maths     value v and bound e with |v - exact| <= e, exact the value of the same formula without any
+///           rounding. An operation v = fl(a o b) has  e = sup { |A o B - a o b| : |A - a| <= e_a, |B - b| <=
+///           e_b } + k u |v|, the supremum bounded in closed form beside the operation; u is the unit
+///           roundoff of R, k = 1 for + - * / fma sqrt and every function of Mpfr, which round to nearest, k
+///           = 2 for the functions of libm
+/// Source    running error analysis: N. J. Higham, "Accuracy and Stability of Numerical Algorithms", 2nd ed.
+///           2002, section 3.3; libm: the manual of glibc, "Known Maximum Errors in Math Functions": one unit
+///           in the last place, which is at most 2 u |v|, for exp log sin cos tan atan pow on x86-64 and
+///           AArch64
 /// Requires  R = double, Mpfr<50>
-/// Result    value() has the bits that the formula has in R. bound() holds to every order, and is infinite where an
-///           operand may leave the domain of the operation (a divisor may be zero, a root or logarithm may reach
-///           below zero) or where v is not finite. Zero is exact, and so are products with it and sums
-/// Limits    comparisons are those of the values: a formula that branches on them must have the same exact value on
-///           both sides, beside select_less, min, max and abs, which bound both branches. A base that may be
-///           negative has no bound for pow
+/// Result    value() has the bits that the formula has in R. bound() holds to every order, and is infinite
+///           where an operand may leave the domain of the operation (a divisor may be zero, a root or
+///           logarithm may reach below zero) or where v is not finite. Zero is exact, and so are products
+///           with it and sums
+/// Limits    comparisons are those of the values: a formula that branches on them must have the same exact
+///           value on both sides, beside select_less, min, max and abs, which bound both branches. A base
+///           that may be negative has no bound for pow
 template <class R>
 class RunningError {
 public:
@@ -138,8 +141,8 @@ public:
     using std::cos;
     return of(cos(a.value_), a.bound_, function);
   }
-  /// tan(A) - tan(a) = tan(A - a) (1 + tan(a)^2) / (1 - tan(a) tan(A - a)), without a pole between while the divisor
-  /// is positive.
+  /// tan(A) - tan(a) = tan(A - a) (1 + tan(a)^2) / (1 - tan(a) tan(A - a)), without a pole between while the
+  /// divisor is positive.
   friend RunningError tan(const RunningError& a) {
     using std::tan;
     const R value = tan(a.value_);
@@ -155,7 +158,8 @@ public:
     const double least = std::max(a.least_size(), 0.0);
     return of(atan(a.value_), a.bound_ / (1 + least * least), function);
   }
-  /// A^B - a^b = a^b (exp(B log A - b log a) - 1), the difference of the exponents bounded as for log and the product.
+  /// A^B - a^b = a^b (exp(B log A - b log a) - 1), the difference of the exponents bounded as for log and the
+  /// product.
   friend RunningError pow(const RunningError& a, const RunningError& b) {
     using std::pow;
     const auto value = static_cast<R>(pow(a.value_, b.value_));
@@ -195,11 +199,12 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  /// No bound here takes more than 30 operations on doubles, each of which may round down by 2^-53, or 2^-52 in libm.
+  /// No bound here takes more than 30 operations on doubles, each of which may round down by 2^-53, or 2^-52
+  /// in libm.
   static constexpr double roundings = 0x1p-47;
   static constexpr double slack = 1 + roundings;
-  /// Below, products of doubles, u |v| among them, may lose digits to underflow, by less than the smallest normal
-  /// number; so may the operation itself.
+  /// Below, products of doubles, u |v| among them, may lose digits to underflow, by less than the smallest
+  /// normal number; so may the operation itself.
   static constexpr double may_underflow = 0x1p-800;
   inline static const double unit = nearest_double(radcert::unit_roundoff<R>());
   static constexpr double nearest = 1;
@@ -234,7 +239,8 @@ private:
   static double product_error(const RunningError& a, const RunningError& b) {
     return a.size_ * b.bound_ + b.size_ * a.bound_ + a.bound_ * b.bound_;
   }
-  /// min or max: the exact value is at most the other's error, less what lies between them, off the value taken.
+  /// min or max: the exact value is at most the other's error, less what lies between them, off the value
+  /// taken.
   static RunningError one_of(const R& value, const RunningError& taken, const RunningError& left) {
     RunningError x = exactly(value);
     x.bound_ = finite_or_infinite(std::max(taken.bound_, slack * (left.bound_ - gap(taken, left))));
@@ -256,13 +262,14 @@ private:
   double bound_ = 0;
 };
 
-/// phi[a,a,b] for phi(x) = x^e, b = a + d: the steps of DividedDifference, and what is left out of the series.
-/// Maths     the terms t_k of the binomial series have t_(k+1) = t_k x (e - k)/(k + 1), x = d/a: from k >= (e-1)/2 on
-///           they fall at least as fast as the powers of x, so that the rest after t_k is at most |t_k| |x| / (1 - |x|)
+/// phi[a,a,b] for phi(x) = x^e, b = a + d: the steps of DividedDifference, and what is left out of the
+/// series.
+/// Maths     the terms t_k of the binomial series have t_(k+1) = t_k x (e - k)/(k + 1), x = d/a: from k >=
+///           (e-1)/2 on they fall at least as fast as the powers of x, so that the rest after t_k is at most
+///           |t_k| |x| / (1 - |x|)
 /// Source    as DividedDifference
 /// Requires  as DividedDifference
 /// Result    the value has the bits of R; no bound where e or |x| is too large for the rest to be bounded
-/// Limits    -
 template <class R>
 RunningError<R> bend_with_remainder(const RunningError<R>& a, const RunningError<R>& b,
                                     const RunningError<R>& d, const Exponent<RunningError<R>>& e) {

@@ -92,7 +92,8 @@ inline ::testing::AssertionResult has_normals_across_its_tangents(const Surface&
   return ::testing::AssertionSuccess();
 }
 
-/// The tangents are the derivatives of the point: a difference quotient of width `step` is as near as step allows.
+/// The tangents are the derivatives of the point: a difference quotient of width `step` is as near as step
+/// allows.
 inline ::testing::AssertionResult has_tangents_that_are_derivatives(const Surface& surface, double step,
                                                                     double tolerance) {
   for (const Chart& chart : surface.charts) {
@@ -115,8 +116,8 @@ inline ::testing::AssertionResult has_tangents_that_are_derivatives(const Surfac
   return ::testing::AssertionSuccess();
 }
 
-/// Every tangent plane has the whole surface on the side of the normal: S lies in the boundary of a convex body, and
-/// normals point inwards.
+/// Every tangent plane has the whole surface on the side of the normal: S lies in the boundary of a convex
+/// body, and normals point inwards.
 inline ::testing::AssertionResult lies_inside_its_tangent_planes(const Surface& surface, double tolerance) {
   std::vector<Vector<double>> points;
   for (const Chart& chart : surface.charts)
@@ -140,7 +141,8 @@ inline ::testing::AssertionResult lies_inside_its_tangent_planes(const Surface& 
   return ::testing::AssertionSuccess();
 }
 
-/// The vector Int n dS vanishes on a closed surface. Midpoints of `cells`^2 cells a chart: the tolerance is theirs.
+/// The vector Int n dS vanishes on a closed surface. Midpoints of `cells`^2 cells a chart: the tolerance is
+/// theirs.
 inline ::testing::AssertionResult has_a_vanishing_integral_of_its_normal(const Surface& surface, int cells,
                                                                          double tolerance) {
   Vector<double> sum{};

@@ -26,7 +26,8 @@ Answer answer_of(const Enclosure& found) {
   return numbers({found ? found->value : found.reason().reached}, evaluations);
 }
 
-/// Int G over the square opposite to the middle of another: 4 x atan x, x = 1/sqrt 5 (Howell, point to rectangle).
+/// Int G over the square opposite to the middle of another: 4 x atan x, x = 1/sqrt 5 (Howell, point to
+/// rectangle).
 Case opposite_square(const std::string& limit) {
   return {.limit = limit,
           .answer =
@@ -162,7 +163,8 @@ Surface low_dome() {
   return surface;
 }
 
-/// The octant of the unit sphere, bent outwards by `height` times s t (1 - s - t): it meets its neighbours at a crease.
+/// The octant of the unit sphere, bent outwards by `height` times s t (1 - s - t): it meets its neighbours at
+/// a crease.
 template <Field R>
 class BentOctant {
 public:

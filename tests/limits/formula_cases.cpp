@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/geometry/mesh_defects.h"
-#include "radcert/polynomial/rules/gauss.h"
-#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/lebesgue_constant.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/scalar/functions/dilogarithm.h"
 #include "radcert/scalar/functions/power_difference.h"
 #include "radcert/surface/exact_function.h"

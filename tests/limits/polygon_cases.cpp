@@ -15,7 +15,8 @@ namespace {
 
 const Rational half(1, 2);
 
-/// Between unit squares of which a quarter of a third hides a part: 3/4 of the factor of the cube's opposite faces.
+/// Between unit squares of which a quarter of a third hides a part: 3/4 of the factor of the cube's opposite
+/// faces.
 const Ball& obstruction() {
   static const Ball value = *Ball::parse("0.14986867177379053728 +/- 1e-20");
   return value;

@@ -74,7 +74,8 @@ Case peak_of_density() {
           .about = "a density with a peak"};
 }
 
-/// Densities with a feature that few points see, by their formulas: the cells that are left are in the radius.
+/// Densities with a feature that few points see, by their formulas: the cells that are left are in the
+/// radius.
 Case formula_of_density(const std::string& text, const std::string& about) {
   const Surface surface = cube();
   const Place p{4, {0.375, 0.25}};

@@ -4,6 +4,7 @@
 
 #include "radcert/collocation/certified/certified_chart_entries.h"
 #include "radcert/collocation/certified/certified_operator.h"
+#include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/core/errors.h"
 #include "radcert/expression/parse.h"
 #include "radcert/polynomial/nodes/lattice.h"
@@ -13,7 +14,6 @@
 #include "radcert/solve/power_series.h"
 #include "radcert/solve/verified_system.h"
 #include "radcert/study/operator_norm.h"
-#include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/study/study.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"

@@ -96,7 +96,8 @@ TEST(TransferMatrix, TakesTheAlbedoOfTheReceiver) {
     ASSERT_NEAR(matrix(i, (i + 1) % 20), albedo[sites.at[i].chart] / (4 * pi), 1e-12);
 }
 
-/// Whether the open segment runs through the inside of the block: an interval of the segment for each coordinate.
+/// Whether the open segment runs through the inside of the block: an interval of the segment for each
+/// coordinate.
 bool runs_through_block(const Vector<double>& p, const Vector<double>& q) {
   double first = 0;
   double last = 1;
@@ -386,8 +387,8 @@ TEST(LightTransfer, IsDarkWithoutLight) {
   EXPECT_EQ(solution.error_bound, 0);
 }
 
-// The elements of the Gaussian basis add up to about 20 where ten neighbours make the radius: all light comes back
-// twenty times.
+// The elements of the Gaussian basis add up to about 20 where ten neighbours make the radius: all light comes
+// back twenty times.
 TEST(LightTransfer, RefusesAnIterationThatDiverges) {
   const LightScene scene = LightScene::make(sphere(), {0.5}).value();
   TransferChoice choice = on_sphere(gaussian_basis(), CoefficientRule::as_values);
@@ -398,8 +399,8 @@ TEST(LightTransfer, RefusesAnIterationThatDiverges) {
   EXPECT_THAT(transfer.reason(), HasSubstr("row sum"));
 }
 
-// Near an edge two sites on different walls come as close as they like, and the kernel grows like 1/d^2; sites that keep a
-// distance do not.
+// Near an edge two sites on different walls come as close as they like, and the kernel grows like 1/d^2;
+// sites that keep a distance do not.
 TEST(LightTransfer, RefusesPointLightsThatCrowdInACorner) {
   const LightScene scene = LightScene::make(test::room_with_block(), {0.75}).value();
   TransferChoice choice{
@@ -545,7 +546,8 @@ TEST(ProfileErrors, LeaveOutWhatHasNoValue) {
   EXPECT_EQ(errors.oscillation, 0);
 }
 
-// The bounds are three times what these sites give: a lost factor of the albedo, of the weights or of pi exceeds them.
+// The bounds are three times what these sites give: a lost factor of the albedo, of the weights or of pi
+// exceeds them.
 TEST(LightTransfer, AgreesWithTheSolutionOfTheSphereOverTheDisk) {
   const LightScene scene = sphere_over_disk_light_scene().value();
   const Light light = ParallelLight{.towards = {0, 0, 1}, .power = 0.9};

@@ -73,7 +73,8 @@ TEST(AlgebraicNumber, IsEnclosedAtAnyPrecision) {
     EXPECT_TRUE(overlaps(value, (Ball(7) - sqrt(Ball(34))) / Ball(15)));
     EXPECT_GE(value.accurate_bits(), bits - 10);
   }
-  // A zero of a square, of a polynomial with zeros close by, and beside another zero at the end of the interval.
+  // A zero of a square, of a polynomial with zeros close by, and beside another zero at the end of the
+  // interval.
   const BallPrecision scope(400);
   const RationalPolynomial two = polynomial({-2, 0, 1});
   EXPECT_TRUE(overlaps(zero_of(two * two, 1, 2).value(), sqrt(Ball(2))));
@@ -253,7 +254,8 @@ TEST(AlgebraicNodes, AreNotDecidedByTooFewBits) {
 }
 
 TEST(AlgebraicNodes, TellWeightsThatAreZero) {
-  // Linear functions at a node a of a median, its image and a third node: its weight vanishes where 1/3 lies on their line.
+  // Linear functions at a node a of a median, its image and a third node: its weight vanishes where 1/3 lies
+  // on their line.
   AlgebraicNodes nodes{.field = AlgebraicField({root_of(2)}), .nodes = {}, .space = monomials(1)};
   const AlgebraicExpression a = AlgebraicExpression::number(0) / Rational(10);
   const AlgebraicExpression other = Rational(1) - Rational(2) * a;

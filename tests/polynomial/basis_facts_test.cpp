@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/polynomial/rules/product_precision.h"
-#include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "tests/polynomial/node_sets.h"
 
 namespace radcert {
@@ -73,7 +73,8 @@ TEST(ProductPrecision, IsThatOfTheRuleForAllPolynomialsOfADegree) {
   }
 }
 
-// Int q (p - P p) by another way: every pair of monomials, over the lattice's own rule of degree 8, turned for the other half.
+// Int q (p - P p) by another way: every pair of monomials, over the lattice's own rule of degree 8, turned
+// for the other half.
 TEST(ProductPrecision, SaysWhereProductsCeaseToVanish) {
   const LagrangeFunctions functions =
       lagrange_functions(linear_with_bubble(), three_and_the_centroid(Rational(1, 5))).value();
@@ -146,7 +147,8 @@ TEST(PredictedOrders, AreThoseOfTheTheorems) {
     bool logarithm;
     int smooth_kernel;
   };
-  // Theorem 9 for r = 0, 2; odd r without and with alpha_0 (Theorem 7); the six points of degree 4; 9 at r = 5.
+  // Theorem 9 for r = 0, 2; odd r without and with alpha_0 (Theorem 7); the six points of degree 4; 9 at r =
+  // 5.
   for (const Case& c : {Case{0, 1, 1, 2, false, 2}, Case{2, 2, 3, 4, false, 4}, Case{1, 1, 1, 2, false, 2},
                         Case{1, 2, 3, 4, true, 4}, Case{3, 4, 5, 6, true, 6}, Case{2, 4, 5, 5, false, 6},
                         Case{5, 9, 9, 8, false, 10}, Case{3, 3, 7, 5, false, 5}}) {

@@ -31,7 +31,8 @@ void expect_precision(const TriangleRule<Rational>& rule, Region region, const E
 }
 
 TEST(InterpolatoryRule, HasTheWeightsOfNewtonAndCotes) {
-  // Fractions of the area 1/2 by multi-index class: midpoints alone at degree 2; 1/30, 3/40, 9/20 at degree 3.
+  // Fractions of the area 1/2 by multi-index class: midpoints alone at degree 2; 1/30, 3/40, 9/20 at degree
+  // 3.
   const TriangleRule<Rational> two = rule_of(inset_nodes(2, Rational(0)));
   const std::vector<std::array<int, 3>> indices = lattice_indices(2);
   for (std::size_t j = 0; j < 6; ++j)
@@ -85,8 +86,8 @@ TEST(DegreeOfPrecision, OfLinearInterpolationIsTwoAndThreeAtOneSixth) {
 }
 
 TEST(DegreeOfPrecision, OfSymmetricRulesIsOddOnAParallelogram) {
-  // An odd power about the centre cancels between the two triangles, so an even degree gains one; an odd one gains nothing, as
-  // the part of even degree r + 1 of a polynomial that fails does not cancel.
+  // An odd power about the centre cancels between the two triangles, so an even degree gains one; an odd one
+  // gains nothing, as the part of even degree r + 1 of a polynomial that fails does not cancel.
   for (int degree = 0; degree <= 8; ++degree)
     for (const Rational& inset : some_insets()) {
       const TriangleRule<Rational> rule = rule_of(inset_nodes(degree, inset));

@@ -77,7 +77,8 @@ TEST(InsetBasis, KeepsItsNodesTheInsetAwayFromTheSides) {
 }
 
 TEST(InsetBasis, HasTheNodesOfMicula) {
-  // [m06, (13)]: q_ij = ((i + (r-3i) alpha)/r, (j + (r-3j) alpha)/r) = (s,t); ordered by falling u, then falling t.
+  // [m06, (13)]: q_ij = ((i + (r-3i) alpha)/r, (j + (r-3j) alpha)/r) = (s,t); ordered by falling u, then
+  // falling t.
   for (int r = 1; r <= largest; ++r)
     for (const Rational& alpha : insets()) {
       Points expected;
@@ -122,8 +123,8 @@ TEST(InsetBasis, OfDegreeZeroIsOneAtTheCentroidWhateverTheInset) {
 }
 
 TEST(InsetBasis, InDoubleIsTheExactOneRounded) {
-  // 1/8 and the points k/64 are exact in double. A factor r y - a carries the rounding of r y, so that what is left is
-  // small beside the largest of the functions at the point.
+  // 1/8 and the points k/64 are exact in double. A factor r y - a carries the rounding of r y, so that what
+  // is left is small beside the largest of the functions at the point.
   for (int degree = 0; degree <= largest; ++degree) {
     const InsetBasis<Rational> truth(degree, Rational(1, 8));
     const InsetBasis<double> basis(degree, 0.125);

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/polynomial/real_zeros.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "tests/laws/basis_laws.h"
 #include "tests/polynomial/node_sets.h"
 

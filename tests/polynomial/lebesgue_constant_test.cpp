@@ -18,8 +18,8 @@ struct Location {
   double s = 0;
 };
 
-// sum |l_k| at the lattice of degree r pulled in by `inset`, by products of differences and in double: no Bernstein polynomials, no
-// matrix.
+// sum |l_k| at the lattice of degree r pulled in by `inset`, by products of differences and in double: no
+// Bernstein polynomials, no matrix.
 double lattice_lebesgue_function(int r, double inset, const Location& x) {
   const std::array<double, 3> y{1 - x.s - x.t, x.t, x.s};
   double sum = 0;
@@ -32,7 +32,8 @@ double lattice_lebesgue_function(int r, double inset, const Location& x) {
   return sum;
 }
 
-// The largest value found on a lattice of points, then uphill from there by ever smaller steps: from below, but for rounding.
+// The largest value found on a lattice of points, then uphill from there by ever smaller steps: from below,
+// but for rounding.
 template <class F>
 double largest_sample(const F& f) {
   constexpr int parts = 120;

@@ -57,7 +57,8 @@ TEST(SuperconvergentInsets, AreTheKnownOnesWithTheirCertificate) {
     }
 }
 
-// A numerator of degree n is determined by n + 1 values; here they come from the inverse of the nodes' matrix.
+// A numerator of degree n is determined by n + 1 values; here they come from the inverse of the nodes'
+// matrix.
 TEST(SuperconvergentInsets, RestOnDefectsThatAnotherRouteConfirms) {
   for (int degree = 1; degree <= 5; ++degree)
     for (const Region region : both) {

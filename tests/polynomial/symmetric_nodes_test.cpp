@@ -5,8 +5,8 @@
 
 #include <map>
 
-#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "tests/polynomial/node_sets.h"
 
 namespace radcert {
@@ -14,7 +14,8 @@ namespace {
 
 Rational ten_to_minus(int digits) { return 1 / power(Rational(10), digits); }
 
-// A set with these orbits at fractions k/97 from a fixed stream, none of them on a median where it should not be.
+// A set with these orbits at fractions k/97 from a fixed stream, none of them on a median where it should not
+// be.
 SymmetricNodes drawn(int degree, const OrbitCounts& counts, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   SymmetricNodes set{.degree = degree, .precision = degree, .orbits = {}};

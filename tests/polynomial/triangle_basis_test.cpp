@@ -77,7 +77,8 @@ TEST(TriangleBasis, IsEnclosedByItsBalls) {
         Rational largest = 1;
         for (const Rational& c : functions.bernstein_coefficients(j)) largest = std::max(largest, abs(c));
         const double units = 2 * degree + static_cast<double>(functions.size());
-        // Outside the triangle the Bernstein polynomials grow: 1.6^5 is the largest sum of their absolute values here.
+        // Outside the triangle the Bernstein polynomials grow: 1.6^5 is the largest sum of their absolute
+        // values here.
         EXPECT_NEAR(values[j], exact[j].to_double(), 20 * units * 0x1p-53 * largest.to_double()) << degree;
       }
     }

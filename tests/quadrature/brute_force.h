@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "radcert/kernel/geometric_kernel.h"
-#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/polynomial/inset_basis.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/rectangle.h"
@@ -67,21 +67,22 @@ struct Effort {
 };
 
 /// Int_Delta G(P,Q) l_j(Q) dS_Q in long double, by rules that share nothing with the library's.
-/// Maths     P off the element: the triangle is sliced along s, slices are cut in s and t towards P, Gauss-Legendre in both;
-///           on the chart with the singular line s = 0: in sqrt(s), which makes a half-integer power analytic.
-///           P on the element: polar coordinates about P, the opposite side cut towards P
-/// Source    -
+/// Maths     P off the element: the triangle is sliced along s, slices are cut in s and t towards P,
+///           Gauss-Legendre in both; on the chart with the singular line s = 0: in sqrt(s), which makes a
+///           half-integer power analytic. P on the element: polar coordinates about P, the opposite side cut
+///           towards P
 /// Requires  a surface that `long_charts` knows; powers whole or 3/2
-/// Result    about 1e-18 of Int |G l_j|, or the rounding of long double where that is worse; P is the image of the exact
-///           parameters, not a rounded point
+/// Result    about 1e-18 of Int |G l_j|, or the rounding of long double where that is worse; P is the image
+///           of the exact parameters, not a rounded point
 /// Limits    slow
 class BruteForce {
 public:
   struct Integral {
     std::vector<Long> value;
     std::vector<Long> size;  ///< Int |G l_j|
-    /// What moving P against Q by X would do to the numerator of G, to first order, X the largest coordinate of P and of
-    /// the element's vertices: Int X (|(Q-P).n_P| + |(P-Q).n_Q|) |l_j| / |P-Q|^4; `around` leaves it 0
+    /// What moving P against Q by X would do to the numerator of G, to first order, X the largest coordinate
+    /// of P and of the element's vertices: Int X (|(Q-P).n_P| + |(P-Q).n_Q|) |l_j| / |P-Q|^4; `around` leaves
+    /// it 0
     std::vector<Long> moved;
     Long total = 0;  ///< Int G
 
@@ -110,7 +111,8 @@ public:
     return own && !gathered ? around(p, element, basis, effort) : away(p, element, basis, effort);
   }
 
-  /// Polar coordinates: P on the element, or off it by a rounding (then one of the triangles counts negative).
+  /// Polar coordinates: P on the element, or off it by a rounding (then one of the triangles counts
+  /// negative).
   Integral around(const SurfacePoint<double>& p, const ParameterTriangle& element,
                   const InsetBasis<Long>& basis, const Effort& effort = {}) const {
     const Sum sum(*this, seen_from(element.chart, p), element, basis, effort);

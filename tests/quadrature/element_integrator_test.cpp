@@ -253,7 +253,8 @@ TEST(ElementIntegrator, KeepsACoarserToleranceWithFewerPoints) {
 }
 
 TEST(FlatRuleBound, LiesAboveTheErrorAndDecays) {
-  // A right triangle in the plane z = 0 with its centroid at 0, seen by P at distance eta r in many directions.
+  // A right triangle in the plane z = 0 with its centroid at 0, seen by P at distance eta r in many
+  // directions.
   const Surface surface = cube();
   const std::size_t floor = 4;
   ASSERT_EQ(surface.charts[floor].facts().name, "floor");

@@ -14,8 +14,9 @@
 namespace radcert {
 namespace {
 
-/// What rounding alone may do to an entry: ten roundings of every term of the integral, 10 u Int |G l_j|, and off the
-/// observer's element one rounding of the coordinates: u X Int (|(Q-P).n_P| + |(P-Q).n_Q|) |l_j| / |P-Q|^4 dS.
+/// What rounding alone may do to an entry: ten roundings of every term of the integral, 10 u Int |G l_j|, and
+/// off the observer's element one rounding of the coordinates: u X Int (|(Q-P).n_P| + |(P-Q).n_Q|) |l_j| /
+/// |P-Q|^4 dS.
 constexpr Long roundings_of_a_term = 10;
 /// The radius may exceed the larger of error and rounding by this factor.
 constexpr double largest_excess = 1000;
@@ -71,7 +72,8 @@ struct Outcome {
   std::size_t worst_entry = 0;
 };
 
-/// The integral of the observer alone, and that of its lane in a block of its element's nodes, as the assembly has it.
+/// The integral of the observer alone, and that of its lane in a block of its element's nodes, as the
+/// assembly has it.
 std::array<ElementIntegral<double>, 2> both_ways(const Case& c, const InsetBasis<double>& basis) {
   ElementIntegrator<double> integrator(*c.surface, c.element, basis);
   std::array<ElementIntegral<double>, 2> integrals{

@@ -43,8 +43,9 @@ bool holds(const Polygon& polygon, const Parameters& at) {
   return true;
 }
 
-/// Largest error of the polynomial of degree 63 through 64 Chebyshev nodes of a segment: at most (1 + Lambda) times the best one's,
-/// Lambda <= 2/pi log 64 + 1 (Trefethen, Approximation Theory and Approximation Practice, Theorem 15.2).
+/// Largest error of the polynomial of degree 63 through 64 Chebyshev nodes of a segment: at most (1 + Lambda)
+/// times the best one's, Lambda <= 2/pi log 64 + 1 (Trefethen, Approximation Theory and Approximation
+/// Practice, Theorem 15.2).
 double interpolation_error(const std::function<double(double)>& g) {
   constexpr int n = 64;
   std::vector<double> x(n);
@@ -176,8 +177,8 @@ TEST(DensityCells, KnowsTheCatalogue) {
   }
 }
 
-/// Int G V u for u = 1 + exp(-a |Q - Q_0|^2), Q_0 amid a plane part, less that for 1: pi/a G(P, Q_0) V(P, Q_0) (1 + O(1/a)), the factor from
-/// G'' at distances of 1/2 and more.
+/// Int G V u for u = 1 + exp(-a |Q - Q_0|^2), Q_0 amid a plane part, less that for 1: pi/a G(P, Q_0) V(P,
+/// Q_0) (1 + O(1/a)), the factor from G'' at distances of 1/2 and more.
 void expect_peak(const Surface& surface, const SurfacePoint<double>& p, const Vector<double>& q,
                  const Vector<double>& normal_q, bool is_seen, double without_peak) {
   const Frame<double> frame = surface.charts[p.chart].in<double>().frame(p.at);

@@ -74,8 +74,8 @@ private:
   std::mt19937_64 stream_;
 };
 
-/// [Lambert 1760]: Int G over a polygon = 1/2 sum over the sides of their angle at P times n_P . unit(a x b); the
-/// polygon counterclockwise as seen from the side to which its normal points, whole above P's horizon.
+/// [Lambert 1760]: Int G over a polygon = 1/2 sum over the sides of their angle at P times n_P . unit(a x b);
+/// the polygon counterclockwise as seen from the side to which its normal points, whole above P's horizon.
 long double polygon_integral(const Vector<long double>& p, const Vector<long double>& n,
                              const std::vector<Vector<long double>>& corners) {
   long double sum = 0;
@@ -92,7 +92,8 @@ long double polygon_integral(const Vector<long double>& p, const Vector<long dou
 
 Vector<long double> in_long_double(const Point& x) { return {x.x, x.y, x.z}; }
 
-// --- Closed forms ---------------------------------------------------------------------------------------------------
+// --- Closed forms
+// ---------------------------------------------------------------------------------------------------
 
 TEST(OperatorIntegral, IsPiForTheUnitDensityOnClosedConvexSurfaces) {
   const std::vector<Surface> surfaces{cube(), box(1, 2, 5), box(1, 1, Rational(1, 50)), sphere(),
@@ -174,13 +175,15 @@ TEST(OperatorIntegral, HasTheConfigurationFactorsOfTheCube) {
     return Approximation{lower.value + upper.value, lower.radius + upper.radius,
                          lower.absolute + upper.absolute};
   };
-  // Four quarters of a parallel square at distance 1, each with a corner opposite to P and the side 1/2; and the rest.
+  // Four quarters of a parallel square at distance 1, each with a corner opposite to P and the side 1/2; and
+  // the rest.
   const double opposite = 4 / std::sqrt(5.0) * std::atan(1 / std::sqrt(5.0));
   expect_encloses(face(1), opposite, "opposite", 1e-13);
   expect_encloses(face(2), (std::numbers::pi - opposite) / 4, "adjacent", 1e-13);
 }
 
-// --- A second computation, in long double ---------------------------------------------------------------------------
+// --- A second computation, in long double
+// ---------------------------------------------------------------------------
 
 /// Gauss's rule with 16 points on [0,1], by Newton's method on Legendre's polynomial.
 struct Gauss {
@@ -210,7 +213,8 @@ struct Gauss {
   }
 };
 
-/// Int over the unit square of a function that is not smooth at one point and on s = 0: cells halved towards both.
+/// Int over the unit square of a function that is not smooth at one point and on s = 0: cells halved towards
+/// both.
 long double brute_force(const std::function<long double(const ParameterPoint<long double>&)>& f,
                         const ParameterPoint<long double>& bad_point, bool bad_line) {
   static const Gauss gauss;
@@ -281,7 +285,8 @@ TEST(OperatorIntegral, IsContinuousUpToASingularLine) {
   }
 }
 
-// --- Laws -----------------------------------------------------------------------------------------------------------
+// --- Laws
+// -----------------------------------------------------------------------------------------------------------
 
 /// The domain of a chart in 2 or 1 times 4^levels triangles, on dyadic points.
 std::vector<Triangle> triangles_of(ChartDomain domain, int levels) {

@@ -12,7 +12,8 @@
 namespace radcert::reference {
 namespace {
 
-/// Digits found elsewhere: by other programs, or from formulas that are not ours. The last digit shown may be off by one.
+/// Digits found elsewhere: by other programs, or from formulas that are not ours. The last digit shown may be
+/// off by one.
 struct KnownDigits {
   const char* name;
   const char* digits;

@@ -100,7 +100,8 @@ TEST(SphereOverDiskKernel, IsTheAzimuthIntegral) {
 }
 
 TEST(SphereOverDiskKernel, GivesTheFactorOfASphereSeenFromAPoint) {
-  // An element sees a sphere that does not meet its plane with the cosine times the sine squared of the half angle.
+  // An element sees a sphere that does not meet its plane with the cosine times the sine squared of the half
+  // angle.
   for (const SphereOverDiskScene& exact : scenes()) {
     const Scene scene(exact);
     for (const double share : {0.0, 0.01, 0.3, 0.5, 1.0}) {
@@ -158,7 +159,8 @@ TEST(SphereOverDisk, MeetsItsEquationsByCubatureOfTheKernel) {
 }
 
 TEST(SphereOverDisk, BalancesWhatTheSphereTakesUp) {
-  // By reciprocity the light that goes from the disk to the sphere is Int D times the factor of the sphere, a closed form.
+  // By reciprocity the light that goes from the disk to the sphere is Int D times the factor of the sphere, a
+  // closed form.
   for (const SphereOverDiskScene& exact : scenes()) {
     const SphereOverDisk<double> all = solution(exact, 40);
     const Scene& scene = all.scene();

@@ -52,7 +52,8 @@ TEST(BallText, PrintedBallEncloses) {
     const Ends ends = ends_of(ball);
     ASSERT_LE(midpoint - radius, ends.low);
     ASSERT_GE(midpoint + radius, ends.high);
-    // No wider than the digits asked for make it: half a unit of the last printed place, and the radius rounded up.
+    // No wider than the digits asked for make it: half a unit of the last printed place, and the radius
+    // rounded up.
     const Rational unit = abs(midpoint) * power(Rational(10), 1 - digits);
     ASSERT_LE(radius, Rational(11, 10) * (ends.high - ends.low) / Rational(2) + unit);
   }

@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/dual.h"
+#include "radcert/scalar/functions/divided_difference.h"
 #include "tests/scalar/draw.h"
 
 namespace radcert {

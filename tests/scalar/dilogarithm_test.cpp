@@ -39,7 +39,8 @@ Reference series(const Reference& radius, const Reference& angle) {
   return sum;
 }
 
-/// A radius in [0, 1] and an angle, many of them near the branch point, the real axis, and the borders between series.
+/// A radius in [0, 1] and an angle, many of them near the branch point, the real axis, and the borders
+/// between series.
 struct Polar {
   double radius;
   double angle;
@@ -147,7 +148,8 @@ TEST(DilogarithmImaginary, EnclosesEveryPointOfWideBalls) {
       ASSERT_TRUE(overlaps(value, dilogarithm_imaginary(min(max(r, Ball(0)), Ball(1)), phi)))
           << shown(r.to_double(), phi.to_double());
     }
-    // First order: |df/dr| <= pi/2 and |df/dphi| <= max(log 2, -log|1 - z|), at most log 4 + log(pi/width) on average.
+    // First order: |df/dr| <= pi/2 and |df/dphi| <= max(log 2, -log|1 - z|), at most log 4 + log(pi/width) on
+    // average.
     EXPECT_LE(value.radius(), 2 * wide_radius + wide_angle * (3 + std::abs(std::log(wide_angle))) + 3e-18);
   }
 }

@@ -8,8 +8,8 @@
 
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/functions/divided_difference.h"
-#include "radcert/scalar/mpfr_real.h"
 #include "radcert/scalar/functions/power_difference.h"
+#include "radcert/scalar/mpfr_real.h"
 #include "tests/scalar/draw.h"
 
 namespace radcert {
@@ -21,8 +21,8 @@ static_assert(Field<DividedDifference<Ball>> && Field<DividedDifference<Mpfr<50>
 const std::vector<Rational> exponents{Rational(3, 2), Rational(7, 3), Rational(5, 4), Rational(17, 3),
                                       Rational(101, 2)};
 
-/// phi[a,b] and phi[a,a,b] of phi(x) = x^e from the definition; for b = a the derivatives. 200 digits leave 100 for steps
-/// of 10^-50 and more.
+/// phi[a,b] and phi[a,a,b] of phi(x) = x^e from the definition; for b = a the derivatives. 200 digits leave
+/// 100 for steps of 10^-50 and more.
 struct Truth {
   Fine first;
   Fine bend;

@@ -93,7 +93,8 @@ TEST(DividedDifference, OfTheRootLosesNoDigits) {
       const double step = p * factor;
       const DividedDifference<double> f = sqrt(DividedDifference<double>::variable(p, 1, step));
       const std::string where = std::to_string(p) + " " + std::to_string(factor);
-      // sqrt[p,q] = 1/(a+b), sqrt[p,p,q] = -1/(2 a (a+b)^2), a and b the roots: no subtraction in these either
+      // sqrt[p,q] = 1/(a+b), sqrt[p,p,q] = -1/(2 a (a+b)^2), a and b the roots: no subtraction in these
+      // either
       const long double a = std::sqrt(static_cast<long double>(p));
       const long double b = std::sqrt(static_cast<long double>(p) + step);
       EXPECT_NEAR(f.first * static_cast<double>(a + b), 1, 2e-15) << where;
@@ -102,7 +103,8 @@ TEST(DividedDifference, OfTheRootLosesNoDigits) {
     }
 }
 
-/// x^e [p,p,q] by the integral e (e-1) Int_0^1 (1-l) (p + l d)^(e-2) dl, Gauss's rule with 10 points on graded parts.
+/// x^e [p,p,q] by the integral e (e-1) Int_0^1 (1-l) (p + l d)^(e-2) dl, Gauss's rule with 10 points on
+/// graded parts.
 long double bend_by_quadrature(long double e, long double p, long double d) {
   static const long double x[5] = {0.1488743389816312108848260L, 0.4333953941292471907992659L,
                                    0.6794095682990244062343274L, 0.8650633666889845107320967L,

@@ -11,7 +11,8 @@
 
 namespace radcert {
 
-/// Doubles at which arithmetic goes wrong, and ordinary ones; intervals of them: points, narrow, wide, around zero.
+/// Doubles at which arithmetic goes wrong, and ordinary ones; intervals of them: points, narrow, wide, around
+/// zero.
 class Draw {
 public:
   explicit Draw(std::uint64_t seed) : random_(seed) {}

@@ -105,8 +105,8 @@ Dual<R> operator*(int c, const Dual<R>& f) {
   return R(c) * f;
 }
 
-/// Whether a ball contains a number known to 100 decimals: the difference quotient is off by 10^-119 or so, the radius by
-/// 2^-128 = 10^-39.
+/// Whether a ball contains a number known to 100 decimals: the difference quotient is off by 10^-119 or so,
+/// the radius by 2^-128 = 10^-39.
 bool contains(const Ball& ball, const Fine& truth) {
   return overlaps(ball, widened(Ball(truth.to_rational()), Ball(1e-100)));
 }

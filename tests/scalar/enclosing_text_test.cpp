@@ -21,7 +21,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Rational read(const std::string& text) { return Rational::parse(text).value(); }
 
-/// Any bits that are a finite double, powers of ten and their neighbours, 9.99..., halves of a last digit, denormal numbers.
+/// Any bits that are a finite double, powers of ten and their neighbours, 9.99..., halves of a last digit,
+/// denormal numbers.
 double nasty_or_infinite(Draw& draw) {
   const double sign = draw.below(2) == 0 ? 1 : -1;
   const auto neighbour = [&](double x) {
@@ -99,7 +100,8 @@ TEST(EnclosingText, RefusesWhatIsNoNumberWithARadius) {
   EXPECT_THROW((void)DecimalForm::fixed(-1), ContractViolation);
 }
 
-/// Whether a decimal text has the least decimal of `digits` digits that is not below the number: one unit less is below it.
+/// Whether a decimal text has the least decimal of `digits` digits that is not below the number: one unit
+/// less is below it.
 void expect_least(const std::string& text, const Rational& number, int digits, bool upwards) {
   const Rational shown = read(text);
   const Rational slack = upwards ? shown - number : number - shown;

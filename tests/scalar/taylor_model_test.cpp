@@ -11,8 +11,8 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/scalar/complex_ball.h"
-#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/dual.h"
+#include "radcert/scalar/functions/divided_difference.h"
 #include "tests/scalar/draw.h"
 
 namespace radcert {

@@ -113,7 +113,8 @@ TEST(AccurateProduct, HasTheSameBitsForEveryNumberOfThreads) {
 }
 
 TEST(AccurateResidual, KeepsTheDigitsThatCancel) {
-  // v solves (I - K) v = e to the last bit of each entry but one, and the residual says by how much it does not.
+  // v solves (I - K) v = e to the last bit of each entry but one, and the residual says by how much it does
+  // not.
   std::mt19937_64 random(13);
   for (const std::size_t n : {1U, 5U, 300U}) {
     Matrix<double> k(n, n);

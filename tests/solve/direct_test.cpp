@@ -132,7 +132,8 @@ TEST(DirectSolver, KnowsTheNormOfTheInverseOfPositiveMatricesExactly) {
 }
 
 TEST(DirectSolver, SeesOneLargeRowOfTheInverse) {
-  // The norm in the maximum norm is a row sum, 1 + 100; the largest column sum is 101 for the transposed only.
+  // The norm in the maximum norm is a row sum, 1 + 100; the largest column sum is 101 for the transposed
+  // only.
   Matrix<double> k(5, 5);
   for (std::size_t j = 1; j < 5; ++j) k(0, j) = 25;
   EXPECT_EQ(DirectSolver(k).inverse_norm(), 101);

@@ -46,7 +46,8 @@ INSTANTIATE_TEST_SUITE_P(All, Iteration,
                                          NamedSolver{"gmres", solve_by_gmres}),
                          [](const auto& solver) { return std::string(solver.param.name); });
 
-/// What is left where nothing is demanded: 4 u (1 + theta)/(1 - theta)^2 by theory, in the contraction's own norm.
+/// What is left where nothing is demanded: 4 u (1 + theta)/(1 - theta)^2 by theory, in the contraction's own
+/// norm.
 double rounding_bound(const Contraction& contraction, const Values& v) {
   const double theta = contraction.theta();
   return 4.01 * unit * (1 + theta) / ((1 - theta) * (1 - theta)) * contraction.norm(v);
@@ -108,7 +109,8 @@ TEST_P(Iteration, AgreesWithEliminationOnCollocationMatrices) {
           const double size = test::max_abs(solution->values);
           const double error = test::largest_error(test::long_solution(k.entries, e), solution->values);
           EXPECT_LE(error, solution->error_bound);
-          // The bound is not idle: a factor to the error itself, and to what rounding u to double leaves of it.
+          // The bound is not idle: a factor to the error itself, and to what rounding u to double leaves of
+          // it.
           EXPECT_LE(solution->error_bound, 50 * error);
           EXPECT_LE(solution->error_bound, 4 / (1 - contraction.theta()) * unit * size);
           const Values direct = DirectSolver(k.entries).solve(e);

@@ -38,7 +38,8 @@ inline Values random_values(std::mt19937_64& random, std::size_t n) {
   return values;
 }
 
-/// Random entries of both signs or of one, some rows empty; the sums of the sizes of the other rows are `row_sum`, about.
+/// Random entries of both signs or of one, some rows empty; the sums of the sizes of the other rows are
+/// `row_sum`, about.
 inline Matrix<double> random_matrix(std::mt19937_64& random, std::size_t n, double row_sum, bool positive) {
   Matrix<double> k = matrix(
       n, [&](std::size_t, std::size_t) { return positive ? std::abs(uniform(random)) : uniform(random); });
@@ -51,7 +52,8 @@ inline Matrix<double> random_matrix(std::mt19937_64& random, std::size_t n, doub
   return k;
 }
 
-/// (I - K) u = e by Gauss's elimination with pivoting in an arithmetic finer than double; nothing if I - K is singular.
+/// (I - K) u = e by Gauss's elimination with pivoting in an arithmetic finer than double; nothing if I - K is
+/// singular.
 template <class R, class FromDouble, class Size>
 std::optional<std::vector<R>> eliminated(const Matrix<double>& k, const Values& e, FromDouble number,
                                          Size size) {
@@ -94,7 +96,8 @@ inline std::vector<long double> long_solution(const Matrix<double>& k, const Val
       .value();
 }
 
-/// What the rounding of long double may add to its own solution, for matrices with ||K|| <= theta in some norm.
+/// What the rounding of long double may add to its own solution, for matrices with ||K|| <= theta in some
+/// norm.
 inline double long_rounding(double theta, double size) { return 0x1p-58 / (1 - theta) * size; }
 
 /// max_i |u_i - v_i|

@@ -70,7 +70,8 @@ TEST(Collect, TakesMeshSizesAndNotLevelsForOrders) {
 }
 
 TEST(Collect, FitsByLeastSquaresAndSpansTheSuccessiveOrders) {
-  // log2 of the errors: 0, -1, -4: successive orders 1 and 3, the regression line through three equidistant points 2.
+  // log2 of the errors: 0, -1, -4: successive orders 1 and 3, the regression line through three equidistant
+  // points 2.
   const Result result =
       collect(sample_problem("sphere"), {level(0, 1, 1), level(1, 0.5, 0.5), level(2, 0.0625, 0.0625)}, {});
   EXPECT_NEAR(result.orders[0].order.value(), 2, 1e-14);

@@ -54,8 +54,8 @@ TEST(UniformError, VanishesForWhatTheBasisReproduces) {
 }
 
 TEST(UniformError, IsTheLargestDifferenceCornersIncluded) {
-  // A constant on each triangle, the value of z at the centroid: on a wall of the unit cube the farthest corner is 2/3
-  // away.
+  // A constant on each triangle, the value of z at the centroid: on a wall of the unit cube the farthest
+  // corner is 2/3 away.
   const Interpolated u(cube(), 0, 0, 0, z);
   EXPECT_NEAR(uniform_error(u.function(), everywhere("z"))->value, 2.0 / 3, 1e-15);
   // On one piece alone, 5 too much.
@@ -63,7 +63,8 @@ TEST(UniformError, IsTheLargestDifferenceCornersIncluded) {
 }
 
 TEST(UniformError, SeesEveryCornerOfTheDomain) {
-  // Differences that are 1 at one corner and smaller everywhere else; (1,0) and (0,1) are corners of one triangle each.
+  // Differences that are 1 at one corner and smaller everywhere else; (1,0) and (0,1) are corners of one
+  // triangle each.
   const Interpolated u(two_piece(2), 0, 1, 0.125, one);
   for (const char* bump : {"1 + x*y", "1 + (1-x)*y", "1 + x*(1-y)", "1 + (1-x)*(1-y)"})
     for (const char* piece : {"lower", "upper"})

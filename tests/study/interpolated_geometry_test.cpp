@@ -86,7 +86,8 @@ TEST(InterpolatedGeometry, IsAFurnaceWhereTheInterpolantIsAConvexPolyhedron) {
 }
 
 TEST(InterpolatedGeometry, MakesNoErrorForALinearSolutionOnFlatElements) {
-  // u is linear on each flat element, so P_n u = u where the problem is posed on the interpolant; on S it is not.
+  // u is linear on each flat element, so P_n u = u where the problem is posed on the interpolant; on S it is
+  // not.
   const Problem problem = with_solution(sample_problem("sphere"), "3 + x - 2*y + z/2");
   const LevelResult posed_on_it =
       solve_level(interpolated(problem, 1, DataPoints::interpolant), 0, reference::applied_operator).result;
@@ -121,7 +122,8 @@ TEST(InterpolatedGeometry, HasTheErrorsThatAnotherProgramFound) {
 TEST(InterpolatedGeometry, PlansForItsCharts) {
   const Problem problem = with_emission(two_piece_problem(3), "1");
   const auto planned = [&](const Problem& of) { return solve_level(of, 1, no_route).result.planned_bytes; };
-  // 28 coefficients of degree 6 in double and in packs of eight, for each of 16 elements; and the nodes once more.
+  // 28 coefficients of degree 6 in double and in packs of eight, for each of 16 elements; and the nodes once
+  // more.
   EXPECT_GE(planned(interpolated(problem, 2)), planned(problem) + 16 * 28 * 3 * 9 * sizeof(double));
   EXPECT_LE(planned(interpolated(problem, 2)), planned(problem) + 16 * 10000);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Problems whose solution is known exactly, solved within the error that the result itself states. With the solution given,
-// E = u - Ku comes from the reference layer and the result states node_error and its radius; with E given it states nothing, and
-// u_n must lie where the same problem said that it would.
+// Problems whose solution is known exactly, solved within the error that the result itself states. With the
+// solution given, E = u - Ku comes from the reference layer and the result states node_error and its radius;
+// with E given it states nothing, and u_n must lie where the same problem said that it would.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -139,8 +139,8 @@ TEST(KnownSolutions, TheSphericalCapGathersItsFraction) {
 }
 
 TEST(KnownSolutions, TheSphericalCapAddsAConstantToTheHeight) {
-  // With the rim at z_0 = 1 - 2f, Int z dS = pi (1 - z_0^2); u = z + c, c (1 - rho f) = rho (1 - z_0^2)/4. For rho = 1/2 and
-  // f = 1/4 that is c = 3/28.
+  // With the rim at z_0 = 1 - 2f, Int z dS = pi (1 - z_0^2); u = z + c, c (1 - rho f) = rho (1 - z_0^2)/4.
+  // For rho = 1/2 and f = 1/4 that is c = 3/28.
   const Problem problem = sample_problem("spherical_cap", {{"fraction", Rational(1, 4)}});
   for (const int level : {0, 1})
     expect_the_error_stated(
@@ -149,7 +149,8 @@ TEST(KnownSolutions, TheSphericalCapAddsAConstantToTheHeight) {
 }
 
 TEST(KnownSolutions, LinearFunctionsAreSolvedForOnPolyhedra) {
-  // They lie in the space of degree 1 on affine charts: E = u - Ku is the reference layer's, Ku_n that of the quadrature.
+  // They lie in the space of degree 1 on affine charts: E = u - Ku is the reference layer's, Ku_n that of the
+  // quadrature.
   const std::vector<Problem> problems = all_problems(is_affine);
   EXPECT_GE(problems.size(), 5U);
   for (const Problem& problem : problems)
@@ -179,8 +180,8 @@ TEST(KnownSolutions, SmoothFunctionsAreApproachedOnEverySurface) {
 }
 
 TEST(KnownSolutions, TheSphericalCapIsSuperconvergent) {
-  // The inset 1/6 on a smooth surface: O(h^4 |log h|) at the nodes, against h^2 of the functions. The charts are analytic up to
-  // the rim and the centre, or this would not be seen.
+  // The inset 1/6 on a smooth surface: O(h^4 |log h|) at the nodes, against h^2 of the functions. The charts
+  // are analytic up to the rim and the centre, or this would not be seen.
   const Problem problem = sample_problem("spherical_cap", {{"fraction", Rational(1, 4)}});
   const double coarse = solved_for(problem, 1, "exp(x/2)*cos(y) + z").node_error->value;
   const double fine = solved_for(problem, 2, "exp(x/2)*cos(y) + z").node_error->value;

@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "radcert/core/parallel.h"
-#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/polynomial/inset_basis.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/level_errors.h"
 #include "radcert/study/plan.h"
@@ -85,7 +85,8 @@ TEST(SolveLevel, IntegratesAsWellAsTheProblemAsks) {
 }
 
 TEST(SolveLevel, PassesTheErrorsOfTheRouteOn) {
-  // Ku wrong by e (1/2)/pi at every node: so is K(I-P_n)u, and the node error is (I-K)^-1 of it, twice as much.
+  // Ku wrong by e (1/2)/pi at every node: so is K(I-P_n)u, and the node error is (I-K)^-1 of it, twice as
+  // much.
   constexpr double e = 1e-3;
   const auto route = [](const Surface&, const SurfaceFunction&) {
     return [](const SurfacePoint<double>&) { return Approximation{std::numbers::pi + e, 2 * e}; };
@@ -109,8 +110,8 @@ TEST(SolveLevel, ManufacturesTheEmissionAsUMinusKu) {
   }
 }
 
-/// u_n - u at the nodes of the unit sphere for E = exp(z), rho = 1/2, where u = exp(z) + sinh(1): the mean of exp(z) is
-/// sinh(1), that of u twice as much.
+/// u_n - u at the nodes of the unit sphere for E = exp(z), rho = 1/2, where u = exp(z) + sinh(1): the mean of
+/// exp(z) is sinh(1), that of u twice as much.
 std::vector<double> errors_on_the_sphere(int level, int degree, const Rational& alpha) {
   const Problem problem = with_emission(with_basis(sample_problem("sphere"), degree, alpha), "exp(z)");
   std::vector<double> errors;
@@ -145,7 +146,8 @@ double mean_of_interpolation_error(int level, int degree, const Rational& alpha)
 }
 
 TEST(SolveLevel, HasTheErrorOnTheSphereThatTheMeanOfTheInterpolationErrorForetells) {
-  // G = 1/4: K f is half the mean of f, so u_n - u = (I - K_n)^-1 K (P_n - I) u is that mean, the same at every node.
+  // G = 1/4: K f is half the mean of f, so u_n - u = (I - K_n)^-1 K (P_n - I) u is that mean, the same at
+  // every node.
   for (const auto& [level, degree, alpha] : {std::tuple{0, 0, Rational(0)},
                                              {1, 0, Rational(0)},
                                              {0, 1, Rational(1, 10)},
@@ -160,7 +162,8 @@ TEST(SolveLevel, HasTheErrorOnTheSphereThatTheMeanOfTheInterpolationErrorForetel
 }
 
 TEST(SolveLevel, ConvergesOnTheSphereWithOrderTwoForDegreeZero) {
-  // The leading term takes over at level 2: from there the mean of the interpolation error has the orders 1.84, 2.02,
+  // The leading term takes over at level 2: from there the mean of the interpolation error has the orders
+  // 1.84, 2.02,
   // 2.01.
   const double coarse = errors_on_the_sphere(2, 0, 0)[0];
   const double fine = errors_on_the_sphere(3, 0, 0)[0];
@@ -248,7 +251,8 @@ TEST(SolveLevel, CoversTheErrorsOfTheRouteByEverySolver) {
 }
 
 TEST(SolveLevel, RefusesAnIterationWithoutAContraction) {
-  // The quadratic functions with the inset 1/6 change sign so much that |K_n| has a spectral radius of 1.12 rho.
+  // The quadratic functions with the inset 1/6 change sign so much that |K_n| has a spectral radius of 1.12
+  // rho.
   Problem problem = with_emission(with_basis(sample_problem("cube"), 2, Rational(1, 6)), "1");
   problem.reflectivity = everywhere("19/20");
   EXPECT_NO_THROW(solve_level(problem, 0, no_route));
@@ -291,7 +295,8 @@ TEST(SolveLevel, LeavesTheErrorsEmptyForAGivenEmission) {
 }
 
 TEST(SolveLevel, HasItsIteratedSolutionAtTheNodes) {
-  // [ac98, (44)]: u^ = E + K u_n equals u_n at the nodes; here K is applied by the adaptive cubature of `reference`.
+  // [ac98, (44)]: u^ = E + K u_n equals u_n at the nodes; here K is applied by the adaptive cubature of
+  // `reference`.
   for (const char* name : {"cube", "sphere"}) {
     const Problem problem = with_emission(sample_problem(name), "exp(x + y) - z");
     const Surface surface = surface_of(problem);

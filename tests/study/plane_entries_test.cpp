@@ -58,7 +58,8 @@ TEST(PlaneChart, IsTheFormulaOfTheChart) {
 }
 
 TEST(PlaneEntries, OfBothRoutesHaveCommonPoints) {
-  // Nodes that are symmetric to the exchange of two corners, and nodes that are not; charts of both orientations.
+  // Nodes that are symmetric to the exchange of two corners, and nodes that are not; charts of both
+  // orientations.
   const std::vector<Barycentric<Rational>> lopsided{{{Rational(1, 2), Rational(1, 3), Rational(1, 6)}},
                                                     {{Rational(1, 5), Rational(3, 5), Rational(1, 5)}},
                                                     {{Rational(1, 7), Rational(2, 7), Rational(4, 7)}}};

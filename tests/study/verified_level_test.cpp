@@ -135,7 +135,8 @@ Tetrahedron random_tetrahedron(std::mt19937_64& random) {
 
 using Monomials = std::array<Ball, 6>;
 
-/// A function l_j of degree at most 2 from its values at the lattice of degree 2, in monomials of s = x_3 and t = x_2.
+/// A function l_j of degree at most 2 from its values at the lattice of degree 2, in monomials of s = x_3 and
+/// t = x_2.
 Monomials monomials(const LagrangeFunctions& functions, std::size_t j) {
   std::vector<Rational> at(functions.size());
   const auto value = [&](const Rational& s, const Rational& t) {
@@ -152,8 +153,8 @@ Monomials monomials(const LagrangeFunctions& functions, std::size_t j) {
   return {Ball(f), Ball(s), Ball(t), Ball(ss), Ball(st), Ball(tt)};
 }
 
-/// (I - K) and what it is solved for, in balls of many digits, by code that the level does not run: moments element by element,
-/// against coefficients that interpolate.
+/// (I - K) and what it is solved for, in balls of many digits, by code that the level does not run: moments
+/// element by element, against coefficients that interpolate.
 struct Digits {
   std::vector<std::vector<Ball>> matrix;
   std::vector<Ball> u;  ///< with a solution
@@ -423,7 +424,8 @@ TEST(VerifiedLevel, RefusesWhatHasNoGuarantee) {
 }
 
 TEST(VerifiedLevel, HoldsPeaksBetweenTheNodes) {
-  // At the nodes the second is 0 as far as doubles show; both are large where complex numbers enter the bounds.
+  // At the nodes the second is 0 as far as doubles show; both are large where complex numbers enter the
+  // bounds.
   for (const std::string peak :
        {"exp(-1000*((x-0.3)^2+(y-0.4)^2+z^2))", "exp(-10000*((x-0.3)^2+(y-0.4)^2+z^2))",
         "1+exp(-100*((x-0.3)^2+(y-0.4)^2+z^2))"})

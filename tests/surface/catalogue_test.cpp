@@ -123,7 +123,8 @@ TEST(Catalogue, LiesInTheBoundaryOfAConvexBodyWithInnerNormals) {
   }
 }
 
-/// The parameter points and weights of a rule that is exact enough for areas: Simpson's in each direction, graded to s = 0.
+/// The parameter points and weights of a rule that is exact enough for areas: Simpson's in each direction,
+/// graded to s = 0.
 template <class Function>
 double integral_over_domain(ChartDomain domain, const Function& f) {
   constexpr int n = 64;
@@ -173,7 +174,8 @@ TEST(Catalogue, EnclosesTheVolumeItShouldIfClosed) {
   }
 }
 
-/// The sides of a chart's image with n + 1 points each, in the direction that has the surface on its left as seen from inside.
+/// The sides of a chart's image with n + 1 points each, in the direction that has the surface on its left as
+/// seen from inside.
 std::vector<std::vector<Vector<double>>> sides(const Chart& chart) {
   constexpr int n = 8;
   std::vector<ParameterPoint<double>> corners{{0, 0}, {1, 0}, {1, 1}, {0, 1}};

@@ -22,7 +22,8 @@
 
 namespace radcert::testing {
 
-/// A surface of the catalogue with what a test knows of it from elsewhere: its formulas in long double, its area and volume.
+/// A surface of the catalogue with what a test knows of it from elsewhere: its formulas in long double, its
+/// area and volume.
 struct SampleSurface {
   std::string entry;
   std::vector<Rational> values;
@@ -123,7 +124,8 @@ inline LongChart long_triangle(int sign, const Vector<Rational>& a, const Vector
   return long_rectangle(with_sign(sign), a, b - a, c - a);
 }
 
-/// The corners of each face in the order (1,2,3), (2,3,0), (3,0,1), (0,1,2); (b-a) x (c-a) points outwards, inwards, ...
+/// The corners of each face in the order (1,2,3), (2,3,0), (3,0,1), (0,1,2); (b-a) x (c-a) points outwards,
+/// inwards, ...
 inline std::vector<LongChart> long_tetrahedron() {
   const Vector<Rational> a{1, 1, 1};
   const Vector<Rational> b{1, -1, -1};
@@ -172,7 +174,8 @@ inline SampleSurface sample_two_piece(const Rational& p, std::optional<double> a
   return sample;
 }
 
-/// A truncated cone, or a cylinder: pi (r^2 + t^2 + (r + t) sqrt((r-t)^2 + h^2)) and pi h (r^2 + r t + t^2)/3.
+/// A truncated cone, or a cylinder: pi (r^2 + t^2 + (r + t) sqrt((r-t)^2 + h^2)) and pi h (r^2 + r t +
+/// t^2)/3.
 inline SampleSurface sample_cone(const std::string& entry, const std::vector<Rational>& values,
                                  const Rational& radius, const Rational& top, const Rational& height) {
   const double r = radius.to_double();

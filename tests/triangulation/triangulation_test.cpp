@@ -232,7 +232,8 @@ TEST(Triangulation, HasChildrenThatDivideTheirParent) {
           const ParameterPoint<double> along = parent.vertices[(side + 1) % 3] - a;
           for (const ParameterPoint<double>& v : child.vertices) EXPECT_GE(cross(along, v - a), 0);
         }
-        // The first three stand at the parent's vertices and keep their numbers; the last touches none of them.
+        // The first three stand at the parent's vertices and keep their numbers; the last touches none of
+        // them.
         for (std::size_t vertex = 0; vertex < 3; ++vertex)
           EXPECT_EQ(child.vertices[vertex] == parent.vertices[vertex], vertex == i);
       }

@@ -51,7 +51,8 @@ TEST(Cell, ComparesExactlyWhereRoundingWouldTip) {
   EXPECT_EQ(decide(printed("12"), 12.500000000000002, 0, false), Verdict::contradicted);
   EXPECT_EQ(decide(printed("12"), 12.5, std::numeric_limits<double>::denorm_min(), false),
             Verdict::undecided);
-  // The double nearest to 0.15 lies below it, so that it is still within 0.1 +- 0.05; the one nearest to 0.55 lies above.
+  // The double nearest to 0.15 lies below it, so that it is still within 0.1 +- 0.05; the one nearest to 0.55
+  // lies above.
   EXPECT_EQ(decide(printed("0.1"), 0.15, 0, false), Verdict::reproduced);
   EXPECT_EQ(decide(printed("0.5"), 0.55, 0, false), Verdict::contradicted);
 }

@@ -56,7 +56,8 @@ inline Problem flat_problem(std::vector<int> levels) {
   return problem;
 }
 
-/// A level with figures that are made up: node error 2^-(2 level), discretisation error 3 times that; for alpha = 1/10 ten times as much.
+/// A level with figures that are made up: node error 2^-(2 level), discretisation error 3 times that; for
+/// alpha = 1/10 ten times as much.
 inline LevelOutcome made_up_level(const Problem& problem, int level) {
   LevelOutcome outcome;
   outcome.result.level = level;

@@ -60,7 +60,8 @@ TEST(Papers, CoverEquationsThatExist) {
   }
 }
 
-// Lemmas, theorems, corollaries and tables, by what the labels of their entries begin with; Theorem 4.1 of ac98 is its (82).
+// Lemmas, theorems, corollaries and tables, by what the labels of their entries begin with; Theorem 4.1 of
+// ac98 is its (82).
 const std::map<std::string, std::vector<std::string>>& named_statements() {
   static const std::map<std::string, std::vector<std::string>> all{
       {"ac98", {"lemma_2_1",   "corollary_2_2", "lemma_2_3",     "theorem_2_4", "theorem_3_1",

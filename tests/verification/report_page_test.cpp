@@ -39,7 +39,8 @@ TEST(ReportPage, IsOneFileThatFetchesNothing) {
   }
 }
 
-// One element, u - u_n = 1/2 at its only node: a Float32Array of it in base 64, and of the three corners painted with it.
+// One element, u - u_n = 1/2 at its only node: a Float32Array of it in base 64, and of the three corners
+// painted with it.
 TEST(ReportPage, PaintsElementsWithTheErrorAtTheirNodes) {
   Report report = report_that_says("u_n is near u");
   ProblemTrace problem;

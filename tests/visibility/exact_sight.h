@@ -24,7 +24,8 @@ inline int sign_of_volume(const Exact& a, const Exact& b, const Exact& c, const 
   return dot(cross(b - a, c - a), d - a).sign();
 }
 
-/// Visibility by rational numbers and one look at every triangle: the route that shares nothing with the library's.
+/// Visibility by rational numbers and one look at every triangle: the route that shares nothing with the
+/// library's.
 class ExactSight {
 public:
   explicit ExactSight(const Scene& scene) {
@@ -51,7 +52,8 @@ public:
     return std::all_of(triangles_[triangle].begin(), triangles_[triangle].end(),
                        [&](const Exact& v) { return height(of, v) == 0; });
   }
-  /// 1: the segment passes the triangle inside; 0: not at all; nothing where it touches its border or runs in its plane.
+  /// 1: the segment passes the triangle inside; 0: not at all; nothing where it touches its border or runs in
+  /// its plane.
   [[nodiscard]] std::optional<int> passes(std::size_t triangle, const Exact& p, const Exact& q) const {
     const auto& [a, b, c] = triangles_[triangle];
     const int at_p = height(triangle, p);

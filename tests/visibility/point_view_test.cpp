@@ -150,7 +150,8 @@ TEST(PointView, SeesWhatEveryTriangleSaysAmongLooseTriangles) {
     const Scene scene = loose_triangles(random, 3);
     const ExactSight sight(scene);
     for (int k = 0; k < 60; ++k) {
-      // Free points, with a horizon anywhere; now and then a coordinate of a vertex, so that planes pass through P.
+      // Free points, with a horizon anywhere; now and then a coordinate of a vertex, so that planes pass
+      // through P.
       Viewpoint from{{random.between(0, 3), random.between(0, 3), random.between(0, 3)},
                      {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)},
                      std::nullopt};
@@ -198,8 +199,8 @@ TEST(PointView, SeesPastASquareWhatItsShadowLeaves) {
     }
 }
 
-/// As occluded_squares, and another square whose cone from (0,0,0) is the same, coplanar ones stacked on it, one of which shares its
-/// corners with it and with none of them.
+/// As occluded_squares, and another square whose cone from (0,0,0) is the same, coplanar ones stacked on it,
+/// one of which shares its corners with it and with none of them.
 TEST(PointView, HidesOnceWhatSeveralHide) {
   TriangleMesh mesh = sample::occluded_squares().mesh();
   const auto add = [&](double x0, double x1, double y0, double y1, double z) {
@@ -217,7 +218,8 @@ TEST(PointView, HidesOnceWhatSeveralHide) {
   const Viewpoint from{{0, 0, 0}, {0, 0, 1}, 0};
   EXPECT_EQ(visible_region(scene, from, 2).sight, Sight::nothing);
   EXPECT_EQ(visible_region(scene, from, 3).sight, Sight::nothing);
-  // From (1/2, 1/2, 0) the shadows are [0,1/2]^2 of a height of 1/2, and [-1,1/2]^2 and [1/3,5/6]... of the others.
+  // From (1/2, 1/2, 0) the shadows are [0,1/2]^2 of a height of 1/2, and [-1,1/2]^2 and [1/3,5/6]... of the
+  // others.
   const Viewpoint middle{{0.5, 0.5, 0}, {0, 0, 1}, 0};
   const auto shadow = [](const Rational& z, const Rational& x) {
     return Rational(1, 2) + (x - Rational(1, 2)) / z;
@@ -248,8 +250,8 @@ TEST(PointView, TellsNearFromFarThoughBoxesOverlap) {
 }
 
 TEST(PointView, TellsNearFromFarThoughEachCutsTheOthersPlane) {
-  // Long triangles at heights 1 and 2 that cross at right angles, each tilted about its length; then all is slanted by z + x/2, so that
-  // their boxes overlap.
+  // Long triangles at heights 1 and 2 that cross at right angles, each tilted about its length; then all is
+  // slanted by z + x/2, so that their boxes overlap.
   std::array<Vector<double>, 3> near{Vector<double>{3, -0.1, 0.91}, {-3, -0.1, 0.91}, {0, 0.2, 1.18}};
   std::array<Vector<double>, 3> far{Vector<double>{-0.1, -3, 1.91}, {-0.1, 3, 1.91}, {0.2, 0, 2.18}};
   for (std::size_t k = 0; k < 3; ++k) {

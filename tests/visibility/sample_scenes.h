@@ -110,7 +110,8 @@ inline Scene cube_in_cube(double gap) {
       both(turned(grid_box({0, 0, 0}, {1, 1, 1})), grid_box({0.25, 0.25, gap}, {0.75, 0.75, gap + 0.5}))));
 }
 
-/// Squares that look at each other, and an opaque one between that looks up: triangles 0, 1 below, 2, 3 above, 4, 5 between.
+/// Squares that look at each other, and an opaque one between that looks up: triangles 0, 1 below, 2, 3
+/// above, 4, 5 between.
 inline Scene occluded_squares() {
   Polyhedron out{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
                  {{0, 1, 2, 3}, {4, 7, 6, 5}}};

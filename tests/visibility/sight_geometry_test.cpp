@@ -16,7 +16,8 @@ using sample::Exact;
 using sample::Numbers;
 using Side = SightGeometry::Side;
 
-/// Coordinates are tenths: of the decimals many determinants would be zero, of the doubles that stand for them few are.
+/// Coordinates are tenths: of the decimals many determinants would be zero, of the doubles that stand for
+/// them few are.
 double tenths(Numbers& random, std::size_t count) { return static_cast<double>(random.below(count)) * 0.1; }
 
 Scene triangles_of_tenths(Numbers& random) {

@@ -138,8 +138,8 @@ TEST(Visibility, IsWhatEveryTriangleSays) {
   expect_as_every_triangle_says(sample::l_room(), random, 250, true, 2);
 }
 
-/// Whether the open segment meets the closed triangle, by its two ends on a line or by the three sides' half planes, in rational
-/// numbers: nothing is left undecided.
+/// Whether the open segment meets the closed triangle, by its two ends on a line or by the three sides' half
+/// planes, in rational numbers: nothing is left undecided.
 bool meets_exactly(const std::array<Vector<Rational>, 3>& t, const Vector<Rational>& p,
                    const Vector<Rational>& q) {
   const Vector<Rational> normal = cross(t[1] - t[0], t[2] - t[0]);
@@ -173,7 +173,8 @@ bool meets_exactly(const std::array<Vector<Rational>, 3>& t, const Vector<Ration
 }
 
 TEST(Visibility, IsItsDefinitionForDegenerateQueries) {
-  // Triangles and points on a coarse grid: segments through corners and sides, within planes, that end on other triangles.
+  // Triangles and points on a coarse grid: segments through corners and sides, within planes, that end on
+  // other triangles.
   Numbers random(33);
   constexpr std::size_t steps = 4;
   const auto coordinate = [&] { return static_cast<double>(random.below(steps + 1)); };

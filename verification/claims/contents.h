@@ -8,11 +8,10 @@
 namespace radcert::verification {
 
 /// The checks that are compiled in, a list a paper.
-/// Maths     none
 /// Source    verification/claims/<key>/contents.cpp
 /// Requires  nothing
-/// Result    every claim with a check function has exactly one, and every one here has a claim: a test counts them
-/// Limits    -
+/// Result    every claim with a check function has exactly one, and every one here has a claim: a test counts
+///           them
 [[nodiscard]] std::vector<PaperChecks> all_checks();
 
 namespace ac98 {

@@ -11,7 +11,8 @@
 namespace radcert::verification {
 
 /// A number as a table prints it.
-/// Maths     value is the number; half_unit is half a unit of its last printed digit: "1.48E-3" is 0.00148 with 0.000005
+/// Maths     value is the number; half_unit is half a unit of its last printed digit: "1.48E-3" is 0.00148
+///           with 0.000005
 /// Source    ours
 /// Requires  made by parse_printed
 /// Result    exact
@@ -31,8 +32,8 @@ struct PrintedNumber {
 [[nodiscard]] Outcome<PrintedNumber> parse_printed(std::string_view text);
 
 /// What our value says of a printed number.
-/// Maths     with o +- r ours, p printed and h its half unit:  |o-p| + r <= h  reproduced, certified if o +- r is guaranteed;
-///           |o-p| - r > h  contradicted;  otherwise undecided
+/// Maths     with o +- r ours, p printed and h its half unit:  |o-p| + r <= h  reproduced, certified if o +-
+///           r is guaranteed; |o-p| - r > h  contradicted;  otherwise undecided
 /// Source    the project's rule for cells
 /// Requires  value finite, radius finite and >= 0, else ContractViolation
 /// Result    the comparison is exact: no rounding can tip it

@@ -14,11 +14,9 @@
 namespace radcert::verification {
 
 /// What a check works with.
-/// Maths     none
-/// Source    -
 /// Requires  everything outlives the bench
-/// Result    route: Ku without the pipeline's quadrature; levels: solved levels; store: for numbers that take long
-/// Limits    -
+/// Result    route: Ku without the pipeline's quadrature; levels: solved levels; store: for numbers that take
+///           long
 struct Bench {
   Budget budget = Budget::quick;
   OperatorRoute route;
@@ -29,9 +27,9 @@ struct Bench {
 /// The code that checks one statement.
 using Check = std::function<Finding(const Bench& bench)>;
 
-/// A figure of one level by a computation that shares neither quadrature nor assembly nor solver with the pipeline.
+/// A figure of one level by a computation that shares neither quadrature nor assembly nor solver with the
+/// pipeline.
 /// Maths     "discretisation_error" or "node_error" of a problem at a level
-/// Source    -
 /// Requires  a problem with `solution`
 /// Result    the figure with its radius
 /// Limits    may take minutes

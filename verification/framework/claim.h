@@ -13,12 +13,9 @@
 namespace radcert::verification {
 
 /// How a claim is checked.
-/// Maths     function: code of verification/claims/<key>; table: cells of a printed table; order: a fitted order; enclosure: a proved number
-///           in a stated interval; none: nothing is run
-/// Source    -
-/// Requires  -
+/// Maths     function: code of verification/claims/<key>; table: cells of a printed table; order: a fitted
+///           order; enclosure: a proved number in a stated interval; none: nothing is run
 /// Result    `none` belongs to definitions and to statements not yet looked at
-/// Limits    -
 enum class CheckKind { function, table, order, enclosure, none };
 
 /// The recorded verdict of one cell of a table.
@@ -30,7 +27,8 @@ struct CellRecord {
   int line = 0;               ///< in claims.toml
 };
 
-/// What a column of a printed table holds: "discretisation_error", "discretisation_ratio", "node_error" or "node_ratio".
+/// What a column of a printed table holds: "discretisation_error", "discretisation_ratio", "node_error" or
+/// "node_ratio".
 struct FigureColumn {
   std::string figure;
   std::string column;  ///< its header in the table's file
@@ -42,8 +40,8 @@ struct TableSeries {
   std::vector<std::pair<std::string, std::string>>
       where;            ///< the rows whose column has this text; empty: all
   std::string problem;  ///< file, from the folder of claims.toml
-  std::string
-      control;  ///< file of a problem that must not reproduce the printed errors; its levels are among the problem's
+  /// File of a problem that must not reproduce the printed errors; its levels are among the problem's
+  std::string control;
   std::vector<FigureColumn> figures;
   PerBudget<int> verified =
       PerBudget<int>::same(0);  ///< levels of up to so many elements are solved with a proof
@@ -74,8 +72,8 @@ struct EnclosedQuantity {
   std::string quantity;      ///< of a problem: one of enclosed_quantities()
   std::optional<int> level;  ///< of a problem; absent: its last
   std::string reference;     ///< a value or a family of values, by name
-  std::vector<std::pair<std::string, Rational>>
-      values;  ///< of a family's parameters; the rest has its defaults
+  /// Of a family's parameters; the rest has its defaults
+  std::vector<std::pair<std::string, Rational>> values;
 };
 
 /// "discretisation_error", "node_error", "least_u_n" and "largest_u_n", the last two over the nodes.
@@ -90,11 +88,9 @@ struct EnclosureClaim {
 };
 
 /// One numbered statement, as papers/<key>/claims.toml has it.
-/// Maths     none
 /// Source    the project's format of claims
 /// Requires  made by read_claims
 /// Result    plain data; a table has cells instead of a verdict of its own
-/// Limits    -
 struct Claim {
   std::string label;
   std::vector<int> covers;  ///< numbered equations that it answers for
@@ -116,11 +112,10 @@ struct Claim {
 };
 
 /// The claims of a paper.
-/// Maths     none
-/// Source    -
 /// Requires  `text` is the content of claims.toml; `source` names it in messages
-/// Result    in the order of the file; InputError with source, line and place for text that is no TOML, unknown or missing keys, wrong
-///           types, unknown verdicts, a recorded `failed`, labels that are not snake_case
+/// Result    in the order of the file; InputError with source, line and place for text that is no TOML,
+///           unknown or missing keys, wrong types, unknown verdicts, a recorded `failed`, labels that are not
+///           snake_case
 /// Limits    whether the cells are complete is seen when the table itself is read
 [[nodiscard]] std::vector<Claim> read_claims(std::string_view text, const std::string& source);
 

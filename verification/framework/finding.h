@@ -63,13 +63,13 @@ enum class Standing { holds, violated, open };
 /// An observation held against a statement.
 /// Maths     Bound: value - radius >= order - slack holds, value + radius < order - slack violates;
 ///           Equals: |v - value| + radius <= slack holds, |v - value| - radius > slack violates;
-///           AtMost: v + radius <= value + slack holds, v - radius > value + slack violates;  IsExactly: equality of rationals;
-///           AgreesWith: |v - value| <= within for all points of both balls holds, > within for all violates;
-///           LiesIn: the whole enclosure in the interval holds, none of it violates
+///           AtMost: v + radius <= value + slack holds, v - radius > value + slack violates;  IsExactly:
+///           equality of rationals; AgreesWith: |v - value| <= within for all points of both balls holds, >
+///           within for all violates; LiesIn: the whole enclosure in the interval holds, none of it violates
 /// Source    ours
 /// Requires  slack >= 0, else ContractViolation
-/// Result    open where neither is the case, and for numbers that are not finite; the doubles of both sides are compared exactly
-/// Limits    -
+/// Result    open where neither is the case, and for numbers that are not finite; the doubles of both sides
+///           are compared exactly
 [[nodiscard]] Standing judge(const Bound& statement, const Approximation& observed);
 [[nodiscard]] Standing judge(const Equals& statement, const Approximation& observed);
 [[nodiscard]] Standing judge(const AtMost& statement, const Approximation& observed);
@@ -90,11 +90,12 @@ struct Evidence {
 };
 
 /// What a check found: the evidence, and the verdict that follows from it.
-/// Maths     a control that is not violated, no control, or nothing required: failed; a requirement violated: contradicted; one open:
-///           undecided; else certified if every requirement is proved and without slack, supported if not. AgreesWith is
-///           proved: `within` is part of the statement, no slack in it
+/// Maths     a control that is not violated, no control, or nothing required: failed; a requirement violated:
+///           contradicted; one open: undecided; else certified if every requirement is proved and without
+///           slack, supported if not. AgreesWith is proved: `within` is part of the statement, no slack in it
 /// Source    ours
-/// Requires  each kind of statement is required and controlled by the same check: what is rejected is what was believed
+/// Requires  each kind of statement is required and controlled by the same check: what is rejected is what
+///           was believed
 /// Result    evidence in the order in which it was given
 /// Limits    cannot know whether a control is a good one
 class Finding {

@@ -13,11 +13,8 @@
 namespace radcert::verification {
 
 /// Where checks get solved levels from.
-/// Maths     none
-/// Source    -
 /// Requires  a problem that check() lets pass
 /// Result    what solve_level gives
-/// Limits    -
 class LevelSource {
 public:
   virtual ~LevelSource() = default;
@@ -25,11 +22,10 @@ public:
 };
 
 /// Solved levels, each computed once and kept.
-/// Maths     none
 /// Source    formats/level_record.h for the key and the text
 /// Requires  the store outlives the source
-/// Result    a level found in the store is not computed; one that is computed is stored at once, so that an interrupted run goes on
-///           where it was. computed() counts the computations of this object
+/// Result    a level found in the store is not computed; one that is computed is stored at once, so that an
+///           interrupted run goes on where it was. computed() counts the computations of this object
 /// Limits    a store that is off computes each time
 class StoredLevels final : public LevelSource {
 public:
@@ -48,11 +44,8 @@ private:
 [[nodiscard]] StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit);
 
 /// A number of a check that takes long, computed once and kept.
-/// Maths     none
-/// Source    -
 /// Requires  `key` says everything that the number depends on, but for radcert's own sources, which are added
 /// Result    the stored number to the bit, or that of compute(), stored
-/// Limits    -
 [[nodiscard]] Approximation stored(ResultStore& store, const std::string& key,
                                    const std::function<Approximation()>& compute);
 

@@ -12,11 +12,10 @@
 namespace radcert::verification {
 
 /// A folder of claims: one of papers/ or a user's own.
-/// Maths     none
-/// Source    -
 /// Requires  the folder holds claims.toml
-/// Result    key: the folder's name; file(path): the content of a file by its path from the folder, InputError where it is missing;
-///           source(path): how messages name that file; folder: as the user named it, empty for an embedded paper
+/// Result    key: the folder's name; file(path): the content of a file by its path from the folder,
+///           InputError where it is missing; source(path): how messages name that file; folder: as the user
+///           named it, empty for an embedded paper
 /// Limits    files outside the folder are not reached from an embedded paper
 struct Paper {
   std::string key;
@@ -30,12 +29,8 @@ struct Paper {
 [[nodiscard]] std::string file_if_there(const Paper& paper, const std::string& path);
 
 /// Refuses a claim that names an erratum which is not there.
-/// Maths     none
-/// Source    -
-/// Requires  -
-/// Result    returns where the claim names none, or where errata.md has a row of a table whose first cell is that place; InputError with
-///           the claim's place otherwise
-/// Limits    -
+/// Result    returns where the claim names none, or where errata.md has a row of a table whose first cell is
+///           that place; InputError with the claim's place otherwise
 void check_erratum(const Paper& paper, const Claim& claim);
 
 /// The papers that travel inside the program: every folder of papers/ with a claims.toml, by key.
@@ -45,11 +40,8 @@ void check_erratum(const Paper& paper, const Claim& claim);
 [[nodiscard]] Paper read_paper(const std::filesystem::path& folder);
 
 /// A paper and those of its statements that were asked for.
-/// Maths     none
-/// Source    -
-/// Requires  -
-/// Result    labels: empty stands for all; "table_1.alpha_1_6" for every label that begins with it up to a point
-/// Limits    -
+/// Result    labels: empty stands for all; "table_1.alpha_1_6" for every label that begins with it up to a
+///           point
 struct Selected {
   Paper paper;
   std::vector<std::string> labels;
@@ -59,11 +51,12 @@ struct Selected {
   [[nodiscard]] bool wants_part_of(std::string_view label) const;
 };
 
-/// What words of a command line select: KEY, KEY/CLAIM, KEY/TABLE.CELL, or a folder of the user's own; none: every paper.
-/// Maths     none
+/// What words of a command line select: KEY, KEY/CLAIM, KEY/TABLE.CELL, or a folder of the user's own; none:
+/// every paper.
 /// Source    the command line's documentation
 /// Requires  nothing
-/// Result    papers in the order in which they were first named; InputError for a word that is none of these, with what there is
+/// Result    papers in the order in which they were first named; InputError for a word that is none of these,
+///           with what there is
 /// Limits    a word that is the key of an embedded paper is never a folder: write ./ac98
 [[nodiscard]] std::vector<Selected> select(std::span<const std::string> words);
 

@@ -10,11 +10,11 @@
 namespace radcert::verification {
 
 /// A table as a paper prints it, read from CSV.
-/// Maths     none
 /// Source    RFC 4180, and lines that begin with # are comments
 /// Requires  at most 10,000 rows
-/// Result    the texts exactly as they stand; an empty cell is one that the paper leaves empty; InputError with source and line for
-///           rows of another length than the header, columns named twice, an open quote, text that is not UTF-8
+/// Result    the texts exactly as they stand; an empty cell is one that the paper leaves empty; InputError
+///           with source and line for rows of another length than the header, columns named twice, an open
+///           quote, text that is not UTF-8
 /// Limits    a quoted cell does not go over a line's end
 struct PrintedTable {
   std::vector<std::string> columns;

@@ -11,11 +11,8 @@
 namespace radcert::verification {
 
 /// A problem that checks solved, level by level.
-/// Maths     none
-/// Source    -
-/// Requires  -
-/// Result    levels ascending; orders: fitted over them as collect() does; `elements` and `nodes` are those of `drawn_level`
-/// Limits    -
+/// Result    levels ascending; orders: fitted over them as collect() does; `elements` and `nodes` are those
+///           of `drawn_level`
 struct ProblemTrace {
   Problem problem;
   std::string name;  ///< problem_title
@@ -28,12 +25,11 @@ struct ProblemTrace {
 };
 
 /// Levels from another source, with a record of which problems were solved and what came out.
-/// Maths     none
-/// Source    -
 /// Requires  the source outlives it
-/// Result    hands on what the source gives. problems(): each problem once, in the order of first use. used(): those asked for since
-///           the last begin(), by their index there
-/// Limits    keeps nodes and elements of one level a problem: the finest with at most `most_drawn` elements, else the coarsest
+/// Result    hands on what the source gives. problems(): each problem once, in the order of first use.
+///           used(): those asked for since the last begin(), by their index there
+/// Limits    keeps nodes and elements of one level a problem: the finest with at most `most_drawn` elements,
+///           else the coarsest
 class RecordedLevels final : public LevelSource {
 public:
   explicit RecordedLevels(LevelSource& source) : source_(&source) {}

@@ -21,11 +21,7 @@ struct Account {
 };
 
 /// What a run found of one statement, or of one cell of a table.
-/// Maths     none
-/// Source    -
-/// Requires  -
 /// Result    plain data; the same on every run, but for `seconds`
-/// Limits    -
 struct ClaimReport {
   std::string paper;
   std::string label;

@@ -22,20 +22,14 @@ struct Progress {
 };
 
 /// The labels of a paper's statements, tables cell by cell.
-/// Maths     none
-/// Source    -
-/// Requires  -
 /// Result    in the order of claims.toml; InputError where a table and its records do not match
-/// Limits    -
 [[nodiscard]] std::vector<std::string> statement_labels(const Paper& paper);
 
 /// Runs the checks of what was selected and holds each verdict against the record.
-/// Maths     none
-/// Source    -
 /// Requires  the bench outlives the call
-/// Result    a report a statement, in the order of claims.toml. A check that throws gives `failed` and what it said, and the others
-///           run on; InputError, EnvironmentError and Interrupted leave. Everything that was solved before stays in the store
-/// Limits    -
+/// Result    a report a statement, in the order of claims.toml. A check that throws gives `failed` and what
+///           it said, and the others run on; InputError, EnvironmentError and Interrupted leave. Everything
+///           that was solved before stays in the store
 [[nodiscard]] Report run_verification(std::span<const Selected> selected, const Bench& bench,
                                       std::span<const PaperChecks> checks,
                                       const std::function<void(const Progress&)>& progress = {});

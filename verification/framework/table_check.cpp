@@ -179,7 +179,8 @@ Verdict verdict_of(const PrintedNumber& printed, const Approximation& ours) {
   return decide(printed, ours.value, ours.radius, ours.guaranteed);
 }
 
-// The solved levels of one problem, each asked for once; those of up to `proved_elements` elements with a proof.
+// The solved levels of one problem, each asked for once; those of up to `proved_elements` elements with a
+// proof.
 class Errors {
 public:
   Errors(const Problem& problem, LevelSource& levels, int proved_elements)

@@ -10,10 +10,11 @@
 namespace radcert::verification {
 
 /// What a check says of a statement.
-/// Maths     certified: exact or ball arithmetic proves it for the stated inputs; reproduced: our value with its radius rounds to the
-///           printed digits; supported: floating-point evidence with a control that was rejected; contradicted: proved or measured
-///           otherwise; undecided: the evidence does not settle it; definition: nothing to verify; unchecked: not looked at yet;
-///           failed: the check threw, or it could not reject what it must reject
+/// Maths     certified: exact or ball arithmetic proves it for the stated inputs; reproduced: our value with
+///           its radius rounds to the printed digits; supported: floating-point evidence with a control that
+///           was rejected; contradicted: proved or measured otherwise; undecided: the evidence does not
+///           settle it; definition: nothing to verify; unchecked: not looked at yet; failed: the check threw,
+///           or it could not reject what it must reject
 /// Source    the project's table of verdicts
 /// Requires  nothing
 /// Result    `failed` is never recorded
@@ -37,11 +38,10 @@ enum class Verdict {
 [[nodiscard]] std::span<const std::string> recordable_verdicts();
 
 /// How much work a verification may do.
-/// Maths     none
 /// Source    the command line's documentation
 /// Requires  nothing
-/// Result    quick: a paper in under two minutes on two cores; standard, full: more evidence of the same kind. No statement is left out at
-///           any of them, and tables are complete at each
+/// Result    quick: a paper in under two minutes on two cores; standard, full: more evidence of the same
+///           kind. No statement is left out at any of them, and tables are complete at each
 /// Limits    a wish, not a limit: no check is stopped by the clock
 enum class Budget { quick, standard, full };
 

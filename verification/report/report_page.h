@@ -12,20 +12,18 @@ namespace radcert::verification {
 [[nodiscard]] bool has_full_page();
 
 /// A report as one self-contained HTML page.
-/// Maths     none
 /// Source    verification/report/web
 /// Requires  nothing
-/// Result    opens from disk, offline, and asks for nothing else: scripts, styles, fonts and the data are inside. It shows what the
-///           report holds and computes no figure. Built without Node: a plain page that has the same statements and says what is missing
+/// Result    opens from disk, offline, and asks for nothing else: scripts, styles, fonts and the data are
+///           inside. It shows what the report holds and computes no figure. Built without Node: a plain page
+///           that has the same statements and says what is missing
 /// Limits    pictures are rounded to single precision
 [[nodiscard]] std::string report_page(const Report& report, const std::string& command);
 
 /// A result of radcert experiment as such a page: rankings, plots, levels.
-/// Maths     none
 /// Source    verification/report/web
 /// Requires  a value of the type radcert/experiment_result/1
 /// Result    as report_page; built without Node: a page that names the other files
-/// Limits    -
 [[nodiscard]] std::string experiment_page(const JsonValue& experiment);
 
 }  // namespace radcert::verification

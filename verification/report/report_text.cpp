@@ -153,8 +153,8 @@ std::string cells_text(const Row& row, const std::array<std::size_t, 6>& widths,
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-// A line a row; where that is too wide the statement on a line of its own, and what is known of it below, but for the recorded
-// verdict, which is told apart where it is another.
+// A line a row; where that is too wide the statement on a line of its own, and what is known of it below, but
+// for the recorded verdict, which is told apart where it is another.
 std::string rows_text(const std::vector<Row>& rows, std::size_t most_columns) {
   std::array<std::size_t, 6> widths{};
   for (const Row& row : rows)

@@ -11,12 +11,11 @@
 namespace radcert::verification {
 
 /// A report for a terminal.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
-/// Result    a line a statement or cell: statement, verdict, recorded, ours with its radius, printed, seconds; below the table what
-///           differs from the record and why, and the count of each verdict. `!` stands before what differs. Where such a line is
-///           longer than `most_columns`, two lines: the statement; verdict, ours, printed, seconds
+/// Result    a line a statement or cell: statement, verdict, recorded, ours with its radius, printed,
+///           seconds; below the table what differs from the record and why, and the count of each verdict.
+///           `!` stands before what differs. Where such a line is longer than `most_columns`, two lines: the
+///           statement; verdict, ours, printed, seconds
 /// Limits    figures show six digits, with a radius that encloses what was cut
 [[nodiscard]] std::string report_table(const Report& report, std::size_t most_columns = std::string::npos);
 
@@ -24,17 +23,14 @@ namespace radcert::verification {
 [[nodiscard]] std::string report_markdown(const Report& report, const std::string& command);
 
 /// A report for programs, of the type radcert/verification/1.
-/// Maths     none
 /// Source    the JSON Schema of that name
 /// Requires  nothing
-/// Result    the same bits on every run, apart from `timing` and `command`; null for a number that is not finite
-/// Limits    -
+/// Result    the same bits on every run, apart from `timing` and `command`; null for a number that is not
+///           finite
 [[nodiscard]] JsonValue report_json(const Report& report, const std::string& command);
 [[nodiscard]] std::string report_json_text(const Report& report, const std::string& command);
 
 /// Writes report.json, report.md and report.html into a folder, which is made if need be.
-/// Maths     none
-/// Source    -
 /// Requires  a path that is, or can become, a folder, else InputError
 /// Result    each file as a whole or not at all
 /// Limits    the files are not replaced in one step

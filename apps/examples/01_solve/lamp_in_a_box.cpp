@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A program of one's own: how much light reaches the floor of a room whose ceiling shines, and what the paint of the
-// walls does to it. The problem is the one of 2_lamp_in_a_box.json, its walls repainted by the program.
+// A program of one's own: how much light reaches the floor of a room whose ceiling shines, and what the paint
+// of the walls does to it. The problem is the one of 2_lamp_in_a_box.json, its walls repainted by the
+// program.
 #include <exception>
 #include <iostream>
 #include <span>

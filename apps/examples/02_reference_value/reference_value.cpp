@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A reference value from C++: what part of the light that leaves a unit square arrives at the one that meets it at an angle of
-// 2/7 of a half turn, in a ball that is proved to hold it.
+// A reference value from C++: what part of the light that leaves a unit square arrives at the one that meets
+// it at an angle of 2/7 of a half turn, in a ball that is proved to hold it.
 #include <exception>
 #include <iostream>
 

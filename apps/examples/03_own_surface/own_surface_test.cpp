@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A surface as a C++ type: a floor below a barrel vault. One call tries all laws; then the collocation equations are set up on it
-// and solved, step by step.
+// A surface as a C++ type: a floor below a barrel vault. One call tries all laws; then the collocation
+// equations are set up on it and solved, step by step.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,8 @@ namespace {
 
 using namespace radcert;
 
-/// F(s, t) = (s, t, 4 h s (1 - s)). Written once, for every arithmetic: T differentiates, R holds the constants.
+/// F(s, t) = (s, t, 4 h s (1 - s)). Written once, for every arithmetic: T differentiates, R holds the
+/// constants.
 template <Field R>
 class Vault {
 public:
@@ -37,7 +38,8 @@ private:
   R four_h_;
 };
 
-/// The unit square and the vault on it, open at both ends. It lies in the boundary of a convex body, so that nothing hides anything.
+/// The unit square and the vault on it, open at both ends. It lies in the boundary of a convex body, so that
+/// nothing hides anything.
 Surface vaulted_hall(const Rational& height) {
   Surface surface;
   surface.name = "vaulted_hall";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A basis as a C++ type: linear functions and the bubble b = 27 x1 x2 x3, at four nodes. One call tries all laws; the same
-// type then solves a problem.
+// A basis as a C++ type: linear functions and the bubble b = 27 x1 x2 x3, at four nodes. One call tries all
+// laws; the same type then solves a problem.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -20,8 +20,8 @@ namespace {
 
 using namespace radcert;
 
-/// L_i = (x_i - 1/5)/(2/5) is 1 at the node (3/5, 1/5, 1/5) and 1/3 at the centroid; B = (125 b - 81)/44 is 0 at the first three
-/// nodes and 1 at the centroid: l_i = L_i - B/3, l_4 = B.
+/// L_i = (x_i - 1/5)/(2/5) is 1 at the node (3/5, 1/5, 1/5) and 1/3 at the centroid; B = (125 b - 81)/44 is 0
+/// at the first three nodes and 1 at the centroid: l_i = L_i - B/3, l_4 = B.
 template <Field R>
 class LinearWithBubble {
 public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A mother function as a type of one's own: the problem of problem.json, solved with it, and with the expression that
-// says the same. One template serves doubles, and balls where something is to be proved.
+// A mother function as a type of one's own: the problem of problem.json, solved with it, and with the
+// expression that says the same. One template serves doubles, and balls where something is to be proved.
 #include <algorithm>
 #include <cmath>
 #include <exception>

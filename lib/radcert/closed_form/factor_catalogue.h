@@ -9,9 +9,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "radcert/scalar/raised_precision.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/mpfr_real.h"
+#include "radcert/scalar/raised_precision.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/scalar/real.h"
 
@@ -39,7 +39,6 @@ namespace radcert {
 /// Source    [Howell, C-14]
 /// Requires  edge, from_width, to_width > 0, else ContractViolation
 /// Result    an enclosure, 0 < F < 1/2
-/// Limits    -
 [[nodiscard]] Ball perpendicular_rectangles(const Rational& edge, const Rational& from_width,
                                             const Rational& to_width);
 
@@ -65,9 +64,7 @@ namespace radcert {
 /// a plane cuts off at equal lengths.
 /// Maths     1/3;  (3 - sqrt 3)/6
 /// Source    closure and symmetry; reciprocity with the fourth face, of area sqrt(3) times that of the others
-/// Requires  -
 /// Result    an enclosure
-/// Limits    -
 [[nodiscard]] Ball regular_tetrahedron();
 [[nodiscard]] Ball corner_tetrahedron();
 
@@ -76,7 +73,6 @@ namespace radcert {
 /// Source    [Howell, C-41]
 /// Requires  from_radius, to_radius, distance > 0, else ContractViolation
 /// Result    an enclosure, 0 < F < 1, without cancellation
-/// Limits    -
 [[nodiscard]] Ball coaxial_disks(const Rational& from_radius, const Rational& to_radius,
                                  const Rational& distance);
 
@@ -85,7 +81,6 @@ namespace radcert {
 /// Source    closure and reciprocity with the two disks that close it
 /// Requires  radius, length > 0, else ContractViolation
 /// Result    an enclosure, 0 < F < 1, without cancellation
-/// Limits    -
 [[nodiscard]] Ball cylinder_to_itself(const Rational& radius, const Rational& length);
 
 /// Two circular cylinders on one axis, of equal length, one in the other: the inside of the outer to the
@@ -119,7 +114,6 @@ namespace radcert {
 /// Source    closure and reciprocity: the inner sphere sees nothing but the outer
 /// Requires  0 < inner < outer, else ContractViolation
 /// Result    an enclosure
-/// Limits    -
 [[nodiscard]] Ball outer_sphere_to_inner(const Rational& inner, const Rational& outer);
 [[nodiscard]] Ball outer_sphere_to_itself(const Rational& inner, const Rational& outer);
 
@@ -128,7 +122,6 @@ namespace radcert {
 /// Source    [Howell, C-1]
 /// Requires  width, distance > 0, else ContractViolation
 /// Result    an enclosure, 0 < F < 1, without cancellation
-/// Limits    -
 [[nodiscard]] Ball opposed_strips(const Rational& width, const Rational& distance);
 
 /// Two infinitely long strips with an edge in common: a groove.
@@ -136,7 +129,6 @@ namespace radcert {
 /// Source    Hottel's crossed strings; [Howell, C-2 and C-3]
 /// Requires  from_width = a, to_width = b > 0, -1 < cosine < 1, else ContractViolation
 /// Result    an enclosure, 0 < F < 1, without cancellation
-/// Limits    -
 [[nodiscard]] Ball inclined_strips(const Rational& from_width, const Rational& to_width,
                                    const Rational& cosine);
 
@@ -153,7 +145,6 @@ namespace radcert {
 /// Source    [Howell, section B]: the sine squared of the half angle
 /// Requires  radius, distance > 0, else ContractViolation
 /// Result    an enclosure
-/// Limits    -
 [[nodiscard]] Ball element_to_parallel_disk(const Rational& radius, const Rational& distance);
 
 /// A plane element to a rectangle parallel to it, one corner of which lies straight above it.
@@ -162,7 +153,6 @@ namespace radcert {
 /// Source    [Howell, section B]
 /// Requires  width, depth, distance > 0, else ContractViolation
 /// Result    an enclosure, 0 < F < 1/4, without cancellation
-/// Limits    -
 [[nodiscard]] Ball element_to_parallel_rectangle(const Rational& width, const Rational& depth,
                                                  const Rational& distance);
 
@@ -173,7 +163,6 @@ namespace radcert {
 /// Source    [Howell, section B]
 /// Requires  height, width, distance > 0, else ContractViolation
 /// Result    an enclosure, 0 < F < 1/4
-/// Limits    -
 [[nodiscard]] Ball element_to_perpendicular_rectangle(const Rational& height, const Rational& width,
                                                       const Rational& distance);
 
@@ -182,7 +171,6 @@ namespace radcert {
 /// Source    [Howell, section B]: the sine squared of the half angle
 /// Requires  0 < radius <= distance, distance from the sphere's centre, else ContractViolation
 /// Result    an enclosure
-/// Limits    -
 [[nodiscard]] Ball element_to_sphere(const Rational& radius, const Rational& distance);
 
 /// A configuration factor in the arithmetic R.
@@ -217,10 +205,7 @@ struct FactorEntry {
 
 /// The configuration factors that radcert knows by name.
 /// Maths     see the functions above
-/// Source    -
-/// Requires  -
 /// Result    every function above, in that order
-/// Limits    -
 [[nodiscard]] std::span<const FactorEntry> factor_catalogue();
 
 /// The entry of that name, or null.

@@ -12,12 +12,10 @@
 namespace radcert {
 
 /// An edge of a polygon in the orthonormal coordinates (x,y) of its plane, with the foot of P at the origin.
-/// Maths     points (d tau_y + t tau_x, -d tau_x + t tau_y), start <= t <= end, tau = direction, d = distance;
-///           slant = sqrt(d^2 + h^2)
-/// Source    -
+/// Maths     points (d tau_y + t tau_x, -d tau_x + t tau_y), start <= t <= end, tau = direction, d =
+///           distance; slant = sqrt(d^2 + h^2)
 /// Requires  the signs are those of the exact numbers; the polygon lies to the left of its edges
 /// Result    data alone
-/// Limits    -
 template <Field R>
 struct FootEdge {
   R direction_x{};
@@ -32,33 +30,33 @@ struct FootEdge {
   R end_x{};
   R end_y{};
   R neglected{};  ///< encloses 0, and the parts of N_00 and 2 h^2 M_00 if distance_sign is 0; 0 where d = 0
-  /// 0 where the edge's line goes through the foot, or may do so; then `neglected` stands for what that leaves undecided.
+  /// 0 where the edge's line goes through the foot, or may do so; then `neglected` stands for what that
+  /// leaves undecided.
   int distance_sign = 0;
   int start_sign = 0;
   int end_sign = 0;
 };
 
 /// P as its foot sees it.
-/// Maths     h, the height of P above the plane along the polygon's inner normal; n_P in the coordinates (x, y, inner normal)
-/// Source    -
+/// Maths     h, the height of P above the plane along the polygon's inner normal; n_P in the coordinates (x,
+///           y, inner normal)
 /// Requires  h != 0; a foot on the polygon's boundary is not outside
 /// Result    data alone
-/// Limits    -
 template <Field R>
 struct FootView {
   R height{};
   R normal_x{};
   R normal_y{};
   R normal_z{};
-  /// Whether the foot is certainly outside; then logarithms and angles that cancel over the edges are left out.
+  /// Whether the foot is certainly outside; then logarithms and angles that cancel over the edges are left
+  /// out.
   bool foot_outside = false;
 };
 
 /// What is not algebraic in an edge's integrals.
-/// Maths     w = t^2 + slant^2; angle = slant Int dt / w; lambert: the edge's part of 2 h^2 M_00, and logarithm that of N_00, up
-///           to parts whose sums over the edges vanish; rise = Int t / w dt
+/// Maths     w = t^2 + slant^2; angle = slant Int dt / w; lambert: the edge's part of 2 h^2 M_00, and
+///           logarithm that of N_00, up to parts whose sums over the edges vanish; rise = Int t / w dt
 /// Source    KernelMoments
-/// Requires  -
 /// Result    data alone
 /// Limits    logarithm and rise count from degree 1 on
 template <Field R>
@@ -70,18 +68,18 @@ struct EdgeIntegrals {
 };
 
 /// The integrals of the radiosity kernel times monomials over a plane polygon, by sums over its edges.
-/// Maths     mu_ij = Int h (n_x x + n_y y - h n_z) x^i y^j / w^2 dx dy,  w = x^2 + y^2 + h^2,  i + j <= degree.
-///           With M_ij = Int x^i y^j / w^2, N_ij = Int x^i y^j / w, P_ij = Int x^i y^j and line integrals over the boundary:
-///           M_{1,n-1} = -1/2 oint y^{n-1} dy / w,  M_{0,n} = (n-1)/2 N_{0,n-2} + 1/2 oint y^{n-1} dx / w,
-///           M_{i+2,j} = N_ij - h^2 M_ij - M_{i,j+2};
-///           n N_{1,n-1} = -oint y^n dv,  n N_{0,n} = oint x y^{n-1} dv + (n-1) (P_{0,n-2} - h^2 N_{0,n-2}),
-///           dv = (x dx + y dy) / w,  N_{i+2,j} = P_ij - h^2 N_ij - N_{i,j+2};
-///           N_00 by the dilogarithm, h^2 M_00 by Lambert's angles
+/// Maths     mu_ij = Int h (n_x x + n_y y - h n_z) x^i y^j / w^2 dx dy,  w = x^2 + y^2 + h^2,  i + j <=
+///           degree. With M_ij = Int x^i y^j / w^2, N_ij = Int x^i y^j / w, P_ij = Int x^i y^j and line
+///           integrals over the boundary: M_{1,n-1} = -1/2 oint y^{n-1} dy / w,  M_{0,n} = (n-1)/2 N_{0,n-2}
+///           + 1/2 oint y^{n-1} dx / w, M_{i+2,j} = N_ij - h^2 M_ij - M_{i,j+2}; n N_{1,n-1} = -oint y^n dv,
+///           n N_{0,n} = oint x y^{n-1} dv + (n-1) (P_{0,n-2} - h^2 N_{0,n-2}), dv = (x dx + y dy) / w,
+///           N_{i+2,j} = P_ij - h^2 N_ij - N_{i,j+2}; N_00 by the dilogarithm, h^2 M_00 by Lambert's angles
 /// Source    Green's theorem; Lambert 1760 for h^2 M_00
-/// Requires  0 <= degree <= largest_degree; add() every edge once, then finish(). R has the functions of Real, but for exp, sin,
-///           cos and pow
+/// Requires  0 <= degree <= largest_degree; add() every edge once, then finish(). R has the functions of
+///           Real, but for exp, sin, cos and pow
 /// Result    as R computes; all sums in the order of the edges
-/// Limits    cancels where the polygon is small against its distance from P: there a rule of quadrature is better
+/// Limits    cancels where the polygon is small against its distance from P: there a rule of quadrature is
+///           better
 template <Field R, int most = 8>
 class KernelMoments {
 public:
@@ -98,7 +96,8 @@ public:
 
   /// The edge's part of every line integral.
   void add(const FootEdge<R>& edge);
-  /// The same where the caller has found what is not algebraic; the signs in `edge` and its `neglected` do not count then.
+  /// The same where the caller has found what is not algebraic; the signs in `edge` and its `neglected` do
+  /// not count then.
   void add(const FootEdge<R>& edge, const EdgeIntegrals<R>& found);
   /// The integrals, once all edges are in.
   [[nodiscard]] Table finish() const;
@@ -200,7 +199,8 @@ R KernelMoments<R, most>::lambert_part(const FootEdge<R>& edge, const R& angle) 
   return -signed_by(edge.distance_sign, part);
 }
 
-/// h^2 Int_0^t |d| / (rho^2 w) dt = atan(t (a - |d|) / (a |d| + t^2)) + (a - |d|) / a atan(t/a), rho^2 = d^2 + t^2.
+/// h^2 Int_0^t |d| / (rho^2 w) dt = atan(t (a - |d|) / (a |d| + t^2)) + (a - |d|) / a atan(t/a), rho^2 = d^2
+/// + t^2.
 template <Field R, int most>
 R KernelMoments<R, most>::outer_angle(const FootEdge<R>& edge, const R& size, const R& t) const {
   using std::atan;
@@ -315,10 +315,7 @@ typename KernelMoments<R, most>::Table KernelMoments<R, most>::finish() const {
 
 /// Another pair of coordinates in the plane.
 /// Maths     t = t_0 + t_y y,  s = s_0 + s_x x + s_t t
-/// Source    -
-/// Requires  -
 /// Result    data alone
-/// Limits    -
 template <Field R>
 struct PlaneSubstitution {
   R t_0{};
@@ -330,7 +327,6 @@ struct PlaneSubstitution {
 
 /// Integrals of monomials in x and y turned into those of monomials in s and t, in place.
 /// Maths     Int s^i t^j dm from Int x^i y^j dm, i + j <= degree, one factor at a time
-/// Source    -
 /// Requires  degree below the table's size
 /// Result    as R computes
 /// Limits    cancels where the foot is far from the polygon against its size

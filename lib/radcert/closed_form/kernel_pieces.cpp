@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/polynomial/plane_polynomial.h"
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/scalar/mpfr_real.h"
 
 namespace radcert {
@@ -69,7 +69,8 @@ Cut cut(const PieceCorner& seen, const PieceCorner& unseen) {
   result.corner.x = between(seen.x, unseen.x, share);
   result.corner.y = between(seen.y, unseen.y, share);
   for (std::size_t k = 0; k < 3; ++k) {
-    // Both corners are corners of the triangle that is cut: one product at most is not zero, or both are the same number.
+    // Both corners are corners of the triangle that is cut: one product at most is not zero, or both are the
+    // same number.
     result.corner.barycentric[k] = rest.head * seen.barycentric[k] + share.head * unseen.barycentric[k];
   }
   result.from_seen = share.head;

@@ -10,11 +10,12 @@
 
 namespace radcert {
 
-/// A rule on the triangle of corners 0, 1, 2: Gauss points in both directions of the square collapsed at corner 0.
+/// A rule on the triangle of corners 0, 1, 2: Gauss points in both directions of the square collapsed at
+/// corner 0.
 /// Maths     exact for degree 2 points - 1
 /// Source    conical products: Stroud
-/// Result    weights sum to 1/2; padded to whole packs with weights zero. Coordinates and weights rounded once, so that each has a
-///           small relative error, also where a node lies close to a side
+/// Result    weights sum to 1/2; padded to whole packs with weights zero. Coordinates and weights rounded
+///           once, so that each has a small relative error, also where a node lies close to a side
 struct PaddedRule {
   int points = 0;
   std::array<std::vector<double>, 3> barycentric;
@@ -22,8 +23,9 @@ struct PaddedRule {
 };
 
 /// The rule with fewest points that integrates the kernel times a polynomial over a small triangle.
-/// Maths     |Q-P|^-4 = D^-4 sum_k C_k^(2)(cos) (|Q-c|/D)^k, D = |P-c|, |C_k^(2)| <= (k+1)(k+2)(k+3)/6: the tail beyond the degree
-///           m that the rule leaves to the sum is at most `needed` where |Q-c| <= ratio D
+/// Maths     |Q-P|^-4 = D^-4 sum_k C_k^(2)(cos) (|Q-c|/D)^k, D = |P-c|, |C_k^(2)| <= (k+1)(k+2)(k+3)/6: the
+///           tail beyond the degree m that the rule leaves to the sum is at most `needed` where |Q-c| <=
+///           ratio D
 /// Source    Gegenbauer's generating function
 /// Requires  0 < ratio < 1
 /// Result    a pointer for the life of the program; null where no rule of at most 40^2 points does
@@ -34,7 +36,7 @@ const PaddedRule* fitting_rule(double ratio, double needed, int degree);
 struct PieceCorner {
   DoubleDouble x;  ///< about the foot of P
   DoubleDouble y;
-  DoubleDouble level;                        ///< (corner - P) . n_P
+  DoubleDouble level;                   ///< (corner - P) . n_P
   std::array<double, 3> barycentric{};  ///< in the triangle that was cut
 };
 
@@ -53,22 +55,23 @@ struct KernelPiece {
 /// The part of a piece with levels that are not negative, in at most two triangles.
 /// Maths     cut at level 0
 /// Requires  levels whose signs are those of the exact numbers, or zero
-/// Result    appended; a cut's place on an edge, l_a / (l_a - l_b) for levels of opposite signs, is rounded to 2^-100 of itself from
-///           either end. Errors e of the levels shift it by at most 2 e / (|l_a| + |l_b|) of the edge where they are at most a
-///           quarter of the levels, and change areas by twice that part of the smaller level
+/// Result    appended; a cut's place on an edge, l_a / (l_a - l_b) for levels of opposite signs, is rounded
+///           to 2^-100 of itself from either end. Errors e of the levels shift it by at most 2 e / (|l_a| +
+///           |l_b|) of the edge where they are at most a quarter of the levels, and change areas by twice
+///           that part of the smaller level
 void append_visible(const KernelPiece& piece, std::vector<KernelPiece>& to);
 
 /// Appends the four triangles between the corners and the middles of the sides.
 void append_quarters(const KernelPiece& piece, std::vector<KernelPiece>& to);
 
-/// Sets distance and radius, for a height of P over the plane; what they are off by is below 2^-48 of the distance where the
-/// radius is less than the distance.
+/// Sets distance and radius, for a height of P over the plane; what they are off by is below 2^-48 of the
+/// distance where the radius is less than the distance.
 void measure(KernelPiece& piece, double squared_height);
 
 /// Sums of a rule over pieces of one triangle.
-/// Maths     Int (Q-P).n_P / |Q-P|^4 lambda^alpha dS for all products of so many barycentric coordinates. The order: those of one
-///           factor less, in the same order, times lambda_0; then lambda_1^n, lambda_1^(n-1) lambda_2, ..., lambda_2^n
-/// Source    -
+/// Maths     Int (Q-P).n_P / |Q-P|^4 lambda^alpha dS for all products of so many barycentric coordinates. The
+///           order: those of one factor less, in the same order, times lambda_0; then lambda_1^n,
+///           lambda_1^(n-1) lambda_2, ..., lambda_2^n
 /// Requires  degree <= 8
 /// Result    blocks of rule_block packs are summed plainly, and added to the total with its rounding kept
 /// Limits    the order of the pieces matters to the last bits

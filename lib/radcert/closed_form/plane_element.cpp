@@ -8,14 +8,14 @@
 #include <optional>
 #include <utility>
 
-#include "radcert/scalar/bounded_double.h"
 #include "radcert/closed_form/kernel_moments.h"
 #include "radcert/closed_form/kernel_pieces.h"
 #include "radcert/closed_form/point_to_polygon.h"
-#include "radcert/geometry/double_double_vector.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/work_limit.h"
+#include "radcert/geometry/double_double_vector.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/scalar/mpfr_real.h"
 
 namespace radcert {
@@ -33,7 +33,8 @@ const WorkLimit pieces_of_an_element("closed_form/plane_element: pieces of a rul
 constexpr double truncation_part = 0.05;
 /// Bounds the length of a normal whose largest part is scaled to [1, 2).
 constexpr double normal_reach = 4;
-/// A corner's level counts as decided where it exceeds its error that often; otherwise the exact level is at most so many errors.
+/// A corner's level counts as decided where it exceeds its error that often; otherwise the exact level is at
+/// most so many errors.
 constexpr double decided_errors = 4;
 constexpr double undecided_errors = 5.01;
 
@@ -72,7 +73,8 @@ private:
   };
   struct Function {
     std::vector<double> coefficients;  ///< in x / x_scale and y / y_scale, as PlanePolynomial
-        /// For every triangle of the fans: those of the products of degree_ barycentric coordinates, ordered as in PieceSums.
+        /// For every triangle of the fans: those of the products of degree_ barycentric coordinates, ordered
+        /// as in PieceSums.
     std::vector<std::vector<double>> barycentric;
     double size = 0;     ///< largest Bernstein coefficient over all triangles: bounds |q| there
     double maximum = 0;  ///< a lower bound of max |q| over the polygon, or the size that was given
@@ -87,7 +89,7 @@ private:
     BoundedDouble normal_z;
     std::vector<DoubleDoubleVector> differences;  ///< P - corner
     std::vector<DoubleDouble> levels;             ///< (corner - P) . n_P, or 0 where its sign is not known
-    double level_error = 0;                  ///< of all of them
+    double level_error = 0;                       ///< of all of them
     double largest_level = 0;
     bool has_undecided = false;
   };
@@ -113,7 +115,8 @@ private:
     thread_local Scratch kept;
     return kept;
   }
-  /// How far a piece's radius may reach against its distance, and the roundings that are left for what is wrong with the geometry.
+  /// How far a piece's radius may reach against its distance, and the roundings that are left for what is
+  /// wrong with the geometry.
   struct Permitted {
     double ratio = 0;  ///< 0: rules are of no use
     double spare = 0;
@@ -131,8 +134,8 @@ private:
   bool by_rule(const Eye& eye, bool whole, std::span<double> values) const;
   Route by_balls(const Vector<double>& p, const Vector<double>& normal, std::span<double> values) const;
   [[nodiscard]] bool foot_is_outside(const Eye& eye, const std::vector<FootEdge<BoundedDouble>>& edges) const;
-  [[nodiscard]] static BoundedDouble plain_product(const DoubleDoubleVector& direction, const DoubleDoubleVector& r,
-                                                   double reach);
+  [[nodiscard]] static BoundedDouble plain_product(const DoubleDoubleVector& direction,
+                                                   const DoubleDoubleVector& r, double reach);
 
   PlanePolygon polygon_;
   std::vector<PlanePolynomial<Rational>> exact_functions_;
@@ -302,7 +305,8 @@ void PlaneElement::Prepared::add_loops(const PlanePolygon& polygon) {
   }
 }
 
-/// max |q| over points that lie in the polygon for certain: on its edges, and those of the fans' lattices that lie inside.
+/// max |q| over points that lie in the polygon for certain: on its edges, and those of the fans' lattices
+/// that lie inside.
 double PlaneElement::Prepared::largest_value(const PlanePolynomial<Rational>& q) const {
   Rational largest;
   const auto look = [&](const ParameterPoint<Rational>& at) {
@@ -403,8 +407,8 @@ void PlaneElement::Prepared::add_functions(std::span<const double> sizes) {
   permitted_parts_ = permitted(false);
 }
 
-/// q on the fans' triangles in products of barycentric coordinates. lambda_1^i lambda_2^j has the Bernstein coefficients
-/// b!/(b-i)! c!/(c-j)! (n-i-j)!/n! at lambda_0^a lambda_1^b lambda_2^c, n = a + b + c.
+/// q on the fans' triangles in products of barycentric coordinates. lambda_1^i lambda_2^j has the Bernstein
+/// coefficients b!/(b-i)! c!/(c-j)! (n-i-j)!/n! at lambda_0^a lambda_1^b lambda_2^c, n = a + b + c.
 void PlaneElement::Prepared::add_barycentric(const PlanePolynomial<Rational>& q, Function& function) {
   const auto factorial = [](int n) {
     double product = 1;
@@ -444,10 +448,11 @@ void PlaneElement::Prepared::add_barycentric(const PlanePolynomial<Rational>& q,
   }
 }
 
-/// A bound of Int |G| dS over the part of the polygon behind the tangent plane, where no corner is certainly there: its level is
-/// above -e, e some five times the error of a level. Along every ray from the corner of the largest level L on to the boundary of
-/// the convex hull the level falls linearly from L to -e at the lowest, and is negative on a part e / (L + e) of it at most: the area
-/// is at most 2 e / L of the hull's, which lies within a rectangle. There |G| <= |h| e / h^4.
+/// A bound of Int |G| dS over the part of the polygon behind the tangent plane, where no corner is certainly
+/// there: its level is above -e, e some five times the error of a level. Along every ray from the corner of
+/// the largest level L on to the boundary of the convex hull the level falls linearly from L to -e at the
+/// lowest, and is negative on a part e / (L + e) of it at most: the area is at most 2 e / L of the hull's,
+/// which lies within a rectangle. There |G| <= |h| e / h^4.
 double PlaneElement::Prepared::hidden_part(const Eye& eye) const {
   if (!eye.has_undecided) return 0;
   const double lowest = undecided_errors * eye.level_error;
@@ -481,8 +486,8 @@ std::optional<BoundedDouble> PlaneElement::Prepared::lambert(const Eye& eye) con
 }
 
 /// direction . r in doubles, r a difference of corners and P.
-BoundedDouble PlaneElement::Prepared::plain_product(const DoubleDoubleVector& direction, const DoubleDoubleVector& r,
-                                                    double reach) {
+BoundedDouble PlaneElement::Prepared::plain_product(const DoubleDoubleVector& direction,
+                                                    const DoubleDoubleVector& r, double reach) {
   double sum = 0;
   double size = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -490,12 +495,14 @@ BoundedDouble PlaneElement::Prepared::plain_product(const DoubleDoubleVector& di
     sum += term;
     size += std::abs(term);
   }
-  // Both factors are rounded, the product, and two sums; and the difference itself is known to 2^-105 of P and the corner.
+  // Both factors are rounded, the product, and two sums; and the difference itself is known to 2^-105 of P
+  // and the corner.
   return {sum, 5.1 * unit * size + product_error(reach)};
 }
 
-/// Whether the foot certainly lies outside, and no nearer to a corner than P's height. Of a polygon that is not convex the
-/// edges that cross the half-line to the right of the foot are counted; no corner's side of that line may be in doubt.
+/// Whether the foot certainly lies outside, and no nearer to a corner than P's height. Of a polygon that is
+/// not convex the edges that cross the half-line to the right of the foot are counted; no corner's side of
+/// that line may be in doubt.
 bool PlaneElement::Prepared::foot_is_outside(const Eye& eye,
                                              const std::vector<FootEdge<BoundedDouble>>& edges) const {
   int winding = 0;
@@ -584,28 +591,35 @@ bool PlaneElement::Prepared::by_closed_form(const Eye& eye, std::span<double> va
   return true;
 }
 
-// The error of the rule route, over Int G dS max |q|, is the sum of these, none of which may exceed its part of the accuracy:
+// The error of the rule route, over Int G dS max |q|, is the sum of these, none of which may exceed its part
+// of the accuracy:
 // - truncation: fitting_rule, piece by piece against a lower bound of Int G dS;
-// - roundings of the summands G times weight, relative to each of them: they are positive, so that the sum's error is at most that
+// - roundings of the summands G times weight, relative to each of them: they are positive, so that the sum's
+// error is at most that
 //   part of Int G dS max |q| (summand_roundings);
-// - roundings of the sums and of products with Bernstein polynomials, in units of the largest coefficient (sum_roundings);
-// - what the geometry is off by before the rule begins: P's height, the coordinates of the corners and their levels come out of
-//   double-double products with an absolute error, which is small against them only where they are not small against `reach`
-//   (geometry_errors). They are measured at every call, and refused where the spare roundings do not cover them.
+// - roundings of the sums and of products with Bernstein polynomials, in units of the largest coefficient
+// (sum_roundings);
+// - what the geometry is off by before the rule begins: P's height, the coordinates of the corners and their
+// levels come out of
+//   double-double products with an absolute error, which is small against them only where they are not small
+//   against `reach` (geometry_errors). They are measured at every call, and refused where the spare roundings
+//   do not cover them.
 
-/// The roundings that a summand of a rule may suffer, in units of 2^-53 of it, where pieces have at most this radius against
-/// their distance D. A level: its tail left out 1, nodes 1, products and sums 3; weight 2; division 1; area 1, and 4 where it is cut;
-/// height 1, length of the normal 3, the result 1. The distance: the edges 5 of a length of at most 2 ratio D, over a distance of
-/// (1 - ratio) D, and the sum 1. Its square w: twice that, the roundings of squares and their sum 2, the squared height 3 of h^2 / w,
-/// which exceeds what the distance leaves of 3 w by at most 1.5. The square of w doubles these, and 1.
+/// The roundings that a summand of a rule may suffer, in units of 2^-53 of it, where pieces have at most this
+/// radius against their distance D. A level: its tail left out 1, nodes 1, products and sums 3; weight 2;
+/// division 1; area 1, and 4 where it is cut; height 1, length of the normal 3, the result 1. The distance:
+/// the edges 5 of a length of at most 2 ratio D, over a distance of (1 - ratio) D, and the sum 1. Its square
+/// w: twice that, the roundings of squares and their sum 2, the squared height 3 of h^2 / w, which exceeds
+/// what the distance leaves of 3 w by at most 1.5. The square of w doubles these, and 1.
 double summand_roundings(double ratio) {
   const double distance = 10 * ratio / (1 - ratio) + 1;
   return 5 + 2 + 1 + 5 + 5.2 + 2 * (2 * distance + 3.5) + 1;
 }
 
-/// Those of the sums, in units of the largest Bernstein coefficient: a block, the area 1, the lanes 3, the coefficient 1, the
-/// compensated total and the sums in long double; and for every factor of a Bernstein polynomial the node 1, a product 1, and in a
-/// part of a triangle 2 for its coordinates in all of it, which are nowhere above 1 and have the sum 1 also half computed.
+/// Those of the sums, in units of the largest Bernstein coefficient: a block, the area 1, the lanes 3, the
+/// coefficient 1, the compensated total and the sums in long double; and for every factor of a Bernstein
+/// polynomial the node 1, a product 1, and in a part of a triangle 2 for its coordinates in all of it, which
+/// are nowhere above 1 and have the sum 1 also half computed.
 double sum_roundings(int degree, bool whole) {
   static_assert(std::numeric_limits<long double>::digits >= 64);
   return static_cast<double>(PieceSums::rule_block - 1) + 5.2 + (whole ? 2 : 4) * degree;
@@ -655,17 +669,20 @@ bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, const Permitted& pe
   return true;
 }
 
-/// What the geometry is off by; `over_pieces` bounds the sum of the pieces' areas over the fourth powers of their smallest distances.
-/// Levels: max(level, 0) changes by at most as much as the level, which is linear between corners, whose levels are off by e at most,
-/// or were set to 0 and are at most 5 e and a little. What the change uncovers of a triangle that is cut lies where the level is
-/// between -5 e and 0: by the argument of hidden_part at most 2 (5 e) / L of its area, all of it where no corner is seen, and |Q-P| >= |h|.
-/// Cuts: shifted by at most 2 e / l of a side, l the smallest level of a corner in size, which moves what is seen by that part of
-/// the polygon's diameter: the summand changes by four times that over (1 - ratio) D; areas change by 4 e / l at most, and
-/// every barycentric coordinate by 2 e / l of itself, beside its roundings at the cut, at every halving, and of two differences.
-/// Height and coordinates: eta = 40 2^-106 reach / |h| is the relative error of h beside its rounding. Coordinates are off by at
-/// most (40 + 82) 2^-106 reach, of which the second part is for a cut and the halvings, whose errors are 16 2^-106 of coordinates that
-/// come down to 1.4 D with the pieces. As D >= |h|, a distance of at least (1 - ratio) D changes by at most 3.1 sqrt(2) / 0.6 eta < 7.4
-/// eta of itself, its fourth power by 30 eta; h enters as a factor, and in the fourth power by at most 2 eta: 33 eta in all.
+/// What the geometry is off by; `over_pieces` bounds the sum of the pieces' areas over the fourth powers of
+/// their smallest distances. Levels: max(level, 0) changes by at most as much as the level, which is linear
+/// between corners, whose levels are off by e at most, or were set to 0 and are at most 5 e and a little.
+/// What the change uncovers of a triangle that is cut lies where the level is between -5 e and 0: by the
+/// argument of hidden_part at most 2 (5 e) / L of its area, all of it where no corner is seen, and |Q-P| >=
+/// |h|. Cuts: shifted by at most 2 e / l of a side, l the smallest level of a corner in size, which moves
+/// what is seen by that part of the polygon's diameter: the summand changes by four times that over (1 -
+/// ratio) D; areas change by 4 e / l at most, and every barycentric coordinate by 2 e / l of itself, beside
+/// its roundings at the cut, at every halving, and of two differences. Height and coordinates: eta = 40
+/// 2^-106 reach / |h| is the relative error of h beside its rounding. Coordinates are off by at most (40 +
+/// 82) 2^-106 reach, of which the second part is for a cut and the halvings, whose errors are 16 2^-106 of
+/// coordinates that come down to 1.4 D with the pieces. As D >= |h|, a distance of at least (1 - ratio) D
+/// changes by at most 3.1 sqrt(2) / 0.6 eta < 7.4 eta of itself, its fourth power by 30 eta; h enters as a
+/// factor, and in the fourth power by at most 2 eta: 33 eta in all.
 PlaneElement::Prepared::GeometryErrors PlaneElement::Prepared::geometry_errors(
     const Eye& eye, const std::vector<KernelPiece>& pieces, double ratio, double over_pieces) const {
   GeometryErrors errors;
@@ -782,7 +799,8 @@ bool PlaneElement::Prepared::by_rule(const Eye& eye, bool whole_triangles, std::
   }
   // What was taken for a lower bound, by sums that cancel where some areas are negative.
   if (!(static_cast<long double>(least) <= whole)) return false;
-  // Triangles that stick out of the polygon and cancel: there the functions are bounded by the Bernstein coefficients alone.
+  // Triangles that stick out of the polygon and cancel: there the functions are bounded by the Bernstein
+  // coefficients alone.
   if (!(absolute <= whole)) {
     const auto excess = static_cast<double>(absolute / whole);
     const double roundings =
@@ -877,7 +895,8 @@ PlaneElement::Route PlaneElement::Prepared::integrals(const Vector<double>& p, c
   }
   eye.height = product(axis_z_, eye.differences[0], eye.reach);
   if (seen == 0 && !eye.has_undecided) {
-    // Unless P lies on the polygon, where the ball's contract is asked; there a corner in front or on the tangent plane exists.
+    // Unless P lies on the polygon, where the ball's contract is asked; there a corner in front or on the
+    // tangent plane exists.
     std::fill(values.begin(), values.end(), 0.0);
     return Route::zero;
   }

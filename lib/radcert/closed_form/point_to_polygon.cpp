@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "radcert/closed_form/kernel_moments.h"
-#include "radcert/scalar/raised_precision.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/mpfr_real.h"
+#include "radcert/scalar/raised_precision.h"
 
 namespace radcert {
 
@@ -18,7 +18,8 @@ namespace {
 
 using Corner = ParameterPoint<Rational>;
 
-/// All that is decided about P and the polygon, exactly. Corners are relative to the foot of P, in the polygon's parameters.
+/// All that is decided about P and the polygon, exactly. Corners are relative to the foot of P, in the
+/// polygon's parameters.
 struct Setting {
   Corner foot;
   Rational height;  ///< over |polygon normal|

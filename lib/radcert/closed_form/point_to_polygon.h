@@ -25,17 +25,19 @@ enum class BehindTangentPlane {
 };
 
 /// The radiosity kernel times a polynomial, integrated over a plane polygon, in closed form.
-/// Maths     Int G(P,Q) q(Q) dS_Q,  G = [(Q-P).n_P] [(P-Q).n_Q] / |P-Q|^4, n_Q the polygon's inner normal of unit length,
-///           n_P = normal / |normal|, q a polynomial in the polygon's parameters (s,t); without 1/pi.
-///           Negative where P lies behind the polygon
-/// Source    KernelMoments; the clipping is Sutherland and Hodgman's, Reentrant polygon clipping, 1974, on every loop: the
-///           edges that then run along the cut twice cancel in a line integral
-/// Requires  normal != 0; q of degree at most 8; P not on the closed polygon, unless its normal has the direction of the
-///           polygon's: else ContractViolation
-/// Result    an enclosure at the current precision. Exactly 0 where P lies in the polygon's plane or sees none of it. Which
-///           case holds (foot on an edge's line, on a corner, outside; cut or not) is decided exactly
-/// Limits    nothing stands between P and the polygon. About (degree + 2) log2(D / size) bits are lost where the polygon is
-///           small against its distance D from P, and as many as its height over the plane has zeros
+/// Maths     Int G(P,Q) q(Q) dS_Q,  G = [(Q-P).n_P] [(P-Q).n_Q] / |P-Q|^4, n_Q the polygon's inner normal of
+///           unit length, n_P = normal / |normal|, q a polynomial in the polygon's parameters (s,t); without
+///           1/pi. Negative where P lies behind the polygon
+/// Source    KernelMoments; the clipping is Sutherland and Hodgman's, Reentrant polygon clipping, 1974, on
+///           every loop: the edges that then run along the cut twice cancel in a line integral
+/// Requires  normal != 0; q of degree at most 8; P not on the closed polygon, unless its normal has the
+///           direction of the polygon's: else ContractViolation
+/// Result    an enclosure at the current precision. Exactly 0 where P lies in the polygon's plane or sees
+///           none of it. Which case holds (foot on an edge's line, on a corner, outside; cut or not) is
+///           decided exactly
+/// Limits    nothing stands between P and the polygon. About (degree + 2) log2(D / size) bits are lost where
+///           the polygon is small against its distance D from P, and as many as its height over the plane has
+///           zeros
 [[nodiscard]] Ball point_to_polygon(const Vector<Rational>& p, const Vector<Rational>& normal,
                                     const PlanePolygon& polygon, const PlanePolynomial<Rational>& q,
                                     BehindTangentPlane behind = BehindTangentPlane::left_out);
@@ -57,8 +59,10 @@ enum class BehindTangentPlane {
 /// Maths     Int G s^i t^j dS, i + j <= degree, in the order of PlanePolynomial's coefficients
 /// Source    KernelMoments
 /// Requires  0 <= degree <= 8, and as point_to_polygon
-/// Result    R = Ball: enclosed; double, Mpfr<50>: the same formula rounded at every step, the geometry decided exactly
-/// Limits    as point_to_polygon; compiled for double, Mpfr<50> and Ball. PlaneElement has doubles with a bounded error
+/// Result    R = Ball: enclosed; double, Mpfr<50>: the same formula rounded at every step, the geometry
+///           decided exactly
+/// Limits    as point_to_polygon; compiled for double, Mpfr<50> and Ball. PlaneElement has doubles with a
+///           bounded error
 template <Real R>
 [[nodiscard]] std::vector<R> point_to_polygon_moments(
     const Vector<Rational>& p, const Vector<Rational>& normal, const PlanePolygon& polygon, int degree,

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/scalar/raised_precision.h"
 #include "radcert/core/contract.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/functions/dilogarithm.h"
+#include "radcert/scalar/raised_precision.h"
 #include "radcert/scalar/real.h"
 
 // The integral over one pair of edges.

@@ -16,7 +16,6 @@ namespace radcert {
 ///           Clausen's integral and Im Li_2 besides
 /// Source    contour form: Sparrow, A new and simpler formulation for radiative angle factors, 1963; the edge
 ///           integrals are derived in polygon_to_polygon.cpp
-/// Requires  -
 /// Result    an enclosure, at the current precision. F_12 is 0 exactly where no part of one polygon lies in
 ///           front of the other: in one plane, behind each other, back to back. Clipping, and whether edges
 ///           are parallel, meet or touch, is decided in exact arithmetic: an edge or a corner in common is no

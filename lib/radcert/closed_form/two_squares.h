@@ -53,17 +53,18 @@ R log_of_one_plus(const R& t) {
 /// The integral over a half-disk that carries the singularity of the last integral of (24).
 /// Maths     Int Int z / (s^2 + eta^2 + z^2) ds deta over s^2 + eta^2 <= r^2, eta >= 0
 ///           = (pi z/2) log(r^2 + z^2) - pi z log z = (pi z/2) log(1 + (r/z)^2)
-/// Source    [ac98, (26)]; in polar coordinates the integrand is z rho/(rho^2 + z^2) = d/drho (z/2) log(rho^2 + z^2)
+/// Source    [ac98, (26)]; in polar coordinates the integrand is z rho/(rho^2 + z^2) = d/drho (z/2) log(rho^2
+///           + z^2)
 /// Requires  radius > 0 and distance > 0, certainly so for a Ball, else ContractViolation; distance = z
-/// Result    double: relative error at most 2^-50, held against balls; Mpfr: 1 + (r/z)^2 is rounded to its digits; Ball: enclosed
-/// Limits    -
+/// Result    double: relative error at most 2^-50, held against balls; Mpfr: 1 + (r/z)^2 is rounded to its
+///           digits; Ball: enclosed
 template <Real R>
 R inverse_square_over_half_disk(const R& radius, const R& distance) {
   using std::log;
   expects(certainly_positive(radius) && certainly_positive(distance), "radius > 0 and distance > 0",
           named("radius", radius), named("distance", distance));
-  // Beyond it z is less than half a unit of the last place of r in all that is compiled, and (r/z)^2 might overflow; before it the
-  // difference of logarithms might cancel.
+  // Beyond it z is less than half a unit of the last place of r in all that is compiled, and (r/z)^2 might
+  // overflow; before it the difference of logarithms might cancel.
   const R far = power(R(2), 400);
   if (certainly_less(R(1), radius / distance / far))
     return pi<R>() * distance * (log(radius) - log(distance));
@@ -74,9 +75,9 @@ R inverse_square_over_half_disk(const R& radius, const R& distance) {
 /// The first terms of Ku at a small distance z from the common edge, with a bound for the rest.
 /// Maths     |Ku - (constant + linear z + linear_logarithm z log z)| <= cubic_bound z^3 for all 0 < z < 1
 /// Source    TwoSquares
-/// Requires  -
 /// Result    plain data; for R = Ball each is an enclosure, and the bound holds with its upper end
-/// Limits    cubic_bound grows like x^-3 or x^-2 towards x = 0, and likewise towards x = 1: the expansion is not uniform there
+/// Limits    cubic_bound grows like x^-3 or x^-2 towards x = 0, and likewise towards x = 1: the expansion is
+///           not uniform there
 template <Real R>
 struct EdgeExpansion {
   R constant;
@@ -85,26 +86,32 @@ struct EdgeExpansion {
   R cubic_bound;
 };
 
-/// The integrals of G times 1, xi - x and eta over one unit square, from a point of the other one at a right angle to it.
-/// Maths     P = (x,0,z), Q = (xi,eta,0), D = (x-xi)^2 + eta^2 + z^2, G = z eta/D^2, integrals over 0 <= xi, eta <= 1; no factor
-///           rho/pi. By symmetry also P = (x,z,0), Q = (xi,0,eta). With a = x and a = 1-x, w^2 = 1 + z^2:
-///           one          Sum_a  1/2 atan(a/z) - z/(2w) atan(a/w),  as d/deta (-1/(2D)) = eta/D^2
-///           offset       (z/4) log{ [(1-x)^2 + z^2][x^2 + w^2] / ([(1-x)^2 + w^2][x^2 + z^2]) }
-///           distance     J/2 - Sum_a z/(2w) atan(a/w),  as d/deta (-eta/(2D)) = eta^2/D^2 - 1/(2D);  J = Int Int z/D
-///           J            With R(theta) the distance from (x,0) to the sides of the square in the direction theta, in polar
+/// The integrals of G times 1, xi - x and eta over one unit square, from a point of the other one at a right
+/// angle to it.
+/// Maths     P = (x,0,z), Q = (xi,eta,0), D = (x-xi)^2 + eta^2 + z^2, G = z eta/D^2, integrals over 0 <= xi,
+///           eta <= 1; no factor rho/pi. By symmetry also P = (x,z,0), Q = (xi,0,eta). With a = x and a =
+///           1-x, w^2 = 1 + z^2: one          Sum_a  1/2 atan(a/z) - z/(2w) atan(a/w),  as d/deta (-1/(2D)) =
+///           eta/D^2 offset       (z/4) log{ [(1-x)^2 + z^2][x^2 + w^2] / ([(1-x)^2 + w^2][x^2 + z^2]) }
+///           distance     J/2 - Sum_a z/(2w) atan(a/w),  as d/deta (-eta/(2D)) = eta^2/D^2 - 1/(2D);  J = Int
+///           Int z/D J            With R(theta) the distance from (x,0) to the sides of the square in the
+///           direction theta, in polar
 ///                        coordinates  J = (z/2) Int_0^pi log(1 + R^2/z^2) dtheta = z (A - pi log z),
 ///                        A = 1/2 Int_0^pi log(R^2 + z^2) dtheta, an even analytic function of z near 0.
-///                        R cos theta = a over the angle alpha = atan(1/a) and R cos theta = 1 over beta = atan(a), and
-///                        a^2 + z^2 cos^2 = z^2/(4q) |1 + q e^(2 i theta)|^2 with q(a) = z^2/(a + sqrt(a^2 + z^2))^2, so that
-///                        A = Sum_a  alpha log(a + sqrt(a^2 + z^2)) + beta log(1 + w)
+///                        R cos theta = a over the angle alpha = atan(1/a) and R cos theta = 1 over beta =
+///                        atan(a), and a^2 + z^2 cos^2 = z^2/(4q) |1 + q e^(2 i theta)|^2 with q(a) = z^2/(a
+///                        + sqrt(a^2 + z^2))^2, so that A = Sum_a  alpha log(a + sqrt(a^2 + z^2)) + beta
+///                        log(1 + w)
 ///                                   + [L(q(a), 2 beta) - L(1, 2 beta) + L(q(1), 2 alpha) - L(1, 2 alpha)]/2,
 ///                        L(r,phi) = Im Li_2(r e^(i phi)), L(1,phi) Clausen's integral
 /// Source    [ac98, (22)-(25)]; J ours
-/// Requires  0 < along < 1 and 0 < distance < 1, certainly so for a Ball, else ContractViolation; along = x, distance = z
-/// Result    double: relative error at most 2^-49 (`one`, `offset`, `inverse_square`), 2^-48 (`inverse_square_outside`), 2^-47
-///           (`distance`), measured against balls on random points, close to edges, corners and x = 1/2 too; Mpfr alike, but
-///           `offset` loses relative digits near its zero x = 1/2; Ball: enclosed
-/// Limits    as (x,z) tends to a corner the limit of `one` depends on the direction: (pi - atan(z/x))/2 at x = 0
+/// Requires  0 < along < 1 and 0 < distance < 1, certainly so for a Ball, else ContractViolation; along = x,
+///           distance = z
+/// Result    double: relative error at most 2^-49 (`one`, `offset`, `inverse_square`), 2^-48
+///           (`inverse_square_outside`), 2^-47 (`distance`), measured against balls on random points, close
+///           to edges, corners and x = 1/2 too; Mpfr alike, but `offset` loses relative digits near its zero
+///           x = 1/2; Ball: enclosed
+/// Limits    as (x,z) tends to a corner the limit of `one` depends on the direction: (pi - atan(z/x))/2 at x
+///           = 0
 template <Real R>
 class TwoSquares {
 public:
@@ -118,8 +125,8 @@ public:
   [[nodiscard]] R distance() const;
   /// Int Int z/D, the last integral of [ac98, (24)]; it carries the factor 1/2 there.
   [[nodiscard]] R inverse_square() const { return z_ * (smooth_part() - pi<R>() * log_of_distance()); }
-  /// The same integral without the half-disk of this radius around (x,0), [ac98, (25)]: z (A - (pi/2) log(r^2 + z^2)).
-  /// ContractViolation unless 0 < radius <= x, 1-x, certainly so for a Ball.
+  /// The same integral without the half-disk of this radius around (x,0), [ac98, (25)]: z (A - (pi/2) log(r^2
+  /// + z^2)). ContractViolation unless 0 < radius <= x, 1-x, certainly so for a Ball.
   [[nodiscard]] R inverse_square_outside(const R& radius) const;
 
   /// one() = pi/2 - (z/2) Sum_a (1/a + atan a) + ...
@@ -181,7 +188,8 @@ template <Real R>
 R TwoSquares<R>::offset() const {
   using std::log;
   // Odd about x = 1/2. With b the shorter side, a the longer and A = a^2 + z^2, B = b^2 + z^2 the quotient is
-  // A (B + 1) / ((A + 1) B) = 1 + (a - b) / ((A + 1) B), as a + b = 1. For a ball around x = 1/2 either order is right.
+  // A (B + 1) / ((A + 1) B) = 1 + (a - b) / ((A + 1) B), as a + b = 1. For a ball around x = 1/2 either order
+  // is right.
   const bool mirrored = certainly_less(R(1), x_ + x_);
   const R b = mirrored ? R(1) - x_ : x_;
   const R a = R(1) - b;
@@ -241,8 +249,8 @@ R TwoSquares<R>::decrease(const R& along) {
   return sum;
 }
 
-// atan(z/a) = z/a up to z^3/(3 a^3), and Sum_a atan(a/w)/w = Int ds/(s^2 + 1 + z^2) falls from its value at z = 0 by no more than
-// z^2 decrease().
+// atan(z/a) = z/a up to z^3/(3 a^3), and Sum_a atan(a/w)/w = Int ds/(s^2 + 1 + z^2) falls from its value at z
+// = 0 by no more than z^2 decrease().
 template <Real R>
 EdgeExpansion<R> TwoSquares<R>::expansion_of_one(const R& along) {
   using std::atan;
@@ -269,8 +277,9 @@ EdgeExpansion<R> TwoSquares<R>::expansion_of_offset(const R& along) {
   return {.constant = R(0), .linear = linear, .linear_logarithm = R(0), .cubic_bound = cubic};
 }
 
-// A grows from its value at z = 0 by no more than (z^2/2) Int_0^pi R^-2 dtheta, where R cos theta is a over alpha and 1 over beta and
-// Int_0^phi cos^2 = phi/2 + sin(2 phi)/4 with sin(2 alpha) = sin(2 beta) = 2a/(1 + a^2); far_side() falls by no more than z^2 decrease().
+// A grows from its value at z = 0 by no more than (z^2/2) Int_0^pi R^-2 dtheta, where R cos theta is a over
+// alpha and 1 over beta and Int_0^phi cos^2 = phi/2 + sin(2 phi)/4 with sin(2 alpha) = sin(2 beta) = 2a/(1 +
+// a^2); far_side() falls by no more than z^2 decrease().
 template <Real R>
 EdgeExpansion<R> TwoSquares<R>::expansion_of_distance(const R& along) {
   using std::atan;

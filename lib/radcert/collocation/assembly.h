@@ -14,9 +14,9 @@ namespace radcert {
 
 /// The matrix of K P_n at the nodes, with what is known of its errors.
 /// Maths     entries(i, k p + j) = rho(v_i)/pi Int_{Delta_k} G(v_i,Q) l_j(Q) dS_Q, p functions an element;
-///           kernel_integral[i] = Int_S |G(v_i,Q)| dS_Q;  row_radius[i] = sum over the row of the entries' radii
+///           kernel_integral[i] = Int_S |G(v_i,Q)| dS_Q;  row_radius[i] = sum over the row of the entries'
+///           radii
 /// Source    [ac98, (40)]
-/// Requires  -
 /// Result    each entry to the tolerance, relative to the row's Int |G|; radii are estimates
 /// Limits    dense
 template <Real R>
@@ -31,7 +31,8 @@ struct CollocationMatrix {
 /// Source    [ac98, (40)]
 /// Requires  one node a basis function and element, one reflectivity a node
 /// Result    the same bits for any number of threads; Interrupted when asked to stop
-/// Limits    in double surfaces that are unoccluded, where V = 1, and meshes; beyond double unoccluded surfaces, else ContractViolation
+/// Limits    in double surfaces that are unoccluded, where V = 1, and meshes; beyond double unoccluded
+///           surfaces, else ContractViolation
 template <Real R>
 CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& triangulation,
                               const TriangleBasis<R>& basis, std::span<const Observer<R>> nodes,

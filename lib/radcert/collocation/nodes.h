@@ -14,9 +14,8 @@ namespace radcert {
 /// Maths     v_{k,j} = m_k(q_j), element by element, j in the order of the basis
 /// Source    [ac98, (36)]; [m06, (13)]
 /// Requires  a TriangleBasis, or what one is made of
-/// Result    node k * basis.size() + j belongs to element k; an inset of 0 repeats a node in every element that has it:
-///           the repeated unknowns have equal equations and so equal values
-/// Limits    -
+/// Result    node k * basis.size() + j belongs to element k; an inset of 0 repeats a node in every element
+///           that has it: the repeated unknowns have equal equations and so equal values
 template <Real R, template <Field> class Basis>
 std::vector<Observer<R>> collocation_nodes(const Surface& surface, const Triangulation& triangulation,
                                            const Basis<R>& basis) {

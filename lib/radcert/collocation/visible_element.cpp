@@ -28,8 +28,8 @@ Corners left_of(const Point& a, const Point& b, const Corners& polygon) {
   return left;
 }
 
-/// What a part that is seen has in common with an element. The part is what is cut: of two of its corners that are almost one the
-/// rounded doubles say nothing about the line through them.
+/// What a part that is seen has in common with an element. The part is what is cut: of two of its corners
+/// that are almost one the rounded doubles say nothing about the line through them.
 Corners common(const Corners& part, const Corners& element) {
   Corners rest = part;
   for (std::size_t k = 0; k < element.size() && rest.size() >= 3; ++k)

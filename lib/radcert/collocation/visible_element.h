@@ -38,9 +38,9 @@ private:
 /// Maths     value[j] = Int_Delta G(v_i,Q) V(v_i,Q) l_j(Q) dS_Q
 /// Source    [ac98, (40)] with the V of (1)
 /// Requires  sights that look at the element's chart, a plane one
-/// Result    a part that is seen is cut to the element in its parameters and integrated triangle by triangle, as ElementIntegrator does;
-///           where all of the element is seen, or nothing, the integral is that without V, or 0. radius counts the rounding of corners
-/// Limits    -
+/// Result    a part that is seen is cut to the element in its parameters and integrated triangle by triangle,
+///           as ElementIntegrator does; where all of the element is seen, or nothing, the integral is that
+///           without V, or 0. radius counts the rounding of corners
 void integrate_visible(const ParameterTriangle& triangle, const ObserverBlock<double>& block,
                        std::span<const Observer<double>> nodes, const NodeSights& sights, const Chart& chart,
                        ElementIntegrator<double>& element, BlockIntegral<double>& integral);

@@ -9,7 +9,6 @@
 namespace radcert {
 
 /// Writes a file as a whole or not at all.
-/// Maths     none
 /// Source    POSIX rename(2): replacing is atomic within a folder
 /// Requires  a file name (else InputError) in a folder that exists and can be written
 /// Result    the file has the content and is on the disk; on failure EnvironmentError names the path and the
@@ -20,8 +19,6 @@ namespace radcert {
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
 /// The content of a file that the user named.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    the bytes; InputError where the file is missing, unreadable, a folder or longer than the limit;
 ///           EnvironmentError where the device fails

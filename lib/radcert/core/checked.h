@@ -8,10 +8,8 @@ namespace radcert {
 
 /// Sum and product of sizes, without wrapping round.
 /// Maths     a + b and a b in the integers
-/// Source    -
 /// Requires  nothing
 /// Result    exact, or no value where it is 2^64 or more
-/// Limits    none
 [[nodiscard]] constexpr std::optional<std::uint64_t> checked_add(std::uint64_t a, std::uint64_t b) {
   const std::uint64_t sum = a + b;
   if (sum < a) return std::nullopt;

@@ -15,8 +15,6 @@
 namespace radcert {
 
 /// The caller broke a stated requirement of a function.
-/// Maths     none
-/// Source    -
 /// Requires  thrown by expects() alone
 /// Result    what() is `required: <requirement>; <name> = <value>, ...` on one line
 /// Limits    a mistake in the calling code: not for a user's input (InputError) nor for a mathematical no
@@ -27,8 +25,6 @@ public:
 };
 
 /// A value with the name under which a failed requirement shows it.
-/// Maths     none
-/// Source    -
 /// Requires  name and value outlive the object: use it only as an argument of expects()
 /// Result    nothing is turned into text before the requirement has failed
 /// Limits    see description() for what can be shown
@@ -63,8 +59,6 @@ concept TextByStream = requires(std::ostream& out, const T& value) {
 }  // namespace detail
 
 /// A value as text for a message.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    text quoted and escaped; a double in its shortest exact form; else member to_text(),
 ///           to_text(value), operator<<, the number of an enumerator
@@ -110,8 +104,6 @@ struct ShownValue {
 }  // namespace detail
 
 /// Checks a requirement of the calling code, in every build.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    returns when the condition holds, else throws ContractViolation with the requirement and the
 ///           named values

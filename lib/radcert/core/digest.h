@@ -14,7 +14,8 @@ namespace radcert {
 /// Limits    two contents with one value are not known, and nobody knows how to make them
 [[nodiscard]] std::string sha256(std::string_view bytes);
 
-/// The name of a content, by which it is told from every other: of a mesh, a node file, a scene, a stored result.
+/// The name of a content, by which it is told from every other: of a mesh, a node file, a scene, a stored
+/// result.
 /// Maths     sha256(bytes)
 /// Source    as sha256
 /// Requires  nothing

@@ -9,17 +9,14 @@
 namespace radcert {
 
 /// What the program says to the shell.
-/// Maths     none
 /// Source    the command line's documentation
 /// Requires  nothing
 /// Result    done: every verdict as recorded; differs: a verdict differs, or a demanded accuracy was not
 ///           reached; input: the user's input is wrong; environment: disk, package, memory; interrupted: what
 ///           was finished is kept
-/// Limits    none
 enum class ExitCode : int { done = 0, differs = 1, input = 2, environment = 3, interrupted = 130 };
 
 /// The parts of a message about wrong input.
-/// Maths     none
 /// Source    RFC 6901 for `pointer`
 /// Requires  raw text in every field: quoting is done by InputError
 /// Result    source: a file, or what else the input came from; pointer: the place in it; value: what stands
@@ -34,8 +31,6 @@ struct InputFault {
 };
 
 /// The user's input is wrong.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    what() is one printable line, `problem.json: /basis/alpha: "1/3" is not allowed; allowed: a
 ///           number in [0, 1/3)`; copying does not throw
@@ -54,12 +49,9 @@ private:
 };
 
 /// Runs an action; an InputError that leaves it names the source.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    the action's own result; an InputError without a source leaves with this one, every other
 ///           exception as it is
-/// Limits    none
 template <class Action>
 decltype(auto) with_source(const std::string& source, Action&& action) {
   try {
@@ -70,19 +62,14 @@ decltype(auto) with_source(const std::string& source, Action&& action) {
 }
 
 /// The world failed: a disk, a package, memory.
-/// Maths     none
-/// Source    -
 /// Requires  a subject (path, package) and a reason in words
 /// Result    what() is `<subject>: <reason>` on one printable line
-/// Limits    none
 class EnvironmentError : public std::runtime_error {
 public:
   EnvironmentError(const std::string& subject, const std::string& reason);
 };
 
 /// An accuracy that the user demanded was not reached.
-/// Maths     none
-/// Source    -
 /// Requires  a subject (what was computed) and a reason in words with the accuracy reached
 /// Result    what() is `<subject>: <reason>` on one printable line; the program ends with ExitCode::differs
 /// Limits    for demands: what a computation reaches without one is a radius in its result
@@ -92,11 +79,8 @@ public:
 };
 
 /// The user asked to stop.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    thrown by throw_if_interrupted() and by parallel loops; what was finished before is kept
-/// Limits    none
 class Interrupted : public std::runtime_error {
 public:
   Interrupted();

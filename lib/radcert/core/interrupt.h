@@ -4,7 +4,6 @@
 namespace radcert {
 
 /// Makes SIGINT and SIGTERM ask for an orderly stop.
-/// Maths     none
 /// Source    POSIX sigaction(2)
 /// Requires  called from the main program, not from a library
 /// Result    the first signal sets the flag that interruption_requested() reads; a second one of its kind
@@ -13,11 +12,8 @@ namespace radcert {
 void install_interrupt_handler();
 
 /// Whether somebody asked to stop.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    exact; may be called from any thread and from a signal handler
-/// Limits    none
 [[nodiscard]] bool interruption_requested() noexcept;
 
 /// Asks to stop, as the signal does; safe in a signal handler.

@@ -9,8 +9,6 @@
 namespace radcert {
 
 /// A table whose entries are made when they are first asked for.
-/// Maths     none
-/// Source    -
 /// Requires  index < Size; `make` gives the same value every time
 /// Result    the entry; safe to ask from several threads at once: one makes, the others wait
 /// Limits    entries stay for the table's life

@@ -28,7 +28,6 @@ public:
 
 /// A dense matrix, stored by columns.
 /// Maths     A = (a_ij), 0 <= i < rows, 0 <= j < columns
-/// Source    -
 /// Requires  indices in range; not checked
 /// Result    zero at first, or `uninitialised`; column(j) is contiguous
 /// Limits    storage only; the algebra lives in `solve`

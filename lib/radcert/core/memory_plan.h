@@ -10,7 +10,6 @@ namespace radcert {
 
 /// What a computation is going to hold in memory, counted before it starts.
 /// Maths     total = sum of count * bytes_each in the integers; 2^64 - 1 stands for "that or more"
-/// Source    -
 /// Requires  nothing
 /// Result    exact below 2^64 - 1, never wraps round
 /// Limits    counts what it is told: the allocator's own overhead and the program itself are not in it

@@ -11,11 +11,8 @@
 namespace radcert {
 
 /// Why there is no value; converts to every Outcome with that reason.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    made by because(...)
-/// Limits    none
 template <class Reason>
 struct Refusal {
   Reason reason;
@@ -28,8 +25,6 @@ template <class Reason>
 [[nodiscard]] Refusal<Reason> because(Reason reason) { return {std::move(reason)}; }
 
 /// A value, or the reason why the mathematics gives none.
-/// Maths     none
-/// Source    -
 /// Requires  value(), *, -> only where it has a value, reason() only where it has none, else
 ///           ContractViolation (which shows the reason)
 /// Result    `return value;` and `return because("...");` both convert
@@ -78,8 +73,6 @@ private:
 };
 
 /// Success without a value, or the reason for failure.
-/// Maths     none
-/// Source    -
 /// Requires  reason() only where it has no value, else ContractViolation
 /// Result    `return {};` is success
 /// Limits    as Outcome<T>

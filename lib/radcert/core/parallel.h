@@ -11,8 +11,6 @@
 namespace radcert {
 
 /// A reference to a callable (begin, end): no copy, no allocation.
-/// Maths     none
-/// Source    -
 /// Requires  the callable outlives the reference and may be called from several threads at once
 /// Result    calls it
 /// Limits    for arguments of functions, never stored
@@ -36,7 +34,6 @@ private:
 
 /// The chunk length of a loop that states none.
 /// Maths     ceil(count / 256), at least 1
-/// Source    -
 /// Requires  nothing
 /// Result    depends on count alone: at most 256 chunks
 /// Limits    a loop whose iterations differ much in cost states its own, shorter grain
@@ -60,7 +57,6 @@ inline void parallel_for(std::size_t count, RangeBody body) {
 /// Folds map(begin, end) over the chunks of [0, count) in ascending order.
 /// Maths     combine(...combine(combine(identity, m_0), m_1)..., m_last),
 ///           m_k = map(k grain, min((k+1) grain, count))
-/// Source    -
 /// Requires  grain >= 1, else ContractViolation
 /// Result    the same bits for every number of threads; combine runs on the calling thread and need not be
 ///           associative
@@ -77,7 +73,6 @@ template <class T, class Map, class Combine>
 }
 
 /// The number of threads that a loop started here may use.
-/// Maths     none
 /// Source    oneTBB
 /// Requires  nothing
 /// Result    at least 1
@@ -85,7 +80,6 @@ template <class T, class Map, class Combine>
 [[nodiscard]] std::size_t thread_count();
 
 /// Limits the number of threads while it lives.
-/// Maths     none
 /// Source    oneTBB global_control: of several limits the lowest holds
 /// Requires  threads >= 1, else ContractViolation
 /// Result    thread_count() <= threads in the whole process; results do not change, only the time

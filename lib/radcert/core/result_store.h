@@ -15,9 +15,9 @@ namespace radcert {
 /// Maths     none; the file name is SHA-256 of the key, and the file repeats the key
 /// Source    NIST FIPS 180-4
 /// Requires  the key says everything that the content depends on: inputs, budget, version
-/// Result    get() gives a content that put() stored under exactly this key, or nothing: the whole key is compared, and
-///           a truncated, altered or foreign file, or one of another layout, reads as absent. Writing is atomic; several processes and
-///           threads may share a folder
+/// Result    get() gives a content that put() stored under exactly this key, or nothing: the whole key is
+///           compared, and a truncated, altered or foreign file, or one of another layout, reads as absent.
+///           Writing is atomic; several processes and threads may share a folder
 /// Limits    a checksum, not a signature: it does not resist forgery. Never throws for a failing disk: the
 ///           store switches itself off, status() says why
 class ResultStore {

@@ -27,7 +27,6 @@ namespace radcert {
 [[nodiscard]] std::optional<double> parse_double(std::string_view text);
 
 /// Text of unknown origin, made safe to print inside a message.
-/// Maths     none
 /// Source    UTF-8 as in RFC 3629
 /// Requires  nothing
 /// Result    in double quotes on one line; quotes, backslashes, control characters and bytes that are not
@@ -37,11 +36,9 @@ namespace radcert {
 [[nodiscard]] std::string quotation(std::string_view text, std::size_t limit = 80);
 
 /// Whether a text is UTF-8.
-/// Maths     none
 /// Source    RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF
 /// Requires  nothing
 /// Result    exact
-/// Limits    none
 [[nodiscard]] bool is_utf8(std::string_view text);
 
 }  // namespace radcert

@@ -6,7 +6,6 @@
 namespace radcert {
 
 /// Which radcert this is.
-/// Maths     none
 /// Source    the build: RADCERT_VERSION, and RADCERT_SOURCE_DIGEST in the generated radcert_source_digest.h
 /// Requires  nothing
 /// Result    version(): "0.1.0"; source_digest(): a digest of the sources, the same for the same sources

@@ -9,13 +9,13 @@
 namespace radcert {
 
 /// A limit of work: how deep, how often, with how many digits something is tried before it is left.
-/// Maths     -
 /// Source    lib/limits.md is the list of all of them, held against work_limits() by a test
-/// Requires  a variable of a namespace, whose name is "<layer>/<file>: <what is counted>" and not that of another; smallest <= usual;
-///           texts that outlive it
-/// Result    value(): usual, unless a test has lowered it. `at_the_limit` says what happens there: a refusal, "undecided", or a radius
-///           that covers what was not looked at
-/// Limits    read it once a call, not in an inner loop; not before main() begins. A bound of what is taken as input is none
+/// Requires  a variable of a namespace, whose name is "<layer>/<file>: <what is counted>" and not that of
+///           another; smallest <= usual; texts that outlive it
+/// Result    value(): usual, unless a test has lowered it. `at_the_limit` says what happens there: a refusal,
+///           "undecided", or a radius that covers what was not looked at
+/// Limits    read it once a call, not in an inner loop; not before main() begins. A bound of what is taken as
+///           input is none
 class WorkLimit {
 public:
   WorkLimit(std::string_view name, long usual, long smallest, std::string_view at_the_limit) noexcept;
@@ -45,7 +45,8 @@ private:
 /// All limits of the sources that are linked, by name.
 [[nodiscard]] std::vector<const WorkLimit*> work_limits();
 
-/// A limit at another value for the time of a scope, for tests: ContractViolation unless smallest <= value <= usual.
+/// A limit at another value for the time of a scope, for tests: ContractViolation unless smallest <= value <=
+/// usual.
 class LoweredWorkLimit {
 public:
   LoweredWorkLimit(const WorkLimit& limit, long value);

@@ -13,11 +13,11 @@ namespace radcert {
 extern const WorkLimit most_evaluations;
 
 /// What is asked of an enclosure.
-/// Maths     a ball of at most this radius around the number, with at most so many evaluations of the function
-/// Source    -
+/// Maths     a ball of at most this radius around the number, with at most so many evaluations of the
+///           function
 /// Requires  radius > 0 and work_limit >= 1, else ContractViolation where it is used
-/// Result    -
-/// Limits    rounding is not in it: BallPrecision::current() must leave the digits, some 30 bits beyond the radius
+/// Limits    rounding is not in it: BallPrecision::current() must leave the digits, some 30 bits beyond the
+///           radius
 struct Demand {
   double radius;
   long work_limit = most_evaluations.value();
@@ -30,9 +30,8 @@ struct Enclosed {
 };
 
 /// The demand was not met.
-/// Maths     reached contains the number if the number exists, and is the whole line where nothing was bounded
-/// Source    -
-/// Requires  -
+/// Maths     reached contains the number if the number exists, and is the whole line where nothing was
+///           bounded
 /// Result    why names the limit that was hit, and what stood in the way
 /// Limits    says nothing about whether the number exists
 struct Undecided {

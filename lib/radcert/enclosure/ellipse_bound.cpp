@@ -27,7 +27,8 @@ struct Box {
   double bound = 0;
   const char* failure = nullptr;
   int depth = 0;
-  /// The largest bound first, and of the boxes without a bound the smallest: it tells soonest that the budget will not do.
+  /// The largest bound first, and of the boxes without a bound the smallest: it tells soonest that the budget
+  /// will not do.
   bool operator<(const Box& another) const {
     return bound != another.bound ? bound < another.bound : depth < another.depth;
   }
@@ -57,7 +58,8 @@ struct Cover {
     return x * x + y * y <= 1 + margin;
   }
 
-  /// The value in the disks around a box. They are made larger by more than the rounding of their middles and radii.
+  /// The value in the disks around a box. They are made larger by more than the rounding of their middles and
+  /// radii.
   void evaluate(Box& box) const {
     constexpr double up = 1 + 0x1p-30;
     const double rounding_of_complex = 0x1p-50 * (std::abs(complex.middle) + complex.half * long_axis);

@@ -15,12 +15,11 @@ namespace radcert {
 /// Source    [ac98, (2)]
 /// Requires  see the two ways to make it
 /// Result    immutable
-/// Limits    -
 class ExactObserver {
 public:
-  /// A point of a surface, by each of its names: a point of a seam lies on several charts, and the integral over a chart that
-  /// contains P ends only where that chart is named. The normal is that of the first name. At least one name, in the domain of
-  /// its chart, else ContractViolation where it is used.
+  /// A point of a surface, by each of its names: a point of a seam lies on several charts, and the integral
+  /// over a chart that contains P ends only where that chart is named. The normal is that of the first name.
+  /// At least one name, in the domain of its chart, else ContractViolation where it is used.
   [[nodiscard]] static ExactObserver on_surface(std::vector<SurfacePoint<Rational>> names);
   /// A point off the surface; the normal is brought to unit length. normal != 0, else ContractViolation.
   [[nodiscard]] static ExactObserver off_surface(const Vector<Rational>& position,
@@ -29,7 +28,8 @@ public:
   [[nodiscard]] const std::vector<SurfacePoint<Rational>>& names() const { return names_; }
   /// The parameters in a chart that is named.
   [[nodiscard]] std::optional<ParameterPoint<Rational>> on_chart(std::size_t chart) const;
-  /// Whether G vanishes on a chart because P lies in its plane: exact where P is off the surface or on a flat chart.
+  /// Whether G vanishes on a chart because P lies in its plane: exact where P is off the surface or on a flat
+  /// chart.
   [[nodiscard]] bool in_plane_of(const Surface& surface, std::size_t chart) const;
 
   /// Enclosed at the current precision.

@@ -10,10 +10,11 @@ namespace radcert {
 
 /// The Gauss-Legendre rule on [-1, 1], enclosed.
 /// Maths     the zeros x_k of the Legendre polynomial P_n, ascending, and w_k = 2 / ((1 - x_k^2) P_n'(x_k)^2)
-/// Source    Arb's arb_hypgeom_legendre_p_ui_root: F. Johansson, M. Mezzarobba, "Fast and rigorous arbitrary-precision
-///           computation of Gauss-Legendre quadrature nodes and weights", 2018
+/// Source    Arb's arb_hypgeom_legendre_p_ui_root: F. Johansson, M. Mezzarobba, "Fast and rigorous
+///           arbitrary-precision computation of Gauss-Legendre quadrature nodes and weights", 2018
 /// Requires  n >= 1, else ContractViolation
-/// Result    enclosed at BallPrecision::current(); made once for each n and precision, safe to ask for from several threads
+/// Result    enclosed at BallPrecision::current(); made once for each n and precision, safe to ask for from
+///           several threads
 /// Limits    kept until the program ends
 struct EnclosedGaussRule {
   std::vector<Ball> nodes;
@@ -22,15 +23,16 @@ struct EnclosedGaussRule {
 [[nodiscard]] std::shared_ptr<const EnclosedGaussRule> enclosed_gauss_rule(int n);
 
 /// The error of the n-point Gauss-Legendre rule for an analytic function.
-/// Maths     f analytic and |f| <= M in the closed ellipse E_rho with foci -1, 1 and half axes (rho + 1/rho)/2,
-///           (rho - 1/rho)/2:  |Int_-1^1 f - Q_n f| <= (4 + 4/(4n^2 - 1)) M rho^(-2n) / (1 - rho^-2)
-/// Source    N. Trefethen, "Approximation Theory and Approximation Practice", theorem 19.3, with 64/15 for n >= 2; P. Rabinowitz,
-///           "Rough and ready error estimates in Gaussian integration of analytic functions", 1969. Proof: f = sum a_k T_k with
-///           |a_k| <= 2 M rho^-k (theorem 8.1 there). Q_n is exact up to degree 2n - 1, odd k give 0 = 0, and for even k >= 2n,
-///           |Int T_k| = 2 / (k^2 - 1) <= 2 / (4n^2 - 1), |Q_n T_k| <= 2 because the weights are positive with sum 2
+/// Maths     f analytic and |f| <= M in the closed ellipse E_rho with foci -1, 1 and half axes (rho +
+///           1/rho)/2, (rho - 1/rho)/2:  |Int_-1^1 f - Q_n f| <= (4 + 4/(4n^2 - 1)) M rho^(-2n) / (1 -
+///           rho^-2)
+/// Source    N. Trefethen, "Approximation Theory and Approximation Practice", theorem 19.3, with 64/15 for n
+///           >= 2; P. Rabinowitz, "Rough and ready error estimates in Gaussian integration of analytic
+///           functions", 1969. Proof: f = sum a_k T_k with |a_k| <= 2 M rho^-k (theorem 8.1 there). Q_n is
+///           exact up to degree 2n - 1, odd k give 0 = 0, and for even k >= 2n, |Int T_k| = 2 / (k^2 - 1) <=
+///           2 / (4n^2 - 1), |Q_n T_k| <= 2 because the weights are positive with sum 2
 /// Requires  n >= 1, rho > 1, else ContractViolation
 /// Result    the factor of M, an upper bound
-/// Limits    -
 [[nodiscard]] Ball gauss_error_factor(int n, double rho);
 
 }  // namespace radcert

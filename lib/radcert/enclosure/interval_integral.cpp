@@ -66,7 +66,8 @@ Enclosure integral_on_interval(const LineFunction& f, const Ball& a, const Ball&
   options->eval_limit = demand.work_limit;
   mag_t tolerance;
   mag_init(tolerance);
-  // The demand is for the whole, Arb's tolerance for each interval: the rest is for the sum of these, and for rounding.
+  // The demand is for the whole, Arb's tolerance for each interval: the rest is for the sum of these, and for
+  // rounding.
   mag_set_d_lower(tolerance, demand.radius / 1024);
   acb_t integral;
   acb_init(integral);

@@ -23,11 +23,11 @@ LineFunction line_function(Formula formula) {
 
 /// The integral of a function of one variable, enclosed.
 /// Maths     Int_a^b f(x) dx
-/// Source    Arb's acb_calc_integrate: F. Johansson, "Numerical integration in arbitrary-precision ball arithmetic", 2018: adaptive
-///           bisection, Gauss-Legendre rules with the error bound of Bernstein ellipses where f is analytic, the values on a real
-///           interval times its length elsewhere
-/// Requires  radius > 0, work_limit >= 1, a and b finite, else ContractViolation; f real for real arguments, both formulas enclose
-///           one function
+/// Source    Arb's acb_calc_integrate: F. Johansson, "Numerical integration in arbitrary-precision ball
+///           arithmetic", 2018: adaptive bisection, Gauss-Legendre rules with the error bound of Bernstein
+///           ellipses where f is analytic, the values on a real interval times its length elsewhere
+/// Requires  radius > 0, work_limit >= 1, a and b finite, else ContractViolation; f real for real arguments,
+///           both formulas enclose one function
 /// Result    a ball of radius <= demand.radius, or undecided with what was reached
 /// Limits    a singularity inside (a, b) is found by bisection alone: split there
 [[nodiscard]] Enclosure integral_on_interval(const LineFunction& f, const Ball& a, const Ball& b,

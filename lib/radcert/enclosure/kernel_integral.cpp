@@ -61,8 +61,8 @@ ParameterPoint<double> to_double(const ParameterPoint<Rational>& p) {
   return {p.s.to_double(), p.t.to_double()};
 }
 
-/// A point of the polygon near to P, if P is near to the chart compared with the polygon's size. It chooses the cells and enters
-/// no value.
+/// A point of the polygon near to P, if P is near to the chart compared with the polygon's size. It chooses
+/// the cells and enters no value.
 std::optional<ParameterPoint<Rational>> near_point(const Chart& chart, const ParameterPolygon& polygon,
                                                    const Vector<double>& p) {
   const ChartIn<double>& formula = chart.in<double>();
@@ -73,7 +73,8 @@ std::optional<ParameterPoint<Rational>> near_point(const Chart& chart, const Par
   for (const ParameterPoint<double>& a : corners)
     size = std::max(size, distance(image(a), image(corners[0])));
 
-  // Triangle by triangle, over a grid and then by steps that halve; (a, b) in the unit square squeezed onto the triangle.
+  // Triangle by triangle, over a grid and then by steps that halve; (a, b) in the unit square squeezed onto
+  // the triangle.
   ParameterPoint<double> best = corners[0];
   double least = HUGE_VAL;
   for (std::size_t k = 1; k + 1 < corners.size(); ++k) {

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <functional>
 
-#include "radcert/scalar/bounded_double.h"
 #include "radcert/enclosure/exact_observer.h"
 #include "radcert/enclosure/polygon_integral.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -14,9 +14,6 @@ namespace radcert {
 /// A point Q of a surface as a density sees it.
 /// Maths     Q = F_chart(s, t), at = (s, t)
 /// Source    [ac98, (14)]
-/// Requires  -
-/// Result    -
-/// Limits    -
 template <Real R>
 struct DensityPoint {
   std::size_t chart;
@@ -26,11 +23,10 @@ struct DensityPoint {
 
 /// The factor q beside the kernel, in balls, in Taylor models and in doubles with bounds.
 /// Maths     q(Q); see SquareFunction
-/// Source    -
-/// Requires  analytic in the parameters, or at least bounded (then the integral costs more): the formula says which
-/// Result    made from a formula by density(f): a class with  template <class R> R operator()(const DensityPoint<R>& q) const;
-///           or a generic lambda
-/// Limits    -
+/// Requires  analytic in the parameters, or at least bounded (then the integral costs more): the formula says
+///           which
+/// Result    made from a formula by density(f): a class with  template <class R> R operator()(const
+///           DensityPoint<R>& q) const; or a generic lambda
 struct Density {
   std::function<Ball(const DensityPoint<Ball>&)> in_balls;
   std::function<TaylorModel(const DensityPoint<TaylorModel>&)> in_models;
@@ -48,16 +44,18 @@ Density density(Formula formula) {
 
 /// The radiosity operator's integral over a part of one chart, enclosed.
 /// Maths     Int G(P, F(s,t)) q(s,t) |D_s F x D_t F| ds dt over a convex polygon of the chart's domain
-/// Source    integral_over_squares, from triangles with a common apex: P itself where P is a point of the polygon, and with
-///           Q - P = x D(x, y) along the rays from P the kernel is chord_kernel of Chart::chord_along, analytic in (x, y) up to
-///           x = 0; otherwise the parameters of a point near to P where P is close to the chart. G is linear in the normal n_Q:
-///           with the area normal no root is needed for the area element
-/// Requires  a polygon in the domain with an area; a name of P in the domain of its chart, else ContractViolation. V = 1 between P
-///           and the part
+/// Source    integral_over_squares, from triangles with a common apex: P itself where P is a point of the
+///           polygon, and with Q - P = x D(x, y) along the rays from P the kernel is chord_kernel of
+///           Chart::chord_along, analytic in (x, y) up to x = 0; otherwise the parameters of a point near to
+///           P where P is close to the chart. G is linear in the normal n_Q: with the area normal no root is
+///           needed for the area element
+/// Requires  a polygon in the domain with an area; a name of P in the domain of its chart, else
+///           ContractViolation. V = 1 between P and the part
 /// Result    see integral_over_squares. Exactly 0 where P lies in the plane of a flat chart
-/// Limits    P on the chart and not named there, or named and at the border of a polygon that does not contain it: the singularity
-///           is bisected until the work limit. On a chart that is not analytic on the line s = 0 (its facts say so) the work grows
-///           with the number of digits times the logarithm of the demand, and P with s = 0 is refused as undecided
+/// Limits    P on the chart and not named there, or named and at the border of a polygon that does not
+///           contain it: the singularity is bisected until the work limit. On a chart that is not analytic on
+///           the line s = 0 (its facts say so) the work grows with the number of digits times the logarithm
+///           of the demand, and P with s = 0 is refused as undecided
 [[nodiscard]] Enclosure kernel_integral(const ExactObserver& observer, const Surface& surface,
                                         std::size_t chart, const ParameterPolygon& polygon, const Density& q,
                                         const Demand& demand);

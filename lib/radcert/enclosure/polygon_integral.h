@@ -15,12 +15,11 @@ namespace radcert {
 using ParameterPolygon = std::vector<ParameterPoint<Rational>>;
 
 /// A piece of a polygon as the image of the unit square.
-/// Maths     (s,t) = apex + x (first + y along), a triangle with the side apex squeezed to a point: Jacobian x |first x along|;
-///           or, where `parallelogram`, apex + x first + y along: Jacobian |first x along|
+/// Maths     (s,t) = apex + x (first + y along), a triangle with the side apex squeezed to a point: Jacobian
+///           x |first x along|; or, where `parallelogram`, apex + x first + y along: Jacobian |first x along|
 /// Source    Duffy's map
 /// Requires  first x along != 0
 /// Result    exact
-/// Limits    -
 struct SquareMap {
   ParameterPoint<Rational> apex;
   ParameterPoint<Rational> first;
@@ -28,8 +27,8 @@ struct SquareMap {
   bool parallelogram = false;
 };
 
-/// The triangles from a point of a convex polygon to its sides; sides through the point have none. ContractViolation where the
-/// polygon is not convex, the point not in it, or there is no area.
+/// The triangles from a point of a convex polygon to its sides; sides through the point have none.
+/// ContractViolation where the polygon is not convex, the point not in it, or there is no area.
 [[nodiscard]] std::vector<SquareMap> fan(const ParameterPolygon& polygon,
                                          const ParameterPoint<Rational>& apex);
 /// One parallelogram, where the polygon is one; else the fan from its first corner.
@@ -76,7 +75,8 @@ private:
     if (map.parallelogram) include(map.apex + map.along);
     return smallest;
   }
-  /// A wide ball that rounding has taken below the smallest value is brought back: s = 0 may be where a root ends.
+  /// A wide ball that rounding has taken below the smallest value is brought back: s = 0 may be where a root
+  /// ends.
   static R within(const R& coordinate, const R& least) {
     if constexpr (std::same_as<R, Ball>) {
       if (!certainly_at_most(least, coordinate))
@@ -90,8 +90,8 @@ private:
 /// Maths     Int f(s,t) ds dt
 /// Source    integral_over_squares
 /// Requires  three corners or more, not all on a line, else ContractViolation; f a class with
-///           template <class R> R operator()(const ParameterPoint<R>& at) const;  for R = Ball, TaylorModel, real for real
-///           arguments
+///           template <class R> R operator()(const ParameterPoint<R>& at) const;  for R = Ball, TaylorModel,
+///           real for real arguments
 /// Result    see integral_over_squares
 /// Limits    see integral_over_squares
 template <class Formula>

@@ -9,18 +9,18 @@
 namespace radcert {
 
 /// A function on the unit square, in balls and in Taylor models.
-/// Maths     f : [0,1]^2 -> R; where the model of f over a product of two disks is finite, f is analytic there, bounded by the
-///           model's norm
+/// Maths     f : [0,1]^2 -> R; where the model of f over a product of two disks is finite, f is analytic
+///           there, bounded by the model's norm
 /// Source    one formula in two arithmetics: see TaylorModel
-/// Requires  both enclose one function, which is real for real arguments; may be called from several threads at once
-/// Result    -
-/// Limits    -
+/// Requires  both enclose one function, which is real for real arguments; may be called from several threads
+///           at once
 struct SquareFunction {
   std::function<Ball(const Ball&, const Ball&)> in_balls;
   std::function<TaylorModel(const TaylorModel&, const TaylorModel&)> in_models;
 };
 
-/// From a formula: a class with  template <class R> R operator()(const R& x, const R& y) const, or a generic lambda.
+/// From a formula: a class with  template <class R> R operator()(const R& x, const R& y) const, or a generic
+/// lambda.
 template <class Formula>
 SquareFunction square_function(Formula formula) {
   return {.in_balls = [formula](const Ball& x, const Ball& y) -> Ball { return formula(x, y); },

@@ -21,7 +21,8 @@ namespace radcert {
 
 namespace {
 
-/// The ellipses that are tried: from one in which a side is better bisected, to one in which few nodes are left to win.
+/// The ellipses that are tried: from one in which a side is better bisected, to one in which few nodes are
+/// left to win.
 constexpr std::array rhos{1.7, 2.1, 2.7, 3.5, 4.5, 6.0, 8.0, 11.0, 16.0, 24.0, 36.0, 60.0, 100.0};
 constexpr int first_rho = 3;
 
@@ -228,8 +229,8 @@ Enclosure integral_over_squares(std::span<const SquareFunction> functions, const
   expects(demand.radius > 0 && demand.work_limit >= 1, "radius > 0, work_limit >= 1",
           named("radius", demand.radius), named("work_limit", demand.work_limit));
   const long bits = BallPrecision::current();
-  // Half of the demand for the errors of rules and ranges, half for rounding. Of the errors' half, the cells that are open share
-  // out one half of what is left, so that the whole is never spent.
+  // Half of the demand for the errors of rules and ranges, half for rounding. Of the errors' half, the cells
+  // that are open share out one half of what is left, so that the whole is never spent.
   double left = demand.radius / 2;
   Ball total;
   long evaluations = 0;

@@ -11,11 +11,11 @@ namespace radcert {
 
 /// An expression made ready for many points in double precision.
 /// Maths     out[i] = expression at (x[i], y[i], z[i]), or at r[i]
-/// Source    -
 /// Requires  evaluate(): spans of the same length and the variables of the expression, else
 ///           ContractViolation; out overlaps no other span
 /// Result    the same bits as Expression::evaluate<double> at each point
-/// Limits    only an expression of unusual depth allocates: evaluate() once a call, at() where its stack is higher than 96
+/// Limits    only an expression of unusual depth allocates: evaluate() once a call, at() where its stack is
+///           higher than 96
 class CompiledExpression {
 public:
   explicit CompiledExpression(const Expression& expression);

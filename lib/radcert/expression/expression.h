@@ -20,12 +20,11 @@
 namespace radcert {
 
 /// The names that an expression may use for its arguments.
-/// Maths     space: a function of the point (x, y, z);  radius: a function of the distance r;  barycentric: a function of the
-///           point (x1, x2, x3) of a triangle
+/// Maths     space: a function of the point (x, y, z);  radius: a function of the distance r;  barycentric: a
+///           function of the point (x1, x2, x3) of a triangle
 /// Source    the file formats
 /// Requires  nothing
 /// Result    the order of the values given to evaluate()
-/// Limits    none
 enum class ExpressionVariables : std::uint8_t { space, radius, barycentric };
 
 /// "x", "y", "z" or "r" or "x1", "x2", "x3".
@@ -62,11 +61,9 @@ enum class ExpressionKind : std::uint8_t {
 
 /// A node of an expression's tree.
 /// Maths     literal: the number; variable: the index into names(); one operand: left; two: left and right
-/// Source    -
 /// Requires  left and right are the places of earlier nodes, -1 where there is no such operand
 /// Result    whole_exponent is filled in by Expression: n, where a power's exponent is written as a whole
 ///           number n, |n| < 10^6; the power is then evaluated by multiplication
-/// Limits    none
 struct ExpressionNode {
   ExpressionKind kind = ExpressionKind::literal;
   int left = -1;

@@ -11,8 +11,6 @@
 namespace radcert {
 
 /// Why a text is not an expression.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    column: counted in bytes from 1, one past the end where the text stops too early; message: what
 ///           was expected or is wrong there

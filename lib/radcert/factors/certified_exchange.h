@@ -25,8 +25,8 @@ struct CertifiedDemand {
 /// Requires  triangles of this scene, and their pair
 /// Result    an enclosure at the current precision, always; a shadow that is not enclosed within the work
 ///           limit counts with what was reached, and then with [0, E]
-/// Limits    wide where shadows of several solids fall on one another: of one group, what the smaller ones keep
-///           back is not known
+/// Limits    wide where shadows of several solids fall on one another: of one group, what the smaller ones
+///           keep back is not known
 [[nodiscard]] Ball certified_exchange_area(const FacetScene& scene, std::size_t first, std::size_t second,
                                            const FacetPair& pair, const CertifiedDemand& demand);
 

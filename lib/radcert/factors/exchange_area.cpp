@@ -44,8 +44,9 @@ const EdgeRule& edge_rule() {
   return rule;
 }
 
-/// Int_0^1 I(s) ds for one pair of edges; the unit of length is near the largest distance. The inner integral is that over b: of the
-/// difference of two antiderivatives rounding leaves an error over |b|, which the longer edge keeps small.
+/// Int_0^1 I(s) ds for one pair of edges; the unit of length is near the largest distance. The inner integral
+/// is that over b: of the difference of two antiderivatives rounding leaves an error over |b|, which the
+/// longer edge keeps small.
 class EdgePair {
 public:
   EdgePair(const Point& difference, const Point& a, const Point& b)
@@ -89,7 +90,8 @@ private:
   /// enough by sixteen times.
   static constexpr double acceptance = 16 * tolerance;
 
-  /// Of a rule on all of [0,1]: the logarithms and angles err by a few roundings, tau and rho by those of the unit of length.
+  /// Of a rule on all of [0,1]: the logarithms and angles err by a few roundings, tau and rho by those of the
+  /// unit of length.
   [[nodiscard]] double rounded() const { return 4 * rounding * (largest_ + 1) / length_; }
 
   Pack antiderivative(const Pack& tau, const Pack& rho) {
@@ -116,8 +118,8 @@ private:
     const double high = by_rule(middle, to);
     const double difference = std::abs(low + high - whole);
     if (difference <= acceptance) return {low + high, difference / 4};
-    // Two values that differ by no more than their roundings do not come nearer to each other: what the rules differ by without
-    // rounding is at most four times a rule's.
+    // Two values that differ by no more than their roundings do not come nearer to each other: what the rules
+    // differ by without rounding is at most four times a rule's.
     const double rounded_here = (to - from) * rounded();
     if (difference <= 2 * rounded_here) return {low + high, rounded_here};
     // That a quarter will do is not known where the cells are not what the argument takes them for.
@@ -277,9 +279,9 @@ Approximation exchange_area_by_rules(const FacetCorners& first, const FacetCorne
     sum += Pack(from.weight[i]) * inner;
   }
   const double value = std::max(sum.sum() / std::numbers::pi, 0.0);
-  // Near a plane of grazing both cosines cancel: the roundings are those of cosines of size one. A cross product of
-  // differences up to 2 r errs by 32 units of r^2, of which a vector area takes half for each triangle: of a sliver that is much,
-  // in the normal as in the weights.
+  // Near a plane of grazing both cosines cancel: the roundings are those of cosines of size one. A cross
+  // product of differences up to 2 r errs by 32 units of r^2, of which a vector area takes half for each
+  // triangle: of a sliver that is much, in the normal as in the weights.
   const auto relative = [](const FacetCorners& polygon, double radius, double area) {
     return static_cast<double>(polygon.size() - 2) * radius * radius / area;
   };

@@ -20,14 +20,13 @@ struct Screen {
 };
 
 /// A receiver, a source, and what may stand between them.
-/// Maths     screens: occluders cut off at the planes of receiver and source. A point Q of the source is hidden from P of the receiver
-///           where the segment from P to Q crosses a screen: what lies behind either plane meets no such segment
-/// Source    -
+/// Maths     screens: occluders cut off at the planes of receiver and source. A point Q of the source is
+///           hidden from P of the receiver where the segment from P to Q crosses a screen: what lies behind
+///           either plane meets no such segment
 /// Requires  receiver and source wholly in front of each other's planes, rounding apart; unit normals
-/// Result    (p - origin) / unit for each corner p, origin a corner of the receiver and unit a power of two near the largest
-///           distance: within 2^-53 of its length, but for corners that a plane cuts off. Heights above either plane within
-///           some roundings of the largest distance count as none
-/// Limits    -
+/// Result    (p - origin) / unit for each corner p, origin a corner of the receiver and unit a power of two
+///           near the largest distance: within 2^-53 of its length, but for corners that a plane cuts off.
+///           Heights above either plane within some roundings of the largest distance count as none
 struct ExchangeGeometry {
   FacetCorners receiver;
   FacetCorners source;
@@ -48,8 +47,8 @@ struct Facing {
                                                  const std::vector<std::size_t>& occluders);
 
 /// Lambert's flux of a polygon as seen from `at`.
-/// Maths     Int cos dw = -1/2 sum of gamma m . n over the sides, gamma the angle of a side and m the unit normal of its plane
-///           through the point, out of the pyramid
+/// Maths     Int cos dw = -1/2 sum of gamma m . n over the sides, gamma the angle of a side and m the unit
+///           normal of its plane through the point, out of the pyramid
 /// Source    Lambert, Photometria
 /// Requires  a polygon in front of the point's plane, counterclockwise as seen from the point; a unit normal
 /// Result    right to some roundings of 1
@@ -57,8 +56,8 @@ struct Facing {
                                   const Vector<double>& unit_normal);
 
 /// What points see of a source past screens, with room that is used again from point to point.
-/// Maths     f(P): polygon_flux of what is left of the source when for each screen the part in the pyramid from P over it is
-///           taken away, convex piece by convex piece
+/// Maths     f(P): polygon_flux of what is left of the source when for each screen the part in the pyramid
+///           from P over it is taken away, convex piece by convex piece
 /// Source    polygon_flux
 /// Requires  the geometry outlives it
 /// Result    right to some 1e-15, however the pieces fall

@@ -213,7 +213,8 @@ Point unit_vector(const Vector<Rational>& direction) {
   return (1 / norm(v)) * v;
 }
 
-/// What of a polygon lies in front of a plane; which corners do is exact, and those cut off are exact points rounded.
+/// What of a polygon lies in front of a plane; which corners do is exact, and those cut off are exact points
+/// rounded.
 FacetCorners in_front(const FacetCorners& polygon, const std::array<Point, 3>& plane) {
   std::vector<int> side;
   for (const Point& p : polygon) side.push_back(side_of(plane, p));
@@ -502,8 +503,8 @@ bool FacetScene::hides(const ConvexOccluder& occluder, std::size_t first, std::s
 
 bool FacetScene::may_hide_together(std::size_t occluder, std::size_t other, std::size_t first,
                                    std::size_t second) const {
-  // A segment through X of the one lies in the hulls of it and either triangle. What a plane has on its other side these do not
-  // meet inside.
+  // A segment through X of the one lies in the hulls of it and either triangle. What a plane has on its other
+  // side these do not meet inside.
   const auto apart_from = [&](const FacetCorners& one, const FacetCorners& two, std::size_t triangle) {
     FacetCorners hull = facet(triangle);
     hull.insert(hull.end(), one.begin(), one.end());

@@ -45,11 +45,13 @@ struct FacetPair {
 };
 
 /// Why doubles cannot carry exchange areas of a mesh, if so.
-/// Maths     products of six lengths, and of two areas over a squared length, must not leave the range of doubles
+/// Maths     products of six lengths, and of two areas over a squared length, must not leave the range of
+///           doubles
 /// Source    IEEE 754
 /// Requires  finite coordinates, at least one triangle, none degenerate
-/// Result    words with numbers where the box about all triangles is longer than 2^100 or shorter than 2^-100 in all directions, or
-///           where a triangle has less than 2^-200 of the square of that length; exact but for a factor of 2
+/// Result    words with numbers where the box about all triangles is longer than 2^100 or shorter than 2^-100
+///           in all directions, or where a triangle has less than 2^-200 of the square of that length; exact
+///           but for a factor of 2
 [[nodiscard]] std::optional<std::string> beyond_doubles(const TriangleMesh& mesh);
 
 /// A scene made ready for exchange areas between its triangles.
@@ -60,7 +62,6 @@ struct FacetPair {
 ///           lies in it or outside: in it, if no corner is in front of a face's plane and not all are in the
 ///           plane. From outside to inside each segment meets the body's surface: the pair is hidden; between
 ///           two points inside none does, for the body is convex: its faces are no occluders of the pair
-/// Source    -
 /// Requires  the scene has no faults (scene_faults), else pairs may be called whole that are not;
 ///           !beyond_doubles(mesh), else ContractViolation
 /// Result    pair(): every decision exact for the given doubles; corners that a plane cuts off are rounded.
@@ -97,8 +98,8 @@ public:
     return bodies_of_[triangle];
   }
   [[nodiscard]] FacetPair pair(std::size_t first, std::size_t second) const;
-  /// Whether a segment between two triangles may meet two occluders: false only where a plane shows that those which meet one of
-  /// them, up to a set without measure, pass by the other.
+  /// Whether a segment between two triangles may meet two occluders: false only where a plane shows that
+  /// those which meet one of them, up to a set without measure, pass by the other.
   [[nodiscard]] bool may_hide_together(std::size_t occluder, std::size_t other, std::size_t first,
                                        std::size_t second) const;
 

@@ -118,8 +118,8 @@ Approximation quotient(const Approximation& exchange, const Approximation& area)
   return {value, abs(ball_of(exchange) / ball_of(area) - Ball(value)).upper_double()};
 }
 
-/// A bound of |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J) for these doubles: in double the products of which it is the difference would
-/// be rounded to the same number.
+/// A bound of |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J) for these doubles: in double the products of which it is
+/// the difference would be rounded to the same number.
 double reciprocity_defect(double area, double factor, double other_area, double back) {
   const Ball difference = Ball(area) * Ball(factor) - Ball(other_area) * Ball(back);
   return (abs(difference) / sqrt(Ball(area) * Ball(other_area))).upper_double();

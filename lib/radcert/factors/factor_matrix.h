@@ -50,12 +50,9 @@ struct FactorRow {
 /// The configuration factors of a scene.
 /// Maths     F_IJ = E_IJ / A_I, E_IJ = sum of the direct exchange areas of the triangles of I and J, A_I the
 ///           sum of their areas; to_space = 1 - sum_J F_IJ
-/// Source    -
-/// Requires  -
 /// Result    entries by rows, then columns. Each E_ij with i < j is computed once, so that A_I F_IJ = A_J
 ///           F_JI by construction, and nothing is adjusted afterwards: closure, |sum_J F_IJ - 1| in a closed
 ///           scene, is a check. guaranteed: radii are proved
-/// Limits    -
 struct FactorMatrix {
   bool guaranteed = false;
   std::vector<ConfigurationFactor> entries;
@@ -95,15 +92,14 @@ struct FactorPlan {
 /// Source    exchange_area, visible_exchange_area; certified: certified_exchange_area
 /// Requires  triangles that are there
 /// Result    mixed pairs: to accuracy A_i A_j / A, A the scene's area, which gives each row a radius of about
-///           `accuracy`, unless cells or work are used up: then a wider one. Exactly 0 with radius 0 where nothing is seen. certified: the
-///           radius is proved, however wide; a shadow is driven to the same accuracy, or to its limit of work
-/// Limits    -
+///           `accuracy`, unless cells or work are used up: then a wider one. Exactly 0 with radius 0 where
+///           nothing is seen. certified: the radius is proved, however wide; a shadow is driven to the same
+///           accuracy, or to its limit of work
 [[nodiscard]] PairExchange pair_exchange(const FacetScene& scene, std::size_t first, std::size_t second,
                                          const FactorDemand& demand);
 
 /// All factors between units.
 /// Maths     FactorMatrix
-/// Source    -
 /// Requires  of_triangle has a unit below names.size() for each triangle, each unit a triangle, else
 ///           ContractViolation
 /// Result    the same bits for any number of threads, and whether rows came from the store or not;

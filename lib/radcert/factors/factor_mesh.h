@@ -14,10 +14,7 @@ namespace radcert {
 
 /// Plane triangles that light meets, with names.
 /// Maths     (v_2 - v_1) x (v_3 - v_1) points to where light travels
-/// Source    -
-/// Requires  -
 /// Result    piece numbers piece_names; the mesh has its groups
-/// Limits    -
 struct FactorMesh {
   TriangleMesh mesh;
   std::vector<std::size_t> piece;

@@ -8,8 +8,8 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/enclosure/polygon_integral.h"
-#include "radcert/scalar/real.h"
 #include "radcert/scalar/functions/taylor_model.h"
+#include "radcert/scalar/real.h"
 
 namespace radcert {
 

@@ -81,8 +81,8 @@ void SightEvents::add_corners_of_source() {
   for (std::size_t k = 0; k < count; ++k) add_side(k, (k + 1) % count, of_source);
 }
 
-/// Which screens may hide something; whether one hides all. The sides of a polygon counterclockwise as seen from P have what is
-/// inside on their negative side.
+/// Which screens may hide something; whether one hides all. The sides of a polygon counterclockwise as seen
+/// from P have what is inside on their negative side.
 bool SightEvents::list_screens(const std::vector<std::size_t>& screens, CellSight& out) {
   const std::size_t source_sides = sides_.size();
   facing_.clear();
@@ -164,7 +164,8 @@ void SightEvents::find_sides(const CellSight& listed) {
   }
 }
 
-/// Whether the source lies within all sides of a convex body whose faces keep their facing on the cell: then these bound its picture.
+/// Whether the source lies within all sides of a convex body whose faces keep their facing on the cell: then
+/// these bound its picture.
 bool SightEvents::body_hides() const {
   const std::size_t source_sides = geometry_.source.size();
   for (std::size_t begin = source_sides; begin < sides_.size();) {
@@ -180,8 +181,8 @@ bool SightEvents::body_hides() const {
   return false;
 }
 
-/// What lies inside all sides of a solid's picture, from all points of the cell, is not seen. A side is hidden if both its ends lie
-/// inside one picture.
+/// What lies inside all sides of a solid's picture, from all points of the cell, is not seen. A side is
+/// hidden if both its ends lie inside one picture.
 void SightEvents::mark_hidden() {
   const std::size_t source_sides = geometry_.source.size();
   signs_.clear();
@@ -231,8 +232,9 @@ void SightEvents::drop_sides_apart() {
   }
 }
 
-/// Whether the corner is in line with a point of the side, from a point of the cell where it is in line with the side's line. There
-/// V - P = a (A - P) + b (B - P), and the signs of a and b change only where P passes lines of the plane through all of them.
+/// Whether the corner is in line with a point of the side, from a point of the cell where it is in line with
+/// the side's line. There V - P = a (A - P) + b (B - P), and the signs of a and b change only where P passes
+/// lines of the plane through all of them.
 bool SightEvents::passes_within(const Corner& corner, const Side& side) const {
   const Point& a = corners_[side.from].at;
   const Point& b = corners_[side.to].at;

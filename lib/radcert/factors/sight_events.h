@@ -30,21 +30,26 @@ struct CellSight {
 };
 
 /// Where on a receiver the view of a source past screens may change its kind.
-/// Maths     From P the border of what is seen consists of parts of sides of the source and of screens, its corners are corners of
-///           either or crossings of two sides. So f(P) is analytic but where three sides meet in one direction: where a corner
-///           passes over a side, det(V - P, A - P, B - P) = 0, which is linear in P; where three sides of different solids
-///           cross, det(m_1, m_2, m_3) = 0 with m_i = (A_i - P) x (B_i - P), a cubic; and where P passes through the plane of a
-///           screen that cuts the source. Past such an event f goes on as another analytic function: the difference is
-///           the flux of the small triangle that the three planes through P form, `change` its largest value at the cell's corners and centre
-/// Source    the events of visibility: Plantinga & Dyer, Visibility, occlusion, and the aspect graph, 1990; Durand's visibility skeleton, 1997
+/// Maths     From P the border of what is seen consists of parts of sides of the source and of screens, its
+///           corners are corners of either or crossings of two sides. So f(P) is analytic but where three
+///           sides meet in one direction: where a corner passes over a side, det(V - P, A - P, B - P) = 0,
+///           which is linear in P; where three sides of different solids cross, det(m_1, m_2, m_3) = 0 with
+///           m_i = (A_i - P) x (B_i - P), a cubic; and where P passes through the plane of a screen that cuts
+///           the source. Past such an event f goes on as another analytic function: the difference is the
+///           flux of the small triangle that the three planes through P form, `change` its largest value at
+///           the cell's corners and centre
+/// Source    the events of visibility: Plantinga & Dyer, Visibility, occlusion, and the aspect graph, 1990;
+///           Durand's visibility skeleton, 1997
 /// Requires  the geometry outlives it; cells on the receiver
-/// Result    of(cell, screens): no event of those screens is left out that lies inside the cell, up to rounding. A linear form keeps its
-///           sign on the cell if it does at the corners; a cubic does if its Bernstein coefficients have one sign. Left out are sides
-///           that are not over the source from any point of the cell, sides between two faces that both look at it or
-///           neither, pairs of sides that do not cross, and events in the inside of the picture that a solid has from all
-///           points: there nothing is seen, whatever stands before or behind. screens: those whose picture no side of it or
-///           of the source parts from that of the source, for all P at once
-/// Limits    other events that cannot be seen count as well. Where lines alone come to the whole flux, the rest is not looked for
+/// Result    of(cell, screens): no event of those screens is left out that lies inside the cell, up to
+///           rounding. A linear form keeps its sign on the cell if it does at the corners; a cubic does if
+///           its Bernstein coefficients have one sign. Left out are sides that are not over the source from
+///           any point of the cell, sides between two faces that both look at it or neither, pairs of sides
+///           that do not cross, and events in the inside of the picture that a solid has from all points:
+///           there nothing is seen, whatever stands before or behind. screens: those whose picture no side of
+///           it or of the source parts from that of the source, for all P at once
+/// Limits    other events that cannot be seen count as well. Where lines alone come to the whole flux, the
+///           rest is not looked for
 class SightEvents {
 public:
   explicit SightEvents(const ExchangeGeometry& geometry) : geometry_(geometry) {}

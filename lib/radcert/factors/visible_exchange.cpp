@@ -39,7 +39,8 @@ struct Cell {
   }
 };
 
-/// The triangles of a convex polygon on both sides of a line; the polygon's own where it does not pass through.
+/// The triangles of a convex polygon on both sides of a line; the polygon's own where it does not pass
+/// through.
 void part(const ReceiverCell& cell, const EventLine& line, std::vector<ReceiverCell>& out) {
   std::array<double, 3> height{};
   bool above = false;

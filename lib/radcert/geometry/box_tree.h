@@ -30,16 +30,18 @@ template <std::size_t count>
 
 /// A tree of boxes about the triangles of a mesh, for questions that most boxes answer.
 /// Maths     each node's box holds those below it; halves at the median of the widest side
-/// Source    in place of CGAL's AABB_tree, which tests closed segments: it hides what ends on a triangle, or must list all that is met
+/// Source    in place of CGAL's AABB_tree, which tests closed segments: it hides what ends on a triangle, or
+///           must list all that is met
 /// Requires  finite coordinates
-/// Result    visit() shows every triangle whose box and all boxes above it `accept` lets pass, always in the same order: the boxes
-///           are exact, so nothing is lost where accept refuses only what it may
+/// Result    visit() shows every triangle whose box and all boxes above it `accept` lets pass, always in the
+///           same order: the boxes are exact, so nothing is lost where accept refuses only what it may
 /// Limits    decides nothing about the triangles themselves
 class BoxTree {
 public:
   explicit BoxTree(const TriangleMesh& mesh);
 
-  /// accept(box) -> whether to look into it; found(triangle) -> whether to go on. Whether found never said no.
+  /// accept(box) -> whether to look into it; found(triangle) -> whether to go on. Whether found never said
+  /// no.
   template <class Accept, class Found>
   bool visit(Accept&& accept, Found&& found) const {
     for (std::size_t k = 0; k < nodes_.size();) {
@@ -59,7 +61,8 @@ public:
   [[nodiscard]] const Box& box() const;
 
 private:
-  /// In the order of a walk, the first child behind its parent; `next` skips what is below. Leaves alone have triangles.
+  /// In the order of a walk, the first child behind its parent; `next` skips what is below. Leaves alone have
+  /// triangles.
   struct Node {
     Box box;
     std::size_t next = 0;

@@ -12,7 +12,8 @@
 namespace radcert {
 
 /// A vector of double-doubles.
-/// Result    of a product of two: about 2^-100 of the product of their lengths, beside the rounding to the two doubles
+/// Result    of a product of two: about 2^-100 of the product of their lengths, beside the rounding to the
+///           two doubles
 struct DoubleDoubleVector {
   std::array<double, 3> head{};
   std::array<double, 3> tail{};
@@ -28,8 +29,8 @@ inline DoubleDoubleVector double_double(const Vector<Mpfr<50>>& a) {
   return result;
 }
 
-/// p - a, within 2^-105 (|p| + |a|), and the head within 2^-53 of itself and that: where p and a are close, the tail of a may be of the
-/// size of the difference of the heads.
+/// p - a, within 2^-105 (|p| + |a|), and the head within 2^-53 of itself and that: where p and a are close,
+/// the tail of a may be of the size of the difference of the heads.
 inline DoubleDoubleVector difference(const std::array<double, 3>& p, const DoubleDoubleVector& a) {
   DoubleDoubleVector result;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -42,7 +43,8 @@ inline DoubleDoubleVector difference(const std::array<double, 3>& p, const Doubl
 }
 
 /// direction . difference: the products and sums of the heads are exact, the tails' are rounded.
-inline DoubleDouble product_in_double_double(const DoubleDoubleVector& direction, const DoubleDoubleVector& difference) {
+inline DoubleDouble product_in_double_double(const DoubleDoubleVector& direction,
+                                             const DoubleDoubleVector& difference) {
   double sum = 0;
   double tail = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -56,16 +58,18 @@ inline DoubleDouble product_in_double_double(const DoubleDoubleVector& direction
 }
 
 /// What product_in_double_double, as two doubles, is off by.
-/// Maths     Let m bound the sum of the largest coordinates whose difference was taken, and |direction| <= 1. What is added up in
-///           `tail` is at most (2 + 1 + 2 + 1) sqrt(3) 2^-53 m: the roundings of two sums and of three products, and the
-///           products with either tail. Each part of it suffers at most five roundings. The products of two tails, and what is
-///           wrong with the tails themselves, are at most 11 2^-106 m. Together less than 40 2^-106 (3 m)
-/// Requires  size >= 3 m |direction|; or, where the second factor is an exact vector, size >= the product of the lengths.
-///           size >= 1e-200: then nothing is lost by underflow
+/// Maths     Let m bound the sum of the largest coordinates whose difference was taken, and |direction| <= 1.
+///           What is added up in `tail` is at most (2 + 1 + 2 + 1) sqrt(3) 2^-53 m: the roundings of two sums
+///           and of three products, and the products with either tail. Each part of it suffers at most five
+///           roundings. The products of two tails, and what is wrong with the tails themselves, are at most
+///           11 2^-106 m. Together less than 40 2^-106 (3 m)
+/// Requires  size >= 3 m |direction|; or, where the second factor is an exact vector, size >= the product of
+///           the lengths. size >= 1e-200: then nothing is lost by underflow
 inline double product_error(double size) { return 40 * 0x1p-106 * size; }
 
 /// The head alone: rounded once more. Requires what product_error does.
-inline BoundedDouble product(const DoubleDoubleVector& direction, const DoubleDoubleVector& difference, double size) {
+inline BoundedDouble product(const DoubleDoubleVector& direction, const DoubleDoubleVector& difference,
+                             double size) {
   const double value = product_in_double_double(direction, difference).head;
   return {value, 0x1.04p-53 * std::abs(value) + product_error(size)};
 }

@@ -30,7 +30,8 @@ constexpr std::size_t most_told = 100;
   throw InputError({.pointer = face, .problem = problem, .allowed = allowed});
 }
 
-/// The corners on a coordinate plane, the coordinate `left_out`; the order keeps the sense of rotation, or `turned` reverses it.
+/// The corners on a coordinate plane, the coordinate `left_out`; the order keeps the sense of rotation, or
+/// `turned` reverses it.
 std::vector<PlanePoint> projection(const std::vector<Vector<double>>& corners, std::size_t left_out,
                                    bool turned) {
   std::vector<PlanePoint> points;
@@ -106,8 +107,9 @@ std::optional<std::vector<VertexTriple>> ears(const std::vector<PlanePoint>& poi
   return triangles;
 }
 
-/// Triangles of a face: ears in the coordinate plane in which it is largest, or in another where rounding misled about that. In the
-/// plane of the face a polygon is simple and runs one way round if its image is and does.
+/// Triangles of a face: ears in the coordinate plane in which it is largest, or in another where rounding
+/// misled about that. In the plane of the face a polygon is simple and runs one way round if its image is and
+/// does.
 std::optional<std::vector<VertexTriple>> face_ears(const std::vector<Vector<double>>& corners) {
   double largest = 0;
   for (const Vector<double>& p : corners)
@@ -175,7 +177,8 @@ std::string bend_text(const std::vector<Vector<double>>& corners) {
   const Rational diagonal = dot(high - low, high - low);
   std::string out = length_text(farthest) + ", which is " + length_text(farthest / diagonal) +
                     " of the diagonal of its box";
-  // Rounding moves a coordinate by half a unit in the last place of the largest at most: both corner and plane.
+  // Rounding moves a coordinate by half a unit in the last place of the largest at most: both corner and
+  // plane.
   const Rational unit = Rational::exactly(largest) / power(Rational(2), 53);
   if (farthest <= square(4 * unit)) out += ", as rounding to double leaves of a plane face";
   return out;

@@ -26,7 +26,8 @@ public:
     for (std::size_t k = 0; k < t_.triangles.size(); ++k) add_sides(k);
   }
 
-  /// Bisects a triangle at its longest side; first, until that is the longest side of both, the neighbour there.
+  /// Bisects a triangle at its longest side; first, until that is the longest side of both, the neighbour
+  /// there.
   void bisect(std::size_t triangle) {
     std::vector<std::size_t> chain{triangle};
     while (!chain.empty()) {

@@ -11,15 +11,15 @@
 namespace radcert {
 
 /// What is wrong with a mesh beside what its topology shows.
-/// Maths     crossing: pairs of triangles that have more in common than a shared side or vertex, overlapping and equal ones included
+/// Maths     crossing: pairs of triangles that have more in common than a shared side or vertex, overlapping
+///           and equal ones included
 /// Source    CGAL, exact predicates, boxes sorted in space
-/// Requires  -
-/// Result    exact for the given doubles, sorted. Vertices with equal coordinates count as shared. crossing holds most_crossings pairs
-///           where there are more
+/// Result    exact for the given doubles, sorted. Vertices with equal coordinates count as shared. crossing
+///           holds most_crossings pairs where there are more
 /// Limits    degenerate triangles are left out of crossing
 struct MeshDefects {
-  std::vector<std::pair<std::size_t, std::size_t>>
-      duplicate_vertices;  ///< a vertex, and an earlier one with its coordinates
+  /// A vertex, and an earlier one with its coordinates
+  std::vector<std::pair<std::size_t, std::size_t>> duplicate_vertices;
   std::vector<std::size_t> unreferenced_vertices;
   std::vector<std::size_t> degenerate_triangles;  ///< corners on one line
   std::vector<std::pair<std::size_t, std::size_t>> crossing;

@@ -14,9 +14,10 @@ namespace radcert {
 
 /// How finely a file gives its coordinates.
 /// Maths     a coordinate stands for any number within `unit` of it
-/// Source    half a unit in the last place of a 32-bit float or a double, or of the last printed digit; of the largest coordinate
-/// Requires  -
-/// Result    for text the number of digits is that of the coordinate printed with the most: %g drops zeros at the end
+/// Source    half a unit in the last place of a 32-bit float or a double, or of the last printed digit; of
+///           the largest coordinate
+/// Result    for text the number of digits is that of the coordinate printed with the most: %g drops zeros at
+///           the end
 /// Limits    a guess at what the author rounded, for judging how large a defect is; no decision depends on it
 struct CoordinatePrecision {
   double unit = 0;
@@ -25,10 +26,8 @@ struct CoordinatePrecision {
 
 /// Faces of any number of corners, as a mesh file has them.
 /// Maths     face k has the corners corner[face_begin[k]], ..., corner[face_begin[k+1] - 1]
-/// Source    -
-/// Requires  -
-/// Result    as in the file; the corners of an STL file joined where their coordinates are equal. Every index is below
-///           vertices.size(), and a face has at least three different corners, none twice
+/// Result    as in the file; the corners of an STL file joined where their coordinates are equal. Every index
+///           is below vertices.size(), and a face has at least three different corners, none twice
 /// Limits    texture, colours and normals are left out
 struct MeshFile {
   std::string format;  ///< "OFF", "OBJ", "PLY, ASCII", "PLY, binary", "STL, ASCII", "STL, binary"
@@ -49,14 +48,15 @@ struct MeshFile {
 };
 
 /// A mesh from a file.
-/// Maths     none
-/// Source    the formats OFF (Geomview), OBJ (Wavefront), PLY (Stanford) and STL (3D Systems); own readers: those of CGAL give no
-///           line of what is wrong, no group, no number of printed digits
+/// Source    the formats OFF (Geomview), OBJ (Wavefront), PLY (Stanford) and STL (3D Systems); own readers:
+///           those of CGAL give no line of what is wrong, no group, no number of printed digits
 /// Requires  a name that ends in .off, .obj, .ply or .stl
-/// Result    OBJ: groups from o, g and usemtl, joined by "/"; STL: from solid. InputError with the file, the line or byte, the value
-///           and what is allowed: for words that are no decimal number, numbers that are not finite, beyond 1e60 or so small that a
-///           double holds 0 in their place, lines with more or fewer numbers than their kind has, for faces with a corner that is missing, repeated
-///           or not there, for a file without faces, a text that is no STL, a file that ends too early or goes on too long
+/// Result    OBJ: groups from o, g and usemtl, joined by "/"; STL: from solid. InputError with the file, the
+///           line or byte, the value and what is allowed: for words that are no decimal number, numbers that
+///           are not finite, beyond 1e60 or so small that a double holds 0 in their place, lines with more or
+///           fewer numbers than their kind has, for faces with a corner that is missing, repeated or not
+///           there, for a file without faces, a text that is no STL, a file that ends too early or goes on
+///           too long
 /// Limits    files up to 4 GiB; OFF and OBJ as text, a vertex or a face a line
 [[nodiscard]] MeshFile read_mesh_file(const std::filesystem::path& path);
 

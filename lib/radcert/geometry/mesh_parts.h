@@ -12,15 +12,11 @@
 namespace radcert {
 
 /// What the readers of mesh files build: a MeshFile, checked as it grows.
-/// Maths     none
-/// Source    -
-/// Requires  -
 /// Result    place: "line 12" or "byte 84"; every refusal is an InputError without a source
-/// Limits    -
 class MeshBuilder {
 public:
-  /// A coordinate from text: a decimal number with one sign at most. Refuses everything else, what is not finite, beyond the
-  /// largest or lost to underflow, and counts its digits.
+  /// A coordinate from text: a decimal number with one sign at most. Refuses everything else, what is not
+  /// finite, beyond the largest or lost to underflow, and counts its digits.
   double coordinate(std::string_view text, const std::string& place);
   /// A coordinate from a binary file.
   double coordinate(double value, const std::string& place) const;
@@ -45,11 +41,8 @@ private:
 };
 
 /// A text's words, line by line.
-/// Maths     none
-/// Source    -
 /// Requires  the text outlives the reader
 /// Result    lines end at LF or CRLF; words are parted by blanks and tabs; `#` begins a comment where asked
-/// Limits    -
 class TextLines {
 public:
   explicit TextLines(std::string_view text, char comment) : rest_(text), comment_(comment) {}

@@ -8,8 +8,8 @@
 namespace radcert {
 
 /// Sizes and shapes of a mesh's triangles.
-/// Maths     angles in degrees; aspect = longest side / (2 sqrt(3) times the radius of the inscribed circle), 1 for equal sides
-/// Source    -
+/// Maths     angles in degrees; aspect = longest side / (2 sqrt(3) times the radius of the inscribed circle),
+///           1 for equal sides
 /// Requires  at least one triangle
 /// Result    rounded; degenerate triangles count for sides and diagonal only
 /// Limits    for people

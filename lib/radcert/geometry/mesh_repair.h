@@ -32,12 +32,13 @@ inline constexpr std::array<std::string_view, 7> repair_words{
 [[nodiscard]] MeshRepair repair_named(std::span<const std::string> words);
 
 /// Mends a mesh, and says what was done.
-/// Maths     in the order of MeshRepair's members from `vertices` on; `triangulate` comes before there is a mesh of triangles
+/// Maths     in the order of MeshRepair's members from `vertices` on; `triangulate` comes before there is a
+///           mesh of triangles
 /// Source    holes: CGAL's triangulate_hole_polyline
-/// Requires  -
 /// Result    the mended mesh; done: one line for each thing that was changed, empty where nothing was
-/// Limits    triangles that close a hole may cross others again: look at the defects afterwards. A part of a surface that is not orientable is left as it is. Where a degenerate triangle
-///           is left out, its neighbours may no longer meet: look at the open edges
+/// Limits    triangles that close a hole may cross others again: look at the defects afterwards. A part of a
+///           surface that is not orientable is left as it is. Where a degenerate triangle is left out, its
+///           neighbours may no longer meet: look at the open edges
 struct MendedMesh {
   TriangleMesh mesh;
   std::vector<std::string> done;
@@ -45,7 +46,8 @@ struct MendedMesh {
 
 [[nodiscard]] MendedMesh mend(TriangleMesh mesh, const MeshRepair& repair);
 
-/// Triangles that close a line of open edges: places in `line`, turned as `line` runs; none where CGAL finds none.
+/// Triangles that close a line of open edges: places in `line`, turned as `line` runs; none where CGAL finds
+/// none.
 [[nodiscard]] std::vector<VertexTriple> hole_triangles(const std::vector<Vector<double>>& line);
 
 }  // namespace radcert

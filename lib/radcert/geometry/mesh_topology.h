@@ -27,13 +27,13 @@ struct TriangleSide {
 };
 
 /// How the triangles of a mesh fit together.
-/// Maths     two triangles are neighbours across an edge that is a side of exactly these two. characteristic = V - E + F over the
-///           vertices that triangles use; turned: the least set of triangles, component by component, whose reversal makes
-///           neighbours agree
-/// Source    -
+/// Maths     two triangles are neighbours across an edge that is a side of exactly these two. characteristic
+///           = V - E + F over the vertices that triangles use; turned: the least set of triangles, component
+///           by component, whose reversal makes neighbours agree
 /// Requires  triangles whose vertices differ; others are left out
-/// Result    edges in the order of their vertices; everything by the vertices' numbers alone, exact. component[t] numbers the sets that are
-///           connected through neighbours. crooked_edge: an edge that shows that no reversal makes neighbours agree
+/// Result    edges in the order of their vertices; everything by the vertices' numbers alone, exact.
+///           component[t] numbers the sets that are connected through neighbours. crooked_edge: an edge that
+///           shows that no reversal makes neighbours agree
 /// Limits    vertices with equal coordinates and different numbers are different vertices
 struct MeshTopology {
   std::vector<MeshEdge> edges;
@@ -46,10 +46,10 @@ struct MeshTopology {
   std::vector<std::size_t> open_edges;         ///< with one side
   std::vector<std::size_t> crowded_edges;      ///< with three sides or more
   std::vector<std::size_t> disagreeing_edges;  ///< with two sides that run the same way
-  std::vector<std::size_t>
-      pinched_vertices;  ///< whose triangles are not connected through neighbours around it
-  std::vector<std::vector<std::size_t>>
-      open_loops;                   ///< the open edges as lines of vertices, closed ones without repetition
+  /// Whose triangles are not connected through neighbours around it
+  std::vector<std::size_t> pinched_vertices;
+  /// The open edges as lines of vertices, closed ones without repetition.
+  std::vector<std::vector<std::size_t>> open_loops;
   std::vector<std::size_t> turned;  ///< triangles that disagree with the majority of their component
   std::optional<std::size_t> crooked_edge;
 
@@ -60,7 +60,8 @@ struct MeshTopology {
 
 [[nodiscard]] MeshTopology mesh_topology(const TriangleMesh& mesh);
 
-/// The sign of the volume within a closed mesh: 1 where its triangles run counterclockwise as seen from outside.
+/// The sign of the volume within a closed mesh: 1 where its triangles run counterclockwise as seen from
+/// outside.
 /// Maths     sign of sum over the triangles of det(v_1, v_2, v_3)
 /// Source    the divergence theorem
 /// Requires  a closed mesh whose triangles agree

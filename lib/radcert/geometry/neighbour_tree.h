@@ -14,9 +14,9 @@ namespace radcert {
 /// Maths     the points in the order of |p - x|
 /// Source    CGAL, dD Spatial Searching: orthogonal incremental neighbour search
 /// Requires  finite coordinates
-/// Result    visit(place, squared distance) for one point after the other, nearest first, until it returns false or all were visited. The
-///           order is that of the rounded squared distances, up to a factor 1 +- 2^-40; equally distant
-///           points come in an order of the tree's own
+/// Result    visit(place, squared distance) for one point after the other, nearest first, until it returns
+///           false or all were visited. The order is that of the rounded squared distances, up to a factor 1
+///           +- 2^-40; equally distant points come in an order of the tree's own
 /// Limits    immutable; shared by threads
 class NeighbourTree {
 public:

@@ -7,11 +7,11 @@
 namespace radcert {
 
 /// On which side of a plane a point lies.
-/// Maths     sign of det(b - a, c - a, d - a): positive where the triangle a, b, c runs counterclockwise as seen from d
+/// Maths     sign of det(b - a, c - a, d - a): positive where the triangle a, b, c runs counterclockwise as
+///           seen from d
 /// Source    CGAL, exact predicates behind floating-point filters
 /// Requires  finite coordinates
 /// Result    -1, 0 or 1, exact for these doubles
-/// Limits    -
 [[nodiscard]] int orientation(const Vector<double>& a, const Vector<double>& b, const Vector<double>& c,
                               const Vector<double>& d);
 
@@ -20,7 +20,6 @@ namespace radcert {
 /// Source    CGAL, exact predicates behind floating-point filters
 /// Requires  finite coordinates
 /// Result    -1, 0 or 1, exact for these doubles
-/// Limits    -
 [[nodiscard]] int orientation(const ParameterPoint<double>& a, const ParameterPoint<double>& b,
                               const ParameterPoint<double>& c);
 

@@ -16,11 +16,14 @@ using PolygonLoop = std::vector<ParameterPoint<Rational>>;
 /// Maths     { origin + s first + t second : (s,t) inside loops[0] and outside of the others };
 ///           its inner normal has the direction of first x second
 /// Source    the R_j of [ac98, (13)] under an affine F_j
-/// Requires  first, second independent; each loop simple, of at least three vertices, no two in a row equal, of nonzero area; the
-///           holes inside loops[0], outside of each other, no loop touching another. Loops may run either way
-/// Result    exact and immutable: loops()[0] runs counterclockwise in (s,t), the holes clockwise, so that the polygon lies to the
-///           left of all of them. plane_polygon() decides the requirements in exact arithmetic and says which is broken, and where
-/// Limits    three vertices in a row may lie on a line. first and second need be neither orthogonal nor of unit length
+/// Requires  first, second independent; each loop simple, of at least three vertices, no two in a row equal,
+///           of nonzero area; the holes inside loops[0], outside of each other, no loop touching another.
+///           Loops may run either way
+/// Result    exact and immutable: loops()[0] runs counterclockwise in (s,t), the holes clockwise, so that the
+///           polygon lies to the left of all of them. plane_polygon() decides the requirements in exact
+///           arithmetic and says which is broken, and where
+/// Limits    three vertices in a row may lie on a line. first and second need be neither orthogonal nor of
+///           unit length
 class PlanePolygon {
 public:
   [[nodiscard]] const Vector<Rational>& origin() const { return origin_; }
@@ -47,15 +50,16 @@ private:
   std::vector<PolygonLoop> loops_;
 };
 
-/// The polygon of these loops, or what is wrong with them: "loop 0: edges 0 and 2 cross", "loop 1 touches loop 0", ...
+/// The polygon of these loops, or what is wrong with them: "loop 0: edges 0 and 2 cross", "loop 1 touches
+/// loop 0", ...
 [[nodiscard]] Outcome<PlanePolygon> plane_polygon(const Vector<Rational>& origin,
                                                   const Vector<Rational>& first,
                                                   const Vector<Rational>& second,
                                                   std::vector<PolygonLoop> loops);
 
-/// The polygon with these corners in space; they are numbered counterclockwise as seen from the side of its inner normal.
+/// The polygon with these corners in space; they are numbered counterclockwise as seen from the side of its
+/// inner normal.
 /// Maths     origin = corners[0]; first, second along two edges from it that are not parallel
-/// Source    -
 /// Requires  as PlanePolygon; the corners in one plane exactly
 /// Result    the polygon, or what is wrong: "the corners 0, 1, 2 and 4 do not lie in one plane"
 /// Limits    one loop

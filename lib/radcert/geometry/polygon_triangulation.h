@@ -25,18 +25,20 @@ struct PolygonSide {
 };
 
 /// The triangulation of a polygon, with holes or without, by its own vertices.
-/// Maths     constrained Delaunay: of the triangulations that contain all sides the one whose least angles are largest
+/// Maths     constrained Delaunay: of the triangulations that contain all sides the one whose least angles
+///           are largest
 /// Source    CGAL, exact arithmetic
-/// Requires  -
 /// Result    conforming, as [m06, T1-T3] ask, and exact; the vertices are those of the loops, in their order
 /// Limits    as sharp as the polygon makes it: no vertex is added
 [[nodiscard]] PlaneTriangulation triangulate(const PlanePolygon& polygon);
 
 /// The same triangulation, finer toward chosen sides.
-/// Maths     `times` times every triangle with a vertex on a chosen side is bisected; a triangle is bisected at its longest side, and
-///           with it the neighbour there, after that was bisected until the side is its longest as well
+/// Maths     `times` times every triangle with a vertex on a chosen side is bisected; a triangle is bisected
+///           at its longest side, and with it the neighbour there, after that was bisected until the side is
+///           its longest as well
 /// Source    Rivara: longest-side bisection
-/// Requires  a conforming triangulation of the polygon; sides that are there, times >= 0, else ContractViolation
+/// Requires  a conforming triangulation of the polygon; sides that are there, times >= 0, else
+///           ContractViolation
 /// Result    conforming and exact: new vertices are the midpoints of sides, as rational numbers
 /// Limits    digits grow by a bit a bisection
 [[nodiscard]] PlaneTriangulation graded_toward(PlaneTriangulation triangulation, const PlanePolygon& polygon,

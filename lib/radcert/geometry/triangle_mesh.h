@@ -14,8 +14,8 @@ namespace radcert {
 using VertexTriple = std::array<std::size_t, 3>;
 
 /// A surface made of plane triangles.
-/// Maths     the union of the triangles with these vertices; the cross product (v_2 - v_1) x (v_3 - v_1) orients each
-/// Source    -
+/// Maths     the union of the triangles with these vertices; the cross product (v_2 - v_1) x (v_3 - v_1)
+///           orients each
 /// Requires  indices below vertices.size(), three different ones a triangle; group, face as long as triangles
 /// Result    plain data; the doubles are the exact coordinates
 /// Limits    says nothing of how the triangles fit together: see mesh_topology

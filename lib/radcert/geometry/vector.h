@@ -9,8 +9,6 @@ namespace radcert {
 
 /// A point or a vector of space, in any arithmetic.
 /// Maths     a . b, a x b, |a|
-/// Source    -
-/// Requires  -
 /// Result    coordinates in the unit of the surface; rounded as R rounds
 /// Limits    points and vectors are one type: the formulas of the papers subtract points freely
 template <Field R>

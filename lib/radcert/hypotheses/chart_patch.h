@@ -14,10 +14,7 @@ namespace radcert {
 
 /// A rectangle of the parameter plane, its ends exact.
 /// Maths     [s_low, s_high] x [t_low, t_high]
-/// Source    -
 /// Requires  ends that are whole multiples of a power of two, so that halves are exact
-/// Result    -
-/// Limits    -
 struct ParameterBox {
   double s_low = 0;
   double s_high = 1;
@@ -32,7 +29,8 @@ struct ParameterBox {
 };
 /// The smallest box about two.
 [[nodiscard]] ParameterBox hull(const ParameterBox& a, const ParameterBox& b);
-/// Whether a box has more than a point in common with a chart's domain; the whole of which is the box [0,1]^2.
+/// Whether a box has more than a point in common with a chart's domain; the whole of which is the box
+/// [0,1]^2.
 [[nodiscard]] bool meets(const ParameterBox& box, ChartDomain domain);
 /// Whether a point is one of the domain.
 [[nodiscard]] bool is_in_domain(const ParameterPoint<double>& at, ChartDomain domain);
@@ -40,10 +38,9 @@ struct ParameterBox {
 [[nodiscard]] ParameterPoint<Ball> ball_of(const ParameterBox& box);
 
 /// A chart over a box, enclosed.
-/// Maths     F, D_s F, D_t F and the inner area normal N over the box; the same at its centre; half the second derivatives, and
-///           the derivatives of N = +-D_s F x D_t F that follow from them
+/// Maths     F, D_s F, D_t F and the inner area normal N over the box; the same at its centre; half the
+///           second derivatives, and the derivatives of N = +-D_s F x D_t F that follow from them
 /// Source    Chart::frame, and chord_along with the step 0, which is D^2 F (d,d) / 2
-/// Requires  -
 /// Result    enclosed; balls have failed where the formula does not bound them
 /// Limits    curved: whether second derivatives are finite
 struct ChartPatch {

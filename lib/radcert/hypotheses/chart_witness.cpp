@@ -17,7 +17,8 @@ const WorkLimit lattice_points("hypotheses/chart_witness: points of the lattices
                                "fewer pairs of points are looked at: what they miss stays undecided");
 /// A product of a lattice below the rounding of its points in doubles would be confirmed by chance only.
 constexpr double rounding = 1e-13;
-/// Halvings of a step that is at most as long as the domain: beyond it doubles do not tell parameters apart well.
+/// Halvings of a step that is at most as long as the domain: beyond it doubles do not tell parameters apart
+/// well.
 const WorkLimit halvings("hypotheses/chart_witness: halvings of a step", 40, 0,
                          "no witness: the surface stays undecided");
 

@@ -29,7 +29,8 @@ std::string text(const Point& p) { return "(" + p.s.to_text() + ", " + p.t.to_te
 /// Border sides by where they begin.
 using Border = std::map<Point, Point, ByCoordinates>;
 
-/// Walks from one vertex of a loop to the next along border sides, which are taken away; what is wrong otherwise.
+/// Walks from one vertex of a loop to the next along border sides, which are taken away; what is wrong
+/// otherwise.
 std::string walk(Border& border, const Point& from, const Point& to) {
   Point here = from;
   while (!(here == to)) {

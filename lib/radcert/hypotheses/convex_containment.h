@@ -25,9 +25,8 @@ enum class Containment {
 /// Two points of S of which the second lies behind the first.
 /// Maths     (Q - P) . n < 0, where n is normal to S at P, inwards, and not of unit length
 /// Source    [m06, Lemma 1] needs (Q - P) . n_P >= 0 for all P, Q
-/// Requires  -
-/// Result    exact: P is the centroid of a triangle, Q a vertex of the mesh; whoever doubts it computes product anew from p, q and
-///           the triangle's vertices
+/// Result    exact: P is the centroid of a triangle, Q a vertex of the mesh; whoever doubts it computes
+///           product anew from p, q and the triangle's vertices
 /// Limits    one pair of many: the one whose Q lies deepest behind P's plane
 struct ContainmentWitness {
   std::size_t triangle = 0;
@@ -39,10 +38,11 @@ struct ContainmentWitness {
 };
 
 /// Two points of a surface of charts of which the second lies behind the first.
-/// Maths     (Q - P) . n < 0 with P = F_chart(at), Q likewise, n the inner normal at P with the length of the area element
+/// Maths     (Q - P) . n < 0 with P = F_chart(at), Q likewise, n the inner normal at P with the length of the
+///           area element
 /// Source    [m06, Lemma 1] needs (Q - P) . n_P >= 0 for all P, Q
-/// Requires  -
-/// Result    parameters exact, the rest enclosed: product is certainly negative. Whoever doubts it evaluates the two charts there
+/// Result    parameters exact, the rest enclosed: product is certainly negative. Whoever doubts it evaluates
+///           the two charts there
 /// Limits    one pair of many
 struct ChartWitness {
   std::size_t chart_p = 0;
@@ -69,14 +69,16 @@ struct OpenPair {
 };
 
 /// Whether a surface lies in the boundary of its convex hull with its inner normals pointing into it.
-/// Maths     certified: (Q - P) . n_P >= 0 for all P, Q in S, P inside a triangle. depth = the largest distance by which a vertex
-///           lies behind a triangle's plane, relative to the diagonal of the box about S (between the diameter and sqrt(3) of it)
-/// Source    the hypothesis of [m06, Lemma 1] and [ac98, section 1]: S is a part of the boundary of a convex body
-/// Requires  -
-/// Result    witness or chart_witness: where refuted. relative_depth: rounded, 0 where not refuted; of charts that of the witness.
-///           within_precision: to first order, moving each coordinate by no more than the unit given could bring the deepest
-///           vertex of every plane back to its side. steps: of charts, what was proved and what of the charts' stated structure
-///           was not; open: of charts, what is left where undecided
+/// Maths     certified: (Q - P) . n_P >= 0 for all P, Q in S, P inside a triangle. depth = the largest
+///           distance by which a vertex lies behind a triangle's plane, relative to the diagonal of the box
+///           about S (between the diameter and sqrt(3) of it)
+/// Source    the hypothesis of [m06, Lemma 1] and [ac98, section 1]: S is a part of the boundary of a convex
+///           body
+/// Result    witness or chart_witness: where refuted. relative_depth: rounded, 0 where not refuted; of charts
+///           that of the witness. within_precision: to first order, moving each coordinate by no more than
+///           the unit given could bring the deepest vertex of every plane back to its side. steps: of charts,
+///           what was proved and what of the charts' stated structure was not; open: of charts, what is left
+///           where undecided
 /// Limits    only certified says that nothing hides anything
 struct ConvexContainment {
   Containment verdict = Containment::undecided;
@@ -94,10 +96,11 @@ struct ConvexContainment {
 
 /// The same, decided for a mesh.
 /// Maths     for each different plane of the mesh: no vertex strictly behind it
-/// Source    exact predicates on the file's coordinates; a tree of boxes about the vertices finds who could be behind a plane
+/// Source    exact predicates on the file's coordinates; a tree of boxes about the vertices finds who could
+///           be behind a plane
 /// Requires  no degenerate triangle, else ContractViolation; unit >= 0
-/// Result    certified or refuted, never undecided; exact for the given doubles. About n log n steps where the triangles are well
-///           shaped, at most planes times vertices
+/// Result    certified or refuted, never undecided; exact for the given doubles. About n log n steps where
+///           the triangles are well shaped, at most planes times vertices
 /// Limits    says nothing of triangles that overlap in one plane: see mesh_defects
 [[nodiscard]] ConvexContainment convex_containment(const TriangleMesh& mesh, Orientation orientation,
                                                    double unit);
@@ -112,17 +115,19 @@ struct ContainmentBudget {
 };
 
 /// The same for a surface of charts.
-/// Maths     P on a flat chart: l(Q) >= 0, l its plane's form. P on a quadric with a convex inside: q(Q) <= 0 is enough, since
-///           0 >= q(Q) >= grad q(P) . (Q - P) and n_P has the direction of -grad q(P). P and Q on one ruled chart: convexity of
-///           the profile. Otherwise, and for what is not proved of the stated structure: (Q - P) . n_P > 0 over pairs of boxes of
-///           parameters by the mean value form, and near the diagonal of one chart n_P . D^2 F positive definite, which is enough
-///           by Taylor's formula
-/// Source    [m06, Lemma 1]; the first inequality is that of convex functions. No statement of a chart's author is believed: see
-///           prove_shape
+/// Maths     P on a flat chart: l(Q) >= 0, l its plane's form. P on a quadric with a convex inside: q(Q) <= 0
+///           is enough, since 0 >= q(Q) >= grad q(P) . (Q - P) and n_P has the direction of -grad q(P). P and
+///           Q on one ruled chart: convexity of the profile. Otherwise, and for what is not proved of the
+///           stated structure: (Q - P) . n_P > 0 over pairs of boxes of parameters by the mean value form,
+///           and near the diagonal of one chart n_P . D^2 F positive definite, which is enough by Taylor's
+///           formula
+/// Source    [m06, Lemma 1]; the first inequality is that of convex functions. No statement of a chart's
+///           author is believed: see prove_shape
 /// Requires  budget positive, else ContractViolation
-/// Result    deterministic; the boxes are bisected in a fixed order. refuted: a pair of points whose balls prove it
-/// Limits    charts of unknown shape that touch another stay undecided, the touching points being at the border of the truth; so
-///           does a chart without a formula in balls
+/// Result    deterministic; the boxes are bisected in a fixed order. refuted: a pair of points whose balls
+///           prove it
+/// Limits    charts of unknown shape that touch another stay undecided, the touching points being at the
+///           border of the truth; so does a chart without a formula in balls
 [[nodiscard]] ConvexContainment convex_containment(const Surface& surface,
                                                    const ContainmentBudget& budget = {});
 

@@ -27,12 +27,9 @@ enum class InnerSide {
 
 /// A mesh file with all that radcert decides about it.
 /// Maths     see the parts
-/// Source    -
-/// Requires  -
-/// Result    defects, topology and the rest are those of the mesh after what was asked to be mended. components, planes and certificate
-///           are there only where no triangle is degenerate; orientation tells where the inner normals point; misoriented: of closed meshes without other
-///           faults
-/// Limits    -
+/// Result    defects, topology and the rest are those of the mesh after what was asked to be mended.
+///           components, planes and certificate are there only where no triangle is degenerate; orientation
+///           tells where the inner normals point; misoriented: of closed meshes without other faults
 struct MeshSurvey {
   std::string format;
   CoordinatePrecision precision;
@@ -67,12 +64,10 @@ inline constexpr double default_sharp_degrees = 30;
 
 /// Reads a mesh file and decides everything about it.
 /// Maths     see MeshSurvey
-/// Source    -
 /// Requires  0 <= degrees <= 180
-/// Result    InputError, with the file, for what read_mesh_file refuses, for a face that is not plane unless repair.triangulate cuts
-///           it, for a surface that is not orientable, and for a mesh of which
+/// Result    InputError, with the file, for what read_mesh_file refuses, for a face that is not plane unless
+///           repair.triangulate cuts it, for a surface that is not orientable, and for a mesh of which
 ///           mending leaves nothing
-/// Limits    -
 [[nodiscard]] MeshSurvey survey_mesh(const std::filesystem::path& path, double degrees,
                                      const MeshRepair& repair);
 

@@ -28,8 +28,8 @@ public:
       : a_(a), b_(b), c_(c), normal_(cross(b - a, c - a)) {
     const Vector<double> e = absolute(b - a);
     const Vector<double> f = absolute(c - a);
-    // A component of the normal is a sum of two products of differences: four roundings at most. The product with v - a and
-    // the sum of three add four; the factor 2 covers the roundings of the bound itself.
+    // A component of the normal is a sum of two products of differences: four roundings at most. The product
+    // with v - a and the sum of three add four; the factor 2 covers the roundings of the bound itself.
     constexpr double unit = 16 * unit_roundoff<double>();
     slack_ = unit * Vector<double>{e.y * f.z + e.z * f.y, e.z * f.x + e.x * f.z, e.x * f.y + e.y * f.x};
   }

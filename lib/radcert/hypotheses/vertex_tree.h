@@ -12,7 +12,6 @@ namespace radcert {
 
 /// The vertices of a mesh in a tree of boxes.
 /// Maths     each node holds a box about its vertices; halves at the median of the widest side
-/// Source    -
 /// Requires  finite coordinates
 /// Result    see farthest_beyond
 /// Limits    holds copies of the points
@@ -22,10 +21,8 @@ public:
 
   /// The vertex that lies farthest beyond the plane through a, b, c.
   /// Maths     beyond: orientation(a, b, c, v) > 0
-  /// Source    -
   /// Requires  a, b, c not on one line
   /// Result    nothing exactly if no vertex is beyond. Which of several is farthest is decided up to rounding
-  /// Limits    -
   [[nodiscard]] std::optional<std::size_t> farthest_beyond(const Vector<double>& a, const Vector<double>& b,
                                                            const Vector<double>& c) const;
 

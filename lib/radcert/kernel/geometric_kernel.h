@@ -11,8 +11,8 @@ namespace radcert {
 /// Source    [ac98, (2)], [m06, (2)]
 /// Requires  P != Q; n_P and n_Q inner normals, of unit length for G itself
 /// Result    linear in either normal: with n_Q of the length of the area element the value is G J;
-///           rounded as R rounds, with an absolute error of about u |P| (|cos theta_P| + |cos theta_Q|) / |P-Q|^3 beside
-///           the relative one where P and Q are rounded points (u the unit roundoff)
+///           rounded as R rounds, with an absolute error of about u |P| (|cos theta_P| + |cos theta_Q|) /
+///           |P-Q|^3 beside the relative one where P and Q are rounded points (u the unit roundoff)
 /// Limits    near the diagonal of one smooth chart use `chord_kernel`, which loses no digits
 template <Field R>
 R geometric_kernel(const Vector<R>& p, const Vector<R>& normal_p, const Vector<R>& q,

@@ -14,7 +14,6 @@ namespace radcert {
 /// The system that makes a basis interpolate at its sites.
 /// Maths     A c = f,  a_ij = phi_j(p_i): then sum_j c_j phi_j(p_i) = f_i
 /// Source    [psg10, section IV-A]: for an interpolation basis A = I
-/// Requires  -
 /// Result    factored once, solved for any f; the same bits for every number of threads
 /// Limits    A is kept sparse; elements without a support fill it: n^2 numbers
 class InterpolationSystem {
@@ -27,7 +26,8 @@ public:
 
   /// The coefficients of the interpolant of f. ContractViolation unless there are n values.
   [[nodiscard]] std::vector<double> solve(std::span<const double> f) const;
-  /// A^-1 M in place of M, on all threads; the bits do not depend on their number. ContractViolation unless M has n rows.
+  /// A^-1 M in place of M, on all threads; the bits do not depend on their number. ContractViolation unless M
+  /// has n rows.
   void solve_columns(Matrix<double>& matrix) const;
   /// A c: the values at the sites. ContractViolation unless there are n coefficients.
   [[nodiscard]] std::vector<double> values_at_sites(std::span<const double> c) const;

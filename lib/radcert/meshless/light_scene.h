@@ -18,11 +18,11 @@ namespace radcert {
 
 /// A round body or disk that stands in the way, and the piece of the surface that is its skin, if any.
 /// Maths     the ball, seen from outside, or the disk
-/// Source    -
-/// Requires  `piece` is empty or the name of a piece of the scene's surface whose inner normals leave the ball
-/// Result    plain data. It hides nothing from a point of its own piece: a convex body hides from its skin what lies behind the tangent
-///           plane, where the kernel is 0, and a rounded point of the skin may lie inside
-/// Limits    -
+/// Requires  `piece` is empty or the name of a piece of the scene's surface whose inner normals leave the
+///           ball
+/// Result    plain data. It hides nothing from a point of its own piece: a convex body hides from its skin
+///           what lies behind the tangent plane, where the kernel is 0, and a rounded point of the skin may
+///           lie inside
 struct RoundBlocker {
   std::variant<BallBlocker, DiskBlocker> shape;
   std::string piece;
@@ -40,13 +40,13 @@ struct LitPoint {
 /// A surface that scatters light on the side of its inner normals, and what stands in the way.
 /// Maths     S, beta(x) constant on each chart, V(x,y)
 /// Source    [psg10, section II]
-/// Requires  -
-/// Result    immutable, shared by threads. V = 1 for a surface without occlusion, exact for meshes and for round blockers
+/// Result    immutable, shared by threads. V = 1 for a surface without occlusion, exact for meshes and for
+///           round blockers
 /// Limits    a curved surface that hides parts of itself needs blockers: they are its own author's statement
 class LightScene {
 public:
-  /// One albedo for all charts, or one a chart. Refused: an albedo outside [0,1); a curved surface that hides parts of itself without
-  /// blockers; blockers that `hides` does not take, or of a piece that is not there.
+  /// One albedo for all charts, or one a chart. Refused: an albedo outside [0,1); a curved surface that hides
+  /// parts of itself without blockers; blockers that `hides` does not take, or of a piece that is not there.
   [[nodiscard]] static Outcome<LightScene> make(Surface surface, std::vector<double> albedo,
                                                 std::vector<RoundBlocker> blockers = {});
 
@@ -58,7 +58,8 @@ public:
   [[nodiscard]] bool visible(const LitPoint& p, const Vector<double>& from) const;
   /// A length above every distance within the scene, up to the cells on which curved charts are looked at.
   [[nodiscard]] double reach() const;
-  /// A short name of all that a transfer matrix depends on but the sites: surface, parameters, mesh, albedos, blockers.
+  /// A short name of all that a transfer matrix depends on but the sites: surface, parameters, mesh, albedos,
+  /// blockers.
   [[nodiscard]] const std::string& digest() const;
 
 private:

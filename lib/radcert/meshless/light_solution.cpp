@@ -47,7 +47,8 @@ Outcome<LightWeights> light_weights(const RadialBasis& basis, const Surface& sur
     case WeightRule::plane: return estimated(plane_weights(basis));
     case WeightRule::neighbours: return estimated(neighbour_weights(basis));
     case WeightRule::mean_density: {
-      // The area of smooth charts converges with the fourth power of the cells' size, whatever the elements do on them.
+      // The area of smooth charts converges with the fourth power of the cells' size, whatever the elements
+      // do on them.
       IntegrationDemand of_area = demand;
       of_area.most_points = std::min(of_area.most_points, points_for_areas.count());
       const BasisIntegrals integrals = integrate_basis(basis, surface, of_area);

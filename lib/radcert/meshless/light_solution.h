@@ -27,10 +27,9 @@ namespace radcert {
 enum class WeightRule : std::uint8_t { integrated, plane, neighbours, mean_density };
 
 /// How values at the sites become coefficients.
-/// Maths     as_values: lambda_i = f(p_i), so that R = N; interpolated: A lambda = f, a_ij = phi_j(p_i), so that R = A^-1 N
+/// Maths     as_values: lambda_i = f(p_i), so that R = N; interpolated: A lambda = f, a_ij = phi_j(p_i), so
+///           that R = A^-1 N
 /// Source    [psg10, section VII] takes the values, which is the interpolant only where A = I
-/// Requires  -
-/// Result    -
 /// Limits    as_values smooths with a partition of unity, and multiplies by sum_j phi_j where that is not 1
 enum class CoefficientRule : std::uint8_t { as_values, interpolated };
 
@@ -42,9 +41,10 @@ enum class CoefficientRule : std::uint8_t { as_values, interpolated };
 /// Maths     w_j = int phi_j dS, or an estimate of it
 /// Source    [psg10, section VII]; see weights.h
 /// Requires  the sites belong to the surface
-/// Result    weights, and an estimate of the error of each where the rule is `integrated`. Those of `mean_density` err together, by the
-///           error of the area: sqrt(n) times that of each, so that the root of a sum of squares bounds what all do at once. None for
-///           the others. Refused: what the rule refuses
+/// Result    weights, and an estimate of the error of each where the rule is `integrated`. Those of
+///           `mean_density` err together, by the error of the area: sqrt(n) times that of each, so that the
+///           root of a sum of squares bounds what all do at once. None for the others. Refused: what the rule
+///           refuses
 /// Limits    what an estimate of w_j by its sites alone leaves out is not estimated
 struct LightWeights {
   std::vector<double> weights;
@@ -57,9 +57,8 @@ struct LightWeights {
 /// Maths     (I - R)^-1 = I + R + R^2 + ...
 /// Source    [psg10, (6)]; solve/power_series.h
 /// Requires  a square matrix, not empty
-/// Result    the series and what R does to constants. Refused: an R of which no power up to the sixteenth contracts, with its spectral
-///           radius, its largest row sum and its largest entry
-/// Limits    -
+/// Result    the series and what R does to constants. Refused: an R of which no power up to the sixteenth
+///           contracts, with its spectral radius, its largest row sum and its largest entry
 struct TransferSeries {
   NeumannSeries series;
   TransferSums sums;
@@ -90,16 +89,16 @@ struct LightSolution {
 /// A scene whose transfer matrix is known: ready for any light.
 /// Maths     (I - R) lambda = epsilon, R = N or A^-1 N
 /// Source    [psg10, (19)], precomputed radiance transfer
-/// Requires  -
-/// Result    immutable. The Neumann series of an R of which a power contracts in a weighted maximum norm (solve/power_series.h), with its
-///           a-posteriori bound
+/// Result    immutable. The Neumann series of an R of which a power contracts in a weighted maximum norm
+///           (solve/power_series.h), with its a-posteriori bound
 /// Limits    what R leaves out of the integral operator is not bounded
 class LightTransfer {
 public:
-  /// Refused: sites, a basis or weights that are (see there); an R of which no power up to the sixteenth contracts. InputError where
-  /// memory does not do.
+  /// Refused: sites, a basis or weights that are (see there); an R of which no power up to the sixteenth
+  /// contracts. InputError where memory does not do.
   [[nodiscard]] static Outcome<LightTransfer> make(const LightScene& scene, const TransferChoice& choice);
-  /// The same with R from a file that write() made of the same scene and choice; InputError, by name, where it is not.
+  /// The same with R from a file that write() made of the same scene and choice; InputError, by name, where
+  /// it is not.
   [[nodiscard]] static Outcome<LightTransfer> read(const LightScene& scene, const TransferChoice& choice,
                                                    const std::filesystem::path& path);
   void write(const std::filesystem::path& path) const;
@@ -115,7 +114,8 @@ public:
   /// An estimate of the condition of A; 1 where the values are the coefficients.
   [[nodiscard]] double condition() const;
 
-  /// Coefficients for a light. Tolerance: of error_bound against max |lambda|, absent: as far as doubles go. Refused: not reached.
+  /// Coefficients for a light. Tolerance: of error_bound against max |lambda|, absent: as far as doubles go.
+  /// Refused: not reached.
   [[nodiscard]] Outcome<LightSolution> solve(const Light& light,
                                              std::optional<double> tolerance = 1e-8) const;
   /// The radiance of a point in the basis, as the paper has it; nothing where the basis has no value.

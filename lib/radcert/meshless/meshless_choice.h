@@ -13,11 +13,10 @@
 namespace radcert {
 
 /// How far two sites are from each other, and what their normals do.
-/// Maths     normal_sensitive: |p^ - q^| / max{0, p->.q->}, infinite where the normals are not within 90 degrees;
-///           euclidean_with_normal_factor: |p^ - q^|, and max{0, p->.q->} multiplies the element;  euclidean: |p^ - q^| alone
+/// Maths     normal_sensitive: |p^ - q^| / max{0, p->.q->}, infinite where the normals are not within 90
+///           degrees; euclidean_with_normal_factor: |p^ - q^|, and max{0, p->.q->} multiplies the element;
+///           euclidean: |p^ - q^| alone
 /// Source    [psg10, (15), (18), figure 5]; the print has the normals' arrows in place of the points
-/// Requires  -
-/// Result    -
 /// Limits    normal_sensitive is no metric: see tests/laws/meshless_laws.h
 enum class SiteDistance : std::uint8_t { normal_sensitive, euclidean_with_normal_factor, euclidean };
 
@@ -28,14 +27,14 @@ enum class TooFewNeighbours : std::uint8_t {
 };
 
 /// The nominal radii alpha_i.
-/// Maths     neighbour m: alpha_i is the distance of the m-th other site from p_i, so that m sites, p_i among them, are nearer than
-///           alpha_i; absent (absolute): alpha_i = 1
+/// Maths     neighbour m: alpha_i is the distance of the m-th other site from p_i, so that m sites, p_i among
+///           them, are nearer than alpha_i; absent (absolute): alpha_i = 1
 /// Source    [psg10, section V], m = 10; (16) takes the absolute distance
 /// Requires  m >= 1
-/// Result    -
-/// Limits    with euclidean_with_normal_factor the m-th neighbour is that of the Euclidean distance, [psg10, after (18)]. With
-///           normal_sensitive a small round part with few sites has radii far above its size, or none: of 20 site sets of separation 3
-///           on a sphere of radius 5 over a disk 4 have a site without ten others
+/// Limits    with euclidean_with_normal_factor the m-th neighbour is that of the Euclidean distance, [psg10,
+///           after (18)]. With normal_sensitive a small round part with few sites has radii far above its
+///           size, or none: of 20 site sets of separation 3 on a sphere of radius 5 over a disk 4 have a site
+///           without ten others
 struct RadiusRule {
   std::optional<std::size_t> neighbour = 10;
   TooFewNeighbours too_few = TooFewNeighbours::refuse;
@@ -44,17 +43,12 @@ struct RadiusRule {
 /// What is done to the raw elements.
 /// Maths     none: phi_i = psi_i;  partition_of_unity: phi_i = psi_i / sum_j psi_j
 /// Source    [psg10, (11)]
-/// Requires  -
-/// Result    -
-/// Limits    -
 enum class Normalisation : std::uint8_t { none, partition_of_unity };
 
 /// The four choices that make a radial basis of sites.
 /// Maths     psi_i(p) = Phi(||p, p_i|| / alpha_i), times max{0, p->.p_i->} where the distance says so
 /// Source    [psg10, sections V and VI]
-/// Requires  -
 /// Result    plain data
-/// Limits    -
 struct RadialBasisChoice {
   MotherFunction mother = gaussian_mother();
   SiteDistance distance = SiteDistance::normal_sensitive;

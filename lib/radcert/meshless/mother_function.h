@@ -21,7 +21,6 @@ namespace radcert {
 /// The Gaussian bell.
 /// Maths     G(r) = exp(-r^2/2)
 /// Source    [psg10, (12)]
-/// Requires  -
 /// Result    as R rounds; enclosed in balls
 /// Limits    not cut: see MotherFunction
 template <Real R>
@@ -57,8 +56,8 @@ enum class MotherKind : std::uint8_t { gaussian, spline, shepard, expression, ow
 
 /// A mother function that is somebody's own type, its type forgotten.
 /// Maths     Phi(r)
-/// Source    -
-/// Requires  functions that threads may call at the same time; a name that tells one such function from another
+/// Requires  functions that threads may call at the same time; a name that tells one such function from
+///           another
 /// Result    plain data, made by own_mother()
 /// Limits    in double, and in balls where the type takes them
 struct OwnMother {
@@ -70,10 +69,9 @@ struct OwnMother {
 /// The function of the relative distance that all elements of a radial basis share.
 /// Maths     Phi(r), and 0 for r > support where a support is set
 /// Source    [psg10, section V-A]
-/// Requires  -
 /// Result    value<R>(r) in any arithmetic
-/// Limits    the Gaussian is cut at 4 as the paper allows: it jumps by exp(-8) = 3.4e-4 there. One with another support, or none, is
-///           made by gaussian_mother()
+/// Limits    the Gaussian is cut at 4 as the paper allows: it jumps by exp(-8) = 3.4e-4 there. One with
+///           another support, or none, is made by gaussian_mother()
 struct MotherFunction {
   MotherKind kind = MotherKind::gaussian;
   Expression expression{};              ///< in r; used where kind is expression
@@ -128,9 +126,8 @@ private:
 
 /// A mother function of one's own type.
 /// Maths     Phi(r), cut at the support where there is one
-/// Source    -
-/// Requires  phi(r) for a double r >= 0, safe to call from several threads; a support > 0 or none, a name that is not empty, else
-///           ContractViolation
+/// Requires  phi(r) for a double r >= 0, safe to call from several threads; a support > 0 or none, a name
+///           that is not empty, else ContractViolation
 /// Result    as phi rounds; in balls too, where phi takes a Ball and gives one
 /// Limits    nothing is known of phi but its values: it counts as not monotone
 template <class Phi>

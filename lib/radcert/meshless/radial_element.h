@@ -17,7 +17,6 @@ namespace radcert {
 /// Source    [psg10, (15)]
 /// Requires  p->.q-> > 0: elsewhere the distance is infinite
 /// Result    as R rounds; exact in Rational
-/// Limits    -
 template <Field R>
 R squared_site_distance(const Site<R>& p, const Site<R>& q) {
   const Vector<R> step = p.point - q.point;
@@ -26,10 +25,12 @@ R squared_site_distance(const Site<R>& p, const Site<R>& q) {
 }
 
 /// A raw element.
-/// Maths     psi(p) = Phi(||p, q|| / alpha), times max{0, p->.q->} where the distance says so; 0 where the distance is infinite
+/// Maths     psi(p) = Phi(||p, q|| / alpha), times max{0, p->.q->} where the distance says so; 0 where the
+///           distance is infinite
 /// Source    [psg10, (16)-(18)]
 /// Requires  alpha > 0
-/// Result    as R rounds; enclosed in balls, also where the sign of p->.q-> is open, if the mother function has a name
+/// Result    as R rounds; enclosed in balls, also where the sign of p->.q-> is open, if the mother function
+///           has a name
 /// Limits    Shepard's is unbounded at p = q: infinite in double, a failure in balls; see shepard_values
 template <Real R>
 R raw_element(const RadialBasisChoice& choice, const Site<R>& p, const Site<R>& centroid, const R& radius) {
@@ -52,8 +53,9 @@ R raw_element(const RadialBasisChoice& choice, const Site<R>& p, const Site<R>& 
 /// Source    [psg10, (11), (16)-(18)]
 /// Requires  as many radii as sites, all positive
 /// Result    values in the order of the sites, zeros included; as R rounds, enclosed in balls
-/// Limits    n operations and no search: RadialBasis is the fast way in double. A normalised basis has no value where no element has
-///           one: not a number in double, a failure in balls. Shepard's has its limit at a site: see shepard_values
+/// Limits    n operations and no search: RadialBasis is the fast way in double. A normalised basis has no
+///           value where no element has one: not a number in double, a failure in balls. Shepard's has its
+///           limit at a site: see shepard_values
 template <Real R>
 std::vector<R> basis_values(const RadialBasisChoice& choice, std::span<const Site<R>> sites,
                             std::span<const R> radii, const Site<R>& p) {
@@ -72,7 +74,8 @@ std::vector<R> basis_values(const RadialBasisChoice& choice, std::span<const Sit
 }
 
 /// Shepard's basis without a division by zero at the sites.
-/// Maths     phi_i = prod_{j != i} d_j^2 / sum_k prod_{j != k} d_j^2, which is d_i^-2 / sum_k d_k^-2 where no d_k is 0
+/// Maths     phi_i = prod_{j != i} d_j^2 / sum_k prod_{j != k} d_j^2, which is d_i^-2 / sum_k d_k^-2 where no
+///           d_k is 0
 /// Source    [psg10, (16)], multiplied by all d_j^2
 /// Requires  at least one distance, at most one of them zero
 /// Result    as R rounds; exact in Rational. At d_i = 0: phi_i = 1, all others 0

@@ -218,7 +218,8 @@ SiteSet fill(const Surface& surface, std::vector<SurfaceCell> cells, const Poiss
 
 Outcome<SiteSet> uniform_sites(const Surface& surface, const UniformSites& choice) {
   if (choice.count == 0) return because("uniform sites: a count of at least 1 is needed");
-  // Any size of cell gives the same distribution; on cells of no more than a division the element varies little.
+  // Any size of cell gives the same distribution; on cells of no more than a division the element varies
+  // little.
   const std::optional<std::vector<SurfaceCell>> cells =
       cells_below(surface, std::numeric_limits<double>::infinity(), most_cells.count());
   if (!cells || cells->empty()) return because("uniform sites: a surface with charts is needed");

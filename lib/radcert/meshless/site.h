@@ -33,8 +33,8 @@ Site<R> site_at(const Surface& surface, const SurfacePoint<R>& at) {
 /// Maths     P = (p_1, ..., p_n)
 /// Source    [psg10, section V], the element centroids
 /// Requires  arrays of the same length
-/// Result    plain data; at[i] names the chart and the parameters of which points[i], normals[i] are the rounded images
-/// Limits    -
+/// Result    plain data; at[i] names the chart and the parameters of which points[i], normals[i] are the
+///           rounded images
 struct SiteSet {
   std::vector<Vector<double>> points;
   std::vector<Vector<double>> normals;

@@ -19,7 +19,8 @@ std::size_t widest_axis(const Vector<double>& width) {
   return width.y >= width.z ? 1 : 2;
 }
 
-/// About the ball, so much wider that no rounding of a distance, or of a normal's length, puts what is in the ball outside.
+/// About the ball, so much wider that no rounding of a distance, or of a normal's length, puts what is in the
+/// ball outside.
 Box box_about_ball(const Vector<double>& centre, double radius) {
   const double size = std::max({std::abs(centre.x), std::abs(centre.y), std::abs(centre.z)});
   const double width = radius * (1 + 0x1p-40) + size * 0x1p-50;

@@ -12,11 +12,10 @@ namespace radcert {
 
 /// Balls about points, in leaves of as many as a Pack has lanes, for the question which of them hold a point.
 /// Maths     a tree of boxes about the balls; halves at the median of the widest side
-/// Source    -
 /// Requires  as many radii as centres, radii >= 0 or infinite, finite centres
-/// Result    order() puts balls that are near each other together; visit_leaves shows every leaf with a ball that holds the point, by the
-///           first of its up to leaf_size places in that order, and others. Boxes are widened by 2^-40 of the radius, so that rounding
-///           hides none
+/// Result    order() puts balls that are near each other together; visit_leaves shows every leaf with a ball
+///           that holds the point, by the first of its up to leaf_size places in that order, and others.
+///           Boxes are widened by 2^-40 of the radius, so that rounding hides none
 /// Limits    decides nothing about the balls themselves
 class SupportTree {
 public:

@@ -79,7 +79,8 @@ std::optional<std::vector<SurfaceCell>> cells_below(const Surface& surface, doub
     SurfaceCell cell;
     int divisions;  ///< still due whatever the chords
   };
-  // Four halvings make quarters of the coarse sides: no chord of the catalogue's charts then spans more than a small arc.
+  // Four halvings make quarters of the coarse sides: no chord of the catalogue's charts then spans more than
+  // a small arc.
   constexpr int first_divisions = 4;
   std::vector<SurfaceCell> cells;
   for (const ParameterTriangle& triangle : triangulate(surface, 0).triangles) {

@@ -14,8 +14,6 @@ namespace radcert {
 
 /// A triangle of a chart's parameter plane with the images of its corners.
 /// Maths     corners v_1, v_2, v_3, images F_j(v_k)
-/// Source    -
-/// Requires  -
 /// Result    plain data
 /// Limits    says nothing of the image between the corners: see deviation
 struct SurfaceCell {
@@ -23,13 +21,15 @@ struct SurfaceCell {
   std::array<ParameterPoint<double>, 3> corners;
   std::array<Vector<double>, 3> images;
 
-  /// The point v_1 + a (v_2 - v_1) + b (v_3 - v_1), moved back into the chart's domain where rounding left it.
+  /// The point v_1 + a (v_2 - v_1) + b (v_3 - v_1), moved back into the chart's domain where rounding left
+  /// it.
   [[nodiscard]] ParameterPoint<double> at(const Surface& surface, double a, double b) const;
   /// The area in the parameter plane.
   [[nodiscard]] double parameter_area() const;
   /// The longest chord between two corners.
   [[nodiscard]] double longest_chord() const;
-  /// The largest distance of a side's middle from its chord's middle; 0 on a plane chart, about a sagitta on a small cell of a curved one.
+  /// The largest distance of a side's middle from its chord's middle; 0 on a plane chart, about a sagitta on
+  /// a small cell of a curved one.
   [[nodiscard]] double deviation(const Surface& surface) const;
   /// The two halves, cut through the parameter middle of the side with the longest chord.
   [[nodiscard]] std::pair<SurfaceCell, SurfaceCell> halves(const Surface& surface) const;

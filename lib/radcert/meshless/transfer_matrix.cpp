@@ -114,7 +114,8 @@ TransferSums transfer_sums(const Matrix<double>& r) {
       sums.largest_row_sum = std::abs(image[i]);
       sums.row = i;
     }
-  // Constants may be an eigenvector: multiples of the golden section, modulo 1, are far from every smooth one.
+  // Constants may be an eigenvector: multiples of the golden section, modulo 1, are far from every smooth
+  // one.
   for (std::size_t i = 0; i < n; ++i) {
     const double multiple = std::numbers::phi * static_cast<double>(i);
     x[i] = 0.5 + multiple - std::floor(multiple);

@@ -14,11 +14,9 @@
 namespace radcert {
 
 /// The constant of the transfer operator.
-/// Maths     physical: beta/pi, a surface of albedo beta scatters beta of what arrives; as_printed: rho times the 1/(4 pi) of K is
-///           2 beta/(4 pi) = beta/(2 pi)
+/// Maths     physical: beta/pi, a surface of albedo beta scatters beta of what arrives; as_printed: rho times
+///           the 1/(4 pi) of K is 2 beta/(4 pi) = beta/(2 pi)
 /// Source    [psg10, (4)-(5) and rho = 2 beta after them]
-/// Requires  -
-/// Result    -
 /// Limits    as_printed scatters half of what it should
 enum class TransferFactor : std::uint8_t { physical, as_printed };
 
@@ -37,14 +35,17 @@ enum class TransferFactor : std::uint8_t { physical, as_printed };
 /// Maths     N_ij = c beta_i site_kernel(p_i, p_j) V(p_i, p_j) w_j, c = 1/pi or 1/(2 pi)
 /// Source    [psg10, section VII]
 /// Requires  sites of the scene's surface, as many weights
-/// Result    n by n, rounded; each pair is looked at once, V is exact for the sites' doubles. The same bits for any number of threads;
-///           Interrupted when asked to stop; InputError if n^2 numbers exceed the memory that is available
-/// Limits    point lights: entries grow without bound where sites come together in a corner; see transfer_sums
+/// Result    n by n, rounded; each pair is looked at once, V is exact for the sites' doubles. The same bits
+///           for any number of threads; Interrupted when asked to stop; InputError if n^2 numbers exceed the
+///           memory that is available
+/// Limits    point lights: entries grow without bound where sites come together in a corner; see
+///           transfer_sums
 [[nodiscard]] Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& sites,
                                                   std::span<const double> weights,
                                                   TransferFactor factor = TransferFactor::physical);
 
-/// The same with an albedo for each site in place of the scene's; as many albedos as sites, else ContractViolation.
+/// The same with an albedo for each site in place of the scene's; as many albedos as sites, else
+/// ContractViolation.
 [[nodiscard]] Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& sites,
                                                   std::span<const double> albedos,
                                                   std::span<const double> weights,
@@ -63,8 +64,8 @@ struct TransferSums {
 };
 
 /// Row sums and an estimate of the spectral radius.
-/// Maths     power iteration from a vector of both long and short waves; the geometric mean over the last ten of thirty steps evens out what comes and goes with
-///           complex eigenvalues, or with signs
+/// Maths     power iteration from a vector of both long and short waves; the geometric mean over the last ten
+///           of thirty steps evens out what comes and goes with complex eigenvalues, or with signs
 /// Source    R. von Mises (1929)
 /// Requires  a square matrix, not empty, of finite numbers
 /// Result    rounded; 0 where a power vanishes

@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/polynomial/nodes/lattice.h"
-#include "radcert/polynomial/rules/product_precision.h"
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
+#include "radcert/polynomial/rules/product_precision.h"
 
 namespace radcert {
 namespace {

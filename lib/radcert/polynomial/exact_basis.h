@@ -21,11 +21,12 @@ concept ExactBasis = requires(const Basis& basis, const Barycentric<Rational>& x
   basis.values(x, out);
 };
 
-/// A basis of one's own, a C++ type, as the Lagrange functions that problems, facts and certificates are made of.
+/// A basis of one's own, a C++ type, as the Lagrange functions that problems, facts and certificates are made
+/// of.
 /// Maths     l_j in P_D, D = degree(), by its values at the principal lattice of degree D
-/// Source    -
-/// Requires  functions that are polynomials of degree D at most, seen at the lattice of degree D + 1; l_j(q_i) = delta_ij; else
-///           ContractViolation. The law is_a_lagrange_basis of tests/laws/basis_laws.h says which law is broken, where and by how much
+/// Requires  functions that are polynomials of degree D at most, seen at the lattice of degree D + 1;
+///           l_j(q_i) = delta_ij; else ContractViolation. The law is_a_lagrange_basis of
+///           tests/laws/basis_laws.h says which law is broken, where and by how much
 /// Result    the same functions, exactly
 /// Limits    asks for values at (D + 1)(D + 2)/2 + (D + 2)(D + 3)/2 points
 template <ExactBasis Basis>

@@ -12,12 +12,14 @@
 namespace radcert {
 
 /// Lagrange interpolation of degree r at the principal lattice of a triangle pulled in from its sides.
-/// Maths     nodes  q = inset + (1 - 3 inset) k/r,  k = (k_1,k_2,k_3) >= 0, |k| = r, in barycentric coordinates;
-///           with y = (x - inset)/(1 - 3 inset):  l_k(x) = prod_i prod_{a < k_i} (r y_i - a)/(k_i - a);  l_k(q_m) = delta_km
-/// Source    [m06, (13)-(15)]; r = 1: [ac98, (33)-(34)]; r = 0, the centroid: [ac98, (38)]; the product form is Silvester's
+/// Maths     nodes  q = inset + (1 - 3 inset) k/r,  k = (k_1,k_2,k_3) >= 0, |k| = r, in barycentric
+///           coordinates; with y = (x - inset)/(1 - 3 inset):  l_k(x) = prod_i prod_{a < k_i} (r y_i -
+///           a)/(k_i - a);  l_k(q_m) = delta_km
+/// Source    [m06, (13)-(15)]; r = 1: [ac98, (33)-(34)]; r = 0, the centroid: [ac98, (38)]; the product form
+///           is Silvester's
 /// Requires  0 <= degree <= 8, 0 <= inset < 1/3, else ContractViolation; degree 0 does not use the inset
-/// Result    values(x)[j] = l_j(x), j in the order of nodes(): k_1 falling, then k_2 falling, so that degree 1 has the
-///           order of [ac98, (33)]; two roundings a factor
+/// Result    values(x)[j] = l_j(x), j in the order of nodes(): k_1 falling, then k_2 falling, so that degree
+///           1 has the order of [ac98, (33)]; two roundings a factor
 /// Limits    interpolants jump across triangle edges unless inset = 0
 template <Field R>
 class InsetBasis {
@@ -39,7 +41,8 @@ public:
   /// The nodes q_j.
   std::vector<Barycentric<R>> nodes() const { return inset_nodes(degree_, inset_); }
 
-  /// The values l_j(x) of all basis functions; `out` has size() places. V is R or something that R goes into: a Pack.
+  /// The values l_j(x) of all basis functions; `out` has size() places. V is R or something that R goes into:
+  /// a Pack.
   template <Field V>
   void values(const Barycentric<V>& x, std::span<V> out) const {
     std::array<std::array<V, largest_degree + 1>, 3>

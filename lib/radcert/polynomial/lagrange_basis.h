@@ -17,8 +17,9 @@ namespace radcert {
 /// Maths     l_j = sum_k c_kj B_k, B_k(x) = r!/(k_1! k_2! k_3!) x_1^k_1 x_2^k_2 x_3^k_3, |k| = r
 /// Source    as LagrangeFunctions, whose exact nodes and coefficients are rounded once
 /// Requires  0 <= degree <= 8, else ContractViolation
-/// Result    values(x)[j] = l_j(x), j in the order of nodes(). In the triangle B_k >= 0 and their sum is 1: the rounding error
-///           of l_j is at most about (2 r + (r + 1)(r + 2)/2) max_k |c_kj| units. The same bits on every machine
+/// Result    values(x)[j] = l_j(x), j in the order of nodes(). In the triangle B_k >= 0 and their sum is 1:
+///           the rounding error of l_j is at most about (2 r + (r + 1)(r + 2)/2) max_k |c_kj| units. The same
+///           bits on every machine
 /// Limits    (r + 1)(r + 2)/2 products a point and function; InsetBasis takes fewer
 template <Field R>
 class LagrangeBasis {
@@ -42,7 +43,8 @@ public:
   std::size_t size() const { return nodes_.size(); }
   const std::vector<Barycentric<R>>& nodes() const { return nodes_; }
 
-  /// The values l_j(x) of all basis functions; `out` has size() places. V is R or something that R goes into: a Pack.
+  /// The values l_j(x) of all basis functions; `out` has size() places. V is R or something that R goes into:
+  /// a Pack.
   template <Field V>
   void values(const Barycentric<V>& x, std::span<V> out) const {
     std::array<std::array<V, largest_degree + 1>, 3> powers;

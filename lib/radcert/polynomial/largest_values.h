@@ -14,14 +14,14 @@
 namespace radcert {
 
 /// How large the functions of a basis become on the triangle.
-/// Maths     max |l_j|. The triangle is cut into n^2 equal ones, n = 8. On each l_j is a polynomial of degree r whose values at the
-///           principal lattice determine its Bernstein coefficients, of which it is a convex combination: the largest of their sizes,
-///           over all triangles, bounds |l_j|
+/// Maths     max |l_j|. The triangle is cut into n^2 equal ones, n = 8. On each l_j is a polynomial of degree
+///           r whose values at the principal lattice determine its Bernstein coefficients, of which it is a
+///           convex combination: the largest of their sizes, over all triangles, bounds |l_j|
 /// Source    Farin, Curves and Surfaces for CAGD, chapter 17: the convex hull property
 /// Requires  degree <= 8, as TriangleBasis
-/// Result    upper bounds, above the maximum by a quarter at degree 8, by 2^-20 at degrees 0 and 1. Roundings are less than
-///           the part 2^-20 that is added: values are right to 2^10 units in the last place, and the sizes of the numbers that
-///           take them to coefficients sum to less than 2^12
+/// Result    upper bounds, above the maximum by a quarter at degree 8, by 2^-20 at degrees 0 and 1. Roundings
+///           are less than the part 2^-20 that is added: values are right to 2^10 units in the last place,
+///           and the sizes of the numbers that take them to coefficients sum to less than 2^12
 /// Limits    for radii; lebesgue_constant encloses the norm of the interpolation
 template <Real R>
 std::vector<R> largest_values(const TriangleBasis<R>& basis) {
@@ -43,7 +43,8 @@ std::vector<R> largest_values(const TriangleBasis<R>& basis) {
   std::vector<R> largest(basis.size(), R(0));
   std::vector<R> values(basis.size() * points);
   std::vector<R> at_point(basis.size());
-  // One with its corners in the directions of those of the whole (turn = 1), and one turned by half (-1), for each (a, b, c).
+  // One with its corners in the directions of those of the whole (turn = 1), and one turned by half (-1), for
+  // each (a, b, c).
   for (const int turn : {1, -1})
     for (const std::array<int, 3>& corner : lattice_indices(n - turn)) {
       if (turn < 0 && std::min({corner[0], corner[1], corner[2]}) == 0) continue;

@@ -117,7 +117,8 @@ public:
   }
 
 private:
-  // For each side, the places of the coefficients along the lines parallel to it, from its first end to its second.
+  // For each side, the places of the coefficients along the lines parallel to it, from its first end to its
+  // second.
   void list_lines() {
     for (std::size_t side = 0; side < 3; ++side) {
       const std::size_t first = (side + 1) % 3;

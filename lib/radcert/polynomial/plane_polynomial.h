@@ -11,9 +11,9 @@ namespace radcert {
 
 /// A polynomial of two variables by its monomials.
 /// Maths     q(s,t) = sum_{i+j <= degree} c_ij s^i t^j
-/// Source    -
 /// Requires  degree >= 0
-/// Result    coefficients by total degree, then by j: c_00; c_10, c_01; c_20, c_11, c_02; ...; all zero at first
+/// Result    coefficients by total degree, then by j: c_00; c_10, c_01; c_20, c_11, c_02; ...; all zero at
+///           first
 /// Limits    monomials: for closed forms and exact work; the pipeline evaluates InsetBasis
 template <Field R>
 class PlanePolynomial {

@@ -12,9 +12,8 @@ namespace radcert {
 
 /// A polynomial of one variable with rational coefficients, exactly.
 /// Maths     sum_k a_k X^k; the ring Q[X]
-/// Source    -
-/// Requires  -
-/// Result    + - * and == are exact; no leading zeros are kept, so that equal polynomials have equal coefficients
+/// Result    + - * and == are exact; no leading zeros are kept, so that equal polynomials have equal
+///           coefficients
 /// Limits    products by the schoolbook: for degrees up to a few hundred
 class RationalPolynomial {
 public:
@@ -67,10 +66,8 @@ struct Division {
 
 /// Division with remainder.
 /// Maths     a = q b + r, deg r < deg b
-/// Source    -
 /// Requires  b != 0, else ContractViolation
 /// Result    exact
-/// Limits    -
 [[nodiscard]] Division divide(const RationalPolynomial& a, const RationalPolynomial& b);
 
 /// The greatest common divisor, with the leading coefficient 1; zero only for two zeros.

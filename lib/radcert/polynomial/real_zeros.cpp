@@ -6,7 +6,8 @@
 namespace radcert {
 namespace {
 
-// p/gcd(p, p'), its derivative, and the negated remainders of Euclid's algorithm, each scaled by a positive number.
+// p/gcd(p, p'), its derivative, and the negated remainders of Euclid's algorithm, each scaled by a positive
+// number.
 class SturmChain {
 public:
   explicit SturmChain(const RationalPolynomial& p) {

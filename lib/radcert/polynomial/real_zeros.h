@@ -12,15 +12,11 @@ namespace radcert {
 /// Source    Sturm's theorem, for the square-free part of p
 /// Requires  p != 0, lower <= upper, else ContractViolation
 /// Result    exact
-/// Limits    -
 [[nodiscard]] int zeros_between(const RationalPolynomial& p, const Rational& lower, const Rational& upper);
 
 /// A real zero, enclosed.
 /// Maths     exactly one zero x with lower < x <= upper, or x = lower = upper
-/// Source    -
-/// Requires  -
 /// Result    plain data
-/// Limits    -
 struct RealZero {
   Rational lower;
   Rational upper;
@@ -31,8 +27,8 @@ struct RealZero {
 /// Maths     all x with lower <= x <= upper and p(x) = 0
 /// Source    Sturm's theorem and bisection
 /// Requires  p != 0, lower <= upper, width > 0, else ContractViolation
-/// Result    as many enclosures as zeros, each at most so wide; a zero that is the fraction with the smallest denominator in
-///           its enclosure is found exactly
+/// Result    as many enclosures as zeros, each at most so wide; a zero that is the fraction with the smallest
+///           denominator in its enclosure is found exactly
 /// Limits    a rational zero with a denominator that is large for `width` stays an interval
 [[nodiscard]] std::vector<RealZero> real_zeros(const RationalPolynomial& p, const Rational& lower,
                                                const Rational& upper, const Rational& width);

@@ -34,7 +34,8 @@ public:
   std::vector<Barycentric<R>> nodes() const {
     return std::visit([](const auto& basis) -> std::vector<Barycentric<R>> { return basis.nodes(); }, basis_);
   }
-  /// The values l_j(x) of all basis functions; `out` has size() places. V is R or something that R goes into: a Pack.
+  /// The values l_j(x) of all basis functions; `out` has size() places. V is R or something that R goes into:
+  /// a Pack.
   template <Field V>
   void values(const Barycentric<V>& x, std::span<V> out) const {
     if (const auto* inset = std::get_if<InsetBasis<R>>(&basis_)) {
@@ -51,10 +52,8 @@ private:
 
 /// The basis of exact Lagrange functions, in the arithmetic of the pipeline.
 /// Maths     nodes and Bernstein coefficients, rounded once
-/// Source    -
 /// Requires  0 <= degree <= 8, else ContractViolation
 /// Result    see LagrangeBasis
-/// Limits    -
 template <Field R>
 TriangleBasis<R> make_triangle_basis(const LagrangeFunctions& functions) {
   return TriangleBasis<R>(LagrangeBasis<R>(functions));

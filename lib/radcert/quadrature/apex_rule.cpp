@@ -21,8 +21,9 @@ constexpr int smallest_first_order = 4;
 template <Real R>
 constexpr int last_order = std::is_same_v<R, double> ? 22 : 70;
 constexpr int order_step = 6;
-/// The finer rule has this many points more in each variable. Where the chart is not analytic, or does not change evenly, the rules converge
-/// so slowly that two points more leave an error larger than the difference.
+/// The finer rule has this many points more in each variable. Where the chart is not analytic, or does not
+/// change evenly, the rules converge so slowly that two points more leave an error larger than the
+/// difference.
 constexpr int check_step_analytic = 2;
 constexpr int check_step_slow = 6;
 constexpr double admissible_ellipse = 3.0;
@@ -33,7 +34,8 @@ const WorkLimit deepest_halving("quadrature/apex_rule: halvings of a rectangle",
 const WorkLimit most_rectangles("quadrature/apex_rule: rectangles", 1000, 0,
                                 "all that the element may hold joins the radius");
 
-/// Points of [0,1] with their distances from both ends, free of cancellation; padded to whole blocks by zero weights.
+/// Points of [0,1] with their distances from both ends, free of cancellation; padded to whole blocks by zero
+/// weights.
 template <Real R>
 struct Nodes {
   std::size_t count = 0;
@@ -42,8 +44,8 @@ struct Nodes {
   std::vector<R> weights;
 };
 
-/// Gauss-Legendre on [0,1]; gathered: x = B(y), B' = 51480 y^7 (1-y)^7, so that powers of the distance from either end
-/// become eight times as smooth. 51480 = 1/Beta(8,8).
+/// Gauss-Legendre on [0,1]; gathered: x = B(y), B' = 51480 y^7 (1-y)^7, so that powers of the distance from
+/// either end become eight times as smooth. 51480 = 1/Beta(8,8).
 template <Real R>
 Nodes<R> make_nodes(int points, bool gathered) {
   const IntervalRule<R> gauss = gauss_rule<R>(gathered ? 2 * points : points, IntervalWeight::one);
@@ -92,8 +94,9 @@ enum class Extent {
 };
 
 /// What the rays from the observer through a side (a, b) meet of the element.
-/// Maths     p + l ((1-m) (a-p) + m (b-p)), 0 <= m <= 1, l between 1 and cut(m), the place of the other side's line on the ray:
-///           cut(m) = offset / ((1-m) slope_a + m slope_b); 0 where p lies in the element
+/// Maths     p + l ((1-m) (a-p) + m (b-p)), 0 <= m <= 1, l between 1 and cut(m), the place of the other
+///           side's line on the ray: cut(m) = offset / ((1-m) slope_a + m slope_b); 0 where p lies in the
+///           element
 template <Real R>
 struct ApexTriangle {
   ParameterPoint<R> to_a;  ///< a - p
@@ -167,8 +170,8 @@ private:
                         points_for(rho, basis_.degree(), tolerance_.intended_truncation()), 0, result);
   }
 
-  /// The smaller ellipse about [m0,m1] of those through the zeros of |DF(p) w(m)|^2, a quadratic in m, and through the
-  /// pole of the cut.
+  /// The smaller ellipse about [m0,m1] of those through the zeros of |DF(p) w(m)|^2, a quadratic in m, and
+  /// through the pole of the cut.
   double ellipse(const ApexTriangle<R>& triangle, const R& m0, const R& m1) const {
     const Vector<R> start = along(triangle.to_a);
     const Vector<R> side = along(triangle.to_b - triangle.to_a);
@@ -241,7 +244,8 @@ private:
     return scalar_formula_.frame(p_.at.at + w).area_normal;
   }
 
-  /// The halves of a rectangle on which the chart does not change evenly along three lines of either direction; sets the step of checks.
+  /// The halves of a rectangle on which the chart does not change evenly along three lines of either
+  /// direction; sets the step of checks.
   std::optional<std::array<Rectangle<R>, 2>> halves_of_uneven(const ApexTriangle<R>& triangle,
                                                               const Rectangle<R>& area) {
     std::array<std::array<Vector<R>, 3>, 3> normal;  // by l, by m
@@ -368,8 +372,8 @@ std::vector<ApexTriangle<R>> seen_from(const ParameterPoint<R>& p, const Cell<R>
   using std::abs;
   const auto& v = element.vertices;
   const R whole = cross(v[1] - v[0], v[2] - v[0]);
-  // A triangle that thin is the rounding of an observer on the side's line: what it holds is below 16 u of the element's
-  // integral, and `rounding` allows for 60 u.
+  // A triangle that thin is the rounding of an observer on the side's line: what it holds is below 16 u of
+  // the element's integral, and `rounding` allows for 60 u.
   const R negligible = R(16) * unit_roundoff<R>() * whole;
   Barycentric<R> at_p;
   std::array<R, 3> part;  // of side i: positive on its inner side

@@ -10,7 +10,8 @@
 namespace radcert {
 
 /// Sums over a part of an element, and how far a coarser rule differed.
-/// Limits    where not all of the part was integrated, the sums say nothing of the rest, and `complete` says so
+/// Limits    where not all of the part was integrated, the sums say nothing of the rest, and `complete` says
+///           so
 template <Real R>
 struct CheckedSums {
   KernelSums<R> sums;
@@ -32,10 +33,8 @@ struct CheckedSums {
 
 /// Lets no function's difference be small by chance, while those of the others are not.
 /// Maths     difference_j = min(max_i difference_i, size_j max_i difference_i / size_i) + intended size_j
-/// Source    -
 /// Requires  `intended`: the truncation at which the error model aims, relative to size_j
 /// Result    no difference becomes smaller
-/// Limits    -
 template <Real R>
 void share_largest_difference(CheckedSums<R>& checked, const R& intended) {
   R largest = R(0);
@@ -50,16 +49,19 @@ void share_largest_difference(CheckedSums<R>& checked, const R& intended) {
         std::min(largest, checked.sums.size[j] * largest_relative) + checked.sums.size[j] * intended;
 }
 
-/// The integral of G l_j over an element that contains the observer or lies near, on the observer's own curved chart.
-/// Maths     the element is split at p into triangles (p, a, b); with w = l ((1-m) (a-p) + m (b-p)) and dt ds = |..| l dl dm
-///           the integrand G(F(p), F(p+w)) l_j J is analytic in (l, m): bounded, but not smooth, at p itself, it is smooth
-///           along rays. Gauss-Legendre in both; the m-interval is bisected until the zeros of |DF(p) w(m)|^2, where the
-///           integrand has its nearest poles, are far from it in terms of its Bernstein ellipse
-/// Source    triangle coordinates: Duffy; G is bounded: [ac98, (5)-(6)]; (Q-P).n_P by divided differences: see Chord
-/// Requires  p on the chart of the element, in it or outside: then the rays from p run between its near and far sides; the
-///           chart is not flat (there G = 0)
-/// Result    the integral; `difference` compares two orders. Not complete where two orders still differ after 40 halvings, or
-///           in the first 300 rectangles
+/// The integral of G l_j over an element that contains the observer or lies near, on the observer's own
+/// curved chart.
+/// Maths     the element is split at p into triangles (p, a, b); with w = l ((1-m) (a-p) + m (b-p)) and dt ds
+///           = |..| l dl dm the integrand G(F(p), F(p+w)) l_j J is analytic in (l, m): bounded, but not
+///           smooth, at p itself, it is smooth along rays. Gauss-Legendre in both; the m-interval is bisected
+///           until the zeros of |DF(p) w(m)|^2, where the integrand has its nearest poles, are far from it in
+///           terms of its Bernstein ellipse
+/// Source    triangle coordinates: Duffy; G is bounded: [ac98, (5)-(6)]; (Q-P).n_P by divided differences:
+///           see Chord
+/// Requires  p on the chart of the element, in it or outside: then the rays from p run between its near and
+///           far sides; the chart is not flat (there G = 0)
+/// Result    the integral; `difference` compares two orders. Not complete where two orders still differ after
+///           40 halvings, or in the first 300 rectangles
 /// Limits    on a chart that is not analytic on a line both variables are gathered towards their ends
 template <Real R>
 CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,

@@ -8,11 +8,10 @@
 namespace radcert {
 
 /// The Bernstein ellipse with foci -1, 1 through z: the sum of its half axes.
-/// Maths     rho = |z + sqrt(z^2 - 1)| >= 1; n-point Gauss quadrature of a function analytic inside converges like rho^(-2n)
+/// Maths     rho = |z + sqrt(z^2 - 1)| >= 1; n-point Gauss quadrature of a function analytic inside converges
+///           like rho^(-2n)
 /// Source    Trefethen, Approximation Theory and Approximation Practice, Theorem 19.3
-/// Requires  -
 /// Result    double: it chooses a rule and enters no result
-/// Limits    -
 inline double bernstein_radius(const std::complex<double>& z) {
   const std::complex<double> root = std::sqrt(z * z - 1.0);
   return std::max(std::abs(z + root), std::abs(z - root));

@@ -8,14 +8,14 @@
 
 namespace radcert {
 
-/// The parameters of a point that lies on a cell of another chart of the same smooth piece, as nodes on seams do.
+/// The parameters of a point that lies on a cell of another chart of the same smooth piece, as nodes on seams
+/// do.
 /// Maths     x in the cell with F(x) = P, by Gauss-Newton on |F(x) - P|^2
-/// Source    -
-/// Requires  -
-/// Result    x if |F(x) - P| is below 64 roundings of |P|'s size and x lies in the cell up to 1e-12 of its size; else nothing
-/// Limits    chooses a rule and decides nothing about geometry: nothing is told too where the steps do not end. P is then integrated by
-///           bisection, which never comes to an end where P is on the cell: what is left counts as incomplete, and the radius
-///           of ElementIntegral holds all that the element may
+/// Result    x if |F(x) - P| is below 64 roundings of |P|'s size and x lies in the cell up to 1e-12 of its
+///           size; else nothing
+/// Limits    chooses a rule and decides nothing about geometry: nothing is told too where the steps do not
+///           end. P is then integrated by bisection, which never comes to an end where P is on the cell: what
+///           is left counts as incomplete, and the radius of ElementIntegral holds all that the element may
 template <Real R>
 std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const Cell<R>& cell,
                                                const Vector<R>& point, const R& extent);

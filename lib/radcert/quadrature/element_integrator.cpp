@@ -16,7 +16,8 @@ namespace {
 constexpr double admissible_ratio = 1.8;
 /// A whole element, whose samples are kept, counts as far down to this ratio.
 constexpr double admissible_ratio_of_whole = 1.35;
-/// A block of observers is integrated side by side from this ratio on: nearer, the bounds of FarBounds are too wide.
+/// A block of observers is integrated side by side from this ratio on: nearer, the bounds of FarBounds are
+/// too wide.
 constexpr double admissible_ratio_of_block = 2.5;
 constexpr int order_step = 3;
 /// A block whose two rules differ is tried again so often with the next finer ones.
@@ -27,8 +28,8 @@ const WorkLimit deepest_bisection("quadrature/element_integrator: bisections", 1
                                   "all that the element may hold joins the radius");
 const WorkLimit most_pieces("quadrature/element_integrator: pieces", 5000, 0,
                             "all that the element may hold joins the radius");
-/// Two rules that still differ on a far piece after so many bisections differ by rounding, which no bisection mends: the
-/// difference goes into the radius.
+/// Two rules that still differ on a far piece after so many bisections differ by rounding, which no bisection
+/// mends: the difference goes into the radius.
 const WorkLimit most_failures("quadrature/element_integrator: bisections of a far piece", 8, 0,
                               "the difference of two rules goes into the radius");
 
@@ -247,8 +248,8 @@ void ElementIntegrator<R>::integrate_lane(const ObserverBlock<R>& block,
   }
 }
 
-/// What rounding may have done to value j of a far block, by two bounds for the sums of |g l_j|: the whole of |g| at the
-/// largest |l_j|, and the largest |G| over the whole of |l_j|.
+/// What rounding may have done to value j of a far block, by two bounds for the sums of |g l_j|: the whole of
+/// |g| at the largest |l_j|, and the largest |G| over the whole of |l_j|.
 template <Real R>
 typename Block<R>::Type ElementIntegrator<R>::far_rounding(std::size_t points, const FarBounds<R>& bounds,
                                                            std::size_t j) const {
@@ -275,7 +276,8 @@ void ElementIntegrator<R>::integrate_far_by_bound(const ObserverBlock<R>& block,
   }
 }
 
-/// Elsewhere: two rules, finer ones if they differ. A lane in which those of the last try still differ is integrated alone.
+/// Elsewhere: two rules, finer ones if they differ. A lane in which those of the last try still differ is
+/// integrated alone.
 template <Real R>
 void ElementIntegrator<R>::integrate_far_by_comparison(const ObserverBlock<R>& block,
                                                        std::span<const Observer<R>> observers,

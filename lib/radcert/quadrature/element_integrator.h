@@ -16,8 +16,8 @@ namespace radcert {
 /// The collocation integrals of one observer and one element.
 /// Maths     value[j] = Int_Delta G(P,Q) l_j(Q) dS_Q;  absolute = Int_Delta |G| dS
 /// Source    [ac98, (40)]
-/// Requires  -
-/// Result    |value[j] - exact| <= radius[j] as far as the estimate goes: what the rule leaves out plus the rounding bound
+/// Result    |value[j] - exact| <= radius[j] as far as the estimate goes: what the rule leaves out plus the
+///           rounding bound
 /// Limits    an estimate, not a proof
 template <Real R>
 struct ElementIntegral {
@@ -36,18 +36,21 @@ struct BlockIntegral {
 };
 
 /// Integrates G l_j over one element for many observers.
-/// Maths     far: conical Gauss rules on the element, of an order chosen from the ratio of distance and size; near: the
-///           longest side is bisected until the pieces are far in terms of their own size, and change evenly
-///           (even_shape.h); near and around an observer on the element's own curved chart: integrate_around; on the
-///           element's own plane: exactly 0.  What a rule leaves out:
-///           flat_rule_bound on plane elements seen from afar, elsewhere the difference of two rules.  A piece that rounding does
-///           not tell apart from P, or that bisection does not reach, is left out: then |Int G l_j| over it is at most
-///           max|l_j| Int |G| dS, and Int |G| dS <= pi over what each ray from P meets once: |cos| over a hemisphere
+/// Maths     far: conical Gauss rules on the element, of an order chosen from the ratio of distance and size;
+///           near: the longest side is bisected until the pieces are far in terms of their own size, and
+///           change evenly (even_shape.h); near and around an observer on the element's own curved chart:
+///           integrate_around; on the element's own plane: exactly 0.  What a rule leaves out:
+///           flat_rule_bound on plane elements seen from afar, elsewhere the difference of two rules.  A
+///           piece that rounding does not tell apart from P, or that bisection does not reach, is left out:
+///           then |Int G l_j| over it is at most max|l_j| Int |G| dS, and Int |G| dS <= pi over what each ray
+///           from P meets once: |cos| over a hemisphere
 /// Source    [ac98, section 5.1] asks for effort that grows as P comes near; the rules are ours
 /// Requires  P not on an edge of the element at which another piece meets it at an angle
-/// Result    each value to the scheme's tolerance, radius with it, or with the radius pi max|l_j| more. A near block's lanes have the bits of their observers alone;
-///           a far block takes one rule for all its lanes, so that an observer's bits depend on its block
-/// Limits    one thread at a time; samples are kept for the element's life, so let one element serve all observers
+/// Result    each value to the scheme's tolerance, radius with it, or with the radius pi max|l_j| more. A
+///           near block's lanes have the bits of their observers alone; a far block takes one rule for all
+///           its lanes, so that an observer's bits depend on its block
+/// Limits    one thread at a time; samples are kept for the element's life, so let one element serve all
+///           observers
 template <Real R>
 class ElementIntegrator {
 public:

@@ -8,12 +8,13 @@
 
 namespace radcert {
 
-/// How unevenly a chart changes along a line of parameters, as far as three points tell: only where it does so evenly does the agreement of
-/// two rules mean that they converge. A layer that both miss, such as that of z = 2 - s^1000 at s = 1, comes near 1/2.
+/// How unevenly a chart changes along a line of parameters, as far as three points tell: only where it does
+/// so evenly does the agreement of two rules mean that they converge. A layer that both miss, such as that of
+/// z = 2 - s^1000 at s = 1, comes near 1/2.
 /// Maths     |N_m - (N_a + N_b)/2| / max |N|,  N = D_s F x D_t F at the ends a, b and in the middle m
-/// Source    ours. Where N changes monotonically from a to b it changes between a and m or between m and b: a layer in one half leaves N_m
-///           at one of the ends, half of the change off their mean. G J is a formula in F and N, of which N varies the faster one
-/// Requires  -
+/// Source    ours. Where N changes monotonically from a to b it changes between a and m or between m and b: a
+///           layer in one half leaves N_m at one of the ends, half of the change off their mean. G J is a
+///           formula in F and N, of which N varies the faster one
 /// Result    0 or more; 0 where an N is not finite: singular lines have rules of their own
 /// Limits    what turns back between the three points is not seen; no chart of the catalogue does
 template <Real R>
@@ -23,8 +24,8 @@ R unevenness(const Vector<R>& a, const Vector<R>& m, const Vector<R>& b) {
   return off > R(0) ? R(off / largest) : R(0);
 }
 
-/// From here on two rules of an element are compared at a greater distance, and the element is halved: the first as soon as convergence
-/// may be slow, the second where it may not have begun.
+/// From here on two rules of an element are compared at a greater distance, and the element is halved: the
+/// first as soon as convergence may be slow, the second where it may not have begun.
 inline constexpr double uneven_for_close_rules = 0.2;
 inline constexpr double uneven_for_any_rule = 0.45;
 

@@ -18,8 +18,8 @@ auto broadcast(const Vector<R>& v) {
   return Vector<B>{B(v.x), B(v.y), B(v.z)};
 }
 
-/// value_j = sum_q g_q l_j(x_q) for `Many` functions from the first on. Each sum runs in `Strands` strands: a sum of its own
-/// has to wait for every step before the next.
+/// value_j = sum_q g_q l_j(x_q) for `Many` functions from the first on. Each sum runs in `Strands` strands: a
+/// sum of its own has to wait for every step before the next.
 template <std::size_t Many, std::size_t Strands, Real R>
 void add_products(const std::vector<typename Block<R>::Type>& g, const Samples<R>& samples, std::size_t first,
                   FarSums<R>& sums) {

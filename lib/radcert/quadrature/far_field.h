@@ -13,9 +13,7 @@ namespace radcert {
 /// What a rule sums up over one far element for a block of observers, one a lane.
 /// Maths     value_j = sum_q g_q l_j(x_q),  size = sum_q |g_q|,  g_q = G(P,Q_q) times area element and weight
 /// Source    [ac98, (40)]
-/// Requires  -
 /// Result    rounded lane by lane
-/// Limits    -
 template <Real R>
 struct FarSums {
   using B = typename Block<R>::Type;
@@ -24,8 +22,8 @@ struct FarSums {
 };
 
 /// The sums of one rule for a block of observers.
-/// Maths     see FarSums; first all g_q, then their products with the basis: two short loops that stay in registers
-/// Source    -
+/// Maths     see FarSums; first all g_q, then their products with the basis: two short loops that stay in
+///           registers
 /// Requires  no observer among the samples
 /// Result    each lane the same bits as if it were alone; `g` is scratch
 /// Limits    about 28 operations and one division an evaluation of G at degree 1
@@ -36,10 +34,7 @@ void far_sums(const ObserverBlock<R>& observers, const Samples<R>& samples,
 /// What bounds G over an element as a whole, seen from afar.
 /// Maths     area = Int dS, normal = Int n_Q dS / area, spread_i = max |n_Q - normal|_i by components,
 ///           rise = max |(Q-c).n_Q|, height = max |(Q-c).normal|, c the centre;  share[j] = Int |l_j| dS
-/// Source    -
-/// Requires  -
 /// Result    from the points of one rule: the maxima are those of its points
-/// Limits    -
 template <Real R>
 struct FarView {
   R area{};
@@ -55,14 +50,13 @@ struct FarView {
 
 /// Bounds for one far element and a block of observers.
 /// Maths     with R = |P-c|, r the radius of the element's ball, n_P = a normal + t, t orthogonal to normal:
-///           |(Q-P).n_P| <= |(c-P).n_P| + |a| height + r |t|,  |(P-Q).n_Q| <= |(P-c).normal| + sum_i |P-c|_i spread_i + rise,
-///           |P-Q| >= R - r; from these
-///           largest >= |G| and lean >= X ((|(Q-P).n_P| + 8 u X) |n_Q| + |(P-Q).n_Q|) / |P-Q|^4, |n_Q| by components at most sqrt 3;
-///           solid_angle = area |(P-c).normal| / R^3
+///           |(Q-P).n_P| <= |(c-P).n_P| + |a| height + r |t|,  |(P-Q).n_Q| <= |(P-c).normal| + sum_i |P-c|_i
+///           spread_i + rise, |P-Q| >= R - r; from these largest >= |G| and lean >= X ((|(Q-P).n_P| + 8 u X)
+///           |n_Q| + |(P-Q).n_Q|) / |P-Q|^4, |n_Q| by components at most sqrt 3; solid_angle = area
+///           |(P-c).normal| / R^3
 /// Source    see KernelSums
 /// Requires  R > r
 /// Result    rounded
-/// Limits    -
 template <Real R>
 struct FarBounds {
   using B = typename Block<R>::Type;

@@ -12,7 +12,8 @@
 namespace radcert {
 namespace {
 
-/// Largest and mean values of |l_j| as a lattice shows them: they choose what a rule may leave out, and enter no radius.
+/// Largest and mean values of |l_j| as a lattice shows them: they choose what a rule may leave out, and enter
+/// no radius.
 template <Real R>
 struct Sizes {
   std::vector<R> largest;
@@ -43,9 +44,9 @@ struct Sizes {
   }
 };
 
-/// The largest |D_s F| |D_t F| / |D_s F x D_t F| at corners and in the middles of the domain and of its sides, off a singular line; at
-/// one place if F is affine. At least 1; infinite where the chart degenerates. Each component of D_s F x D_t F is off by
-/// 4 u |D_s F| |D_t F| at most where the tangents are off by u.
+/// The largest |D_s F| |D_t F| / |D_s F x D_t F| at corners and in the middles of the domain and of its
+/// sides, off a singular line; at one place if F is affine. At least 1; infinite where the chart degenerates.
+/// Each component of D_s F x D_t F is off by 4 u |D_s F| |D_t F| at most where the tangents are off by u.
 template <Real R>
 R largest_normal_loss(const Chart& chart) {
   const int first = chart.facts().singular == SingularLine::none ? 0 : 1;
@@ -63,8 +64,8 @@ R largest_normal_loss(const Chart& chart) {
   return largest;
 }
 
-/// The finer of two rules has this much more order; more where they converge slowly. Odd: two sets of samples are told apart by the parity
-/// of their orders.
+/// The finer of two rules has this much more order; more where they converge slowly. Odd: two sets of samples
+/// are told apart by the parity of their orders.
 constexpr int check_step_analytic = 1;
 constexpr int check_step_slow = 3;
 

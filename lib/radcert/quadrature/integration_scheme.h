@@ -14,19 +14,19 @@ namespace radcert {
 /// The rules for an element or a piece of one, seen from a distance.
 struct FarRule {
   int order;  ///< of the conical rule that counts
-  std::optional<int>
-      compared_with;  ///< of the coarser one that it is compared with; none where a bound is known
+  /// Of the coarser one that it is compared with; none where a bound is known
+  std::optional<int> compared_with;
 };
 
 /// What all elements of one assembly share: surface, basis, tolerance, and what follows from them.
 /// Maths     largest_value(j) >= max |l_j|: see largest_values;
-///           flat_truncation() = Tolerance::converged min_j (mean |l_j|) / (max |l_j|), both over a lattice of the element: what a rule
-///           may leave out, relative to largest_value(j) times a solid angle, and still be small beside Int |G l_j|;
-///           a conical rule of n x n points leaves out about rho^(-2n), rho = eta + sqrt(eta^2 - 1), seen from eta radii
+///           flat_truncation() = Tolerance::converged min_j (mean |l_j|) / (max |l_j|), both over a lattice
+///           of the element: what a rule may leave out, relative to largest_value(j) times a solid angle, and
+///           still be small beside Int |G l_j|; a conical rule of n x n points leaves out about rho^(-2n),
+///           rho = eta + sqrt(eta^2 - 1), seen from eta radii
 /// Source    see flat_rule_bound
 /// Requires  the surface outlives this
 /// Result    immutable; safe to share between threads
-/// Limits    -
 template <Real R>
 class IntegrationScheme {
 public:
@@ -38,7 +38,8 @@ public:
   const R& largest_value(std::size_t j) const { return largest_values_[j]; }
 
   double flat_truncation() const { return flat_truncation_; }
-  /// By how much the rounding of a chart's normal exceeds that of its tangents: the largest |D_s F| |D_t F| / |D_s F x D_t F| found.
+  /// By how much the rounding of a chart's normal exceeds that of its tangents: the largest |D_s F| |D_t F| /
+  /// |D_s F x D_t F| found.
   const R& normal_loss(std::size_t chart) const { return normal_loss_[chart]; }
 
   /// Whether G vanishes between two charts because both lie in one plane.
@@ -46,14 +47,15 @@ public:
     return plane_[a] != no_plane && plane_[a] == plane_[b];
   }
 
-  /// The rules for an element seen from eta radii: one whose bound is within flat_truncation() if the element is plane and
-  /// that takes fewer points than two rules of the orders that the error model asks for.
+  /// The rules for an element seen from eta radii: one whose bound is within flat_truncation() if the element
+  /// is plane and that takes fewer points than two rules of the orders that the error model asks for.
   FarRule far_rule(const ChartFacts& chart, double eta, double unevenness) const;
 
-  /// The least order for which the error model reaches Tolerance::intended_truncation, so that a finer rule exists.
+  /// The least order for which the error model reaches Tolerance::intended_truncation, so that a finer rule
+  /// exists.
   int order_by_model(double eta) const;
-  /// How much finer the rule is with which a rule is compared; more where rules may converge slowly: on singular charts, and on elements on
-  /// which the chart does not change evenly.
+  /// How much finer the rule is with which a rule is compared; more where rules may converge slowly: on
+  /// singular charts, and on elements on which the chart does not change evenly.
   static int check_step(const ChartFacts& chart, double unevenness);
 
 private:
@@ -66,8 +68,8 @@ private:
   double flat_truncation_;
   std::vector<R> normal_loss_;      ///< by chart
   std::vector<std::size_t> plane_;  ///< by chart: the first chart in the same plane
-  std::vector<double>
-      least_distance_by_bound_;  ///< by order: the eta from which flat_rule_bound is small enough
+  /// By order: the eta from which flat_rule_bound is small enough
+  std::vector<double> least_distance_by_bound_;
   std::vector<double> least_distance_by_model_;
 };
 

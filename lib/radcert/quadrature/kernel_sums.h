@@ -15,12 +15,12 @@ inline constexpr int coordinate_roundings = 8;
 
 /// G at one point of a chord, and its part of KernelSums::tilt.
 /// Maths     value = (bend_p.n_P) (bend_q.n_Q) / |P-Q|^4;
-///           lean = (|bend_p|.|n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q|.|n_Q| + e |bend_p|.|n_P| |bend_q|.|n_Q|) / |P-Q|^4, |v| by
-///           components, e = 8 u
-/// Source    lean: e times it bounds what changes of the bends' components by e do to the product of [ac98, (2)]
+///           lean = (|bend_p|.|n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q|.|n_Q| + e |bend_p|.|n_P|
+///           |bend_q|.|n_Q|) / |P-Q|^4, |v| by components, e = 8 u
+/// Source    lean: e times it bounds what changes of the bends' components by e do to the product of [ac98,
+///           (2)]
 /// Requires  P != Q
 /// Result    lean >= 2 |value|; much larger where a bend is nearly tangential
-/// Limits    -
 template <Real R>
 struct ChordValue {
   R value;
@@ -54,13 +54,13 @@ private:
 
 /// What a rule sums up for one observer over one cell.
 /// Maths     value_j = sum g_q l_j(x_q),  size_j = sum |g_q| |l_j(x_q)|,  total = sum g_q,  size = sum |g_q|,
-///           tilt_j: e tilt_j is what a change of all coordinates by e X does to the product of the two scalar products at most, e = 8 u:
-///           sum of X (|(Q-P).n_P| + |(P-Q).n_Q| + e X) |l_j| / |P-Q|^4 (weighted), X the largest coordinate; for chords
-///           the products of lengths |bend| |n| stand for |X|.  g_q = G(P,Q_q) times area element and weight
+///           tilt_j: e tilt_j is what a change of all coordinates by e X does to the product of the two
+///           scalar products at most, e = 8 u: sum of X (|(Q-P).n_P| + |(P-Q).n_Q| + e X) |l_j| / |P-Q|^4
+///           (weighted), X the largest coordinate; for chords the products of lengths |bend| |n| stand for
+///           |X|.  g_q = G(P,Q_q) times area element and weight
 /// Source    [ac98, (40)]
 /// Requires  at most 45 functions (degree 8)
 /// Result    see `rounding`
-/// Limits    -
 template <Real R>
 struct KernelSums {
   static constexpr std::size_t most_functions = 45;
@@ -80,10 +80,8 @@ struct KernelSums {
 
 /// Running sums over blocks of points, lane by lane.
 /// Maths     see KernelSums
-/// Source    -
 /// Requires  as many basis functions as stated
 /// Result    sums() folds the lanes in a fixed order
-/// Limits    -
 template <Real R>
 class KernelSumsByLane {
 public:
@@ -144,26 +142,24 @@ KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const
 /// Source    ours
 /// Requires  p on `chart`, the chart of the samples, and not among them
 /// Result    as kernel_sums, without its loss of digits near the diagonal
-/// Limits    -
 template <Real R>
 KernelSums<R> chord_sums(const Observer<R>& p, const Chart& chart, const Samples<R>& samples);
 
 /// A bound for what rounding did to value_j, to first order in the unit roundoff u.
-/// Maths     (points + 60) u size_j + 8 u tilt_j: each term passes at most 60 roundings in chart, kernel, weight and
-///           basis, a sum of k terms at most k more; coordinates are off by at most 8 u of the largest
+/// Maths     (points + 60) u size_j + 8 u tilt_j: each term passes at most 60 roundings in chart, kernel,
+///           weight and basis, a sum of k terms at most k more; coordinates are off by at most 8 u of the
+///           largest
 /// Source    standard model of rounding; the counts are those of the formulas in this layer
 /// Requires  no point of the cell nearer to P than least_distance
 /// Result    a bound if the chart's own formula loses no more than 8 u of the largest coordinate
-/// Limits    -
 template <class V, class R>
 V rounding_bound(std::size_t points, const V& size, const V& tilt, const R& u) {
   return V(R(static_cast<double>(points + 60)) * u) * size + V(R(coordinate_roundings) * u) * tilt;
 }
 
 /// The distance from which on P and Q are told apart by their rounded coordinates.
-/// Maths     64 times what coordinates are off by, 512 u X: relatively |Q-P| then changes by sqrt(3)/64 at most, and G by terms of
-///           second order that are below a tenth of those of first order
-/// Source    -
+/// Maths     64 times what coordinates are off by, 512 u X: relatively |Q-P| then changes by sqrt(3)/64 at
+///           most, and G by terms of second order that are below a tenth of those of first order
 /// Requires  `extent` bounds the coordinates of P and Q
 /// Result    rounded
 /// Limits    nearer than that a sum over rounded points says nothing about the integral

@@ -11,7 +11,6 @@ namespace radcert {
 /// Source    the v_i of [ac98, (40)]
 /// Requires  see SurfacePoint
 /// Result    rounded as R rounds
-/// Limits    -
 template <Real R>
 struct Observer {
   SurfacePoint<R> at;

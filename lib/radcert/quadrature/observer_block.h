@@ -12,10 +12,7 @@ namespace radcert {
 
 /// Observers side by side, one a lane.
 /// Maths     P_i and n_{P_i} for first <= i < first + count, all on one chart, and a ball about them
-/// Source    -
-/// Requires  -
 /// Result    lanes from `count` on repeat the last observer
-/// Limits    -
 template <Real R>
 struct ObserverBlock {
   using B = typename Block<R>::Type;

@@ -12,12 +12,11 @@
 
 namespace radcert {
 
-/// A triangle inside an element: its corners in the parameter plane and in the element's barycentric coordinates.
+/// A triangle inside an element: its corners in the parameter plane and in the element's barycentric
+/// coordinates.
 /// Maths     the element itself, or what bisections left of it
-/// Source    -
 /// Requires  corners and vertices belong together
 /// Result    bisection is exact as long as the coordinates are dyadic
-/// Limits    -
 template <Real R>
 struct Cell {
   std::array<ParameterPoint<R>, 3> vertices;
@@ -33,14 +32,13 @@ template <Real R>
 Cell<R> whole_element(const ParameterTriangle& triangle);
 
 /// Quadrature points of one cell, as structure of arrays, with all that does not depend on the observer.
-/// Maths     Int_cell f l_j dS ~ sum_q f(Q_q) |normal_q| l_j(x_q); normal_q is the inner normal n_Q times area element
-///           times weight
+/// Maths     Int_cell f l_j dS ~ sum_q f(Q_q) |normal_q| l_j(x_q); normal_q is the inner normal n_Q times
+///           area element times weight
 /// Source    [ac98, (30)]
 /// Requires  see `take_samples`
-/// Result    `count` points; arrays are padded to whole blocks by points of zero weight; basis values lie by blocks:
-///           basis[(block * functions + j) * lanes + lane]; (s, t) are relative to `origin`, the cell's first vertex: in a
-///           small cell they keep digits that the parameters themselves would lose
-/// Limits    -
+/// Result    `count` points; arrays are padded to whole blocks by points of zero weight; basis values lie by
+///           blocks: basis[(block * functions + j) * lanes + lane]; (s, t) are relative to `origin`, the
+///           cell's first vertex: in a small cell they keep digits that the parameters themselves would lose
 template <Real R>
 struct Samples {
   static constexpr std::size_t lanes = Block<R>::lanes;
@@ -60,10 +58,7 @@ struct Samples {
 
 /// Points and weights of a rule on a triangle, as structure of arrays.
 /// Maths     barycentric coordinates x_1, x_2, x_3 and weights that sum to 1/2
-/// Source    -
-/// Requires  -
 /// Result    padded to whole blocks: the last point again, with zero weight
-/// Limits    -
 template <Real R>
 struct RuleArrays {
   std::size_t count = 0;
@@ -81,13 +76,12 @@ public:
   static const RuleArrays<R>& rule(int order, Gathering gathering);
 };
 
-/// Samples of a cell by the conical rule of an order. Where the cell touches a line on which its chart is not analytic,
-/// the rule is gathered towards it.
+/// Samples of a cell by the conical rule of an order. Where the cell touches a line on which its chart is not
+/// analytic, the rule is gathered towards it.
 /// Maths     see conical_rule
 /// Source    ours
 /// Requires  smallest_order <= order <= largest_order
 /// Result    fills `out`, reusing its storage
-/// Limits    -
 template <Real R>
 void take_samples(const Chart& chart, const Cell<R>& cell,
                   const std::type_identity_t<TriangleBasis<R>>& basis, int order, Samples<R>& out);

@@ -10,12 +10,13 @@ namespace radcert {
 
 /// What is asked of the entries of a collocation matrix.
 /// Maths     |entry - exact| <= entry() max|l_j| times the row's Int |G| dS, as far as rounding allows
-/// Source    -
-/// Requires  0 < entry <= coarsest, and finest_of<R>() <= entry where it is used in the arithmetic R, else ContractViolation
-/// Result    the thresholds that follow from it. `converged` is the difference of two rules, relative to Int |G l_j| over an
-///           element, at which an integral counts as converged: a fifth, since the error of a row is the sum over its
-///           elements and the difference seldom less than the error. `intended_truncation` is asked of the error model when
-///           an order is chosen: a hundredth, so that the comparison of two rules seldom fails
+/// Requires  0 < entry <= coarsest, and finest_of<R>() <= entry where it is used in the arithmetic R, else
+///           ContractViolation
+/// Result    the thresholds that follow from it. `converged` is the difference of two rules, relative to Int
+///           |G l_j| over an element, at which an integral counts as converged: a fifth, since the error of a
+///           row is the sum over its elements and the difference seldom less than the error.
+///           `intended_truncation` is asked of the error model when an order is chosen: a hundredth, so that
+///           the comparison of two rules seldom fails
 /// Limits    at the finest of double a difference of 2e-14 is about 200 roundings
 class Tolerance {
 public:

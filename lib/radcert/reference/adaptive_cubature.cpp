@@ -25,7 +25,8 @@ Pack entries(const std::array<double, n>& a, std::size_t from) {
   return Pack::load(a.data() + from);
 }
 
-/// How many points bring an error down to a goal if the fall of the coefficients goes on; more than there are where it does not.
+/// How many points bring an error down to a goal if the fall of the coefficients goes on; more than there are
+/// where it does not.
 std::size_t enough_points(std::size_t points, const GaussRule::Error& error, double goal) {
   constexpr std::size_t too_many = GaussRule::largest + 1;
   if (!(error.decay < 0.5) || goal <= 0) return too_many;

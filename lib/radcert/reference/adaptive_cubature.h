@@ -16,13 +16,17 @@
 
 namespace radcert::reference {
 
-/// A sum of integrals of G J u over parts of parameter planes, by adaptive Gauss cubature of one common tolerance.
-/// Maths     sum over (map, integrand) of Int_[0,1]^2 f(w(y,x)) |det Dw(y,x)| dy dx; the region with the largest error is halved in the
-///           direction of the larger one of its two errors, those of its profiles: f integrated along x, and along y. Where the
-///           coefficients fall so fast that fewer points than in two halves do, it gets these instead
+/// A sum of integrals of G J u over parts of parameter planes, by adaptive Gauss cubature of one common
+/// tolerance.
+/// Maths     sum over (map, integrand) of Int_[0,1]^2 f(w(y,x)) |det Dw(y,x)| dy dx; the region with the
+///           largest error is halved in the direction of the larger one of its two errors, those of its
+///           profiles: f integrated along x, and along y. Where the coefficients fall so fast that fewer
+///           points than in two halves do, it gets these instead
 /// Source    global adaptive refinement; the rules and their estimate of the error: see GaussRule
-/// Requires  f finite, else ContractViolation; `integrand` one that add() has given; charts and density outlive this
-/// Result    estimate(): aims at 4e-14 of the integral of |f| or at the noise of the samples; the same bits everywhere
+/// Requires  f finite, else ContractViolation; `integrand` one that add() has given; charts and density
+///           outlive this
+/// Result    estimate(): aims at 4e-14 of the integral of |f| or at the noise of the samples; the same bits
+///           everywhere
 /// Limits    an estimate, no proof; 4000 regions, where what is left of the error goes into the radius
 class AdaptiveCubature {
 public:
@@ -33,7 +37,8 @@ public:
 
   std::size_t add(const Integrand& f);
   void add(const Map& map, const Spacing& spacing, const Roughness& roughness, std::size_t integrand);
-  /// A part, evenly spaced, whose figures on the unit square are known already; its integrand is made only if they must be refined.
+  /// A part, evenly spaced, whose figures on the unit square are known already; its integrand is made only if
+  /// they must be refined.
   void add(const Map& map, std::size_t chart, Region known);
   /// Adds the bound of an integral that is left out to the radius.
   void add_unseen(double bound) { unseen_ += bound; }

@@ -12,11 +12,12 @@ namespace radcert {
 namespace reference {
 
 /// A function on a box of space, and an analytic one that agrees with it there.
-/// Maths     on_box contains its values on the box; on_disks those of the analytic function on a product of disks about the box
+/// Maths     on_box contains its values on the box; on_disks those of the analytic function on a product of
+///           disks about the box
 /// Source    see ComplexBall: a finite value means that the function is analytic
 /// Requires  precision from BallPrecision::current()
-/// Result    abs, min and max are the branch that holds on the whole box; where there is none, on_disks has failed
-/// Limits    -
+/// Result    abs, min and max are the branch that holds on the whole box; where there is none, on_disks has
+///           failed
 struct BoxValue {
   Ball on_box;
   ComplexBall on_disks;

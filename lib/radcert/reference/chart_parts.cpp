@@ -61,7 +61,8 @@ double accurate_dot(const std::array<double, n>& a, const std::array<double, n>&
   return sum + error;
 }
 
-/// F(q) - F(p) for two affine charts, each coordinate correctly rounded but for a cancellation of 16 digits and more.
+/// F(q) - F(p) for two affine charts, each coordinate correctly rounded but for a cancellation of 16 digits
+/// and more.
 Point accurate_difference(const Frame<double>& f_q, const Parameters& q, const Frame<double>& f_p,
                           const Parameters& p) {
   const std::array<double, 6> factor{1, q.s, q.t, -1, -p.s, -p.t};
@@ -149,8 +150,9 @@ Point difference(const Collocation& at, std::size_t index, const Parameters& q) 
   return accurate_difference(chart.in<double>().frame({0, 0}), q, own.in<double>().frame({0, 0}), at.p.at);
 }
 
-/// Whether the surface goes on smoothly from P to the disk of a chart about the point nearest to P: n_Q is about n_P all over it. The far sheet
-/// of a flat body is no such disk, nor is one about a rim that bends within it.
+/// Whether the surface goes on smoothly from P to the disk of a chart about the point nearest to P: n_Q is
+/// about n_P all over it. The far sheet of a flat body is no such disk, nor is one about a rim that bends
+/// within it.
 bool goes_on_smoothly(const Collocation& at, const ChartIn<double>& chart, ChartDomain domain,
                       const Parameters& nearest, double radius) {
   constexpr double least_cosine = 0.9;
@@ -191,7 +193,8 @@ void add_other_chart(AdaptiveCubature& cubature, const Collocation& at, std::siz
     add_slabs(cubature, integrand({0, 0}), polygon, {0, 0}, true, spread, graded_roughness);
     return;
   }
-  // Where one piece goes on smoothly G is bounded, but nearer than this rounding hides it: that disk is not integrated.
+  // Where one piece goes on smoothly G is bounded, but nearer than this rounding hides it: that disk is not
+  // integrated.
   const double hidden = 1e-8 * extent;
   const bool is_seam =
       same_piece && goes_on_smoothly(at, formula, chart.facts().domain, apex, std::max(delta, hidden));

@@ -18,7 +18,6 @@ namespace radcert::reference {
 /// Source    [ac98, (2)]
 /// Requires  a surface and a density that outlive this
 /// Result    holds what it is given
-/// Limits    -
 struct Collocation {
   const Surface* surface;
   SurfacePoint<double> p;
@@ -27,12 +26,17 @@ struct Collocation {
   const Density* density;
 };
 
-/// The integral of G u over a polygon of one chart, decomposed about the point nearest to P and added to a cubature.
-/// Maths     Int over F_index(polygon) of G(P,Q) u(Q) dS_Q; nothing where P and the chart lie in one plane, where G = 0
+/// The integral of G u over a polygon of one chart, decomposed about the point nearest to P and added to a
+/// cubature.
+/// Maths     Int over F_index(polygon) of G(P,Q) u(Q) dS_Q; nothing where P and the chart lie in one plane,
+///           where G = 0
 /// Source    ours
-/// Requires  P off the edge where its piece meets another, else ContractViolation; the polygon in the domain of the chart
-/// Result    sectors about the nearest point, or triangles or slabs where that is far; slabs graded towards a singular line
-/// Limits    across a smooth seam a disk of radius 3e-9 of the extent about P is bounded instead of integrated
+/// Requires  P off the edge where its piece meets another, else ContractViolation; the polygon in the domain
+///           of the chart
+/// Result    sectors about the nearest point, or triangles or slabs where that is far; slabs graded towards a
+///           singular line
+/// Limits    across a smooth seam a disk of radius 3e-9 of the extent about P is bounded instead of
+///           integrated
 void add_part(AdaptiveCubature& cubature, const Collocation& at, std::size_t index, const Polygon& polygon);
 
 /// G J on another chart than P's, its parameters counted from an apex.
@@ -40,7 +44,6 @@ void add_part(AdaptiveCubature& cubature, const Collocation& at, std::size_t ind
 /// Source    [ac98, (2)]
 /// Requires  index != p.chart
 /// Result    of the chart's own kind; between flat charts the offset F(apex) - P is rounded once
-/// Limits    -
 Integrand other_integrand(const Collocation& at, std::size_t index, const Parameters& apex);
 
 }  // namespace radcert::reference

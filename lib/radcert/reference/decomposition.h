@@ -28,14 +28,18 @@ struct Polar {
 };
 
 /// The integral over a polygon, part by part, added to a cubature.
-/// Maths     triangles from vertex 0; slabs between the s of neighbouring vertices, s = z^4 if graded; sectors from the apex to each
-///           side, in polar coordinates of the tangent plane; r there, and t in slabs, by the substitution sinh where there is a delta
+/// Maths     triangles from vertex 0; slabs between the s of neighbouring vertices, s = z^4 if graded;
+///           sectors from the apex to each side, in polar coordinates of the tangent plane; r there, and t in
+///           slabs, by the substitution sinh where there is a delta
 /// Source    see Collapse, Slab, Sector and Spacing
-/// Requires  a convex polygon; the apex is that of the integrand, in the polygon for sectors and vertex 0 for triangles
-/// Result    the parts cover the polygon once, up to rounding; sectors leave out the disk of radius polar.inner_radius and add the
-///           integral of polar.bound over it to the radius; add_sectors gives the width of the widest strip beside a side through the
-///           apex that is left out or covered twice, a rounding
-/// Limits    a side through the apex, to rounding, has no sector; `roughness` is a guess of the caller, see Roughness
+/// Requires  a convex polygon; the apex is that of the integrand, in the polygon for sectors and vertex 0 for
+///           triangles
+/// Result    the parts cover the polygon once, up to rounding; sectors leave out the disk of radius
+///           polar.inner_radius and add the integral of polar.bound over it to the radius; add_sectors gives
+///           the width of the widest strip beside a side through the apex that is left out or covered twice,
+///           a rounding
+/// Limits    a side through the apex, to rounding, has no sector; `roughness` is a guess of the caller, see
+///           Roughness
 void add_triangles(AdaptiveCubature& cubature, std::size_t integrand, const Polygon& polygon,
                    const Roughness& roughness);
 void add_slabs(AdaptiveCubature& cubature, std::size_t integrand, const Polygon& polygon,

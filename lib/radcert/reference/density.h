@@ -12,9 +12,9 @@
 
 namespace radcert::reference {
 
-/// Points of one chart, side by side: point i has the parameters s[i], t[i] and the coordinates x[i], y[i], z[i].
+/// Points of one chart, side by side: point i has the parameters s[i], t[i] and the coordinates x[i], y[i],
+/// z[i].
 /// Maths     (x, y, z)[i] = F_chart(s[i], t[i])
-/// Source    -
 /// Requires  spans of one length
 /// Result    holds what it is given
 /// Limits    the coordinates are rounded, and on a flat chart those of its rounded coefficients
@@ -31,9 +31,8 @@ struct PointBlock {
 
 /// A density u on a surface, from a function of a block of points or from one of a single point.
 /// Maths     values[i] = u at point i, given both by its parameters and by its coordinates
-/// Source    -
-/// Requires  a function void(PointBlock, values) or double(SurfacePoint, coordinates); safe to call from several threads where the
-///           integrals are
+/// Requires  a function void(PointBlock, values) or double(SurfacePoint, coordinates); safe to call from
+///           several threads where the integrals are
 /// Result    values in the order of the points
 /// Limits    a function of a single point costs a call a point
 class Density {

@@ -44,7 +44,8 @@ struct Box {
   Interval x, y, z;
 };
 
-/// The ball from one end of an interval, exact there, to the other or a little farther: a root may end at that end.
+/// The ball from one end of an interval, exact there, to the other or a little farther: a root may end at
+/// that end.
 Ball from_end(const Interval& x, bool from_low) {
   if (x.low == x.high) return Ball(x.low);
   int exponent = 0;
@@ -95,8 +96,8 @@ Box fattened(const Box& box) {
   return {fat(box.x), fat(box.y), fat(box.z)};
 }
 
-/// A bound of sum_i |D_i f| off_i on a box: where |f| <= m on disks of `growth` times its radii h_i, |D_i f| is at most
-/// m / ((growth - 1) h_i) by Cauchy.
+/// A bound of sum_i |D_i f| off_i on a box: where |f| <= m on disks of `growth` times its radii h_i, |D_i f|
+/// is at most m / ((growth - 1) h_i) by Cauchy.
 double change_by_disks(const Expression& f, const Box& box, const Vector<double>& off, double growth) {
   const double m = value_on(f, box, true, growth).on_disks.magnitude_bound();
   const Ball sum =
@@ -138,7 +139,8 @@ void include(Box& box, const Vector<Ball>& q) {
   box.z.include(q.z);
 }
 
-/// A box about F(polygon): about the corners of a plane one, else about the images of rectangles of parameters.
+/// A box about F(polygon): about the corners of a plane one, else about the images of rectangles of
+/// parameters.
 Box box_about(const Chart& chart, const Polygon& polygon) {
   const ChartIn<Ball>& formula = chart.in<Ball>();
   Box box;
@@ -233,7 +235,8 @@ public:
   }
 
 private:
-  /// Sets `rounding` of all cells of one chart, whose points are off by eight roundings of the largest coordinate.
+  /// Sets `rounding` of all cells of one chart, whose points are off by eight roundings of the largest
+  /// coordinate.
   void set_rounding(std::span<DensityCell> cells) const {
     const Expression& f = formulas_[cells.front().chart];
     if (f.is_constant()) return;
@@ -317,8 +320,8 @@ private:
     return result;
   }
 
-  /// The halves of least extent, or those that leave far less: towards a line on which u is not analytic cells
-  /// become thin. The cell itself, if it is too narrow.
+  /// The halves of least extent, or those that leave far less: towards a line on which u is not analytic
+  /// cells become thin. The cell itself, if it is too narrow.
   std::vector<Open> halved(const Open& cell) const {
     const auto is_rounder = [](const Halves& a, const Halves& b) {
       return std::tuple(a.extent, a.without_bound, a.share) < std::tuple(b.extent, b.without_bound, b.share);

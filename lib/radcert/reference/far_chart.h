@@ -16,8 +16,8 @@ namespace radcert::reference {
 /// Maths     points Q_ij = F(w(y_i, x_j)); normals n_Q J u |det Dw| there
 /// Source    ours
 /// Requires  u finite at the points, else ContractViolation; `points` a multiple of Pack::lanes
-/// Result    region(): the sum over them of G u with its errors, on the unit square of the map; points of space are subtracted, as in
-///           CurvedIntegrand
+/// Result    region(): the sum over them of G u with its errors, on the unit square of the map; points of
+///           space are subtracted, as in CurvedIntegrand
 /// Limits    resolves G for P at a distance that the size of the rule fits, see Roughness
 class FarSamples {
 public:
@@ -36,11 +36,10 @@ private:
 };
 
 /// What does not depend on P of a chart that P does not lie on.
-/// Maths     a ball about F(centre of the domain) with the chart's corners and the middles of its sides in it; the extents of the chart across
-///           and along the lines of its map; how much its normal turns
-/// Source    -
-/// Requires  -
-/// Result    rounded; what the ball leaves out costs points, no digits. Samples of several sizes, in `bytes` bytes
+/// Maths     a ball about F(centre of the domain) with the chart's corners and the middles of its sides in
+///           it; the extents of the chart across and along the lines of its map; how much its normal turns
+/// Result    rounded; what the ball leaves out costs points, no digits. Samples of several sizes, in `bytes`
+///           bytes
 /// Limits    no samples where the chart has a singular line
 class FarChart {
 public:

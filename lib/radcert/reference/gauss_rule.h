@@ -8,14 +8,17 @@
 namespace radcert::reference {
 
 /// A Gauss rule on [0,1] with an estimate of its error.
-/// Maths     sum_i w_i g(x_i) for Int_0^1 g;  the estimate comes from the last coefficients c_{n-8} ... c_{n-1} of g in the orthonormal
-///           Legendre polynomials, those from degree 2 on: they fall like q^k where g is analytic, and the error of the rule is about c_{2n} = c_{n-1} q^(n+1). A part of
-///           g that is small and falls slowly hides below the others: so the fall is continued over 2 `continued` <= n+1 degrees only
-/// Source    Gauss 1814 (nodes: zeros of Legendre polynomials by Newton's method in long double); the use of null rules as in Berntsen and
-///           Espelid, ACM TOMS 17 (1991)
+/// Maths     sum_i w_i g(x_i) for Int_0^1 g;  the estimate comes from the last coefficients c_{n-8} ...
+///           c_{n-1} of g in the orthonormal Legendre polynomials, those from degree 2 on: they fall like q^k
+///           where g is analytic, and the error of the rule is about c_{2n} = c_{n-1} q^(n+1). A part of g
+///           that is small and falls slowly hides below the others: so the fall is continued over 2
+///           `continued` <= n+1 degrees only
+/// Source    Gauss 1814 (nodes: zeros of Legendre polynomials by Newton's method in long double); the use of
+///           null rules as in Berntsen and Espelid, ACM TOMS 17 (1991)
 /// Requires  smallest <= n <= largest
-/// Result    nodes increasing, weights positive with sum 1 to rounding; exact for polynomials of degree 2n-1; nodes and weights are
-///           correctly rounded but for ties. Arrays go on to a multiple of eight: the nodes with the last one, the weights with zeros
+/// Result    nodes increasing, weights positive with sum 1 to rounding; exact for polynomials of degree 2n-1;
+///           nodes and weights are correctly rounded but for ties. Arrays go on to a multiple of eight: the
+///           nodes with the last one, the weights with zeros
 /// Limits    the estimate is not a bound: it can be fooled by a function that oscillates between the nodes
 class GaussRule {
 public:

@@ -20,9 +20,8 @@ inline constexpr double roundoff = unit_roundoff<double>();
 /// The integrand of the operator at eight points, but for the density.
 /// Maths     the points, and G J there, J the area element
 /// Source    [ac98, (2)]
-/// Requires  -
-/// Result    kernel rounded, with an absolute error of at most `noise` to first order, beside a few units in its last place
-/// Limits    -
+/// Result    kernel rounded, with an absolute error of at most `noise` to first order, beside a few units in
+///           its last place
 struct Samples {
   ParameterPoint<Pack> at;
   Vector<Pack> point;
@@ -32,10 +31,8 @@ struct Samples {
 
 /// Where an integrand looks: a chart whose parameters are counted from an apex.
 /// Maths     at(w) = apex + w
-/// Source    -
 /// Requires  apex and apex + w in the chart's domain up to rounding
 /// Result    parameters in the unit square, also where rounding had carried them out of it
-/// Limits    -
 struct Target {
   std::size_t chart;
   Parameters apex;
@@ -66,7 +63,6 @@ inline Vector<Pack> along(const Vector<Pack>& a, const Pack& c, const Vector<Pac
 /// Source    [ac98, (2)]
 /// Requires  P off the point; offset = F(apex) - P with an error of at most offset_error
 /// Result    see Samples; no digits are lost beside those that the offset has lost
-/// Limits    -
 struct FlatIntegrand {
   Target target;
   Vector<double> origin;  // F(0,0)
@@ -168,7 +164,6 @@ struct CurvedIntegrand {
 /// Source    [ac98, (5)-(6)]
 /// Requires  apex + w off P
 /// Result    see Samples; no digits are lost up to the diagonal
-/// Limits    -
 struct ChordIntegrand {
   Target target;
   const ChartIn<Pack>* chart;
@@ -178,7 +173,8 @@ struct ChordIntegrand {
 
   auto on(const Line<double>& line) const {
     return [this, w = ParametersOnLine(line)](const Pack& r) {
-      // Rounding must not carry the point over the border of the domain: a power has no value beyond its singular line.
+      // Rounding must not carry the point over the border of the domain: a power has no value beyond its
+      // singular line.
       const ParameterPoint<Pack> from_apex = w(r);
       const ParameterPoint<Pack> step{min(max(offset.s + from_apex.s, -p.s), 1 - p.s),
                                       min(max(offset.t + from_apex.t, -p.t), 1 - p.t)};

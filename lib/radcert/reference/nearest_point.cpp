@@ -20,8 +20,8 @@ const WorkLimit most_steps(
 const WorkLimit most_halvings("reference/nearest_point: halvings of a step", 8, 1,
                               "AccuracyNotReached, unless the step is small or no point can be much nearer");
 
-/// Whether no point of the polygon is nearer to P than a fourth of a distance, by a grid over each triangle of a fan: what lies between
-/// its points is at most a side of its cells away from one.
+/// Whether no point of the polygon is nearer to P than a fourth of a distance, by a grid over each triangle
+/// of a fan: what lies between its points is at most a side of its cells away from one.
 bool is_as_near_as_any(double distance, const Vector<double>& p, const ChartIn<double>& chart,
                        const Polygon& polygon) {
   constexpr std::size_t cells = 16;

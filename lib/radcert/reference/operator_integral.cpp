@@ -39,7 +39,8 @@ Collocation collocation(const Surface& surface, const SurfacePoint<double>& p, c
   return {&surface, p, frame, unit_normal(frame), &u};
 }
 
-/// Adds what P sees of a chart, if that may be less than all of it; false: all of it is seen, and nothing was added.
+/// Adds what P sees of a chart, if that may be less than all of it; false: all of it is seen, and nothing was
+/// added.
 bool add_if_hidden(AdaptiveCubature& cubature, const Collocation& at, std::size_t chart,
                    const SurfaceScene& scene, std::optional<PointView>& view,
                    std::span<const DensityCell> cells) {
@@ -67,7 +68,8 @@ std::vector<DensityCell> whole_charts(const Surface& surface) {
   return cells;
 }
 
-/// What the deviations of a chart's cells may change of the integral over it, P not in one plane with it but on it.
+/// What the deviations of a chart's cells may change of the integral over it, P not in one plane with it but
+/// on it.
 double deviation_bound(std::span<const DensityCell> cells, const Collocation& at) {
   if (at.surface->charts[at.p.chart].facts().flat_in() && cells.front().chart == at.p.chart) return 0;
   double sum = 0;
@@ -76,8 +78,9 @@ double deviation_bound(std::span<const DensityCell> cells, const Collocation& at
   return sum;
 }
 
-/// Whether a curved closed surface is so thin that G over its far side is a peak which only the point nearest to P shows: that point is
-/// sought by Newton's method, and Int G = pi tells whether it was found [ac98, section 2].
+/// Whether a curved closed surface is so thin that G over its far side is a peak which only the point nearest
+/// to P shows: that point is sought by Newton's method, and Int G = pi tells whether it was found [ac98,
+/// section 2].
 bool has_to_close(const Surface& surface) {
   constexpr double thin = 1e-2;
   if (!surface.closed || !surface.unoccluded) return false;

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <stdexcept>
 
-#include "radcert/scalar/raised_precision.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/reference/values/families.h"
+#include "radcert/scalar/raised_precision.h"
 
 namespace radcert::reference {
 namespace {

@@ -68,11 +68,10 @@ struct RouteValue {
 };
 
 /// A reference value, enclosed twice.
-/// Maths     value: by the first route, radius <= 10^-digits;  second: by the other one, radius <= 10^-min(digits, its most_digits)
-/// Source    -
+/// Maths     value: by the first route, radius <= 10^-digits;  second: by the other one, radius <=
+///           10^-min(digits, its most_digits)
 /// Requires  made by enclose()
 /// Result    the two balls overlap
-/// Limits    -
 struct EnclosedValue {
   int digits = 0;
   RouteValue first;
@@ -95,8 +94,8 @@ inline constexpr int most_reference_digits = 1000;
 
 /// A member of a family by both of its routes.
 /// Maths     see EnclosedValue
-/// Source    -
-/// Requires  1 <= digits <= most_reference_digits + 1, one more than is shown, arguments that the parameters allow, else ContractViolation
+/// Requires  1 <= digits <= most_reference_digits + 1, one more than is shown, arguments that the parameters
+///           allow, else ContractViolation
 /// Result    the value, or why a route did not reach its radius
 /// Limits    std::logic_error if the routes contradict each other: then one of them is wrong
 [[nodiscard]] Outcome<EnclosedValue> enclose(const ValueFamily& family, const Arguments& arguments,
@@ -107,15 +106,12 @@ inline constexpr int most_reference_digits = 1000;
 
 /// A route through a formula in balls: evaluated with more and more bits.
 /// Maths     f(arguments) at bits, 2 bits, ... until the radius is at most the one demanded
-/// Source    -
 /// Requires  f makes its constants from the arguments at the precision current when it is called
 /// Result    a route; it gives up at 64 times the bits that the radius itself has
-/// Limits    -
 [[nodiscard]] Route by_formula(std::string how, std::function<Ball(const Arguments&)> f);
 
 /// A route through enclosed integrals.
 /// Maths     integral(arguments, demand), at a precision that leaves the digits of the demand
-/// Source    -
 /// Requires  integral makes its constants from the arguments at the precision current when it is called
 /// Result    a route, asked for at most so many digits
 /// Limits    a demand is a double: at most 300 digits

@@ -9,13 +9,12 @@
 
 namespace radcert::reference {
 
-/// A rectangle of the unit square of a part, and what a product of two Gauss rules says of the integral over it.
-/// Maths     [y, y + height] x [x, x + width], y the number of a line, x the place on it; `lines` times `points` points
-/// Source    -
-/// Requires  -
-/// Result    value with the estimates of its errors across and along the lines, the integral of the absolute value, and a bound `noise` for
-///           its rounding
-/// Limits    -
+/// A rectangle of the unit square of a part, and what a product of two Gauss rules says of the integral over
+/// it.
+/// Maths     [y, y + height] x [x, x + width], y the number of a line, x the place on it; `lines` times
+///           `points` points
+/// Result    value with the estimates of its errors across and along the lines, the integral of the absolute
+///           value, and a bound `noise` for its rounding
 struct Region {
   std::size_t part;
   std::size_t lines;
@@ -41,11 +40,11 @@ struct Region {
 inline constexpr std::size_t usual_caution = 4;
 
 /// The sums that make a region's figures, line by line.
-/// Maths     sums with the weights of both rules; the profiles are the integrals along each line and across the lines at each place
-/// Source    -
-/// Requires  every line added once; lines of padded<double>(region.points) values, finite also where the weight is zero
+/// Maths     sums with the weights of both rules; the profiles are the integrals along each line and across
+///           the lines at each place
+/// Requires  every line added once; lines of padded<double>(region.points) values, finite also where the
+///           weight is zero
 /// Result    finish() fills in value, absolute, noise, across and along
-/// Limits    -
 class RegionSums {
 public:
   explicit RegionSums(const Region& region)
@@ -76,7 +75,8 @@ public:
     noise_ = fma(noise, weight_across, noise_);
   }
 
-  /// The fall of the coefficients of n samples is continued over 2 n / `caution` degrees, see GaussRule::error.
+  /// The fall of the coefficients of n samples is continued over 2 n / `caution` degrees, see
+  /// GaussRule::error.
   void finish(Region& region, std::size_t caution) const {
     const double area = region.width * region.height;
     region.value = area * across_.integral(profile_across_);

@@ -41,10 +41,10 @@ inline Pack exponential(const Pack& x) {
 
 /// sinh and cosh of eight numbers.
 /// Maths     (e^x - e^-x) / 2, (e^x + e^-x) / 2
-/// Source    -
 /// Requires  |x| <= 700
 /// Result    sinh with an absolute error of a few units in the last place of cosh, cosh with a relative one
-/// Limits    digits of sinh are lost near 0: a map that sends x to delta sinh(x) moves its points by an ulp of delta there
+/// Limits    digits of sinh are lost near 0: a map that sends x to delta sinh(x) moves its points by an ulp
+///           of delta there
 inline SinhCosh sinh_cosh(const Pack& x) {
   const Pack e = detail::exponential(x);
   const Pack f = Pack(1.0) / e;

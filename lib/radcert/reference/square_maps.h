@@ -15,12 +15,12 @@ inline constexpr int grading_power =
     4;  // in s = z^4 the power s^(1/2) is analytic, and others have four derivatives more
 
 /// How the points of [0,1] are spaced on [0,1].
-/// Maths     g(x) = x;  x^4;  or  shift + scale sinh(from + extent x), which gathers points about g = shift in a neighbourhood of width
-///           `scale` and is analytic in a strip about the real line of width pi / extent
+/// Maths     g(x) = x;  x^4;  or  shift + scale sinh(from + extent x), which gathers points about g = shift
+///           in a neighbourhood of width `scale` and is analytic in a strip about the real line of width pi /
+///           extent
 /// Source    Johnston and Elliott 2005 (the substitution by sinh)
 /// Requires  g(0) = 0 and g(1) = 1, which the makers see to: centred() puts the neighbourhood at a centre
 /// Result    g and g' at eight points
-/// Limits    -
 struct Spacing {
   enum class Kind : std::uint8_t { linear, power, sinh };
   Kind kind = Kind::linear;
@@ -59,12 +59,10 @@ struct Spacing {
 };
 
 /// A line of the parameter plane along which points are spaced, or eight such lines.
-/// Maths     w = base + r direction, r = start + extent g(x), 0 <= x <= 1;  the area element of (y, x) -> w, y the number of the line, is
-///           factor extent g'(x), and times r where the lines come from one point
-/// Source    -
-/// Requires  -
+/// Maths     w = base + r direction, r = start + extent g(x), 0 <= x <= 1;  the area element of (y, x) -> w,
+///           y the number of the line, is factor extent g'(x), and times r where the lines come from one
+///           point
 /// Result    holds what it is given
-/// Limits    -
 template <class R>
 struct Line {
   ParameterPoint<R> base;
@@ -91,14 +89,15 @@ struct Collapse {
   }
 };
 
-/// A triangle with a corner at the apex in polar coordinates of the tangent plane, r up to the side at distance h.
-/// Maths     tan(angle) = sinh(v), so that a near side is no more trouble than a far one; analytic in a strip about the real line of width
-///           pi/2. v = start + extent g(y), or counted from the other end: v = start + extent (1 - g(1-y)), which gathers lines at an end
-///           of the side that lies on a singular line or near one
+/// A triangle with a corner at the apex in polar coordinates of the tangent plane, r up to the side at
+/// distance h.
+/// Maths     tan(angle) = sinh(v), so that a near side is no more trouble than a far one; analytic in a strip
+///           about the real line of width pi/2. v = start + extent g(y), or counted from the other end: v =
+///           start + extent (1 - g(1-y)), which gathers lines at an end of the side that lies on a singular
+///           line or near one
 /// Source    ours
 /// Requires  height > 0
 /// Result    line(y), y in [0,1], covers the triangle once, off the disk of radius inner_radius
-/// Limits    -
 struct Sector {
   static constexpr bool from_one_point = true;
 
@@ -131,7 +130,6 @@ struct Sector {
 /// Source    ours
 /// Requires  from_s < to_s; from_s = from_z^4 and to_s = to_z^4 if graded
 /// Result    line(y), y in [0,1], covers the trapezium once
-/// Limits    -
 struct Slab {
   static constexpr bool from_one_point = false;
   double from_z;

@@ -12,7 +12,8 @@ namespace radcert::reference {
 /// Maths     x = A w, |A w| = |D_s F w_s + D_t F w_t|, A upper triangular
 /// Source    Gram-Schmidt
 /// Requires  tangents that are linearly independent
-/// Result    coordinates, parameters (A^-1) and the projection of a vector of space, rounded; determinant() = det A
+/// Result    coordinates, parameters (A^-1) and the projection of a vector of space, rounded; determinant() =
+///           det A
 /// Limits    digits are lost as the tangents become parallel
 struct TangentPlane {
   Vector<double> first;  // orthonormal

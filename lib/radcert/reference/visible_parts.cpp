@@ -44,7 +44,8 @@ Corners common_part(Corners part, const DensityCell& cell) {
   return part;
 }
 
-/// Adds a convex part. A Polygon holds so many vertices: a part of more is cut into some that share its first corner.
+/// Adds a convex part. A Polygon holds so many vertices: a part of more is cut into some that share its first
+/// corner.
 void add_convex_part(AdaptiveCubature& cubature, const Collocation& at, std::size_t index,
                      const Corners& part) {
   const ChartIn<double>& chart = at.surface->charts[index].in<double>();

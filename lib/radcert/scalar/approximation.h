@@ -39,13 +39,13 @@ struct Approximation {
 /// The sum of two numbers with radii.
 /// Maths     |a + b - value| <= radius_a + radius_b + 2^-53 |value|
 /// Source    IEEE 754: the nearest double is within half a unit
-/// Result    the radius is rounded up: two additions and a product, each within 2^-53, are covered by 1 + 2^-51
+/// Result    the radius is rounded up: two additions and a product, each within 2^-53, are covered by 1 +
+///           2^-51
 [[nodiscard]] inline Approximation operator+(const Approximation& a, const Approximation& b) {
   constexpr double half_unit = 0x1p-53;
   constexpr double upwards = 1 + 0x1p-51;
   const double value = a.value + b.value;
-  return {value, (a.radius + b.radius + half_unit * std::abs(value)) * upwards,
-          a.guaranteed && b.guaranteed};
+  return {value, (a.radius + b.radius + half_unit * std::abs(value)) * upwards, a.guaranteed && b.guaranteed};
 }
 inline Approximation& Approximation::operator+=(const Approximation& other) { return *this = *this + other; }
 

@@ -28,18 +28,21 @@ struct BinaryNumber {
 };
 
 /// A real number enclosed: a midpoint and a radius that bounds all error.
-/// Maths     the set [m - r, m + r]; an operation on balls gives a ball that contains its value at all points of the operands
-/// Source    Arb (arb_t): F. Johansson, "Arb: efficient arbitrary-precision midpoint-radius interval arithmetic", 2017
-/// Requires  precision from BallPrecision::current(), at the time of each operation; a double or a whole number enters
-///           exactly, 0.1 as the double that it is: a decimal enters as Rational or by parse()
-/// Result    the exact value is always enclosed. A ball is either finite, or the whole line with failure() naming the first
-///           operation that could not bound its result: division by a ball that contains zero, sqrt or log outside the
-///           domain, and so on. A failure stays: every operation on such a ball has the same failure, sin and atan,
-///           products with zero and zeroth powers included, common_part alone excepted; so a finite ball proves that the
-///           formula has a value for every point of its operands. There is no NaN. x * x with one and the same object is a
-///           square, and never negative
-/// Limits    no == and no <: ask certainly_less, contains, overlaps. Mantissas beyond 128 bits are kept on the heap, by Arb.
-///           An exponent grows as far as memory goes; exp beyond 2^(2^60) or so is a failure
+/// Maths     the set [m - r, m + r]; an operation on balls gives a ball that contains its value at all points
+///           of the operands
+/// Source    Arb (arb_t): F. Johansson, "Arb: efficient arbitrary-precision midpoint-radius interval
+///           arithmetic", 2017
+/// Requires  precision from BallPrecision::current(), at the time of each operation; a double or a whole
+///           number enters exactly, 0.1 as the double that it is: a decimal enters as Rational or by parse()
+/// Result    the exact value is always enclosed. A ball is either finite, or the whole line with failure()
+///           naming the first operation that could not bound its result: division by a ball that contains
+///           zero, sqrt or log outside the domain, and so on. A failure stays: every operation on such a ball
+///           has the same failure, sin and atan, products with zero and zeroth powers included, common_part
+///           alone excepted; so a finite ball proves that the formula has a value for every point of its
+///           operands. There is no NaN. x * x with one and the same object is a square, and never negative
+/// Limits    no == and no <: ask certainly_less, contains, overlaps. Mantissas beyond 128 bits are kept on
+///           the heap, by Arb. An exponent grows as far as memory goes; exp beyond 2^(2^60) or so is a
+///           failure
 class Ball {
 public:
   /// Exactly zero.
@@ -74,8 +77,8 @@ public:
   [[nodiscard]] static Ball pi();
   /// "0.1", "-1.5e-3", "1/6", "[0.1 +/- 1e-3]", "0.1 +/- 1e-3": a ball that contains all that the text says.
   [[nodiscard]] static Outcome<Ball> parse(std::string_view text);
-  /// What midpoint_binary() and radius_binary() wrote, to the bit; another radius is rounded up. Refused: an exponent of more
-  /// than 30 digits.
+  /// What midpoint_binary() and radius_binary() wrote, to the bit; another radius is rounded up. Refused: an
+  /// exponent of more than 30 digits.
   [[nodiscard]] static Outcome<Ball> from_binary(const BinaryNumber& midpoint, const BinaryNumber& radius);
 
   [[nodiscard]] bool is_finite() const { return failure_ == nullptr; }
@@ -104,12 +107,13 @@ public:
   [[nodiscard]] double upper_double() const;
   /// The double nearest to the midpoint; ContractViolation with the failure if there is none.
   [[nodiscard]] double to_double() const;
-  /// About -log2(radius / |midpoint|): how many bits of the midpoint are known. Not positive if none, very large if exact.
+  /// About -log2(radius / |midpoint|): how many bits of the midpoint are known. Not positive if none, very
+  /// large if exact.
   [[nodiscard]] long accurate_bits() const;
 
-  /// Midpoint and radius in decimal, with at most so many digits of the midpoint and no more than the radius leaves a meaning;
-  /// the radius is rounded up after the midpoint has been rounded, so that what is printed encloses the ball.
-  /// ContractViolation with the failure if failed, and unless 1 <= digits.
+  /// Midpoint and radius in decimal, with at most so many digits of the midpoint and no more than the radius
+  /// leaves a meaning; the radius is rounded up after the midpoint has been rounded, so that what is printed
+  /// encloses the ball. ContractViolation with the failure if failed, and unless 1 <= digits.
   [[nodiscard]] BallDecimal decimal(int digits) const;
   /// "midpoint +/- radius", "midpoint" if that is exact, or "unbounded: <failure>".
   [[nodiscard]] std::string to_text(int digits = 20) const;
@@ -132,8 +136,8 @@ public:
 
   /// 1/x; fails if x contains zero.
   friend Ball reciprocal(const Ball& x);
-  /// x^n, for every n and x except 0^n with n < 0; x^0 = 1. Close to the range of the power also where x is wide; never negative
-  /// for even n.
+  /// x^n, for every n and x except 0^n with n < 0; x^0 = 1. Close to the range of the power also where x is
+  /// wide; never negative for even n.
   friend Ball power(const Ball& x, long n);
   /// a b + c.
   friend Ball fma(const Ball& a, const Ball& b, const Ball& c);
@@ -149,8 +153,8 @@ public:
   friend Ball tan(const Ball& x);
   /// In [-pi/2, pi/2], up to rounding.
   friend Ball atan(const Ball& x);
-  /// x^y as std::pow has it: x >= 0, where x = 0 needs y > 0 or y exactly 0 (then 1); x < 0 with y exactly a whole number.
-  /// Fails otherwise.
+  /// x^y as std::pow has it: x >= 0, where x = 0 needs y > 0 or y exactly 0 (then 1); x < 0 with y exactly a
+  /// whole number. Fails otherwise.
   friend Ball pow(const Ball& x, const Ball& y);
   /// Never negative.
   friend Ball abs(const Ball& x);
@@ -159,15 +163,17 @@ public:
 
   /// The smallest ball around two balls, up to rounding.
   friend Ball hull(const Ball& a, const Ball& b);
-  /// A ball around the common points of two balls that enclose one number. A failed ball bounds nothing: then the other, and the
-  /// failure of `a` if both have failed. ContractViolation if the balls have no point in common: then one of them is wrong.
+  /// A ball around the common points of two balls that enclose one number. A failed ball bounds nothing: then
+  /// the other, and the failure of `a` if both have failed. ContractViolation if the balls have no point in
+  /// common: then one of them is wrong.
   friend Ball common_part(const Ball& a, const Ball& b);
   /// [x - |by|, x + |by|].
   friend Ball widened(const Ball& x, const Ball& by);
 
   /// Whether the balls have a point in common.
   friend bool overlaps(const Ball& a, const Ball& b);
-  /// Whether every point of a is less than every point of b; false if either has failed, as for all that follow.
+  /// Whether every point of a is less than every point of b; false if either has failed, as for all that
+  /// follow.
   friend bool certainly_less(const Ball& a, const Ball& b);
   /// Whether no point of a exceeds a point of b.
   friend bool certainly_at_most(const Ball& a, const Ball& b);
@@ -175,7 +181,8 @@ public:
   friend bool certainly_negative(const Ball& x);
   /// Whether x is the point 0.
   friend bool certainly_zero(const Ball& x);
-  /// if_less where a < b, otherwise where b < a, the hull of both where that is not certain; fails if a or b has failed.
+  /// if_less where a < b, otherwise where b < a, the hull of both where that is not certain; fails if a or b
+  /// has failed.
   friend Ball select_less(const Ball& a, const Ball& b, const Ball& if_less, const Ball& otherwise);
 
   /// Points to the arb_t inside, for sources that include arb.h.

@@ -6,9 +6,9 @@
 namespace radcert {
 
 /// The inside of a ball, for the sources that compute with Arb.
-/// Maths     -
 /// Source    Arb
-/// Requires  whoever writes into storage() leaves a finite arb_t, or calls fail(): a ball is finite or the whole line
+/// Requires  whoever writes into storage() leaves a finite arb_t, or calls fail(): a ball is finite or the
+///           whole line
 /// Result    storage() is the arb_t; failure() is null where the ball is finite
 /// Limits    not for formulas
 struct BallAccess {

@@ -84,8 +84,8 @@ Outcome<Ball> number(std::string_view text) {
   return result;
 }
 
-/// How many digits of the midpoint mean something: two or three beyond the first place of the radius, so that rounding the
-/// midpoint widens the ball by a small part.
+/// How many digits of the midpoint mean something: two or three beyond the first place of the radius, so that
+/// rounding the midpoint widens the ball by a small part.
 slong meaningful_digits(arb_srcptr x, int most) {
   const double digits = static_cast<double>(arb_rel_accuracy_bits(x)) * 0.30103 + 4;
   return static_cast<slong>(std::clamp(digits, 1.0, static_cast<double>(most)));

@@ -15,12 +15,15 @@
 namespace radcert {
 
 /// A double that carries a bound of its error.
-/// Maths     |exact - value| <= error; an operation adds what it passes on from its operands and its own rounding
-/// Source    running error analysis: Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, 2002, 3.3
+/// Maths     |exact - value| <= error; an operation adds what it passes on from its operands and its own
+///           rounding
+/// Source    running error analysis: Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, 2002,
+///           3.3
 /// Requires  the C library's exp, log, sin, cos, atan and atan2 are within two units in the last place
-/// Result    the bound holds, to all orders; it is infinite, or no number, where nothing can be said: division by what may be 0, log of what
-///           may be negative, an angle across the cut
-/// Limits    a bound beside a double, for sums of a few dozen terms at a few times the price: no Real, and no Ball
+/// Result    the bound holds, to all orders; it is infinite, or no number, where nothing can be said:
+///           division by what may be 0, log of what may be negative, an angle across the cut
+/// Limits    a bound beside a double, for sums of a few dozen terms at a few times the price: no Real, and no
+///           Ball
 class BoundedDouble {
 public:
   BoundedDouble() = default;
@@ -102,7 +105,8 @@ public:
     const bool jumps = x.value_ - x.error_ <= 0 && std::abs(y.value_) <= y.error_;
     if (!(moved < size / 64) || !(size > smallest_point && size < largest_point) || jumps) return unknown();
     const double value = std::atan2(y.value_, x.value_);
-    // On the segment to the exact point the distance from the origin is at least (1 - sqrt(2)/64) of its value here.
+    // On the segment to the exact point the distance from the origin is at least (1 - sqrt(2)/64) of its
+    // value here.
     const double squared = x.value_ * x.value_ + y.value_ * y.value_;
     const double nearer = 1.06 / squared;
     const double passed = ((std::abs(x.value_) + moved) * nearer) * y.error_ +
@@ -122,8 +126,8 @@ public:
     const double inside = std::clamp(radius.value_, 0.0, 1.0);
     const double value = dilogarithm_imaginary(inside, angle.value_);
     // The derivatives: at most pi/2 along the radius, and -log|1 - z| along the angle, where
-    // |1 - z|^2 = (1 - r)^2 + 4 r sin^2(phi/2) >= (1 - r)^2 + 4 r (phi / pi)^2. Within the error of the singularity the mean
-    // of the logarithm over d is 1 + log(pi/d).
+    // |1 - z|^2 = (1 - r)^2 + 4 r sin^2(phi/2) >= (1 - r)^2 + 4 r (phi / pi)^2. Within the error of the
+    // singularity the mean of the logarithm over d is 1 + log(pi/d).
     const double gap = std::max(0.0, 1 - inside - radius.error_);
     const double turn = std::max(0.0, std::abs(angle.value_) - angle.error_);
     const double squared = std::max(gap * gap + 0.4 * std::max(0.0, inside - radius.error_) * turn * turn,
@@ -142,7 +146,8 @@ private:
   static constexpr double rounded_up = 1 + 0x1p-50;
   /// Less than 1 - 2^-53, which the difference of value and error may gain by its rounding.
   static constexpr double rounded_down = 1 - 0x1p-51;
-  /// Far more than what a product, and the products in its bound, may lose by underflow; a product alone loses less than `lost`.
+  /// Far more than what a product, and the products in its bound, may lose by underflow; a product alone
+  /// loses less than `lost`.
   static constexpr double underflow = 1e-290;
   static constexpr double lost = 1e-323;
   /// Points whose squared distance from the origin is a normal number.

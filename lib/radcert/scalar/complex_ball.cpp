@@ -10,7 +10,6 @@
 namespace radcert {
 
 /// The inside of a complex ball, for this source.
-/// Maths     -
 /// Source    Arb
 /// Requires  whoever writes into storage() leaves a finite acb_t, or calls fail()
 /// Result    storage() is the acb_t

@@ -15,19 +15,20 @@
 namespace radcert {
 
 /// A complex number enclosed, by a rectangle: what a formula gives on a complex neighbourhood.
-/// Maths     the set {x + iy : x in real(), y in imag()}; an operation gives a set that contains its value at all points of the
-///           operands. sqrt, log, pow and atan are the principal branches, abs, min, max and select_less the analytic
-///           functions that agree with those of real numbers around the operand
-/// Source    Arb (acb_t): F. Johansson, "Arb: efficient arbitrary-precision midpoint-radius interval arithmetic", 2017; the
-///           rule that a value means analyticity: F. Johansson, "Numerical integration in arbitrary-precision ball
-///           arithmetic", 2018, section 2
+/// Maths     the set {x + iy : x in real(), y in imag()}; an operation gives a set that contains its value at
+///           all points of the operands. sqrt, log, pow and atan are the principal branches, abs, min, max
+///           and select_less the analytic functions that agree with those of real numbers around the operand
+/// Source    Arb (acb_t): F. Johansson, "Arb: efficient arbitrary-precision midpoint-radius interval
+///           arithmetic", 2017; the rule that a value means analyticity: F. Johansson, "Numerical integration
+///           in arbitrary-precision ball arithmetic", 2018, section 2
 /// Requires  precision from BallPrecision::current(), at the time of each operation
-/// Result    either finite, or failed as Ball is: failure() names the first operation that could not bound its result or that
-///           is not analytic at every point of its operands. Every operation is analytic on a neighbourhood of operands where
-///           its result is finite, so a formula whose value over a closed set is finite is analytic around that set, and
-///           bounded on it by the value. There is no NaN
-/// Limits    a ball around zero has no sqrt and no non-whole power, though the real ones exist there. No == and no <;
-///           certainly_less and the like compare real parts
+/// Result    either finite, or failed as Ball is: failure() names the first operation that could not bound
+///           its result or that is not analytic at every point of its operands. Every operation is analytic
+///           on a neighbourhood of operands where its result is finite, so a formula whose value over a
+///           closed set is finite is analytic around that set, and bounded on it by the value. There is no
+///           NaN
+/// Limits    a ball around zero has no sqrt and no non-whole power, though the real ones exist there. No ==
+///           and no <; certainly_less and the like compare real parts
 class ComplexBall {
 public:
   /// Exactly zero.
@@ -118,7 +119,8 @@ public:
 
   /// Whether the rectangles have a point in common.
   friend bool overlaps(const ComplexBall& a, const ComplexBall& b);
-  /// Whether the real part of every point of a is less than that of every point of b; false if either has failed.
+  /// Whether the real part of every point of a is less than that of every point of b; false if either has
+  /// failed.
   friend bool certainly_less(const ComplexBall& a, const ComplexBall& b);
   friend bool certainly_at_most(const ComplexBall& a, const ComplexBall& b);
   friend bool certainly_positive(const ComplexBall& x);
@@ -159,11 +161,11 @@ struct Constants<ComplexBall> {
 /// First and second divided differences of a power in the plane cut along (-inf, 0], enclosed.
 /// Maths     phi(x) = x^e, b = a + d:  first = phi[a,b] = Int_0^1 phi'(a + l d) dl,
 ///           bend = phi[a,a,b] = Int_0^1 (1-l) phi''(a + l d) dl
-/// Source    both are means over the segment from a to b, and a rectangle that contains phi'' (or phi') there contains them;
-///           the definitions
+/// Source    both are means over the segment from a to b, and a rectangle that contains phi'' (or phi') there
+///           contains them; the definitions
 /// Requires  b contains a + d for the a and d that are meant
-/// Result    contains the value for all such a, b, d, also where d contains 0; a failure where the smallest rectangle
-///           around a and b touches the cut
+/// Result    contains the value for all such a, b, d, also where d contains 0; a failure where the smallest
+///           rectangle around a and b touches the cut
 /// Limits    as for bend_of_power of Ball, which is closer
 [[nodiscard]] ComplexBall bend_of_power(const ComplexBall& a, const ComplexBall& b, const ComplexBall& d,
                                         const ComplexBall& e);

@@ -9,9 +9,11 @@ namespace radcert {
 
 /// A double-double: a number as the sum of two doubles.
 /// Maths     head + tail, |tail| <= 2^-53 |head|
-/// Source    Dekker, A floating-point technique for extending the available precision, 1971; Knuth's exact sum
+/// Source    Dekker, A floating-point technique for extending the available precision, 1971; Knuth's exact
+///           sum
 /// Requires  nothing overflows or underflows
-/// Limits    + - * / and sqrt to about 2^-100 of the result, for preparing directions; formulas run in other arithmetics
+/// Limits    + - * / and sqrt to about 2^-100 of the result, for preparing directions; formulas run in other
+///           arithmetics
 struct DoubleDouble {
   double head = 0;
   double tail = 0;
@@ -55,7 +57,9 @@ inline DoubleDouble sqrt(const DoubleDouble& a) {
 }
 
 /// a + s (b - a), within 2^-102 (|a| + |b|).
-inline DoubleDouble between(const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& s) { return a + s * (b - a); }
+inline DoubleDouble between(const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& s) {
+  return a + s * (b - a);
+}
 /// The same.
 inline DoubleDouble between(const DoubleDouble& a, const DoubleDouble& b, double s) {
   const DoubleDouble difference = exact_sum(b.head, -a.head);

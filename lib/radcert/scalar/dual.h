@@ -9,13 +9,13 @@
 namespace radcert {
 
 /// A value with its two first partial derivatives: forward differentiation of a chart.
-/// Maths     f, D_s f, D_t f at one point; (fg)' = f'g + fg', and so on; abs, min and max have the derivative of the branch
-///           taken, min and max that of the first argument at a tie, abs that of +f at zero
+/// Maths     f, D_s f, D_t f at one point; (fg)' = f'g + fg', and so on; abs, min and max have the derivative
+///           of the branch taken, min and max that of the first argument at a tie, abs that of +f at zero
 /// Source    the tangents D_s m_k, D_t m_k of [ac98, (30)]
 /// Requires  the function differentiable where it is evaluated
-/// Result    each derivative is the formula's own, rounded as the arithmetic R rounds; no step size. R = Ball: encloses the
-///           derivatives at all points of the operands; where abs, min or max may switch, the hull of both branches, which
-///           then contains every difference quotient's limit as well
+/// Result    each derivative is the formula's own, rounded as the arithmetic R rounds; no step size. R =
+///           Ball: encloses the derivatives at all points of the operands; where abs, min or max may switch,
+///           the hull of both branches, which then contains every difference quotient's limit as well
 /// Limits    first order only
 template <Field R>
 struct Dual {
@@ -96,8 +96,8 @@ struct Dual {
     const R slope = p.value() * power(f.value, p.minus_one());
     return {power(f.value, p), f.by_s * slope, f.by_t * slope};
   }
-  /// f^g: g f^(g-1) f' + f^g log(f) g', without the second part where g is constant, so that f may be zero or negative as far
-  /// as pow of R admits it.
+  /// f^g: g f^(g-1) f' + f^g log(f) g', without the second part where g is constant, so that f may be zero or
+  /// negative as far as pow of R admits it.
   friend Dual pow(const Dual& f, const Dual& g) {
     using std::log, std::pow;
     const R value = pow(f.value, g.value);

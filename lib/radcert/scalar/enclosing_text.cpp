@@ -92,7 +92,8 @@ Decimal with_decimals(const Rational& q, long decimals, Rounding rounding) {
 /// With so many significant digits.
 Decimal with_digits(const Rational& q, int digits, Rounding rounding) {
   if (q.sign() == 0) return {};
-  // The power of ten of the first digit: the lengths of numerator and denominator tell it to one or two, the digits tell the rest.
+  // The power of ten of the first digit: the lengths of numerator and denominator tell it to one or two, the
+  // digits tell the rest.
   const auto* fraction = static_cast<mpq_srcptr>(q.gmp());
   long leading = static_cast<long>(mpz_sizeinbase(mpq_numref(fraction), 10)) -
                  static_cast<long>(mpz_sizeinbase(mpq_denref(fraction), 10));

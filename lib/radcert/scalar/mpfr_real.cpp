@@ -13,7 +13,8 @@ namespace radcert {
 
 namespace {
 
-/// MPFR keeps constants for each thread: given back when the thread ends. Touched by the functions that use them.
+/// MPFR keeps constants for each thread: given back when the thread ends. Touched by the functions that use
+/// them.
 struct ThreadCache {
   ~ThreadCache() { mpfr_free_cache(); }
   bool used = false;

@@ -14,13 +14,16 @@
 namespace radcert {
 
 /// A floating-point number with a fixed count of decimal digits.
-/// Maths     sign mantissa 2^exponent with `bits` binary digits, bits = ceil(Digits log2 10) + 1, |exponent| < 2^62
-/// Source    MPFR: L. Fousse et al., "MPFR: a multiple-precision binary floating-point library with correct rounding", 2007
+/// Maths     sign mantissa 2^exponent with `bits` binary digits, bits = ceil(Digits log2 10) + 1, |exponent|
+///           < 2^62
+/// Source    MPFR: L. Fousse et al., "MPFR: a multiple-precision binary floating-point library with correct
+///           rounding", 2007
 /// Requires  Digits 50, 100 or 200: what the library compiles
-/// Result    every operation and function is rounded to nearest, ties to even; infinities and NaN as in IEEE 754, comparisons
-///           included. A double or a whole number up to 64 bits enters exactly, a decimal by Rational or parse()
-/// Limits    a rounded number: nothing is proved by it, see Ball. min, max of a NaN is NaN. The value is its own storage:
-///           no heap, copied as bytes
+/// Result    every operation and function is rounded to nearest, ties to even; infinities and NaN as in IEEE
+///           754, comparisons included. A double or a whole number up to 64 bits enters exactly, a decimal by
+///           Rational or parse()
+/// Limits    a rounded number: nothing is proved by it, see Ball. min, max of a NaN is NaN. The value is its
+///           own storage: no heap, copied as bytes
 template <int Digits>
 class Mpfr {
   static_assert(Digits == 50 || Digits == 100 || Digits == 200,

@@ -15,12 +15,11 @@ namespace radcert {
 /// Eight doubles that go through a formula side by side.
 /// Maths     every operation lane by lane
 /// Source    design: one formula, several arithmetics
-/// Requires  -
-/// Result    each lane has the bits that the same formula gives in double, on every machine: + - * / sqrt fma abs min max are
-///           those of IEEE 754, the other functions go through libm one lane at a time
-/// Limits    a formula that branches on values cannot run in it; `by_lane` takes such a step. Eight whatever the machine: two
-///           registers of AVX2, four of SSE2. std::experimental::simd would serve but for its fma, which GCC 12 takes lane
-///           by lane in a library call
+/// Result    each lane has the bits that the same formula gives in double, on every machine: + - * / sqrt fma
+///           abs min max are those of IEEE 754, the other functions go through libm one lane at a time
+/// Limits    a formula that branches on values cannot run in it; `by_lane` takes such a step. Eight whatever
+///           the machine: two registers of AVX2, four of SSE2. std::experimental::simd would serve but for
+///           its fma, which GCC 12 takes lane by lane in a library call
 class Pack {
 public:
   static constexpr std::size_t lanes = 8;
@@ -159,9 +158,7 @@ struct Constants<Pack> {
 /// What a hot loop over numbers of type R runs in: several at a time where there is such a type, else one.
 /// Maths     Block<R>::Type has Block<R>::lanes places
 /// Source    design: one formula, several arithmetics
-/// Requires  -
 /// Result    double: Pack; any other arithmetic: itself, one lane
-/// Limits    -
 template <class R>
 struct Block {
   using Type = R;

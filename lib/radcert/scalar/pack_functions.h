@@ -21,10 +21,7 @@ namespace radcert {
 
 /// The registers that a pack fills, for operations that Pack itself does not have.
 /// Maths     lanes 0-3 and 4-7
-/// Source    -
-/// Requires  -
 /// Result    copied by memory of a whole register at a time, which the compiler leaves out
-/// Limits    -
 struct PackHalves {
   // NOLINTBEGIN(modernize-use-using)
   typedef double Numbers __attribute__((vector_size(Pack::lanes / 2 * sizeof(double))));
@@ -53,10 +50,7 @@ struct PackHalves {
 
 /// A truth for every lane of a pack.
 /// Maths     less(a, b) holds in the lanes where a < b; select(m, a, b) is a where m holds and b elsewhere
-/// Source    -
-/// Requires  -
 /// Result    no lane touches another; comparisons with what is no number do not hold
-/// Limits    -
 class PackMask {
 public:
   using Bits = PackHalves::Bits;
@@ -133,7 +127,6 @@ RADCERT_PACK_INLINE inline Pack polynomial(const std::array<double, count>& c, c
 
 /// The natural logarithm, all lanes at once.
 /// Maths     log(2^k m) = k log 2 + 2 s + s^3 r(s^2), s = (m - 1) / (m + 1), sqrt(1/2) <= m < sqrt(2)
-/// Source    -
 /// Requires  positive normal numbers
 /// Result    within 4.1 2^-53 of the value: m - 1 is exact, log m suffers two roundings in s and one more,
 ///           the sum one
@@ -158,8 +151,8 @@ RADCERT_PACK_INLINE inline Pack fast_log(const Pack& a) {
 /// Maths     arctan(p / q)
 /// Source    arctan r = pi/4 + arctan((r - 1) / (r + 1)) above tan(pi/8)
 /// Requires  p, q >= 0, not both zero, their sum a normal number
-/// Result    within 6 2^-53 of itself: the smaller angle suffers its own rounding, that of the sum r + ..., and those of
-///           r, three if r is such a quotient, else one; the larger angle two more
+/// Result    within 6 2^-53 of itself: the smaller angle suffers its own rounding, that of the sum r + ...,
+///           and those of r, three if r is such a quotient, else one; the larger angle two more
 RADCERT_PACK_INLINE inline Pack acute_angle(const Pack& p, const Pack& q) {
   // Interpolates (arctan(r) / r - 1) / r^2 in r^2 at 11 Chebyshev nodes of [0, tan(pi/8)^2]: within 3.2e-17.
   static constexpr std::array<double, 11> coefficients{

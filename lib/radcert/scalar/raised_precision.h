@@ -18,7 +18,6 @@ extern const WorkLimit most_raised_bits;
 
 /// One value at growing precision, until its ball is good enough.
 /// Maths     evaluate() at bits, 2 bits, 4 bits, ... <= most_bits; the first ball that accept() takes
-/// Source    -
 /// Requires  smallest_bits <= bits <= most_bits <= largest_bits of BallPrecision, else ContractViolation;
 ///           evaluate() makes its constants from exact numbers, at the precision current when it is called;
 ///           accept() takes a finite ball

@@ -11,7 +11,8 @@
 namespace radcert {
 
 /// The arithmetic a rational formula needs.
-/// Maths     a ring with division: + - * / and unary minus, with the usual laws up to the rounding of the type
+/// Maths     a ring with division: + - * / and unary minus, with the usual laws up to the rounding of the
+///           type
 /// Source    design: one formula, several arithmetics
 /// Requires  operands that are values of the type; division by zero is the type's own business
 /// Result    a concept; Rational, every Real, Dual and DividedDifference model it
@@ -31,8 +32,8 @@ concept Field = std::copyable<T> && requires(const T& a, const T& b) {
 /// Maths     from_rational<R>(q) is q in R; pi<R>() is the circle number in R
 /// Source    design: input decimals stay exact until a Real is asked for
 /// Requires  a specialisation for R
-/// Result    double, long double, Mpfr: rounded to nearest (long double: within one unit in the last place); Ball: enclosed;
-///           Dual: a constant
+/// Result    double, long double, Mpfr: rounded to nearest (long double: within one unit in the last place);
+///           Ball: enclosed; Dual: a constant
 /// Limits    an arithmetic without a specialisation does not compile
 template <class R>
 struct Constants;
@@ -81,8 +82,8 @@ concept HasElementaryFunctions = requires(const T& a) {
 /// A field with the elementary functions, found by argument-dependent lookup or in std.
 /// Maths     sqrt exp log sin cos atan pow
 /// Source    design: one formula, several arithmetics
-/// Requires  -
-/// Result    a concept; double, long double, Pack, Mpfr, Ball and their Dual model it, others join by providing the functions
+/// Result    a concept; double, long double, Pack, Mpfr, Ball and their Dual model it, others join by
+///           providing the functions
 /// Limits    as Field
 // clang-format off
 template <class T>
@@ -91,10 +92,8 @@ concept Real = Field<T> && (std::floating_point<T> || detail::HasElementaryFunct
 
 /// The whole power x^n by repeated squaring, the same formula in every field.
 /// Maths     x^n, and 1 / x^(-n) for n < 0;  x^0 = 1
-/// Source    -
 /// Requires  x != 0 if n < 0
 /// Result    at most 2 log2(n) roundings of the type
-/// Limits    -
 template <Field T>
 T power(const T& x, long n) {
   unsigned long left = n < 0 ? 0UL - static_cast<unsigned long>(n) : static_cast<unsigned long>(n);
@@ -117,10 +116,7 @@ T reciprocal(const T& x) {
 
 /// A product and a sum, for the inner loops.
 /// Maths     a b + c
-/// Source    -
-/// Requires  -
 /// Result    one rounding where the arithmetic has a fused operation, else two
-/// Limits    -
 template <Field T>
 T multiply_add(const T& a, const T& b, const T& c) {
   using std::fma;
@@ -141,8 +137,8 @@ double nearest_double(const R& x) {
   }
 }
 
-/// The largest relative rounding of one operation: half the distance from 1 to the next number. Ball has none: its
-/// rounding is in the radius.
+/// The largest relative rounding of one operation: half the distance from 1 to the next number. Ball has
+/// none: its rounding is in the radius.
 template <class R>
   requires(std::numeric_limits<R>::is_specialized || requires { R::unit_roundoff(); })
 constexpr R unit_roundoff() {
@@ -156,9 +152,8 @@ constexpr R unit_roundoff() {
 /// Comparisons that a formula may branch on in every arithmetic.
 /// Maths     a < b, a <= b, 0 < x, x < 0, x = 0, each where it is certain
 /// Source    design: a formula never branches on < between Reals
-/// Requires  -
-/// Result    numbers: the comparison itself, false for a NaN. Ball: true if it holds for all points of the balls; then
-///           neither certainly_less(a, b) nor certainly_less(b, a) need be true: see select_less
+/// Result    numbers: the comparison itself, false for a NaN. Ball: true if it holds for all points of the
+///           balls; then neither certainly_less(a, b) nor certainly_less(b, a) need be true: see select_less
 /// Limits    of Pack only certainly_zero, which is true if all lanes are zero
 template <class T>
   requires requires(const T& a) {
@@ -195,9 +190,9 @@ concept Enclosing = requires(const T& a) {
 /// A branch that every arithmetic can take: both values are there, the comparison chooses.
 /// Maths     if_less where a < b, otherwise elsewhere
 /// Source    design: certainly_less, or the hull of both branches
-/// Requires  -
 /// Result    Ball: the hull of both where a and b overlap; Pack: lane by lane; a NaN is not less
-/// Limits    a branch that costs much, or that must not be evaluated for the other case, asks certainly_less itself
+/// Limits    a branch that costs much, or that must not be evaluated for the other case, asks certainly_less
+///           itself
 template <class T>
   requires(!Enclosing<T>)
 T select_less(const T& a, const T& b, const T& if_less, const T& otherwise) {
@@ -206,10 +201,7 @@ T select_less(const T& a, const T& b, const T& if_less, const T& otherwise) {
 
 /// The smaller and the larger of two values of any arithmetic.
 /// Maths     min(a, b), max(a, b)
-/// Source    -
-/// Requires  -
 /// Result    exact; the first where they are equal; a NaN on either side is a NaN, unlike std::min
-/// Limits    -
 template <class T>
 T smaller_of(const T& a, const T& b) {
   if constexpr (std::floating_point<T>) {

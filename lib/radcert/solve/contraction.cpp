@@ -54,8 +54,8 @@ struct ContractionSearch {
   /// The image of the weights and a theta for them, rounded up.
   double measure(std::span<const double> weights) {
     multiply_sizes(k, weights, image);
-    // The exact sum is at most that of the machine over (1 - u)^n, and (1 - u)^-n <= 1 + (n + 1) u for n <= 2^26; what
-    // has underflowed is less than a denormal number a term.
+    // The exact sum is at most that of the machine over (1 - u)^n, and (1 - u)^-n <= 1 + (n + 1) u for n <=
+    // 2^26; what has underflowed is less than a denormal number a term.
     const auto n = static_cast<double>(k.rows());
     const double sums_upward = 1 + (n + 8) * unit;
     const double underflow = n * std::numeric_limits<double>::denorm_min();

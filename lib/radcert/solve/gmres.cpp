@@ -72,7 +72,8 @@ private:
     double sine = 0;
   };
 
-  /// The column m of the Hessenberg matrix and the vector m + 1; false if there is none, the space being invariant.
+  /// The column m of the Hessenberg matrix and the vector m + 1; false if there is none, the space being
+  /// invariant.
   bool extend(std::size_t m) {
     const std::span<const double> last = vectors_.column(m);
     const std::span<double> next = vectors_.column(m + 1);
@@ -112,8 +113,8 @@ private:
     a = turned;
   }
 
-  /// d = scale sum_i y_i q_i with the triangular system's solution y, which takes the place of right_. The diagonal does not
-  /// vanish: theta < 1 makes I - K regular, and so its restriction to the space.
+  /// d = scale sum_i y_i q_i with the triangular system's solution y, which takes the place of right_. The
+  /// diagonal does not vanish: theta < 1 makes I - K regular, and so its restriction to the space.
   void combine(std::size_t m, double scale, std::span<double> d) {
     for (std::size_t i = m; i-- > 0;) {
       for (std::size_t j = i + 1; j < m; ++j) right_[i] -= hessenberg_(i, j) * right_[j];

@@ -34,8 +34,8 @@ void bound_residual(const Contraction& contraction, std::span<const double> v, s
   }
 }
 
-/// The number of steps that bring a residual from one size to another, each shrinking it by theta, and some for
-/// rounding.
+/// The number of steps that bring a residual from one size to another, each shrinking it by theta, and some
+/// for rounding.
 std::size_t planned_steps(double theta, double from, double to) {
   constexpr double spare = 16;
   constexpr double most = 1e12;

@@ -32,32 +32,35 @@ struct NotReached {
 
 /// How residuals become corrections.
 struct Correction {
-  /// A residual becomes a correction, in place; gives the number of iterations that took. `goal`: a size ||r||_w of the
-  /// residual that is small enough.
+  /// A residual becomes a correction, in place; gives the number of iterations that took. `goal`: a size
+  /// ||r||_w of the residual that is small enough.
   std::function<std::size_t(std::span<double> residual, double goal)> apply;
   /// The corrections v <- v + r of the Neumann series that one application is worth at most.
   std::size_t reflections = 1;
 };
 
 /// Corrects v until its error bound is small enough.
-/// Maths     from v = e: r = e - (I - K) v, v <- v + (correction of r), until the bound ||r||_w/(1 - theta) of
-///           max |u - v| is at most `tolerance` max |v|. Without a tolerance: until ||r||_w <= 2 u ||v||_w, about what
-///           rounding the solution to double leaves, or rounding stops the descent
+/// Maths     from v = e: r = e - (I - K) v, v <- v + (correction of r), until the bound ||r||_w/(1 - theta)
+///           of max |u - v| is at most `tolerance` max |v|. Without a tolerance: until ||r||_w <= 2 u
+///           ||v||_w, about what rounding the solution to double leaves, or rounding stops the descent
 /// Source    iterative refinement: Higham, Accuracy and Stability of Numerical Algorithms (2002), chapter 12
 /// Requires  a contraction of k; finite e of k's size; tolerance absent or in [least_tolerance, 1)
-/// Result    a vector whose bound keeps to the goal, the bound made of a residual computed after the last correction and
-///           of the rounding errors of that residual. NotReached: when ||r||_w has not halved over m corrections with
-///           ((1 + theta)/2)^m <= 1/2, where v <- v + r would without rounding make it a quarter, or after as many as
-///           theta plans, or at once where it plans more than 10^6 single reflections; without a tolerance, then, only if ||r||_w also exceeds what rounding can do,
-///           4 u (1 + theta)/(1 - theta) ||v||_w. The same bits for any number of threads; Interrupted when asked to
-///           stop
-/// Limits    a bound of the error of the linear system alone, whose matrix and right-hand side are taken as exact
+/// Result    a vector whose bound keeps to the goal, the bound made of a residual computed after the last
+///           correction and of the rounding errors of that residual. NotReached: when ||r||_w has not halved
+///           over m corrections with ((1 + theta)/2)^m <= 1/2, where v <- v + r would without rounding make
+///           it a quarter, or after as many as theta plans, or at once where it plans more than 10^6 single
+///           reflections; without a tolerance, then, only if ||r||_w also exceeds what rounding can do, 4 u
+///           (1 + theta)/(1 - theta) ||v||_w. The same bits for any number of threads; Interrupted when asked
+///           to stop
+/// Limits    a bound of the error of the linear system alone, whose matrix and right-hand side are taken as
+///           exact
 Outcome<IterativeSolution, NotReached> iterate(const Matrix<double>& k, const Contraction& contraction,
                                                std::span<const double> e, std::optional<double> tolerance,
                                                const Correction& correction);
 
 /// What |r_i| can be at most, given the computed residual of v.
-/// Maths     |r_i| + u |r_i| + ((n + 4) u)^2 (|e_i| + |v_i| + theta w_i ||v||_w), which bounds (|K| |v|)_i too
+/// Maths     |r_i| + u |r_i| + ((n + 4) u)^2 (|e_i| + |v_i| + theta w_i ||v||_w), which bounds (|K| |v|)_i
+///           too
 /// Source    accurate_residual
 /// Requires  vectors of the contraction's size; `residual` from accurate_residual
 /// Result    rounded up

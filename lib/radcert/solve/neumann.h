@@ -15,7 +15,8 @@ namespace radcert {
 /// Maths     v_0 = e, v_{m+1} = e + K v_m = v_m + r_m, r_m = e - (I - K) v_m; ||r_m||_w <= theta^m ||r_0||_w
 /// Source    [psg10] (its iteration); the bound and the rule for stopping: iterate
 /// Requires  as iterate
-/// Result    as iterate; `iterations` counts reflections, at most log(goal)/log(theta) of them but for rounding
+/// Result    as iterate; `iterations` counts reflections, at most log(goal)/log(theta) of them but for
+///           rounding
 /// Limits    slow where the spectral radius of K is near 1: GMRES needs a fraction of the products
 Outcome<IterativeSolution, NotReached> solve_by_neumann(const Matrix<double>& k,
                                                         const Contraction& contraction,

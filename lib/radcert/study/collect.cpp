@@ -23,7 +23,8 @@ std::optional<double> order(const std::optional<double>& error_ratio, double h_b
   return std::log(*error_ratio) / std::log(h_before / h_now);
 }
 
-/// The power law through the levels whose figures are trustworthy. Two levels meet every power law: no spread.
+/// The power law through the levels whose figures are trustworthy. Two levels meet every power law: no
+/// spread.
 OrderFit fit(const std::string& quantity, FigureOfLevel figure, const std::vector<LevelResult>& levels) {
   OrderFit result{.quantity = quantity, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
   std::vector<CostPoint> points;

@@ -21,8 +21,8 @@ struct PowerLaw {
 };
 
 /// The power law through points.
-/// Maths     least squares for log error = exponent log cost + c; halfwidth: the largest distance of the slope between two
-///           successive points from the exponent
+/// Maths     least squares for log error = exponent log cost + c; halfwidth: the largest distance of the
+///           slope between two successive points from the exponent
 /// Source    as the fitted orders of radcert/solution/1
 /// Requires  positive finite costs and errors, else ContractViolation
 /// Result    rounded; none for fewer than two different costs
@@ -31,8 +31,8 @@ struct PowerLaw {
 
 /// The error of a method at a cost between those of its levels.
 /// Maths     log error is linear in log cost between two successive points
-/// Source    -
-/// Requires  positive finite costs and errors, else ContractViolation; costs ascend, as points that do not are passed over
+/// Requires  positive finite costs and errors, else ContractViolation; costs ascend, as points that do not
+///           are passed over
 /// Result    rounded; none outside the points: nothing is extrapolated
 /// Limits    as good as the power law between two levels
 [[nodiscard]] std::optional<double> error_at(std::span<const CostPoint> points, double cost);
@@ -45,9 +45,8 @@ struct EqualCost {
 };
 
 /// Compares methods at equal cost.
-/// Maths     cost = the largest that every method pays at some level: min over the methods of their dearest level; errors by
-///           error_at
-/// Source    -
+/// Maths     cost = the largest that every method pays at some level: min over the methods of their dearest
+///           level; errors by error_at
 /// Requires  as error_at
 /// Result    none without a method that has a point. Equal errors keep the order of the methods
 /// Limits    a method all of whose levels are dearer has no error there

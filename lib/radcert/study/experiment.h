@@ -21,11 +21,11 @@ struct Combination {
 };
 
 /// Problems that differ in a few parts, to be compared.
-/// Maths     the product of lists: each combination takes one element of every list, the last list running fastest
+/// Maths     the product of lists: each combination takes one element of every list, the last list running
+///           fastest
 /// Source    the file format radcert/experiment/1
 /// Requires  every problem states its solution; no two problems are the same
 /// Result    plain data
-/// Limits    -
 struct Experiment {
   std::string name;
   std::vector<std::string> varied;  ///< keys of a problem, in the order of the file
@@ -34,7 +34,6 @@ struct Experiment {
 
 /// The combinations that answer one question: the same integral equation, by different methods.
 /// Maths     classes of combinations with the same choice of surface, reflectivity and solution
-/// Source    -
 /// Requires  nothing
 /// Result    places in experiment.combinations, ascending; the classes in the order of their first
 /// Limits    errors of different classes say nothing about methods
@@ -51,22 +50,19 @@ struct ErrorKind {
 
 /// The levels of a result as points (unknowns, error); levels without a positive error are passed over.
 /// Maths     (N_k, e_k)
-/// Source    -
 /// Requires  nothing
 /// Result    in the order of the levels
 /// Limits    radii play no part
 [[nodiscard]] std::vector<CostPoint> error_against_unknowns(const Result& result, const ErrorKind& kind);
 
-/// The same against the seconds of a level: assembly and solution. What Ku costs, which only a stated solution asks for, is
-/// no part of a method.
+/// The same against the seconds of a level: assembly and solution. What Ku costs, which only a stated
+/// solution asks for, is no part of a method.
 [[nodiscard]] std::vector<CostPoint> error_against_seconds(const Result& result, const ErrorKind& kind);
 
 /// How the errors of a result fall with the unknowns: error ~ N^-order, over the levels of the order in h.
 /// Maths     see power_law
-/// Source    -
 /// Requires  a result of collect
 /// Result    the fits of result.orders, in N; halfwidth absent with two levels
-/// Limits    -
 [[nodiscard]] std::vector<OrderFit> orders_in_unknowns(const Result& result);
 
 }  // namespace radcert

@@ -127,8 +127,9 @@ private:
     if (problem_.emission) emission_radius_ = *data_radius_;
   }
 
-  /// Int_S G dS = pi at every point of a closed surface that hides nothing of itself [ac98, section 2]; where the functions have the
-  /// sum 1 it is also the sum of a row's integrals, whose radii are known. A row that tells otherwise is wrong, and so is its radius.
+  /// Int_S G dS = pi at every point of a closed surface that hides nothing of itself [ac98, section 2]; where
+  /// the functions have the sum 1 it is also the sum of a row's integrals, whose radii are known. A row that
+  /// tells otherwise is wrong, and so is its radius.
   void require_rows_of_pi() const {
     if (!surface_.closed || !surface_.unoccluded || problem_.geometry || !sum_to_one(problem_.basis)) return;
     const double rounding = unit * static_cast<double>(triangulation_.triangles.size() + 64);
@@ -194,8 +195,8 @@ private:
         largest_difference(ku.value, k_pn_u, data_are_known_ ? std::optional(radius) : std::nullopt);
   }
 
-  /// The norm in which the matrix contracts, whatever its entries are within their radii: without one an iteration has
-  /// no error bound, and that is known before the second route to Ku is taken.
+  /// The norm in which the matrix contracts, whatever its entries are within their radii: without one an
+  /// iteration has no error bound, and that is known before the second route to Ku is taken.
   void find_weights() {
     const Stopwatch watch;
     Outcome<Contraction, NoContraction> found = find_contraction(matrix_.entries, matrix_.row_radius);
@@ -233,7 +234,8 @@ private:
           std::abs(emission_[i] - (u_n_[i] - k_u_n[i])) + unit * (std::abs(u_n_[i]) + 4 * std::abs(k_u_n[i]));
     const std::vector<double> bounds = defects(std::move(residual));
     if (contraction_) return contraction_->inverse_bound(contraction_->norm(bounds));
-    // (I - K) d = r for every K within the radii: |d| <= N (|r| + row_radius |d|), N the norm of the inverse of the matrix at hand.
+    // (I - K) d = r for every K within the radii: |d| <= N (|r| + row_radius |d|), N the norm of the inverse
+    // of the matrix at hand.
     const double inverse = solver.inverse_norm();
     const double moved = inverse * largest(matrix_.row_radius);
     if (!(moved < 1))

@@ -22,7 +22,8 @@ struct LevelValues {
 };
 
 /// What can be said of u_n once it is known.
-/// Maths     uniform_error, piece_means and means_radius, the values at the nodes, and u_n at the corners of the elements
+/// Maths     uniform_error, piece_means and means_radius, the values at the nodes, and u_n at the corners of
+///           the elements
 /// Source    level_errors.h
 /// Requires  a value a node; `outcome` is of this level
 /// Result    fills these fields of the outcome and no others

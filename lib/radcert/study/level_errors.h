@@ -43,27 +43,24 @@ private:
 [[nodiscard]] std::vector<Barycentric<double>> error_sample();
 
 /// The largest error of u_n over a sample of S.
-/// Maths     max |u - u_n| over the points with barycentric coordinates k/8, |k| = 8, of every element: 45 points each,
-///           corners and sides included
+/// Maths     max |u - u_n| over the points with barycentric coordinates k/8, |k| = 8, of every element: 45
+///           points each, corners and sides included
 /// Source    the sample is ours; [ac98, (50)]
-/// Requires  -
 /// Result    nothing if u is not finite at a point of the sample; a lower bound of the supremum
 /// Limits    rounding is not estimated
 std::optional<Approximation> uniform_error(const NodalFunction& u_n, const PiecewiseExpression& solution);
 
 /// The mean of u_n over each piece.
 /// Maths     Int_piece u_n dS / Int_piece dS, by a conical rule of order 12 on each element
-/// Source    -
-/// Requires  -
 /// Result    pieces in the order of the surface
 /// Limits    means_radius estimates the error
 std::vector<std::pair<std::string, double>> piece_means(const NodalFunction& u_n);
 
 /// A radius of every such mean, for nodal values within `node_radius`.
-/// Maths     the mean is sum_kj c_kj u_kj, c_kj = Int_{Delta_k} l_j dS / Int_piece dS: nodal values within r move it by r sum |c_kj| at most.
-///           What the rule leaves out of the c_kj: on plane charts nothing, elsewhere the difference from the rule of order 16;
-///           n terms are rounded by (n + 64) u of the sum of their sizes
-/// Source    -
+/// Maths     the mean is sum_kj c_kj u_kj, c_kj = Int_{Delta_k} l_j dS / Int_piece dS: nodal values within r
+///           move it by r sum |c_kj| at most. What the rule leaves out of the c_kj: on plane charts nothing,
+///           elsewhere the difference from the rule of order 16; n terms are rounded by (n + 64) u of the sum
+///           of their sizes
 /// Requires  node_radius >= 0
 /// Result    the largest over the pieces; an estimate where charts are not plane
 /// Limits    two rules that are wrong in the same way are not seen

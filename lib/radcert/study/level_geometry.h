@@ -19,13 +19,13 @@ struct NodedSurface {
 };
 
 /// The geometry of one level: where its data live, and where its collocation integrals are taken.
-/// Maths     data: the points v_i at which rho, E and u are taken, and the surface of Ku. integrals: Int G(v~_i,Q) l_j(Q) dS_Q with
-///           P, n_P, Q, n_Q and the area element on it. Both have the same elements and nodes in the same order. With exact
-///           geometry they are one; else integrals is the interpolant, and data is S or, if so chosen, the interpolant too
+/// Maths     data: the points v_i at which rho, E and u are taken, and the surface of Ku. integrals: Int
+///           G(v~_i,Q) l_j(Q) dS_Q with P, n_P, Q, n_Q and the area element on it. Both have the same
+///           elements and nodes in the same order. With exact geometry they are one; else integrals is the
+///           interpolant, and data is S or, if so chosen, the interpolant too
 /// Source    [ac98, (40), (91)]
 /// Requires  a checked problem
 /// Result    mesh_size is that of the triangulation of S
-/// Limits    -
 class LevelGeometry {
 public:
   LevelGeometry(const Problem& problem, int level, const TriangleBasis<double>& basis);

@@ -27,9 +27,9 @@ struct UniformLevels {
 };
 
 /// The sites of a problem at all its levels.
-/// Maths     level k: separation 2^-k, or 4^k sites as many: the mean distance of neighbours halves from level to level
+/// Maths     level k: separation 2^-k, or 4^k sites as many: the mean distance of neighbours halves from
+///           level to level
 /// Source    [psg10, section VIII]
-/// Requires  -
 /// Result    plain data; the same seed at every level
 /// Limits    the sites of a level are not among those of the next
 using SiteLevels = std::variant<UniformLevels, PoissonDiskLevels>;
@@ -38,11 +38,10 @@ using SiteLevels = std::variant<UniformLevels, PoissonDiskLevels>;
 enum class MeshlessFamily : std::uint8_t { shepard, gaussian, lehtinen, meshless };
 
 /// A meshless basis of a problem, and how light is carried between its sites.
-/// Maths     u_n = sum_j lambda_j phi_j, (I - R) lambda = epsilon, R = N or A^-1 N, N_ij = rho_i/pi G(p_i,p_j) V(p_i,p_j) w_j
+/// Maths     u_n = sum_j lambda_j phi_j, (I - R) lambda = epsilon, R = N or A^-1 N, N_ij = rho_i/pi
+///           G(p_i,p_j) V(p_i,p_j) w_j
 /// Source    [psg10, sections V to VII]
-/// Requires  -
 /// Result    plain data
-/// Limits    -
 struct MeshlessBasis {
   MeshlessFamily family = MeshlessFamily::meshless;
   RadialBasisChoice basis = shepard_basis();
@@ -54,7 +53,8 @@ struct MeshlessBasis {
 /// The word of the file format.
 [[nodiscard]] std::string_view name(MeshlessFamily family);
 
-/// One of the paper's three with its defaults. ContractViolation for MeshlessFamily::meshless, which has none.
+/// One of the paper's three with its defaults. ContractViolation for MeshlessFamily::meshless, which has
+/// none.
 [[nodiscard]] MeshlessBasis basis_of(MeshlessFamily family);
 
 /// The sites of a level. ContractViolation unless level >= 0; nothing where their number exceeds 2^53.
@@ -62,7 +62,6 @@ struct MeshlessBasis {
 
 /// How far neighbours are apart at a level.
 /// Maths     the separation, or sqrt(area / count)
-/// Source    -
 /// Requires  level >= 0, area > 0
 /// Result    rounded; the h of a level
 /// Limits    uniform sites may be as close as they like
@@ -70,17 +69,16 @@ struct MeshlessBasis {
 
 /// The area of a surface.
 /// Maths     Int_S dS by the rule of degree 3 on the cells of surface_cells.h
-/// Source    -
-/// Requires  -
 /// Result    rounded; exact but for that on plane charts
 /// Limits    six digits or so on the curved charts of the catalogue
 [[nodiscard]] double surface_area(const Surface& surface);
 
 /// The memory of one level of a meshless problem.
-/// Maths     n sites: R, its powers and the factors of I - R, with `interpolated` coefficients A and its factors, 8 n^2 bytes each
+/// Maths     n sites: R, its powers and the factors of I - R, with `interpolated` coefficients A and its
+///           factors, 8 n^2 bytes each
 /// Source    the loops of meshless and study
-/// Requires  -
-/// Result    bytes by item. Sites that are apart are counted as in the densest packing of a plane, area 2/(sqrt(3) separation^2)
+/// Result    bytes by item. Sites that are apart are counted as in the densest packing of a plane, area
+///           2/(sqrt(3) separation^2)
 /// Limits    what the standard library and the operating system add is not counted
 [[nodiscard]] MemoryPlan meshless_plan(std::uint64_t sites, const MeshlessBasis& basis, bool is_direct);
 [[nodiscard]] std::uint64_t planned_sites(const SiteLevels& sites, int level, double area);

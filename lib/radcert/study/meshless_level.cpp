@@ -140,8 +140,8 @@ private:
     const Stopwatch watch;
     const LightScene scene = admitted(LightScene::make(surface_, {0.0}), "/surface", problem_.surface.name,
                                       "unoccluded surfaces of the catalogue, and meshes");
-    // What point lights leave out is above 1e-3 wherever the matrix fits into memory; each point costs as many elements as
-    // are in reach.
+    // What point lights leave out is above 1e-3 wherever the matrix fits into memory; each point costs as
+    // many elements as are in reach.
     const IntegrationDemand demand{.relative_error = 1e-4, .most_points = points_of_weights.count()};
     const LightWeights weights =
         admitted(light_weights(basis_, surface_, choice_.weights, demand), "/basis/weights",

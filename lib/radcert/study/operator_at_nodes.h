@@ -12,9 +12,7 @@ namespace radcert {
 /// K u at points of a surface.
 /// Maths     rho(P)/pi Int_S G(P,Q) u(Q) dS_Q
 /// Source    [ac98, (2)]
-/// Requires  -
 /// Result    plain data, a number a point; radius as the route says, infinite where nothing bounds it
-/// Limits    -
 struct OperatorAtNodes {
   std::vector<double> value;
   std::vector<double> radius;
@@ -22,7 +20,6 @@ struct OperatorAtNodes {
 
 /// K u at points by the second route.
 /// Maths     rho(P_i)/pi times what the route gives at P_i
-/// Source    -
 /// Requires  a problem with a solution; a reflectivity for each node
 /// Result    the same bits for any number of threads
 /// Limits    as the route says

@@ -19,11 +19,12 @@ namespace radcert {
 Approximation largest_row(std::span<const double> rho_at_nodes, std::span<const double> kernel_integral);
 
 /// The norm of K on C(S) or L^infinity(S).
-/// Maths     on a closed unoccluded surface Int G = pi makes it sup rho; on an open one largest_row estimates it from below
+/// Maths     on a closed unoccluded surface Int G = pi makes it sup rho; on an open one largest_row estimates
+///           it from below
 /// Source    [ac98, (3)-(5)]
 /// Requires  an expression for every piece; kernel_integral may be empty where the surface is closed
-/// Result    guaranteed where the surface is closed and the reflectivity is a constant on every piece: the nearest double, its distance
-///           from the constant rounded up as radius
+/// Result    guaranteed where the surface is closed and the reflectivity is a constant on every piece: the
+///           nearest double, its distance from the constant rounded up as radius
 /// Limits    an estimate elsewhere
 Approximation norm_of_K(const Surface& surface, const PiecewiseExpression& reflectivity,
                         std::span<const double> rho_at_nodes, std::span<const double> kernel_integral);
@@ -32,12 +33,12 @@ Approximation norm_of_K(const Surface& surface, const PiecewiseExpression& refle
 void refuse_norm_from_one(const Approximation& norm);
 
 /// Whether the reflectivity is below 1 on the whole surface, and with it the norm of K.
-/// Maths     sup rho < 1 over S; ||K|| = sup_P rho(P)/pi Int_S G(P,Q) dS_Q <= sup rho where V = 1: S lies in the boundary of a convex
-///           body then, where Int G <= pi, with equality if S is the whole of it
+/// Maths     sup rho < 1 over S; ||K|| = sup_P rho(P)/pi Int_S G(P,Q) dS_Q <= sup rho where V = 1: S lies in
+///           the boundary of a convex body then, where Int G <= pi, with equality if S is the whole of it
 /// Source    [ac98, (3)-(5)]
 /// Requires  an unoccluded surface with charts in balls, an expression for every piece
-/// Result    proved, constants exactly, others by balls over boxes of parameters that are bisected; or the piece where it is not
-///           proved
+/// Result    proved, constants exactly, others by balls over boxes of parameters that are bisected; or the
+///           piece where it is not proved
 /// Limits    where rho comes close to 1 the boxes may not be small enough
 Outcome<void> reflectivity_below_one(const Surface& surface, const PiecewiseExpression& reflectivity);
 

@@ -124,7 +124,8 @@ void check_basis(const Problem& problem, const Surface& surface) {
   const Rational alpha = basis.functions ? least_coordinate(*basis.functions) : *basis.alpha;
   if (alpha < Rational(0) || alpha >= Rational(1, 3))
     refuse("/basis/alpha", alpha.to_text(), "is not allowed", "a number in [0, 1/3)");
-  // Below this the nodes of the finest level keep less than half of a double's digits of their distance from an edge.
+  // Below this the nodes of the finest level keep less than half of a double's digits of their distance from
+  // an edge.
   const int finest = problem.triangulation.levels.back();
   const Rational least = Rational(1) / power(Rational(2), 26 - std::min(finest, 26));
   const bool interpolants_meet =

@@ -26,8 +26,8 @@ struct MeshChoice {
   std::shared_ptr<const Surface> surface;  ///< one whose triangles do not cross
 };
 
-/// The surface of a problem: a name of the catalogue and the values of its parameters, in the catalogue's order; or a mesh,
-/// whose file is the name then.
+/// The surface of a problem: a name of the catalogue and the values of its parameters, in the catalogue's
+/// order; or a mesh, whose file is the name then.
 struct SurfaceChoice {
   std::string name;
   std::vector<SurfaceParameter> parameters;
@@ -37,8 +37,8 @@ struct SurfaceChoice {
 /// Which triangulations of the surface a problem runs over.
 struct TriangulationChoice {
   std::vector<int> levels;  ///< numbers of symmetric refinements, strictly ascending
-  std::vector<std::pair<std::string, Diagonal>>
-      pattern;           ///< by piece ("*" the rest); empty: the published one
+  /// By piece ("*" the rest); empty: the published one.
+  std::vector<std::pair<std::string, Diagonal>> pattern;
   Rational grading = 1;  ///< vertices of unit squares moved towards the edges by this exponent, >= 1
 };
 
@@ -75,7 +75,8 @@ struct BasisChoice {
 /// How many functions the basis has on an element; 1 for a meshless basis, whose elements are its functions.
 std::size_t function_count(const BasisChoice& basis);
 
-/// The basis in the arithmetic of the pipeline. Requires functions, or degree and alpha that an InsetBasis takes.
+/// The basis in the arithmetic of the pipeline. Requires functions, or degree and alpha that an InsetBasis
+/// takes.
 TriangleBasis<double> triangle_basis(const BasisChoice& basis);
 
 enum class SolverName { direct, gmres, neumann, verified };
@@ -83,8 +84,8 @@ enum class SolverName { direct, gmres, neumann, verified };
 /// How the linear system of a level is solved, and how well.
 struct SolverChoice {
   SolverName name = SolverName::direct;
-  std::optional<Rational>
-      tolerance;  ///< of gmres and neumann, relative to max |u_n|; absent: as far as double holds
+  /// Of gmres and neumann, relative to max |u_n|; absent: as far as double holds
+  std::optional<Rational> tolerance;
 };
 
 /// How well the collocation integrals are taken.
@@ -97,7 +98,6 @@ struct QuadratureChoice {
 /// Source    [ac98, (1), (40)]; the file format is radcert/problem/1
 /// Requires  exactly one of solution and emission; names of the catalogue; see `check`
 /// Result    plain data, exact: decimals and fractions are kept as written
-/// Limits    -
 struct Problem {
   SurfaceChoice surface;
   TriangulationChoice triangulation;
@@ -114,19 +114,19 @@ struct Problem {
 /// The word of the file format for a solver.
 std::string solver_name(SolverName name);
 
-/// The surface that a problem names, or its mesh. Requires the name of an unoccluded surface of the catalogue and
-/// admissible parameters, else InputError below /surface.
+/// The surface that a problem names, or its mesh. Requires the name of an unoccluded surface of the catalogue
+/// and admissible parameters, else InputError below /surface.
 Surface surface_of(const Problem& problem);
 
 /// Everything about a problem that can be refused before any work, apart from its file's syntax.
-/// Maths     levels >= 0 with checked counts; 0 <= alpha < 1/3; alpha > 0 where pieces or interpolated elements meet at an
-///           angle; interpolants of degree 1 to 6; a plan within `memory_limit` bytes for every level; constant
-///           reflectivities in [0,1]; on closed surfaces sup rho < 1; a tolerance that double can hold, for a solver that
-///           has one
+/// Maths     levels >= 0 with checked counts; 0 <= alpha < 1/3; alpha > 0 where pieces or interpolated
+///           elements meet at an angle; interpolants of degree 1 to 6; a plan within `memory_limit` bytes for
+///           every level; constant reflectivities in [0,1]; on closed surfaces sup rho < 1; a tolerance that
+///           double can hold, for a solver that has one
 /// Source    contract of the command line
-/// Requires  -
 /// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed
-/// Limits    what depends on a node (an expression that is not finite there) is refused when the node is known
+/// Limits    what depends on a node (an expression that is not finite there) is refused when the node is
+///           known
 void check(const Problem& problem, std::uint64_t memory_limit);
 
 }  // namespace radcert

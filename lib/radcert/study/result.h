@@ -27,12 +27,12 @@ struct VerifiedReport {
 };
 
 /// One level of a study.
-/// Maths     discretisation_error = max over the nodes of |K(I-P_n)u|, node_error = max over the nodes of |u - u_n|,
-///           uniform_error = max of |u - u_n| over `uniform_sample`
+/// Maths     discretisation_error = max over the nodes of |K(I-P_n)u|, node_error = max over the nodes of |u
+///           - u_n|, uniform_error = max of |u - u_n| over `uniform_sample`
 /// Source    [ac98, section 5]
-/// Requires  -
 /// Result    with `emission` the three errors are absent
-/// Limits    radii hold what quadrature, geometry and rounding may have changed; estimates unless they say guaranteed
+/// Limits    radii hold what quadrature, geometry and rounding may have changed; estimates unless they say
+///           guaranteed
 struct LevelResult {
   int level = 0;
   std::uint64_t elements = 0;
@@ -46,8 +46,8 @@ struct LevelResult {
   std::optional<double> discretisation_order;  ///< log of the ratio over log of the mesh sizes' ratio
   std::optional<double> node_order;
   std::vector<std::pair<std::string, double>> piece_means;  ///< mean of u_n over each piece
-  /// Bounds, for each node, what quadrature, rounding and the solution of the system may have changed u_n; for each mean, the same.
-  /// Proved for the nodes with `verified`, an estimate else; absent: not known.
+  /// Bounds, for each node, what quadrature, rounding and the solution of the system may have changed u_n;
+  /// for each mean, the same. Proved for the nodes with `verified`, an estimate else; absent: not known.
   std::optional<double> solution_radius = std::nullopt;
   std::optional<double> means_radius = std::nullopt;
   Approximation norm_K;
@@ -56,7 +56,8 @@ struct LevelResult {
   std::uint64_t planned_bytes = 0;
 };
 
-/// A fitted order: slope of log error over log h, least squares, halfwidth from the spread of the successive orders.
+/// A fitted order: slope of log error over log h, least squares, halfwidth from the spread of the successive
+/// orders.
 struct OrderFit {
   std::string quantity;  ///< "discretisation_error" or "node_error"
   std::optional<double> order;

@@ -18,7 +18,6 @@ namespace radcert {
 /// Source    [ac98, (2)]
 /// Requires  safe to call from several threads at once
 /// Result    as its maker says
-/// Limits    -
 using AppliedOperator = std::function<Approximation(const SurfacePoint<double>& p)>;
 
 /// The second route to Ku, passed in from outside: this layer knows of no reference values.
@@ -26,7 +25,6 @@ using AppliedOperator = std::function<Approximation(const SurfacePoint<double>& 
 /// Source    design: E is passed in
 /// Requires  surface and u outlive what it returns
 /// Result    shares no quadrature with the collocation matrix
-/// Limits    -
 using OperatorRoute = std::function<AppliedOperator(const Surface& surface, const SurfaceFunction& u)>;
 
 /// What a level computed at one node.
@@ -61,14 +59,16 @@ struct LevelOutcome {
 /// Maths     (I - P_n K) u_n = P_n E, E = u - Ku at the nodes
 /// Source    [ac98, (40)-(41)]
 /// Requires  a checked problem; `level` need not be one of its levels
-/// Result    the same bits for any number of threads; throws InputError naming the node where an expression is not finite
-///           or rho leaves [0,1], or where the norm of K is not below 1, or at /solver/name where the matrix has no weighted
-///           maximum norm below 1 and the solver needs one; AccuracyNotReached; Interrupted when asked to stop
-///           AccuracyNotReached too where the matrices within the radii are not all regular, where a row of a closed unoccluded surface
-///           does not sum to Int G = pi within its radius, and where numbers run over the range of double
-/// Limits    radii are estimates because those of the matrix and of Ku are. From them to u_n leads a contraction of all matrices within the
-///           radii; with `direct`, where there is none, the norm of the inverse, N d / (1 - N r) for defects d and row radii r. With
-///           `verified` see verified_level, which does not take the route
+/// Result    the same bits for any number of threads; throws InputError naming the node where an expression
+///           is not finite or rho leaves [0,1], or where the norm of K is not below 1, or at /solver/name
+///           where the matrix has no weighted maximum norm below 1 and the solver needs one;
+///           AccuracyNotReached; Interrupted when asked to stop. AccuracyNotReached too where the matrices
+///           within the radii are not all regular, where a row of a closed unoccluded surface does not sum to
+///           Int G = pi within its radius, and where numbers run over the range of double
+/// Limits    radii are estimates because those of the matrix and of Ku are. From them to u_n leads a
+///           contraction of all matrices within the radii; with `direct`, where there is none, the norm of
+///           the inverse, N d / (1 - N r) for defects d and row radii r. With `verified` see verified_level,
+///           which does not take the route
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route);
 
 /// The result of finished levels: ratios, orders, fits.

@@ -14,6 +14,8 @@
 
 #include "radcert/collocation/certified/certified_chart_entries.h"
 #include "radcert/collocation/certified/certified_operator.h"
+#include "radcert/collocation/certified/plane_chart.h"
+#include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
@@ -28,8 +30,6 @@
 #include "radcert/study/node_data.h"
 #include "radcert/study/operator_norm.h"
 #include "radcert/study/plan.h"
-#include "radcert/collocation/certified/plane_chart.h"
-#include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/study/stopwatch.h"
 
 namespace radcert {
@@ -85,7 +85,8 @@ struct Box {
 };
 
 /// A value of |u| that no other is twice as large as, or the largest that was found: at least `at_nodes`.
-/// Maths     the box with the largest bound is quartered, and |u| taken at its corner, until no bound exceeds twice the largest value
+/// Maths     the box with the largest bound is quartered, and |u| taken at its corner, until no bound exceeds
+///           twice the largest value
 double found_size(const PiecewiseExpression& u, const Surface& surface, double at_nodes) {
   const auto range = [&](std::size_t chart, const Ball& s, const Ball& t) {
     const Vector<Ball> q = surface.charts[chart].in<Ball>().frame({s, t}).point;
@@ -239,8 +240,9 @@ private:
     if (!exact) refuse("the interpolated geometry is not known exactly: " + exact.reason());
   }
 
-  /// Int_S G dS = pi at every point of the boundary of a convex body [ac98, section 2]: where the functions have the sum 1, so has
-  /// each row of the matrix for the reflectivity 1. A row that is proved to have another sum would be a false proof.
+  /// Int_S G dS = pi at every point of the boundary of a convex body [ac98, section 2]: where the functions
+  /// have the sum 1, so has each row of the matrix for the reflectivity 1. A row that is proved to have
+  /// another sum would be a false proof.
   void require_rows_of_one(const CertifiedEntries& matrix) const {
     if (!surface_.closed || problem_.geometry || functions_.reproduced_degree() < 0) return;
     const std::vector<Ball> sums = enclosed_product(matrix, std::vector<Ball>(nodes_.size(), Ball(1)));
@@ -332,7 +334,8 @@ private:
     });
   }
 
-  /// With the tolerance of the problem; where the roundings of double are wider, with one that they may reach.
+  /// With the tolerance of the problem; where the roundings of double are wider, with one that they may
+  /// reach.
   template <class T, class Attempt>
   Outcome<T> within_tolerance(const Attempt& attempt) const {
     const double tolerance = problem_.quadrature.tolerance.to_double();
@@ -388,8 +391,9 @@ private:
       piecewise.by_chart.push_back(problem_.solution->on(chart.facts().piece));
     return density(std::move(piecewise));
   }
-  /// About the largest |u|, not at the nodes alone: a peak between them is what Ku comes from, and a demand relative to less
-  /// would not be met. 1 where u vanishes, or nearly so: a part of it is still a number to be demanded.
+  /// About the largest |u|, not at the nodes alone: a peak between them is what Ku comes from, and a demand
+  /// relative to less would not be met. 1 where u vanishes, or nearly so: a part of it is still a number to
+  /// be demanded.
   double size_of_u() const {
     constexpr double least = 1e-250;
     const double size = found_size(*problem_.solution, surface_, max_abs(enclosed_numbers(u_)).value);

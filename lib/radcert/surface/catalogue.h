@@ -32,7 +32,6 @@ struct SurfaceDescription {
 /// The surfaces that radcert knows by name.
 /// Maths     see the header of each in surface/catalogue
 /// Source    [ac98, sections 2.2, 3 and 5]
-/// Requires  -
 /// Result    in a fixed order; a structure test makes every one of them
 /// Limits    what a parameter may be does not depend on the others
 const std::vector<SurfaceDescription>& surface_catalogue();

@@ -14,11 +14,11 @@
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/complex_ball.h"
-#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/dual.h"
+#include "radcert/scalar/functions/divided_difference.h"
+#include "radcert/scalar/functions/taylor_model.h"
 #include "radcert/scalar/mpfr_real.h"
 #include "radcert/scalar/pack.h"
-#include "radcert/scalar/functions/taylor_model.h"
 #include "radcert/surface/chart_structure.h"
 #include "radcert/surface/chord.h"
 
@@ -28,9 +28,9 @@ namespace radcert {
 enum class Orientation { along_the_cross_product = 1, against_the_cross_product = -1 };
 
 /// What a chart knows at one parameter point.
-/// Maths     point = F(s,t);  area_normal = +-(D_s F x D_t F), the inner normal with the length of the area element
+/// Maths     point = F(s,t);  area_normal = +-(D_s F x D_t F), the inner normal with the length of the area
+///           element
 /// Source    [ac98, (14), (30)]
-/// Requires  -
 /// Result    rounded as R rounds; tangents by forward differentiation
 /// Limits    area_normal vanishes where the chart degenerates; the catalogue has no such chart
 template <Field R>
@@ -65,8 +65,9 @@ public:
   virtual ~ChartIn() = default;
   virtual Frame<R> frame(const ParameterPoint<R>& at) const = 0;
   virtual Chord<R> chord(const ParameterPoint<R>& p, const ParameterPoint<R>& w) const = 0;
-  /// chord(p, step direction) with the step divided out: difference / step, bend_p / step^2, bend_q / step^2. Step = 0 has a
-  /// value, and chord_kernel of it is the limit of G along the direction. ContractViolation where the chart does not offer it.
+  /// chord(p, step direction) with the step divided out: difference / step, bend_p / step^2, bend_q / step^2.
+  /// Step = 0 has a value, and chord_kernel of it is the limit of G along the direction. ContractViolation
+  /// where the chart does not offer it.
   virtual Chord<R> chord_along(const ParameterPoint<R>& p, const ParameterPoint<R>& direction,
                                const R& step) const {
     static_cast<void>(p), static_cast<void>(direction), static_cast<void>(step);
@@ -77,8 +78,6 @@ public:
 
 /// A chart known in double only, taken into packs lane by lane.
 /// Maths     that of the chart
-/// Source    -
-/// Requires  -
 /// Result    the bits of the chart in double
 /// Limits    slow: a call a lane; `make_chart` gives packs a formula of their own
 class ChartByLane final : public ChartIn<Pack> {
@@ -130,8 +129,8 @@ enum class SingularLine { none, s_zero };
 /// What is known of a chart beside its formula.
 struct ChartFacts {
   std::string name;  ///< unique in its surface
-  std::string
-      piece;  ///< the smooth piece it belongs to; charts of one piece join smoothly unless the surface says otherwise
+  /// The smooth piece it belongs to; charts of one piece join smoothly unless the surface says otherwise
+  std::string piece;
   ChartDomain domain = ChartDomain::unit_square;
   Orientation orientation = Orientation::along_the_cross_product;
   std::optional<Plane> plane = std::nullopt;  ///< set exactly if the chart is affine: then G vanishes on it
@@ -149,7 +148,8 @@ struct ChartFacts {
 /// Source    [ac98, (13)-(14)]
 /// Requires  F_j twice continuously differentiable off its singular line
 /// Result    immutable; safe to share between threads
-/// Limits    arithmetics: double, Pack, Mpfr<50>, Ball, ComplexBall, TaylorModel; a chart made of a formula in double alone has no digits beyond
+/// Limits    arithmetics: double, Pack, Mpfr<50>, Ball, ComplexBall, TaylorModel; a chart made of a formula
+///           in double alone has no digits beyond
 class Chart {
 public:
   Chart(ChartFacts facts, const std::shared_ptr<const ChartIn<double>>& in_double)
@@ -221,7 +221,8 @@ inline const ChartIn<TaylorModel>& Chart::in<TaylorModel>() const {
 
 namespace detail {
 
-/// Work in an arithmetic of machine numbers with every call in it inlined: a formula's steps then stay in registers.
+/// Work in an arithmetic of machine numbers with every call in it inlined: a formula's steps then stay in
+/// registers.
 template <class Work>
 [[gnu::flatten]] auto inlined(const Work& work) {
   return work();
@@ -230,12 +231,11 @@ template <class Work>
 }  // namespace detail
 
 /// A chart's formula, differentiated.
-/// Maths     Formula<R> is a class with  template <Field T> Vector<T> operator()(const T& s, const T& t) const;  here T is
-///           Dual<R> for the tangents and DividedDifference<R> for the chord
+/// Maths     Formula<R> is a class with  template <Field T> Vector<T> operator()(const T& s, const T& t)
+///           const;  here T is Dual<R> for the tangents and DividedDifference<R> for the chord
 /// Source    design: derivatives by forward differentiation
 /// Requires  the formula uses + - * / sqrt power on T and constants of type R
 /// Result    see Frame and Chord
-/// Limits    -
 template <Real R, class Formula>
 class ChartOf final : public ChartIn<R> {
 public:
@@ -278,7 +278,8 @@ private:
             .bend_q = {f.x.second_q, f.y.second_q, f.z.second_q}};
   }
 
-  /// Other arithmetics call functions of libraries at each step: inlining would cost compile time and gain none.
+  /// Other arithmetics call functions of libraries at each step: inlining would cost compile time and gain
+  /// none.
   template <class Work>
   static auto in_one_body(const Work& work) {
     if constexpr (std::is_same_v<R, double> || std::is_same_v<R, Pack>)
@@ -295,7 +296,8 @@ private:
 /// Maths     Formula<R>(parameters...), made anew at each call
 /// Source    design: constants of a ball formula belong inside the precision scope
 /// Requires  as ChartOf; parameters exact
-/// Result    as ChartOf: for R = Ball and ComplexBall enclosed, and as narrow as BallPrecision::current() allows
+/// Result    as ChartOf: for R = Ball and ComplexBall enclosed, and as narrow as BallPrecision::current()
+///           allows
 /// Limits    a formula is made for each point
 template <Real R, template <class> class Formula, class... Parameters>
 class ChartAtAnyPrecision final : public ChartIn<R> {

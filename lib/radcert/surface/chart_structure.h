@@ -11,10 +11,7 @@ namespace radcert {
 
 /// An affine function of space with rational coefficients.
 /// Maths     l(X) = gradient . X + constant
-/// Source    -
-/// Requires  -
 /// Result    value(X) in any arithmetic; for R = Ball enclosed
-/// Limits    -
 struct AffineForm {
   Vector<Rational> gradient;
   Rational constant;
@@ -29,11 +26,12 @@ struct AffineForm {
 /// A quadric with rational coefficients as the border of the set on its inner side.
 /// Maths     q(X) = sum_i squares_i X_i^2 + linear(X) - nappe(X)^2, the last only where a nappe is given;
 ///           inner side: q(X) <= 0, and nappe(X) >= 0
-/// Source    ellipsoids, elliptic paraboloids, cylinders and the nappes of cones, with axes along those of space
-/// Requires  -
-/// Result    has_convex_inside(): decided exactly on the coefficients. Without a nappe q is convex if no square is negative.
-///           With one the inner side is sqrt(p) <= nappe, p = q + nappe^2, and sqrt(p) is convex, a norm of affine functions, if
-///           p has no linear terms and nothing negative. Sufficient, not necessary
+/// Source    ellipsoids, elliptic paraboloids, cylinders and the nappes of cones, with axes along those of
+///           space
+/// Result    has_convex_inside(): decided exactly on the coefficients. Without a nappe q is convex if no
+///           square is negative. With one the inner side is sqrt(p) <= nappe, p = q + nappe^2, and sqrt(p) is
+///           convex, a norm of affine functions, if p has no linear terms and nothing negative. Sufficient,
+///           not necessary
 /// Limits    no products of two coordinates but those of the nappe
 struct Quadric {
   Vector<Rational> squares;
@@ -65,15 +63,15 @@ struct Axis {
 };
 
 /// What is known exactly of the shape of a chart's image, beside its plane where it is flat.
-/// Maths     quadric: q(F(s,t)) = 0, and the inner normal is the direction of -grad q, so that the second fundamental form of a
-///           quadric with a convex inside has one sign. ruling: F(s,t) = F(s,0) + t ruling, so that the tangent planes are those
-///           along the profile F(s,0), and the surface is convex if the profile is. revolution: the image is a part of a surface
-///           of revolution, every normal meets its axis or is parallel to it, and the principal curvatures are those of the
-///           meridian and of the circle
-/// Source    what a proof that S lies in the boundary of a convex body starts from, next to the convexity of the edges where
-///           pieces meet: [m06, Lemma 1] and [ac98, section 1] ask for it
+/// Maths     quadric: q(F(s,t)) = 0, and the inner normal is the direction of -grad q, so that the second
+///           fundamental form of a quadric with a convex inside has one sign. ruling: F(s,t) = F(s,0) + t
+///           ruling, so that the tangent planes are those along the profile F(s,0), and the surface is convex
+///           if the profile is. revolution: the image is a part of a surface of revolution, every normal
+///           meets its axis or is parallel to it, and the principal curvatures are those of the meridian and
+///           of the circle
+/// Source    what a proof that S lies in the boundary of a convex body starts from, next to the convexity of
+///           the edges where pieces meet: [m06, Lemma 1] and [ac98, section 1] ask for it
 /// Requires  what is stated holds by the chart's formula
-/// Result    -
 /// Limits    absent: nothing is stated. A ruling alone leaves the sign of the profile's curvature to be shown
 struct ChartStructure {
   std::optional<Quadric> quadric = std::nullopt;

@@ -12,9 +12,7 @@ namespace radcert {
 /// A chart's formula as exact functions of the parameters.
 /// Maths     (s, t) -> F(s, t)
 /// Source    design: one formula, several arithmetics; what is proved of the image is proved of the chart
-/// Requires  -
 /// Result    coordinates may be unknown: see ExactFunction
-/// Limits    -
 class ExactImage {
 public:
   ExactImage() = default;
@@ -57,7 +55,6 @@ private:
 /// Source    design: one formula, several arithmetics
 /// Requires  as make_chart; the formula uses + - * / sqrt and powers
 /// Result    a Chart of which exact_image() is known
-/// Limits    -
 template <template <class> class Formula, class... Parameters>
 Chart make_exact_chart(ChartFacts facts, const Parameters&... parameters) {
   const Orientation orientation = facts.orientation;

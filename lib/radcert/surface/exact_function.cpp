@@ -136,7 +136,8 @@ std::optional<WholePowers> whole_powers(const PowerSum& sum, ParameterRegion reg
   return result;
 }
 
-/// 1 where all coefficients are >= 0, -1 where all are <= 0, 0 where neither is shown; 1 for the zero function.
+/// 1 where all coefficients are >= 0, -1 where all are <= 0, 0 where neither is shown; 1 for the zero
+/// function.
 int sign_over(const PowerSum& sum, ParameterRegion region) {
   const std::optional<WholePowers> powers = whole_powers(sum, region);
   if (!powers) return 0;

@@ -16,9 +16,7 @@ namespace radcert {
 /// A finite sum c s^i t^j with rational coefficients and rational exponents i, j >= 0.
 /// Maths     by exponents (i, j); no coefficient is zero
 /// Source    polynomials, and the powers of [ac98, (94)]
-/// Requires  -
 /// Result    the zero function is the empty sum
-/// Limits    -
 using PowerSum = std::map<std::array<Rational, 2>, Rational>;
 
 /// A quotient of two sums, the denominator not the zero function.
@@ -31,14 +29,16 @@ struct PowerQuotient {
 /// The region of the parameters over which a sign is asked for.
 enum class ParameterRegion { square, triangle };
 
-/// A function of two variables s, t >= 0 as an exact expression: the arithmetic in which identities are proved.
+/// A function of two variables s, t >= 0 as an exact expression: the arithmetic in which identities are
+/// proved.
 /// Maths     sum_k (n_k / d_k) sqrt(g_k1) sqrt(g_k2) ..., n and d sums of powers, each g such a quotient;
 ///           sqrt(g) sqrt(g) = g and 1 / (c sqrt(g)) = sqrt(g) / (c g)
 /// Source    the charts of the catalogue are of this kind
-/// Requires  the quotients and roots are taken where they have a value: what is proved here holds where the formula, evaluated in
-///           balls, is finite
-/// Result    is_zero(): proved, the function vanishes wherever it is defined. A root within a root, a quotient by a sum with roots
-///           and every transcendental function is unknown, and so is all that comes of it
+/// Requires  the quotients and roots are taken where they have a value: what is proved here holds where the
+///           formula, evaluated in balls, is finite
+/// Result    is_zero(): proved, the function vanishes wherever it is defined. A root within a root, a
+///           quotient by a sum with roots and every transcendental function is unknown, and so is all that
+///           comes of it
 /// Limits    is_zero() may miss a zero that needs a relation between different radicands
 class ExactFunction {
 public:
@@ -87,12 +87,13 @@ struct Constants<ExactFunction> {
 };
 
 /// Whether a function is shown to be nowhere negative.
-/// Maths     the coefficients of numerator and denominator in Bernstein's basis, of the square [0,1]^2 or of the triangle
-///           0 <= s, t, s + t <= 1, all have one sign: the value is a mean of them with weights that are not negative. Roots
-///           are not negative
+/// Maths     the coefficients of numerator and denominator in Bernstein's basis, of the square [0,1]^2 or of
+///           the triangle 0 <= s, t, s + t <= 1, all have one sign: the value is a mean of them with weights
+///           that are not negative. Roots are not negative
 /// Source    R. T. Farouki, "The Bernstein polynomial basis: a centennial retrospective", 2012
 /// Requires  f has a value on the whole region
-/// Result    true: proved, equality included; of several terms with roots each must be so. On the square fractional exponents are no obstacle: s = x^k maps [0,1] onto itself
+/// Result    true: proved, equality included; of several terms with roots each must be so. On the square
+///           fractional exponents are no obstacle: s = x^k maps [0,1] onto itself
 /// Limits    false says nothing
 [[nodiscard]] bool is_nowhere_negative(const ExactFunction& f, ParameterRegion region);
 

@@ -17,13 +17,15 @@ constexpr std::size_t interpolation_points(int degree) {
 }
 
 /// A map of the unit triangle into space, polynomial of degree r, given on the evenly spaced lattice.
-/// Maths     F(s,t) = F(0,0) + sum_{0 < i+j <= r} binom(r s, i) binom(r t, j) d_ij,  d_ij = Delta_s^i Delta_t^j F at (0,0) with
-///           steps 1/r: Newton's form of the one polynomial of degree r with the given F(a/r, b/r), a + b <= r
+/// Maths     F(s,t) = F(0,0) + sum_{0 < i+j <= r} binom(r s, i) binom(r t, j) d_ij,  d_ij = Delta_s^i
+///           Delta_t^j F at (0,0) with steps 1/r: Newton's form of the one polynomial of degree r with the
+///           given F(a/r, b/r), a + b <= r
 /// Source    [ac98, section 4.1], the m~_k there; Newton's form in two variables is classical
 /// Requires  1 <= degree <= 6, interpolation_points(degree) values, else ContractViolation
-/// Result    the polynomial whose differences are those of the given values as Number rounds them: with exact numbers the
-///           values themselves on the lattice. Values are taken as differences to the corner F(0,0), so that an element of
-///           size h far from the origin keeps its bends to a part u/h and not u/h^2
+/// Result    the polynomial whose differences are those of the given values as Number rounds them: with exact
+///           numbers the values themselves on the lattice. Values are taken as differences to the corner
+///           F(0,0), so that an element of size h far from the origin keeps its bends to a part u/h and not
+///           u/h^2
 /// Limits    above degree 6 evenly spaced points interpolate badly, and no statement needs them
 template <Field R>
 class LatticePolynomial {
@@ -110,13 +112,14 @@ private:
 
 /// The interpolant of one element of a chart, a chart of its own.
 /// Maths     m~(s,t) = sum over the lattice of m(a/r, b/r) l_ab(s,t) on 0 <= s, t, s + t <= 1, where
-///           m(s,t) = F(v_1 + s (v_2 - v_1) + t (v_3 - v_1));  max |m - m~| = O(h^(r+1)), derivatives and normals O(h^r)
+///           m(s,t) = F(v_1 + s (v_2 - v_1) + t (v_3 - v_1));  max |m - m~| = O(h^(r+1)), derivatives and
+///           normals O(h^r)
 /// Source    [ac98, section 4.1, (87)-(90)]
 /// Requires  1 <= degree <= 6, else ContractViolation; vertices counter-clockwise, in the chart's domain
-/// Result    domain unit_triangle, piece and orientation of the chart; analytic whatever the chart is; degree 1 is flat, and
-///           its plane is the exact one of its formula; the elements of a flat chart that is not affine are flat where their
-///           rounded points lie in one plane, as those of a horizontal disk do. Two elements with a common side have
-///           interpolants that agree on it up to rounding
+/// Result    domain unit_triangle, piece and orientation of the chart; analytic whatever the chart is; degree
+///           1 is flat, and its plane is the exact one of its formula; the elements of a flat chart that is
+///           not affine are flat where their rounded points lie in one plane, as those of a horizontal disk
+///           do. Two elements with a common side have interpolants that agree on it up to rounding
 /// Limits    across a common side the normals differ by O(h^r): the charts of a piece join continuously only
 Chart interpolated_chart(const Chart& chart, const std::array<ParameterPoint<double>, 3>& vertices,
                          int degree, std::string name);

@@ -36,9 +36,9 @@ struct Surface {
   std::string name;
   std::vector<SurfaceParameter> parameters;
   std::vector<Chart> charts;
-  std::vector<Diagonal>
-      diagonals;        ///< of each chart; the published coarse triangulation; ignored on triangular domains
-  bool closed = false;  ///< S is the whole boundary of a body
+  /// Of each chart; the published coarse triangulation; ignored on triangular domains.
+  std::vector<Diagonal> diagonals;
+  bool closed = false;                ///< S is the whole boundary of a body
   bool unoccluded = true;             ///< V = 1: S lies in the boundary of a convex body
   bool pieces_meet_at_angle = false;  ///< two pieces share an edge across which the normal jumps
   bool charts_join_smoothly = true;   ///< within a piece; not so the interpolants of elements

@@ -15,7 +15,6 @@ namespace radcert {
 /// Source    [ac98, (27)-(29)], numbered as in [m06, (12)]
 /// Requires  not degenerate, counter-clockwise
 /// Result    vertices are exact: dyadic numbers unless the triangulation is graded
-/// Limits    -
 struct ParameterTriangle {
   std::size_t chart = 0;
   std::array<ParameterPoint<double>, 3> vertices;
@@ -34,13 +33,16 @@ struct TriangulationOptions {
 };
 
 /// A triangulation of a surface's parameter domains.
-/// Maths     level 0 cuts each unit square along a diagonal and takes a unit triangle as it is; each level divides every
-///           triangle into four by the midpoints of its sides (symmetric refinement)
-/// Source    [ac98, section 3.2, before Theorem 3.7]; the diagonals: cli.md, recovered from the printed tables
+/// Maths     level 0 cuts each unit square along a diagonal and takes a unit triangle as it is; each level
+///           divides every triangle into four by the midpoints of its sides (symmetric refinement)
+/// Source    [ac98, section 3.2, before Theorem 3.7]; the diagonals: cli.md, recovered from the printed
+///           tables
 /// Requires  0 <= level, grading >= 1; triangle_count(surface, level) fits, else ContractViolation
-/// Result    triangles chart by chart; the four children of a triangle follow each other: those at v_1, v_2, v_3, the middle
-/// Limits    conforming within each chart and, for the catalogue's surfaces, across their seams; a graded one not across those
-///           between unit squares and unit triangles, which are not graded: the mantle and the disks of a cylinder
+/// Result    triangles chart by chart; the four children of a triangle follow each other: those at v_1, v_2,
+///           v_3, the middle
+/// Limits    conforming within each chart and, for the catalogue's surfaces, across their seams; a graded one
+///           not across those between unit squares and unit triangles, which are not graded: the mantle and
+///           the disks of a cylinder
 struct Triangulation {
   std::vector<ParameterTriangle> triangles;
 };

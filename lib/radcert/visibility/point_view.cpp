@@ -24,7 +24,8 @@ bool fits(const Vector<double>& v) {
          std::abs(v.z) <= Scene::largest_coordinate;
 }
 
-/// A convex cone of directions: corners[k] is where sides[k - 1] and sides[k] meet, counterclockwise as seen from P.
+/// A convex cone of directions: corners[k] is where sides[k - 1] and sides[k] meet, counterclockwise as seen
+/// from P.
 struct Cone {
   std::vector<Side> sides;
   std::vector<Corner> corners;
@@ -60,8 +61,8 @@ public:
     const Vector<double> low = sizes(all_.low - origin);
     const Vector<double> high = sizes(all_.high - origin);
     const Vector<double> far{std::max(low.x, high.x), std::max(low.y, high.y), std::max(low.z, high.z)};
-    // Five roundings of m, one of the difference, one of the product, two of the sum. A coordinate of m with the wrong sign is at
-    // most its error: then the other end of the box gives at most twice that more.
+    // Five roundings of m, one of the difference, one of the product, two of the sum. A coordinate of m with
+    // the wrong sign is at most its error: then the other end of the box gives at most twice that more.
     constexpr double roundings = 20;
     constexpr double underflow = 0x1p-600;
     planes_[count_] = {origin, inward.value,
@@ -134,7 +135,8 @@ private:
 
   [[nodiscard]] const Scene& scene() const { return geometry_.scene(); }
   [[nodiscard]] const Viewpoint& from() const { return geometry_.viewpoint(); }
-  /// The sides (a,b), (b,c), (c,a), the cone over the triangle to their positive sides; nothing if P is in the plane.
+  /// The sides (a,b), (b,c), (c,a), the cone over the triangle to their positive sides; nothing if P is in
+  /// the plane.
   [[nodiscard]] int turn_of(const VertexTriple& vertices, std::array<Side, 3>& sides);
   [[nodiscard]] Spread above_horizon(const Source& source);
   [[nodiscard]] bool collect(const Source& source, bool is_cut);
@@ -258,7 +260,8 @@ void PointView::Search::find_signs(const Cone& cone, const Side& side, Signs& si
 
 /// The part of the cone to the inner side of a plane that has corners on both sides.
 Cone PointView::Search::cut(const Cone& cone, const Signs& signs, const Side& side) {
-  // Side k runs from corner k to corner k + 1: one leaves the inner side, one comes back, the plane runs between them.
+  // Side k runs from corner k to corner k + 1: one leaves the inner side, one comes back, the plane runs
+  // between them.
   const std::size_t count = cone.sides.size();
   const auto after = [count](std::size_t k) { return k + 1 == count ? 0 : k + 1; };
   std::size_t leaving = 0;

@@ -35,12 +35,11 @@ struct SightPlane {
 };
 
 /// A convex piece of a triangle that is seen.
-/// Maths     corner (s,t) is the point c_0 + s (c_1 - c_0) + t (c_2 - c_0) of the triangle; planes[k] holds the side from corners[k] to
-///           corners[k + 1], and corners[k] has the direction of m_k x m_(k-1), m_k the normal of planes[k] into the piece
-/// Source    -
-/// Requires  -
-/// Result    at least three corners, counterclockwise as the triangle's own; each coordinate within 2^-51 of the exact one and in
-///           [0,1]. Adjacent planes differ; three corners never lie on one line exactly
+/// Maths     corner (s,t) is the point c_0 + s (c_1 - c_0) + t (c_2 - c_0) of the triangle; planes[k] holds
+///           the side from corners[k] to corners[k + 1], and corners[k] has the direction of m_k x m_(k-1),
+///           m_k the normal of planes[k] into the piece
+/// Result    at least three corners, counterclockwise as the triangle's own; each coordinate within 2^-51 of
+///           the exact one and in [0,1]. Adjacent planes differ; three corners never lie on one line exactly
 /// Limits    rounded corners of a very thin piece may coincide: exact_corners() has them apart
 struct VisiblePart {
   std::vector<ParameterPoint<double>> corners;
@@ -49,8 +48,6 @@ struct VisiblePart {
 
 /// What is seen of a triangle.
 /// Maths     the union of the parts, whose interiors have no point in common, is the closure of what is seen
-/// Source    -
-/// Requires  -
 /// Result    whole: one part, the triangle; nothing: none. The parts are those of the exact geometry
 /// Limits    cut into parts as the search went: no two scenes' parts need compare
 struct VisibleRegion {
@@ -59,20 +56,23 @@ struct VisibleRegion {
 };
 
 /// What one point sees of the triangles of a scene, exactly.
-/// Maths     Q of a triangle T is seen from P where P lies in front of T, n . (Q - P) >= 0 and V(P,Q) = 1, up to sets without area.
-///           On the sphere of directions about P every border is a plane through P and a side of a triangle, or the horizon; a
-///           corner is the direction in which two of them meet, and every decision the sign of det(n_i, n_j, n_k). What T shows is
-///           its cone, cut by the horizon, minus the cones of the triangles that stand before it, one after the other. As triangles
-///           of a scene do not cross, which of two stands before the other is the same in all directions that they share
-/// Source    the sign of a determinant in doubles with a bounded error, then in whole numbers. Sides that triangles share are one plane,
-///           so no gap opens between them
-/// Requires  the scene outlives the view; coordinates of at most Scene::largest_coordinate, normal != 0, a triangle that is there, else
-///           ContractViolation
-/// Result    exact for the given doubles. P with a triangle: the plane of that triangle hides nothing and shows nothing, a triangle
-///           T on the front side of that plane is not cut by the horizon, for P stands for a point of the plane; one behind it is not
-///           seen. One that crosses the plane is cut by the horizon through P
-/// Limits    one view belongs to one thread; any number of views may look at a scene. Where scene_faults() finds crossing triangles, a
-///           triangle may be seen through another
+/// Maths     Q of a triangle T is seen from P where P lies in front of T, n . (Q - P) >= 0 and V(P,Q) = 1, up
+///           to sets without area. On the sphere of directions about P every border is a plane through P and
+///           a side of a triangle, or the horizon; a corner is the direction in which two of them meet, and
+///           every decision the sign of det(n_i, n_j, n_k). What T shows is its cone, cut by the horizon,
+///           minus the cones of the triangles that stand before it, one after the other. As triangles of a
+///           scene do not cross, which of two stands before the other is the same in all directions that they
+///           share
+/// Source    the sign of a determinant in doubles with a bounded error, then in whole numbers. Sides that
+///           triangles share are one plane, so no gap opens between them
+/// Requires  the scene outlives the view; coordinates of at most Scene::largest_coordinate, normal != 0, a
+///           triangle that is there, else ContractViolation
+/// Result    exact for the given doubles. P with a triangle: the plane of that triangle hides nothing and
+///           shows nothing, a triangle T on the front side of that plane is not cut by the horizon, for P
+///           stands for a point of the plane; one behind it is not seen. One that crosses the plane is cut by
+///           the horizon through P
+/// Limits    one view belongs to one thread; any number of views may look at a scene. Where scene_faults()
+///           finds crossing triangles, a triangle may be seen through another
 class PointView {
 public:
   PointView(const Scene& scene, const Viewpoint& from);
@@ -95,8 +95,8 @@ private:
 
 /// The corners of a visible part, exactly.
 /// Maths     as VisiblePart
-/// Source    -
-/// Requires  the scene, viewpoint and triangle that the part was made of, else the result means nothing, or ContractViolation
+/// Requires  the scene, viewpoint and triangle that the part was made of, else the result means nothing, or
+///           ContractViolation
 /// Result    exact
 /// Limits    slow: rational numbers of some hundred digits
 [[nodiscard]] std::vector<ParameterPoint<Rational>> exact_corners(const Scene& scene, const Viewpoint& from,

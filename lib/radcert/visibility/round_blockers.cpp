@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "radcert/scalar/bounded_double.h"
 #include "radcert/core/contract.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/visibility/scene.h"
 
@@ -20,8 +20,9 @@ struct Sign {
   bool certain = false;
 };
 
-// BoundedDouble does not count underflow. With numbers of at most 2^100 each expression below is of degree 6 in differences of at
-// most 2^101; what underflow takes from a product, 2^-1074, is multiplied by at most four of them and added a dozen times.
+// BoundedDouble does not count underflow. With numbers of at most 2^100 each expression below is of degree 6
+// in differences of at most 2^101; what underflow takes from a product, 2^-1074, is multiplied by at most
+// four of them and added a dozen times.
 constexpr double far_from_underflow = 0x1p-600;
 
 Sign sign_of(const BoundedDouble& x) {
@@ -118,7 +119,8 @@ public:
         radius_(number(disk.radius, R())) {}
   [[nodiscard]] Sign side_of_p() const { return sign_of(height_p_); }
   [[nodiscard]] Sign side_of_q() const { return sign_of(height_q_); }
-  /// Of |X - centre|^2 - radius^2 where the segment passes the plane: X - centre = (h_p g - h_q e) / (h_p - h_q).
+  /// Of |X - centre|^2 - radius^2 where the segment passes the plane: X - centre = (h_p g - h_q e) / (h_p -
+  /// h_q).
   [[nodiscard]] Sign beyond_rim() const {
     const Triple<R> x = scaled(height_p_, g_) - scaled(height_q_, e_);
     const R length = radius_ * (height_p_ - height_q_);

@@ -52,7 +52,8 @@ std::vector<VertexTriple> joined(const TriangleMesh& mesh) {
   return triangles;
 }
 
-/// A number for each plane as a set: that of its class, or of the class that looks the other way, whichever is less.
+/// A number for each plane as a set: that of its class, or of the class that looks the other way, whichever
+/// is less.
 std::vector<std::size_t> planes_of(const TriangleMesh& mesh) {
   const PlaneClasses classes = plane_classes(mesh);
   // One triangle of each class, then the same turned round.

@@ -31,21 +31,20 @@ struct SceneFault {
 /// The faults of a mesh as a scene.
 /// Maths     two triangles of a scene have nothing in common, a vertex or a side
 /// Source    mesh_defects
-/// Requires  -
-/// Result    exact for the given doubles, in the order of the kinds, then of the triangles; empty: Scene holds its promises. At most
-///           most_crossings pairs
+/// Result    exact for the given doubles, in the order of the kinds, then of the triangles; empty: Scene
+///           holds its promises. At most most_crossings pairs
 /// Limits    says nothing of holes or of the orientation: see mesh_topology
 [[nodiscard]] std::vector<SceneFault> scene_faults(const TriangleMesh& mesh);
 
 /// Plane triangles that light meets: a mesh made ready for exact questions of visibility.
-/// Maths     a triangle looks to the side that (v_2 - v_1) x (v_3 - v_1) points to, which is the inside of an enclosure; it is seen
-///           from that side alone, and hides from both sides
+/// Maths     a triangle looks to the side that (v_2 - v_1) x (v_3 - v_1) points to, which is the inside of an
+///           enclosure; it is seen from that side alone, and hides from both sides
 /// Source    [ac98, section 1]
 /// Requires  no degenerate triangle, coordinates of at most largest_coordinate, else ContractViolation
-/// Result    immutable, shared by threads. Vertices with equal coordinates are one. plane(t) numbers the planes as sets: two
-///           triangles with one number lie in one plane, whichever way they look; exact
-/// Limits    where scene_faults(mesh) is not empty, visible parts are wrong near crossing triangles; touching and overlapping ones
-///           do no harm
+/// Result    immutable, shared by threads. Vertices with equal coordinates are one. plane(t) numbers the
+///           planes as sets: two triangles with one number lie in one plane, whichever way they look; exact
+/// Limits    where scene_faults(mesh) is not empty, visible parts are wrong near crossing triangles; touching
+///           and overlapping ones do no harm
 class Scene {
 public:
   /// 2^100: products of six differences neither overflow nor fall below what an error bound allows for.

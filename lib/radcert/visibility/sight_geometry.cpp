@@ -10,10 +10,11 @@
 namespace radcert {
 namespace {
 
-// dot(a, b) of vectors with k = 13 (a corner) and k = 5 (a normal): 18 roundings passed on, one of the product and two of the sum,
-// and a little for the roundings of the bound itself.
+// dot(a, b) of vectors with k = 13 (a corner) and k = 5 (a normal): 18 roundings passed on, one of the
+// product and two of the sum, and a little for the roundings of the bound itself.
 constexpr int roundings = 24;
-// What underflow takes: 2^-1074 from a product, which factors of at most 2^101, four in number, and a dozen terms follow.
+// What underflow takes: 2^-1074 from a product, which factors of at most 2^101, four in number, and a dozen
+// terms follow.
 constexpr double underflow = 0x1p-600;
 
 template <class F>
@@ -163,7 +164,8 @@ ParameterPoint<double> SightGeometry::parameters(const Corner& corner, const std
     largest = std::max(largest, own);
   }
   const F sum = weight[0] + weight[1] + weight[2];
-  // |x/y - x'/y'| <= (|x - x'| + |y - y'|) / y' for x <= y; the rounding to a double, at most 2^-54, leaves 2^-51 in all.
+  // |x/y - x'/y'| <= (|x - x'| + |y - y'|) / y' for x <= y; the rounding to a double, at most 2^-54, leaves
+  // 2^-51 in all.
   constexpr F accuracy = 0x1.8p-52L;
   if (!(bound + largest <= accuracy * sum)) {
     const auto [first, second, third] = weights(corner, sides);

@@ -16,9 +16,8 @@
 namespace radcert {
 
 /// A rounded vector with what bounds its error.
-/// Maths     |exact - value| <= k u size in each coordinate, u the unit roundoff of F; k depends on how the vector was made
-/// Source    -
-/// Requires  -
+/// Maths     |exact - value| <= k u size in each coordinate, u the unit roundoff of F; k depends on how the
+///           vector was made
 /// Result    size >= |value|
 /// Limits    k is counted where the vector is used
 template <class F>
@@ -41,13 +40,13 @@ template <class F>
 }
 
 /// The directions, planes and corners that a viewpoint makes of a scene.
-/// Maths     with v' = v - P: a side (a,b) spans the plane through P of normal n = a' x b'; the horizon has the viewpoint's normal. A plane
-///           with a sign has m = sign n. Two adjacent planes of a convex cone, counterclockwise as seen from P, meet in the direction
-///           m_second x m_first
-/// Source    -
+/// Maths     with v' = v - P: a side (a,b) spans the plane through P of normal n = a' x b'; the horizon has
+///           the viewpoint's normal. A plane with a sign has m = sign n. Two adjacent planes of a convex
+///           cone, counterclockwise as seen from P, meet in the direction m_second x m_first
 /// Requires  the scene outlives it
-/// Result    signs are exact: doubles with a bound, then whole numbers. Planes that share a vertex v meet in +-v', so that such corners
-///           cost an orientation only; a plane of vertex v has v on it whatever rounding says
+/// Result    signs are exact: doubles with a bound, then whole numbers. Planes that share a vertex v meet in
+///           +-v', so that such corners cost an orientation only; a plane of vertex v has v on it whatever
+///           rounding says
 /// Limits    belongs to one thread: it remembers whole numbers
 class SightGeometry {
 public:
@@ -151,7 +150,8 @@ private:
   static Vector<F> in(const Vector<double>& v) {
     return {static_cast<F>(v.x), static_cast<F>(v.y), static_cast<F>(v.z)};
   }
-  /// The corner as a sum of the vertices' rays, each times one of these over their sum, by their distances from the sides.
+  /// The corner as a sum of the vertices' rays, each times one of these over their sum, by their distances
+  /// from the sides.
   [[nodiscard]] std::array<WholeNumber, 3> weights(const Corner& corner, const std::array<Side, 3>& sides);
   const WholeVector& exact_normal(std::size_t plane);
   [[nodiscard]] std::size_t add(std::size_t from, std::size_t to);

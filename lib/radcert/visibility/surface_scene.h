@@ -14,18 +14,18 @@
 namespace radcert {
 
 /// What is seen of a chart, in its parameters.
-/// Maths     the union of the parts, convex polygons of the parameter plane whose interiors have no point in common
-/// Source    -
-/// Requires  -
-/// Result    each part counterclockwise; its coordinates within 2^-51 of the exact ones and in the chart's domain. whole: no part is listed
-/// Limits    -
+/// Maths     the union of the parts, convex polygons of the parameter plane whose interiors have no point in
+///           common
+/// Result    each part counterclockwise; its coordinates within 2^-51 of the exact ones and in the chart's
+///           domain. whole: no part is listed
 struct ChartView {
   Sight sight = Sight::nothing;
   std::vector<std::vector<ParameterPoint<double>>> parts;
 };
 
 /// A mesh surface as a scene whose points look at each other, chart by chart.
-/// Maths     triangle k of the scene is chart k, its corners in the order in which the inner normal sees them counterclockwise
+/// Maths     triangle k of the scene is chart k, its corners in the order in which the inner normal sees them
+///           counterclockwise
 /// Source    [ac98, (1)]: the V(P,Q) of the equation
 /// Requires  a surface with a mesh, else ContractViolation
 /// Result    immutable; shared by threads, each with its own PointView
@@ -46,13 +46,11 @@ private:
 };
 
 /// What the rounding of a part's corners may do to an integral of G over it.
-/// Maths     sum over the sides of  w |side| h / distance^3,  w = 2^-50 (|D_s F| + |D_t F|) the width of a strip beside a side of which no
-///           corner is off by more than that, h the height of P over the chart's plane, at most the distance of P from the side:
-///           |G| <= h / |P-Q|^3
-/// Source    -
+/// Maths     sum over the sides of  w |side| h / distance^3,  w = 2^-50 (|D_s F| + |D_t F|) the width of a
+///           strip beside a side of which no corner is off by more than that, h the height of P over the
+///           chart's plane, at most the distance of P from the side: |G| <= h / |P-Q|^3
 /// Requires  a plane chart and its frame anywhere; at least three corners
 /// Result    bounds the integral of |G| over the strips to first order
-/// Limits    -
 [[nodiscard]] double strip_bound(const Vector<double>& p, const ChartIn<double>& chart,
                                  std::span<const ParameterPoint<double>> corners);
 

@@ -29,9 +29,9 @@ public:
     if (box.high.x < about_.low.x || box.low.x > about_.high.x || box.high.y < about_.low.y ||
         box.low.y > about_.high.y || box.high.z < about_.low.z || box.low.z > about_.high.z)
       return false;
-    // Separating axes: the direction times each coordinate axis. The middle, the halves, the difference from p and the direction
-    // are rounded once or twice each, two products and a sum follow: ten roundings of numbers no larger than `far` times the
-    // direction.
+    // Separating axes: the direction times each coordinate axis. The middle, the halves, the difference from
+    // p and the direction are rounded once or twice each, two products and a sum follow: ten roundings of
+    // numbers no larger than `far` times the direction.
     const Vector<double> middle = 0.5 * box.low + 0.5 * box.high - p_;
     const Vector<double> half = 0.5 * box.high - 0.5 * box.low;
     const double far = 1 + 16 * unit;
@@ -70,7 +70,8 @@ ParameterPoint<Rational> shadow(const Vector<double>& v, int left_out) {
   return left_out == 1 ? ParameterPoint<Rational>{at.z, at.x} : ParameterPoint<Rational>{at.x, at.y};
 }
 
-/// Whether the open segment meets the closed triangle where all lie in one plane: t runs through an interval, cut by each side.
+/// Whether the open segment meets the closed triangle where all lie in one plane: t runs through an interval,
+/// cut by each side.
 bool meets_in_plane(const Corners& t, const Vector<double>& p, const Vector<double>& q) {
   const Vector<Rational> a = exactly(t[0]);
   const Vector<Rational> normal = cross(exactly(t[1]) - a, exactly(t[2]) - a);

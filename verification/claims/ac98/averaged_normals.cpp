@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// With alpha = 0 the nodes are the vertices, which S and its interpolant share. Each element there has a normal of its own, (89); in the place
-// of n_P stands the mean of them, of unit length. It is off by some angle from the normal of every element at P, so that cos(theta_P) does not
-// vanish in the limit Q -> P, and G grows like that angle times the curvature over |P-Q|: too fast to be bounded, slowly enough to be
+// With alpha = 0 the nodes are the vertices, which S and its interpolant share. Each element there has a
+// normal of its own, (89); in the place of n_P stands the mean of them, of unit length. It is off by some
+// angle from the normal of every element at P, so that cos(theta_P) does not vanish in the limit Q -> P, and
+// G grows like that angle times the curvature over |P-Q|: too fast to be bounded, slowly enough to be
 // integrated in triangles that collapse at P, whose Jacobian has the factor |P-Q|.
 //
-// Checked      section_4_2_averaged_normals: the order of the node error on the sphere, r = 1 to 4, against that of alpha = 0 with the normals
-//              of S itself, and against h^r; and that Int G differs from pi by O(h^(2r)) for r = 2, which an integral over the node's own elements
-//              that is off by any power of h would not leave. On the sphere G = 1/4, so that E = u - Ku needs no quadrature.
+// Checked      section_4_2_averaged_normals: the order of the node error on the sphere, r = 1 to 4, against
+//              that of alpha = 0 with the normals of S itself, and against h^r; and that Int G differs from
+//              pi by O(h^(2r)) for r = 2, which an integral over the node's own elements that is off by any
+//              power of h would not leave. On the sphere G = 1/4, so that E = u - Ku needs no quadrature.
 // Not checked  surfaces other than the sphere; u other than exp(x).
 
 #include <algorithm>
@@ -156,8 +158,8 @@ public:
   }
 
 private:
-  // In (l, t) with x = (1 - l, l (1 - t), l t) the product of G and the Jacobian's factor l is analytic up to l = 0; G alone is not, so that
-  // l belongs to the integrand and not to the weight.
+  // In (l, t) with x = (1 - l, l (1 - t), l t) the product of G and the Jacobian's factor l is analytic up to
+  // l = 0; G alone is not, so that l belongs to the integrand and not to the weight.
   static const TriangleRule<double>& collapsed_at_first() {
     static const TriangleRule<double> rule = [] {
       const IntervalRule<double> gauss = gauss_rule<double>(12, IntervalWeight::one);
@@ -266,7 +268,8 @@ Finding section_4_2_averaged_normals(const Bench& bench) {
     const VertexErrors fine = vertex_errors(finest, degree, NodeNormals::means);
     const Approximation order = order_between(figure(coarse.of_solution), figure(fine.of_solution));
     finding.require("order of the node error" + with, bound_of(std::min(2, degree)), order);
-    // From P the interpolant fills the solid angle of a half space but for a rim as wide as the normals are off, on which the cosine is as small.
+    // From P the interpolant fills the solid angle of a half space but for a rim as wide as the normals are
+    // off, on which the cosine is as small.
     if (degree == 2) {
       finding.require("order of the largest |Int G - pi| over the nodes" + with, bound_of(2 * degree),
                       order_between(figure(coarse.of_pi), figure(fine.of_pi)));

@@ -30,8 +30,9 @@ using RationalVector = std::vector<Rational>;
 
 /// An integral equation with its collocation method, exactly: functions on finitely many points of a surface.
 /// Maths     three triangles with six points each: the three nodes of (33), and three that are none.
-///           P = B R: R takes the values at the nodes, B is the linear interpolation (34) on each triangle. K is an arbitrary matrix
-///           of whole numbers over a common denominator, with norm at most 1/4, so that norm of P K < 1; E = u - K u
+///           P = B R: R takes the values at the nodes, B is the linear interpolation (34) on each triangle. K
+///           is an arbitrary matrix of whole numbers over a common denominator, with norm at most 1/4, so
+///           that norm of P K < 1; E = u - K u
 /// Source    [ac98, (33)-(46)]
 /// Requires  0 <= alpha <= 1/6 (the norm of P is at most 7/3), and a seed of its own for each equation
 /// Result    exact. nodes are the places of the nodes among the points

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The roof z = 2 - x^2, 0 <= x, y <= 1, of two_piece(2) with u = 1 on it and u = 0 on the square below, rho = 1/2: all data are analytic and S
-// lies in the boundary of a convex body. With J = (1 + 4 xi^2)^(1/2) for the area element, and d = y - eta,
+// The roof z = 2 - x^2, 0 <= x, y <= 1, of two_piece(2) with u = 1 on it and u = 0 on the square below, rho =
+// 1/2: all data are analytic and S lies in the boundary of a convex body. With J = (1 + 4 xi^2)^(1/2) for the
+// area element, and d = y - eta,
 //     G J = (xi - x)^4 / [(1 + 4x^2)^(1/2) ((xi - x)^2 (1 + (x + xi)^2) + d^2)^2],
-// 2 pi Ku = p(x) Int_0^1 [A(x, y - eta)] d eta, A(x,d) = Int_(-x)^(1-x) phi(w,x,d) dw, phi = w^4/[w^2 (1 + (2x + w)^2) + d^2]^2,
-// p = (1 + 4x^2)^(-1/2), so that the mixed derivative is d/dx {p(x) [A(x,y) - A(x,y-1)]}. d A/dx = phi(-x,x,d) - phi(1-x,x,d) +
-// Int phi_x dw with a bounded phi_x: everything but phi(-x,x,y) = x^4/[x^2 (1 + x^2) + y^2]^2 is continuous at the corner (0,0), and
-// that tends to 1 along y = x^2 and to 0 along x = y^2. So Ku is not in C^2(S), and [ac98, (19)], which is [m06, (7)], fails for m = 1; nor is the solution u of (1) for E = 1:
-// near the corner u = u(0,0) + O(distance) with u(0,0) >= 1, the first term gives u(0,0)/(2 pi) times that jump, the second none.
+// 2 pi Ku = p(x) Int_0^1 [A(x, y - eta)] d eta, A(x,d) = Int_(-x)^(1-x) phi(w,x,d) dw, phi = w^4/[w^2 (1 +
+// (2x + w)^2) + d^2]^2, p = (1 + 4x^2)^(-1/2), so that the mixed derivative is d/dx {p(x) [A(x,y) -
+// A(x,y-1)]}. d A/dx = phi(-x,x,d) - phi(1-x,x,d) + Int phi_x dw with a bounded phi_x: everything but
+// phi(-x,x,y) = x^4/[x^2 (1 + x^2) + y^2]^2 is continuous at the corner (0,0), and that tends to 1 along y =
+// x^2 and to 0 along x = y^2. So Ku is not in C^2(S), and [ac98, (19)], which is [m06, (7)], fails for m = 1;
+// nor is the solution u of (1) for E = 1: near the corner u = u(0,0) + O(distance) with u(0,0) >= 1, the
+// first term gives u(0,0)/(2 pi) times that jump, the second none.
 //
-// Checked      the mixed derivative of Ku at (t, t^2) and at (t^2, t), t = 2^-4 to 2^-12, enclosed: the difference tends to 1/(2 pi). Not so at a
-//              point of the side y = 0 which is no corner, nor inside.
-// Not checked  closed surfaces without edges: there a corner is missing and nothing was found against the statements. S must be smooth
-//              enough for C^(m+1)(S) to mean something: a continuous normal, as ac98 has it before (5), is not.
+// Checked      the mixed derivative of Ku at (t, t^2) and at (t^2, t), t = 2^-4 to 2^-12, enclosed: the
+//              difference tends to 1/(2 pi). Not so at a point of the side y = 0 which is no corner, nor
+//              inside.
+// Not checked  closed surfaces without edges: there a corner is missing and nothing was found against the
+// statements. S must be smooth
+//              enough for C^(m+1)(S) to mean something: a continuous normal, as ac98 has it before (5), is
+//              not.
 
 #include "verification/claims/ac98/corner_derivative.h"
 #include "radcert/enclosure/interval_integral.h"

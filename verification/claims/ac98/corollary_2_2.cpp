@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      (15) on two_piece for p = 2, 3 and 3/2 and on two_squares, at collocation nodes and random points; equality, which (15)
-//              allows, on the cube.
+// Checked      (15) on two_piece for p = 2, 3 and 3/2 and on two_squares, at collocation nodes and random
+//              points; equality, which (15) allows, on the cube.
 // Not checked  other surfaces; points closer to the border of a chart than a hundredth.
 
 #include <numbers>
@@ -18,7 +18,8 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-// The cube with a shelf in it that looks down: no part of the boundary of a convex body, and V = 1 counts the floor through the shelf.
+// The cube with a shelf in it that looks down: no part of the boundary of a convex body, and V = 1 counts the
+// floor through the shelf.
 Surface cube_with_a_shelf() {
   Surface surface = cube();
   surface.charts.push_back(make_rectangle(

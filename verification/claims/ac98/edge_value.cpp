@@ -19,9 +19,11 @@ Problem constant_emission_on_two_squares(const Rational& reflectivity, const Rat
 }
 
 EdgeError edge_error(const LevelOutcome& level, const Rational& reflectivity) {
-  // Corners are computed from rounded parameters, and vertices on the edge are at least a graded element apart.
+  // Corners are computed from rounded parameters, and vertices on the edge are at least a graded element
+  // apart.
   constexpr double on_the_edge = 1e-12;
-  // Entries to 1e-13 of their row, times the norm of the inverse, at most 2 here, and 7/3 for u_n at a vertex.
+  // Entries to 1e-13 of their row, times the norm of the inverse, at most 2 here, and 7/3 for u_n at a
+  // vertex.
   constexpr double accuracy = 1e-11;
   const double exact = solution_on_the_edge(reflectivity).to_double();
   EdgeError error{.at_midpoint = {.value = 0, .radius = accuracy},

@@ -16,7 +16,6 @@ namespace radcert::verification::ac98 {
 /// Source    [ac98, (39)]
 /// Requires  the level belongs to the problem, whose geometry is exact
 /// Result    rounded
-/// Limits    -
 class ElementFunction {
 public:
   ElementFunction(const Problem& problem, const LevelOutcome& level);

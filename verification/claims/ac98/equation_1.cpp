@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      that (1) with the kernel (2), the inner normals and the factor rho/pi is the equation that the library's integrals
-//              belong to: its two sides agree for solutions known beforehand, on the sphere, where Int G u is pi times the mean of u,
-//              and on the cube, where u = 1 belongs to E = 1 - rho. At points, with enclosed integrals.
+// Checked      that (1) with the kernel (2), the inner normals and the factor rho/pi is the equation that the
+//              library's integrals belong to: its two sides agree for solutions known beforehand, on the
+//              sphere, where Int G u is pi times the mean of u, and on the cube, where u = 1 belongs to E = 1
+//              - rho. At points, with enclosed integrals.
 // Not checked  V: it is 1 here.
 
 #include "verification/claims/ac98/checks.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      0 <= Int_T G <= c area(T) = O(epsilon^2) at the tip of the ellipsoid (1,2,5) for all 0 < epsilon <= 1 at once, with the
-//              least c of (6), 25/4, and the area of T's shadow on the tangent plane, which is less than that of T; on the sphere,
-//              where all three are pi epsilon^2/4. The order 2 is not 3: Int_T G/epsilon^2 has a positive lower bound.
+// Checked      0 <= Int_T G <= c area(T) = O(epsilon^2) at the tip of the ellipsoid (1,2,5) for all 0 <
+//              epsilon <= 1 at once, with the least c of (6), 25/4, and the area of T's shadow on the tangent
+//              plane, which is less than that of T; on the sphere, where all three are pi epsilon^2/4. The
+//              order 2 is not 3: Int_T G/epsilon^2 has a positive lower bound.
 // Not checked  other points; they are bounded by the same c, and T by a disk of the chart.
 
 #include "verification/claims/ac98/checks.h"

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Where S is curved, U_e is not a hemisphere: its rim has w_3 = cos theta_P, which (5) bounds by c e. The integrand of (11) is w_3
-// itself, so that what is missing is Int (cos theta_P)^2/2 dphi <= pi c^2 e^2, for every surface with (5) and every e for which a ray
-// of U_e meets the rim once: the printed o(e) is right, and O(e^2) is what holds.
+// Where S is curved, U_e is not a hemisphere: its rim has w_3 = cos theta_P, which (5) bounds by c e. The
+// integrand of (11) is w_3 itself, so that what is missing is Int (cos theta_P)^2/2 dphi <= pi c^2 e^2, for
+// every surface with (5) and every e for which a ray of U_e meets the rim once: the printed o(e) is right,
+// and O(e^2) is what holds.
 //
-// Checked      (11): G = n_P . (Q-P)/|P-Q|^3 with the normal of the sphere around P, exactly. (12) at the tip of the ellipsoid (1,2,5),
-//              where the curvatures differ most, for all 0 < e <= 1 at once: 0 <= (pi - Int_U G)/e^2 <= pi c^2, c = 5/2 the least
-//              constant of (5); the limit of this quotient; on the sphere, where it is pi/4, the constant of (5) being 1/2.
+// Checked      (11): G = n_P . (Q-P)/|P-Q|^3 with the normal of the sphere around P, exactly. (12) at the tip
+//              of the ellipsoid (1,2,5), where the curvatures differ most, for all 0 < e <= 1 at once: 0 <=
+//              (pi - Int_U G)/e^2 <= pi c^2, c = 5/2 the least constant of (5); the limit of this quotient;
+//              on the sphere, where it is pi/4, the constant of (5) being 1/2.
 // Not checked  surfaces that are no more than C^1 at P.
 
 #include "radcert/kernel/geometric_kernel.h"
@@ -17,7 +19,8 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-// Points Q around P = 0 with a rational distance where G, for the normal towards P, differs from n_P.(Q-P)/|P-Q|^exponent.
+// Points Q around P = 0 with a rational distance where G, for the normal towards P, differs from
+// n_P.(Q-P)/|P-Q|^exponent.
 Rational differing_on_the_sphere_around(long exponent) {
   const Vector<Rational> n_p{Rational(2, 7), Rational(3, 7), Rational(6, 7)};
   long count = 0;

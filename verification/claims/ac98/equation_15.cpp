@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The hypothesis that S lies in the boundary of a convex body can be weakened. On an unoccluded surface a line through P meets S in at
-// most one further point, or P would stand between two others: the directions of Q - P take at most one of w and -w, |G| dS_Q = |cos
-// theta_P| dw, and Int |G| <= 1/2 Int |cos theta_P| over the whole sphere = pi.
+// The hypothesis that S lies in the boundary of a convex body can be weakened. On an unoccluded surface a
+// line through P meets S in at most one further point, or P would stand between two others: the directions of
+// Q - P take at most one of w and -w, |G| dS_Q = |cos theta_P| dw, and Int |G| <= 1/2 Int |cos theta_P| over
+// the whole sphere = pi.
 //
-// Checked      for all P at once: on two_piece (p = 2, 3) the largest integral, enclosed by branch and bound, which is far below pi; on
-//              two_squares, where (22) is pi/2 less two parts that are shown to be positive for all x and all z down to 2^-1000, and
-//              comes as close to pi/2 as z is small. Equality on the cube, at points. The enclosures on two_piece against double
-//              integrals over the library's charts.
+// Checked      for all P at once: on two_piece (p = 2, 3) the largest integral, enclosed by branch and bound,
+//              which is far below pi; on two_squares, where (22) is pi/2 less two parts that are shown to be
+//              positive for all x and all z down to 2^-1000, and comes as close to pi/2 as z is small.
+//              Equality on the cube, at points. The enclosures on two_piece against double integrals over the
+//              library's charts.
 // Not checked  other surfaces.
 
 #include "radcert/closed_form/two_squares.h"
@@ -21,8 +23,8 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-// A lower bound of pi/2 - (22) = (atan(z/x) + atan(z/(1-x)))/2 + z/(2w) (atan(x/w) + atan((1-x)/w)) for all 0 < x < 1 and all z of a ball:
-// x and 1-x are less than 1, and the second part is positive.
+// A lower bound of pi/2 - (22) = (atan(z/x) + atan(z/(1-x)))/2 + z/(2w) (atan(x/w) + atan((1-x)/w)) for all 0
+// < x < 1 and all z of a ball: x and 1-x are less than 1, and the second part is positive.
 Ball short_of_half_pi(const Ball& z) { return atan(z); }
 
 // Ranges 2^-(k+1) <= z <= 2^-k, of so many, in which the integral is not shown to be below pi/2 for all x.

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// G >= 0, so that the norm of K on C(S) is max_P rho(P)/pi Int G. On a closed surface the integral is pi everywhere and the norm is
-// that of rho: the bound is sharp there, for every rho, and (16) cannot be spared, as K 1 = 1 for rho = 1. On other surfaces it is not
-// necessary.
+// G >= 0, so that the norm of K on C(S) is max_P rho(P)/pi Int G. On a closed surface the integral is pi
+// everywhere and the norm is that of rho: the bound is sharp there, for every rho, and (16) cannot be spared,
+// as K 1 = 1 for rho = 1. On other surfaces it is not necessary.
 //
-// Checked      the norm of K on two_piece (p = 2, 3) for rho = 1 and 9/10, enclosed over all P, and its order among the norm of rho and
-//              1; equality on the cube at points, and (I - K) 1 = 0 there for rho = 1, which the last inequality rejects.
+// Checked      the norm of K on two_piece (p = 2, 3) for rho = 1 and 9/10, enclosed over all P, and its order
+//              among the norm of rho and 1; equality on the cube at points, and (I - K) 1 = 0 there for rho =
+//              1, which the last inequality rejects.
 // Not checked  compactness.
 
 #include "verification/claims/ac98/checks.h"

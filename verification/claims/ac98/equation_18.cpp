@@ -2,10 +2,11 @@
 
 // G >= 0, so that (I - K)^-1 = sum K^n is positive and its norm is that of (I - K)^-1 1.
 //
-// Checked      on the sphere, where K u = rho M(u) with the mean M: (I - K)^-1 1 = 1 + rho/(1 - M(rho)) exactly, with 1/(1 - norm of
-//              rho) reached by every constant rho and not by one that varies: the bound is sharp. On two_piece(2), rho = 1, with the
-//              norm of K enclosed: the norm of the inverse is at least that of 1 + K 1, so that 1 + norm of K <= it <= (18). That these
-//              solve the equation of the library's charts is the check of (1).
+// Checked      on the sphere, where K u = rho M(u) with the mean M: (I - K)^-1 1 = 1 + rho/(1 - M(rho))
+//              exactly, with 1/(1 - norm of rho) reached by every constant rho and not by one that varies:
+//              the bound is sharp. On two_piece(2), rho = 1, with the norm of K enclosed: the norm of the
+//              inverse is at least that of 1 + K 1, so that 1 + norm of K <= it <= (18). That these solve the
+//              equation of the library's charts is the check of (1).
 // Not checked  other surfaces.
 
 #include "verification/claims/ac98/checks.h"

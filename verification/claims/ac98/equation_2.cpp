@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      the two forms of (2) with each other and with the library's kernel, exactly, at pairs of points with rational coordinates and
-//              unit normals whose distance is rational. The cosines come from the law of cosines in the triangle P, P + n_P, Q, and know no
-//              inner product of n_P and Q - P. Beside that (21), written out here, on two_squares.
+// Checked      the two forms of (2) with each other and with the library's kernel, exactly, at pairs of
+//              points with rational coordinates and unit normals whose distance is rational. The cosines come
+//              from the law of cosines in the triangle P, P + n_P, Q, and know no inner product of n_P and Q
+//              - P. Beside that (21), written out here, on two_squares.
 // Not checked  that G is what radiometry asks for.
 
 #include <array>

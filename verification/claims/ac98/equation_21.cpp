@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      (21) against (2) with the inner normals of the catalogue's surface, as an identity of rational functions: both are over
-//              |P-Q|^4, and the numerators are of degree 2 at most in each variable. 0 within one square. What the text adds: at
-//              x = xi = 1/2 the first factor is at most 1/2, and 1/2 for z = eta, where G = 1/(4 z^2) is unbounded.
+// Checked      (21) against (2) with the inner normals of the catalogue's surface, as an identity of rational
+//              functions: both are over |P-Q|^4, and the numerators are of degree 2 at most in each variable.
+//              0 within one square. What the text adds: at x = xi = 1/2 the first factor is at most 1/2, and
+//              1/2 for z = eta, where G = 1/(4 z^2) is unbounded.
 // Not checked  nothing is left out.
 
 #include "radcert/closed_form/two_squares.h"

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// With D = s^2 + eta^2 + z^2, s = xi - x, w^2 = 1 + z^2: -z/(2D) is an antiderivative of z eta/D^2 by eta, and
-// (1/2) atan(s/z) - z/(2w) atan(s/w) one of its difference between eta = 1 and eta = 0, by s. With atan(x/z) = pi/2 - atan(z/x) for
-// x, z > 0 the ends s = -x and s = 1 - x give (22).
+// With D = s^2 + eta^2 + z^2, s = xi - x, w^2 = 1 + z^2: -z/(2D) is an antiderivative of z eta/D^2 by eta,
+// and (1/2) atan(s/z) - z/(2w) atan(s/w) one of its difference between eta = 1 and eta = 0, by s. With
+// atan(x/z) = pi/2 - atan(z/x) for x, z > 0 the ends s = -x and s = 1 - x give (22).
 //
-// Checked      For all x and z of 0 < x, z < 1 at once: both antiderivatives, as identities of rational functions, with the derivative of
-//              atan(s/c)/c known to be 1/(c^2 + s^2). Degrees: 4 at most in each variable, over D^2 and (s^2 + z^2)(s^2 + w^2). Beside
-//              that the formula typed in as printed, and the library's, against enclosures of the double integral that know no
+// Checked      For all x and z of 0 < x, z < 1 at once: both antiderivatives, as identities of rational
+//              functions, with the derivative of atan(s/c)/c known to be 1/(c^2 + s^2). Degrees: 4 at most in
+//              each variable, over D^2 and (s^2 + z^2)(s^2 + w^2). Beside that the formula typed in as
+//              printed, and the library's, against enclosures of the double integral that know no
 //              antiderivative: at points, and on boxes.
-// Not checked  the remark that the edges x = 0 and x = 1 may cause problems: the limit at a corner depends on the direction, see
+// Not checked  the remark that the edges x = 0 and x = 1 may cause problems: the limit at a corner depends on
+// the direction, see
 //              closed_form/two_squares.h.
 
 #include "radcert/closed_form/two_squares.h"

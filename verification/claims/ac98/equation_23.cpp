@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// With D = s^2 + eta^2 + z^2, s = xi - x: -z s/(2D) is an antiderivative of z eta s/D^2 by eta, and (z/4) log g,
-// g = (s^2 + z^2)/(s^2 + 1 + z^2), one of its difference between eta = 1 and eta = 0, by s. The ends s = -x and s = 1 - x give (23).
-// Near the edge: with a = 1 - x and q = z^2, (z/4) log g(a)/g(x) has the logarithm's derivative 1/((a^2+q)(a^2+1+q)) - 1/((x^2+q)(x^2+1+q)) by q,
-// so that replacing q by 0 changes it by no more than z^3/4 times the larger of 1/(a^2 (a^2+1)) and 1/(x^2 (x^2+1)).
+// With D = s^2 + eta^2 + z^2, s = xi - x: -z s/(2D) is an antiderivative of z eta s/D^2 by eta, and (z/4) log
+// g, g = (s^2 + z^2)/(s^2 + 1 + z^2), one of its difference between eta = 1 and eta = 0, by s. The ends s =
+// -x and s = 1 - x give (23). Near the edge: with a = 1 - x and q = z^2, (z/4) log g(a)/g(x) has the
+// logarithm's derivative 1/((a^2+q)(a^2+1+q)) - 1/((x^2+q)(x^2+1+q)) by q, so that replacing q by 0 changes
+// it by no more than z^3/4 times the larger of 1/(a^2 (a^2+1)) and 1/(x^2 (x^2+1)).
 //
-// Checked      For all x and z of 0 < x, z < 1 at once: both antiderivatives and the derivative by q, as identities of rational functions,
-//              with (log g)' = g'/g. Degrees: 4 at most in each variable over D^2 and (s^2 + z^2)(s^2 + 1 + z^2), and over the four
-//              factors of the quotient. Beside that enclosures of the double integral, at points and on boxes, and the bound near the edge at
+// Checked      For all x and z of 0 < x, z < 1 at once: both antiderivatives and the derivative by q, as
+//              identities of rational functions, with (log g)' = g'/g. Degrees: 4 at most in each variable
+//              over D^2 and (s^2 + z^2)(s^2 + 1 + z^2), and over the four factors of the quotient. Beside
+//              that enclosures of the double integral, at points and on boxes, and the bound near the edge at
 //              points down to z = 2^-60.
-// Not checked  the remark that x = 0 and x = 1 have problems: (z/4) log of the quotient tends to infinity there.
+// Not checked  the remark that x = 0 and x = 1 have problems: (z/4) log of the quotient tends to infinity
+// there.
 
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/scalar/dual.h"

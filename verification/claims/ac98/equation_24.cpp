@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// With D = s^2 + eta^2 + z^2, s = xi - x, w^2 = 1 + z^2: -z eta/(2D) has the derivative z eta^2/D^2 - z/(2D) by eta; it is 0 at eta = 0 and
-// -z/(2 (s^2 + w^2)) at eta = 1, which has the antiderivative -z/(2w) atan(s/w) by s. The ends s = -x and s = 1 - x give (24).
+// With D = s^2 + eta^2 + z^2, s = xi - x, w^2 = 1 + z^2: -z eta/(2D) has the derivative z eta^2/D^2 - z/(2D)
+// by eta; it is 0 at eta = 0 and -z/(2 (s^2 + w^2)) at eta = 1, which has the antiderivative -z/(2w)
+// atan(s/w) by s. The ends s = -x and s = 1 - x give (24).
 //
-// Checked      For all x and z of 0 < x, z < 1 at once: the derivative, and the value at eta = 1 against the antiderivative's, as identities
-//              of rational functions, with the derivative of atan(s/c)/c known to be 1/(c^2 + s^2). Degrees: 4 at most in each variable,
-//              over D^2. Beside that enclosures of both double integrals, at points and on boxes, for the formula as printed and for the
-//              library's closed form, Clausen's integral included.
+// Checked      For all x and z of 0 < x, z < 1 at once: the derivative, and the value at eta = 1 against the
+//              antiderivative's, as identities of rational functions, with the derivative of atan(s/c)/c
+//              known to be 1/(c^2 + s^2). Degrees: 4 at most in each variable, over D^2. Beside that
+//              enclosures of both double integrals, at points and on boxes, for the formula as printed and
+//              for the library's closed form, Clausen's integral included.
 // Not checked  nothing is left out.
 
 #include "radcert/closed_form/two_squares.h"

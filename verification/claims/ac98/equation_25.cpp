@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// In polar coordinates around (x,0), with R(theta) the distance to the sides of the square and 0 < r < min(x, 1-x), the integral over R_2 is
+// In polar coordinates around (x,0), with R(theta) the distance to the sides of the square and 0 < r < min(x,
+// 1-x), the integral over R_2 is
 //     S = (z/2) Int_0^pi log[(R^2 + z^2)/(r^2 + z^2)] dtheta = sum_k (-1)^k z^(2k+1) M_k(x)  for 0 <= z < r,
 //     M_0 = Int log(R/r) dtheta,  M_k = Int (r^(-2k) - R^(-2k)) dtheta/(2k),  0 <= M_k <= pi r^(-2k)/(2k),
-// a power series: S is an analytic function of z for |z| < r, continued to z = 0 and below. R cos theta is a over the angle atan(1/a) and 1
-// over atan(a), a = x and a = 1 - x, so that M_k for k >= 1 is made of Int cos^(2k), and M_0' = atan(1/x)/x - atan(1/(1-x))/(1-x): each M_k is
-// analytic in 0 < x < 1, and the series converges uniformly for x in a compact part.
+// a power series: S is an analytic function of z for |z| < r, continued to z = 0 and below. R cos theta is a
+// over the angle atan(1/a) and 1 over atan(a), a = x and a = 1 - x, so that M_k for k >= 1 is made of Int
+// cos^(2k), and M_0' = atan(1/x)/x - atan(1/(1-x))/(1-x): each M_k is analytic in 0 < x < 1, and the series
+// converges uniformly for x in a compact part.
 //
-// Checked      S(x,z)/z - S(x,z/2)/(z/2), in which M_0 cancels, against the terms k >= 1 with a bound for the rest: with S from (26) and an
-//              enclosure of the integral over the whole square that knows no closed form, and with the library's S close to z = 0. The integral
-//              over the whole square, which is not smooth, is rejected. M_0' against the difference of S/z over a short step of x.
+// Checked      S(x,z)/z - S(x,z/2)/(z/2), in which M_0 cancels, against the terms k >= 1 with a bound for the
+//              rest: with S from (26) and an enclosure of the integral over the whole square that knows no
+//              closed form, and with the library's S close to z = 0. The integral over the whole square,
+//              which is not smooth, is rejected. M_0' against the difference of S/z over a short step of x.
 // Not checked  the existence of the power series by itself: the argument above speaks for it.
 
 #include <cstddef>
@@ -103,8 +106,8 @@ Finding equation_25(const Bench&) {
       finding.control("the same over the whole square" + place, series,
                       there.inverse_square() / z - closer.inverse_square() / half);
     }
-  // d(S/z)/dx at z = 0 is M_0'; d(S/z)/dx is analytic in x, and a symmetric difference over 2^-40 is off by 2^-80
-  // times its second derivative, which is below 10^4 here.
+  // d(S/z)/dx at z = 0 is M_0'; d(S/z)/dx is analytic in x, and a symmetric difference over 2^-40 is off by
+  // 2^-80 times its second derivative, which is below 10^4 here.
   for (const Rational& at : {Rational(1, 3), Rational(4, 5)}) {
     const Ball x(at);
     const Ball step = power(Ball(2), -40);

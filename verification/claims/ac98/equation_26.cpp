@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (26): in polar coordinates the integrand is z rho/(rho^2 + z^2), the derivative of (z/2) log(rho^2 + z^2) by rho; the angle runs over pi.
-// The sentence after it: the unit square contains the half-disk of radius r = min(x, 1-x) around (x,0) and lies in that of radius sqrt 2, and
-// the integrand is positive. So, with (24) and s = -z/(2w) {...}, -pi z/(4w) * 2 <= s <= 0 for u = eta
+// (26): in polar coordinates the integrand is z rho/(rho^2 + z^2), the derivative of (z/2) log(rho^2 + z^2)
+// by rho; the angle runs over pi. The sentence after it: the unit square contains the half-disk of radius r =
+// min(x, 1-x) around (x,0) and lies in that of radius sqrt 2, and the integrand is positive. So, with (24)
+// and s = -z/(2w) {...}, -pi z/(4w) * 2 <= s <= 0 for u = eta
 //     (26)_r / 2 + s <= Ku <= (26)_sqrt(2) / 2 + s,
-// and Ku/(z log z) -> -pi/2: half of what the sentence says, as the 1/2 before the last integral of (24) was lost. Ku = 0 at z = 0 by continuity,
-// its difference quotient Ku/z is at least (26)_r/(2z) - pi/2 and grows beyond all bounds: no derivative by z at the edge.
+// and Ku/(z log z) -> -pi/2: half of what the sentence says, as the 1/2 before the last integral of (24) was
+// lost. Ku = 0 at z = 0 by continuity, its difference quotient Ku/z is at least (26)_r/(2z) - pi/2 and grows
+// beyond all bounds: no derivative by z at the edge.
 //
-// Checked      equation_26: for all r and z at once the antiderivative, as an identity of rational functions of degree 4 at most, with
-//              (log g)' = g'/g; the formula and the library's against enclosures by Gauss rules, at points and on boxes.
-//              equation_26_dominating_term: Ku/(-pi z log z) between the two half-disks, at z = 2^-1000000 and for x in a ball; the coefficient of
-//              z log z from Ku at z and z/2.
-//              equation_26_not_c1: the growth of Ku/z, and the leading coefficient, for x in balls that cover 1/16 <= x <= 15/16.
+// Checked      equation_26: for all r and z at once the antiderivative, as an identity of rational functions
+//              of degree 4 at most, with (log g)' = g'/g; the formula and the library's against enclosures by
+//              Gauss rules, at points and on boxes. equation_26_dominating_term: Ku/(-pi z log z) between the
+//              two half-disks, at z = 2^-1000000 and for x in a ball; the coefficient of z log z from Ku at z
+//              and z/2. equation_26_not_c1: the growth of Ku/z, and the leading coefficient, for x in balls
+//              that cover 1/16 <= x <= 15/16.
 // Not checked  that Ku is continuous up to the edge, which the first bounds show as well.
 
 #include "radcert/closed_form/two_squares.h"
@@ -42,7 +45,8 @@ Rational disjoint_boxes(long coefficient, int per_half) {
   return {count};
 }
 
-// Ku for u = eta between half of (26) for the half-disk inside and half of (26) for the one around, less what (24) has beside.
+// Ku for u = eta between half of (26) for the half-disk inside and half of (26) for the one around, less what
+// (24) has beside.
 Ball between_half_disks(const Ball& x, const Ball& z) {
   const Ball w = sqrt(Ball(1) + z * z);
   const Ball part = -z / (Ball(2) * w) * (atan(x / w) + atan((Ball(1) - x) / w));

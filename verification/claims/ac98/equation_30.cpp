@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (76) is (30) element by element. What the paper says of the parts that its factors play is another matter: the method interpolates u
-// and leaves G and the area element alone, so that its error is the integral of G |D_s m x D_t m| (I - L) u(m). That is Lemmas 3.2 and
-// 3.3 with f = u(m) and Phi = G |D_s m x D_t m|, and not with f = u |D_s m x D_t m| and Phi = G: for u = 1 the method has no error.
-// The hypotheses on F_j in Theorems 3.6 and 3.7, made for the printed parts, are one derivative more than f = u(m) needs.
+// (76) is (30) element by element. What the paper says of the parts that its factors play is another matter:
+// the method interpolates u and leaves G and the area element alone, so that its error is the integral of G
+// |D_s m x D_t m| (I - L) u(m). That is Lemmas 3.2 and
+// 3.3 with f = u(m) and Phi = G |D_s m x D_t m|, and not with f = u |D_s m x D_t m| and Phi = G: for u = 1
+// the method has no error. The hypotheses on F_j in Theorems 3.6 and 3.7, made for the printed parts, are one
+// derivative more than f = u(m) needs.
 //
-// Checked      equation_30: on five triangles of the sphere the right side, an enclosed integral over sigma through the library's charts, is
-//              the left side in closed form: the area, and the integrals of x, y, z as half the sum of the sides' angles times their
-//              normals. equation_76: the sum over the elements, by cubature, against the operator over the whole surface.
-//              equation_76_parts: K(I - P_n)u in balls on the sphere, u = 1 and u = z^4, against both readings.
+// Checked      equation_30: on five triangles of the sphere the right side, an enclosed integral over sigma
+//              through the library's charts, is the left side in closed form: the area, and the integrals of
+//              x, y, z as half the sum of the sides' angles times their normals. equation_76: the sum over
+//              the elements, by cubature, against the operator over the whole surface. equation_76_parts: K(I
+//              - P_n)u in balls on the sphere, u = 1 and u = z^4, against both readings.
 // Not checked  other surfaces for (30).
 
 #include <algorithm>
@@ -30,8 +33,8 @@ namespace {
 // What is integrated: 1, x, y or z.
 enum class Factor { one, x, y, z };
 
-// The integrand of (30) over sigma: the chart of the first octant is F(s,t) = e/|e|, e = (1-s-t, s, t), so that corners of the
-// plane x + y + z = 1 have the parameters (y, z).
+// The integrand of (30) over sigma: the chart of the first octant is F(s,t) = e/|e|, e = (1-s-t, s, t), so
+// that corners of the plane x + y + z = 1 have the parameters (y, z).
 struct PulledBack {
   const Surface* surface;
   std::array<ParameterPoint<Rational>, 3> v;  // v_1, v_2, v_3
@@ -65,7 +68,8 @@ Ball over_sigma(const Surface& sphere, const OctantTriangle& triangle, Factor fa
   return known(integral_over_polygon(f, {{0, 0}, {1, 0}, {0, 1}}, {.radius = radius}));
 }
 
-// Int (x, y, z) dS over a triangle of great circles: half the sum of the sides' angles times the inner normals of their planes.
+// Int (x, y, z) dS over a triangle of great circles: half the sum of the sides' angles times the inner
+// normals of their planes.
 Vector<Ball> first_moment(const OctantTriangle& triangle) {
   std::array<Vector<Ball>, 3> v;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -155,7 +159,8 @@ Finding equation_76_parts(const Bench&) {
   for (const int level : {0, 1, 2}) {
     const std::vector<OctantTriangle> triangles = symmetric_octant(level);
     const SphereCollocation method(triangles, Rational(1, 6));
-    // The rule (54) for u |D_s m x D_t m|, |D_s m x D_t m| = |e|^-3/4^level: what interpolation of the product gives.
+    // The rule (54) for u |D_s m x D_t m|, |D_s m x D_t m| = |e|^-3/4^level: what interpolation of the
+    // product gives.
     const auto by_the_printed_parts = [&](const Function& u) {
       Ball sum(0);
       for (const OctantTriangle& t : triangles)

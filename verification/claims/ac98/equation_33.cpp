@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      equation_33: as polynomials in alpha: the library's nodes are those printed, a permutation of the coordinates permutes
-//              them; at alpha = 0 they are the vertices; for 0 < alpha < 1/3 all coordinates are positive (their zeros, counted).
-//              equation_34: as polynomials in alpha, l_i(q_j) = delta_ij and sum q_j l_j(x) = x at four points, three of which are not on a
-//              line, for the printed l_i; the library's l_i are those. So L reproduces linear functions, takes the values at the nodes, and L L = L: P_n
-//              of (35) and (36) is this on every element.
+// Checked      equation_33: as polynomials in alpha: the library's nodes are those printed, a permutation of
+//              the coordinates permutes them; at alpha = 0 they are the vertices; for 0 < alpha < 1/3 all
+//              coordinates are positive (their zeros, counted). equation_34: as polynomials in alpha,
+//              l_i(q_j) = delta_ij and sum q_j l_j(x) = x at four points, three of which are not on a line,
+//              for the printed l_i; the library's l_i are those. So L reproduces linear functions, takes the
+//              values at the nodes, and L L = L: P_n of (35) and (36) is this on every element.
 //              equation_36_jumps: jumps of P_n g along the common side of two triangles, exactly.
-//              equation_38: one node, the centroid, l = 1: norm 1, constants reproduced, the rule of degree 1.
+//              equation_38: one node, the centroid, l = 1: norm 1, constants reproduced, the rule of degree
+//              1.
 // Not checked  that P_n extends to L^infinity as a projection.
 
 #include <array>
 
 #include "radcert/polynomial/inset_basis.h"
-#include "radcert/polynomial/nodes/inset_family.h"
-#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/polynomial/lebesgue_constant.h"
+#include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/real_zeros.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "verification/claims/ac98/checks.h"
 #include "verification/claims/ac98/differing_coefficients.h"
 #include "verification/claims/ac98/exact_plane.h"
@@ -56,7 +58,8 @@ std::vector<Barycentric<Rational>> four_points() {
   return {{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{Rational(1, 5), Rational(-2, 3), Rational(22, 15)}}};
 }
 
-// Monomials of a degree whose interpolants on the halves of a parallelogram differ somewhere on the common side.
+// Monomials of a degree whose interpolants on the halves of a parallelogram differ somewhere on the common
+// side.
 Rational functions_that_jump(const Rational& alpha, int degree) {
   const PlanarTriangle below{PlanarPoint{0, 0}, PlanarPoint{2, 0}, PlanarPoint{3, 1}};
   const PlanarTriangle above{PlanarPoint{0, 0}, PlanarPoint{3, 1}, PlanarPoint{1, 1}};

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The norm of P_n is the largest value of the Lebesgue function sum |l_i| on the reference triangle: P_n acts on each element by itself,
-// and data of absolute value 1 reach that largest value.
+// The norm of P_n is the largest value of the Lebesgue function sum |l_i| on the reference triangle: P_n acts
+// on each element by itself, and data of absolute value 1 reach that largest value.
 //
-// Checked      For every alpha of 0 < alpha < 1/3 at once, as identities of polynomials in alpha: the numerators of
-//              (1 - 3 alpha) l_i at the vertices are 1 - alpha at its own and -alpha at the others, neither has a zero in 0 < alpha <= 1/3
-//              (Sturm), so that their absolute values sum to 1 + alpha. The Lebesgue function is convex, as each l_i is affine, so no other
-//              point exceeds the vertices. Beside that, at four alphas, the library's own basis: the vertices, and a lattice of points
-//              none of which exceeds them.
+// Checked      For every alpha of 0 < alpha < 1/3 at once, as identities of polynomials in alpha: the
+//              numerators of (1 - 3 alpha) l_i at the vertices are 1 - alpha at its own and -alpha at the
+//              others, neither has a zero in 0 < alpha <= 1/3 (Sturm), so that their absolute values sum to 1
+//              + alpha. The Lebesgue function is convex, as each l_i is affine, so no other point exceeds the
+//              vertices. Beside that, at four alphas, the library's own basis: the vertices, and a lattice of
+//              points none of which exceeds them.
 // Not checked  that P_n extends to L^infinity with the same norm.
 
 #include <algorithm>

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (39) to (51) are identities and inequalities of any linear K and any interpolation P_n; they are held to here by matrices of
-// rational numbers, with the interpolation (34) itself.
+// (39) to (51) are identities and inequalities of any linear K and any interpolation P_n; they are held to
+// here by matrices of rational numbers, with the interpolation (34) itself.
 //
-// Checked      In exact arithmetic, three equations each for alpha = 1/6, 1/10 and 0. (41) from (40) by (39), and the solution of (41) is
-//              that of (40): a solution lies in the range of P_n, and (41) at the nodes is (40). (43), (44), (45) with its inequality, (46),
-//              (49), (47), the two identities after (50), (51) with c = norm of (I - R K B)^-1.
+// Checked      In exact arithmetic, three equations each for alpha = 1/6, 1/10 and 0. (41) from (40) by (39),
+//              and the solution of (41) is that of (40): a solution lies in the range of P_n, and (41) at the
+//              nodes is (40). (43), (44), (45) with its inequality, (46), (49), (47), the two identities
+//              after (50), (51) with c = norm of (I - R K B)^-1.
 // Not checked  that c of (51) stays bounded as n grows: theorem_3_1_inverses, equation_51. Operators on C(S).
 
 #include <functional>

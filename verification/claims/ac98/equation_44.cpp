@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      hat u_n = E + K u_n at every node equals u_n there, K u_n integrated element by element by cubature that shares nothing
-//              with the matrix; on two_piece and on the cube, degree 1, alpha = 1/6 and 1/10.
+// Checked      hat u_n = E + K u_n at every node equals u_n there, K u_n integrated element by element by
+//              cubature that shares nothing with the matrix; on two_piece and on the cube, degree 1, alpha =
+//              1/6 and 1/10.
 // Not checked  other degrees; levels beyond the second.
 
 #include <algorithm>

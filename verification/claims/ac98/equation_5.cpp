@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      that a constant exists for all pairs, by enclosing the least one: on the roof of two_piece (p = 2, 3) and on two
-//              ellipsoids, where it is c/(2a^2) for the half axes a <= b <= c, by branch and bound from above and a pair of points of
-//              the library's charts from below; on the sphere, where |cos theta_P| = |P-Q|/2, exactly at rational points. Across an
-//              edge no constant serves.
+// Checked      that a constant exists for all pairs, by enclosing the least one: on the roof of two_piece (p
+//              = 2, 3) and on two ellipsoids, where it is c/(2a^2) for the half axes a <= b <= c, by branch
+//              and bound from above and a pair of points of the library's charts from below; on the sphere,
+//              where |cos theta_P| = |P-Q|/2, exactly at rational points. Across an edge no constant serves.
 // Not checked  other smooth surfaces.
 
 #include <array>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      In exact arithmetic, with the interpolating polynomial integrated term by term from its coefficients: (52) is exact for 1, s, t
-//              whatever alpha, as identities in alpha; (53) for s^2, st, t^2 at alpha = 1/6. Monomials span the polynomials of their degree,
-//              and both sides are linear in f.
+// Checked      In exact arithmetic, with the interpolating polynomial integrated term by term from its
+//              coefficients: (52) is exact for 1, s, t whatever alpha, as identities in alpha; (53) for s^2,
+//              st, t^2 at alpha = 1/6. Monomials span the polynomials of their degree, and both sides are
+//              linear in f.
 // Not checked  nothing is left out.
 
 #include "radcert/polynomial/inset_basis.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      As identities in alpha: the integrals of l_1, l_2, l_3 are 1/6 each and the nodes are those printed; constants and linear
-//              functions are integrated exactly. The insets of [0, 1/3) that are exact of degree 2 as well are the common zeros of three
-//              polynomials in alpha, counted by Sturm's theorem: there is one, and it is 1/6. So the degree of precision is 1 for every other
+// Checked      As identities in alpha: the integrals of l_1, l_2, l_3 are 1/6 each and the nodes are those
+//              printed; constants and linear functions are integrated exactly. The insets of [0, 1/3) that
+//              are exact of degree 2 as well are the common zeros of three polynomials in alpha, counted by
+//              Sturm's theorem: there is one, and it is 1/6. So the degree of precision is 1 for every other
 //              alpha. At 1/6 it is 2 and no more, for the rule typed in as printed.
 // Not checked  nothing is left out.
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      In exact arithmetic, with the six nodes typed in as printed: at alpha = 1/6 every monomial up to degree 3 is integrated exactly
-//              over the unit square, and s^4 is not. As identities in alpha: the printed sum is the rule of the triangle applied to both
-//              triangles, for every monomial up to degree 4.
+// Checked      In exact arithmetic, with the six nodes typed in as printed: at alpha = 1/6 every monomial up
+//              to degree 3 is integrated exactly over the unit square, and s^4 is not. As identities in
+//              alpha: the printed sum is the rule of the triangle applied to both triangles, for every
+//              monomial up to degree 4.
 // Not checked  nothing is left out.
 
 #include "radcert/polynomial/nodes/inset_family.h"

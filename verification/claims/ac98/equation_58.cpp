@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// An affine map (56) takes polynomials to polynomials of the same degree and multiplies every integral by the same number, so the degree of
-// precision of (58) is that of (54) on every triangle.
+// An affine map (56) takes polynomials to polynomials of the same degree and multiplies every integral by the
+// same number, so the degree of precision of (58) is that of (54) on every triangle.
 //
-// Checked      In exact arithmetic, on triangles of both orientations, right-angled, scalene and very thin: the integrals of x^a y^b by Green's
-//              theorem along the sides, the rule typed in as printed. The degree is 2 and no more on each.
+// Checked      In exact arithmetic, on triangles of both orientations, right-angled, scalene and very thin:
+//              the integrals of x^a y^b by Green's theorem along the sides, the rule typed in as printed. The
+//              degree is 2 and no more on each.
 // Not checked  other triangles by themselves: the argument above speaks for them.
 
 #include "verification/claims/ac98/checks.h"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// An affine map takes the unit square of (55) to every parallelogram and its two triangles to those of the parallelogram, so the degree of
-// precision of (59) is that of (55).
+// An affine map takes the unit square of (55) to every parallelogram and its two triangles to those of the
+// parallelogram, so the degree of precision of (59) is that of (55).
 //
-// Checked      In exact arithmetic, on a square, a rectangle, an oblique and a very thin parallelogram, cut along either diagonal: the integrals
-//              by Green's theorem along the sides, the rules of the triangles typed in as printed. The degree is 3 and no more on each. Two
-//              triangles whose union is a quadrilateral but no parallelogram are rejected.
+// Checked      In exact arithmetic, on a square, a rectangle, an oblique and a very thin parallelogram, cut
+//              along either diagonal: the integrals by Green's theorem along the sides, the rules of the
+//              triangles typed in as printed. The degree is 3 and no more on each. Two triangles whose union
+//              is a quadrilateral but no parallelogram are rejected.
 // Not checked  other parallelograms by themselves: the argument above speaks for them.
 
 #include "verification/claims/ac98/checks.h"

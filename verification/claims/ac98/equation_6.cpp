@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      that a constant exists for all pairs, by enclosing the least one: on the roof of two_piece (p = 2, 3) and on two
-//              ellipsoids, where it is c^2/(4a^4) for the half axes a <= b <= c, by branch and bound from above and a pair of points
-//              of the library's charts from below; on the sphere, where G = 1/4, exactly at rational points; between the two pieces
-//              of two_piece, for all pairs. Across an edge G is unbounded: G = 1/(4 z^2) at P = (1/2,0,z), Q = (1/2,z,0) of
-//              two_squares, exactly.
+// Checked      that a constant exists for all pairs, by enclosing the least one: on the roof of two_piece (p
+//              = 2, 3) and on two ellipsoids, where it is c^2/(4a^4) for the half axes a <= b <= c, by branch
+//              and bound from above and a pair of points of the library's charts from below; on the sphere,
+//              where G = 1/4, exactly at rational points; between the two pieces of two_piece, for all pairs.
+//              Across an edge G is unbounded: G = 1/(4 z^2) at P = (1/2,0,z), Q = (1/2,z,0) of two_squares,
+//              exactly.
 // Not checked  other smooth surfaces.
 
 #include <array>

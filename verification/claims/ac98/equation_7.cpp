@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Omega has to be bounded, which the divergence theorem is asked to imply: with the boundary of a quarter space in place of S, P in one
-// of its faces at the distance 1 from the edge, the other face is all there is and the integral is pi/2; with a half space it is 0.
+// Omega has to be bounded, which the divergence theorem is asked to imply: with the boundary of a quarter
+// space in place of S, P in one of its faces at the distance 1 from the edge, the other face is all there is
+// and the integral is pi/2; with a half space it is 0.
 //
-// Checked      G >= 0: for all pairs of points of cube, tetrahedron and octahedron, exactly. Int_S G = pi: there at random rational
-//              points, some within a millionth of an edge, to 50 digits, by the closed form of a polygon; on the sphere, the ellipsoid
-//              (1,2,5) and the closed body under two_piece(2), a square, a curved roof, two walls with curved tops and two plane ones,
-//              to 20 digits by enclosed double integrals over the charts, P on one of them. The hypotheses: a point of an edge, an open box, a
-//              quarter space.
+// Checked      G >= 0: for all pairs of points of cube, tetrahedron and octahedron, exactly. Int_S G = pi:
+//              there at random rational points, some within a millionth of an edge, to 50 digits, by the
+//              closed form of a polygon; on the sphere, the ellipsoid (1,2,5) and the closed body under
+//              two_piece(2), a square, a curved roof, two walls with curved tops and two plane ones, to 20
+//              digits by enclosed double integrals over the charts, P on one of them. The hypotheses: a point
+//              of an edge, an open box, a quarter space.
 // Not checked  points other than these: the proof is that of the paper, its steps are (8) to (12).
 
 #include <algorithm>
@@ -86,7 +88,8 @@ struct CurvedCase {
   std::vector<std::size_t> charts;  ///< where P is taken
 };
 
-// From (1,0,0) to the square 0 <= z <= L, |y| <= L of the plane x = 0. Beyond it G = z/|Q-P|^4 <= r^-3, whose integral is at most 2/L.
+// From (1,0,0) to the square 0 <= z <= L, |y| <= L of the plane x = 0. Beyond it G = z/|Q-P|^4 <= r^-3, whose
+// integral is at most 2/L.
 Ball over_a_quarter_space(const Rational& side) {
   const PlanePolygon wall =
       plane_polygon({{0, -side, 0}, {0, side, 0}, {0, side, side}, {0, -side, side}}).value();

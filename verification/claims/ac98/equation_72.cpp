@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      equation_72_power: that the bounds (60) and (65) "must now contain a term proportional to some power of r(tau)": the
-//              constants 21/20 and 19/2 of lemma_3_2.cpp and lemma_3_3.cpp contain none, and the largest error over the rest of the
-//              bound does not grow with r. r encloses h/h*, 2 area = h* times the perimeter.
-//              equation_73: the triangles of every level are similar to those of level 0, by the squares of their sides, in exact
-//              arithmetic: the supremum is the largest r of level 0. r tan(theta/2) >= 1 for the smallest angle theta, as
-//              tan(theta/2) = h*/(s - a), s half the perimeter and a the side opposite, and s - a <= h.
-//              equation_79_pairs: n grows by 4; a symmetric triangulation is paired through the sides of one direction, exactly;
-//              what is left over on the octants of the sphere is 2^level triangles each, and nothing on unit squares.
-// Not checked  pairs in other polygons; that the triangles left over can be kept away from v_i on every chart at once.
+// Checked      equation_72_power: that the bounds (60) and (65) "must now contain a term proportional to some
+//              power of r(tau)": the constants 21/20 and 19/2 of lemma_3_2.cpp and lemma_3_3.cpp contain
+//              none, and the largest error over the rest of the bound does not grow with r. r encloses h/h*,
+//              2 area = h* times the perimeter. equation_73: the triangles of every level are similar to
+//              those of level 0, by the squares of their sides, in exact arithmetic: the supremum is the
+//              largest r of level 0. r tan(theta/2) >= 1 for the smallest angle theta, as tan(theta/2) =
+//              h*/(s - a), s half the perimeter and a the side opposite, and s - a <= h. equation_79_pairs: n
+//              grows by 4; a symmetric triangulation is paired through the sides of one direction, exactly;
+//              what is left over on the octants of the sphere is 2^level triangles each, and nothing on unit
+//              squares.
+// Not checked  pairs in other polygons; that the triangles left over can be kept away from v_i on every chart
+// at once.
 
 #include <algorithm>
 #include <map>
@@ -118,8 +121,8 @@ struct Pairing {
   long no_parallelogram = 0;  ///< pairs whose union is none
 };
 
-// Pairs the triangles of each chart across their sides of one direction: that of the side from vertex `from` to the next, of the
-// chart's first triangle at level 0.
+// Pairs the triangles of each chart across their sides of one direction: that of the side from vertex `from`
+// to the next, of the chart's first triangle at level 0.
 Pairing paired(const Surface& surface, int level, std::size_t from) {
   std::map<std::size_t, PlanarPoint> direction;
   for (const ParameterTriangle& t : triangulate(surface, 0).triangles) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (8) and (9) together: Int_S G = Int_(S_e) G + Int_(T_e) G + Int_(U_e) G, where the first integral, of a field without divergence, is
-// zero. S_e is S without T_e, and U_e with its normal reversed: Int_(S-T) G = Int_U G.
+// (8) and (9) together: Int_S G = Int_(S_e) G + Int_(T_e) G + Int_(U_e) G, where the first integral, of a
+// field without divergence, is zero. S_e is S without T_e, and U_e with its normal reversed: Int_(S-T) G =
+// Int_U G.
 //
-// Checked      div v = 0 for all Q and all n_P, as an identity of rational functions: n_P enters linearly, and degree 3 over |Q-P|^6 is
-//              below that of the grid. v . n_Q = G, exactly. (8) and (9) at the tip of the ellipsoid (1,2,5) and on the sphere, each
-//              part an enclosure of its own, for five radii.
+// Checked      div v = 0 for all Q and all n_P, as an identity of rational functions: n_P enters linearly,
+//              and degree 3 over |Q-P|^6 is below that of the grid. v . n_Q = G, exactly. (8) and (9) at the
+//              tip of the ellipsoid (1,2,5) and on the sphere, each part an enclosure of its own, for five
+//              radii.
 // Not checked  the divergence theorem itself.
 
 #include <array>

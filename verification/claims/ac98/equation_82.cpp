@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (82) asks for E in C^2(S) alone. On the surface (20), which is two faces of the cube, E = 1, rho = 1/2 and alpha = 1/6 meet every hypothesis
-// of Theorem 4.1: norm of K <= (rho/pi) (pi/2) = 1/4, so that (80) holds with gamma = 7/12. But u is not continuous at the ends of the
-// common edge. On the edge u = 1/(1 - rho/2) = 4/3. On the diagonal x = z of a square, from 1 <= u <= 4/3,
+// (82) asks for E in C^2(S) alone. On the surface (20), which is two faces of the cube, E = 1, rho = 1/2 and
+// alpha = 1/6 meet every hypothesis of Theorem 4.1: norm of K <= (rho/pi) (pi/2) = 1/4, so that (80) holds
+// with gamma = 7/12. But u is not continuous at the ends of the common edge. On the edge u = 1/(1 - rho/2) =
+// 4/3. On the diagonal x = z of a square, from 1 <= u <= 4/3,
 //     u(t,0,t) <= 1 + (1/2)/pi (4/3) (22)(t,t) -> 1 + (2/3)(3/8) = 5/4 as t -> 0,
-// and an element with a vertex at the end of the edge has points of both kinds next to that vertex, where u_n is continuous. Hence
-// norm of (u - u_n) >= (4/3 - 5/4)/2 = 1/24 for every triangulation whose elements have a side on the edge and reach the diagonal there.
-// Away from the ends u is continuous and behaves like r^b beside the edge, and so does the error like h^b. What (81) gives is O(h^2) if
-// u is in C^2 of each closed face.
+// and an element with a vertex at the end of the edge has points of both kinds next to that vertex, where u_n
+// is continuous. Hence norm of (u - u_n) >= (4/3 - 5/4)/2 = 1/24 for every triangulation whose elements have
+// a side on the edge and reach the diagonal there. Away from the ends u is continuous and behaves like r^b
+// beside the edge, and so does the error like h^b. What (81) gives is O(h^2) if u is in C^2 of each closed
+// face.
 //
-// Checked      that the hypotheses hold; the lower bound, by balls; |u_n - 4/3| on the edge as h is halved, at its middle and anywhere on it; and,
-//              as a remark, the order of what u_n changes by beside an edge of the closed cube, where r^b has b = 0.81.
+// Checked      that the hypotheses hold; the lower bound, by balls; |u_n - 4/3| on the edge as h is halved,
+//              at its middle and anywhere on it; and, as a remark, the order of what u_n changes by beside an
+//              edge of the closed cube, where r^b has b = 0.81.
 // Not checked  E for which u happens to be smooth; there (82) holds, as Table 4 shows.
 
 #include <cmath>

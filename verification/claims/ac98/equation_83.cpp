@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The kernel beside an edge is homogeneous: G(hP,hQ) h^2 = G(P,Q). So the integral over a square of the size h at the edge, seen from a
-// point at distances of the order h, does not depend on h, (84), and for a quadratic u the error over it is h^2 times a number, (86).
+// The kernel beside an edge is homogeneous: G(hP,hQ) h^2 = G(P,Q). So the integral over a square of the size
+// h at the edge, seen from a point at distances of the order h, does not depend on h, (84), and for a
+// quadratic u the error over it is h^2 times a number, (86).
 //
-// Checked      equation_83: the order of max |K(I - P_n)u| over the nodes is 2 and no more, on (20) and on a box, alpha = 1/6, and what
-//              E_n/h^2 tends to: the rest of the integral is O(h^2) too. equation_84: I_h(a,b) for several h, by enclosed double integrals,
-//              against (22). equation_86: u - P_n u at (sh,th) over h^2, exactly; e_h over h^2 by enclosed double integrals; and
-//              that it is not zero at the nodes, which is what takes the superconvergence.
+// Checked      equation_83: the order of max |K(I - P_n)u| over the nodes is 2 and no more, on (20) and on a
+//              box, alpha = 1/6, and what E_n/h^2 tends to: the rest of the integral is O(h^2) too.
+//              equation_84: I_h(a,b) for several h, by enclosed double integrals, against (22). equation_86:
+//              u - P_n u at (sh,th) over h^2, exactly; e_h over h^2 by enclosed double integrals; and that it
+//              is not zero at the nodes, which is what takes the superconvergence.
 // Not checked  other u than quadratic ones.
 
 #include <array>
@@ -51,8 +53,9 @@ Ball corner_integral(const Rational& h, const PlacePair& at) {
   }));
 }
 
-// The linear interpolant of x^2 at the inset nodes of the triangle with the vertices (0,0), (h,0), (h,h), below the diagonal, or
-// (0,0), (h,h), (0,h), above it: the plane through the three values, by exact elimination.
+// The linear interpolant of x^2 at the inset nodes of the triangle with the vertices (0,0), (h,0), (h,h),
+// below the diagonal, or (0,0), (h,h), (0,h), above it: the plane through the three values, by exact
+// elimination.
 struct Plane3 {
   Rational constant;
   Rational by_x;
@@ -84,7 +87,8 @@ Rational error_at(const Rational& h, bool below, const Rational& x, const Ration
   return x * x - plane.constant - plane.by_x * x - plane.by_y * y;
 }
 
-// e_h(ah,0,bh) over [0,h]^2: the triangle below the diagonal in (xi, eta) = (h p, h p w), the one above in (h p w, h p).
+// e_h(ah,0,bh) over [0,h]^2: the triangle below the diagonal in (xi, eta) = (h p, h p w), the one above in (h
+// p w, h p).
 Ball corner_error(const Rational& h, const PlacePair& at) {
   const auto part = [&](bool below) {
     const Plane3 plane = interpolant_of_square(h, below);

@@ -6,9 +6,9 @@
 namespace radcert::verification::ac98 {
 
 /// At how many points of a grid two rational functions of s, eta and z differ.
-/// Maths     a polynomial of degree at most 8 in each variable that vanishes on a grid of 9 values each is zero: 0 proves an identity
-///           of functions whose difference, over its common denominator, has such a numerator
-/// Source    -
+/// Maths     a polynomial of degree at most 8 in each variable that vanishes on a grid of 9 values each is
+///           zero: 0 proves an identity of functions whose difference, over its common denominator, has such
+///           a numerator
 /// Requires  functions without a pole where eta, z > 0
 /// Result    exact
 /// Limits    the degrees are for the caller to see to

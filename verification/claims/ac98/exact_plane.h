@@ -13,10 +13,9 @@ namespace radcert::verification::ac98 {
 
 /// A polynomial of the coordinates x and y of the plane.
 /// Maths     sum c_ab x^a y^b
-/// Source    -
 /// Requires  exponents >= 0
-/// Result    exact; terms with c_ab = 0 are not kept, so that size() counts the coefficients that are not zero
-/// Limits    -
+/// Result    exact; terms with c_ab = 0 are not kept, so that size() counts the coefficients that are not
+///           zero
 class ExactPolynomial {
 public:
   ExactPolynomial() = default;
@@ -55,12 +54,11 @@ private:
 using PlanarTriangle = std::array<PlanarPoint, 3>;
 
 /// Linear interpolation as it is printed, and not as the library makes it.
-/// Maths     L f = sum f(mu(q_i)) l_i, mu(s,t) = u v_3 + t v_2 + s v_1, l_1 = (u - a)/(1 - 3a), l_2 = (t - a)/(1 - 3a),
-///           l_3 = (s - a)/(1 - 3a), {q_i} = {(a,a), (a,1-2a), (1-2a,a)}, a = alpha
+/// Maths     L f = sum f(mu(q_i)) l_i, mu(s,t) = u v_3 + t v_2 + s v_1, l_1 = (u - a)/(1 - 3a), l_2 = (t -
+///           a)/(1 - 3a), l_3 = (s - a)/(1 - 3a), {q_i} = {(a,a), (a,1-2a), (1-2a,a)}, a = alpha
 /// Source    [ac98, (33)-(34), (56)]
 /// Requires  alpha != 1/3, a triangle with an area
 /// Result    exact
-/// Limits    -
 [[nodiscard]] ExactPolynomial interpolant(const PlanarTriangle& triangle, const Rational& alpha,
                                           const ExactPolynomial& f);
 
@@ -72,14 +70,12 @@ using PlanarTriangle = std::array<PlanarPoint, 3>;
 /// All monomials with degree at most this.
 [[nodiscard]] std::vector<ExactPolynomial> monomials(int largest_degree);
 
-/// How many products of monomials, phi of degree j and f of degree i with i + j <= order, are not integrated exactly.
-/// Maths     Int phi (f - L f) != 0. Over h times the triangles, the origin staying in its place, the coefficient of h^(i+j+2) in the
-///           error is a sum of such integrals with phi and f homogeneous: 0 proves that the error of every pair of polynomials has no
-///           power of h below order + 3
-/// Source    -
-/// Requires  -
+/// How many products of monomials, phi of degree j and f of degree i with i + j <= order, are not integrated
+/// exactly.
+/// Maths     Int phi (f - L f) != 0. Over h times the triangles, the origin staying in its place, the
+///           coefficient of h^(i+j+2) in the error is a sum of such integrals with phi and f homogeneous: 0
+///           proves that the error of every pair of polynomials has no power of h below order + 3
 /// Result    exact
-/// Limits    -
 [[nodiscard]] Rational products_missed(int order, const std::vector<PlanarTriangle>& triangles,
                                        const Rational& alpha);
 

@@ -36,7 +36,8 @@ Ball around(const F& f, double error) {
          known(integral_on_interval(line_function(f), Ball(0), Ball::pi() / Ball(2), {.radius = error / 4}));
 }
 
-// The hull of the same integral for all 0 < e <= radius: f(angle, e^2) on panels of the angle, one part of the values e^2 after another.
+// The hull of the same integral for all 0 < e <= radius: f(angle, e^2) on panels of the angle, one part of
+// the values e^2 after another.
 template <class F>
 Ball around_on_panels(const F& f, const Rational& radius, long panels) {
   constexpr long parts = 16;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// m~_k interpolates m_k at the evenly spaced lattice of degree r. On sigma the (r+1)st derivatives of m_k are O(h^(r+1)), as those of
-// F are bounded and the element has the size h. Hence m_k - m~_k and its derivatives by s and t over sigma are all O(h^(r+1)): (88) as printed,
-// with D_s and D_t over sigma, is short by one power of h. The normal is a quotient by |D_s m x D_t m| = O(h^2), which leaves O(h^r) in
-// (90); from (88) as printed it would be O(h^(r-1)). With derivatives by the parameters of F (88) is O(h^r) and sharp.
+// m~_k interpolates m_k at the evenly spaced lattice of degree r. On sigma the (r+1)st derivatives of m_k are
+// O(h^(r+1)), as those of F are bounded and the element has the size h. Hence m_k - m~_k and its derivatives
+// by s and t over sigma are all O(h^(r+1)): (88) as printed, with D_s and D_t over sigma, is short by one
+// power of h. The normal is a quotient by |D_s m x D_t m| = O(h^2), which leaves O(h^r) in (90); from (88) as
+// printed it would be O(h^(r-1)). With derivatives by the parameters of F (88) is O(h^r) and sharp.
 //
-// Checked      equation_87, equation_88, equation_90: the order at the points of a lattice of every element, r = 1 to 6, on the roof of
-//              two_piece(7) and on the sphere; whether it is the order printed, or more.
-//              theorem_4_2: the order of the node error for r = 1 to 5 on two_piece(6), data on S; theorem_4_2_degree: that r = 3 is one
-//              power of h behind r = 4. equation_93: the cylinder with its lids, r = 1, 2 and exact.
-//              section_4_2: at alpha = 0 the normals of the elements of one vertex differ by O(h^r), and not by 0.
+// Checked      equation_87, equation_88, equation_90: the order at the points of a lattice of every element,
+//              r = 1 to 6, on the roof of two_piece(7) and on the sphere; whether it is the order printed, or
+//              more. theorem_4_2: the order of the node error for r = 1 to 5 on two_piece(6), data on S;
+//              theorem_4_2_degree: that r = 3 is one power of h behind r = 4. equation_93: the cylinder with
+//              its lids, r = 1, 2 and exact. section_4_2: at alpha = 0 the normals of the elements of one
+//              vertex differ by O(h^r), and not by 0.
 // Not checked  the constants; that the integrals over the node's own element may be off by O(h^4).
 
 #include <algorithm>
@@ -133,8 +135,8 @@ Approximation mean_order(const Bench& bench, const Problem& problem, int from, i
   return mean;
 }
 
-// The normals of the elements at each vertex that they share; the elements of one piece. Keys are coordinates in units that are far below the
-// distance of vertices and far above rounding.
+// The normals of the elements at each vertex that they share; the elements of one piece. Keys are coordinates
+// in units that are far below the distance of vertices and far above rounding.
 using VertexKey = std::tuple<std::string, long, long, long>;
 using VertexNormals = std::map<VertexKey, std::vector<Vector<double>>>;
 VertexNormals vertex_normals(const Surface& surface, const Triangulation& triangulation) {

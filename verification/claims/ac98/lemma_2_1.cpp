@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      (7) on the cube, a box, the sphere and the ellipsoid (1,2,5): the least and the largest integral over collocation nodes and
-//              over random points, some near the edges, by cubature that knows no triangulation. The same through the pipeline: with the
-//              emission 1 - rho the collocation solution is the constant 1 exactly if every row of the matrix sums to rho. G >= 0 on
-//              all pairs of a sample.
+// Checked      (7) on the cube, a box, the sphere and the ellipsoid (1,2,5): the least and the largest
+//              integral over collocation nodes and over random points, some near the edges, by cubature that
+//              knows no triangulation. The same through the pipeline: with the emission 1 - rho the
+//              collocation solution is the constant 1 exactly if every row of the matrix sums to rho. G >= 0
+//              on all pairs of a sample.
 // Not checked  points closer to an edge than a hundredth of its face, and G >= 0 off the sample.
 
 #include <algorithm>

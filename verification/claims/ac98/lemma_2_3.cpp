@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The roof of two_piece(p), u a function of xi alone: with d = xi - x, from a point with y = 1/2,
-//     Ku = Int W(x,xi) u(xi) dxi,  W = bend_p bend_q/stretch_p d^4 2 Int_0^(1/2) dv/(d^2 chord + v^2)^2 = |d| A(x,xi) + an analytic function,
-//     A = (pi/2) bend_p bend_q/(stretch_p chord^(3/2)),
-// so that (Ku)'' = 2 A(x,x) u(x) + the integral of u with a kernel as smooth as sign(d): where the derivative of u of order m+1 jumps by J,
-// that of Ku of order m+3 jumps by 2 A J, and all lower ones are continuous. For u in C^m, (19) promises m+1 derivatives; on an analytic surface there
-// are m+2, as K is of order -2. That (19) promises one only is the price of F in C^(m+2), whose normal is in C^(m+1), and of rho.
-// Lemma 2.3 has S "of the form in (13)", which are the piecewise smooth surfaces as well; there it fails, as the paper says of (20).
-// On the unit sphere G = 1/4, so that u = E + c rho with a number c: u has the smoothness of E and rho and no more, and Ku = c rho that of rho.
-// Theorem 2.4 has rho in C^m alone, less than Lemma 2.3 asks for: its induction needs the lemma for Ku/rho, and then the product.
+//     Ku = Int W(x,xi) u(xi) dxi,  W = bend_p bend_q/stretch_p d^4 2 Int_0^(1/2) dv/(d^2 chord + v^2)^2 = |d|
+//     A(x,xi) + an analytic function, A = (pi/2) bend_p bend_q/(stretch_p chord^(3/2)),
+// so that (Ku)'' = 2 A(x,x) u(x) + the integral of u with a kernel as smooth as sign(d): where the derivative
+// of u of order m+1 jumps by J, that of Ku of order m+3 jumps by 2 A J, and all lower ones are continuous.
+// For u in C^m, (19) promises m+1 derivatives; on an analytic surface there are m+2, as K is of order -2.
+// That (19) promises one only is the price of F in C^(m+2), whose normal is in C^(m+1), and of rho. Lemma 2.3
+// has S "of the form in (13)", which are the piecewise smooth surfaces as well; there it fails, as the paper
+// says of (20). On the unit sphere G = 1/4, so that u = E + c rho with a number c: u has the smoothness of E
+// and rho and no more, and Ku = c rho that of rho. Theorem 2.4 has rho in C^m alone, less than Lemma 2.3 asks
+// for: its induction needs the lemma for Ku/rho, and then the product.
 //
-// Checked      lemma_2_3, theorem_2_4_b: a corner of a curved piece, where they fail: corner_derivative.h. lemma_2_3_inside: for u = max(xi - 1/2, 0)^(m+1), m = 0, 1, 2, p = 2, 3, the order of the differences of Ku across xi = 1/2 and the jump, by
-//              enclosed integrals; (20) and u = eta must be rejected. theorem_2_4_b_sphere: the equation on the sphere for E, or rho, that are in C^m and not in
-//              C^(m+1), with the solution that is no smoother.
+// Checked      lemma_2_3, theorem_2_4_b: a corner of a curved piece, where they fail: corner_derivative.h.
+//              lemma_2_3_inside: for u = max(xi - 1/2, 0)^(m+1), m = 0, 1, 2, p = 2, 3, the order of the
+//              differences of Ku across xi = 1/2 and the jump, by enclosed integrals; (20) and u = eta must
+//              be rejected. theorem_2_4_b_sphere: the equation on the sphere for E, or rho, that are in C^m
+//              and not in C^(m+1), with the solution that is no smoother.
 // Not checked  surfaces that are not analytic; derivatives in other directions.
 
 #include <array>
@@ -71,8 +75,8 @@ Rational binomial(int n, int k) {
   return product;
 }
 
-// sum over k of (-1)^k binom(n, k) f(1/2 + (k - n/2) h): zero for polynomials of degree below n. For max(x - 1/2, 0)^j it is not zero if n - j is
-// odd.
+// sum over k of (-1)^k binom(n, k) f(1/2 + (k - n/2) h): zero for polynomials of degree below n. For max(x -
+// 1/2, 0)^j it is not zero if n - j is odd.
 template <class Function>
 Ball difference(const Function& f, int n, const Rational& h) {
   Ball sum(0);

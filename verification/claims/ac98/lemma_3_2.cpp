@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lemma 3.2 with a constant: let phi_0 be the mean of phi, p_k Taylor polynomials about the middle of the hypotenuse, d_x and d_y the
-// distances from there. |d_x| + |d_y| <= h on the triangle, so that |f - p_k| <= h^(k+1)/(k+1)! |D^(k+1) f|; ||I - L|| <= 1 + 7/3, and
-// ||phi - phi_0||_1 <= (diameter/2) Int |grad phi| <= h Int |D phi| on convex sets (Acosta and Duran 2004). With
-// Int phi L'f = Int (phi - phi_0) L'(f - p_1) + phi_0 Int L'(f - p_2) this is (60) with c = (10/3)(1/2) = 5/3, for every h. It does
-// without the step of the printed proof that takes h ||D^3 f|| into the constant, which needs bounded h.
-// On any triangle, with Taylor polynomials about the centroid, |d_x| + |d_y| <= 2^(1/2) (2/3) h for the diameter h; then
-// c = max (40/(27 2^(1/2)), (5/9)(16 2^(1/2)/27)) < 21/20, and no shape enters.
+// Lemma 3.2 with a constant: let phi_0 be the mean of phi, p_k Taylor polynomials about the middle of the
+// hypotenuse, d_x and d_y the distances from there. |d_x| + |d_y| <= h on the triangle, so that |f - p_k| <=
+// h^(k+1)/(k+1)! |D^(k+1) f|; ||I - L|| <= 1 + 7/3, and ||phi - phi_0||_1 <= (diameter/2) Int |grad phi| <= h
+// Int |D phi| on convex sets (Acosta and Duran 2004). With Int phi L'f = Int (phi - phi_0) L'(f - p_1) +
+// phi_0 Int L'(f - p_2) this is (60) with c = (10/3)(1/2) = 5/3, for every h. It does without the step of the
+// printed proof that takes h ||D^3 f|| into the constant, which needs bounded h. On any triangle, with Taylor
+// polynomials about the centroid, |d_x| + |d_y| <= 2^(1/2) (2/3) h for the diameter h; then c = max (40/(27
+// 2^(1/2)), (5/9)(16 2^(1/2)/27)) < 21/20, and no shape enters.
 //
-// Checked      lemma_3_2: for all polynomials at once, the error has no power of h below h^5, which is h^3 times the area. (60) with
-//              c = 5/3 for products of monomials, four h, two places.
-//              corollary_3_4_a: (74) with c = 21/20 for triangles down to an angle of 1e-8.
-//              equation_61: (61) and (62) with c = 1/(k+1)! on lattices of points, reached by (d_x + d_y)^(k+1).
-//              equation_63: (63) with c = 1 by the inequality of Cauchy and Schwarz.
-//              equation_64: the identity, and that its third term is 0.
+// Checked      lemma_3_2: for all polynomials at once, the error has no power of h below h^5, which is h^3
+//              times the area. (60) with c = 5/3 for products of monomials, four h, two places.
+//              corollary_3_4_a: (74) with c = 21/20 for triangles down to an angle of 1e-8. equation_61: (61)
+//              and (62) with c = 1/(k+1)! on lattices of points, reached by (d_x + d_y)^(k+1). equation_63:
+//              (63) with c = 1 by the inequality of Cauchy and Schwarz. equation_64: the identity, and that
+//              its third term is 0.
 // Not checked  functions that are no polynomials; the inequality of Acosta and Duran itself.
 
 #include "radcert/scalar/real.h"
@@ -49,7 +50,8 @@ std::vector<PlanarPoint> between(const PlanarPoint& a, const PlanarPoint& b) {
   return points;
 }
 
-// Lattice points of the right triangle where |f - p_k| > c (|d_x| + |d_y|)^(k+1) |D^(k+1) f|, f over monomials.
+// Lattice points of the right triangle where |f - p_k| > c (|d_x| + |d_y|)^(k+1) |D^(k+1) f|, f over
+// monomials.
 Rational points_beyond_taylor(int k, const Rational& c, const std::vector<PlanarPoint>& corners,
                               const PlanarPoint& about) {
   constexpr long parts = 6;
@@ -81,7 +83,8 @@ Rational reached_by_taylor(int k) {
   return abs((f - taylor(f, middle, k))(PlanarPoint{0, 0})) / largest_at({middle}, derivatives(f, k + 1));
 }
 
-// Monomials with area Int (phi - phi_0)^2 > (c h Int |D phi|)^2; the left side is at least ||phi - phi_0||_1^2.
+// Monomials with area Int (phi - phi_0)^2 > (c h Int |D phi|)^2; the left side is at least ||phi -
+// phi_0||_1^2.
 Rational monomials_beyond_their_mean(const Rational& c, int power_of_h) {
   long count = 0;
   for (const Rational& h : lengths())

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lemma 3.3 with a constant: phi_0 the mean of phi, phi_1 - phi_0 = g.(distance from the centre), g the mean of grad phi, p_k Taylor
-// polynomials about the centre, where |d_x| + |d_y| <= h. As Int phi_1 L'p_2 = 0 = Int phi_0 L'p_3,
-// Int phi L'f = Int (phi - phi_1) L'(f - p_1) + Int (phi_1 - phi_0) L'(f - p_2) + phi_0 Int L'(f - p_3), and the inequality of Acosta and
-// Duran, used twice, gives ||phi - phi_1||_1 <= 2^(1/2) h^2 Int |D^2 phi|: (65) with c = (10/3) 2^(1/2)/2 < 12/5, for every h. On any
-// parallelogram of two triangles of diameter h, whose own diameter is at most 2h, c = (10/3) 2 2^(1/2) < 19/2: no shape enters.
+// Lemma 3.3 with a constant: phi_0 the mean of phi, phi_1 - phi_0 = g.(distance from the centre), g the mean
+// of grad phi, p_k Taylor polynomials about the centre, where |d_x| + |d_y| <= h. As Int phi_1 L'p_2 = 0 =
+// Int phi_0 L'p_3, Int phi L'f = Int (phi - phi_1) L'(f - p_1) + Int (phi_1 - phi_0) L'(f - p_2) + phi_0 Int
+// L'(f - p_3), and the inequality of Acosta and Duran, used twice, gives ||phi - phi_1||_1 <= 2^(1/2) h^2 Int
+// |D^2 phi|: (65) with c = (10/3) 2^(1/2)/2 < 12/5, for every h. On any parallelogram of two triangles of
+// diameter h, whose own diameter is at most 2h, c = (10/3) 2 2^(1/2) < 19/2: no shape enters.
 //
-// (71) stands, but not for the reason given. L'p_2 is one polynomial on tau_1 and another on tau_2, so that (phi_1 - phi_0) L'p_2 is no
-// polynomial on R, and the degree of precision of (59), which is one of polynomials on R, says nothing of it. What carries:
-// phi_i L p_2 is quadratic on each triangle, so that the rule of precision 2 there integrates it exactly, and has the same values as
-// for phi_i p_2, which is cubic on R and integrated exactly by (59).
+// (71) stands, but not for the reason given. L'p_2 is one polynomial on tau_1 and another on tau_2, so that
+// (phi_1 - phi_0) L'p_2 is no polynomial on R, and the degree of precision of (59), which is one of
+// polynomials on R, says nothing of it. What carries: phi_i L p_2 is quadratic on each triangle, so that the
+// rule of precision 2 there integrates it exactly, and has the same values as for phi_i p_2, which is cubic
+// on R and integrated exactly by (59).
 //
-// Checked      lemma_3_3: for all polynomials at once and both diagonals of the square, the error has no power of h below h^6, which is
-//              h^4 times the area. (65) with c = 12/5 for products of monomials.
-//              corollary_3_4_b: (75) with c = 19/2 for parallelograms down to an angle of 1e-8.
-//              equation_66, equation_68: with c = 1/(k+1)!, and with c = 1 and 3/2.
-//              equation_69 to equation_71: the identities, for products of monomials. The counterexample to the reason for (71).
+// Checked      lemma_3_3: for all polynomials at once and both diagonals of the square, the error has no
+//              power of h below h^6, which is h^4 times the area. (65) with c = 12/5 for products of
+//              monomials. corollary_3_4_b: (75) with c = 19/2 for parallelograms down to an angle of 1e-8.
+//              equation_66, equation_68: with c = 1/(k+1)!, and with c = 1 and 3/2. equation_69 to
+//              equation_71: the identities, for products of monomials. The counterexample to the reason for
+//              (71).
 // Not checked  functions that are no polynomials; the inequality of Acosta and Duran itself.
 
 #include <algorithm>
@@ -37,7 +40,8 @@ struct Halves {
   std::vector<PlanarTriangle> triangles;
 };
 
-// A parallelogram, given by its corners in order, cut along the diagonal from the first corner or from the second.
+// A parallelogram, given by its corners in order, cut along the diagonal from the first corner or from the
+// second.
 Halves halves(const std::vector<PlanarPoint>& p, bool from_the_first) {
   if (from_the_first) return {p, {{p.at(0), p.at(1), p.at(2)}, {p.at(0), p.at(2), p.at(3)}}};
   return {p, {{p.at(0), p.at(1), p.at(3)}, {p.at(1), p.at(2), p.at(3)}}};

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// On the paraboloid z = |q|^2, with h = q - p = r e, |e| = 1: (Q-P).n_P = r^2/w(p), (P-Q).n_Q = r^2/w(q), w(q) = (1 + 4 |q|^2)^(1/2), and
-// |P-Q|^2 = r^2 (1 + k^2), k = (p + q).e, so that G = 1/[w(p) w(q) (1 + k^2)^2]: smooth in r and e down to r = 0, though not in q. With
-// e = (cos a, sin a) the derivatives by q times r^2 are sums of r^2 G_rr, r G_ra, G_aa, r G_r and G_a, which are bounded.
-// G contains n_Q, that is first derivatives of the surface: D_Q^2 G needs its third ones. On z = x^2 + y^2 + |x|^(5/2), which is convex and C^2
-// but not C^3, D_Q^2 G grows without bound as Q nears the plane x = 0, far from P.
+// On the paraboloid z = |q|^2, with h = q - p = r e, |e| = 1: (Q-P).n_P = r^2/w(p), (P-Q).n_Q = r^2/w(q),
+// w(q) = (1 + 4 |q|^2)^(1/2), and |P-Q|^2 = r^2 (1 + k^2), k = (p + q).e, so that G = 1/[w(p) w(q) (1 +
+// k^2)^2]: smooth in r and e down to r = 0, though not in q. With e = (cos a, sin a) the derivatives by q
+// times r^2 are sums of r^2 G_rr, r G_ra, G_aa, r G_r and G_a, which are bounded. G contains n_Q, that is
+// first derivatives of the surface: D_Q^2 G needs its third ones. On z = x^2 + y^2 + |x|^(5/2), which is
+// convex and C^2 but not C^3, D_Q^2 G grows without bound as Q nears the plane x = 0, far from P.
 //
-// Checked      equation_77: |P-Q|^2 |D_Q^2 G| <= 60 for all three second derivatives, all p with |p| <= 1/2 and r <= 1, by enclosures over
-//              boxes: p = (|p|, 0) without loss. G of the formula against G of (2), at points.
-//              lemma_3_5: the growth of |P-Q|^2 |D_Q^2 G| on the second surface, in balls.
+// Checked      equation_77: |P-Q|^2 |D_Q^2 G| <= 60 for all three second derivatives, all p with |p| <= 1/2
+//              and r <= 1, by enclosures over boxes: p = (|p|, 0) without loss. G of the formula against G of
+//              (2), at points. lemma_3_5: the growth of |P-Q|^2 |D_Q^2 G| on the second surface, in balls.
 // Not checked  (77) for all surfaces of C^3.
 
 #include <algorithm>
@@ -73,7 +74,8 @@ Bounds second_derivatives(const Ball& distance, const Ball& r, const Ball& a) {
           .distance = r * sqrt(chord)};
 }
 
-// A box of |p| from 0 to 1/2, r from 0 to 1 and the angle, over pi, from 0 to 1: the other half turn is a mirror image.
+// A box of |p| from 0 to 1/2, r from 0 to 1 and the angle, over pi, from 0 to 1: the other half turn is a
+// mirror image.
 struct Box {
   std::array<double, 3> low{0, 0, 0};
   std::array<double, 3> high{0.5, 1, 1};

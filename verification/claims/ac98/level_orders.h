@@ -18,7 +18,6 @@ namespace radcert::verification::ac98 {
 /// Source    [ac98, section 3.1]
 /// Requires  names, parameters and expressions that the catalogue and the parser take
 /// Result    without `solution` and `emission`, one of which the caller adds
-/// Limits    -
 [[nodiscard]] Problem linear_problem(const std::string& surface, std::vector<SurfaceParameter> parameters,
                                      const std::string& reflectivity);
 /// The same with u = `solution`, so that E = u - Ku.

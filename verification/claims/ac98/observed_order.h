@@ -17,16 +17,14 @@ namespace radcert::verification::ac98 {
 
 /// The order between two errors.
 /// Maths     log2(coarse/fine)/steps
-/// Source    -
 /// Requires  `fine` belongs to a mesh size divided by 2^steps
 /// Result    the radius covers those of both errors; not finite where one of them may be 0
-/// Limits    -
 [[nodiscard]] Approximation order_between(const Approximation& coarse, const Approximation& fine,
                                           int steps = 1);
 
 /// The errors of a level at its nodes, apart.
-/// Maths     max |u - u_n| over all nodes, over those of elements with a side or a corner on the border of their chart, and over the others
-/// Source    -
+/// Maths     max |u - u_n| over all nodes, over those of elements with a side or a corner on the border of
+///           their chart, and over the others
 /// Requires  a problem with `solution`
 /// Result    with the radius of the level's node error
 /// Limits    a part without nodes is 0

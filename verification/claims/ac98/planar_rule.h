@@ -21,11 +21,10 @@ struct PlanarRule {
 };
 
 /// The rule of a triangle as it is printed, and not as the library makes it.
-/// Maths     Area/3 sum g(mu(q_i)), mu(s,t) = u v_3 + t v_2 + s v_1, {q_i} = {(a,a), (a,1-2a), (1-2a,a)}, a = alpha
+/// Maths     Area/3 sum g(mu(q_i)), mu(s,t) = u v_3 + t v_2 + s v_1, {q_i} = {(a,a), (a,1-2a), (1-2a,a)}, a =
+///           alpha
 /// Source    [ac98, (33), (56), (58)]
-/// Requires  -
 /// Result    exact; the vertices may run either way round
-/// Limits    -
 [[nodiscard]] PlanarRule printed_rule(const std::array<PlanarPoint, 3>& triangle, const Rational& alpha);
 
 /// Both rules together: an integral over both regions.

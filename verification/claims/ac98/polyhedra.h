@@ -12,10 +12,7 @@ namespace radcert::verification::ac98 {
 
 /// A convex polyhedron with rational corners.
 /// Maths     faces with normals into the body
-/// Source    -
-/// Requires  -
 /// Result    exact
-/// Limits    -
 struct Polyhedron {
   std::string name;
   std::vector<Vector<Rational>> corners;
@@ -27,8 +24,9 @@ struct Polyhedron {
 /// The face z = 0 of the cube.
 inline constexpr std::size_t floor_face = 0;
 
-/// Pairs of a face and a corner for which the corner lies behind the plane of the face: none if and only if the polyhedron is convex and
-/// all normals point inwards, and then both cosines of (2), and G, are >= 0 for every pair of its points.
+/// Pairs of a face and a corner for which the corner lies behind the plane of the face: none if and only if
+/// the polyhedron is convex and all normals point inwards, and then both cosines of (2), and G, are >= 0 for
+/// every pair of its points.
 [[nodiscard]] Rational corners_behind_faces(const Polyhedron& polyhedron);
 
 /// Int_S G from a point of a face, off its edges, to all other faces.
@@ -36,7 +34,6 @@ inline constexpr std::size_t floor_face = 0;
 /// Source    [ac98, (7)]
 /// Requires  P in the face
 /// Result    enclosed to within `radius`
-/// Limits    -
 [[nodiscard]] Ball total_factor(const Polyhedron& polyhedron, std::size_t face, const Vector<Rational>& p,
                                 const Rational& radius);
 

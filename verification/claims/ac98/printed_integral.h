@@ -21,12 +21,11 @@ struct PrintedIntegral {
 };
 
 /// Evidence that a formula has the value of its integral, by enclosures of both.
-/// Maths     at points to within 1e-30; on boxes that cover 1/8 <= x <= 7/8, 1/4 <= z <= 3/4 the enclosures of formula and integral
-///           overlap, which those of `wrong` on the same boxes do not
-/// Source    -
-/// Requires  -
+/// Maths     at points to within 1e-30; on boxes that cover 1/8 <= x <= 7/8, 1/4 <= z <= 3/4 the enclosures
+///           of formula and integral overlap, which those of `wrong` on the same boxes do not
 /// Result    requirements for `printed` and `library`, controls for `wrong`
-/// Limits    beside a proof of the identity: boxes alone would not see a deviation that is less than their width
+/// Limits    beside a proof of the identity: boxes alone would not see a deviation that is less than their
+///           width
 void require_values(Finding& finding, const Bench& bench, const PrintedIntegral& formula);
 
 }  // namespace radcert::verification::ac98

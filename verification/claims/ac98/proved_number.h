@@ -13,11 +13,9 @@ namespace radcert::verification::ac98 {
 
 /// A ball as a number with a proved radius, for statements on doubles.
 /// Maths     value +- radius contains the ball
-/// Source    -
-/// Requires  -
 /// Result    guaranteed; infinite where the ball has failed, which settles nothing
-/// Limits    an inequality a <= b is proved by AtMost{0} for proved(a - b): a double that is added to its radius has the sign of the
-///           exact sum or is zero
+/// Limits    an inequality a <= b is proved by AtMost{0} for proved(a - b): a double that is added to its
+///           radius has the sign of the exact sum or is zero
 [[nodiscard]] inline Approximation proved(const Ball& x) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const double low = x.lower_double();

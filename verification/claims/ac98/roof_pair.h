@@ -10,12 +10,11 @@ namespace radcert::verification::ac98 {
 /// Two points of the roof of two_piece, with the factor (xi - x)^2 divided out.
 /// Maths     P = (x, y, 2 - x^p), Q = (xi, eta, 2 - xi^p), d = xi - x, e = eta - y:
 ///           (Q-P).n_P = d^2 bend_p/stretch_p,  (P-Q).n_Q = d^2 bend_q/stretch_q,  |Q-P|^2 = d^2 chord + e^2,
-///           bend_p = (xi^p - x^p - p x^(p-1) d)/d^2 = sum_k (p-1-k) x^(p-2-k) xi^k, bend_q with x and xi exchanged,
-///           stretch_p = (1 + p^2 x^(2p-2))^(1/2), chord = 1 + [(xi^p - x^p)/d]^2
+///           bend_p = (xi^p - x^p - p x^(p-1) d)/d^2 = sum_k (p-1-k) x^(p-2-k) xi^k, bend_q with x and xi
+///           exchanged, stretch_p = (1 + p^2 x^(2p-2))^(1/2), chord = 1 + [(xi^p - x^p)/d]^2
 /// Source    [ac98, (94)]
 /// Requires  p >= 2
 /// Result    as T rounds; typed in here, and not taken from the chart
-/// Limits    -
 template <Field T>
 struct RoofPair {
   RoofPair(int p, const T& x, const T& xi)

@@ -16,12 +16,12 @@ namespace radcert::verification::ac98 {
 /// Source    [ac98, section 3.1]
 /// Requires  0 < inset < 1/3
 /// Result    element by element, at the given level of the surface's own triangulation
-/// Limits    -
 [[nodiscard]] std::vector<SurfacePoint<double>> collocation_points(const Surface& surface, int level,
                                                                    const Rational& inset);
 
 /// Points inside the charts.
-/// Maths     uniform in the parameters, at least 1/100 from the border of each chart's domain; every third within 1/20 of a side
+/// Maths     uniform in the parameters, at least 1/100 from the border of each chart's domain; every third
+///           within 1/20 of a side
 /// Source    std::mt19937_64 with our own mapping
 /// Requires  nothing
 /// Result    the same for the same seed; `per_chart` of each chart

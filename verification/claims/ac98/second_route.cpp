@@ -122,7 +122,8 @@ struct Level {
   }
 };
 
-// What is integrated against G over an element: the remainder, and behind it the basis functions l_j where they are asked for.
+// What is integrated against G over an element: the remainder, and behind it the basis functions l_j where
+// they are asked for.
 constexpr std::size_t most_densities = 4;
 using Values = std::array<double, most_densities>;
 
@@ -322,7 +323,8 @@ System system_of(const Level& level, bool with_matrix) {
   return system;
 }
 
-// With interpolated geometry: r = Ku over S from v_i, less K~ P_n u over the interpolant from v~_i; A over the interpolant.
+// With interpolated geometry: r = Ku over S from v_i, less K~ P_n u over the interpolant from v~_i; A over
+// the interpolant.
 System system_of(const Problem& problem, int level, bool with_matrix) {
   Level exact(problem, level);
   if (!problem.geometry) return system_of(exact, with_matrix);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// "V(P,Q) = 1 if the straight line segment from P to Q does not intersect S at any other point, and 0 otherwise; unoccluded is V = 1 on S;
-// the interior surface of a convex solid is unoccluded." Between two points of one face of a cube the segment lies in S: V = 0 to the letter. There
-// G = 0, so that G V = G all the same, which is what (1) needs. A convex solid without a segment in its surface, such as a ball, is unoccluded to
-// the letter.
+// "V(P,Q) = 1 if the straight line segment from P to Q does not intersect S at any other point, and 0
+// otherwise; unoccluded is V = 1 on S; the interior surface of a convex solid is unoccluded." Between two
+// points of one face of a cube the segment lies in S: V = 0 to the letter. There G = 0, so that G V = G all
+// the same, which is what (1) needs. A convex solid without a segment in its surface, such as a ball, is
+// unoccluded to the letter.
 //
-// Checked      on the unit cube and the unit sphere, for rational points in pairs, in exact arithmetic, whether the points at 1/4, 1/2 and 3/4 of
-//              the segment are inside, and G where they are not.
+// Checked      on the unit cube and the unit sphere, for rational points in pairs, in exact arithmetic,
+//              whether the points at 1/4, 1/2 and 3/4 of the segment are inside, and G where they are not.
 // Not checked  other solids.
 
 #include <string>

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// No power of K is compact on (20). Let rho = 1 and f_e = 1 on the strip e <= eta <= 2e of either square, 0 elsewhere. Functions of the
-// distance from the edge alone are taken, up to the ends, by the kernel of the infinite wedge,
+// No power of K is compact on (20). Let rho = 1 and f_e = 1 on the strip e <= eta <= 2e of either square, 0
+// elsewhere. Functions of the distance from the edge alone are taken, up to the ends, by the kernel of the
+// infinite wedge,
 //     (1/pi) Int z eta dxi/[(xi-x)^2 + eta^2 + z^2]^2 <= (1/2) z eta/(eta^2 + z^2)^(3/2),
 // under which eta^a becomes lambda(a) z^a, lambda(a) = B((a+2)/2,(1-a)/2)/4, and lambda(1/2) < 1.
-// From above: f_e <= (eta/e)^(1/2), so that K^j f_e <= lambda^j (z/e)^(1/2): at z = d with d much less than e it is small, and so it is
-// far from K^j f_d, as from below: on the strip of e, for |x - 1/2| <= 1/2 - jL,  K^j f_e >= c^j with
+// From above: f_e <= (eta/e)^(1/2), so that K^j f_e <= lambda^j (z/e)^(1/2): at z = d with d much less than e
+// it is small, and so it is far from K^j f_d, as from below: on the strip of e, for |x - 1/2| <= 1/2 - jL,
+// K^j f_e >= c^j with
 //     c = min over e <= z <= 2e of (1/pi) Int_e^2e Int_(|xi-x| <= L) G,
-// which for e <= e_0 is at least what it is at e_0, by (xi, eta, z) = e (...): L/e grows. With e_k = e_0 2^(-Mk) no two of the functions
-// K^j f_(e_k), all bounded by 1, are nearer than c^j - lambda^j 2^(-M/2) > 0 for M large: no subsequence converges.
-// For rho > 0 constant both sides carry rho^j.
+// which for e <= e_0 is at least what it is at e_0, by (xi, eta, z) = e (...): L/e grows. With e_k = e_0
+// 2^(-Mk) no two of the functions K^j f_(e_k), all bounded by 1, are nearer than c^j - lambda^j 2^(-M/2) > 0
+// for M large: no subsequence converges. For rho > 0 constant both sides carry rho^j.
 //
-// Checked      lambda(1/2) and c by balls, c for all z of the strip at once and L/e = 16; the distances for j = 1 to 4, with M = 16 j; and that
-//              between two parallel squares at the distance 1 the same strips do give what tends to 0, as where K is compact.
+// Checked      lambda(1/2) and c by balls, c for all z of the strip at once and L/e = 16; the distances for j
+//              = 1 to 4, with M = 16 j; and that between two parallel squares at the distance 1 the same
+//              strips do give what tends to 0, as where K is compact.
 // Not checked  closed surfaces: beside an edge their K has this part.
 
 #include <string>
@@ -25,7 +28,8 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-// Int eta z dxi/(xi^2 + r^2)^2 over |xi| <= L, r^2 = eta^2 + z^2: xi/(2 r^2 (xi^2 + r^2)) + atan(xi/r)/(2 r^3) is the antiderivative.
+// Int eta z dxi/(xi^2 + r^2)^2 over |xi| <= L, r^2 = eta^2 + z^2: xi/(2 r^2 (xi^2 + r^2)) + atan(xi/r)/(2
+// r^3) is the antiderivative.
 Ball strip_kernel(const Ball& eta, const Ball& z, const Ball& reach) {
   const Ball square = eta * eta + z * z;
   const Ball r = sqrt(square);
@@ -39,7 +43,8 @@ Ball parallel_kernel(const Ball& eta, const Ball& z, const Ball& reach) {
   return reach / (square * (reach * reach + square)) + atan(reach / r) / (square * r);
 }
 
-// (1/pi) Int over 1 <= eta <= 2 of the kernel scaled to e = 1, for z in a ball: panels with the hull of the values.
+// (1/pi) Int over 1 <= eta <= 2 of the kernel scaled to e = 1, for z in a ball: panels with the hull of the
+// values.
 template <class Kernel>
 Ball over_the_strip(const Kernel& kernel, const Ball& z) {
   constexpr long panels = 64;

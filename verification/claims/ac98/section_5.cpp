@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      section_5_centroid_rule: "on a smooth surface with a smooth u one would expect O(h^2)" of the centroid rule at its nodes, where on
-//              the cube it is O(h): two_piece(2) and (3), u = x^2 + y^2 + z^2.
-//              section_5_1: a product Gauss rule for Int G l_j over one element, the node at the distance d above the middle of a neighbour:
-//              the order that a given accuracy takes grows as d falls, and a fixed rule loses its digits.
+// Checked      section_5_centroid_rule: "on a smooth surface with a smooth u one would expect O(h^2)" of the
+//              centroid rule at its nodes, where on the cube it is O(h): two_piece(2) and (3), u = x^2 + y^2
+//              + z^2. section_5_1: a product Gauss rule for Int G l_j over one element, the node at the
+//              distance d above the middle of a neighbour: the order that a given accuracy takes grows as d
+//              falls, and a fixed rule loses its digits.
 // Not checked  the rules of the package [3], which are not in the paper.
 
 #include <algorithm>
@@ -19,8 +20,8 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-// Int G l_3 over the triangle (0,0), (1,0), (0,1) of the plane z = 0, l_3 = (s - 1/6)/(1 - 1/2), from a point at (1/3, 1/3, d) with the normal
-// that looks down at an angle, by a rule of that order.
+// Int G l_3 over the triangle (0,0), (1,0), (0,1) of the plane z = 0, l_3 = (s - 1/6)/(1 - 1/2), from a point
+// at (1/3, 1/3, d) with the normal that looks down at an angle, by a rule of that order.
 double by_rule(int order, double d) {
   const Vector<double> p{1.0 / 3, 1.0 / 3, d};
   const Vector<double> n_p{0.6, 0, -0.8};

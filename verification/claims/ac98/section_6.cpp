@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The concluding remarks. On the surface (20) with E = 1 the solution is 1/(1 - rho/2) on the common edge, whatever it is elsewhere, so that
-// the error of u_n there is known without a reference solution.
+// The concluding remarks. On the surface (20) with E = 1 the solution is 1/(1 - rho/2) on the common edge,
+// whatever it is elsewhere, so that the error of u_n there is known without a reference solution.
 //
-// Checked      section_6_ill_behaved: u - u_n in the middle of the edge falls like h^b with the b of r^b beside a right-angled edge, for two
-//              reflectivities: u is no smoother than that. section_6_grading: with vertices at c -> (2c)^q/2 it falls like h^(q b), up to h^2.
-//              section_6_piecewise_emissivity: a jump of E on the sphere,
-//              where u is known, leaves an error that does not fall with h in the elements that it crosses.
+// Checked      section_6_ill_behaved: u - u_n in the middle of the edge falls like h^b with the b of r^b
+//              beside a right-angled edge, for two reflectivities: u is no smoother than that.
+//              section_6_grading: with vertices at c -> (2c)^q/2 it falls like h^(q b), up to h^2.
+//              section_6_piecewise_emissivity: a jump of E on the sphere, where u is known, leaves an error
+//              that does not fall with h in the elements that it crosses.
 // Not checked  corners of closed surfaces; other angles than the right one; where several edges meet.
 
 #include <algorithm>

@@ -32,7 +32,8 @@ PairValues values_at(const Chart& chart, const Parameters& p, const Parameters& 
           .kernel = chord_kernel(chord, n_p, n_q)};
 }
 
-// A pair at which a function of x and xi is nearly largest: any pair is a lower bound. Lattices that shrink around the best pair so far.
+// A pair at which a function of x and xi is nearly largest: any pair is a lower bound. Lattices that shrink
+// around the best pair so far.
 struct LatticePair {
   Rational x;
   Rational xi;
@@ -76,7 +77,8 @@ T roof_kernel(int p, const T& x, const T& xi) {
   return pair.bend_p * pair.bend_q / (pair.stretch_p * pair.stretch_q * pair.chord * pair.chord);
 }
 
-// The octant's unit vectors as e/|e|, e over the face of the octahedron, and a quotient of two quadratic forms there.
+// The octant's unit vectors as e/|e|, e over the face of the octahedron, and a quotient of two quadratic
+// forms there.
 struct QuotientOnOctant {
   std::array<Rational, 3> numerator;
   std::array<Rational, 3> denominator;
@@ -121,7 +123,8 @@ SmoothBounds ellipsoid_bounds(const Rational& a, const Rational& b, const Ration
   const std::array<Rational, 3> one{1, 1, 1};
   const std::array<Rational, 3> squares{a * a, b * b, c * c};
   const std::array<Rational, 3> inverse{1 / (a * a), 1 / (b * b), 1 / (c * c)};
-  // With P = D u, h = D v |h|/|D v|, u and v on the sphere: 1/|AP|^2 = |u|^2/|D^-1 u|^2 and e.Ae = |v|^2/|D v|^2.
+  // With P = D u, h = D v |h|/|D v|, u and v on the sphere: 1/|AP|^2 = |u|^2/|D^-1 u|^2 and e.Ae = |v|^2/|D
+  // v|^2.
   const Ball flattest = known(maximum(cube_function(2, QuotientOnOctant{one, inverse}), demand));
   const Ball sharpest = known(maximum(cube_function(2, QuotientOnOctant{one, squares}), demand));
   const Chart octant = ellipsoid(a, b, c).charts[0];

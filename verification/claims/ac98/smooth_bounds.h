@@ -11,18 +11,16 @@
 namespace radcert::verification::ac98 {
 
 /// A smooth surface with the least constants of (5) and (6), enclosed from above and from below.
-/// Maths     cosine = sup |cos theta_P|/|P-Q|, kernel = sup |G(P,Q)| over P != Q of the surface. Both suprema are limits Q -> P or values
-///           of a continuous function on a compact set of (P, direction):
-///           two_piece(p), roof: with RoofPair and e = 0, where both are largest, bend_p/(stretch_p chord) and
-///           bend_p bend_q/(stretch_p stretch_q chord^2), maxima over 0 <= x, xi <= 1.
-///           Ellipsoid with half axes a <= b <= c, A = diag(a^-2, b^-2, c^-2), Q = P + h: n_P = -AP/|AP| and 0 = 2 h.AP + h.Ah give
-///           (Q-P).n_P = h.Ah/(2|AP|) and the like at Q: with e = h/|h|  e.Ae/(2|AP|) <= c/(2a^2) and
-///           (e.Ae)^2/(4 |AP| |AQ|) <= c^2/(4a^4), reached as Q -> P = (0,0,c) along the axis of a
+/// Maths     cosine = sup |cos theta_P|/|P-Q|, kernel = sup |G(P,Q)| over P != Q of the surface. Both suprema
+///           are limits Q -> P or values of a continuous function on a compact set of (P, direction):
+///           two_piece(p), roof: with RoofPair and e = 0, where both are largest, bend_p/(stretch_p chord)
+///           and bend_p bend_q/(stretch_p stretch_q chord^2), maxima over 0 <= x, xi <= 1. Ellipsoid with
+///           half axes a <= b <= c, A = diag(a^-2, b^-2, c^-2), Q = P + h: n_P = -AP/|AP| and 0 = 2 h.AP +
+///           h.Ah give (Q-P).n_P = h.Ah/(2|AP|) and the like at Q: with e = h/|h|  e.Ae/(2|AP|) <= c/(2a^2)
+///           and (e.Ae)^2/(4 |AP| |AQ|) <= c^2/(4a^4), reached as Q -> P = (0,0,c) along the axis of a
 /// Source    [ac98, (5)-(6)]
-/// Requires  -
-/// Result    cosine and kernel: upper bounds by branch and bound, of a small radius, lower ends included; cosine_pair, kernel_pair: one
-///           pair of points through the charts of the library, P != Q
-/// Limits    -
+/// Result    cosine and kernel: upper bounds by branch and bound, of a small radius, lower ends included;
+///           cosine_pair, kernel_pair: one pair of points through the charts of the library, P != Q
 struct SmoothBounds {
   std::string name;
   Ball cosine;
@@ -34,7 +32,8 @@ struct SmoothBounds {
 [[nodiscard]] SmoothBounds ellipsoid_bounds(const Rational& a, const Rational& b, const Rational& c,
                                             double radius);
 
-/// Pairs of rational points of the unit sphere, of so many, where 2 |cos theta_P| != |P-Q|, and where 4 G != 1.
+/// Pairs of rational points of the unit sphere, of so many, where 2 |cos theta_P| != |P-Q|, and where 4 G !=
+/// 1.
 struct SphereCounts {
   Rational cosine;
   Rational kernel;
@@ -46,7 +45,6 @@ struct SphereCounts {
 /// Source    [ac98, (2), (94)]
 /// Requires  p >= 2
 /// Result    enclosed, over all pairs
-/// Limits    -
 [[nodiscard]] Ball largest_kernel_between_the_pieces(int p, double radius);
 
 }  // namespace radcert::verification::ac98

@@ -11,7 +11,8 @@
 
 namespace radcert::verification::ac98 {
 
-/// A triangle of the plane x + y + z = 1, x, y, z >= 0, which F(x) = x/|x| takes to the first octant of the unit sphere.
+/// A triangle of the plane x + y + z = 1, x, y, z >= 0, which F(x) = x/|x| takes to the first octant of the
+/// unit sphere.
 struct OctantTriangle {
   std::array<Vector<Rational>, 3> corners;
   bool upright = true;  ///< moved and shrunk only, against the octant; else turned by half a turn as well
@@ -20,13 +21,15 @@ struct OctantTriangle {
 /// The symmetric triangulation of the octant: 4^level triangles.
 [[nodiscard]] std::vector<OctantTriangle> symmetric_octant(int level);
 
-/// The same with every upright triangle divided into three at its centroid: conforming, of one shape at every level, and not symmetric.
+/// The same with every upright triangle divided into three at its centroid: conforming, of one shape at every
+/// level, and not symmetric.
 [[nodiscard]] std::vector<OctantTriangle> upright_divided_octant(int level);
 
 /// Integrals of the barycentric coordinates over the image of a triangle.
-/// Maths     W_j = Int x_j dS = d Int x_j |x|^-3 dA, d = 3^(-1/2) the distance of the plane. V = Int x |x|^-3 dA = sum (W_j/d) v_j has the
-///           part Omega n along the normal, Omega the solid angle, and -sum_sides nu Int dl/|x| in the plane, nu the outer
-///           normal of a side, Int dl/|x| = log((r + r' + l)/(r + r' - l))
+/// Maths     W_j = Int x_j dS = d Int x_j |x|^-3 dA, d = 3^(-1/2) the distance of the plane. V = Int x |x|^-3
+///           dA = sum (W_j/d) v_j has the part Omega n along the normal, Omega the solid angle, and
+///           -sum_sides nu Int dl/|x| in the plane, nu the outer normal of a side, Int dl/|x| = log((r + r' +
+///           l)/(r + r' - l))
 /// Source    the divergence theorem; van Oosterom and Strackee for Omega
 /// Requires  a triangle with an area
 /// Result    enclosed
@@ -34,8 +37,9 @@ struct OctantTriangle {
 [[nodiscard]] std::array<Ball, 3> coordinate_integrals(const OctantTriangle& triangle);
 
 /// Collocation on the unit sphere by linear interpolation, in balls.
-/// Maths     G = 1/4: K u = rho M u, K P_n u = rho M_n u, M the mean over the sphere, M_n u = M P_n u = sum w_i u(v_i). With E:
-///           u = E + rho M(E)/(1 - M rho), hat u_n = E + rho M_n(E)/(1 - M_n rho). All eight octants have the triangles of the first, reflected
+/// Maths     G = 1/4: K u = rho M u, K P_n u = rho M_n u, M the mean over the sphere, M_n u = M P_n u = sum
+///           w_i u(v_i). With E: u = E + rho M(E)/(1 - M rho), hat u_n = E + rho M_n(E)/(1 - M_n rho). All
+///           eight octants have the triangles of the first, reflected
 /// Source    [ac98, (33)-(46)]; G: [m06, Lemma 1 (d)]
 /// Requires  0 <= alpha < 1/3
 /// Result    enclosed

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      on the sphere, with data for which u is known exactly: norm of u <= norm of E / (1 - norm of K), norm of K = norm of rho
-//              there; equality for constant E and rho, and in no other of the cases. u = 1 for E = 1 - rho on the cube. Uniqueness
-//              rests on (16), which the theorem does not repeat: for rho = 1 every constant solves the equation with E = 0 on a closed
-//              surface, which the check rejects; and no E of mean other than zero has a solution on the sphere, as the mean of K u is
-//              that of u.
+// Checked      on the sphere, with data for which u is known exactly: norm of u <= norm of E / (1 - norm of
+//              K), norm of K = norm of rho there; equality for constant E and rho, and in no other of the
+//              cases. u = 1 for E = 1 - rho on the cube. Uniqueness rests on (16), which the theorem does not
+//              repeat: for rho = 1 every constant solves the equation with E = 0 on a closed surface, which
+//              the check rejects; and no E of mean other than zero has a solution on the sphere, as the mean
+//              of K u is that of u.
 // Not checked  (b).
 
 #include "verification/claims/ac98/checks.h"

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A symmetric triangulation pairs its triangles and is better than Theorem 3.6 says. Here every triangle that is not turned against its
-// chart is divided in three at its centroid: conforming, of one shape at every level, and the error terms of order h^5 of neighbours do
-// not cancel.
+// A symmetric triangulation pairs its triangles and is better than Theorem 3.6 says. Here every triangle that
+// is not turned against its chart is divided in three at its centroid: conforming, of one shape at every
+// level, and the error terms of order h^5 of neighbours do not cancel.
 //
-// Checked      theorem_3_6: the order 3, and that it is not 4, for such triangulations; in balls on the sphere, and on an ellipsoid from
-//              K(I - P_n)u at points by cubature, which by (49) bounds the error. Alpha = 1/10 must be rejected.
-//              theorem_3_7: the order 4 up to the logarithm at the nodes of symmetric triangulations, on two_piece, an ellipsoid and, in
-//              balls, the sphere; nodes at the borders of charts and the others apart.
-//              theorem_3_7_own_element: the integral over the triangle of v_i has an error O(h^4) of itself, whatever alpha: G is bounded,
-//              the area is O(h^2) and u - P_n u = O(h^2). The theorem need not assume it.
+// Checked      theorem_3_6: the order 3, and that it is not 4, for such triangulations; in balls on the
+//              sphere, and on an ellipsoid from K(I - P_n)u at points by cubature, which by (49) bounds the
+//              error. Alpha = 1/10 must be rejected. theorem_3_7: the order 4 up to the logarithm at the
+//              nodes of symmetric triangulations, on two_piece, an ellipsoid and, in balls, the sphere; nodes
+//              at the borders of charts and the others apart. theorem_3_7_own_element: the integral over the
+//              triangle of v_i has an error O(h^4) of itself, whatever alpha: G is bounded, the area is
+//              O(h^2) and u - P_n u = O(h^2). The theorem need not assume it.
 // Not checked  the logarithm by itself; constants.
 //
-// The logarithm is not seen: error/h^4 settles faster than |log h| would let it. The bound of the proof takes |D_Q^2 G| where the
-// error has D_Q^2 G itself. To leading order G depends on the direction of Q - P alone; a second derivative of such a function has mean
-// 0 over circles about P, so that the integral over the annulus between h and 1 stays bounded.
+// The logarithm is not seen: error/h^4 settles faster than |log h| would let it. The bound of the proof takes
+// |D_Q^2 G| where the error has D_Q^2 G itself. To leading order G depends on the direction of Q - P alone; a
+// second derivative of such a function has mean 0 over circles about P, so that the integral over the annulus
+// between h and 1 stays bounded.
 
 #include <algorithm>
 #include <array>
@@ -126,8 +128,8 @@ double by_rule(const Frame<double>& p, const InterpolationError& error, const Tr
   return twice_the_area * sum / norm(p.area_normal);
 }
 
-// Int G (u - P_n u) over elements, seen from P: by the library's cubature where P is within a size of an element's centroid, by product
-// rules of two orders elsewhere.
+// Int G (u - P_n u) over elements, seen from P: by the library's cubature where P is within a size of an
+// element's centroid, by product rules of two orders elsewhere.
 Approximation seen_from(const Surface& surface, const SurfacePoint<double>& p,
                         const std::vector<Element>& elements, double alpha) {
   // Two rules beside the element of P and its neighbours, two for the others.
@@ -200,7 +202,8 @@ Approximation error_on_the_sphere(const std::vector<OctantTriangle>& triangles, 
   return proved(abs((exp(Ball(2)) - exp(Ball(-2))) / Ball(4) - mean));
 }
 
-// Int G (u - P_n u)/h^4 seen from the centroid of the first octant, which is the centroid of its triangle at every level, levels 1, 2, ...
+// Int G (u - P_n u)/h^4 seen from the centroid of the first octant, which is the centroid of its triangle at
+// every level, levels 1, 2, ...
 std::vector<Approximation> scaled_errors_at_centroids(int last) {
   const Surface surface = test_ellipsoid();
   constexpr double third = 1.0 / 3;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (80) with alpha = 1/6 is norm of K < 3/7. On a closed surface norm of K = norm of rho, (17) with equality, so that (80) is rho < 3/7 there:
-// Table 4, on the cube with rho = 1/2, has norm of P_n norm of K = 7/6, and Theorem 4.1 says nothing of it. Table 5, with norm of P_n = 1,
-// is covered. (80) is sufficient only: the error of u - u_n falls like h^2 in Table 4 all the same, and for rho = 99/100 too.
+// (80) with alpha = 1/6 is norm of K < 3/7. On a closed surface norm of K = norm of rho, (17) with equality,
+// so that (80) is rho < 3/7 there: Table 4, on the cube with rho = 1/2, has norm of P_n norm of K = 7/6, and
+// Theorem 4.1 says nothing of it. Table 5, with norm of P_n = 1, is covered. (80) is sufficient only: the
+// error of u - u_n falls like h^2 in Table 4 all the same, and for rho = 99/100 too.
 //
 // Checked      equation_80_table_4: the product for the data of Table 4, by balls; of Table 5 likewise.
-//              equation_81: on the cube with rho = 2/5, which (80) allows, with 1/(1 - gamma) = 15 for the norm of the inverse.
+//              equation_81: on the cube with rho = 2/5, which (80) allows, with 1/(1 - gamma) = 15 for the
+//              norm of the inverse.
 // Not checked  the norm of the inverse itself.
 
 #include <algorithm>
@@ -24,8 +26,8 @@ namespace {
 // (37).
 Rational norm_of_interpolation(const Rational& alpha) { return (1 + alpha) / (1 - 3 * alpha); }
 
-// max |u - P_n u| over the barycentric lattice k/8 of a right triangle with legs h for u = x^2 + y^2: h^2 times that of the unit triangle,
-// as linear parts of u are reproduced.
+// max |u - P_n u| over the barycentric lattice k/8 of a right triangle with legs h for u = x^2 + y^2: h^2
+// times that of the unit triangle, as linear parts of u are reproduced.
 double interpolation_error(double h) {
   constexpr int steps = 8;
   constexpr double alpha = 1.0 / 6;

@@ -13,8 +13,8 @@ namespace radcert::verification::ac98 {
 /// Maths     G as it stands, V = 1 even where something is in the way
 /// Source    [ac98, (2), (7)]
 /// Requires  points off the edges
-/// Result    values of reference::operator_integral with the density 1; radii are estimates, the largest over the points
-/// Limits    -
+/// Result    values of reference::operator_integral with the density 1; radii are estimates, the largest over
+///           the points
 struct Extremes {
   Approximation least{.value = 0, .radius = 0};
   Approximation largest{.value = 0, .radius = 0};

@@ -55,7 +55,8 @@ T from_the_roof(int p, const T& x, const T& t) {
   return to_square + x * to_roof(x * t, x * (T(1) - t)) + rest * to_roof(x + rest * t, rest * t);
 }
 
-// The integral over 0 <= t <= 1 of f(x, t): by Gauss rules at a point x, by the values on panels for a range of x.
+// The integral over 0 <= t <= 1 of f(x, t): by Gauss rules at a point x, by the values on panels for a range
+// of x.
 template <class Integrand>
 struct OverUnitInterval {
   Integrand f;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whether there is an alpha_0 of 0 < alpha_0 < 1/3 for which (28) has degree of precision r + 1, r odd. The defects of the monomials of
-// degree r + 1 are polynomials in alpha over a power of 1 - 3 alpha; an inset gains the degree if and only if it is a zero of their
-// greatest common divisor. Where that is 1, cofactors with sum cofactor_t D_t = 1 prove that there is none, real or complex.
+// Whether there is an alpha_0 of 0 < alpha_0 < 1/3 for which (28) has degree of precision r + 1, r odd. The
+// defects of the monomials of degree r + 1 are polynomials in alpha over a power of 1 - 3 alpha; an inset
+// gains the degree if and only if it is a zero of their greatest common divisor. Where that is 1, cofactors
+// with sum cofactor_t D_t = 1 prove that there is none, real or complex.
 //
-// Checked      r = 1: 1/6 and no other; r = 3: (7 - sqrt 34)/15 and no other; by Sturm's theorem. r = 5 and 7 (9 and 11 beyond quick): none.
-//              Every certificate is checked again. Over a rectangle: degree r + 2 at alpha_0, r at alpha = 1/10; for even r and every
-//              alpha r + 1 and, r <= 8, no more.
+// Checked      r = 1: 1/6 and no other; r = 3: (7 - sqrt 34)/15 and no other; by Sturm's theorem. r = 5 and 7
+//              (9 and 11 beyond quick): none. Every certificate is checked again. Over a rectangle: degree r
+//              + 2 at alpha_0, r at alpha = 1/10; for even r and every alpha r + 1 and, r <= 8, no more.
 // Not checked  odd r > 11.
 
 #include "radcert/polynomial/basis_facts.h"

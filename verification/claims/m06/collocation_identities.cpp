@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      (19) at every node of two_piece(2), r = 2 and 3, rho = 1/2 + x/4: u_n as the pipeline solved it, its integrals element by element
-//              by cubature that shares nothing with the matrix. The page has rho(P) for rho(v_i), and the sum over j to n f_r for f_r.
-//              (25) at points that are no nodes: K u by the second route, K u_n, K P_n (u - hat u_n) and K(u - P_n u) by that cubature;
+// Checked      (19) at every node of two_piece(2), r = 2 and 3, rho = 1/2 + x/4: u_n as the pipeline solved
+//              it, its integrals element by element by cubature that shares nothing with the matrix. The page
+//              has rho(P) for rho(v_i), and the sum over j to n f_r for f_r. (25) at points that are no
+//              nodes: K u by the second route, K u_n, K P_n (u - hat u_n) and K(u - P_n u) by that cubature;
 //              P_n hat u_n = P_n u_n = u_n. The same identity with P_n left out is rejected.
 // Not checked  other surfaces; finer levels.
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      As identities in alpha, for r = 1 to 8: the nodes of the library are those printed, (r + 1)(r + 2)/2 of them; each
-//              coordinate is alpha + (1 - 3 alpha) k/r with a whole number k >= 0, so that 0 < alpha < 1/3 keeps all of them inside and
-//              alpha apart from the sides. At alpha = 0 the border holds 3r of them. Every permutation of the vertices permutes them.
-//              At alpha = 1/3, which the paper allows beside (13), they are one point: (14) needs alpha < 1/3.
+// Checked      As identities in alpha, for r = 1 to 8: the nodes of the library are those printed, (r + 1)(r
+//              + 2)/2 of them; each coordinate is alpha + (1 - 3 alpha) k/r with a whole number k >= 0, so
+//              that 0 < alpha < 1/3 keeps all of them inside and alpha apart from the sides. At alpha = 0 the
+//              border holds 3r of them. Every permutation of the vertices permutes them. At alpha = 1/3,
+//              which the paper allows beside (13), they are one point: (14) needs alpha < 1/3.
 // Not checked  r = 0, where (13) divides by zero; the one node is the centroid then.
 
 #include <algorithm>

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The nodes (13) are the principal lattice, scaled by 1 - 3 alpha about the centroid. On P_r the scaling has the eigenvalue
-// (1 - 3 alpha)^k on the k + 1 polynomials of degree k, so that the determinant of the nodes is that of the lattice times
-// (1 - 3 alpha)^(r (r + 1)(r + 2)/3): not zero for any alpha other than 1/3.
+// The nodes (13) are the principal lattice, scaled by 1 - 3 alpha about the centroid. On P_r the scaling has
+// the eigenvalue (1 - 3 alpha)^k on the k + 1 polynomials of degree k, so that the determinant of the nodes
+// is that of the lattice times (1 - 3 alpha)^(r (r + 1)(r + 2)/3): not zero for any alpha other than 1/3.
 //
-// Checked      for r = 0 to 4 (5 beyond quick) and four alphas, exactly: this determinant, and that it is not zero, so that one polynomial of degree <= r
-//              interpolates and no other; sum g(q_j) l_j = g for every monomial g of degree <= r, at as many points as settle an
-//              equality in P_r, on the reference triangle and on a scalene one, (27); not for s^(r+1). Two nodes in one place are rejected.
-// Not checked  other alphas and degrees: the argument above speaks for them. (15) has g in C(S) for g in C(sigma).
+// Checked      for r = 0 to 4 (5 beyond quick) and four alphas, exactly: this determinant, and that it is not
+//              zero, so that one polynomial of degree <= r interpolates and no other; sum g(q_j) l_j = g for
+//              every monomial g of degree <= r, at as many points as settle an equality in P_r, on the
+//              reference triangle and on a scalene one, (27); not for s^(r+1). Two nodes in one place are
+//              rejected.
+// Not checked  other alphas and degrees: the argument above speaks for them. (15) has g in C(S) for g in
+// C(sigma).
 
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/nodes/lattice.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      As identities in alpha, for r = 0 to 8: the rule (16) integrates every polynomial of degree <= r over sigma. On three planar
-//              triangles, (28), r = 1 to 4: the rule with the nodes m_tau(q_j) and the weights 2 Area omega_j, against the integral by
-//              Green's theorem, for every monomial of degree <= r in x and y. At alpha = 1/10 and r >= 1 the degree is r and no more.
+// Checked      As identities in alpha, for r = 0 to 8: the rule (16) integrates every polynomial of degree <=
+//              r over sigma. On three planar triangles, (28), r = 1 to 4: the rule with the nodes m_tau(q_j)
+//              and the weights 2 Area omega_j, against the integral by Green's theorem, for every monomial of
+//              degree <= r in x and y. At alpha = 1/10 and r >= 1 the degree is r and no more.
 // Not checked  nothing is left of "at least r". When it is more: alpha_0.
 
 #include "radcert/polynomial/nodes/inset_family.h"

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// P_n works element by element through the same l_j, so its norm on the bounded functions is max sum |l_j| over sigma, whatever n is.
+// P_n works element by element through the same l_j, so its norm on the bounded functions is max sum |l_j|
+// over sigma, whatever n is.
 //
-// Checked      P_n is a projection: l_i(q_j) is 1 for i = j and 0 otherwise, exactly, r = 1 to 5. Its norm: (1 + alpha)/(1 - 3 alpha) for r = 1,
-//              as an identity in alpha and at three alphas; for r = 2 to 5 at alpha = 1/10 enclosed by Bernstein bounds, and equal to
-//              sum |l_j| at a corner of sigma to the width of the enclosure.
+// Checked      P_n is a projection: l_i(q_j) is 1 for i = j and 0 otherwise, exactly, r = 1 to 5. Its norm:
+//              (1 + alpha)/(1 - 3 alpha) for r = 1, as an identity in alpha and at three alphas; for r = 2 to
+//              5 at alpha = 1/10 enclosed by Bernstein bounds, and equal to sum |l_j| at a corner of sigma to
+//              the width of the enclosure.
 // Not checked  that the corner is the place of the maximum for other alphas and r: for alpha = 0 it is not.
 
-#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/lebesgue_constant.h"
+#include "radcert/polynomial/nodes/lattice.h"
 #include "verification/claims/ac98/differing_coefficients.h"
 #include "verification/claims/ac98/proved_number.h"
 #include "verification/claims/m06/checks.h"

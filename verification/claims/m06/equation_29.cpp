@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// |D^k g| is what the bounds (30), (31) and (38) are written in. What they use of it: it vanishes identically for the polynomials of degree < k and
-// no others, so that it measures what interpolation leaves over; and g(h x) has h^k times that of g.
+// |D^k g| is what the bounds (30), (31) and (38) are written in. What they use of it: it vanishes identically
+// for the polynomials of degree < k and no others, so that it measures what interpolation leaves over; and
+// g(h x) has h^k times that of g.
 //
-// Checked      for every monomial of degree <= 6 and k <= 6, exactly, at a point with no zero coordinate; h = 1/3.
+// Checked      for every monomial of degree <= 6 and k <= 6, exactly, at a point with no zero coordinate; h =
+//              1/3.
 // Not checked  nothing is left of (29).
 
 #include <algorithm>

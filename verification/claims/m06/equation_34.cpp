@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (34)-(35) put g = u |D_s m_k x D_t m_k| and Phi = G. The method (19) interpolates u alone, so that the error at v_i is the sum of
-// Int Phi (I - L) g with Phi = G |D_s m_k x D_t m_k| and g = u: for the g of (35) it would be the error of another method, which interpolates u
-// times the area element. On plane pieces the two are one; the proof of Theorem 7 holds for the right pair with the same orders.
+// (34)-(35) put g = u |D_s m_k x D_t m_k| and Phi = G. The method (19) interpolates u alone, so that the
+// error at v_i is the sum of Int Phi (I - L) g with Phi = G |D_s m_k x D_t m_k| and g = u: for the g of (35)
+// it would be the error of another method, which interpolates u times the area element. On plane pieces the
+// two are one; the proof of Theorem 7 holds for the right pair with the same orders.
 //
-// Checked      on the first octant of the sphere, where G = 1/4, as one element, r = 1, alpha = 1/6, u = 1: the error of the method is zero, as P_n 1 = 1;
-//              with the g of (35) it is not. On a plane triangle both are zero. By a Gauss rule, enclosed arithmetic around it.
+// Checked      on the first octant of the sphere, where G = 1/4, as one element, r = 1, alpha = 1/6, u = 1:
+//              the error of the method is zero, as P_n 1 = 1; with the g of (35) it is not. On a plane
+//              triangle both are zero. By a Gauss rule, enclosed arithmetic around it.
 // Not checked  nothing is left of (35). (34) itself has t for k in one index, and i up to 6n for n f_r.
 
-#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/polynomial/inset_basis.h"
+#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/octahedron.h"
 #include "verification/claims/ac98/proved_number.h"
@@ -18,7 +20,8 @@
 namespace radcert::verification::m06 {
 namespace {
 
-// The rule's sum of 1/4 (I - L) g over the unit triangle of a chart with g = J, the area element, or of 1/4 J (I - L) 1.
+// The rule's sum of 1/4 (I - L) g over the unit triangle of a chart with g = J, the area element, or of 1/4 J
+// (I - L) 1.
 Ball left_over(const Chart& chart, bool as_printed) {
   constexpr int order = 12;
   const InsetBasis<Ball> basis(1, Ball(Rational(1, 6)));

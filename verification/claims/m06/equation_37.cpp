@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (37) without its factor is the sum over j = 0, 1, 2 of the integrals of |v_i - Q|^-j over S less the node's element. In the plane, over
-// h < |v_i - Q| < 1: pi (1 - h^2) + 2 pi (1 - h) + 2 pi |log h|. The page has "of order h^2 + h + log h" instead, what is missing from the first
-// two; that is smaller than |log h| + 1 for small h only by bounded terms, so that O(h^(r+3) |log h|) stands.
+// (37) without its factor is the sum over j = 0, 1, 2 of the integrals of |v_i - Q|^-j over S less the node's
+// element. In the plane, over h < |v_i - Q| < 1: pi (1 - h^2) + 2 pi (1 - h) + 2 pi |log h|. The page has "of
+// order h^2 + h + log h" instead, what is missing from the first two; that is smaller than |log h| + 1 for
+// small h only by bounded terms, so that O(h^(r+3) |log h|) stands.
 //
-// Checked      the three integrals, enclosed, against their closed forms, h = 1/4 to 2^-16; their sum over |log h| falls to 2 pi, and
-//              over h^2 + h + |log h| is below 8 pi, h <= 1/4; the printed first term h^2 alone is no bound of the first integral.
-// Not checked  other shapes of the element that is left out, and the local representation of the surface: both change constants.
+// Checked      the three integrals, enclosed, against their closed forms, h = 1/4 to 2^-16; their sum over
+//              |log h| falls to 2 pi, and over h^2 + h + |log h| is below 8 pi, h <= 1/4; the printed first
+//              term h^2 alone is no bound of the first integral.
+// Not checked  other shapes of the element that is left out, and the local representation of the surface:
+// both change constants.
 
 #include "radcert/enclosure/interval_integral.h"
 #include "verification/claims/ac98/proved_number.h"

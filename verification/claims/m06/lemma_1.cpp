@@ -2,12 +2,14 @@
 
 // Lemma 1 (b) and (e). The lemma asks of S no more than smoothness and the divergence theorem.
 //
-// Checked      (b): G = -1/4 between the points (3/2,0,0) and (-1/2,0,0) of the torus of radius 1 and tube radius 1/2, a smooth closed surface that
-//              bounds a body, exactly; G >= 0 for the pairs of a grid of the unit sphere, which lies in the boundary of a convex body as the
-//              paper's unoccluded surfaces do. The torus has V = 0 there: it is convexity, and not smoothness, that makes G >= 0.
-//              (e): on the parabolic cylinder z = 2 - x^2, where G is ((xi-x)^2/[(xi-x)^2 (1+(x+xi)^2) + d^2])^2 times smooth factors of x and xi
-//              alone: its derivatives of the orders 1 to 3 along eight directions times |P-Q|^i, exactly, at distances from 1/2 to 2^-30; they
-//              stay bounded, and those times |P-Q|^(i-1) do not.
+// Checked      (b): G = -1/4 between the points (3/2,0,0) and (-1/2,0,0) of the torus of radius 1 and tube
+//              radius 1/2, a smooth closed surface that bounds a body, exactly; G >= 0 for the pairs of a
+//              grid of the unit sphere, which lies in the boundary of a convex body as the paper's unoccluded
+//              surfaces do. The torus has V = 0 there: it is convexity, and not smoothness, that makes G >=
+//              0. (e): on the parabolic cylinder z = 2 - x^2, where G is ((xi-x)^2/[(xi-x)^2 (1+(x+xi)^2) +
+//              d^2])^2 times smooth factors of x and xi alone: its derivatives of the orders 1 to 3 along
+//              eight directions times |P-Q|^i, exactly, at distances from 1/2 to 2^-30; they stay bounded,
+//              and those times |P-Q|^(i-1) do not.
 // Not checked  (e) for other surfaces and pairs.
 
 #include <algorithm>
@@ -81,7 +83,8 @@ Series along(const Rational& x, const Rational& w, const Rational& d, const Rati
   return times(ratio, ratio);
 }
 
-// The largest |D^i G| distance^power over directions of Q - P and of the derivative; distances as the larger of |w| and |d|.
+// The largest |D^i G| distance^power over directions of Q - P and of the derivative; distances as the larger
+// of |w| and |d|.
 Approximation largest(std::size_t i, int power_of_distance, int k) {
   const Rational distance = 1 / power(Rational(2), k);
   const std::vector<std::array<Rational, 2>> directions{{1, 0},

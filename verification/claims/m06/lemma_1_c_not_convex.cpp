@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The integral is that of a divergence (Gauss): it needs a bounded body, not a convex one, as long as G keeps its sign where P is
-// behind Q or Q behind P, and V is left out. Convexity is what (b) needs: on these bodies G < 0 for some pairs.
+// The integral is that of a divergence (Gauss): it needs a bounded body, not a convex one, as long as G keeps
+// its sign where P is behind Q or Q behind P, and V is left out. Convexity is what (b) needs: on these bodies
+// G < 0 for some pairs.
 //
-// Checked      Int_S G = pi: the L-shaped room and the dented octahedron, at a point of each face, to 30 digits by the closed form of a
-//              polygon; the torus (1, 1/2) at a point of its outer and one of its inner half, by enclosed integrals over the charts. G < 0
-//              for a pair of points of each, exactly or in balls. That the part behind the tangent plane of P gives 0.
-// Not checked  other points: the proof is that of [ac98, (8)-(12)], in which convexity gives no more than the sign of G.
+// Checked      Int_S G = pi: the L-shaped room and the dented octahedron, at a point of each face, to 30
+//              digits by the closed form of a polygon; the torus (1, 1/2) at a point of its outer and one of
+//              its inner half, by enclosed integrals over the charts. G < 0 for a pair of points of each,
+//              exactly or in balls. That the part behind the tangent plane of P gives 0.
+// Not checked  other points: the proof is that of [ac98, (8)-(12)], in which convexity gives no more than the
+// sign of G.
 
 #include <algorithm>
 #include <string>
@@ -83,7 +86,8 @@ Finding lemma_1_c_not_convex(const Bench& bench) {
     finding.control("the integral over the L-shaped room without one wall",
                     AgreesWith{.value = Ball::pi(), .within = 1e-30},
                     signed_total(open, 0, point_of_face(open, 0, 0), BehindTangentPlane::counted, little));
-    // The part behind is closed by the tangent plane, on which G = 0: its own total is that of a body without P.
+    // The part behind is closed by the tangent plane, on which G = 0: its own total is that of a body without
+    // P.
     finding.require("the same without what is behind the tangent plane, L-shaped room",
                     AgreesWith{.value = Ball::pi(), .within = 1e-30},
                     signed_total(room, 5, point_of_face(room, 5, 0), BehindTangentPlane::left_out, little));

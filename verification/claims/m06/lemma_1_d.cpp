@@ -4,12 +4,14 @@
 //
 // Checked      For all P and Q, exactly. Both points are given their stereographic coordinates,
 //                P = (2a, 2b, a^2 + b^2 - 1) / (1 + a^2 + b^2),   Q likewise in c, d,   n_P = -P, n_Q = -Q.
-//              Multiplied by the fourth powers of both denominators, 4 [(Q-P).n_P] [(P-Q).n_Q] - |P-Q|^4 is a polynomial of degree 8 at
-//              most in each of a, b, c, d: it is of the second degree in P.P, P.Q and Q.Q; P.P has degree 4 in a and in b over the square of
-//              its denominator, P.Q has degree 2 in each variable over both. A polynomial of degree 8 in each variable that vanishes on
-//              a grid of 9^4 points is zero. The grid's P and Q differ, so that the kernel itself, in fractions, must be 1/4 there.
-//              Stereographic coordinates leave out one point, which continuity takes in.
-//              Beside that, the library's charts of the sphere: G by frames and by chords at random parameters, enclosed in balls.
+//              Multiplied by the fourth powers of both denominators, 4 [(Q-P).n_P] [(P-Q).n_Q] - |P-Q|^4 is a
+//              polynomial of degree 8 at most in each of a, b, c, d: it is of the second degree in P.P, P.Q
+//              and Q.Q; P.P has degree 4 in a and in b over the square of its denominator, P.Q has degree 2
+//              in each variable over both. A polynomial of degree 8 in each variable that vanishes on a grid
+//              of 9^4 points is zero. The grid's P and Q differ, so that the kernel itself, in fractions,
+//              must be 1/4 there. Stereographic coordinates leave out one point, which continuity takes in.
+//              Beside that, the library's charts of the sphere: G by frames and by chords at random
+//              parameters, enclosed in balls.
 // Not checked  nothing is left of this statement.
 
 #include <array>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lemmas 5, 6 and 8 follow from the vanishing of B(Phi, g) = Int Phi (I - L) g for polynomials, as interpolation_defects.h has it: up to the total
-// degree r + 2 on the square and r + 1 on the triangle for alpha_0, r + 1 on the square for even r. For a triangle of precision d' it
-// vanishes up to d': where deg Phi + r <= d', Int Phi L g is the rule applied to Phi g. On the square one degree more is odd about the centre.
+// Lemmas 5, 6 and 8 follow from the vanishing of B(Phi, g) = Int Phi (I - L) g for polynomials, as
+// interpolation_defects.h has it: up to the total degree r + 2 on the square and r + 1 on the triangle for
+// alpha_0, r + 1 on the square for even r. For a triangle of precision d' it vanishes up to d': where deg Phi
+// + r <= d', Int Phi L g is the rule applied to Phi g. On the square one degree more is odd about the centre.
 //
-// Checked      these B, enclosed in balls, r = 1 and 3 at alpha_0, r = 0, 2 and 4 at alpha = 1/10; and that the next degree does not vanish,
-//              so that no power of h is given away. On one triangle, r even: up to r and no more, the remark after Lemma 8.
-// Not checked  the constant c. Of other r there is none with an alpha_0 up to 11. The remark on general triangles: an affine map
+// Checked      these B, enclosed in balls, r = 1 and 3 at alpha_0, r = 0, 2 and 4 at alpha = 1/10; and that
+//              the next degree does not vanish, so that no power of h is given away. On one triangle, r even:
+//              up to r and no more, the remark after Lemma 8.
+// Not checked  the constant c. Of other r there is none with an alpha_0 up to 11. The remark on general
+// triangles: an affine map
 //              takes B to a multiple of itself; the derivatives are then those of g and Phi behind the map.
 
 #include "radcert/polynomial/nodes/superconvergent_inset.h"

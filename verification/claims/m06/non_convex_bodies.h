@@ -11,10 +11,7 @@ namespace radcert::verification::m06 {
 
 /// A polyhedron that is not convex, with rational corners.
 /// Maths     faces with normals into the body
-/// Source    -
-/// Requires  -
 /// Result    exact
-/// Limits    -
 struct NonConvexBody {
   std::string name;
   std::vector<PlanePolygon> faces;
@@ -27,16 +24,13 @@ struct NonConvexBody {
 /// Source    [m06, Lemma 1 (c)]
 /// Requires  P inside the face
 /// Result    enclosed to within `radius`
-/// Limits    -
 [[nodiscard]] Ball signed_total(const NonConvexBody& body, std::size_t face, const Vector<Rational>& p,
                                 BehindTangentPlane behind, const Rational& radius);
 
 /// The mean of three corners of a face, with weights that differ.
 /// Maths     (3 a + 2 b + 2 c) / 7, a the corner with the given number, b and c those after it
-/// Source    -
 /// Requires  a face and a corner of the body
 /// Result    exact; inside the face where it is convex at b
-/// Limits    -
 [[nodiscard]] Vector<Rational> point_of_face(const NonConvexBody& body, std::size_t face, std::size_t corner);
 
 }  // namespace radcert::verification::m06

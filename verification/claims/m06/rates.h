@@ -12,7 +12,8 @@ namespace radcert::verification::m06 {
 /// A problem of papers/m06/problems.
 [[nodiscard]] Problem problem_named(const std::string& name);
 
-/// The levels of a problem that a budget solves: all but the last for quick, so many more are left out as said.
+/// The levels of a problem that a budget solves: all but the last for quick, so many more are left out as
+/// said.
 [[nodiscard]] std::vector<int> levels_for(const Problem& problem, Budget budget, int fewer = 0);
 
 /// Errors over levels.
@@ -25,11 +26,11 @@ struct Errors {
 using NodeChoice = std::function<bool(const NodeValue& node)>;
 
 /// What a study measured, level by level.
-/// Maths     node: max |u - u_n| over the nodes chosen; uniform: max |u - u_n| over the sample of a level; discretisation: max |K(I-P_n)u|
+/// Maths     node: max |u - u_n| over the nodes chosen; uniform: max |u - u_n| over the sample of a level;
+///           discretisation: max |K(I-P_n)u|
 /// Source    [m06, (23), (24), (26)]
 /// Requires  levels of the problem, or any others
 /// Result    radii are those of the level, which are estimates; a uniform error has none
-/// Limits    -
 [[nodiscard]] Errors node_errors(const Problem& problem, const std::vector<int>& levels, const Bench& bench,
                                  const NodeChoice& choice = {});
 [[nodiscard]] Errors uniform_errors(const Problem& problem, const std::vector<int>& levels,
@@ -39,7 +40,6 @@ using NodeChoice = std::function<bool(const NodeValue& node)>;
 
 /// The order from one level to the next.
 /// Maths     log(e_(k-1)/e_k)/log(h_(k-1)/h_k)
-/// Source    -
 /// Requires  1 <= k < number of levels
 /// Result    the radius is that of both errors, carried over; infinite where an error is not above its radius
 /// Limits    rounded

@@ -1,28 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// How far beyond Theorem 9 interpolation of degree r can go at the nodes. Let d be the degree of precision of the rule over a parallelogram,
-// P a node, and u smooth. The error at P is the sum over the elements of Int G(P,Q) (u - P_n u) dS. Where G(P,.) is smooth, two halves of a
-// parallelogram leave O(h^(d+1)) times their area, as in Lemma 8: order d + 1 in all. Near P on its own curved piece
-// G(P,Q) = g_0(theta) + rho g_1(theta) + ..., in polar coordinates (rho, theta) about P: bounded, but its value at P depends on the direction
-// and D^j G grows like rho^-j. Parallelograms at the distance m h then leave h^(r+3) m^-(d-r) each, of which there are O(m): for d > r + 2 the sum
-// over m is bounded and stands for h^(r+3), the element of P itself gives O(h^(r+3)) as |u - P_n u| = O(h^(r+1)) on an area O(h^2). So the order is at
-// least min(d + 1, r + 3), with |log h| for d = r + 2. This is proved up to the usual constants; that r + 3 is not exceeded is measured.
+// How far beyond Theorem 9 interpolation of degree r can go at the nodes. Let d be the degree of precision of
+// the rule over a parallelogram, P a node, and u smooth. The error at P is the sum over the elements of Int
+// G(P,Q) (u - P_n u) dS. Where G(P,.) is smooth, two halves of a parallelogram leave O(h^(d+1)) times their
+// area, as in Lemma 8: order d + 1 in all. Near P on its own curved piece G(P,Q) = g_0(theta) + rho
+// g_1(theta) + ..., in polar coordinates (rho, theta) about P: bounded, but its value at P depends on the
+// direction and D^j G grows like rho^-j. Parallelograms at the distance m h then leave h^(r+3) m^-(d-r) each,
+// of which there are O(m): for d > r + 2 the sum over m is bounded and stands for h^(r+3), the element of P
+// itself gives O(h^(r+3)) as |u - P_n u| = O(h^(r+1)) on an area O(h^2). So the order is at least min(d + 1,
+// r + 3), with |log h| for d = r + 2. This is proved up to the usual constants; that r + 3 is not exceeded is
+// measured.
 //
-// Checked      the six symmetric nodes of degree 2: precision 4 on the triangle, 5 on the parallelogram, proved by Krawczyk's test. The error at the
-//              six nodes of an element in the middle of the roof of two_piece(2), u = exp(2x + y), over its own piece: order 5, and neither 4 nor 6;
-//              over the other piece: 6; by conical rules, collapsed at the node on its own element, the radius being the distance of two
-//              orders of the rule. On the sphere, where G = 1/4, u = x^4: 6. Four levels each, three over the other piece at quick;
-//              more beyond quick over its own piece. And the error of the collocation solution at all nodes of two_piece(2) and of the
-//              ellipsoid (1, 5/4, 3/2): order 5. With the nodes (13), alpha = 1/10, order 4 over a node's own piece and on the sphere.
-// Not checked  that the constant of h^5 is not zero for other surfaces: it is zero where the piece is plane or a sphere.
+// Checked      the six symmetric nodes of degree 2: precision 4 on the triangle, 5 on the parallelogram,
+//              proved by Krawczyk's test. The error at the six nodes of an element in the middle of the roof
+//              of two_piece(2), u = exp(2x + y), over its own piece: order 5, and neither 4 nor 6; over the
+//              other piece: 6; by conical rules, collapsed at the node on its own element, the radius being
+//              the distance of two orders of the rule. On the sphere, where G = 1/4, u = x^4: 6. Four levels
+//              each, three over the other piece at quick; more beyond quick over its own piece. And the error
+//              of the collocation solution at all nodes of two_piece(2) and of the ellipsoid (1, 5/4, 3/2):
+//              order 5. With the nodes (13), alpha = 1/10, order 4 over a node's own piece and on the sphere.
+// Not checked  that the constant of h^5 is not zero for other surfaces: it is zero where the piece is plane
+// or a sphere.
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "radcert/core/parallel.h"
-#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/triangulation/triangulation.h"
@@ -45,10 +51,12 @@ TriangleBasis<double> inset_nodes_of_degree_2() { return {InsetBasis<double>(2, 
 
 double on_two_pieces(const Vector<double>& q) { return std::exp(2 * q.x + q.y); }
 
-// The triangulation of the sphere has the symmetry of the octahedron: of the harmonics of degree 1 to 3 nothing is left over at any level.
+// The triangulation of the sphere has the symmetry of the octahedron: of the harmonics of degree 1 to 3
+// nothing is left over at any level.
 double on_the_sphere(const Vector<double>& q) { return q.x * q.x * q.x * q.x; }
 
-// The largest such integral over the nodes of the element of the roof that lies below and to the right of (1/4, 1/4).
+// The largest such integral over the nodes of the element of the roof that lies below and to the right of
+// (1/4, 1/4).
 Errors errors_on_two_pieces(const TriangleBasis<double>& basis, std::size_t chart, int first, int last) {
   const Surface surface = two_piece(2);
   Errors errors;

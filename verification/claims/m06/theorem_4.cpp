@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Theorem 4. (22) follows from (I - P_n K)(u - u_n) = u - P_n u; with B = (I - P_n K)^-1 = I + P_n (I - K_n)^-1 K its norm is at most
-// 1 + |P_n| |K|/(1 - |K_n|), K_n the matrix, as long as the norm of K_n is below 1.
+// Theorem 4. (22) follows from (I - P_n K)(u - u_n) = u - P_n u; with B = (I - P_n K)^-1 = I + P_n (I -
+// K_n)^-1 K its norm is at most 1 + |P_n| |K|/(1 - |K_n|), K_n the matrix, as long as the norm of K_n is
+// below 1.
 //
-// Checked      (22) on two_piece(2), r = 0 to 3: the norm of u - u_n over the sample of 45 points an element is at most that bound of the
-//              inverse times the norm of u - P_n u, taken over the same sample. (23), the norm of u - u_n over this sample: r = 0 to 5 on two_piece(2),
-//              r = 0 to 2 on the sphere and the ellipsoid (1, 5/4, 3/2), u = exp(x/2 + y/3 - z/4), on the sphere x^4.
-// Not checked  the supremum off the sample. F_j and u are analytic here: that r + 2 and r + 1 derivatives suffice is not looked at. E in
+// Checked      (22) on two_piece(2), r = 0 to 3: the norm of u - u_n over the sample of 45 points an element
+//              is at most that bound of the inverse times the norm of u - P_n u, taken over the same sample.
+//              (23), the norm of u - u_n over this sample: r = 0 to 5 on two_piece(2), r = 0 to 2 on the
+//              sphere and the ellipsoid (1, 5/4, 3/2), u = exp(x/2 + y/3 - z/4), on the sphere x^4.
+// Not checked  the supremum off the sample. F_j and u are analytic here: that r + 2 and r + 1 derivatives
+// suffice is not looked at. E in
 //              C^(r+1) does not give u in C^(r+1): theorem_3_b.
 
 #include <algorithm>
@@ -21,7 +24,8 @@
 namespace radcert::verification::m06 {
 namespace {
 
-// max |u - P_n u| over the points with barycentric coordinates k/8 of every element, the sample of a level's uniform error.
+// max |u - P_n u| over the points with barycentric coordinates k/8 of every element, the sample of a level's
+// uniform error.
 double interpolation_error(const Problem& problem, int level) {
   constexpr int parts = 8;
   const Surface surface = surface_of(problem);
@@ -65,7 +69,8 @@ Finding theorem_4(const Bench& bench) {
     const double norm = norm_of_interpolation(problem);
     for (const int level : levels_for(problem, Budget::quick)) {
       const LevelResult result = bench.levels.level(problem, level).result;
-      // The norm of K itself is below that of rho, 1/2; norm_K is the largest sum of absolute values of a row.
+      // The norm of K itself is below that of rho, 1/2; norm_K is the largest sum of absolute values of a
+      // row.
       const double inverse = 1 + norm * 0.5 / (1 - result.norm_K.value);
       const double of_u = interpolation_error(problem, level);
       const std::string of = ", " + std::string(name) + ", level " + std::to_string(level);

@@ -2,17 +2,22 @@
 
 // The rates at the nodes, Theorems 7 and 9, and (24), (26) on the way to them.
 //
-// Checked      max |u - u_n| over the nodes, rho = 1/2, symmetric triangulations: r = 1 and 3 at alpha_0 and at 1/10, where (36) must fail,
-//              r = 0, 2, 4 at 1/10; on two_piece(2), two smooth pieces that do not meet, and the ellipsoid (1, 5/4, 3/2) for
-//              u = exp(x/2 + y/3 - z/4), on the sphere for u = x^4: its triangulation has the symmetry of the octahedron, so that only the
-//              part of u with that symmetry leaves an error, of exp(...) next to nothing. On the ellipsoid beyond quick also over those
-//              nodes alone whose element has no vertex on the side of a chart, and over the others; for r = 3 and 4 |K(I - P_n)u| at the nodes
-//              of two of its elements, one amid a chart and one at a seam, up to 8192 elements; without a matrix, which at level 2 gives what the study has. The estimated noise of each last error
-//              is below a twentieth of it. (24): the quotient over that of the level before is near 1/2 or less for these methods, and not for
-//              r = 1 and 3 at alpha = 1/10. (26): the quotient of the two sides is at most 1/(1 - norm of K_n).
-// Not checked  the logarithm apart from its power: between the last levels it costs at most the slack. That fewer derivatives suffice:
-//              theorem_7_smoothness. The integrals over the node's own element are evaluated as well as all others, so that the
-//              assumption on them is met; for the collocation method itself that error is O(h^(r+3)) in any case, as G is bounded.
+// Checked      max |u - u_n| over the nodes, rho = 1/2, symmetric triangulations: r = 1 and 3 at alpha_0 and
+//              at 1/10, where (36) must fail, r = 0, 2, 4 at 1/10; on two_piece(2), two smooth pieces that do
+//              not meet, and the ellipsoid (1, 5/4, 3/2) for u = exp(x/2 + y/3 - z/4), on the sphere for u =
+//              x^4: its triangulation has the symmetry of the octahedron, so that only the part of u with
+//              that symmetry leaves an error, of exp(...) next to nothing. On the ellipsoid beyond quick also
+//              over those nodes alone whose element has no vertex on the side of a chart, and over the
+//              others; for r = 3 and 4 |K(I - P_n)u| at the nodes of two of its elements, one amid a chart
+//              and one at a seam, up to 8192 elements; without a matrix, which at level 2 gives what the
+//              study has. The estimated noise of each last error is below a twentieth of it. (24): the
+//              quotient over that of the level before is near 1/2 or less for these methods, and not for r =
+//              1 and 3 at alpha = 1/10. (26): the quotient of the two sides is at most 1/(1 - norm of K_n).
+// Not checked  the logarithm apart from its power: between the last levels it costs at most the slack. That
+// fewer derivatives suffice:
+//              theorem_7_smoothness. The integrals over the node's own element are evaluated as well as all
+//              others, so that the assumption on them is met; for the collocation method itself that error is
+//              O(h^(r+3)) in any case, as G is bounded.
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +92,8 @@ void require_seams_apart(Finding& finding, const Bench& bench, const std::string
   }
 }
 
-// Over the nodes of two elements alone no matrix is needed, and finer levels than those of a solution come into reach.
+// Over the nodes of two elements alone no matrix is needed, and finer levels than those of a solution come
+// into reach.
 double on_the_ellipsoid(const Vector<double>& q) { return std::exp(q.x / 2 + q.y / 3 - q.z / 4); }
 
 struct Spot {

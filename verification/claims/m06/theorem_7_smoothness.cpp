@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Theorem 7 asks for u in C^(r+2), Lemma 5, on which it rests, for C^(r+3). On a square cut into cells with sides h let
-// u_h = h^(r+2) cos(2 pi x/h): its derivatives up to the order r + 2 are bounded by (2 pi)^(r+2), whatever h. In every cell (I - L) u_h has
-// the same integral, h^2 h^(r+2) m, and so the error at a node v of another piece is h^(r+2) m Int G(v,Q) dS_Q + O(h^(r+3)). Were the error
-// O(h^(r+3) |log h|) for each u in C^(r+2), with h = 1/2, 1/4, ..., it would be so uniformly on the unit ball of C^(r+2), by the theorem of Banach and
-// Steinhaus. So there is a u in C^(r+2) for which (36) fails.
+// Theorem 7 asks for u in C^(r+2), Lemma 5, on which it rests, for C^(r+3). On a square cut into cells with
+// sides h let u_h = h^(r+2) cos(2 pi x/h): its derivatives up to the order r + 2 are bounded by (2 pi)^(r+2),
+// whatever h. In every cell (I - L) u_h has the same integral, h^2 h^(r+2) m, and so the error at a node v of
+// another piece is h^(r+2) m Int G(v,Q) dS_Q + O(h^(r+3)). Were the error O(h^(r+3) |log h|) for each u in
+// C^(r+2), with h = 1/2, 1/4, ..., it would be so uniformly on the unit ball of C^(r+2), by the theorem of
+// Banach and Steinhaus. So there is a u in C^(r+2) for which (36) fails.
 //
-// Checked      m is not zero, r = 1 and 3 at alpha_0, and the integrals of (I - L) u_h over the square for h = 1/4 to 1/32 fall like
-//              h^(r+2), enclosed; likewise h^(r+1) for the functions with r + 1 bounded derivatives. With r + 3 they fall like h^(r+3).
+// Checked      m is not zero, r = 1 and 3 at alpha_0, and the integrals of (I - L) u_h over the square for h
+//              = 1/4 to 1/32 fall like h^(r+2), enclosed; likewise h^(r+1) for the functions with r + 1
+//              bounded derivatives. With r + 3 they fall like h^(r+3).
 // Not checked  such a u itself: it is not named.
 
 #include "radcert/polynomial/nodes/superconvergent_inset.h"

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The triangulations of section 2: (11), (12), T1 to T3, (32)-(33), and the partition in the proof of Theorem 7.
+// The triangulations of section 2: (11), (12), T1 to T3, (32)-(33), and the partition in the proof of Theorem
+// 7.
 //
-// Checked      on the coarse triangulations of two_piece, sphere and ellipsoid and two refinements, in exact arithmetic (the vertices are
-//              dyadic): h is halved by each refinement; m_k takes (0,0), (0,1), (1,0) to v_1, v_2, v_3; T1, T2 and T3, each by itself and by
-//              hypotheses/conforming; the number of shapes of triangles is that of the coarse ones, so that (33) holds; all but at most 2^L
-//              triangles of each coarse one, L the level, are the halves of parallelograms.
-//              (12) is said to be "an affine mapping": F_j after an affine mapping is affine only where F_j is. (33) has curved triangles for
-//              the plane ones of (32), and the "radius of the circle" makes r(tau) = 2 sqrt 3 for the equilateral triangle.
-//              T3 is about two different triangles.
+// Checked      on the coarse triangulations of two_piece, sphere and ellipsoid and two refinements, in exact
+//              arithmetic (the vertices are dyadic): h is halved by each refinement; m_k takes (0,0), (0,1),
+//              (1,0) to v_1, v_2, v_3; T1, T2 and T3, each by itself and by hypotheses/conforming; the number
+//              of shapes of triangles is that of the coarse ones, so that (33) holds; all but at most 2^L
+//              triangles of each coarse one, L the level, are the halves of parallelograms. (12) is said to
+//              be "an affine mapping": F_j after an affine mapping is affine only where F_j is. (33) has
+//              curved triangles for the plane ones of (32), and the "radius of the circle" makes r(tau) = 2
+//              sqrt 3 for the equilateral triangle. T3 is about two different triangles.
 // Not checked  how charts meet across their seams, which is for the tests of the surfaces.
 
 #include <algorithm>
@@ -90,8 +92,8 @@ Rational missing_corners(const Domain& domain) {
                                           [&](const Corner& c) { return !vertices.contains(c); }))};
 }
 
-// T2: the length, as a part of the whole, of the domain's sides that no triangle's side lies on. Both are parallel: lengths along a side by its
-// parameter.
+// T2: the length, as a part of the whole, of the domain's sides that no triangle's side lies on. Both are
+// parallel: lengths along a side by its parameter.
 Rational uncovered_part(const Domain& domain) {
   Rational uncovered = 0;
   for (std::size_t i = 0; i < domain.corners.size(); ++i) {
@@ -131,7 +133,8 @@ Rational pairs_that_meet_wrongly(const Domain& domain) {
   const std::vector<Triangle>& all = domain.triangles;
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      // Vertices of one in the other that are not common; none, and interiors apart: only common faces are left.
+      // Vertices of one in the other that are not common; none, and interiors apart: only common faces are
+      // left.
       const auto stray = [](const Triangle& a, const Triangle& b) {
         return std::any_of(a.begin(), a.end(), [&](const Corner& c) {
           return contains(b, c) && std::find(b.begin(), b.end(), c) == b.end();
@@ -228,7 +231,8 @@ Ball largest_ratio(const Domain& domain) {
   return largest;
 }
 
-// Of the triangles inside a coarse one, those that are left when pairs with a common side of one direction are taken out.
+// Of the triangles inside a coarse one, those that are left when pairs with a common side of one direction
+// are taken out.
 Rational unpaired(const std::vector<Triangle>& inside, const Side& parallel) {
   std::map<Side, long> common;
   for (const Triangle& t : inside)
@@ -324,7 +328,8 @@ Finding equation_33(const Bench&) {
     const Rational thin = 1 / power(Rational(2), k);
     const Triangle flat{{{0, 0}, {1, 0}, {0, thin}}};
     finding.control("r(tau), a triangle with an angle near 2^-" + std::to_string(k), coarse, ratio(flat));
-    // The longest side is at most half the perimeter, the area at most half the longest side times the height.
+    // The longest side is at most half the perimeter, the area at most half the longest side times the
+    // height.
     finding.require("1/angle - r(tau) there, with tan(angle) for the angle", AtMost{},
                     ac98::proved(Ball(1 / thin) - ratio(flat)));
   }

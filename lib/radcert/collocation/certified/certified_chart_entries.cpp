@@ -8,11 +8,11 @@
 #include <string>
 #include <utility>
 
-#include "radcert/quadrature/certified/certified_kernel_sums.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/quadrature/certified/certified_kernel_sums.h"
 #include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
@@ -67,7 +67,8 @@ public:
     }
   }
 
-  /// |l_j| <= max |c_k| sum_k multinomial |x_1|^k_1 |x_2|^k_2 |x_3|^k_3 = max |c_k| (|x_1| + |x_2| + |x_3|)^r.
+  /// |l_j| <= max |c_k| sum_k multinomial |x_1|^k_1 |x_2|^k_2 |x_3|^k_3 = max |c_k| (|x_1| + |x_2| +
+  /// |x_3|)^r.
   double bound(const ElementPoint<TaylorModel>& at) const override {
     double sum = 0;
     for (const TaylorModel& x : at.in_element.x) sum += x.magnitude_bound();

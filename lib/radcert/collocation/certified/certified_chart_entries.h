@@ -15,23 +15,22 @@
 namespace radcert {
 
 /// The collocation nodes of a triangulation by their exact parameters.
-/// Maths     v_{k p + j} = F(x_1 v_1 + x_2 v_2 + x_3 v_3), x node j of the functions, v the vertices of element k
+/// Maths     v_{k p + j} = F(x_1 v_1 + x_2 v_2 + x_3 v_3), x node j of the functions, v the vertices of
+///           element k
 /// Source    [ac98, (36)]
-/// Requires  -
 /// Result    exact, in the order of collocation_nodes
-/// Limits    -
 std::vector<SurfacePoint<Rational>> exact_collocation_nodes(const Triangulation& triangulation,
                                                             const LagrangeFunctions& functions);
 
 /// The collocation matrix on curved charts, proved.
 /// Maths     see CertifiedEntries; sum_j radius(i, j) <= demand |rho(v_i)| for every row i
 /// Source    certified_kernel_sums
-/// Requires  an unoccluded surface; a triangulation of it; functions of degree at most 8; a reflectivity a node,
-///           finite and taken as exact; 0 < demand, else ContractViolation
+/// Requires  an unoccluded surface; a triangulation of it; functions of degree at most 8; a reflectivity a
+///           node, finite and taken as exact; 0 < demand, else ContractViolation
 /// Result    radii whose sum over a row is at most demand |rho|. Refused, with the reason, where that was not
-///           reached: a demand below the roundings of double (about 1e-13), a chart that is not analytic on an
-///           element, a node on the border of another chart's element. The same bits for any number of threads;
-///           Interrupted when asked to stop
+///           reached: a demand below the roundings of double (about 1e-13), a chart that is not analytic on
+///           an element, a node on the border of another chart's element. The same bits for any number of
+///           threads; Interrupted when asked to stop
 /// Limits    V = 1. Where all elements are plane, certified_entries is faster and its radii are smaller
 Outcome<CertifiedEntries> certified_chart_entries(const Surface& surface, const Triangulation& triangulation,
                                                   const LagrangeFunctions& functions,
@@ -47,7 +46,8 @@ struct CertifiedCollocation {
 /// Maths     see certified_chart_entries and certified_operator
 /// Source    one density more beside the functions of the elements: the rules and their nodes are the same
 /// Requires  as those; 0 < size, about the largest |u|
-/// Result    the radii of a row sum up to at most demand, those of the integrals are at most pi size demand. Refused as those
+/// Result    the radii of a row sum up to at most demand, those of the integrals are at most pi size demand.
+///           Refused as those
 /// Limits    at the cost of the matrix alone, unless u is not analytic close to the elements
 Outcome<CertifiedCollocation> certified_collocation(const Surface& surface,
                                                     const Triangulation& triangulation,

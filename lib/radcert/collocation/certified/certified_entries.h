@@ -15,7 +15,6 @@ namespace radcert {
 /// Maths     |entries(i, k p + j) - rho(v_i)/pi Int_{Delta_k} G(v_i,Q) l_j(Q) dS_Q| <= radius(i, k p + j), p
 ///           functions an element
 /// Source    [ac98, (40)]
-/// Requires  -
 /// Result    made by certified_entries
 /// Limits    dense
 struct CertifiedEntries {
@@ -24,11 +23,7 @@ struct CertifiedEntries {
 };
 
 /// What the functions that fill such a matrix require.
-/// Maths     -
-/// Source    -
 /// Requires  functions of degree at most 8; a reflectivity a node, finite, else ContractViolation
-/// Result    -
-/// Limits    -
 void expects_collocation_data(const LagrangeFunctions& functions, std::size_t nodes,
                               std::span<const double> reflectivity);
 
@@ -43,8 +38,8 @@ void expects_collocation_data(const LagrangeFunctions& functions, std::size_t no
 ///           as exact, else ContractViolation
 /// Result    radii of about 1e-14 max |l_j| of what the node sees of the element, times reflectivity/pi.
 ///           Refused where the coordinates of the nodes have no unit in which all are doubles, or the
-///           functions do not have the sum 1 or are too large for the bound. The same bits for any number of threads; Interrupted when
-///           asked to stop
+///           functions do not have the sum 1 or are too large for the bound. The same bits for any number of
+///           threads; Interrupted when asked to stop
 /// Limits    nothing stands between a node and an element: V = 1, as within a convex enclosure. A node on
 ///           another element's edge, off its plane, as for nodes without inset, is a ContractViolation
 Outcome<CertifiedEntries> certified_entries(std::span<const ExactTriangle> elements,

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "radcert/quadrature/certified/certified_kernel_sums.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
+#include "radcert/quadrature/certified/certified_kernel_sums.h"
 #include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {

@@ -35,11 +35,11 @@ private:
 /// The radiosity operator's integral of a density at many points, proved.
 /// Maths     Int_S G(P_i, Q) u(Q) dS_Q, without 1/pi and reflectivity
 /// Source    certified_kernel_sums
-/// Requires  an unoccluded surface; a triangulation of it; points by parameters in the domains of their charts;
-///           0 < demand, else ContractViolation
+/// Requires  an unoccluded surface; a triangulation of it; points by parameters in the domains of their
+///           charts; 0 < demand, else ContractViolation
 /// Result    radii of at most demand. Refused, with the reason, where that was not reached: see
-///           certified_chart_entries; a density that is not analytic on the charts as well. The same bits for any
-///           number of threads; Interrupted when asked to stop
+///           certified_chart_entries; a density that is not analytic on the charts as well. The same bits for
+///           any number of threads; Interrupted when asked to stop
 /// Limits    V = 1. The triangulation is for speed alone: about one element a few points
 Outcome<CertifiedValues> certified_operator(const Surface& surface, const Triangulation& triangulation,
                                             const Density& u, std::span<const SurfacePoint<Rational>> points,

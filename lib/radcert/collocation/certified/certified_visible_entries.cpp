@@ -115,7 +115,8 @@ public:
         whole_(of(unit_triangle())) {}
 
   [[nodiscard]] const PlaneElement& whole() const { return whole_; }
-  /// What a convex polygon of the triangle's parameters has in common with the element, in the element's parameters.
+  /// What a convex polygon of the triangle's parameters has in common with the element, in the element's
+  /// parameters.
   [[nodiscard]] Polygon common(const Polygon& part) const {
     const Point u = place_[1] - place_[0];
     const Point v = place_[2] - place_[0];

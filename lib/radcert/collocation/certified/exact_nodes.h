@@ -26,11 +26,11 @@ struct ExactNode {
 };
 
 /// The collocation nodes of plane elements in a unit of length in which their doubles are exact.
-/// Maths     node k p + j is scale (x_1 c_1 + x_2 c_2 + x_3 c_3), x the exact coordinates of node j, c the corners of element k;
-///           its normal has the direction of (c_2 - c_1) x (c_3 - c_1)
-/// Source    -
+/// Maths     node k p + j is scale (x_1 c_1 + x_2 c_2 + x_3 c_3), x the exact coordinates of node j, c the
+///           corners of element k; its normal has the direction of (c_2 - c_1) x (c_3 - c_1)
 /// Requires  elements not degenerate, else ContractViolation
-/// Result    scale times any node or corner is a vector of whole numbers. Refused where these do not fit into doubles
+/// Result    scale times any node or corner is a vector of whole numbers. Refused where these do not fit into
+///           doubles
 /// Limits    numbers of decimals such as 0.1 with 53 binary digits leave no room: their nodes are refused
 struct ExactNodes {
   Rational scale = 1;
@@ -43,12 +43,12 @@ struct ExactNodes {
 [[nodiscard]] std::vector<PlanePolynomial<Rational>> by_monomials(const LagrangeFunctions& functions);
 
 /// What the integrals of Lagrange functions by PlaneElement are off by.
-/// Maths     accuracy Int |G| max |l_j|. Int |G| = |Int G| where G has one sign, and Int G is the sum of the integrals, as the l_j
-///           have the sum 1: it is at most the size of that sum and what the integrals and the sum are off by
+/// Maths     accuracy Int |G| max |l_j|. Int |G| = |Int G| where G has one sign, and Int G is the sum of the
+///           integrals, as the l_j have the sum 1: it is at most the size of that sum and what the integrals
+///           and the sum are off by
 /// Source    PlaneElement
-/// Requires  -
-/// Result    rounded up. Refused where the functions do not have the sum 1, and where they are so large that the integrals say
-///           nothing of their sum
+/// Result    rounded up. Refused where the functions do not have the sum 1, and where they are so large that
+///           the integrals say nothing of their sum
 /// Limits    max |l_j| is bounded by the Bernstein coefficients
 class IntegralErrors {
 public:

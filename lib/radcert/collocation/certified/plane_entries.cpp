@@ -20,7 +20,8 @@ namespace radcert {
 namespace {
 
 constexpr int largest_degree = 8;
-/// Far below the rounding of an entry to double: no entry that is seen is smaller than its element's solid angle.
+/// Far below the rounding of an entry to double: no entry that is seen is smaller than its element's solid
+/// angle.
 constexpr double wanted_bits = 60;
 constexpr long least_bits = 128;
 const WorkLimit most_bits("study/plane_entries: bits of an entry", 4096, 64,
@@ -30,7 +31,8 @@ bool is_reversed(const PlaneChart& element) {
   return element.orientation == Orientation::against_the_cross_product;
 }
 
-/// The place of each node when the second and third coordinates change places, if that is a permutation of the nodes.
+/// The place of each node when the second and third coordinates change places, if that is a permutation of
+/// the nodes.
 std::optional<std::vector<std::size_t>> places_when_exchanged(const LagrangeFunctions& functions) {
   const std::vector<Barycentric<Rational>>& nodes = functions.nodes();
   std::vector<std::size_t> places;

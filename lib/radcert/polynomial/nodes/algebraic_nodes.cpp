@@ -49,8 +49,8 @@ Polynomial about(const Rational& centre, const Monomial& m) {
   return out;
 }
 
-// What the rule on both triangles of a parallelogram sees of s^a t^b: p + p(1 - s, 1 - t), the latter being (-1)^(a + b) times the
-// monomial about 1.
+// What the rule on both triangles of a parallelogram sees of s^a t^b: p + p(1 - s, 1 - t), the latter being
+// (-1)^(a + b) times the monomial about 1.
 Polynomial of_region(Region region, const Monomial& m) {
   const Polynomial p = about(0, m);
   if (region == Region::triangle) return p;
@@ -224,7 +224,8 @@ public:
     const std::vector<Ball> weights = decomposition_->solve(of_space);
     bool open_below = false;  // whether a defect of a lower degree is not decided
     for (int degree = proved + 1; degree <= most_degrees(); ++degree) {
-      // A polynomial of odd degree is one of lower degree and one that is odd about the centre, on which both sides are 0.
+      // A polynomial of odd degree is one of lower degree and one that is odd about the centre, on which both
+      // sides are 0.
       if (region == Region::parallelogram && degree % 2 == 1) continue;
       bool open = open_below;
       for (int t = 0; t <= degree; ++t) {
@@ -260,7 +261,8 @@ private:
   // No rule of so many points is exact so far: the product of the squared distances from them is positive.
   [[nodiscard]] int most_degrees() const { return 2 * static_cast<int>(points_.size()) + 2; }
 
-  // Whether Int_sigma q (p - P p) = 0 for all pairs of monomials about the centre whose degrees add up to `total`.
+  // Whether Int_sigma q (p - P p) = 0 for all pairs of monomials about the centre whose degrees add up to
+  // `total`.
   std::optional<bool> products_vanish(int total) {
     const Rational half(1, 2);
     bool open = false;

@@ -13,17 +13,16 @@ namespace radcert {
 
 /// How many polynomials of two variables and degree r are linearly independent.
 /// Maths     dim P_r = (r + 1)(r + 2)/2
-/// Source    -
 /// Requires  0 <= degree <= 1000, else ContractViolation
 /// Result    exact
-/// Limits    -
 inline std::size_t polynomial_dimension(int degree) {
   expects(0 <= degree && degree <= 1000, "0 <= degree <= 1000", named("degree", degree));
   const auto r = static_cast<std::size_t>(degree);
   return (r + 1) * (r + 2) / 2;
 }
 
-/// The degree whose space has that dimension: 0 for 1, 1 for 3, 2 for 6, ...; nothing for a number in between.
+/// The degree whose space has that dimension: 0 for 1, 1 for 3, 2 for 6, ...; nothing for a number in
+/// between.
 inline std::optional<int> degree_of_dimension(std::size_t dimension) {
   for (int degree = 0; degree <= 1000 && polynomial_dimension(degree) <= dimension; ++degree)
     if (polynomial_dimension(degree) == dimension) return degree;
@@ -35,7 +34,6 @@ inline std::optional<int> degree_of_dimension(std::size_t dimension) {
 /// Source    the order is that of [ac98, (33)] for r = 1
 /// Requires  as polynomial_dimension
 /// Result    k_1 falling, then k_2 falling; k stands at the place m (m + 1)/2 + k_3, m = k_2 + k_3
-/// Limits    -
 inline std::vector<std::array<int, 3>> lattice_indices(int degree) {
   std::vector<std::array<int, 3>> indices;
   indices.reserve(polynomial_dimension(degree));

@@ -88,7 +88,8 @@ std::optional<std::string> quadratic_form(const RationalPolynomial& p, const Rea
   const Rational centre = -p.coefficient(1) / (2 * p.leading());
   const std::optional<SquareRoot> root = square_root(centre * centre - p.coefficient(0) / p.leading());
   if (!root) return std::nullopt;
-  // Left of both zeros p has the sign of its leading coefficient; a lower end is not the zero that is enclosed.
+  // Left of both zeros p has the sign of its leading coefficient; a lower end is not the zero that is
+  // enclosed.
   const std::string sign = p(zero.lower).sign() == p.leading().sign() ? " - " : " + ";
   const std::string factor = root->root == 1 ? "" : root->root.to_text() + " ";
   return centre.to_text() + sign + factor + "sqrt(" + std::to_string(root->radicand) + ")";

@@ -16,7 +16,6 @@ namespace radcert {
 /// Source    [m06, section 3.1]: alpha_0
 /// Requires  made by superconvergent_insets
 /// Result    exact; precision on the region that was asked for
-/// Limits    -
 struct SuperconvergentInset {
   RealZero enclosure;
   int precision = 0;
@@ -31,13 +30,14 @@ struct InsetDefect {
 };
 
 /// The insets in (0, 1/3) for which the interpolatory rule gains a degree of precision, with the proof.
-/// Maths     every inset: exact of degree d = `precision`. D_t: the numerators of the defects of the monomials of degree d + 1,
-///           all of them, or so many that they have no common zero; condition = gcd_t D_t = sum_t cofactor_t D_t. An inset gains
-///           a degree if and only if condition(inset) = 0
-/// Source    [m06, (13), (28), Theorem 7]. On the parallelogram d is odd: polynomials odd about the centre cost nothing
+/// Maths     every inset: exact of degree d = `precision`. D_t: the numerators of the defects of the
+///           monomials of degree d + 1, all of them, or so many that they have no common zero; condition =
+///           gcd_t D_t = sum_t cofactor_t D_t. An inset gains a degree if and only if condition(inset) = 0
+/// Source    [m06, (13), (28), Theorem 7]. On the parallelogram d is odd: polynomials odd about the centre
+///           cost nothing
 /// Requires  made by superconvergent_insets
-/// Result    condition = 1: no inset, real or complex, gains a degree, and the cofactors prove it. Otherwise `insets` are all
-///           zeros in (0, 1/3), ascending, isolated by Sturm's theorem
+/// Result    condition = 1: no inset, real or complex, gains a degree, and the cofactors prove it. Otherwise
+///           `insets` are all zeros in (0, 1/3), ascending, isolated by Sturm's theorem
 /// Limits    degree 0 does not depend on the inset
 struct SuperconvergentInsets {
   int degree = 0;
@@ -53,9 +53,10 @@ struct SuperconvergentInsets {
 };
 
 /// For which insets the rule of a degree gains a degree of precision on a region.
-/// Maths     see SuperconvergentInsets. The answers for r <= 12: triangle r = 1: 1/6; r = 2: (1 + cos((arccos(4/5) + 2 pi k)/3))/3,
-///           k = 1, 2; r = 3: (7 - sqrt 34)/15; r = 4 and r = 6: two each, zeros of quintics; none for the others. Parallelogram:
-///           those of r = 1 and r = 3, and none for the others
+/// Maths     see SuperconvergentInsets. The answers for r <= 12: triangle r = 1: 1/6; r = 2: (1 +
+///           cos((arccos(4/5) + 2 pi k)/3))/3, k = 1, 2; r = 3: (7 - sqrt 34)/15; r = 4 and r = 6: two each,
+///           zeros of quintics; none for the others. Parallelogram: those of r = 1 and r = 3, and none for
+///           the others
 /// Source    [m06, Theorem 7]: alpha_0
 /// Requires  0 <= degree <= 30, else ContractViolation
 /// Result    exact, with its certificate; enclosures of width <= 2^-40
@@ -63,12 +64,11 @@ struct SuperconvergentInsets {
 [[nodiscard]] SuperconvergentInsets superconvergent_insets(int degree, Region region);
 
 /// Whether a certificate proves what it says, given its defects.
-/// Maths     sum_t cofactor_t D_t = condition;  condition divides every D_t;  as many insets as Sturm's theorem counts in
-///           (0, 1/3), one in each enclosure
-/// Source    -
-/// Requires  -
+/// Maths     sum_t cofactor_t D_t = condition;  condition divides every D_t;  as many insets as Sturm's
+///           theorem counts in (0, 1/3), one in each enclosure
 /// Result    success, or the first step that fails
-/// Limits    the defects are taken as they stand: compare them with radcert::defect at as many insets as their degree
+/// Limits    the defects are taken as they stand: compare them with radcert::defect at as many insets as
+///           their degree
 [[nodiscard]] Outcome<void> recheck(const SuperconvergentInsets& answer);
 
 /// A fraction that is an inset, or lies so close to it as was asked for.
@@ -78,7 +78,8 @@ struct NearInset {
 };
 
 /// The inset alpha_0 that Theorem 7 of m06 supposes.
-/// Maths     the inset in (0, 1/3) whose rule on the parallelogram is exact further than that of every other inset
+/// Maths     the inset in (0, 1/3) whose rule on the parallelogram is exact further than that of every other
+///           inset
 /// Source    [m06, Theorem 7]
 /// Requires  1 <= degree <= 30, width > 0, else ContractViolation
 /// Result    a fraction, exact where alpha_0 is one, else within `width` of it; or why there is none, proved

@@ -12,12 +12,12 @@
 namespace radcert {
 
 /// How many orbits of points under the permutations of the vertices a symmetric unisolvent set has.
-/// Maths     with E(d) = #{(i,j) : 2i + 3j <= d}, the dimension of the invariant polynomials of degree <= d: all orbits: E(r);
-///           of six points: E(r - 3); then of one and of three by the number of nodes (r + 1)(r + 2)/2. Interpolation at the
-///           nodes is an isomorphism of representations of S3 between P_r and the functions on the nodes: the trivial one occurs
-///           once an orbit and E(r) times in P_r, the sign once an orbit of six and E(r - 3) times, being the invariants times
-///           (x_1 - x_2)(x_2 - x_3)(x_3 - x_1)
-/// Source    -
+/// Maths     with E(d) = #{(i,j) : 2i + 3j <= d}, the dimension of the invariant polynomials of degree <= d:
+///           all orbits: E(r); of six points: E(r - 3); then of one and of three by the number of nodes (r +
+///           1)(r + 2)/2. Interpolation at the nodes is an isomorphism of representations of S3 between P_r
+///           and the functions on the nodes: the trivial one occurs once an orbit and E(r) times in P_r, the
+///           sign once an orbit of six and E(r - 3) times, being the invariants times (x_1 - x_2)(x_2 -
+///           x_3)(x_3 - x_1)
 /// Requires  degree as polynomial_dimension
 /// Result    exact: no other numbers of orbits are unisolvent
 /// Limits    necessary, not sufficient
@@ -30,9 +30,8 @@ struct OrbitCounts {
 [[nodiscard]] OrbitCounts orbit_counts(int degree);
 
 /// The points that the permutations of the vertices make of one.
-/// Maths     size 1: the centroid; 3: (1 - 2a, a, a) and its permutations; 6: (a, b, 1 - a - b) and its permutations
-/// Source    -
-/// Requires  -
+/// Maths     size 1: the centroid; 3: (1 - 2a, a, a) and its permutations; 6: (a, b, 1 - a - b) and its
+///           permutations
 /// Result    plain data
 /// Limits    a = 1/3 and points on a median in an orbit of six give fewer points than `size`
 struct SymmetricOrbit {
@@ -44,19 +43,16 @@ struct SymmetricOrbit {
 
 /// The permutations that make an orbit of its first point x.
 /// Maths     node m of the orbit is (x_p1, x_p2, x_p3), p the m-th permutation
-/// Source    -
 /// Requires  size 1, 3 or 6, else ContractViolation
-/// Result    of three: the different coordinate x_1 at vertex 1, 2, 3; of six: (a,b,c), (a,c,b), (b,a,c), (b,c,a), (c,a,b),
-///           (c,b,a); numbers from 0
-/// Limits    -
+/// Result    of three: the different coordinate x_1 at vertex 1, 2, 3; of six: (a,b,c), (a,c,b), (b,a,c),
+///           (b,c,a), (c,a,b), (c,b,a); numbers from 0
 [[nodiscard]] std::span<const std::array<std::size_t, 3>> symmetric_places(int size);
 
 /// Nodes that the permutations of the vertices exchange, and what is said of them.
-/// Maths     nodes() lie close to nodes of which the interpolatory rule is exact of degree `precision`: see certify
-/// Source    -
+/// Maths     nodes() lie close to nodes of which the interpolatory rule is exact of degree `precision`: see
+///           certify
 /// Requires  nodes(): orbits of size 1, 3 or 6, else ContractViolation
 /// Result    nodes(): orbit after orbit, as symmetric_places has them; coordinates with the exact sum 1
-/// Limits    -
 struct SymmetricNodes {
   int degree = 0;
   int precision = 0;
@@ -69,10 +65,11 @@ inline constexpr int largest_symmetric_degree = 6;
 
 /// The sets that come with radcert.
 /// Maths     r = 1: inset 1/6, precision 2; r = 2: precision 4; 3: 5; 4: 7; 5: 9; 6: 10. There are as many
-///           free numbers (weights and coordinates) as invariant polynomials of degree <= precision, after one coordinate is held
-///           (r = 3, 4) or two are (r = 6)
-/// Source    r = 2: Strang and Fix 1973, Cowper 1973; the others: Newton's method from random starts, of the solutions found with
-///           nodes inside and positive weights the one with the least norm of interpolation
+///           free numbers (weights and coordinates) as invariant polynomials of degree <= precision, after
+///           one coordinate is held (r = 3, 4) or two are (r = 6)
+/// Source    r = 2: Strang and Fix 1973, Cowper 1973; the others: Newton's method from random starts, of the
+///           solutions found with nodes inside and positive weights the one with the least norm of
+///           interpolation
 /// Requires  smallest_symmetric_degree <= degree <= largest_symmetric_degree, else ContractViolation
 /// Result    coordinates to 60 digits
 /// Limits    that no set has a higher degree of precision, or a smaller norm, is not claimed

@@ -24,14 +24,15 @@ enum class Gathering {
 };
 
 /// Product rules on a triangle collapsed at its first vertex.
-/// Maths     x = (1 - l, l (1 - t), l t),  d sigma = l dl dt;  `nowhere`: Gauss rules in l (weight l) and t, exact for
-///           degree 2 order - 1;  `apex`: l = m^8,  `base`: 1 - l = m^8, Gauss-Legendre in m with twice the points: a power
-///           c^q of the distance from apex or base becomes m^(8q), smooth enough for any q > 0
+/// Maths     x = (1 - l, l (1 - t), l t),  d sigma = l dl dt;  `nowhere`: Gauss rules in l (weight l) and t,
+///           exact for degree 2 order - 1;  `apex`: l = m^8,  `base`: 1 - l = m^8, Gauss-Legendre in m with
+///           twice the points: a power c^q of the distance from apex or base becomes m^(8q), smooth enough
+///           for any q > 0
 /// Source    conical products: Stroud; the power substitution: standard for algebraic end-point behaviour
 /// Requires  1 <= order <= 96, else ContractViolation
-/// Result    order^2 points (gathered: twice as many, and at least 8 order, so that constants are exact), all inside the
-///           triangle, weights positive. double: coordinates within 2^-51, weights within 24 units in the last place; Mpfr<50>:
-///           as gauss_rule, and as many units; Ball: enclosed
+/// Result    order^2 points (gathered: twice as many, and at least 8 order, so that constants are exact), all
+///           inside the triangle, weights positive. double: coordinates within 2^-51, weights within 24 units
+///           in the last place; Mpfr<50>: as gauss_rule, and as many units; Ball: enclosed
 /// Limits    not symmetric in the vertices
 template <Real R>
 TriangleRule<R> conical_rule(int order, Gathering gathering);

@@ -55,8 +55,8 @@ IntervalRule<R> compute(int points, int b) {
   std::vector<R> zeros;
   for (int k = 0; k < points; ++k) {
     R z = -cos(pi<R>() * (R(4 * k + 3) / R(4)) / (R(points) + R(b + 1) / R(2)));
-    // Newton with the zeros already found divided out: converges to a new one from every start used here; the last two
-    // steps are plain Newton, to the last digit.
+    // Newton with the zeros already found divided out: converges to a new one from every start used here; the
+    // last two steps are plain Newton, to the last digit.
     for (long step = 0; step < newton_steps.value(); ++step) {
       const ValueAndSlope<R> p = jacobi(points, b, z);
       R found = R(0);
@@ -89,7 +89,8 @@ IntervalRule<R> compute(int points, int b) {
   return rule;
 }
 
-/// A ball around the zero of P near z and nowhere else: Newton's method on exact midpoints, then Newton's operator.
+/// A ball around the zero of P near z and nowhere else: Newton's method on exact midpoints, then Newton's
+/// operator.
 Ball enclosed_zero(int points, int b, double z) {
   Ball middle(z);
   Ball step(1);
@@ -110,7 +111,8 @@ Ball enclosed_zero(int points, int b, double z) {
 IntervalRule<Ball> enclosed(int points, IntervalWeight weight) {
   const int b = weight == IntervalWeight::variable ? 1 : 0;
   IntervalRule<Ball> rule;
-  // Newer and older term of the recurrence have factors below 2 and 1: a radius grows by less than two bits a step.
+  // Newer and older term of the recurrence have factors below 2 and 1: a radius grows by less than two bits a
+  // step.
   const BallPrecision guarded(BallPrecision::current() + 2 * points + 40);
   std::vector<Ball> zeros;
   for (const double node : gauss_rule<double>(points, weight).nodes) {

@@ -23,14 +23,14 @@ enum class IntervalWeight {
 };
 
 /// Gauss rules on [0,1] for the weight 1 or x.
-/// Maths     Int_0^1 f(x) w(x) dx ~ sum w_k f(x_k), exact for degree 2 points - 1; x_k = (1 + z_k)/2, z_k the zeros of the
-///           Jacobi polynomial P^(0,b), b = 0 or 1;  w_k = 1/((1 - z_k^2) P'(z_k)^2)
+/// Maths     Int_0^1 f(x) w(x) dx ~ sum w_k f(x_k), exact for degree 2 points - 1; x_k = (1 + z_k)/2, z_k the
+///           zeros of the Jacobi polynomial P^(0,b), b = 0 or 1;  w_k = 1/((1 - z_k^2) P'(z_k)^2)
 /// Source    recurrence and weights of Jacobi polynomials; zeros by Newton's method with deflation
 /// Requires  1 <= points <= 192, else ContractViolation
-/// Result    double: computed in long double and rounded once, so nodes and weights are within one unit in the last place;
-///           long double, Mpfr<50>: within 4 points^2 units, as the node next to 0 is a difference; Ball: enclosed, at
-///           BallPrecision::current() and narrow: a zero of P for each node, proved by Newton's operator
-///           N(X) = z - P(z)/P'(X) in X, and no zero for two of them
+/// Result    double: computed in long double and rounded once, so nodes and weights are within one unit in
+///           the last place; long double, Mpfr<50>: within 4 points^2 units, as the node next to 0 is a
+///           difference; Ball: enclosed, at BallPrecision::current() and narrow: a zero of P for each node,
+///           proved by Newton's operator N(X) = z - P(z)/P'(X) in X, and no zero for two of them
 /// Limits    arithmetics: double, long double, Mpfr<50>, Ball
 template <Real R>
 IntervalRule<R> gauss_rule(int points, IntervalWeight weight);

@@ -58,7 +58,8 @@ std::vector<Rational> moments(const LagrangeFunctions& functions, const Monomial
   return out;
 }
 
-// Whether Int_sigma q (p - P p) = 0 for all pairs of monomials about the centre whose degrees add up to `total`.
+// Whether Int_sigma q (p - P p) = 0 for all pairs of monomials about the centre whose degrees add up to
+// `total`.
 bool vanishes(const LagrangeFunctions& functions, int total) {
   for (int of_q = 0; of_q <= total; ++of_q)
     for (int t = 0; t <= of_q; ++t) {
@@ -77,8 +78,8 @@ bool vanishes(const LagrangeFunctions& functions, int total) {
 }  // namespace
 
 int product_precision(const LagrangeFunctions& functions, Region region) {
-  // Under the half turn a product of odd degree changes its sign and leaves nothing. The search ends: for p = the
-  // product of the squared distances from the nodes and q = 1, P p = 0 and the integral is positive.
+  // Under the half turn a product of odd degree changes its sign and leaves nothing. The search ends: for p =
+  // the product of the squared distances from the nodes and q = 1, P p = 0 and the integral is positive.
   int total = 0;
   while ((region == Region::parallelogram && total % 2 == 1) || vanishes(functions, total)) ++total;
   return total - 1;

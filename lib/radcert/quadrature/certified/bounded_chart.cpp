@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
-#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/dual.h"
+#include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {

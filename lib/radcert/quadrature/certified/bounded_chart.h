@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "radcert/scalar/bounded_double.h"
 #include "radcert/scalar/ball.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/surface/chart.h"
 
 namespace radcert {
@@ -18,10 +18,13 @@ namespace radcert {
 
 /// A chart's formula in doubles that carry bounds of their errors.
 /// Maths     F, its tangents and its divided differences along rays, as ChartIn
-/// Source    running error analysis, see BoundedDouble. Where the exact image of the chart is a polynomial of at most degree 12, its
-///           monomials; elsewhere the chart's formula in balls, around the number and its bound
-/// Requires  parameters whose exact values lie in the domain; the chart has a formula in balls and outlives this object
-/// Result    the exact values are within the bounds, which are infinite where the formula is not proved to have a value
+/// Source    running error analysis, see BoundedDouble. Where the exact image of the chart is a polynomial of
+///           at most degree 12, its monomials; elsewhere the chart's formula in balls, around the number and
+///           its bound
+/// Requires  parameters whose exact values lie in the domain; the chart has a formula in balls and outlives
+///           this object
+/// Result    the exact values are within the bounds, which are infinite where the formula is not proved to
+///           have a value
 /// Limits    some ten times faster than balls for polynomials; elsewhere as fast as these
 class BoundedChart {
 public:

@@ -8,11 +8,11 @@
 #include <limits>
 #include <utility>
 
-#include "radcert/quadrature/certified/integral_from_within.h"
-#include "radcert/quadrature/certified/kernel_rule.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/work_limit.h"
+#include "radcert/quadrature/certified/integral_from_within.h"
+#include "radcert/quadrature/certified/kernel_rule.h"
 
 namespace radcert {
 namespace {
@@ -35,7 +35,8 @@ constexpr std::array<std::size_t, 5> modelled{0, 2, 5, 8, 10};
 
 double upper_norm(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z) * up; }
 
-/// A triangle within an element by the barycentric coordinates of its corners, which are exact: whole numbers over 2^depth.
+/// A triangle within an element by the barycentric coordinates of its corners, which are exact: whole numbers
+/// over 2^depth.
 struct Cell {
   std::array<Barycentric<double>, 3> corners{{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}};
   int depth = 0;
@@ -72,7 +73,8 @@ R exact_value(double value) {
 }
 
 /// The unit square onto a triangle within an element.
-/// Maths     barycentric coordinates apex + x (first + y along), parameters their sum over the corners; Jacobian x determinant
+/// Maths     barycentric coordinates apex + x (first + y along), parameters their sum over the corners;
+///           Jacobian x determinant
 template <Field R>
 struct SquareToElement {
   std::array<ParameterPoint<R>, 3> corners;
@@ -331,8 +333,9 @@ private:
     return (computed * (1 - 8 * unit) - all_.points_.errors.position) * down;
   }
 
-  /// Adds the bounds for the ellipses after `from` and up to `to` from one model, over the disk around the last: for smaller
-  /// disks the coefficients of z^i fall with the i-th power of the radius. False where there is none.
+  /// Adds the bounds for the ellipses after `from` and up to `to` from one model, over the disk around the
+  /// last: for smaller disks the coefficients of z^i fall with the i-th power of the radius. False where
+  /// there is none.
   bool add_disk_bounds(const SquareToElement<TaylorModel>& map, SquareAxis axis, std::size_t from,
                        std::size_t to, std::vector<DiskBound>& bounds, bool& has_centre) {
     const Disks disks = disks_around({}, axis, GaussOrders::ellipses[to]);
@@ -497,8 +500,8 @@ private:
     }
   }
 
-  /// Of the demand for one part of one integral, d^2 and the cell's weight divided out: the sum of weight / d^2 over a surface is
-  /// of the size 2 pi log(1/h).
+  /// Of the demand for one part of one integral, d^2 and the cell's weight divided out: the sum of weight /
+  /// d^2 over a surface is of the size 2 pi log(1/h).
   static constexpr double share = 1.0 / 64;
 
   const Prepared& all_;

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <span>
 
-#include "radcert/scalar/bounded_double.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/polynomial/barycentric.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/scalar/functions/taylor_model.h"
 
 namespace radcert {
@@ -22,11 +22,8 @@ struct ElementPoint {
 
 /// Functions on the elements of a triangulation: Lagrange functions, a density.
 /// Maths     f_1, ..., f_p, real on the surface
-/// Source    -
-/// Requires  both arithmetics bound the same functions; where bound() is finite they are analytic on the set of the models;
-///           may be called from several threads at once
-/// Result    -
-/// Limits    -
+/// Requires  both arithmetics bound the same functions; where bound() is finite they are analytic on the set
+///           of the models; may be called from several threads at once
 class ElementFunctions {
 public:
   virtual ~ElementFunctions() = default;
@@ -35,8 +32,8 @@ public:
   virtual void values(const ElementPoint<BoundedDouble>& at, std::span<BoundedDouble> out) const = 0;
   /// At least |f_j| on the set of the models, for all j; infinity where nothing was shown.
   [[nodiscard]] virtual double bound(const ElementPoint<TaylorModel>& at) const = 0;
-  /// What an error over the set of the models is allowed to be relative to. Not the bound where the functions are much larger
-  /// beside the real points than on them, or where an absolute error is demanded.
+  /// What an error over the set of the models is allowed to be relative to. Not the bound where the functions
+  /// are much larger beside the real points than on them, or where an absolute error is demanded.
   [[nodiscard]] virtual double allowed(const ElementPoint<TaylorModel>& /*at*/, double bound) const {
     return bound;
   }

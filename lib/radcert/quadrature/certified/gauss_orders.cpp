@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "radcert/quadrature/certified/bounded_chart.h"
 #include "radcert/enclosure/gauss_legendre.h"
+#include "radcert/quadrature/certified/bounded_chart.h"
 #include "radcert/scalar/ball_precision.h"
 
 namespace radcert {

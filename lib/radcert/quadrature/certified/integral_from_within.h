@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "radcert/scalar/bounded_double.h"
+#include "radcert/core/outcome.h"
+#include "radcert/enclosure/polygon_integral.h"
 #include "radcert/quadrature/certified/bounded_chart.h"
 #include "radcert/quadrature/certified/element_functions.h"
 #include "radcert/quadrature/certified/gauss_orders.h"
-#include "radcert/core/outcome.h"
-#include "radcert/enclosure/polygon_integral.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/surface/chart.h"
 
 namespace radcert {
@@ -21,12 +21,13 @@ using ExactCorners = std::array<ParameterPoint<Rational>, 3>;
 
 /// The integrals of the kernel times functions over an element, from points of the element.
 /// Maths     Int_Delta G(P,Q) f_j(Q) dS_Q, P in Delta
-/// Source    the element falls into triangles with the apex P, each the image of the unit square under Duffy's map; with
-///           Q - P = x D(x, y) along the rays from P the kernel is chord_kernel, analytic up to P. Rectangles that have no rule of
-///           the orders there are bisected
-/// Requires  all that it is made from outlives it; P by its parameters, in the element; n_P of unit length; 0 < allowance
-/// Result    the integrals within the bounds, to which truncation adds at most the allowance. Refused where the chart or a
-///           function is not analytic on the element
+/// Source    the element falls into triangles with the apex P, each the image of the unit square under
+///           Duffy's map; with Q - P = x D(x, y) along the rays from P the kernel is chord_kernel, analytic
+///           up to P. Rectangles that have no rule of the orders there are bisected
+/// Requires  all that it is made from outlives it; P by its parameters, in the element; n_P of unit length; 0
+///           < allowance
+/// Result    the integrals within the bounds, to which truncation adds at most the allowance. Refused where
+///           the chart or a function is not analytic on the element
 /// Limits    V = 1. One object serves one thread
 class IntegralFromWithin {
 public:

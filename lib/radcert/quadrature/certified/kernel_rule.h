@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "radcert/scalar/bounded_double.h"
 #include "radcert/geometry/vector.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/scalar/pack.h"
 
 namespace radcert {
@@ -19,12 +19,11 @@ struct RoundedVector {
 };
 [[nodiscard]] RoundedVector rounded(const Vector<BoundedDouble>& v);
 
-/// A product rule for the kernel times functions over a part of an element, and its sums for eight points at a time.
+/// A product rule for the kernel times functions over a part of an element, and its sums for eight points at
+/// a time.
 /// Maths     sum_ab G(P, Q_ab) w_ab f_j(Q_ab), w_ab the weights times the area element
-/// Source    -
 /// Requires  order^2 calls of add() after begin(), row by row; from 1 to 45 functions; points off the part
 /// Result    sums as the machine rounds them, and by rounding() a bound of what they are off by
-/// Limits    -
 class KernelRule {
 public:
   static constexpr std::size_t most_functions = 45;
@@ -55,15 +54,16 @@ public:
 
   void take_sums(const Points& points, Sums& sums) const;
   /// A bound of what rounding does to each of the sums for the point in a lane.
-  /// Maths     d = Q - P with r = |d| >= least; the computed d is off by delta r, (Q-P).n by theta r, r^2 by 2 delta + 4 u of
-  ///           itself. A product of kernel and weight then by at most weight / r^2 times
-  ///             theta_P c_Q + theta_Q c_P + theta_P theta_Q + c_P c_Q (2 (relative error of r^2) + u (9 + additions)),
-  ///           c_P, c_Q at least the exact and computed cosines; and what the weights themselves are off by times c_P c_Q / r^2
-  /// Source    Higham, Accuracy and Stability of Numerical Algorithms, 2002, 3.1; 3 u for a scalar product in space; a sum by
-  ///           rows passes each term through 2 order additions
+  /// Maths     d = Q - P with r = |d| >= least; the computed d is off by delta r, (Q-P).n by theta r, r^2 by
+  ///           2 delta + 4 u of itself. A product of kernel and weight then by at most weight / r^2 times
+  ///             theta_P c_Q + theta_Q c_P + theta_P theta_Q + c_P c_Q (2 (relative error of r^2) + u (9 +
+  ///             additions)),
+  ///           c_P, c_Q at least the exact and computed cosines; and what the weights themselves are off by
+  ///           times c_P c_Q / r^2
+  /// Source    Higham, Accuracy and Stability of Numerical Algorithms, 2002, 3.1; 3 u for a scalar product in
+  ///           space; a sum by rows passes each term through 2 order additions
   /// Requires  sums of this rule
   /// Result    one bound a function; infinite where the point is too near for the rounding of the coordinates
-  /// Limits    -
   void rounding(const Sums& sums, std::size_t lane, const PointErrors& points, std::span<double> error) const;
 
 private:

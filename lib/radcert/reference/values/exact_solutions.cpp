@@ -23,8 +23,9 @@ Enclosure sphere_by_integral(const Arguments& a, const Demand& demand) {
       Ball(1), demand);
 }
 
-/// Two concentric spheres of radii 1 and `outer`, E = 1 on the inner and 0 on the outer, one reflectivity: with the factor F
-/// from the outer to the inner, u_outer = rho (F u_inner + (1 - F) u_outer), u_inner = 1 + rho u_outer.
+/// Two concentric spheres of radii 1 and `outer`, E = 1 on the inner and 0 on the outer, one reflectivity:
+/// with the factor F from the outer to the inner, u_outer = rho (F u_inner + (1 - F) u_outer), u_inner = 1 +
+/// rho u_outer.
 Ball outer_radiosity(const Ball& rho, const Ball& factor) {
   return rho * factor / (Ball(1) - rho * (Ball(1) - factor) - rho * rho * factor);
 }
@@ -46,7 +47,8 @@ Enclosure spheres_by_integral(const Arguments& a, const Demand& demand, bool inn
   return Enclosed{.value = inner ? Ball(1) + rho * u : u, .evaluations = factor->evaluations};
 }
 
-/// One constant on each face of the unit cube, the floor emits 1; by the factors f to the opposite and g to an adjacent face.
+/// One constant on each face of the unit cube, the floor emits 1; by the factors f to the opposite and g to
+/// an adjacent face.
 enum class CubeFace { floor, ceiling, wall };
 Ball cube_radiosity(const Ball& rho, const Ball& f, const Ball& g, CubeFace face) {
   // u_floor - u_ceiling = 1 - rho f (u_floor - u_ceiling);  with the sum s of both and a wall w:
@@ -106,7 +108,8 @@ ValueFamily cube_family(const std::string& face_name, CubeFace face) {
                      [face](const Arguments& a) { return cube_by_elimination(Ball(a[0]), face); })};
 }
 
-/// The zero of an increasing function on an interval, by bisection; `sign` is of a ball, 0 where it straddles 0.
+/// The zero of an increasing function on an interval, by bisection; `sign` is of a ball, 0 where it straddles
+/// 0.
 template <class Function>
 Outcome<Ball> zero_of_increasing(const Function& f, Rational lower, Rational upper, const Rational& radius) {
   while (upper - lower > radius) {
@@ -124,8 +127,8 @@ Outcome<Ball> zero_of_increasing(const Function& f, Rational lower, Rational upp
   return hull(Ball(lower), Ball(upper));
 }
 
-/// Mellin symbol of the operator between two half planes at a right angle, (rho/4) B((b+2)/2, (1-b)/2), less 1: it increases in
-/// 0 < b < 1 from rho/2 - 1 to infinity.
+/// Mellin symbol of the operator between two half planes at a right angle, (rho/4) B((b+2)/2, (1-b)/2), less
+/// 1: it increases in 0 < b < 1 from rho/2 - 1 to infinity.
 Outcome<Ball> exponent_by_beta(const Arguments& a, const Rational& radius) {
   const BallPrecision precision(2 * bits_for(radius) + 64);
   return zero_of_increasing(
@@ -137,8 +140,8 @@ Outcome<Ball> exponent_by_beta(const Arguments& a, const Rational& radius) {
       0, 1, radius);
 }
 
-/// Int v^k e^(-c v) (1 + e^(-2v))^(-3/2) dv over v > 0 for c > 0 and k = 0 or 1. Beyond V the integrand is at most v^k e^(-c v), and
-/// v <= V e^((v-V)/V): the tail is at most V^k e^(-c V) / (c - k/V).
+/// Int v^k e^(-c v) (1 + e^(-2v))^(-3/2) dv over v > 0 for c > 0 and k = 0 or 1. Beyond V the integrand is at
+/// most v^k e^(-c v), and v <= V e^((v-V)/V): the tail is at most V^k e^(-c V) / (c - k/V).
 Enclosure half_line_integral(const Ball& c, int k, const Demand& demand) {
   const auto f = [&c, k]<class R>(const R& v) {
     const R sum = R(1) + exp(R(-2) * v);
@@ -152,7 +155,8 @@ Enclosure half_line_integral(const Ball& c, int k, const Demand& demand) {
   return Enclosed{.value = widened(integral->value, tail), .evaluations = integral->evaluations};
 }
 
-/// Int t^(b+1) (1 + t^2)^(-3/2) (log t)^k dt over t > 0 for k = 0 or 1, with t = e^v for t > 1 and t = e^(-v) for t < 1.
+/// Int t^(b+1) (1 + t^2)^(-3/2) (log t)^k dt over t > 0 for k = 0 or 1, with t = e^v for t > 1 and t = e^(-v)
+/// for t < 1.
 Enclosure symbol_integral(const Ball& b, int k, const Demand& demand) {
   return sum_of([&](const Demand& half) { return half_line_integral(Ball(1) - b, k, half); },
                 [&](const Demand& half) -> Enclosure {
@@ -163,9 +167,9 @@ Enclosure symbol_integral(const Ball& b, int k, const Demand& demand) {
                 demand);
 }
 
-/// The zero of (rho/2) Int t^(b+1) (1 + t^2)^(-3/2) dt - 1, the same symbol, from both sides: it increases with b and is convex, as
-/// log t and log^2 t beside positive factors say of its derivatives. So a tangent at the upper end vanishes above the zero, a
-/// chord below it.
+/// The zero of (rho/2) Int t^(b+1) (1 + t^2)^(-3/2) dt - 1, the same symbol, from both sides: it increases
+/// with b and is convex, as log t and log^2 t beside positive factors say of its derivatives. So a tangent at
+/// the upper end vanishes above the zero, a chord below it.
 Outcome<Ball> exponent_by_integral(const Arguments& a, const Rational& radius) {
   const BallPrecision precision(bits_for(radius) + 96);
   const Ball half_rho(a[0] / Rational(2));

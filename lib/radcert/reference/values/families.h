@@ -9,11 +9,9 @@
 namespace radcert::reference::values {
 
 /// Families of one theme, and those of their values that have names.
-/// Maths     none
 /// Source    each family names its own
 /// Requires  the two routes of a family share no function above the layer `scalar`
 /// Result    plain data; reference_value.cpp puts the themes below one after the other
-/// Limits    -
 struct Theme {
   std::vector<ValueFamily> families;
   std::vector<NamedValue> named;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Numbers of the collocation methods themselves: norms of interpolation, and insets with a degree of precision more.
-#include "radcert/polynomial/nodes/inset_family.h"
+// Numbers of the collocation methods themselves: norms of interpolation, and insets with a degree of
+// precision more.
 #include "radcert/polynomial/lebesgue_constant.h"
+#include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/real_zeros.h"
 #include "radcert/reference/values/families.h"
 
@@ -22,7 +23,8 @@ Outcome<Ball> norm_by_branch_and_bound(const Arguments& a, const Rational& radiu
   return hull(Ball(norm.lower), Ball(norm.upper));
 }
 
-/// The zeros in (0, 1/3) of the polynomial whose vanishing gives the rule of that degree one degree of precision more.
+/// The zeros in (0, 1/3) of the polynomial whose vanishing gives the rule of that degree one degree of
+/// precision more.
 Outcome<Ball> inset_by_sturm(int degree, const Rational& radius) {
   const RationalPolynomial condition = InsetFamily(degree).condition(Region::triangle, degree + 1);
   const std::vector<RealZero> zeros = real_zeros(condition, 0, Rational(1, 3), radius);

@@ -19,7 +19,6 @@ R in(const Rational& value) {
 /// Source    integral_on_interval
 /// Requires  factor != 0
 /// Result    enclosed, or undecided
-/// Limits    -
 template <class Formula>
 Enclosure times_integral(const Ball& factor, const Formula& f, const Ball& from, const Ball& to,
                          const Demand& demand) {

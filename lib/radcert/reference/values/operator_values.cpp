@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The integral operator without its factor rho/pi, Int_S G(P,Q) u(Q) dS_Q, at points of surfaces of the catalogue.
+// The integral operator without its factor rho/pi, Int_S G(P,Q) u(Q) dS_Q, at points of surfaces of the
+// catalogue.
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/enclosure/kernel_integral.h"
 #include "radcert/reference/values/families.h"
@@ -28,7 +29,8 @@ Route pi_by_the_divergence_theorem() {
                     [](const Arguments&) { return Ball::pi(); });
 }
 
-/// From the point (x, y, 0) of the face z = 0 of the box [0, width] x [0, depth] x [0, height] to the other five, each a polygon.
+/// From the point (x, y, 0) of the face z = 0 of the box [0, width] x [0, depth] x [0, height] to the other
+/// five, each a polygon.
 Outcome<Ball> over_the_faces_of_a_box(const Arguments& a, const Rational& radius) {
   const Rational &w = a[2], &d = a[3], &h = a[4];
   using Point = Vector<Rational>;
@@ -56,10 +58,10 @@ Enclosure over_an_ellipsoid(const Surface& surface, const Rational& s, const Rat
   return kernel_integral(ExactObserver::on_surface({{.chart = 0, .at = {s, t}}}), surface, q, demand);
 }
 
-/// Over the roof of two_piece from (x, y, 0): with v = eta - y, A = (xi - x)^2 + z^2, z = 2 - xi^p, the kernel times the area element
-/// is z (z + p xi^(p-1) (xi - x)) / (A + v^2)^2, and v is integrated in closed form:
-/// Int 1/(A + v^2)^2 = v/(2A(A + v^2)) + atan(v/sqrt A)/(2 A^(3/2)),  Int v/(A + v^2)^2 = -1/(2(A + v^2)),
-/// Int v^2/(A + v^2)^2 = -v/(2(A + v^2)) + atan(v/sqrt A)/(2 sqrt A).
+/// Over the roof of two_piece from (x, y, 0): with v = eta - y, A = (xi - x)^2 + z^2, z = 2 - xi^p, the
+/// kernel times the area element is z (z + p xi^(p-1) (xi - x)) / (A + v^2)^2, and v is integrated in closed
+/// form: Int 1/(A + v^2)^2 = v/(2A(A + v^2)) + atan(v/sqrt A)/(2 A^(3/2)),  Int v/(A + v^2)^2 = -1/(2(A +
+/// v^2)), Int v^2/(A + v^2)^2 = -v/(2(A + v^2)) + atan(v/sqrt A)/(2 sqrt A).
 enum class RoofDensity { one, squared_radius };
 Enclosure over_the_roof(const Arguments& a, RoofDensity density, const Demand& demand) {
   const auto f = [a, density]<class R>(const R& xi) {
@@ -122,7 +124,8 @@ const std::string total = "Int_S G(P,Q) dS_Q";
 
 ValueParameter inside(std::string name) { return strictly_between(std::move(name), "1/5", 0, half); }
 
-/// Int G over a surface from the point of its last chart with the parameters s, t, which follow the surface's own.
+/// Int G over a surface from the point of its last chart with the parameters s, t, which follow the surface's
+/// own.
 ValueFamily total_family(const std::string& surface_name, const std::string& piece,
                          std::vector<ValueParameter> parameters, Route route,
                          std::function<Surface(const Arguments&)> surface) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Factors from a point to a plane polygon, with 1/pi: Lambert's formula and its extension to polynomial densities, and the double
-// integral of the kernel by enclosed Gauss rules.
+// Factors from a point to a plane polygon, with 1/pi: Lambert's formula and its extension to polynomial
+// densities, and the double integral of the kernel by enclosed Gauss rules.
 #include <algorithm>
 
 #include "radcert/closed_form/point_to_polygon.h"
@@ -15,7 +15,8 @@ namespace {
 /// Beyond so many digits the double integral takes long.
 constexpr int digits_of_a_double_integral = 40;
 
-/// A point with its normal, a part of the parallelogram origin + s first + t second, and c_0 + c_1 s + c_2 t on it.
+/// A point with its normal, a part of the parallelogram origin + s first + t second, and c_0 + c_1 s + c_2 t
+/// on it.
 struct Configuration {
   Vector<Rational> point;
   Vector<Rational> normal;
@@ -79,7 +80,8 @@ Configuration above_a_rectangle(const Arguments& a) {
           .density = {1, 0, 0}};
 }
 
-/// P = (x, -distance, height) with n_P = +y, and the same rectangle, y >= 0: it stands at a right angle to the rectangle.
+/// P = (x, -distance, height) with n_P = +y, and the same rectangle, y >= 0: it stands at a right angle to
+/// the rectangle.
 Configuration beside_a_rectangle(const Arguments& a) {
   return {.point = {a[0], -a[1], a[2]},
           .normal = {0, 1, 0},

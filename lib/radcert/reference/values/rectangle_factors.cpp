@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Configuration factors of plane rectangles and triangles: the formula of the catalogue, and the contour integral over polygons, whose
-// edges meet by pairs in Clausen's integral.
+// Configuration factors of plane rectangles and triangles: the formula of the catalogue, and the contour
+// integral over polygons, whose edges meet by pairs in Clausen's integral.
 #include "radcert/closed_form/factor_catalogue.h"
 #include "radcert/closed_form/polygon_to_polygon.h"
 #include "radcert/reference/values/families.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Configuration factors of disks, cylinders, spheres and strips: the formula of the catalogue, and a single integral of the factor of an
-// element, or of the kernel after the axial or azimuthal integrations.
+// Configuration factors of disks, cylinders, spheres and strips: the formula of the catalogue, and a single
+// integral of the factor of an element, or of the kernel after the axial or azimuthal integrations.
 #include "radcert/closed_form/factor_catalogue.h"
 #include "radcert/reference/values/families.h"
 #include "radcert/reference/values/line.h"
@@ -12,7 +12,8 @@ namespace {
 const std::string kernel_mean = "1/(pi A) Int Int cos cos / r^2";
 constexpr int digits_of_a_line = 300;
 
-/// An element at the distance x from the axis sees the disk with 1/2 (1 - (h^2 + x^2 - R^2) / sqrt((h^2 + x^2 + R^2)^2 - 4 R^2 x^2)).
+/// An element at the distance x from the axis sees the disk with 1/2 (1 - (h^2 + x^2 - R^2) / sqrt((h^2 + x^2
+/// + R^2)^2 - 4 R^2 x^2)).
 Enclosure disks(const Arguments& a, const Demand& demand) {
   const auto f = [a]<class R>(const R& x) {
     const R to = in<R>(a[1] * a[1]);
@@ -32,8 +33,8 @@ Enclosure sphere_and_disk(const Arguments& a, const Demand& demand) {
   return times_integral(Ball(a[1] / Rational(2)), f, Ball(0), Ball(a[0]), demand);
 }
 
-/// An element of the wall at the distance z from the open end sees that end with (y^2 + 1/2)/sqrt(y^2 + 1) - y, y = z/(2 r); the rest,
-/// but for the other end, is the wall.
+/// An element of the wall at the distance z from the open end sees that end with (y^2 + 1/2)/sqrt(y^2 + 1) -
+/// y, y = z/(2 r); the rest, but for the other end, is the wall.
 Enclosure cylinder(const Arguments& a, const Demand& demand) {
   const auto f = [a]<class R>(const R& z) {
     const R y = z * in<R>(Rational(1) / (Rational(2) * a[0]));
@@ -66,8 +67,8 @@ Enclosure outer_to_itself(const Arguments& a, const Demand& demand) {
   return times_integral(Ball(1) / Ball::pi(), f, Ball(0), Ball(2) * arc_of(a[0]), demand);
 }
 
-/// From an element at the distance d of the centre of the unit sphere, facing it: the visible cap, by the cosine c of the polar
-/// angle: 2 (d - c)(d c - 1) / (d^2 + 1 - 2 d c)^2.
+/// From an element at the distance d of the centre of the unit sphere, facing it: the visible cap, by the
+/// cosine c of the polar angle: 2 (d - c)(d c - 1) / (d^2 + 1 - 2 d c)^2.
 Enclosure element_and_sphere(const Arguments& a, const Demand& demand) {
   const auto f = [a]<class R>(const R& c) {
     const R d = in<R>(a[0]);
@@ -100,9 +101,10 @@ Enclosure element_and_disk(const Arguments& a, const Demand& demand) {
   return times_integral(Ball(square), f, Ball(0), Ball(a[0] * a[0]), demand);
 }
 
-/// Rectangles with a common edge of length L at the angle Phi, D(t)^2 = 1 + t^2 - 2 t cos Phi. The integrations along the edge give
-/// L atan(L/d)/d^3, and with s = t x those over x leave, for the wedge t < b/a,
-/// t/D^3 (a atan(L/(a D)) + L/(2 D) log(1 + (a D/L)^2)), and the same with a and b exchanged for the other.
+/// Rectangles with a common edge of length L at the angle Phi, D(t)^2 = 1 + t^2 - 2 t cos Phi. The
+/// integrations along the edge give L atan(L/d)/d^3, and with s = t x those over x leave, for the wedge t <
+/// b/a, t/D^3 (a atan(L/(a D)) + L/(2 D) log(1 + (a D/L)^2)), and the same with a and b exchanged for the
+/// other.
 Enclosure wedge(const Ball& factor, const Rational& own, const Rational& other, const Rational& edge,
                 const Rational& half_turns, const Demand& demand) {
   const auto f = [=]<class R>(const R& t) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The integrals of section 2.2 of ac98, without 1/pi: their closed forms, and the double integral of the kernel.
+// The integrals of section 2.2 of ac98, without 1/pi: their closed forms, and the double integral of the
+// kernel.
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/enclosure/kernel_integral.h"
 #include "radcert/reference/values/families.h"
@@ -11,7 +12,8 @@ namespace {
 
 constexpr int digits_of_a_double_integral = 40;
 
-/// P = (x, 0, z) with n_P = +y over the unit square of z = 0, whose inner normal is +z; the density is 1, xi - x or eta.
+/// P = (x, 0, z) with n_P = +y over the unit square of z = 0, whose inner normal is +z; the density is 1, xi
+/// - x or eta.
 enum class Factor { one, offset, distance };
 
 Route by_double_integral(Factor factor) {

@@ -24,8 +24,8 @@ namespace {
 const WorkLimit most_bits("scalar/dilogarithm: bits for a rounded value", 65536, BallPrecision::smallest_bits,
                           "refused: ContractViolation names the angle");
 
-// Bernoulli's numbers B_2, B_4, ... as numerator and denominator. With |u| <= 1.26 the first term left out is below
-// 2 (1.26 / (2 pi))^26 / 27 < 2^-61 of the sum, in either series.
+// Bernoulli's numbers B_2, B_4, ... as numerator and denominator. With |u| <= 1.26 the first term left out is
+// below 2 (1.26 / (2 pi))^26 / 27 < 2^-61 of the sum, in either series.
 constexpr std::size_t term_count = 12;
 constexpr std::array<std::array<double, 2>, term_count> bernoulli{{{1, 6},
                                                                    {-1, 30},
@@ -54,7 +54,8 @@ constexpr std::array<double, term_count> series_coefficients(bool divided) {
 
 /// Im(u^3 p(u^2)) for p with real coefficients c_1, c_2, ..., divided by Im u = y.
 double odd_series_over_imaginary(const std::array<double, term_count>& c, double x, double y) {
-  // With w = u^2, Re w = a and |w|^2 = b: Horner for a real polynomial at a complex point, p(w) = alpha w + beta.
+  // With w = u^2, Re w = a and |w|^2 = b: Horner for a real polynomial at a complex point, p(w) = alpha w +
+  // beta.
   const double a = (x - y) * (x + y);
   const double size = x * x + y * y;
   const double b = size * size;
@@ -113,8 +114,9 @@ arb_ptr in(Ball& ball) { return static_cast<arb_ptr>(BallAccess::storage(ball));
 arb_srcptr in(const Ball& ball) { return static_cast<arb_srcptr>(BallAccess::storage(ball)); }
 
 /// A bound of |f(r, x) - f(r, y)| for |x - y| <= d, of the whole disk.
-/// The derivative is -log|1 - r e^(ix)|, and |1 - r e^(ix)| lies between |sin x| >= 2 |x| / pi near x = 0 (at least 1 beyond
-/// pi/2) and 2: over an interval of length d <= pi the integral of its size is at most d (1 + log(pi/d)).
+/// The derivative is -log|1 - r e^(ix)|, and |1 - r e^(ix)| lies between |sin x| >= 2 |x| / pi near x = 0 (at
+/// least 1 beyond pi/2) and 2: over an interval of length d <= pi the integral of its size is at most d (1 +
+/// log(pi/d)).
 Ball modulus_of_continuity(const Ball& distance) {
   const Ball d = abs(distance).upper();
   if (certainly_zero(d)) return 0;
@@ -232,8 +234,8 @@ Ball dilogarithm_imaginary(const Ball& radius, const Ball& angle) {
   }
   value = value + Ball();  // rounded to the precision asked for
   if (inside.is_exact() && angle.is_exact()) return value;
-  // The mean value theorem along the radius, where |df/dr| = |arg(1 - z)| / r <= arcsin(r) / r <= pi/2, and along the angle,
-  // where df/dphi = -log|1 - z|; both bounds are valid, the smaller is used.
+  // The mean value theorem along the radius, where |df/dr| = |arg(1 - z)| / r <= arcsin(r) / r <= pi/2, and
+  // along the angle, where df/dphi = -log|1 - z|; both bounds are valid, the smaller is used.
   const Ball radius_change = abs(inside - middle_radius).upper();
   const Ball angle_change = angle.radius_ball();
   const Ball squared_distance = power(1 - inside, 2) + 4 * inside * power(sin(angle / 2), 2);

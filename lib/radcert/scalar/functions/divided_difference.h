@@ -4,16 +4,17 @@
 #include <cmath>
 
 #include "radcert/scalar/exponent.h"
-#include "radcert/scalar/pack.h"
 #include "radcert/scalar/functions/power_difference.h"
+#include "radcert/scalar/pack.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {
 
-/// A function of one variable seen from two arguments p and q = p + step: values, slopes and divided differences.
-/// Maths     f[p,q] = (f(q) - f(p)) / step,  f[p,p,q] = (f[p,q] - f'(p)) / step,  f[p,q,q] = (f'(q) - f[p,q]) / step,
-///           carried through + - * / sqrt and powers by the rule of Leibniz, (fg)[p,q] = f[p,q] g(q) + f(p) g[p,q],
-///           (fg)[p,p,q] = f[p,p,q] g(q) + f'(p) g[p,q] + f(p) g[p,p,q], and by the chain rule
+/// A function of one variable seen from two arguments p and q = p + step: values, slopes and divided
+/// differences.
+/// Maths     f[p,q] = (f(q) - f(p)) / step,  f[p,p,q] = (f[p,q] - f'(p)) / step,  f[p,q,q] = (f'(q) - f[p,q])
+///           / step, carried through + - * / sqrt and powers by the rule of Leibniz, (fg)[p,q] = f[p,q] g(q)
+///           + f(p) g[p,q], (fg)[p,p,q] = f[p,p,q] g(q) + f'(p) g[p,q] + f(p) g[p,p,q], and by the chain rule
 /// Source    Leibniz's rule for divided differences; the use for (Q-P).n_P is ours: see Chord
 /// Requires  f twice differentiable between p and q, or at least off one end (then f[p,p,q] stays finite)
 /// Result    no digits are lost as step -> 0: nothing here subtracts nearly equal function values;
@@ -194,7 +195,8 @@ private:
     }
   }
 
-  /// The binomial series in d/a for |d| <= a/2, else the definition, where the subtraction costs a few digits at most.
+  /// The binomial series in d/a for |d| <= a/2, else the definition, where the subtraction costs a few digits
+  /// at most.
   static R bend_in_one_lane(const R& a, const R& b, const R& d, const Exponent<R>& e) {
     using std::abs;
     if (a == R(0) && d == R(0))

@@ -13,9 +13,9 @@ const WorkLimit terms_a_bit("scalar/power_difference: terms of the binomial seri
 /// Of two enclosures of one number, where either may have failed.
 Ball better(const Ball& x, const Ball& y) { return common_part(x, y); }
 
-/// a^(e-2) sum_{k >= 2} binom(e, k) x^(k-2) for x = d/a with |x| <= 3/4. From k >= (e-1)/2 on the quotient of a
-/// term and the one before is at most q = |x| max(1, (k-e)/(k+1)), which does not grow with k: where q < 1, the last one times q/(1-q) bounds
-/// what is left out.
+/// a^(e-2) sum_{k >= 2} binom(e, k) x^(k-2) for x = d/a with |x| <= 3/4. From k >= (e-1)/2 on the quotient of
+/// a term and the one before is at most q = |x| max(1, (k-e)/(k+1)), which does not grow with k: where q < 1,
+/// the last one times q/(1-q) bounds what is left out.
 Ball bend_by_series(const Ball& a, const Ball& d, const Ball& e) {
   if (!certainly_positive(a)) return Ball::failed("the binomial series at zero");
   const Ball x = d / a;

@@ -22,7 +22,8 @@ using Norms = std::array<double, static_cast<std::size_t>(top) + 1>;
 constexpr double up = 1 + 0x1p-40;
 /// More than what underflow takes from all terms of one operation.
 constexpr double underflow = 0x1p-1000;
-/// The square of a number below it does not overflow, nor the sixth power of the reciprocal of one in the range for divisors.
+/// The square of a number below it does not overflow, nor the sixth power of the reciprocal of one in the
+/// range for divisors.
 constexpr double largest = 1e150;
 constexpr double largest_divisor = 1e45;
 
@@ -35,7 +36,8 @@ double size_of(double real, double imag) { return std::sqrt(real * real + imag *
 
 const char* first_failure(const char* a, const char* b) { return a != nullptr ? a : b; }
 
-/// Series around the centre: phi_k with the error of each as a part of `tail`, a bound of the terms from degree 5 on.
+/// Series around the centre: phi_k with the error of each as a part of `tail`, a bound of the terms from
+/// degree 5 on.
 struct Series {
   std::array<ComplexDouble, static_cast<std::size_t>(top) + 1> coefficients;
   std::array<double, static_cast<std::size_t>(top) + 1> errors;
@@ -45,10 +47,6 @@ struct Series {
 }  // namespace
 
 /// The inside of a model, for this source.
-/// Maths     -
-/// Source    -
-/// Requires  -
-/// Result    -
 /// Limits    not for formulas
 struct TaylorModelAccess {
   using T = TaylorModel;
@@ -153,8 +151,9 @@ struct TaylorModelAccess {
         }
       }
     }
-    // A coefficient is a sum of at most 15 products of complex numbers: each part has at most 15 + 3 roundings, each of 2^-53 of
-    // the sum of the terms' sizes, so both together err by less than 2^-48 of that, and all coefficients by 2^-47 of the norms.
+    // A coefficient is a sum of at most 15 products of complex numbers: each part has at most 15 + 3
+    // roundings, each of 2^-53 of the sum of the terms' sizes, so both together err by less than 2^-48 of
+    // that, and all coefficients by 2^-47 of the norms.
     const double norm_a = sum(of_a);
     const double norm_b = sum(of_b);
     result.remainder_ = (beyond + norm_a * b.remainder_ + norm_b * a.remainder_ +
@@ -251,9 +250,9 @@ ComplexDouble root_of(const ComplexDouble& c) {
                      : ComplexDouble{smaller, std::copysign(larger, c.imag)};
 }
 
-/// c^a (1 + z)^a with phi_0 = c^a, phi_k = phi_0 binom(a, k) / c^k: for -1 <= a <= 1, |binom(a, k)| does not grow from k = 1 on.
-/// phi_0 and 1/c err by less than 6 2^-53 of themselves (sums of positive numbers, roots, quotients), a step by less than 12 more:
-/// phi_5 by less than 2^-46 of itself.
+/// c^a (1 + z)^a with phi_0 = c^a, phi_k = phi_0 binom(a, k) / c^k: for -1 <= a <= 1, |binom(a, k)| does not
+/// grow from k = 1 on. phi_0 and 1/c err by less than 6 2^-53 of themselves (sums of positive numbers, roots,
+/// quotients), a step by less than 12 more: phi_5 by less than 2^-46 of itself.
 Series binomial_series(const Argument& x, const ComplexDouble& at_centre, double exponent) {
   Series series{};
   const ComplexDouble inverse = inverse_of(x.c);
@@ -445,7 +444,8 @@ TaylorModel atan(const TaylorModel& x) {
   if (at_the_axis && (std::abs(at.c.imag) + at.deviation) * up >= 1) {
     return TaylorModel::failed("atan of a model that touches its cut");
   }
-  // The derivative is (1/(z - i) - 1/(z + i)) / (2i): its k-th coefficient is at most r^-(k+1), r the distance to +-i.
+  // The derivative is (1/(z - i) - 1/(z + i)) / (2i): its k-th coefficient is at most r^-(k+1), r the
+  // distance to +-i.
   const ComplexBall i(Ball(0), Ball(1));
   const double r = std::sqrt(at.c.real * at.c.real + std::pow(1 - std::abs(at.c.imag), 2)) / up;
   const double ratio = at.deviation / r * up;

@@ -18,22 +18,25 @@ struct ComplexDouble {
   double imag = 0;
 };
 
-/// An analytic function of two complex variables on a product of disks, enclosed: what a formula gives when its arguments run
-/// through disks, without forgetting how its parts depend on each other.
-/// Maths     f(u,v) = sum_{i+j <= 4} c_ij u^i v^j + rest(u,v), rest analytic and |rest| <= remainder for |u|, |v| < 1. Norm:
-///           |f| = sum |c_ij| + remainder. A product keeps the terms up to degree 4, the remainder takes the norms of the others;
-///           phi(c + h) with c = c_00 is sum_k phi_k h^k, where |h| is less than the distance from c to the singularities of phi,
-///           and the remainder takes a bound of the tail
-/// Source    M. Berz, K. Makino, "Verified integration of ODEs and flows using differential algebraic methods on high-order Taylor
-///           models", 1998; here with complex disks for variables, so that the sum of |c_ij| is the range's bound. sqrt, log, pow and
-///           atan are the principal branches; abs, min, max and select_less the analytic functions that agree with those of
-///           real numbers
+/// An analytic function of two complex variables on a product of disks, enclosed: what a formula gives when
+/// its arguments run through disks, without forgetting how its parts depend on each other.
+/// Maths     f(u,v) = sum_{i+j <= 4} c_ij u^i v^j + rest(u,v), rest analytic and |rest| <= remainder for |u|,
+///           |v| < 1. Norm: |f| = sum |c_ij| + remainder. A product keeps the terms up to degree 4, the
+///           remainder takes the norms of the others; phi(c + h) with c = c_00 is sum_k phi_k h^k, where |h|
+///           is less than the distance from c to the singularities of phi, and the remainder takes a bound of
+///           the tail
+/// Source    M. Berz, K. Makino, "Verified integration of ODEs and flows using differential algebraic methods
+///           on high-order Taylor models", 1998; here with complex disks for variables, so that the sum of
+///           |c_ij| is the range's bound. sqrt, log, pow and atan are the principal branches; abs, min, max
+///           and select_less the analytic functions that agree with those of real numbers
 /// Requires  variables u and v made by variable(); Ball and Rational enter with their radius
-/// Result    either finite, and then every operation made on the way was analytic on the product of the disks; or failed, and
-///           failure() names the first operation of which that was not shown. Rounding is in the remainder: a result of doubles
-///           errs by less than 2^-46 of the norms that entered, and norms are rounded up. There is no NaN
-/// Limits    doubles: a range of size 10^-13 of the numbers on the way is not resolved; numbers beyond 10^150 fail, divisors and
-///           radicands beyond 10^45 or below 10^-45. Wide disks fail where narrow ones do not
+/// Result    either finite, and then every operation made on the way was analytic on the product of the
+///           disks; or failed, and failure() names the first operation of which that was not shown. Rounding
+///           is in the remainder: a result of doubles errs by less than 2^-46 of the norms that entered, and
+///           norms are rounded up. There is no NaN
+/// Limits    doubles: a range of size 10^-13 of the numbers on the way is not resolved; numbers beyond 10^150
+///           fail, divisors and radicands beyond 10^45 or below 10^-45. Wide disks fail where narrow ones do
+///           not
 class TaylorModel {
 public:
   static constexpr int highest_degree = 4;

@@ -11,7 +11,8 @@ namespace radcert {
 /// Source    see arc_point
 /// Requires  radius, top, h > 0
 /// Result    see ChartOf; straight in t
-/// Limits    a chart up to an apex, top = 0, would have vanishing area normals there: no chart of a cone is smooth at its apex
+/// Limits    a chart up to an apex, top = 0, would have vanishing area normals there: no chart of a cone is
+///           smooth at its apex
 template <Field R>
 class ConeMantle {
 public:
@@ -39,11 +40,10 @@ private:
 
 /// The boundary of a truncated cone: two disks and the mantle between them.
 /// Maths     sqrt(x^2 + y^2) <= radius + (top - radius) z/height,  0 <= z <= height
-/// Source    -
 /// Requires  radius, top, height > 0, else ContractViolation
 /// Result    pieces floor, ceiling (z = 0, height) and mantle, four charts each
-/// Limits    truncated: at an apex the surface has no normal, so that it is no corner of smooth pieces in the sense of
-///           [ac98, (13)-(14)], which the quadrature and every statement on orders assume
+/// Limits    truncated: at an apex the surface has no normal, so that it is no corner of smooth pieces in the
+///           sense of [ac98, (13)-(14)], which the quadrature and every statement on orders assume
 Surface cone(const Rational& radius, const Rational& top, const Rational& height);
 
 }  // namespace radcert

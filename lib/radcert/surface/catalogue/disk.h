@@ -35,12 +35,11 @@ struct DiskPoint {
 };
 
 /// The first quadrant of the unit disk as an image of the unit triangle, the corner (0,0) at the centre.
-/// Maths     (x,y) = (s,t)/sqrt(1-2st),  rest = (1-(s+t)) (1+(s+t))/(1-2st);  det D(x,y) = (1-2st)^-2, from 1 to 4.
-///           On s + t = 1, where 1 - 2st = s^2 + t^2, it is the arc (s,t)/|(s,t)| of `arc_point`
+/// Maths     (x,y) = (s,t)/sqrt(1-2st),  rest = (1-(s+t)) (1+(s+t))/(1-2st);  det D(x,y) = (1-2st)^-2, from 1
+///           to 4. On s + t = 1, where 1 - 2st = s^2 + t^2, it is the arc (s,t)/|(s,t)| of `arc_point`
 /// Source    ours; analytic on the closed triangle and nowhere degenerate, as polar coordinates are not
 /// Requires  (s,t) in the unit triangle
 /// Result    rounded as T rounds; rest is 0 on the rim exactly if s + t is 1
-/// Limits    -
 template <Field R, Field T>
 DiskPoint<T> disk_point(const T& s, const T& t) {
   using std::sqrt;
@@ -62,7 +61,6 @@ struct ArcPoint {
 /// Source    ours; the rim of `disk_point`
 /// Requires  0 <= s <= 1
 /// Result    rounded as T rounds, with the bits of disk_point(1-s, s) where 1 - s is exact
-/// Limits    -
 template <Field R, Field T>
 ArcPoint<T> arc_point(const T& s) {
   using std::sqrt;
@@ -105,7 +103,6 @@ enum class Facing { up, down };
 /// Source    see disk_point
 /// Requires  radius > 0
 /// Result    charts piece/pp, piece/mp, piece/mm, piece/pm over unit triangles; their plane is exact
-/// Limits    -
 std::vector<Chart> disk_charts(const std::string& piece, const Rational& radius, const Rational& height,
                                Facing facing);
 

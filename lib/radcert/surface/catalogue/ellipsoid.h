@@ -20,7 +20,6 @@ struct Octant {
 /// Source    ours; analytic on the closed triangle, as charts by sqrt(1-x^2-y^2) or polar angles are not
 /// Requires  a, b, c > 0
 /// Result    see ChartOf
-/// Limits    -
 template <Field R>
 class EllipsoidOctant {
 public:
@@ -48,15 +47,12 @@ private:
 /// Source    n = 8, 32, 128, ... as in [ac98, section 3]
 /// Requires  a, b, c > 0, else ContractViolation
 /// Result    one smooth piece `ellipsoid`, inner normals
-/// Limits    -
 Surface ellipsoid(const Rational& a, const Rational& b, const Rational& c);
 
 /// The unit sphere, by the same eight charts.
 /// Maths     x^2 + y^2 + z^2 = 1
 /// Source    G = 1/4 on it: [m06, Lemma 1 (d)]
-/// Requires  -
 /// Result    one smooth piece `sphere`, inner normals
-/// Limits    -
 Surface sphere();
 
 }  // namespace radcert

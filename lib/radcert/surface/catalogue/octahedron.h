@@ -7,11 +7,8 @@ namespace radcert {
 
 /// The boundary of the regular octahedron.
 /// Maths     |x| + |y| + |z| = 1
-/// Source    -
-/// Requires  -
-/// Result    pieces face_ppp, face_mpp, ..., face_mmm, each named by the signs of its coordinates, in the order of the
-///           sphere's octants
-/// Limits    -
+/// Result    pieces face_ppp, face_mpp, ..., face_mmm, each named by the signs of its coordinates, in the
+///           order of the sphere's octants
 Surface octahedron();
 
 }  // namespace radcert

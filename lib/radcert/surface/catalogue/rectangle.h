@@ -12,7 +12,6 @@ namespace radcert {
 /// Source    the faces of [ac98, section 2.2]
 /// Requires  first and second independent
 /// Result    see ChartOf
-/// Limits    -
 template <Field R>
 class Rectangle {
 public:

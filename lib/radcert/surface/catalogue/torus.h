@@ -7,12 +7,11 @@
 namespace radcert {
 
 /// A sixteenth of a torus about the z-axis: a quarter around, a quarter of the tube.
-/// Maths     F(s,t) = (+-(R +- r a) x, +-(R +- r a) y, +-r b),  (x,y) = arc_point(s), (a,b) = arc_point(t),  R = radius,
-///           r = ratio R
+/// Maths     F(s,t) = (+-(R +- r a) x, +-(R +- r a) y, +-r b),  (x,y) = arc_point(s), (a,b) = arc_point(t),
+///           R = radius, r = ratio R
 /// Source    see arc_point
 /// Requires  radius > 0, 0 < ratio < 1
 /// Result    see ChartOf
-/// Limits    -
 template <Field R>
 class TorusPatch {
 public:
@@ -41,7 +40,6 @@ private:
 
 /// A torus about the z-axis.
 /// Maths     (sqrt(x^2 + y^2) - R)^2 + z^2 = r^2,  R = radius, r = ratio R
-/// Source    -
 /// Requires  radius > 0, 0 < ratio < 1, else ContractViolation
 /// Result    one smooth piece `torus`, sixteen charts, inner normals (into the tube)
 /// Limits    not convex: its parts hide each other, `unoccluded` is false

@@ -10,7 +10,6 @@ namespace radcert {
 /// Source    the faces of a polyhedron
 /// Requires  a, b, c not in one line; `inside` off their plane, else ContractViolation
 /// Result    domain, plane and orientation of the facts are set, all exactly
-/// Limits    -
 Chart make_triangle(ChartFacts facts, const Vector<Rational>& a, const Vector<Rational>& b,
                     const Vector<Rational>& c, const Vector<Rational>& inside);
 

@@ -11,7 +11,6 @@ namespace radcert {
 /// Source    [ac98, (94)]
 /// Requires  p >= 1
 /// Result    see ChartOf; for p that is not whole F is not analytic on s = 0, for 1 < p < 2 not C^2 there
-/// Limits    -
 template <Field R>
 class PowerRoof {
 public:
