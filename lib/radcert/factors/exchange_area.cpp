@@ -9,6 +9,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/work_limit.h"
+#include "radcert/kernel/geometric_kernel.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/polynomial/rules/gauss.h"
 #include "radcert/scalar/pack_functions.h"
@@ -263,18 +264,17 @@ Approximation exchange_area_by_rules(const FacetCorners& first, const FacetCorne
   const PolygonPoints to = points_on(second, far.order);
   const Point n = unit_normal(first);
   const Point m = unit_normal(second);
+  const Vector<Pack> normal_p{n.x, n.y, n.z};
+  const Vector<Pack> normal_q{m.x, m.y, m.z};
   Pack sum(0);
   for (std::size_t i = 0; i < from.x.size(); ++i) {
     if (from.weight[i] == 0) continue;
     Pack inner(0);
     for (std::size_t k = 0; k < to.x.size(); k += Pack::lanes) {
-      const Pack x = Pack::load(&to.x[k]) - Pack(from.x[i]);
-      const Pack y = Pack::load(&to.y[k]) - Pack(from.y[i]);
-      const Pack z = Pack::load(&to.z[k]) - Pack(from.z[i]);
-      const Pack square = x * x + y * y + z * z;
-      const Pack seen = x * Pack(n.x) + y * Pack(n.y) + z * Pack(n.z);
-      const Pack shown = x * Pack(m.x) + y * Pack(m.y) + z * Pack(m.z);
-      inner += Pack::load(&to.weight[k]) * (seen * -shown) / (square * square);
+      const Vector<Pack> difference{Pack::load(&to.x[k]) - Pack(from.x[i]),
+                                    Pack::load(&to.y[k]) - Pack(from.y[i]),
+                                    Pack::load(&to.z[k]) - Pack(from.z[i])};
+      inner += Pack::load(&to.weight[k]) * kernel_terms<Pack>(difference, normal_p, normal_q).value;
     }
     sum += Pack(from.weight[i]) * inner;
   }

@@ -2,37 +2,77 @@
 #pragma once
 
 #include "radcert/geometry/vector.h"
+#include "radcert/scalar/real.h"
 #include "radcert/surface/chord.h"
 
 namespace radcert {
 
-/// The geometric kernel of the radiosity equation.
+/// The geometric kernel of the radiosity equation between two points P and Q, and what it is made of.
+/// Maths     from_p = (Q-P).n_P,  from_q = (P-Q).n_Q,  inverse = 1/|P-Q|^2,  value = G(P,Q) = from_p from_q / |P-Q|^4
+/// Source    [ac98, (2)], [m06, (2)]
+/// Requires  P != Q; n_P and n_Q inner normals, of unit length for G itself
+/// Result    rounded as R rounds, scalar products with two of their three sums fused where R has a fused operation. The
+///           value is (from_p inverse) (from_q inverse), not by the fourth power of the distance, which underflows in
+///           double from |P-Q| = 1e-77 on
+template <Field R>
+struct KernelTerms {
+  R from_p;
+  R from_q;
+  R inverse;
+  R value;
+};
+
+/// The kernel from its two scalar products and |P-Q|^2.
+template <Field R>
+[[nodiscard]] inline KernelTerms<R> kernel_terms(const R& from_p, const R& from_q,
+                                                 const R& squared_distance) {
+  const R inverse = reciprocal(squared_distance);
+  return {from_p, from_q, inverse, (from_p * inverse) * (from_q * inverse)};
+}
+
+/// The kernel from difference = Q - P and the two normals: every quadrature of radcert that runs over points takes this
+/// one, with R double, Pack, Mpfr or Ball. The layer `reference` has its own on purpose: it is what they are held
+/// against. Rules over a plane polygon (closed_form/kernel_pieces) sum (Q-P).n_P / |P-Q|^4, whose other scalar product is
+/// a constant that stands before the sum.
+template <Field R>
+[[nodiscard]] inline KernelTerms<R> kernel_terms(const Vector<R>& difference, const Vector<R>& normal_p,
+                                                 const Vector<R>& normal_q) {
+  const auto product = [](const Vector<R>& a, const Vector<R>& b) {
+    return multiply_add(a.x, b.x, multiply_add(a.y, b.y, R(a.z * b.z)));
+  };
+  return kernel_terms<R>(product(difference, normal_p), -product(difference, normal_q),
+                         product(difference, difference));
+}
+
+/// The geometric kernel alone.
 /// Maths     G(P,Q) = [(Q-P).n_P] [(P-Q).n_Q] / |P-Q|^4
 /// Source    [ac98, (2)], [m06, (2)]
 /// Requires  P != Q; n_P and n_Q inner normals, of unit length for G itself
-/// Result    linear in either normal: with n_Q of the length of the area element the value is G J;
-///           rounded as R rounds, with an absolute error of about u |P| (|cos theta_P| + |cos theta_Q|) /
-///           |P-Q|^3 beside the relative one where P and Q are rounded points (u the unit roundoff)
+/// Result    linear in either normal: with n_Q of the length of the area element the value is G J; rounded as R rounds,
+///           with an absolute error of about u |P| (|cos theta_P| + |cos theta_Q|) / |P-Q|^3 beside the relative one
+///           where P and Q are rounded points (u the unit roundoff)
 /// Limits    near the diagonal of one smooth chart use `chord_kernel`, which loses no digits
 template <Field R>
 R geometric_kernel(const Vector<R>& p, const Vector<R>& normal_p, const Vector<R>& q,
                    const Vector<R>& normal_q) {
-  const Vector<R> d = q - p;
-  const R squared_distance = dot(d, d);
-  return -(dot(d, normal_p) * dot(d, normal_q)) / (squared_distance * squared_distance);
+  return kernel_terms<R>(q - p, normal_p, normal_q).value;
 }
 
-/// The geometric kernel between two points of one chart, from their chord.
+/// The kernel between two points of one chart, from their chord.
 /// Maths     G(P,Q) = (bend_p.n_P) (bend_q.n_Q) / |difference|^4
 /// Source    [ac98, (2), (5), (6)]
 /// Requires  P != Q
 /// Result    as geometric_kernel, bounded and without cancellation up to the diagonal
 /// Limits    both points on one chart
 template <Field R>
+[[nodiscard]] inline KernelTerms<R> chord_terms(const Chord<R>& chord, const Vector<R>& normal_p,
+                                                const Vector<R>& normal_q) {
+  return kernel_terms<R>(dot(chord.bend_p, normal_p), dot(chord.bend_q, normal_q),
+                         dot(chord.difference, chord.difference));
+}
+template <Field R>
 R chord_kernel(const Chord<R>& chord, const Vector<R>& normal_p, const Vector<R>& normal_q) {
-  // Not by the fourth power, which underflows from |P-Q| = 1e-77 on.
-  const R inverse = R(1) / dot(chord.difference, chord.difference);
-  return (dot(chord.bend_p, normal_p) * inverse) * (dot(chord.bend_q, normal_q) * inverse);
+  return chord_terms(chord, normal_p, normal_q).value;
 }
 
 }  // namespace radcert

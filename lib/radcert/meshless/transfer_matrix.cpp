@@ -9,6 +9,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
+#include "radcert/kernel/geometric_kernel.h"
 #include "radcert/solve/product.h"
 
 namespace radcert {
@@ -34,12 +35,8 @@ std::string_view name(TransferFactor factor) {
 }
 
 double site_kernel(const Site<double>& p, const Site<double>& q) {
-  const Vector<double> step = q.point - p.point;
-  const double at_p = dot(p.normal, step);
-  const double at_q = -dot(q.normal, step);
-  if (!(at_p > 0 && at_q > 0)) return 0;
-  const double squared = dot(step, step);
-  return at_p / squared * (at_q / squared);
+  const KernelTerms<double> g = kernel_terms<double>(q.point - p.point, p.normal, q.normal);
+  return g.from_p > 0 && g.from_q > 0 ? g.value : 0;
 }
 
 MemoryPlan transfer_memory(std::size_t sites, std::size_t matrices) {

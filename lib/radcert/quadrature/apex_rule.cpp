@@ -337,7 +337,7 @@ private:
                             l * (other * B(triangle.to_a.t) + m * B(triangle.to_b.t))};
         if (singular_) w.s = max(w.s, -at_p.s);  // rounding must not cross the line s = 0
         const Frame<B> q = formula_.frame(at_p + w);
-        const ChordValue<B> g(formula_.chord(at_p, w), normal_p, q.area_normal);
+        const RoundedKernel<B> g = rounded_kernel<B>(formula_.chord(at_p, w), normal_p, q.area_normal);
         const B weight = l * length * l_weight * Block<R>::load(&m_nodes.weights[k]);
         Barycentric<B> x;
         for (std::size_t c = 0; c < 3; ++c)

@@ -7,11 +7,6 @@
 namespace radcert {
 namespace {
 
-template <Field B>
-[[gnu::always_inline]] inline B fused_dot(const Vector<B>& a, const Vector<B>& b) {
-  return multiply_add(a.x, b.x, multiply_add(a.y, b.y, a.z * b.z));
-}
-
 template <Real R>
 auto broadcast(const Vector<R>& v) {
   using B = typename Block<R>::Type;
@@ -51,13 +46,11 @@ void far_sums(const ObserverBlock<R>& observers, const Samples<R>& samples,
   using std::abs;
   if (g.size() < samples.count) g.resize(samples.count);
   const Vector<B> point = observers.point;
-  const Vector<B> minus_normal = -observers.normal;
   B size = B(R(0));
   for (std::size_t q = 0; q < samples.count; ++q) {
-    const Vector<B> d{point.x - B(samples.x[q]), point.y - B(samples.y[q]), point.z - B(samples.z[q])};
+    const Vector<B> d{B(samples.x[q]) - point.x, B(samples.y[q]) - point.y, B(samples.z[q]) - point.z};
     const Vector<B> normal_q{B(samples.normal_x[q]), B(samples.normal_y[q]), B(samples.normal_z[q])};
-    const B squared = fused_dot(d, d);
-    g[q] = fused_dot(d, minus_normal) * fused_dot(d, normal_q) / (squared * squared);
+    g[q] = kernel_terms<B>(d, observers.normal, normal_q).value;
     size = size + abs(g[q]);
   }
   sums.size = size;

@@ -40,7 +40,6 @@ KernelSums<R>& KernelSums<R>::operator+=(const KernelSums& other) {
 template <Real R>
 KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const R& extent) {
   using B = BlockOf<R>;
-  using std::abs;
   const Vector<B> point = broadcast<R>(p.point);
   const Vector<B> normal_p = broadcast<R>(p.normal);
   const B largest_coordinate = B(extent);
@@ -51,14 +50,8 @@ KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const
     const auto load = [at](const std::vector<R>& array) { return Block<R>::load(&array[at]); };
     const Vector<B> normal_q{load(samples.normal_x), load(samples.normal_y), load(samples.normal_z)};
     const Vector<B> d = Vector<B>{load(samples.x), load(samples.y), load(samples.z)} - point;
-    const B seen_from_p = dot(d, normal_p);
-    const B seen_from_q = -dot(d, normal_q);
-    const B weight = abs(normal_q.x) + abs(normal_q.y) + abs(normal_q.z);
-    const B squared = dot(d, d);
-    const B inverse = B(R(1)) / (squared * squared);
-    const B g = seen_from_p * seen_from_q * inverse;
-    const B lean = largest_coordinate * (((abs(seen_from_p) + blur) * weight + abs(seen_from_q)) * inverse);
-    sums.add(g, lean, basis_of_block(samples, block));
+    const RoundedKernel<B> g = rounded_kernel<B>(d, normal_p, normal_q, largest_coordinate, blur);
+    sums.add(g.value, g.lean, basis_of_block(samples, block));
   }
   return sums.sums(samples.count);
 }
@@ -80,7 +73,7 @@ KernelSums<R> chord_sums(const Observer<R>& p, const Chart& chart, const Samples
     ParameterPoint<B> w{B(to_origin.s) + load(samples.s), B(to_origin.t) + load(samples.t)};
     if (singular) w.s = max(w.s, -at_p.s);  // rounding must not cross the line s = 0
     const Vector<B> normal_q{load(samples.normal_x), load(samples.normal_y), load(samples.normal_z)};
-    const ChordValue<B> g(formula.chord(at_p, w), normal_p, normal_q);
+    const RoundedKernel<B> g = rounded_kernel<B>(formula.chord(at_p, w), normal_p, normal_q);
     sums.add(g.value, g.lean, basis_of_block(samples, block));
   }
   return sums.sums(samples.count);

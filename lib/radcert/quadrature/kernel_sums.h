@@ -3,54 +3,12 @@
 
 #include <array>
 #include <cmath>
-#include <type_traits>
 
+#include "radcert/kernel/rounded_kernel.h"
 #include "radcert/quadrature/observer.h"
 #include "radcert/quadrature/samples.h"
 
 namespace radcert {
-
-/// Coordinates are off by at most so many u of the largest.
-inline constexpr int coordinate_roundings = 8;
-
-/// G at one point of a chord, and its part of KernelSums::tilt.
-/// Maths     value = (bend_p.n_P) (bend_q.n_Q) / |P-Q|^4;
-///           lean = (|bend_p|.|n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q|.|n_Q| + e |bend_p|.|n_P|
-///           |bend_q|.|n_Q|) / |P-Q|^4, |v| by components, e = 8 u
-/// Source    lean: e times it bounds what changes of the bends' components by e do to the product of [ac98,
-///           (2)]
-/// Requires  P != Q
-/// Result    lean >= 2 |value|; much larger where a bend is nearly tangential
-template <Real R>
-struct ChordValue {
-  R value;
-  R lean;
-
-  ChordValue(const Chord<R>& chord, const Vector<R>& normal_p, const Vector<R>& normal_q) {
-    using std::abs;
-    // Not by the fourth power, which underflows from |P-Q| = 1e-77 on.
-    const R inverse = R(1) / dot(chord.difference, chord.difference);
-    const R towards_q = dot(chord.bend_p, normal_p) * inverse;
-    const R towards_p = dot(chord.bend_q, normal_q) * inverse;
-    value = towards_q * towards_p;
-    const R bend_p = absolute_dot(chord.bend_p, normal_p);
-    const R bend_q = absolute_dot(chord.bend_q, normal_q);
-    const R second = R(coordinate_roundings * roundoff()) * bend_q * inverse;
-    lean = (bend_p * (abs(towards_p) + second) + abs(towards_q) * bend_q) * inverse;
-  }
-
-private:
-  static auto roundoff() {
-    if constexpr (std::is_same_v<R, Pack>)
-      return unit_roundoff<double>();
-    else
-      return unit_roundoff<R>();
-  }
-  static R absolute_dot(const Vector<R>& a, const Vector<R>& b) {
-    using std::abs;
-    return abs(a.x * b.x) + abs(a.y * b.y) + abs(a.z * b.z);
-  }
-};
 
 /// What a rule sums up for one observer over one cell.
 /// Maths     value_j = sum g_q l_j(x_q),  size_j = sum |g_q| |l_j(x_q)|,  total = sum g_q,  size = sum |g_q|,

@@ -53,7 +53,7 @@ template <std::size_t Fixed>
 [[gnu::always_inline]] inline void KernelRule::take_sums_of(const Points& points, Sums& result) const {
   const std::size_t p = Fixed == 0 ? functions_ : Fixed;
   for (std::size_t j = 0; j < p; ++j) result.sum[j] = Pack(0);
-  Pack nearest(std::numeric_limits<double>::max());
+  Pack inverse(0);
   Pack cosine_p(0);
   Pack cosine_q(0);
   std::array<Pack, Fixed == 0 ? most_functions : Fixed> row;
@@ -63,22 +63,17 @@ template <std::size_t Fixed>
     for (int b = 0; b < order_; ++b) {
       const Vector<Pack> d{Pack(at[0]) - points.position.x, Pack(at[1]) - points.position.y,
                            Pack(at[2]) - points.position.z};
-      const Pack along_p = fma(d.x, points.normal.x, fma(d.y, points.normal.y, d.z * points.normal.z));
-      const Pack along_q = fma(d.x, Pack(at[3]), fma(d.y, Pack(at[4]), d.z * Pack(at[5])));
-      const Pack squared = fma(d.x, d.x, fma(d.y, d.y, d.z * d.z));
-      const Pack inverse = Pack(1) / squared;
-      const Pack scaled_p = along_p * inverse;
-      const Pack scaled_q = along_q * inverse;
-      const Pack kernel = -(scaled_p * scaled_q);
-      nearest = min(nearest, squared);
-      cosine_p = max(cosine_p, along_p * scaled_p);
-      cosine_q = max(cosine_q, along_q * scaled_q);
-      for (std::size_t j = 0; j < p; ++j) row[j] = fma(kernel, Pack(at[geometry + j]), row[j]);
+      const KernelTerms<Pack> g =
+          kernel_terms<Pack>(d, points.normal, {Pack(at[3]), Pack(at[4]), Pack(at[5])});
+      inverse = max(inverse, g.inverse);
+      cosine_p = max(cosine_p, g.from_p * (g.from_p * g.inverse));
+      cosine_q = max(cosine_q, g.from_q * (g.from_q * g.inverse));
+      for (std::size_t j = 0; j < p; ++j) row[j] = fma(g.value, Pack(at[geometry + j]), row[j]);
       at += geometry + p;
     }
     for (std::size_t j = 0; j < p; ++j) result.sum[j] += row[j];
   }
-  result.nearest = nearest;
+  result.inverse = inverse;
   result.cosine_p = cosine_p;
   result.cosine_q = cosine_q;
 }
@@ -98,8 +93,8 @@ void KernelRule::take_sums(const Points& points, Sums& sums) const {
 void KernelRule::rounding(const Sums& sums, std::size_t lane, const PointErrors& points,
                           std::span<double> error) const {
   const double displaced = (position_error_ + points.position) * up;
-  // The computed r is off by displaced, and by less than 4 u of itself.
-  const double least = std::sqrt(sums.nearest.lane(lane)) * (1 - 8 * unit) - displaced;
+  // The computed r is off by displaced, and by less than 4 u of itself; its inverse square is rounded once more.
+  const double least = 1 / std::sqrt(sums.inverse.lane(lane)) * (1 - 8 * unit) - displaced;
   constexpr double small = 1e-4;  // so that products of errors are within the slack
   constexpr double slack = 1 + 8 * small;
   if (!(least > 0) || !(displaced < small * least)) {

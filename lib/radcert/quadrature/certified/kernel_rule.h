@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "radcert/geometry/vector.h"
+#include "radcert/kernel/geometric_kernel.h"
 #include "radcert/scalar/bounded_double.h"
 #include "radcert/scalar/pack.h"
 
@@ -35,7 +36,7 @@ public:
   };
   struct Sums {
     std::array<Pack, most_functions> sum;
-    Pack nearest;   ///< least computed |Q - P|^2
+    Pack inverse;   ///< largest computed 1 / |Q - P|^2
     Pack cosine_p;  ///< largest computed ((Q - P).n_P)^2 / |Q - P|^2
     Pack cosine_q;
   };
