@@ -12,8 +12,9 @@ namespace radcert::bench {
 namespace {
 
 /// Eight observers in a small square at a distance of `radii` radii of the element, above it.
-std::vector<Observer<double>> observers_above(const Surface& surface, const ParameterTriangle& element,
-                                              double radii, std::size_t chart_of_observers) {
+std::vector<CollocationPoint<double>> observers_above(const Surface& surface,
+                                                      const ParameterTriangle& element, double radii,
+                                                      std::size_t chart_of_observers) {
   const ChartIn<double>& chart = surface.charts[element.chart].in<double>();
   const Frame<double> centre = chart.frame(element.at({1.0 / 3, 1.0 / 3, 1.0 / 3}));
   double radius = 0;
@@ -21,7 +22,7 @@ std::vector<Observer<double>> observers_above(const Surface& surface, const Para
     radius = std::max(radius, norm(chart.frame(v).point - centre.point));
   const Vector<double> up = unit_normal(centre);
   const Vector<double> across = (1 / norm(centre.tangent_s)) * centre.tangent_s;
-  std::vector<Observer<double>> observers;
+  std::vector<CollocationPoint<double>> observers;
   for (int i = 0; i < 8; ++i) {
     const Vector<double> aside = (0.02 * radius * i) * across;
     const Vector<double> d = radii * radius * (0.8 * up + 0.6 * across) + aside;
@@ -37,9 +38,9 @@ void entries(benchmark::State& state, const Surface& surface, const ParameterTri
   const Tolerance tolerance(std::pow(10.0, -static_cast<double>(state.range(2))));
   const auto scheme = std::make_shared<const IntegrationScheme<double>>(surface, basis, tolerance);
   ElementIntegrator<double> integrator(scheme, element);
-  const std::vector<Observer<double>> observers =
+  const std::vector<CollocationPoint<double>> observers =
       observers_above(surface, element, radii, chart_of_observers);
-  const ObserverBlock<double> block = observer_blocks<double>(observers).front();
+  const CollocationPointBlock<double> block = observer_blocks<double>(observers).front();
   BlockIntegral<double> integral;
   for (auto step : state) {
     integrator.integrate(block, observers, integral);
@@ -83,7 +84,7 @@ void own_entries(benchmark::State& state) {
   ElementIntegrator<double> integrator(surface, element, basis);
   const ParameterPoint<double> at =
       state.range(0) == 0 ? element.at({0.6, 0.2, 0.2}) : ParameterPoint<double>{0.55, 0.4};
-  const Observer<double> p = observer<double>(surface, {1, at});
+  const CollocationPoint<double> p = collocation_point<double>(surface, {1, at});
   for (auto step : state) {
     ElementIntegral<double> integral = integrator.integrate(p);
     benchmark::DoNotOptimize(integral);

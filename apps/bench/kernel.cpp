@@ -36,9 +36,9 @@ void multiply_add_peak(benchmark::State& state) {
 }
 BENCHMARK(multiply_add_peak);
 
-ObserverBlock<double> some_observers(std::mt19937_64& stream) {
+CollocationPointBlock<double> some_observers(std::mt19937_64& stream) {
   const auto number = [&stream] { return static_cast<double>(stream() >> 11U) * 0x1p-53; };
-  ObserverBlock<double> block;
+  CollocationPointBlock<double> block;
   block.count = Pack::lanes;
   for (std::size_t i = 0; i < Pack::lanes; ++i) {
     block.point.x.set_lane(i, 3 + number());
@@ -68,7 +68,7 @@ void kernel(benchmark::State& state) {
   const auto functions = static_cast<std::size_t>(state.range(0));
   constexpr std::size_t points = 49;
   std::mt19937_64 stream(1);
-  const ObserverBlock<double> observers = some_observers(stream);
+  const CollocationPointBlock<double> observers = some_observers(stream);
   const Samples<double> samples = some_samples(stream, points, functions);
   std::vector<Pack> g;
   FarSums<double> sums;

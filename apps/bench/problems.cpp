@@ -34,9 +34,9 @@ const InsetBasis<double>& linear_basis() {
 /// How often an assembly evaluates G from afar: blocks of observers at least 2.5 radii from an element. The
 /// near ones come on top, so that the rate that follows is a lower bound.
 double far_evaluations(const Surface& surface, const Triangulation& triangulation,
-                       std::span<const Observer<double>> nodes, const Tolerance& tolerance) {
+                       std::span<const CollocationPoint<double>> nodes, const Tolerance& tolerance) {
   const IntegrationScheme<double> scheme(surface, linear_basis(), tolerance);
-  const std::vector<ObserverBlock<double>> blocks = observer_blocks(nodes);
+  const std::vector<CollocationPointBlock<double>> blocks = observer_blocks(nodes);
   double evaluations = 0;
   for (const ParameterTriangle& triangle : triangulation.triangles) {
     const Chart& chart = surface.charts[triangle.chart];
@@ -44,7 +44,7 @@ double far_evaluations(const Surface& surface, const Triangulation& triangulatio
     double radius = 0;
     for (const ParameterPoint<double>& v : triangle.vertices)
       radius = std::max(radius, norm(chart.in<double>().frame(v).point - centre));
-    for (const ObserverBlock<double>& block : blocks) {
+    for (const CollocationPointBlock<double>& block : blocks) {
       const double eta = (norm(block.centre - centre) - block.radius) / radius;
       if (scheme.in_plane(block.chart, triangle.chart) || eta < 2.5) continue;
       const FarRule rule = scheme.far_rule(chart.facts(), eta, 0);
@@ -59,7 +59,8 @@ void assembly(benchmark::State& state, const std::string& name, int level, doubl
   const ThreadLimit limit(static_cast<std::size_t>(state.range(0)));
   const Surface surface = surface_called(name);
   const Triangulation triangulation = triangulate(surface, level);
-  const std::vector<Observer<double>> nodes = collocation_nodes(surface, triangulation, linear_basis());
+  const std::vector<CollocationPoint<double>> nodes =
+      collocation_nodes(surface, triangulation, linear_basis());
   const std::vector<double> reflectivity(nodes.size(), 1.0);
   for (auto step : state) {
     const CollocationMatrix<double> matrix =

@@ -39,8 +39,9 @@ void expect_agreement(Place place, std::uint64_t seed) {
         const auto c = elements.draw(place, 2, stream.pick<double>({1e-2, 0.1, 1.0 / 6}), stream);
         if (!c) continue;
         const InsetBasis<double> basis(c->degree, c->inset);
-        const ElementIntegral<double> integral = ElementIntegrator<double>(surface, c->element, basis)
-                                                     .integrate(observer<double>(surface, c->observer));
+        const ElementIntegral<double> integral =
+            ElementIntegrator<double>(surface, c->element, basis)
+                .integrate(collocation_point<double>(surface, c->observer));
         const std::size_t j = stream.index(basis.size());
         const Approximation other =
             reference::operator_integral(surface, c->observer, c->element.chart, c->element.vertices,

@@ -20,7 +20,7 @@ using FiftyDigits = Mpfr<50>;
 /// A collocation system with E = x^2 + y^2 + z^2, and its solution.
 template <class R>
 struct System {
-  std::vector<Observer<R>> nodes;
+  std::vector<CollocationPoint<R>> nodes;
   CollocationMatrix<R> matrix;
   std::vector<R> emission;
 
@@ -30,7 +30,7 @@ struct System {
     nodes = collocation_nodes(surface, triangulation, basis);
     const std::vector<R> reflectivity(nodes.size(), from_rational<R>(rho));
     matrix = assemble<R>(surface, triangulation, basis, nodes, reflectivity, Tolerance(tolerance));
-    for (const Observer<R>& node : nodes) emission.push_back(dot(node.point, node.point));
+    for (const CollocationPoint<R>& node : nodes) emission.push_back(dot(node.point, node.point));
   }
 };
 

@@ -62,7 +62,7 @@ TEST(OccludedOperator, AgreesWithRays) {
       surface, [](const SurfacePoint<double>&, const Vector<double>& q) { return density(q); });
   constexpr int cells = 300;
   for (const std::size_t chart : {std::size_t{0}, std::size_t{5}, std::size_t{14}, std::size_t{21}}) {
-    const Observer<double> p = observer<double>(surface, {chart, {0.25, 0.5}});
+    const CollocationPoint<double> p = collocation_point<double>(surface, {chart, {0.25, 0.5}});
     double sum = 0;
     for (std::size_t other = 0; other < surface.chart_count(); ++other) {
       if (in_one_plane(surface.charts[chart], surface.charts[other])) continue;
@@ -70,8 +70,8 @@ TEST(OccludedOperator, AgreesWithRays) {
         for (int j = 0; i + j < cells; ++j)
           for (const double third : {1.0 / 3, 2.0 / 3}) {
             if (third > 0.5 && i + j + 1 >= cells) continue;
-            const Observer<double> q =
-                observer<double>(surface, {other, {(i + third) / cells, (j + third) / cells}});
+            const CollocationPoint<double> q =
+                collocation_point<double>(surface, {other, {(i + third) / cells, (j + third) / cells}});
             const double g = geometric_kernel(p.point, p.normal, q.point, q.normal);
             if (g <= 0 || !visible(scene.scene(), {p.point, chart}, {q.point, other})) continue;
             const double area =

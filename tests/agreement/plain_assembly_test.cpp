@@ -18,7 +18,7 @@ namespace {
 void expect_agreement(const Surface& surface, int level, int degree, double inset) {
   const Triangulation triangulation = triangulate(surface, level);
   const InsetBasis<double> basis(degree, inset);
-  const std::vector<Observer<double>> nodes = collocation_nodes(surface, triangulation, basis);
+  const std::vector<CollocationPoint<double>> nodes = collocation_nodes(surface, triangulation, basis);
   const std::vector<double> reflectivity(nodes.size(), 1.0);
   const CollocationMatrix<double> fast = assemble<double>(surface, triangulation, basis, nodes, reflectivity);
   const Matrix<double> plain = bench::plain_collocation_matrix(surface, triangulation, basis);

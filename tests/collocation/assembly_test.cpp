@@ -22,7 +22,7 @@ struct Setting {
   Surface surface;
   Triangulation triangulation;
   InsetBasis<double> basis;
-  std::vector<Observer<double>> nodes;
+  std::vector<CollocationPoint<double>> nodes;
 
   Setting(Surface s, int level, int degree, double inset)
       : surface(std::move(s)),
@@ -121,8 +121,8 @@ TEST(CollocationMatrix, IsLinearInTheReflectivityRowByRow) {
 
 TEST(CollocationMatrix, MapsLinearFunctionsAlikeForEveryBasisThatReproducesThem) {
   // On flat pieces K P_n u = K u for linear u, whatever degree, inset and level.
-  const auto image_at_first_node = [](const Setting& setting, const Observer<double>& p) {
-    const std::vector<Observer<double>> nodes(setting.nodes.size(), p);
+  const auto image_at_first_node = [](const Setting& setting, const CollocationPoint<double>& p) {
+    const std::vector<CollocationPoint<double>> nodes(setting.nodes.size(), p);
     const Matrix<double> a = assemble<double>(setting.surface, setting.triangulation, setting.basis, nodes,
                                               std::vector<double>(nodes.size(), 1))
                                  .entries;
@@ -134,7 +134,7 @@ TEST(CollocationMatrix, MapsLinearFunctionsAlikeForEveryBasisThatReproducesThem)
     return sum;
   };
   const Surface surface = cube();
-  const Observer<double> p = observer<double>(surface, {4, {0.3, 0.8}});
+  const CollocationPoint<double> p = collocation_point<double>(surface, {4, {0.3, 0.8}});
   const double expected = image_at_first_node(Setting(surface, 0, 1, 0.1), p);
   EXPECT_NEAR(image_at_first_node(Setting(surface, 1, 1, 0.25), p), expected, 1e-12);
   EXPECT_NEAR(image_at_first_node(Setting(surface, 0, 2, 0.05), p), expected, 1e-12);
@@ -163,7 +163,7 @@ TEST(CollocationMatrix, HasTheSameBitsForEveryNumberOfThreads) {
 TEST(CollocationMatrix, RefusesAnotherNumberOfNodesOrReflectivities) {
   const Setting setting(two_squares(), 0, 1, 0.1);
   const std::vector<double> rho(setting.nodes.size(), 1);
-  const std::vector<Observer<double>> fewer(setting.nodes.begin(), setting.nodes.end() - 1);
+  const std::vector<CollocationPoint<double>> fewer(setting.nodes.begin(), setting.nodes.end() - 1);
   EXPECT_THROW(assemble<double>(setting.surface, setting.triangulation, setting.basis, fewer, rho),
                ContractViolation);
   EXPECT_THROW(setting.matrix(std::vector<double>(rho.size() + 1, 1)), ContractViolation);

@@ -44,7 +44,7 @@ public:
 };
 
 /// The same as densities on one element.
-std::array<Density, 2> densities(const ParameterTriangle& element) {
+std::array<DensityFormula, 2> densities(const ParameterTriangle& element) {
   std::array<ParameterPoint<Rational>, 3> v;
   for (std::size_t i = 0; i < 3; ++i)
     v[i] = {Rational::exactly(element.vertices[i].s), Rational::exactly(element.vertices[i].t)};
@@ -149,7 +149,7 @@ std::vector<Case> cases() {
 TEST(CertifiedKernelSums, ContainTheKernelIntegrals) {
   for (const Case& c : cases()) {
     const Enclosures found = sums_over(c.surface, c.element, c.points);
-    const std::array<Density, 2> functions = densities(c.element);
+    const std::array<DensityFormula, 2> functions = densities(c.element);
     for (std::size_t i = 0; i < c.points.size(); ++i) {
       const std::size_t j = i % 2;
       const std::size_t place = j * c.points.size() + i;
@@ -195,10 +195,10 @@ TEST(CertifiedKernelSums, BoundTheTruncation) {
                                                    {0, {q(1, 3), q(1, 3)}},
                                                    {0, {q(9, 10), q(1, 10)}},
                                                    {0, {1, 1}}};
-  const std::array<Density, 2> functions = densities(element);
+  const std::array<DensityFormula, 2> functions = densities(element);
   const BallPrecision precision(70);
   std::vector<Ball> exact;
-  for (const Density& function : functions)
+  for (const DensityFormula& function : functions)
     for (const SurfacePoint<Rational>& point : points)
       exact.push_back(kernel_integral(ExactObserver::on_surface({point}), surface, element.chart,
                                       polygon_of(element), function, {.radius = 1e-12})
@@ -253,7 +253,7 @@ TEST(CertifiedKernelSums, AreAQuarterOfTheAreaOnTheSphere) {
   const Enclosures found = sums_over(surface, element, points);
   // Here hardly more than rounding is in the radii.
   const Enclosures rounding = sums_over(surface, element, points, 1e-15);
-  const std::array<Density, 2> functions = densities(element);
+  const std::array<DensityFormula, 2> functions = densities(element);
   for (std::size_t j = 0; j < 2; ++j) {
     const BallPrecision precision(100);
     const auto integrand = [&]<Real R>(const ParameterPoint<R>& at) {
@@ -354,7 +354,7 @@ TEST(CertifiedCollocation, IsTheMatrixAndTheOperator) {
   const Triangulation triangulation = triangulate(surface, 0);
   const LagrangeFunctions functions = inset_functions(1, Rational(1, 10));
   const std::size_t n = triangulation.triangles.size() * functions.size();
-  const Density u = density([](const auto& p) { return 1 + exp(p.point.x) * p.point.z / 4; });
+  const DensityFormula u = density([](const auto& p) { return 1 + exp(p.point.x) * p.point.z / 4; });
   constexpr double wanted = 1e-9;
   const Outcome<CertifiedCollocation> both =
       certified_collocation(surface, triangulation, functions, u, 2.5, wanted);
@@ -378,7 +378,7 @@ TEST(CertifiedCollocation, IsTheMatrixAndTheOperator) {
   EXPECT_THROW(static_cast<void>(certified_collocation(surface, triangulation, functions, u, 0, wanted)),
                ContractViolation);
   // Not analytic at x = 1/3.
-  const Density kink = density([]<Real R>(const DensityPoint<R>& p) {
+  const DensityFormula kink = density([]<Real R>(const DensityPoint<R>& p) {
     const R x = p.point.x - from_rational<R>(Rational(1, 3));
     return sqrt(x * x);
   });
@@ -400,7 +400,7 @@ TEST(CertifiedOperator, SumsToPiInAClosedSurface) {
 TEST(CertifiedOperator, IsThatOfTheWholeSurfaceAndOfItsInterpolant) {
   const Surface exact = two_piece(3);
   const InterpolatedSurface interpolated = interpolate(exact, triangulate(exact, 0), 2);
-  const Density u = density([](const auto& p) { return exp(p.point.x) * p.point.z; });
+  const DensityFormula u = density([](const auto& p) { return exp(p.point.x) * p.point.z; });
   const std::vector<SurfacePoint<Rational>> points{{1, {q(1, 4), q(1, 2)}}, {0, {q(1, 3), q(1, 3)}}};
   const auto agrees = [&](const Surface& surface, const Triangulation& triangulation) {
     const Outcome<CertifiedValues> found = certified_operator(surface, triangulation, u, points, 1e-10);
@@ -446,7 +446,7 @@ TEST(CertifiedOperator, RefusesWithAReason) {
   ASSERT_FALSE(sharper.has_value());
   EXPECT_NE(sharper.reason().find("demanded"), std::string::npos) << sharper.reason();
   // |x - 1/3| is not analytic.
-  const Density kink = density([]<Real R>(const DensityPoint<R>& p) {
+  const DensityFormula kink = density([]<Real R>(const DensityPoint<R>& p) {
     const R x = p.point.x - from_rational<R>(Rational(1, 3));
     return sqrt(x * x);
   });

@@ -40,7 +40,7 @@ TEST(CollocationNodes, StandAtTheBasisNodesOfTheirElements) {
 TEST(CollocationNodes, AreImagesOfTheirParametersWithUnitNormals) {
   for (const Surface& surface : {two_piece(Rational(3, 2)), box(1, 2, 5), ellipsoid(1, 2, 5)}) {
     const Triangulation triangulation = triangulate(surface, 1);
-    for (const Observer<double>& node :
+    for (const CollocationPoint<double>& node :
          collocation_nodes<double>(surface, triangulation, InsetBasis<double>(1, 1.0 / 6))) {
       const Frame<double> frame = surface.charts[node.at.chart].in<double>().frame(node.at.at);
       EXPECT_EQ(node.point, frame.point);
@@ -51,7 +51,7 @@ TEST(CollocationNodes, AreImagesOfTheirParametersWithUnitNormals) {
 }
 
 TEST(CollocationNodes, OnTheSphereHaveTheInwardNormal) {
-  for (const Observer<double>& node :
+  for (const CollocationPoint<double>& node :
        collocation_nodes<double>(sphere(), triangulate(sphere(), 1), InsetBasis<double>(2, 0.1))) {
     EXPECT_NEAR(norm(node.point), 1, 4e-16);
     EXPECT_LT(norm(node.point + node.normal), 2e-15);
@@ -63,7 +63,7 @@ TEST(CollocationNodes, AreRepeatedOnCommonVerticesExactlyWhenTheInsetIsZero) {
   const Triangulation triangulation = triangulate(surface, 1);
   const auto distinct = [&](double inset) {
     std::vector<std::array<double, 3>> places;
-    for (const Observer<double>& node :
+    for (const CollocationPoint<double>& node :
          collocation_nodes<double>(surface, triangulation, InsetBasis<double>(1, inset)))
       places.push_back({static_cast<double>(node.at.chart), node.at.at.s, node.at.at.t});
     std::sort(places.begin(), places.end());

@@ -30,7 +30,7 @@ Surface surface_of(const sample::Polyhedron& polyhedron) { return surface_of(sam
 
 struct Assembled {
   Triangulation triangulation;
-  std::vector<Observer<double>> nodes;
+  std::vector<CollocationPoint<double>> nodes;
   CollocationMatrix<double> matrix;
 };
 
@@ -93,7 +93,7 @@ TEST(OccludedCollocation, IsIndependentOfHowWallsAreCut) {
   const auto nodes = collocation_nodes<double>(room, coarse, basis);
   const auto whole = assemble<double>(room, coarse, basis, nodes, std::vector<double>(nodes.size(), 1.0));
   const Triangulation fine = triangulate(room, 2);
-  std::vector<Observer<double>> padded;
+  std::vector<CollocationPoint<double>> padded;
   for (std::size_t i = 0; i < fine.triangles.size(); ++i) padded.push_back(nodes[i % nodes.size()]);
   const auto cut = assemble<double>(room, fine, basis, padded, std::vector<double>(padded.size(), 1.0));
   for (std::size_t i = 0; i < nodes.size(); ++i)

@@ -59,9 +59,9 @@ TEST(KernelIntegral, HasTheKnownValuesOfAPointAndATriangle) {
   const ParameterPolygon triangle{{0, 0}, {1, 0}, {0, 1}};
   const ExactObserver upright = ExactObserver::off_surface({0, 0, 0}, {0, 0, 1});
   const ExactObserver tilted = ExactObserver::off_surface({0, 0, 0}, {1, 1, 1});
-  const Density x = density([](const auto& q) { return q.point.x; });
+  const DensityFormula x = density([](const auto& q) { return q.point.x; });
   const Ball pi = Ball::pi();
-  const auto integral = [&](const ExactObserver& p, const Density& q) {
+  const auto integral = [&](const ExactObserver& p, const DensityFormula& q) {
     return kernel_integral(p, surface, 0, triangle, q, {.radius = 1e-30});
   };
   const Ball constant = 1 / (6 * sqrt(Ball(3)));
@@ -76,7 +76,7 @@ TEST(KernelIntegral, HasTheKnownValuesNearAnEdge) {
   const BallPrecision precision(140);
   const Surface surface = two_squares();
   const ExactObserver p = ExactObserver::on_surface({{0, {Rational(1, 3), Rational(1, 7)}}});
-  const auto integral = [&](const Density& q) {
+  const auto integral = [&](const DensityFormula& q) {
     return kernel_integral(p, surface, 1, domain_polygon(surface.charts[1]), q, {.radius = 1e-28});
   };
   expect_value(integral(unit_density()), decimal("1.19901694200745466734732784136 +/- 1e-29"), 1e-28);
@@ -155,7 +155,7 @@ TEST(KernelIntegral, AgreesWithItselfOverPartsAndFromBothSidesOfTheChart) {
   const BallPrecision precision(110);
   const Surface surface = two_piece(3);
   const ExactObserver p = ExactObserver::on_surface({{1, {Rational(2, 5), Rational(1, 3)}}});
-  const Density q = density([](const auto& at) { return exp(at.point.x - at.point.y); });
+  const DensityFormula q = density([](const auto& at) { return exp(at.point.x - at.point.y); });
   const Demand demand{.radius = 1e-16};
   const Enclosure whole = kernel_integral(p, surface, 1, domain_polygon(surface.charts[1]), q, demand);
   const Enclosure left = kernel_integral(p, surface, 1, {{0, 0}, {half, 0}, {half, 1}, {0, 1}}, q, demand);
@@ -170,7 +170,7 @@ TEST(KernelIntegral, ContainsTheTruthAtEveryPrecision) {
   const Surface surface = ellipsoid(1, 1, 2);
   const ParameterPolygon part{{0, 0}, {half, 0}, {0, half}};
   const ExactObserver p = ExactObserver::on_surface({{0, {Rational(1, 4), Rational(1, 4)}}});
-  const Density q =
+  const DensityFormula q =
       density([]<class R>(const DensityPoint<R>& at) { return at.point.x * at.point.z + R(1); });
   Ball truth;
   {

@@ -117,7 +117,7 @@ TEST(VisibleExchangeArea, BoundsTheErrorOfRulesWhereAFunctionBegins) {
   std::mt19937_64 stream(seed);
   const auto uniform = [&stream] { return static_cast<double>(stream() >> 11U) * 0x1p-53; };
   for (const int order : {3, 5}) {
-    const TriangleRule<double> rule = conical_rule<double>(order, Gathering::nowhere);
+    const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
     double largest = 0;
     for (int k = 0; k < 20'000; ++k) {
       std::array<double, 3> d{1, 1 + (k % 2 == 0 ? 0.01 : 0.3) * std::log(uniform()), 1 - 9 * uniform()};

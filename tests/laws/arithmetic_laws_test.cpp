@@ -310,9 +310,9 @@ TEST(ArithmeticLaws, HoldForTheGaussRules) {
 TEST(ArithmeticLaws, HoldForTheConicalRules) {
   laws::Checks checks;
   for (const int order : {1, 2, 3, 5, 8, 12})
-    for (const Gathering gathering : {Gathering::nowhere, Gathering::apex, Gathering::base}) {
+    for (const Grading grading : {Grading::none, Grading::apex, Grading::base}) {
       const double points = std::max(8, 2 * order);
-      expect_of_rule([order, gathering]<class R>() { return conical_rule<R>(order, gathering); },
+      expect_of_rule([order, grading]<class R>() { return conical_rule<R>(order, grading); },
                      {.of_doubles = 24, .of_fifty_digits = 8 * 4 * points * points + 24},
                      {.of_doubles = 2, .of_fifty_digits = 24}, checks);
     }

@@ -37,7 +37,7 @@ Case row(const std::string& limit, const std::function<Surface()>& make,
                 const InsetBasis<double> basis(degree, 0.1);
                 std::vector<Ball> sums;
                 for (const SurfacePoint<double>& at : points) {
-                  const Observer<double> p = observer<double>(surface, at);
+                  const CollocationPoint<double> p = collocation_point<double>(surface, at);
                   double sum = 0;
                   double radius = 1e-15;
                   for (const ParameterTriangle& triangle : triangulate(surface, level).triangles) {
@@ -81,7 +81,7 @@ Case certified_integrals(const std::string& limit, const std::string& about) {
           .answer =
               [] {
                 const Surface surface = ellipsoid(1, 1, 1);
-                const Density unit = unit_density();
+                const DensityFormula unit = unit_density();
                 const std::vector<SurfacePoint<Rational>> points{{0, {Rational(1, 3), Rational(1, 3)}},
                                                                  {5, {Rational(1, 5), Rational(1, 7)}}};
                 const auto found = certified_operator(surface, triangulate(surface, 0), unit, points, 1e-5);

@@ -20,11 +20,11 @@ double integral(const TriangleRule<double>& rule,
 }
 
 TEST(ConicalRule, HasPositiveWeightsThatSumToTheAreaAndPointsInside) {
-  // Gathered, a constant becomes m^15, for which 8 points in m are enough.
-  for (const Gathering gathering : {Gathering::nowhere, Gathering::apex, Gathering::base})
+  // Graded, a constant becomes m^15, for which 8 points in m are enough.
+  for (const Grading grading : {Grading::none, Grading::apex, Grading::base})
     for (int order = 1; order <= most_orders; ++order) {
-      const TriangleRule<double> rule = conical_rule<double>(order, gathering);
-      const int along = gathering == Gathering::nowhere ? order : std::max(2 * order, 8);
+      const TriangleRule<double> rule = conical_rule<double>(order, grading);
+      const int along = grading == Grading::none ? order : std::max(2 * order, 8);
       EXPECT_EQ(rule.points.size(), static_cast<std::size_t>(along * order));
       EXPECT_TRUE(laws::is_positive_in_the_open_triangle<double>(rule, 2e-15)) << order;
     }
@@ -32,7 +32,7 @@ TEST(ConicalRule, HasPositiveWeightsThatSumToTheAreaAndPointsInside) {
 
 TEST(ConicalRule, IntegratesPolynomialsUpToTwiceItsOrderMinusOne) {
   for (int order = 1; order <= 16; ++order)
-    EXPECT_TRUE(laws::integrates_polynomials<double>(conical_rule<double>(order, Gathering::nowhere),
+    EXPECT_TRUE(laws::integrates_polynomials<double>(conical_rule<double>(order, Grading::none),
                                                      2 * order - 1, 2e-14))
         << order;
 }
@@ -41,7 +41,7 @@ TEST(ConicalRule, MissesTheNextPowersInBothDirections) {
   // The remainders of Gauss's rules for the weights x and 1, as in the tests of gauss_rule:
   // l^(2n) is missed by (n! (n+1)!)^2 / ((2n+2) (2n+1)!^2), and l t^(2n) by n!^4 / ((2n+1) (2n)!^2) Int l^2.
   for (int n = 1; n <= 4; ++n) {
-    const TriangleRule<double> rule = conical_rule<double>(n, Gathering::nowhere);
+    const TriangleRule<double> rule = conical_rule<double>(n, Grading::none);
     const auto factorial = [](int m) { return std::tgamma(m + 1.0); };
     const double along = factorial(n) * factorial(n + 1) / factorial(2 * n + 1);
     const double missed_along = along * along / (2 * n + 2);
@@ -57,30 +57,30 @@ TEST(ConicalRule, MissesTheNextPowersInBothDirections) {
 
 TEST(ConicalRule, GatheredAtTheApexIntegratesPowersOfTheDistanceFromIt) {
   // Int l^q = 1/(q + 2), l = x_2 + x_3
-  const TriangleRule<double> rule = conical_rule<double>(16, Gathering::apex);
+  const TriangleRule<double> rule = conical_rule<double>(16, Grading::apex);
   for (const double q : {0.0, 0.25, 0.5, 1.5, 2.5, 4.0})
     EXPECT_NEAR(integral(rule, [q](const auto& x) { return std::pow(x.x[1] + x.x[2], q); }), 1 / (q + 2),
                 1e-13)
         << q;
-  const TriangleRule<double> plain = conical_rule<double>(16, Gathering::nowhere);
+  const TriangleRule<double> plain = conical_rule<double>(16, Grading::none);
   EXPECT_GT(std::abs(integral(plain, [](const auto& x) { return std::sqrt(x.x[1] + x.x[2]); }) - 0.4), 1e-10);
 }
 
 TEST(ConicalRule, GatheredAtTheBaseIntegratesPowersOfTheDistanceFromIt) {
   // Int x_1^q = 1/((q + 1)(q + 2))
-  const TriangleRule<double> rule = conical_rule<double>(16, Gathering::base);
+  const TriangleRule<double> rule = conical_rule<double>(16, Grading::base);
   for (const double q : {0.0, 0.25, 0.5, 1.5, 2.5, 4.0})
     EXPECT_NEAR(integral(rule, [q](const auto& x) { return std::pow(x.x[0], q); }), 1 / ((q + 1) * (q + 2)),
                 1e-13)
         << q;
-  const TriangleRule<double> plain = conical_rule<double>(16, Gathering::nowhere);
+  const TriangleRule<double> plain = conical_rule<double>(16, Grading::none);
   EXPECT_GT(std::abs(integral(plain, [](const auto& x) { return std::sqrt(x.x[0]); }) - 4.0 / 15), 1e-7);
 }
 
 TEST(ConicalRule, GatheredStillIntegratesPolynomials) {
   // Degree d becomes degree 8 d + 15 in m: exact for 32 points while that is at most 63.
-  for (const Gathering gathering : {Gathering::apex, Gathering::base})
-    EXPECT_TRUE(laws::integrates_polynomials<double>(conical_rule<double>(16, gathering), 6, 2e-14));
+  for (const Grading grading : {Grading::apex, Grading::base})
+    EXPECT_TRUE(laws::integrates_polynomials<double>(conical_rule<double>(16, grading), 6, 2e-14));
 }
 
 TEST(ConicalRule, KeepsSmallDistancesFromApexAndBaseToTheirLastDigit) {
@@ -89,9 +89,9 @@ TEST(ConicalRule, KeepsSmallDistancesFromApexAndBaseToTheirLastDigit) {
   const double least = std::pow(gauss.nodes[0], 8);
   double apex = 1;
   double base = 1;
-  for (const Barycentric<double>& x : conical_rule<double>(32, Gathering::apex).points)
+  for (const Barycentric<double>& x : conical_rule<double>(32, Grading::apex).points)
     apex = std::min(apex, x.x[1] + x.x[2]);
-  for (const Barycentric<double>& x : conical_rule<double>(32, Gathering::base).points)
+  for (const Barycentric<double>& x : conical_rule<double>(32, Grading::base).points)
     base = std::min(base, x.x[0]);
   EXPECT_NEAR(apex / least, 1, 1e-14);
   EXPECT_NEAR(base / least, 1, 1e-14);
@@ -100,8 +100,8 @@ TEST(ConicalRule, KeepsSmallDistancesFromApexAndBaseToTheirLastDigit) {
 
 TEST(ConicalRule, RefusesOrdersOutOfRange) {
   for (const int order : {-1, 0, 97})
-    for (const Gathering gathering : {Gathering::nowhere, Gathering::apex, Gathering::base})
-      EXPECT_THROW(conical_rule<double>(order, gathering), ContractViolation) << order;
+    for (const Grading grading : {Grading::none, Grading::apex, Grading::base})
+      EXPECT_THROW(conical_rule<double>(order, grading), ContractViolation) << order;
 }
 
 }  // namespace

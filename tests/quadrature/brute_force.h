@@ -107,8 +107,8 @@ public:
                      const InsetBasis<Long>& basis, const Effort& effort = {}) const {
     const Place seen = seen_from(element.chart, p);
     const bool own = seen.chart == element.chart && least_coordinate(seen, element) > -1e-10L;
-    const bool gathered = singular_[element.chart] && p.at.s > 1e-6;
-    return own && !gathered ? around(p, element, basis, effort) : away(p, element, basis, effort);
+    const bool graded = singular_[element.chart] && p.at.s > 1e-6;
+    return own && !graded ? around(p, element, basis, effort) : away(p, element, basis, effort);
   }
 
   /// Polar coordinates: P on the element, or off it by a rounding (then one of the triangles counts
@@ -354,7 +354,7 @@ private:
         return;
       }
       const std::vector<std::array<Long, 3>> radial = radial_rule(a, b);
-      const std::vector<std::array<Long, 3>> across = singular_ ? gathered() : plain(1);
+      const std::vector<std::array<Long, 3>> across = singular_ ? graded() : plain(1);
       const Long jacobian = cross(a, b) * (m1 - m0);
       for (const auto& [l, rest_l, weight_l] : radial)
         for (const auto& [y, rest_y, weight_y] : across) {
@@ -385,7 +385,7 @@ private:
     }
 
     /// Two halves, y = x^8/2 and 1 - y = x^8/2.
-    std::vector<std::array<Long, 3>> gathered() const {
+    std::vector<std::array<Long, 3>> graded() const {
       const IntervalRule<Long>& rule = gauss(effort_.gathered_points);
       std::vector<std::array<Long, 3>> all;
       for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
@@ -399,7 +399,7 @@ private:
     }
 
     std::vector<std::array<Long, 3>> radial_rule(const Point& a, const Point& b) const {
-      if (singular_) return gathered();
+      if (singular_) return graded();
       const Long longest = std::max(std::hypot(a.s, a.t), std::hypot(b.s, b.t));
       return plain(std::max(1, static_cast<int>(std::ceil(longest / effort_.stretch))));
     }

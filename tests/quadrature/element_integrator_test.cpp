@@ -24,7 +24,7 @@ struct Row {
 /// Int G over the surface as the sum of a row: over all elements and functions.
 Row row(const Surface& surface, const SurfacePoint<double>& at, int level, int degree, double inset) {
   const InsetBasis<double> basis(degree, inset);
-  const Observer<double> p = observer<double>(surface, at);
+  const CollocationPoint<double> p = collocation_point<double>(surface, at);
   Row row;
   for (const ParameterTriangle& triangle : triangulate(surface, level).triangles) {
     const ElementIntegral<double> integral = ElementIntegrator<double>(surface, triangle, basis).integrate(p);
@@ -88,8 +88,9 @@ TEST(ElementIntegrator, KnowsThatNothingIsKnownNearerThanRounding) {
   double radius = 0;
   for (const ParameterTriangle& triangle : triangulate(surface, 0).triangles) {
     if (surface.charts[triangle.chart].facts().name != "east") continue;
-    const ElementIntegral<double> integral = ElementIntegrator<double>(surface, triangle, basis)
-                                                 .integrate(observer<double>(surface, {0, {0.3, 0.4}}));
+    const ElementIntegral<double> integral =
+        ElementIntegrator<double>(surface, triangle, basis)
+            .integrate(collocation_point<double>(surface, {0, {0.3, 0.4}}));
     value += integral.value[0];
     radius += integral.radius[0];
   }
@@ -116,7 +117,7 @@ TEST(ElementIntegrator, IsAQuarterOfTheAreaOnTheSphereOctantByOctant) {
   const InsetBasis<double> constant(0, 0);
   for (const SurfacePoint<double>& at :
        {SurfacePoint<double>{0, {0.25, 0.5}}, {0, {1e-3, 0.5}}, {5, {0.75, 0.125}}}) {
-    const Observer<double> p = observer<double>(surface, at);
+    const CollocationPoint<double> p = collocation_point<double>(surface, at);
     for (const ParameterTriangle& octant : triangulate(surface, 0).triangles) {
       const ElementIntegral<double> integral =
           ElementIntegrator<double>(surface, octant, constant).integrate(p);
@@ -137,7 +138,7 @@ TEST(ElementIntegrator, FunctionsSumToTheConstantAndChildrenToTheirParent) {
       for (int attempt = 0; attempt < 6; ++attempt) {
         const auto c = elements.draw(place, 3, 0.05, stream);
         if (!c) continue;
-        const Observer<double> p = observer<double>(surface, c->observer);
+        const CollocationPoint<double> p = collocation_point<double>(surface, c->observer);
         const ElementIntegral<double> parent =
             ElementIntegrator<double>(surface, c->element, constant).integrate(p);
         const InsetBasis<double> basis(3, c->inset);
@@ -172,7 +173,7 @@ TEST(ElementIntegrator, IsExactlyZeroInOnePlane) {
       ElementIntegrator<double> element(surface, triangle, basis);
       for (std::size_t chart = 0; chart < surface.charts.size(); ++chart) {
         const ElementIntegral<double> integral =
-            element.integrate(observer<double>(surface, {chart, {0.3, 0.45}}));
+            element.integrate(collocation_point<double>(surface, {chart, {0.3, 0.45}}));
         const bool zero = chart == triangle.chart;
         for (std::size_t j = 0; j < basis.size(); ++j) {
           EXPECT_EQ(integral.value[j] == 0, zero);
@@ -189,7 +190,7 @@ TEST(ElementIntegrator, IsExactlyZeroBetweenTwoChartsInOnePlane) {
   surface.charts.push_back(
       make_rectangle({.name = "beside", .piece = "beside"}, {1, 0, 0}, {Rational(1, 3), 0, 0}, {0, 1, 0}));
   surface.diagonals.push_back(Diagonal::main);
-  const Observer<double> p = observer<double>(surface, {1, {1 - 1e-9, 0.5}});
+  const CollocationPoint<double> p = collocation_point<double>(surface, {1, {1 - 1e-9, 0.5}});
   for (const ParameterTriangle& triangle : triangulate(surface, 1).triangles) {
     const double value =
         ElementIntegrator<double>(surface, triangle, InsetBasis<double>(0, 0)).integrate(p).value[0];
@@ -206,10 +207,10 @@ TEST(ElementIntegrator, DoesNotDependOnTheScale) {
   for (std::size_t k = 0; k < triangles.size(); k += 5)
     for (std::size_t chart = 0; chart < 6; ++chart) {
       const SurfacePoint<double> at{chart, {0.01, 0.3}};
-      const ElementIntegral<double> a =
-          ElementIntegrator<double>(surface, triangles[k], basis).integrate(observer<double>(surface, at));
-      const ElementIntegral<double> b =
-          ElementIntegrator<double>(scaled, triangles[k], basis).integrate(observer<double>(scaled, at));
+      const ElementIntegral<double> a = ElementIntegrator<double>(surface, triangles[k], basis)
+                                            .integrate(collocation_point<double>(surface, at));
+      const ElementIntegral<double> b = ElementIntegrator<double>(scaled, triangles[k], basis)
+                                            .integrate(collocation_point<double>(scaled, at));
       for (std::size_t j = 0; j < basis.size(); ++j) {
         EXPECT_EQ(a.value[j], b.value[j]) << k << " " << chart;
         EXPECT_EQ(a.radius[j], b.radius[j]) << k << " " << chart;
@@ -221,17 +222,17 @@ TEST(ElementIntegrator, KeepsACoarserToleranceWithFewerPoints) {
   const InsetBasis<double> basis(1, 1.0 / 6);
   for (const Surface& surface : {cube(), two_piece(2)}) {
     const Triangulation triangulation = triangulate(surface, 2);
-    std::vector<Observer<double>> nodes;
+    std::vector<CollocationPoint<double>> nodes;
     for (const ParameterTriangle& triangle : triangulation.triangles)
       for (const Barycentric<double>& node : basis.nodes())
-        nodes.push_back(observer<double>(surface, {triangle.chart, triangle.at(node.x)}));
+        nodes.push_back(collocation_point<double>(surface, {triangle.chart, triangle.at(node.x)}));
     for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
       std::vector<double> row(nodes.size());
       std::vector<double> largest_error(nodes.size());
       for (const ParameterTriangle& triangle : triangulation.triangles) {
         ElementIntegrator<double> coarse(surface, triangle, basis, Tolerance(tolerance));
         ElementIntegrator<double> fine(surface, triangle, basis);
-        for (const ObserverBlock<double>& block : observer_blocks<double>(nodes)) {
+        for (const CollocationPointBlock<double>& block : observer_blocks<double>(nodes)) {
           BlockIntegral<double> a;
           BlockIntegral<double> b;
           coarse.integrate(block, nodes, a);
@@ -278,7 +279,7 @@ TEST(FlatRuleBound, LiesAboveTheErrorAndDecays) {
             const double level = std::sqrt(1 - height * height);
             const double distance = eta * radius;
             const Vector<double> d{level * std::cos(angle), level * std::sin(angle), height};
-            const Observer<double> p{{0, {0, 0}}, centre + distance * d, -d};
+            const CollocationPoint<double> p{{0, {0, 0}}, centre + distance * d, -d};
             const KernelSums<double> a = kernel_sums(p, samples, 1.0);
             const KernelSums<double> b = kernel_sums(p, exact, 1.0);
             const double scale = 0.125 * distance * height / std::pow(distance, 3);
@@ -300,11 +301,12 @@ TEST(ElementIntegrator, IsSymmetricInObserverAndElement) {
   const ParameterTriangle ceiling{5, {{{0, 0}, {1, 0}, {1, 1}}}};
   const auto both = [&](const ParameterTriangle& from, const ParameterTriangle& onto) {
     ElementIntegrator<double> element(surface, onto, InsetBasis<double>(0, 0));
-    const TriangleRule<double> rule = conical_rule<double>(16, Gathering::nowhere);
+    const TriangleRule<double> rule = conical_rule<double>(16, Grading::none);
     double sum = 0;
     for (std::size_t q = 0; q < rule.weights.size(); ++q)
       sum += rule.weights[q] *
-             element.integrate(observer<double>(surface, {from.chart, from.at(rule.points[q].x)})).value[0];
+             element.integrate(collocation_point<double>(surface, {from.chart, from.at(rule.points[q].x)}))
+                 .value[0];
     return sum;
   };
   EXPECT_NEAR(both(floor, ceiling), both(ceiling, floor), 1e-14);

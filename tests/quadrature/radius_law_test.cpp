@@ -53,7 +53,7 @@ const std::vector<std::unique_ptr<Subject>>& subjects() {
 }
 
 /// Int |G| over the whole surface; independent of the triangulation.
-double row_integral(const Surface& surface, const Observer<double>& p) {
+double row_integral(const Surface& surface, const CollocationPoint<double>& p) {
   if (surface.closed) return pi<double>();
   double sum = 0;
   const InsetBasis<double> constant(0, 0);
@@ -77,11 +77,11 @@ struct Outcome {
 std::array<ElementIntegral<double>, 2> both_ways(const Case& c, const InsetBasis<double>& basis) {
   ElementIntegrator<double> integrator(*c.surface, c.element, basis);
   std::array<ElementIntegral<double>, 2> integrals{
-      integrator.integrate(observer<double>(*c.surface, c.observer)), ElementIntegral<double>{}};
-  std::vector<Observer<double>> nodes;
+      integrator.integrate(collocation_point<double>(*c.surface, c.observer)), ElementIntegral<double>{}};
+  std::vector<CollocationPoint<double>> nodes;
   const std::size_t first = c.node / Pack::lanes * Pack::lanes;
   for (std::size_t i = first; i < std::min(first + Pack::lanes, basis.size()); ++i)
-    nodes.push_back(observer<double>(*c.surface, c.node_of_observers_element(basis, i)));
+    nodes.push_back(collocation_point<double>(*c.surface, c.node_of_observers_element(basis, i)));
   BlockIntegral<double> block;
   integrator.integrate(observer_blocks<double>(nodes).front(), nodes, block);
   const std::size_t lane = c.node - first;
@@ -96,7 +96,7 @@ std::array<ElementIntegral<double>, 2> both_ways(const Case& c, const InsetBasis
 Outcome measure(const Subject& subject, const Case& c) {
   const InsetBasis<double> basis(c.degree, c.inset);
   const InsetBasis<Long> exact_basis(c.degree, c.inset);
-  const Observer<double> p = observer<double>(*c.surface, c.observer);
+  const CollocationPoint<double> p = collocation_point<double>(*c.surface, c.observer);
   const BruteForce::Integral truth = subject.truth.integrate(c.observer, c.element, exact_basis);
   const double row = row_integral(*c.surface, p);
   Outcome outcome;

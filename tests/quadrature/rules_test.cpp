@@ -59,7 +59,7 @@ TEST(Samples, HaveTheAreaOfTheSphere) {
 }
 
 TEST(Samples, HaveTheAreaOfARoofThatIsNotAnalytic) {
-  // Int_0^1 sqrt(1 + 9 s / 4) ds = (13 sqrt(13) - 8) / 27, gathered towards apex and base.
+  // Int_0^1 sqrt(1 + 9 s / 4) ds = (13 sqrt(13) - 8) / 27, graded towards apex and base.
   const Surface surface = two_piece(Rational(3, 2));
   for (const int order : {14, 19, 24})
     EXPECT_NEAR(sampled_area(surface, 1, 1, order), (13 * std::sqrt(13.0) - 8) / 27, 1e-13) << order;
@@ -75,7 +75,8 @@ TEST(KernelSums, AgreeWithChordSumsAwayFromTheDiagonal) {
     take_samples(surface.charts[chart], whole_element<double>(triangle), basis, 12, samples);
     for (int k = 0; k < 20; ++k) {
       const double s = 0.5 + 0.25 * stream.uniform();
-      const Observer<double> p = observer<double>(surface, {chart, {s, (1 - s) * stream.uniform()}});
+      const CollocationPoint<double> p =
+          collocation_point<double>(surface, {chart, {s, (1 - s) * stream.uniform()}});
       const KernelSums<double> plain = kernel_sums(p, samples, 5.0);
       const KernelSums<double> chords = chord_sums(p, surface.charts[chart], samples);
       EXPECT_EQ(plain.points, chords.points);
@@ -99,7 +100,8 @@ TEST(KernelSums, OfChordsKeepTheirDigitsOnASmallCellBesideTheObserver) {
     Samples<double> samples;
     take_samples(surface.charts[1], whole_element<double>(triangle), InsetBasis<double>(1, 0.1), 20, samples);
     const SurfacePoint<double> at{1, {0.7, 0.3}};
-    const KernelSums<double> sums = chord_sums(observer<double>(surface, at), surface.charts[1], samples);
+    const KernelSums<double> sums =
+        chord_sums(collocation_point<double>(surface, at), surface.charts[1], samples);
     const BruteForce::Integral exact = truth.integrate(at, triangle, InsetBasis<Long>(1, 0.1));
     for (std::size_t j = 0; j < 3; ++j)
       EXPECT_LE(std::abs(static_cast<double>(static_cast<Long>(sums.value[j]) - exact.value[j])),
@@ -115,10 +117,11 @@ TEST(KernelSums, AreTheKernelTimesTheAreaOnTheSphere) {
   Samples<double> samples;
   take_samples(surface.charts[0], whole_element<double>(triangle), InsetBasis<double>(0, 0), 20, samples);
   const double quarter = sampled_area(surface.charts[0], triangle, 20) / 4;
-  EXPECT_NEAR(kernel_sums(observer<double>(surface, {7, {0.25, 0.25}}), samples, 1.0).value[0], quarter,
-              1e-14);
-  EXPECT_NEAR(chord_sums(observer<double>(surface, {0, {0.25, 0.75}}), surface.charts[0], samples).value[0],
+  EXPECT_NEAR(kernel_sums(collocation_point<double>(surface, {7, {0.25, 0.25}}), samples, 1.0).value[0],
               quarter, 1e-14);
+  EXPECT_NEAR(
+      chord_sums(collocation_point<double>(surface, {0, {0.25, 0.75}}), surface.charts[0], samples).value[0],
+      quarter, 1e-14);
 }
 
 TEST(BernsteinRadius, InvertsTheJoukowskyMap) {
@@ -149,7 +152,7 @@ TEST(ChartInverse, FindsPointsOfASeamAndRefusesOthers) {
                        const ParameterPoint<double>& c) {
     return whole_element<double>({1, {a, b, c}});
   };
-  const Cell<double> whole = cell({0, 0}, {1, 0}, {0, 1});
+  const ElementPart<double> whole = cell({0, 0}, {1, 0}, {0, 1});
   Stream stream(12);
   for (int k = 0; k < 100; ++k) {
     // The octants 0 and 1 meet at u = 0, the side s + t = 1 of both.
@@ -163,7 +166,7 @@ TEST(ChartInverse, FindsPointsOfASeamAndRefusesOthers) {
     EXPECT_FALSE(parameters_on(surface.charts[1], whole, inside, 5.0).has_value()) << s;
     const Vector<double> above = 1.001 * seam;
     EXPECT_FALSE(parameters_on(surface.charts[1], whole, above, 5.0).has_value()) << s;
-    const Cell<double> half = cell({0.5, 0.5}, {0.5, 0}, {1, 0});
+    const ElementPart<double> half = cell({0.5, 0.5}, {0.5, 0}, {1, 0});
     if (std::abs(s - 0.5) > 1e-3) {
       EXPECT_EQ(parameters_on(surface.charts[1], half, seam, 5.0).has_value(), s > 0.5) << s;
     }
@@ -171,7 +174,7 @@ TEST(ChartInverse, FindsPointsOfASeamAndRefusesOthers) {
 }
 
 TEST(ChartInverse, ContainsItsVerticesAndSidesAndNothingElse) {
-  const Cell<double> cell = whole_element<double>({0, {{{0, 0}, {0.5, 0}, {0.25, 0.75}}}});
+  const ElementPart<double> cell = whole_element<double>({0, {{{0, 0}, {0.5, 0}, {0.25, 0.75}}}});
   for (const ParameterPoint<double>& inside : {ParameterPoint<double>{0, 0},
                                                {0.5, 0},
                                                {0.25, 0.75},
@@ -185,15 +188,15 @@ TEST(ChartInverse, ContainsItsVerticesAndSidesAndNothingElse) {
     EXPECT_FALSE(contains(cell, outside)) << outside.s << " " << outside.t;
 }
 
-TEST(Cell, BisectionKeepsAreaAndCornersTogether) {
-  const Cell<double> cell = whole_element<double>({0, {{{0, 0}, {0.5, 0}, {0.25, 0.75}}}});
-  const auto area = [](const Cell<double>& c) {
+TEST(ElementPart, BisectionKeepsAreaAndCornersTogether) {
+  const ElementPart<double> cell = whole_element<double>({0, {{{0, 0}, {0.5, 0}, {0.25, 0.75}}}});
+  const auto area = [](const ElementPart<double>& c) {
     return cross(c.vertices[1] - c.vertices[0], c.vertices[2] - c.vertices[0]);
   };
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_EQ(area(cell.rotated(i)), area(cell));
     EXPECT_EQ(cell.rotated(i).vertices[0], cell.vertices[i]);
-    for (const Cell<double>& half : cell.bisected(i)) {
+    for (const ElementPart<double>& half : cell.bisected(i)) {
       EXPECT_EQ(area(half), area(cell) / 2);
       for (std::size_t k = 0; k < 3; ++k) {
         const std::array<double, 3>& x = half.corners[k].x;

@@ -79,8 +79,8 @@ TEST(SquareMaps, CoverTheirImageOnce) {
   Sector graded = sector;
   graded.spacing = {.kind = Spacing::Kind::power};
   graded.from_end = true;
-  Sector gathered = sector;
-  gathered.spacing = Spacing::centred(0, 0.1);
+  Sector graded = sector;
+  graded.spacing = Spacing::centred(0, 0.1);
   Slab slab{};
   slab.graded = true;
   slab.to_z = slab.to_s = 1;
@@ -91,7 +91,7 @@ TEST(SquareMaps, CoverTheirImageOnce) {
       EXPECT_NEAR(moment(collapse, {}, {0, 0}, a, b), truth(a, b), 1e-14);
       EXPECT_NEAR(moment(sector, Spacing::centred(0, 0.1), {0, 0}, a, b), truth(a, b), 1e-14);
       EXPECT_NEAR(moment(graded, {.kind = Spacing::Kind::power}, {0, 0}, a, b), truth(a, b), 1e-14);
-      EXPECT_NEAR(moment(gathered, {}, {0, 0}, a, b), truth(a, b), 1e-14);
+      EXPECT_NEAR(moment(graded, {}, {0, 0}, a, b), truth(a, b), 1e-14);
       EXPECT_NEAR(moment(slab, Spacing::centred(0.4, 0.2), slab.apex, a, b), truth(a, b), 1e-14);
     }
 }

@@ -367,7 +367,7 @@ TEST(Ball, HasTheEndsOfItsHull) {
     // Neither the hull with a part nor the common part with a whole changes a ball.
     const Ball inner(draw.points(x).back());
     ASSERT_LE(hull(ball, inner).radius(), ball.radius());
-    ASSERT_TRUE(common_part(ball, inner).is_exact());
+    ASSERT_TRUE(intersection(ball, inner).is_exact());
   }
 }
 
@@ -381,11 +381,11 @@ TEST(Ball, CommonPartContainsWhatBothContain) {
     const Ball b = around(y);
     if (!overlaps(a, b)) {
       ASSERT_TRUE(certainly_less(a, b) || certainly_less(b, a)) << shown(x) << shown(y);
-      ASSERT_THROW((void)common_part(a, b), ContractViolation);
+      ASSERT_THROW((void)intersection(a, b), ContractViolation);
       continue;
     }
     ++meetings;
-    const Ball common = common_part(a, b);
+    const Ball common = intersection(a, b);
     for (const double s : draw.points(x))
       if (b.contains(s)) {
         ASSERT_TRUE(common.contains(s)) << shown(x) << shown(y) << shortest(s);
@@ -402,8 +402,8 @@ TEST(Ball, CommonPartContainsWhatBothContain) {
   }
   EXPECT_GT(meetings, 500);
   const Ball failed = 1 / Ball(0);
-  EXPECT_EQ(common_part(failed, Ball(2)).to_double(), 2);
-  EXPECT_EQ(common_part(Ball(2), failed).to_double(), 2);
+  EXPECT_EQ(intersection(failed, Ball(2)).to_double(), 2);
+  EXPECT_EQ(intersection(Ball(2), failed).to_double(), 2);
 }
 
 TEST(Ball, ComparesOnlyWhatIsCertain) {
@@ -532,7 +532,7 @@ TEST(Ball, SaysWhichOperationFailedFirst) {
                              min(failed, other),
                              pow(failed, other),
                              hull(failed, other),
-                             common_part(failed, other)}) {
+                             intersection(failed, other)}) {
       EXPECT_FALSE(kept.is_finite());
       EXPECT_EQ(kept.failure(), failed.failure());
     }

@@ -121,7 +121,7 @@ inline CollocationMatrix<double> collocation_matrix(const std::string& name, int
   const Surface surface = description.make(std::vector<Rational>(description.parameters.size(), Rational(2)));
   const Triangulation triangulation = triangulate(surface, level);
   const InsetBasis<double> basis(degree, alpha);
-  const std::vector<Observer<double>> nodes = collocation_nodes(surface, triangulation, basis);
+  const std::vector<CollocationPoint<double>> nodes = collocation_nodes(surface, triangulation, basis);
   const Values rho(nodes.size(), reflectivity);
   return assemble<double>(surface, triangulation, basis, nodes, rho);
 }

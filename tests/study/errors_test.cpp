@@ -26,7 +26,7 @@ struct Interpolated {
 
   Interpolated(Surface s, int level, int degree, double inset, double (*f)(const Vector<double>&))
       : surface(std::move(s)), triangulation(triangulate(surface, level)), basis(degree, inset) {
-    for (const Observer<double>& node : collocation_nodes<double>(surface, triangulation, basis))
+    for (const CollocationPoint<double>& node : collocation_nodes<double>(surface, triangulation, basis))
       values.push_back(f(node.point));
   }
   NodalFunction function() const { return {surface, triangulation, basis, values}; }

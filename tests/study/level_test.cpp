@@ -125,7 +125,7 @@ double mean_of_interpolation_error(int level, int degree, const Rational& alpha)
   const Surface surface = sphere();
   const InsetBasis<double> basis(degree, degree == 0 ? 0 : alpha.to_double());
   const std::vector<Barycentric<double>> nodes = basis.nodes();
-  const TriangleRule<double> rule = conical_rule<double>(28, Gathering::nowhere);
+  const TriangleRule<double> rule = conical_rule<double>(28, Grading::none);
   std::vector<double> l(basis.size());
   double sum = 0;
   for (const ParameterTriangle& element : triangulate(surface, level).triangles) {

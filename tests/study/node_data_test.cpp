@@ -17,13 +17,13 @@ using testing::everywhere;
 using testing::fault_of;
 using ::testing::HasSubstr;
 
-std::vector<Observer<double>> nodes_of(const Surface& surface, double inset) {
+std::vector<CollocationPoint<double>> nodes_of(const Surface& surface, double inset) {
   return collocation_nodes<double>(surface, triangulate(surface, 0), InsetBasis<double>(1, inset));
 }
 
 TEST(ValuesAtNodes, AreTheExpressionOfThePieceAtThePoint) {
   const Surface surface = two_piece(2);
-  const std::vector<Observer<double>> nodes = nodes_of(surface, 0.125);
+  const std::vector<CollocationPoint<double>> nodes = nodes_of(surface, 0.125);
   const std::vector<double> values =
       values_at_nodes(by_piece({{"upper", "x + 2*y + 4*z"}, {"*", "-x"}}), "/solution", surface, nodes);
   ASSERT_EQ(values.size(), nodes.size());
@@ -59,7 +59,7 @@ TEST(ValuesAtNodes, RefusesWhatIsNotANumberBelowThePieceThatStatesIt) {
 
 TEST(ReflectivityAtNodes, AdmitsTheClosedUnitInterval) {
   const Surface surface = two_piece(2);
-  const std::vector<Observer<double>> nodes = nodes_of(surface, 0);  // nodes at x = 0 and x = 1
+  const std::vector<CollocationPoint<double>> nodes = nodes_of(surface, 0);  // nodes at x = 0 and x = 1
   const std::vector<double> rho = reflectivity_at_nodes(everywhere("x"), surface, nodes);
   for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_EQ(rho[i], nodes[i].point.x);
 }

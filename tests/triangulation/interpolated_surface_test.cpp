@@ -19,7 +19,7 @@ namespace radcert {
 namespace {
 
 double area(const InterpolatedSurface& interpolant) {
-  const TriangleRule<double> rule = conical_rule<double>(12, Gathering::nowhere);
+  const TriangleRule<double> rule = conical_rule<double>(12, Grading::none);
   double sum = 0;
   for (const ParameterTriangle& element : interpolant.triangulation.triangles) {
     const auto& v = element.vertices;
@@ -118,7 +118,7 @@ TEST(Interpolate, StaysClosed) {
     const Surface surface = ellipsoid(1, 2, 5);
     const InterpolatedSurface interpolant = interpolate(surface, triangulate(surface, 1), degree);
     EXPECT_TRUE(interpolant.surface.closed);
-    const TriangleRule<double> rule = conical_rule<double>(12, Gathering::nowhere);
+    const TriangleRule<double> rule = conical_rule<double>(12, Grading::none);
     Vector<double> sum{};
     for (const ParameterTriangle& element : interpolant.triangulation.triangles)
       for (std::size_t q = 0; q < rule.weights.size(); ++q)

@@ -106,10 +106,10 @@ TEST(BoxTree, ShowsWhatTouchesABox) {
   const Scene scene = sample::boxes_in_box(7, true, 10, 4);
   sample::Numbers random(51);
   for (int k = 0; k < 50; ++k) {
-    const Box query = box_about(std::array<Vector<double>, 2>{
+    const BoundingBox query = box_about(std::array<Vector<double>, 2>{
         Vector<double>{random.on_grid(32), random.on_grid(32), random.on_grid(32)},
         {random.on_grid(32), random.on_grid(32), random.on_grid(32)}});
-    const auto touches = [&](const Box& box) {
+    const auto touches = [&](const BoundingBox& box) {
       return box.low.x <= query.high.x && query.low.x <= box.high.x && box.low.y <= query.high.y &&
              query.low.y <= box.high.y && box.low.z <= query.high.z && query.low.z <= box.high.z;
     };

@@ -65,7 +65,8 @@ double node_error(const Surface& surface, int level) {
   const auto u = [](const Vector<double>& p) { return 1 + p.x * p.y; };
   const TriangleBasis<double> basis = triangle_basis({.degree = 1, .alpha = Rational(1, 6)});
   const Triangulation triangulation = triangulate(surface, level);
-  const std::vector<Observer<double>> nodes = collocation_nodes<double>(surface, triangulation, basis);
+  const std::vector<CollocationPoint<double>> nodes =
+      collocation_nodes<double>(surface, triangulation, basis);
   const std::vector<double> reflectivity(nodes.size(), rho);
   const CollocationMatrix<double> matrix =
       assemble<double>(surface, triangulation, basis, nodes, reflectivity);
@@ -73,7 +74,7 @@ double node_error(const Surface& surface, int level) {
   const reference::AppliedOperator integral(
       surface, [&u](const SurfacePoint<double>&, const Vector<double>& q) { return u(q); });
   std::vector<double> emission;
-  for (const Observer<double>& node : nodes)
+  for (const CollocationPoint<double>& node : nodes)
     emission.push_back(u(node.point) - rho / std::numbers::pi * integral(node.at).value);
 
   const std::vector<double> u_n = DirectSolver(matrix.entries).solve(emission);

@@ -43,7 +43,7 @@ void put_block(std::size_t first, std::size_t k, const BlockIntegral<R>& integra
 
 /// The same, lane by lane, for a block that is not full.
 template <Real R>
-void put_lanes(const ObserverBlock<R>& block, std::size_t k, const BlockIntegral<R>& integral,
+void put_lanes(const CollocationPointBlock<R>& block, std::size_t k, const BlockIntegral<R>& integral,
                std::size_t functions, const std::vector<R>& factors, Matrix<R>& entries, RowSums<R>& rows) {
   for (std::size_t lane = 0; lane < block.count; ++lane) {
     const std::size_t i = block.first + lane;
@@ -69,7 +69,7 @@ std::optional<SurfaceScene> occluding_scene(const Surface& surface) {
 
 template <Real R>
 CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& triangulation,
-                              const TriangleBasis<R>& basis, std::span<const Observer<R>> nodes,
+                              const TriangleBasis<R>& basis, std::span<const CollocationPoint<R>> nodes,
                               std::span<const R> reflectivity, const Tolerance& tolerance) {
   const std::size_t elements = triangulation.triangles.size();
   const std::size_t functions = basis.size();
@@ -82,13 +82,13 @@ CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& trian
   std::vector<R> factors;
   for (const R& rho : reflectivity) factors.push_back(rho / pi<R>());
   const auto scheme = std::make_shared<const IntegrationScheme<R>>(surface, basis, tolerance);
-  const std::vector<ObserverBlock<R>> blocks = observer_blocks(nodes);
+  const std::vector<CollocationPointBlock<R>> blocks = observer_blocks(nodes);
   const std::optional<SurfaceScene> scene = occluding_scene<R>(surface);
   const auto integrate_chunk = [&](std::size_t begin, std::size_t end) {
     RowSums<R> rows{std::vector<R>(unknowns), std::vector<R>(unknowns)};
     BlockIntegral<R> integral;
     std::optional<NodeSights> sights;
-    const auto integrate = [&](const ParameterTriangle& triangle, const ObserverBlock<R>& block,
+    const auto integrate = [&](const ParameterTriangle& triangle, const CollocationPointBlock<R>& block,
                                ElementIntegrator<R>& element) {
       if constexpr (std::is_same_v<R, double>) {
         if (scene) {
@@ -103,7 +103,7 @@ CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& trian
     };
     for (std::size_t k = begin; k < end; ++k) {
       ElementIntegrator<R> element(scheme, triangulation.triangles[k]);
-      for (const ObserverBlock<R>& block : blocks) {
+      for (const CollocationPointBlock<R>& block : blocks) {
         integrate(triangulation.triangles[k], block, element);
         if (block.count == Block<R>::lanes)
           put_block(block.first, k, integral, functions, factors, matrix.entries, rows);
@@ -130,11 +130,11 @@ CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& trian
 
 template CollocationMatrix<double> assemble<double>(const Surface&, const Triangulation&,
                                                     const TriangleBasis<double>&,
-                                                    std::span<const Observer<double>>,
+                                                    std::span<const CollocationPoint<double>>,
                                                     std::span<const double>, const Tolerance&);
 template CollocationMatrix<Mpfr<50>> assemble<Mpfr<50>>(const Surface&, const Triangulation&,
                                                         const TriangleBasis<Mpfr<50>>&,
-                                                        std::span<const Observer<Mpfr<50>>>,
+                                                        std::span<const CollocationPoint<Mpfr<50>>>,
                                                         std::span<const Mpfr<50>>, const Tolerance&);
 
 }  // namespace radcert

@@ -6,7 +6,7 @@
 
 #include "radcert/core/matrix.h"
 #include "radcert/polynomial/triangle_basis.h"
-#include "radcert/quadrature/observer.h"
+#include "radcert/quadrature/collocation_point.h"
 #include "radcert/quadrature/tolerance.h"
 #include "radcert/triangulation/triangulation.h"
 
@@ -35,17 +35,17 @@ struct CollocationMatrix {
 ///           surfaces, else ContractViolation
 template <Real R>
 CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& triangulation,
-                              const TriangleBasis<R>& basis, std::span<const Observer<R>> nodes,
+                              const TriangleBasis<R>& basis, std::span<const CollocationPoint<R>> nodes,
                               std::span<const R> reflectivity, const Tolerance& tolerance = Tolerance());
 
 extern template CollocationMatrix<double> assemble<double>(const Surface&, const Triangulation&,
                                                            const TriangleBasis<double>&,
-                                                           std::span<const Observer<double>>,
+                                                           std::span<const CollocationPoint<double>>,
                                                            std::span<const double>, const Tolerance&);
 
 extern template CollocationMatrix<Mpfr<50>> assemble<Mpfr<50>>(const Surface&, const Triangulation&,
                                                                const TriangleBasis<Mpfr<50>>&,
-                                                               std::span<const Observer<Mpfr<50>>>,
+                                                               std::span<const CollocationPoint<Mpfr<50>>>,
                                                                std::span<const Mpfr<50>>, const Tolerance&);
 
 }  // namespace radcert

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "radcert/polynomial/triangle_basis.h"
-#include "radcert/quadrature/observer.h"
+#include "radcert/quadrature/collocation_point.h"
 #include "radcert/quadrature/samples.h"
 #include "radcert/triangulation/triangulation.h"
 
@@ -17,17 +17,17 @@ namespace radcert {
 /// Result    node k * basis.size() + j belongs to element k; an inset of 0 repeats a node in every element
 ///           that has it: the repeated unknowns have equal equations and so equal values
 template <Real R, template <Field> class Basis>
-std::vector<Observer<R>> collocation_nodes(const Surface& surface, const Triangulation& triangulation,
-                                           const Basis<R>& basis) {
-  std::vector<Observer<R>> nodes;
+std::vector<CollocationPoint<R>> collocation_nodes(const Surface& surface, const Triangulation& triangulation,
+                                                   const Basis<R>& basis) {
+  std::vector<CollocationPoint<R>> nodes;
   nodes.reserve(triangulation.triangles.size() * basis.size());
   const std::vector<Barycentric<R>> reference = basis.nodes();
   for (const ParameterTriangle& triangle : triangulation.triangles)
     for (const Barycentric<R>& q : reference) {
-      const Cell<R> element = whole_element<R>(triangle);
+      const ElementPart<R> element = whole_element<R>(triangle);
       ParameterPoint<R> at =
           q.x[0] * element.vertices[0] + q.x[1] * element.vertices[1] + q.x[2] * element.vertices[2];
-      nodes.push_back(observer<R>(surface, {triangle.chart, at}));
+      nodes.push_back(collocation_point<R>(surface, {triangle.chart, at}));
     }
   return nodes;
 }

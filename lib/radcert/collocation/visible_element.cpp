@@ -68,10 +68,10 @@ bool lies_inside(const Corners& element, const Corners& part) {
 }
 
 /// The triangle with these corners as a cell of the element.
-Cell<double> cell_of(const ParameterTriangle& element, const std::array<Point, 3>& corners) {
+ElementPart<double> cell_of(const ParameterTriangle& element, const std::array<Point, 3>& corners) {
   const auto& v = element.vertices;
   const double area = cross(v[1] - v[0], v[2] - v[0]);
-  Cell<double> cell{corners, {}};
+  ElementPart<double> cell{corners, {}};
   for (std::size_t k = 0; k < 3; ++k) {
     const double second = cross(corners[k] - v[0], v[2] - v[0]) / area;
     const double third = cross(v[1] - v[0], corners[k] - v[0]) / area;
@@ -93,7 +93,7 @@ public:
       : triangle_(triangle), chart_(chart), element_(element) {}
 
   /// Adds what of a part lies in the element.
-  void add(const Observer<double>& p, const Corners& part) {
+  void add(const CollocationPoint<double>& p, const Corners& part) {
     const auto& v = triangle_.vertices;
     const Corners corners(v.begin(), v.end());
     if (lies_inside(corners, part)) {
@@ -140,10 +140,10 @@ void set_lane(BlockIntegral<double>& integral, std::size_t lane, const ElementIn
 
 }  // namespace
 
-NodeSights::NodeSights(const SurfaceScene& scene, std::span<const Observer<double>> nodes)
+NodeSights::NodeSights(const SurfaceScene& scene, std::span<const CollocationPoint<double>> nodes)
     : scene_(scene), seen_(nodes.size()) {
   views_.reserve(nodes.size());
-  for (const Observer<double>& node : nodes)
+  for (const CollocationPoint<double>& node : nodes)
     views_.push_back(scene.view(node.at.chart, node.point, node.normal));
 }
 
@@ -153,15 +153,16 @@ void NodeSights::look_at(std::size_t chart) {
   for (std::size_t i = 0; i < views_.size(); ++i) seen_[i] = scene_.seen(views_[i], chart);
 }
 
-void integrate_visible(const ParameterTriangle& triangle, const ObserverBlock<double>& block,
-                       std::span<const Observer<double>> nodes, const NodeSights& sights, const Chart& chart,
-                       ElementIntegrator<double>& element, BlockIntegral<double>& integral) {
+void integrate_visible(const ParameterTriangle& triangle, const CollocationPointBlock<double>& block,
+                       std::span<const CollocationPoint<double>> nodes, const NodeSights& sights,
+                       const Chart& chart, ElementIntegrator<double>& element,
+                       BlockIntegral<double>& integral) {
   bool any_whole = false;
   for (std::size_t lane = 0; lane < block.count; ++lane)
     any_whole = any_whole || sights.of(block.first + lane).sight == Sight::whole;
   if (any_whole) element.integrate(block, nodes, integral);
   for (std::size_t lane = 0; lane < block.count; ++lane) {
-    const Observer<double>& p = nodes[block.first + lane];
+    const CollocationPoint<double>& p = nodes[block.first + lane];
     const ChartView& seen = sights.of(block.first + lane);
     if (seen.sight == Sight::whole) continue;
     PartSums sums(triangle, chart, element);

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "radcert/quadrature/collocation_point_block.h"
 #include "radcert/quadrature/element_integrator.h"
-#include "radcert/quadrature/observer_block.h"
 #include "radcert/triangulation/triangulation.h"
 #include "radcert/visibility/surface_scene.h"
 
@@ -21,7 +21,7 @@ namespace radcert {
 /// Limits    for one thread
 class NodeSights {
 public:
-  NodeSights(const SurfaceScene& scene, std::span<const Observer<double>> nodes);
+  NodeSights(const SurfaceScene& scene, std::span<const CollocationPoint<double>> nodes);
 
   /// Makes `chart` the one that is looked at.
   void look_at(std::size_t chart);
@@ -41,8 +41,9 @@ private:
 /// Result    a part that is seen is cut to the element in its parameters and integrated triangle by triangle,
 ///           as ElementIntegrator does; where all of the element is seen, or nothing, the integral is that
 ///           without V, or 0. radius counts the rounding of corners
-void integrate_visible(const ParameterTriangle& triangle, const ObserverBlock<double>& block,
-                       std::span<const Observer<double>> nodes, const NodeSights& sights, const Chart& chart,
-                       ElementIntegrator<double>& element, BlockIntegral<double>& integral);
+void integrate_visible(const ParameterTriangle& triangle, const CollocationPointBlock<double>& block,
+                       std::span<const CollocationPoint<double>> nodes, const NodeSights& sights,
+                       const Chart& chart, ElementIntegrator<double>& element,
+                       BlockIntegral<double>& integral);
 
 }  // namespace radcert

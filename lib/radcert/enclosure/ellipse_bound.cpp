@@ -20,7 +20,7 @@ struct Range {
 };
 
 /// A part of the half ellipse times the other side, each side of the cell scaled to [-1, 1].
-struct Box {
+struct EllipseBox {
   Range real;
   Range imag;
   Range other;
@@ -29,7 +29,7 @@ struct Box {
   int depth = 0;
   /// The largest bound first, and of the boxes without a bound the smallest: it tells soonest that the budget
   /// will not do.
-  bool operator<(const Box& another) const {
+  bool operator<(const EllipseBox& another) const {
     return bound != another.bound ? bound < another.bound : depth < another.depth;
   }
 };
@@ -51,7 +51,7 @@ struct Cover {
   double short_axis;
 
   /// Slightly more than the ellipse, so that rounding drops no box that touches it.
-  bool meets_the_ellipse(const Box& box) const {
+  bool meets_the_ellipse(const EllipseBox& box) const {
     constexpr double margin = 1e-9;
     const double x = box.real.least_size() / long_axis;
     const double y = box.imag.least_size() / short_axis;
@@ -60,7 +60,7 @@ struct Cover {
 
   /// The value in the disks around a box. They are made larger by more than the rounding of their middles and
   /// radii.
-  void evaluate(Box& box) const {
+  void evaluate(EllipseBox& box) const {
     constexpr double up = 1 + 0x1p-30;
     const double rounding_of_complex = 0x1p-50 * (std::abs(complex.middle) + complex.half * long_axis);
     const double rounding_of_other = 0x1p-50 * (std::abs(other.middle) + other.half);
@@ -79,19 +79,19 @@ struct Cover {
 };
 
 /// Halves the longest side.
-std::pair<Box, Box> halves(const Box& box) {
-  Box low = box;
+std::pair<EllipseBox, EllipseBox> halves(const EllipseBox& box) {
+  EllipseBox low = box;
   ++low.depth;
-  Box high = low;
-  const auto cut = [&](Range Box::*side) {
+  EllipseBox high = low;
+  const auto cut = [&](Range EllipseBox::*side) {
     const double middle = (box.*side).middle();
     (low.*side).high = middle;
     (high.*side).low = middle;
   };
   if (box.real.width() >= std::max(box.imag.width(), box.other.width())) {
-    cut(&Box::real);
+    cut(&EllipseBox::real);
   } else {
-    cut(box.imag.width() >= box.other.width() ? &Box::imag : &Box::other);
+    cut(box.imag.width() >= box.other.width() ? &EllipseBox::imag : &EllipseBox::other);
   }
   return {low, high};
 }
@@ -112,7 +112,7 @@ EllipseBound bound_on_ellipse(const SquareFunction& f, const SquareCell& cell, S
                     .long_axis = (rho + 1 / rho) / 2 * up,
                     .short_axis = (rho - 1 / rho) / 2 * up};
 
-  Box middle{.real = {0, 0}, .imag = {0, 0}, .other = {0, 0}};
+  EllipseBox middle{.real = {0, 0}, .imag = {0, 0}, .other = {0, 0}};
   cover.evaluate(middle);
   EllipseBound result{.bound = HUGE_VAL, .evaluations = 1, .failure = middle.failure};
   if (middle.failure != nullptr) return result;
@@ -120,17 +120,18 @@ EllipseBound bound_on_ellipse(const SquareFunction& f, const SquareCell& cell, S
   // Boxes of equal size at this depth would be four times as many as the budget.
   const int deepest = std::ilogb(static_cast<double>(budget)) + 2;
 
-  std::priority_queue<Box> boxes;
-  Box whole{.real = {-cover.long_axis, cover.long_axis}, .imag = {0, cover.short_axis}, .other = {-1, 1}};
+  std::priority_queue<EllipseBox> boxes;
+  EllipseBox whole{
+      .real = {-cover.long_axis, cover.long_axis}, .imag = {0, cover.short_axis}, .other = {-1, 1}};
   cover.evaluate(whole);
   ++result.evaluations;
   boxes.push(whole);
   while (boxes.top().bound > close_enough * middle.bound && result.evaluations + 2 <= budget) {
-    const Box worst = boxes.top();
+    const EllipseBox worst = boxes.top();
     if (worst.failure != nullptr && worst.depth >= deepest) break;
     boxes.pop();
     const auto [first, second] = halves(worst);
-    for (Box part : {first, second}) {
+    for (EllipseBox part : {first, second}) {
       if (!cover.meets_the_ellipse(part)) continue;
       cover.evaluate(part);
       ++result.evaluations;

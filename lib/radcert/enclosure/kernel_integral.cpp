@@ -141,7 +141,7 @@ bool touches_s_zero(const ParameterPolygon& polygon) {
 /// The functions on squares that an integral is the sum of, or why it has none.
 class Parts {
 public:
-  Parts(const ExactObserver& observer, const Surface& surface, const Density& q)
+  Parts(const ExactObserver& observer, const Surface& surface, const DensityFormula& q)
       : observer_(observer),
         surface_(surface),
         q_(q),
@@ -200,7 +200,7 @@ private:
 
   const ExactObserver& observer_;
   const Surface& surface_;
-  const Density& q_;
+  const DensityFormula& q_;
   Vector<Ball> position_;
   Vector<Ball> normal_;
   std::vector<SquareFunction> functions_;
@@ -209,7 +209,7 @@ private:
 
 }  // namespace
 
-Density unit_density() {
+DensityFormula unit_density() {
   return {.in_balls = [](const DensityPoint<Ball>&) { return Ball(1); },
           .in_models = [](const DensityPoint<TaylorModel>&) { return TaylorModel(1); },
           .in_doubles = [](const DensityPoint<BoundedDouble>&) { return BoundedDouble(1); }};
@@ -221,13 +221,13 @@ ParameterPolygon domain_polygon(const Chart& chart) {
 }
 
 Enclosure kernel_integral(const ExactObserver& observer, const Surface& surface, std::size_t chart,
-                          const ParameterPolygon& polygon, const Density& q, const Demand& demand) {
+                          const ParameterPolygon& polygon, const DensityFormula& q, const Demand& demand) {
   Parts parts(observer, surface, q);
   parts.add(chart, polygon);
   return parts.integral(demand);
 }
 
-Enclosure kernel_integral(const ExactObserver& observer, const Surface& surface, const Density& q,
+Enclosure kernel_integral(const ExactObserver& observer, const Surface& surface, const DensityFormula& q,
                           const Demand& demand) {
   Parts parts(observer, surface, q);
   for (std::size_t chart = 0; chart < surface.chart_count(); ++chart) {

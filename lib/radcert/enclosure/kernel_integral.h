@@ -27,20 +27,20 @@ struct DensityPoint {
 ///           which
 /// Result    made from a formula by density(f): a class with  template <class R> R operator()(const
 ///           DensityPoint<R>& q) const; or a generic lambda
-struct Density {
+struct DensityFormula {
   std::function<Ball(const DensityPoint<Ball>&)> in_balls;
   std::function<TaylorModel(const DensityPoint<TaylorModel>&)> in_models;
   std::function<BoundedDouble(const DensityPoint<BoundedDouble>&)> in_doubles;
 };
 template <class Formula>
-Density density(Formula formula) {
+DensityFormula density(Formula formula) {
   return {
       .in_balls = [formula](const DensityPoint<Ball>& q) -> Ball { return formula(q); },
       .in_models = [formula](const DensityPoint<TaylorModel>& q) -> TaylorModel { return formula(q); },
       .in_doubles = [formula](const DensityPoint<BoundedDouble>& q) -> BoundedDouble { return formula(q); }};
 }
 /// q = 1.
-[[nodiscard]] Density unit_density();
+[[nodiscard]] DensityFormula unit_density();
 
 /// The radiosity operator's integral over a part of one chart, enclosed.
 /// Maths     Int G(P, F(s,t)) q(s,t) |D_s F x D_t F| ds dt over a convex polygon of the chart's domain
@@ -57,8 +57,8 @@ Density density(Formula formula) {
 ///           the line s = 0 (its facts say so) the work grows with the number of digits times the logarithm
 ///           of the demand, and P with s = 0 is refused as undecided
 [[nodiscard]] Enclosure kernel_integral(const ExactObserver& observer, const Surface& surface,
-                                        std::size_t chart, const ParameterPolygon& polygon, const Density& q,
-                                        const Demand& demand);
+                                        std::size_t chart, const ParameterPolygon& polygon,
+                                        const DensityFormula& q, const Demand& demand);
 
 /// The same over the whole surface.
 /// Maths     Int_S G(P,Q) q(Q) dS_Q, the sum over the charts
@@ -67,7 +67,7 @@ Density density(Formula formula) {
 /// Result    see kernel_integral; the demand is for the sum
 /// Limits    see kernel_integral
 [[nodiscard]] Enclosure kernel_integral(const ExactObserver& observer, const Surface& surface,
-                                        const Density& q, const Demand& demand);
+                                        const DensityFormula& q, const Demand& demand);
 
 /// The domain of a chart as a polygon.
 [[nodiscard]] ParameterPolygon domain_polygon(const Chart& chart);

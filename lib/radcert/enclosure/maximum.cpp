@@ -18,7 +18,7 @@ struct Range {
   double middle() const { return low + (high - low) / 2; }
 };
 
-struct Box {
+struct OpenBox {
   std::vector<Range> sides;
   Ball upper;  ///< no value in the box exceeds it; a failure where nothing is known
 };
@@ -48,7 +48,7 @@ public:
         return Enclosed{.value = reached, .evaluations = evaluations_};
       }
       if (evaluations_ + 2 * evaluations_per_box > demand_.work_limit) return out_of_work(reached);
-      const Box box = boxes_.top();
+      const OpenBox box = boxes_.top();
       boxes_.pop();
       if (!halve(box)) return undecided("a box too small to be bisected", reached);
     }
@@ -59,7 +59,7 @@ private:
   static constexpr long evaluations_per_box = 3;
 
   /// Boxes of which nothing is known come first.
-  static bool is_below(const Box& a, const Box& b) {
+  static bool is_below(const OpenBox& a, const OpenBox& b) {
     if (!b.upper.is_finite()) return a.upper.is_finite();
     return a.upper.is_finite() && certainly_less(a.upper, b.upper);
   }
@@ -77,7 +77,7 @@ private:
     return because(Undecided{.why = std::move(why), .reached = reached, .evaluations = evaluations_});
   }
 
-  bool halve(const Box& box) {
+  bool halve(const OpenBox& box) {
     std::size_t longest = 0;
     for (std::size_t k = 1; k < box.sides.size(); ++k) {
       if (box.sides[k].high - box.sides[k].low > box.sides[longest].high - box.sides[longest].low)
@@ -86,8 +86,8 @@ private:
     const Range side = box.sides[longest];
     const double middle = side.middle();
     if (!(side.low < middle && middle < side.high)) return false;
-    Box low = box;
-    Box high = box;
+    OpenBox low = box;
+    OpenBox high = box;
     low.sides[longest].high = middle;
     high.sides[longest].low = middle;
     add(std::move(low));
@@ -96,7 +96,7 @@ private:
   }
 
   /// Bounds the box and keeps it where a maximum may be.
-  void add(Box box) {
+  void add(OpenBox box) {
     const std::vector<Ball> gradient = f_.gradient(balls(box.sides));
     evaluations_ += evaluations_per_box;
     for (std::size_t k = 0; k < box.sides.size(); ++k) {
@@ -123,7 +123,7 @@ private:
     if (!range.is_finite()) {
       range = mean_value_form;
     } else if (mean_value_form.is_finite()) {
-      range = common_part(range, mean_value_form);
+      range = intersection(range, mean_value_form);
     }
     box.upper = range.upper();
     if (best_.is_finite() && certainly_less(box.upper, best_.lower())) return;
@@ -132,7 +132,7 @@ private:
 
   const CubeFunction& f_;
   const Demand& demand_;
-  std::priority_queue<Box, std::vector<Box>, bool (*)(const Box&, const Box&)> boxes_;
+  std::priority_queue<OpenBox, std::vector<OpenBox>, bool (*)(const OpenBox&, const OpenBox&)> boxes_;
   Ball best_ = Ball::failed("no value of the function is known");
   long evaluations_ = 0;
 };

@@ -123,7 +123,7 @@ Ball certified_exchange_area(const FacetScene& scene, std::size_t first, std::si
     }
     value -= group.size() == 1 ? all : hull(all, largest);
   }
-  return common_part(value, anything);
+  return intersection(value, anything);
 }
 
 }  // namespace radcert

@@ -151,7 +151,7 @@ struct PolygonPoints {
 PolygonPoints points_on(const FacetCorners& polygon, int order) {
   static const std::vector<TriangleRule<double>> rules = [] {
     std::vector<TriangleRule<double>> all;
-    for (int k = 1; k <= 12; ++k) all.push_back(conical_rule<double>(k, Gathering::nowhere));
+    for (int k = 1; k <= 12; ++k) all.push_back(conical_rule<double>(k, Grading::none));
     return all;
   }();
   const TriangleRule<double>& rule = rules[static_cast<std::size_t>(order - 1)];

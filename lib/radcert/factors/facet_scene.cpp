@@ -234,11 +234,11 @@ FacetCorners in_front(const FacetCorners& polygon, const std::array<Point, 3>& p
   return out;
 }
 
-Box hull_box(const std::array<Point, 3>& a, const std::array<Point, 3>& b) {
+BoundingBox hull_box(const std::array<Point, 3>& a, const std::array<Point, 3>& b) {
   return box_about(std::array<Point, 6>{a[0], a[1], a[2], b[0], b[1], b[2]});
 }
 
-bool apart(const Box& a, const Box& b) {
+bool apart(const BoundingBox& a, const BoundingBox& b) {
   return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y ||
          a.high.z < b.low.z || b.high.z < a.low.z;
 }
@@ -247,7 +247,7 @@ bool apart(const Box& a, const Box& b) {
 
 std::optional<std::string> beyond_doubles(const TriangleMesh& mesh) {
   const auto first = mesh.corners(0);
-  Box box = box_about(first);
+  BoundingBox box = box_about(first);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (const Point& p : mesh.corners(t)) box = box_about(std::array<Point, 3>{box.low, box.high, p});
   const Point size = box.high - box.low;
@@ -290,7 +290,7 @@ FacetScene::FacetScene(TriangleMesh mesh) : scene_(std::move(mesh)) {
   TriangleMesh boxes;
   for (const ConvexOccluder& occluder : occluders_) {
     // Three points whose box is the occluder's.
-    Box box{occluder.corners[0], occluder.corners[0]};
+    BoundingBox box{occluder.corners[0], occluder.corners[0]};
     for (const Point& p : occluder.corners) box = box_about(std::array<Point, 3>{box.low, box.high, p});
     const std::size_t first = boxes.vertices.size();
     boxes.vertices.insert(boxes.vertices.end(), {box.low, box.high, occluder.corners[0]});
@@ -421,14 +421,14 @@ void FacetScene::find_contained() {
   for (const auto& [solid, of_body] : faces) {
     // The faces that are no occluders have the whole scene behind them.
     const std::size_t component = topology_.component[occluder_triangle_[of_body.front()]];
-    std::optional<Box> box;
+    std::optional<BoundingBox> box;
     for (std::size_t t = 0; t < facet_count(); ++t)
       if (topology_.component[t] == component)
         for (const Point& p : scene_.corners(t))
-          box = box ? box_about(std::array<Point, 3>{box->low, box->high, p}) : Box{p, p};
+          box = box ? box_about(std::array<Point, 3>{box->low, box->high, p}) : BoundingBox{p, p};
     for (std::size_t t = 0; t < facet_count(); ++t) {
       const std::array<Point, 3> corners = scene_.corners(t);
-      const Box mine = box_about(corners);
+      const BoundingBox mine = box_about(corners);
       const bool in_box = mine.low.x >= box->low.x && mine.high.x <= box->high.x &&
                           mine.low.y >= box->low.y && mine.high.y <= box->high.y &&
                           mine.low.z >= box->low.z && mine.high.z <= box->high.z;
@@ -547,9 +547,9 @@ FacetPair FacetScene::pair(std::size_t first, std::size_t second) const {
     return out;
   }
   if (tree_) {
-    const Box box = hull_box(a, b);
+    const BoundingBox box = hull_box(a, b);
     tree_->visit(
-        [&](const Box& other) { return !apart(box, other); },
+        [&](const BoundingBox& other) { return !apart(box, other); },
         [&](std::size_t k) {
           if (!lies_within(first, occluders_[k].solid) && may_stand_between(occluders_[k], first, second))
             out.occluders.push_back(k);

@@ -16,11 +16,11 @@ double coordinate(const Vector<double>& v, std::size_t axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-Box hull_of(const Box& a, const Box& b) {
+BoundingBox hull_of(const BoundingBox& a, const BoundingBox& b) {
   return box_about(std::array<Vector<double>, 4>{a.low, a.high, b.low, b.high});
 }
 
-std::size_t widest_axis(const Box& box) {
+std::size_t widest_axis(const BoundingBox& box) {
   const Vector<double> width = box.high - box.low;
   if (width.x >= width.y && width.x >= width.z) return 0;
   return width.y >= width.z ? 1 : 2;
@@ -32,13 +32,13 @@ BoxTree::BoxTree(const TriangleMesh& mesh) : triangles_(mesh.triangles.size()) {
   std::iota(triangles_.begin(), triangles_.end(), std::size_t{0});
   for (const std::size_t k : triangles_) boxes_.push_back(box_about(mesh.corners(k)));
   if (!triangles_.empty()) build(0, triangles_.size());
-  std::vector<Box> in_order;
+  std::vector<BoundingBox> in_order;
   in_order.reserve(boxes_.size());
   for (const std::size_t k : triangles_) in_order.push_back(boxes_[k]);
   boxes_ = std::move(in_order);
 }
 
-const Box& BoxTree::box() const {
+const BoundingBox& BoxTree::box() const {
   expects(!nodes_.empty(), "a mesh with triangles");
   return nodes_.front().box;
 }
@@ -47,7 +47,7 @@ const Box& BoxTree::box() const {
 void BoxTree::build(std::size_t begin, std::size_t end) {
   const std::size_t at = nodes_.size();
   nodes_.emplace_back();
-  Box box = boxes_[triangles_[begin]];
+  BoundingBox box = boxes_[triangles_[begin]];
   for (std::size_t i = begin; i < end; ++i) box = hull_of(box, boxes_[triangles_[i]]);
   nodes_[at].box = box;
   if (end - begin <= leaf_size) {

@@ -12,15 +12,15 @@
 namespace radcert {
 
 /// A box along the axes, closed.
-struct Box {
+struct BoundingBox {
   Vector<double> low;
   Vector<double> high;
 };
 
 /// The smallest box about points; exact.
 template <std::size_t count>
-[[nodiscard]] Box box_about(const std::array<Vector<double>, count>& points) {
-  Box box{points[0], points[0]};
+[[nodiscard]] BoundingBox box_about(const std::array<Vector<double>, count>& points) {
+  BoundingBox box{points[0], points[0]};
   for (const Vector<double>& p : points) {
     box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y), std::min(box.low.z, p.z)};
     box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y), std::max(box.high.z, p.z)};
@@ -58,13 +58,13 @@ public:
   }
 
   /// About all triangles; ContractViolation where there are none.
-  [[nodiscard]] const Box& box() const;
+  [[nodiscard]] const BoundingBox& box() const;
 
 private:
   /// In the order of a walk, the first child behind its parent; `next` skips what is below. Leaves alone have
   /// triangles.
   struct Node {
-    Box box;
+    BoundingBox box;
     std::size_t next = 0;
     std::size_t begin = 0;
     std::size_t end = 0;
@@ -72,7 +72,7 @@ private:
   void build(std::size_t begin, std::size_t end);
 
   std::vector<Node> nodes_;
-  std::vector<Box> boxes_;              ///< of triangles_[i]
+  std::vector<BoundingBox> boxes_;      ///< of triangles_[i]
   std::vector<std::size_t> triangles_;  ///< in the order of the leaves
 };
 

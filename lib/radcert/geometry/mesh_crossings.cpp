@@ -14,7 +14,7 @@ namespace radcert {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
+using BoundingBox = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
 
 /// Enough is found: box_self_intersection_d has no other way to end.
 struct Enough {};
@@ -69,18 +69,18 @@ std::vector<std::pair<std::size_t, std::size_t>> crossing_triangles(const Triang
   std::vector<std::pair<std::size_t, std::size_t>> found;
   if (most == 0) return found;
   const Crossing crossing(mesh);
-  std::vector<Box> boxes;
+  std::vector<BoundingBox> boxes;
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
     const Kernel::Triangle_3 triangle = crossing.triangle(mesh.triangles[k]);
     if (!triangle.is_degenerate()) boxes.emplace_back(triangle.bbox(), k);
   }
-  std::vector<const Box*> pointers;
-  for (const Box& box : boxes) pointers.push_back(&box);
+  std::vector<const BoundingBox*> pointers;
+  for (const BoundingBox& box : boxes) pointers.push_back(&box);
   constexpr std::ptrdiff_t smallest_split = 2000;  // below it all pairs are tried
   try {
     CGAL::box_self_intersection_d(
         pointers.begin(), pointers.end(),
-        [&](const Box* a, const Box* b) {
+        [&](const BoundingBox* a, const BoundingBox* b) {
           if (!crossing(a->info(), b->info())) return;
           found.emplace_back(std::min(a->info(), b->info()), std::max(a->info(), b->info()));
           if (found.size() == most) throw Enough{};

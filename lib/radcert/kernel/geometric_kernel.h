@@ -8,12 +8,13 @@
 namespace radcert {
 
 /// The geometric kernel of the radiosity equation between two points P and Q, and what it is made of.
-/// Maths     from_p = (Q-P).n_P,  from_q = (P-Q).n_Q,  inverse = 1/|P-Q|^2,  value = G(P,Q) = from_p from_q / |P-Q|^4
+/// Maths     from_p = (Q-P).n_P,  from_q = (P-Q).n_Q,  inverse = 1/|P-Q|^2,  value = G(P,Q) = from_p from_q /
+///           |P-Q|^4
 /// Source    [ac98, (2)], [m06, (2)]
 /// Requires  P != Q; n_P and n_Q inner normals, of unit length for G itself
-/// Result    rounded as R rounds, scalar products with two of their three sums fused where R has a fused operation. The
-///           value is (from_p inverse) (from_q inverse), not by the fourth power of the distance, which underflows in
-///           double from |P-Q| = 1e-77 on
+/// Result    rounded as R rounds, scalar products with two of their three sums fused where R has a fused
+///           operation. The value is (from_p inverse) (from_q inverse), not by the fourth power of the
+///           distance, which underflows in double from |P-Q| = 1e-77 on
 template <Field R>
 struct KernelTerms {
   R from_p;
@@ -30,10 +31,10 @@ template <Field R>
   return {from_p, from_q, inverse, (from_p * inverse) * (from_q * inverse)};
 }
 
-/// The kernel from difference = Q - P and the two normals: every quadrature of radcert that runs over points takes this
-/// one, with R double, Pack, Mpfr or Ball. The layer `reference` has its own on purpose: it is what they are held
-/// against. Rules over a plane polygon (closed_form/kernel_pieces) sum (Q-P).n_P / |P-Q|^4, whose other scalar product is
-/// a constant that stands before the sum.
+/// The kernel from difference = Q - P and the two normals: every quadrature of radcert that runs over points
+/// takes this one, with R double, Pack, Mpfr or Ball. The layer `reference` has its own on purpose: it is
+/// what they are held against. Rules over a plane polygon (closed_form/kernel_pieces) sum (Q-P).n_P /
+/// |P-Q|^4, whose other scalar product is a constant that stands before the sum.
 template <Field R>
 [[nodiscard]] inline KernelTerms<R> kernel_terms(const Vector<R>& difference, const Vector<R>& normal_p,
                                                  const Vector<R>& normal_q) {
@@ -48,9 +49,9 @@ template <Field R>
 /// Maths     G(P,Q) = [(Q-P).n_P] [(P-Q).n_Q] / |P-Q|^4
 /// Source    [ac98, (2)], [m06, (2)]
 /// Requires  P != Q; n_P and n_Q inner normals, of unit length for G itself
-/// Result    linear in either normal: with n_Q of the length of the area element the value is G J; rounded as R rounds,
-///           with an absolute error of about u |P| (|cos theta_P| + |cos theta_Q|) / |P-Q|^3 beside the relative one
-///           where P and Q are rounded points (u the unit roundoff)
+/// Result    linear in either normal: with n_Q of the length of the area element the value is G J; rounded as
+///           R rounds, with an absolute error of about u |P| (|cos theta_P| + |cos theta_Q|) / |P-Q|^3 beside
+///           the relative one where P and Q are rounded points (u the unit roundoff)
 /// Limits    near the diagonal of one smooth chart use `chord_kernel`, which loses no digits
 template <Field R>
 R geometric_kernel(const Vector<R>& p, const Vector<R>& normal_p, const Vector<R>& q,

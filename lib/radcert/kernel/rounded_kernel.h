@@ -16,8 +16,9 @@ namespace radcert {
 inline constexpr int coordinate_roundings = 8;
 
 /// G between two points with rounded coordinates.
-/// Maths     e lean bounds, e = 8 u, what a change of all coordinates by e X does to the product of the two scalar
-///           products over |P-Q|^4, X the largest coordinate; for chords a change of the bends' components by e of themselves
+/// Maths     e lean bounds, e = 8 u, what a change of all coordinates by e X does to the product of the two
+///           scalar products over |P-Q|^4, X the largest coordinate; for chords a change of the bends'
+///           components by e of themselves
 template <Field R>
 struct RoundedKernel {
   R value;
@@ -36,8 +37,8 @@ template <Field R>
   return {g.value, extent * (((abs(g.from_p) + blur) * weight + abs(g.from_q)) * (g.inverse * g.inverse))};
 }
 
-/// Maths     lean = (|bend_p|.|n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q|.|n_Q| + e |bend_p|.|n_P| |bend_q|.|n_Q|) /
-///           |P-Q|^4, |v| by components
+/// Maths     lean = (|bend_p|.|n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q|.|n_Q| + e |bend_p|.|n_P|
+///           |bend_q|.|n_Q|) / |P-Q|^4, |v| by components
 /// Requires  P != Q
 /// Result    lean >= 2 |value|; much larger where a bend is nearly tangential
 template <Field R>

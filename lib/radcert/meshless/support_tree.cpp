@@ -21,7 +21,7 @@ std::size_t widest_axis(const Vector<double>& width) {
 
 /// About the ball, so much wider that no rounding of a distance, or of a normal's length, puts what is in the
 /// ball outside.
-Box box_about_ball(const Vector<double>& centre, double radius) {
+BoundingBox box_about_ball(const Vector<double>& centre, double radius) {
   const double size = std::max({std::abs(centre.x), std::abs(centre.y), std::abs(centre.z)});
   const double width = radius * (1 + 0x1p-40) + size * 0x1p-50;
   const Vector<double> half{width, width, width};
@@ -42,11 +42,11 @@ void SupportTree::build(std::span<const Vector<double>> centres, std::span<const
                         std::size_t begin, std::size_t end) {
   const std::size_t at = nodes_.size();
   nodes_.emplace_back();
-  Box box = box_about_ball(centres[order_[begin]], radii[order_[begin]]);
-  Box of_centres{centres[order_[begin]], centres[order_[begin]]};
+  BoundingBox box = box_about_ball(centres[order_[begin]], radii[order_[begin]]);
+  BoundingBox of_centres{centres[order_[begin]], centres[order_[begin]]};
   for (std::size_t i = begin; i < end; ++i) {
     const Vector<double>& centre = centres[order_[i]];
-    const Box here = box_about_ball(centre, radii[order_[i]]);
+    const BoundingBox here = box_about_ball(centre, radii[order_[i]]);
     box = box_about(std::array{box.low, box.high, here.low, here.high});
     of_centres = box_about(std::array{of_centres.low, of_centres.high, centre});
   }

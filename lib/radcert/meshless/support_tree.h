@@ -44,7 +44,7 @@ public:
 private:
   /// In the order of a walk, the first child behind its parent; `next` skips what is below.
   struct Node {
-    Box box;
+    BoundingBox box;
     std::size_t next = 0;
     std::size_t begin = 0;
     bool is_leaf = false;

@@ -137,7 +137,7 @@ BasisIntegrals integrate_basis(const RadialBasis& basis, const Surface& surface,
   expects(demand.relative_error > 0 && demand.most_points > 0, "a positive demand",
           named("relative_error", demand.relative_error), named("most_points", demand.most_points));
   // Four points a cell, exact to degree 3.
-  const TriangleRule<double> rule = conical_rule<double>(2, Gathering::nowhere);
+  const TriangleRule<double> rule = conical_rule<double>(2, Grading::none);
   const std::size_t points_a_cell = rule.points.size();
   std::optional<std::vector<SurfaceCell>> cells =
       cells_below(surface, std::numeric_limits<double>::infinity(), demand.most_points);

@@ -52,7 +52,8 @@ bool cut(double eye, double step, double low, double high, double& from, double&
   return from <= to;
 }
 
-bool may_meet(const Box& box, const Vector<double>& eye, const Vector<double>& step, double farthest) {
+bool may_meet(const BoundingBox& box, const Vector<double>& eye, const Vector<double>& step,
+              double farthest) {
   double from = 0;
   double to = farthest;
   return cut(eye.x, step.x, box.low.x, box.high.x, from, to) &&
@@ -168,7 +169,7 @@ std::optional<RayHit> RayCaster::first(const Vector<double>& eye, const Vector<d
   };
   if (parts_->tree)
     (void)parts_->tree->visit(
-        [&](const Box& box) { return may_meet(box, eye, step, best.distance); },
+        [&](const BoundingBox& box) { return may_meet(box, eye, step, best.distance); },
         [&](std::size_t k) {
           const LitTriangle& triangle = parts_->triangles[k];
           if (!meets(triangle, eye, through)) return true;

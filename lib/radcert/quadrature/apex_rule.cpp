@@ -44,11 +44,11 @@ struct Nodes {
   std::vector<R> weights;
 };
 
-/// Gauss-Legendre on [0,1]; gathered: x = B(y), B' = 51480 y^7 (1-y)^7, so that powers of the distance from
+/// Gauss-Legendre on [0,1]; graded: x = B(y), B' = 51480 y^7 (1-y)^7, so that powers of the distance from
 /// either end become eight times as smooth. 51480 = 1/Beta(8,8).
 template <Real R>
-Nodes<R> make_nodes(int points, bool gathered) {
-  const IntervalRule<R> gauss = gauss_rule<R>(gathered ? 2 * points : points, IntervalWeight::one);
+Nodes<R> make_nodes(int points, bool graded) {
+  const IntervalRule<R> gauss = gauss_rule<R>(graded ? 2 * points : points, IntervalWeight::one);
   // B(y) = y^8 sum_k C(7+k, 7) (1-y)^k, k = 0..7: the distribution function of Beta(8,8).
   const auto from_end = [](const R& y) {
     R sum = R(0);
@@ -62,10 +62,10 @@ Nodes<R> make_nodes(int points, bool gathered) {
   Nodes<R> nodes;
   for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
     const R& y = gauss.nodes[i];
-    nodes.from_zero.push_back(gathered ? from_end(y) : y);
-    nodes.from_one.push_back(gathered ? from_end(R(1) - y) : R(1) - y);
-    nodes.weights.push_back(gathered ? gauss.weights[i] * R(51480) * power(y * (R(1) - y), 7)
-                                     : gauss.weights[i]);
+    nodes.from_zero.push_back(graded ? from_end(y) : y);
+    nodes.from_one.push_back(graded ? from_end(R(1) - y) : R(1) - y);
+    nodes.weights.push_back(graded ? gauss.weights[i] * R(51480) * power(y * (R(1) - y), 7)
+                                   : gauss.weights[i]);
   }
   nodes.count = nodes.weights.size();
   for (std::size_t i = nodes.count; i < padded<R>(nodes.count); ++i) {
@@ -77,23 +77,23 @@ Nodes<R> make_nodes(int points, bool gathered) {
 }
 
 template <Real R>
-const Nodes<R>& nodes(int points, bool gathered) {
+const Nodes<R>& nodes(int points, bool graded) {
   constexpr std::size_t sizes = last_order<R> + check_step_slow + 1;
-  constexpr int most_gathered = std::is_same_v<R, double> ? 32 : 80;
+  constexpr int most_graded = std::is_same_v<R, double> ? 32 : 80;
   static LazyTable<Nodes<R>, 2 * sizes> tables;
-  const int n = gathered ? std::min(points, most_gathered) : points;
-  return tables.at((gathered ? sizes : 0) + static_cast<std::size_t>(n),
-                   [&] { return make_nodes<R>(n, gathered); });
+  const int n = graded ? std::min(points, most_graded) : points;
+  return tables.at((graded ? sizes : 0) + static_cast<std::size_t>(n),
+                   [&] { return make_nodes<R>(n, graded); });
 }
 
-/// Where the rays from the observer through the side (a, b) enter or leave the element.
+/// Where the rays from the collocation point through the side (a, b) enter or leave the element.
 enum class Extent {
   to_side,      ///< from p itself to the side: p lies in the element
   up_to_side,   ///< from another side to this one, the far one
   beyond_side,  ///< from this side, the near one, to another
 };
 
-/// What the rays from the observer through a side (a, b) meet of the element.
+/// What the rays from the collocation point through a side (a, b) meet of the element.
 /// Maths     p + l ((1-m) (a-p) + m (b-p)), 0 <= m <= 1, l between 1 and cut(m), the place of the other
 ///           side's line on the ray: cut(m) = offset / ((1-m) slope_a + m slope_b); 0 where p lies in the
 ///           element
@@ -125,7 +125,7 @@ struct Rectangle {
 template <Real R>
 class ApexIntegrator {
 public:
-  ApexIntegrator(const Observer<R>& p, const Chart& chart, const TriangleBasis<R>& basis,
+  ApexIntegrator(const CollocationPoint<R>& p, const Chart& chart, const TriangleBasis<R>& basis,
                  const Tolerance& tolerance)
       : p_(p),
         formula_(chart.in<B>()),
@@ -350,7 +350,7 @@ private:
     return by_lane.sums(l_nodes.count + m_nodes.count);
   }
 
-  const Observer<R>& p_;
+  const CollocationPoint<R>& p_;
   const ChartIn<B>& formula_;
   const ChartIn<R>& scalar_formula_;
   const TriangleBasis<R>& basis_;
@@ -368,12 +368,12 @@ private:
 
 /// The lines of sight from p through the sides of the element.
 template <Real R>
-std::vector<ApexTriangle<R>> seen_from(const ParameterPoint<R>& p, const Cell<R>& element) {
+std::vector<ApexTriangle<R>> seen_from(const ParameterPoint<R>& p, const ElementPart<R>& element) {
   using std::abs;
   const auto& v = element.vertices;
   const R whole = cross(v[1] - v[0], v[2] - v[0]);
-  // A triangle that thin is the rounding of an observer on the side's line: what it holds is below 16 u of
-  // the element's integral, and `rounding` allows for 60 u.
+  // A triangle that thin is the rounding of a collocation point on the side's line: what it holds is below 16
+  // u of the element's integral, and `rounding` allows for 60 u.
   const R negligible = R(16) * unit_roundoff<R>() * whole;
   Barycentric<R> at_p;
   std::array<R, 3> part;  // of side i: positive on its inner side
@@ -416,8 +416,9 @@ std::vector<ApexTriangle<R>> seen_from(const ParameterPoint<R>& p, const Cell<R>
 }  // namespace
 
 template <Real R>
-CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,
-                                const TriangleBasis<R>& basis, const Tolerance& tolerance) {
+CheckedSums<R> integrate_around(const CollocationPoint<R>& p, const Chart& chart,
+                                const ElementPart<R>& element, const TriangleBasis<R>& basis,
+                                const Tolerance& tolerance) {
   ApexIntegrator<R> integrator(p, chart, basis, tolerance);
   CheckedSums<R> result(basis.size());
   for (const ApexTriangle<R>& triangle : seen_from(p.at.at, element))
@@ -425,11 +426,11 @@ CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const 
   return result;
 }
 
-template CheckedSums<double> integrate_around<double>(const Observer<double>&, const Chart&,
-                                                      const Cell<double>&, const TriangleBasis<double>&,
-                                                      const Tolerance&);
-template CheckedSums<Mpfr<50>> integrate_around<Mpfr<50>>(const Observer<Mpfr<50>>&, const Chart&,
-                                                          const Cell<Mpfr<50>>&,
+template CheckedSums<double> integrate_around<double>(const CollocationPoint<double>&, const Chart&,
+                                                      const ElementPart<double>&,
+                                                      const TriangleBasis<double>&, const Tolerance&);
+template CheckedSums<Mpfr<50>> integrate_around<Mpfr<50>>(const CollocationPoint<Mpfr<50>>&, const Chart&,
+                                                          const ElementPart<Mpfr<50>>&,
                                                           const TriangleBasis<Mpfr<50>>&, const Tolerance&);
 
 }  // namespace radcert

@@ -49,8 +49,8 @@ void share_largest_difference(CheckedSums<R>& checked, const R& intended) {
         std::min(largest, checked.sums.size[j] * largest_relative) + checked.sums.size[j] * intended;
 }
 
-/// The integral of G l_j over an element that contains the observer or lies near, on the observer's own
-/// curved chart.
+/// The integral of G l_j over an element that contains the collocation point or lies near, on the collocation
+/// point's own curved chart.
 /// Maths     the element is split at p into triangles (p, a, b); with w = l ((1-m) (a-p) + m (b-p)) and dt ds
 ///           = |..| l dl dm the integrand G(F(p), F(p+w)) l_j J is analytic in (l, m): bounded, but not
 ///           smooth, at p itself, it is smooth along rays. Gauss-Legendre in both; the m-interval is bisected
@@ -62,17 +62,18 @@ void share_largest_difference(CheckedSums<R>& checked, const R& intended) {
 ///           far sides; the chart is not flat (there G = 0)
 /// Result    the integral; `difference` compares two orders. Not complete where two orders still differ after
 ///           40 halvings, or in the first 300 rectangles
-/// Limits    on a chart that is not analytic on a line both variables are gathered towards their ends
+/// Limits    on a chart that is not analytic on a line both variables are graded towards their ends
 template <Real R>
-CheckedSums<R> integrate_around(const Observer<R>& p, const Chart& chart, const Cell<R>& element,
-                                const TriangleBasis<R>& basis, const Tolerance& tolerance);
+CheckedSums<R> integrate_around(const CollocationPoint<R>& p, const Chart& chart,
+                                const ElementPart<R>& element, const TriangleBasis<R>& basis,
+                                const Tolerance& tolerance);
 
-extern template CheckedSums<double> integrate_around<double>(const Observer<double>&, const Chart&,
-                                                             const Cell<double>&,
+extern template CheckedSums<double> integrate_around<double>(const CollocationPoint<double>&, const Chart&,
+                                                             const ElementPart<double>&,
                                                              const TriangleBasis<double>&, const Tolerance&);
 
-extern template CheckedSums<Mpfr<50>> integrate_around<Mpfr<50>>(const Observer<Mpfr<50>>&, const Chart&,
-                                                                 const Cell<Mpfr<50>>&,
+extern template CheckedSums<Mpfr<50>> integrate_around<Mpfr<50>>(const CollocationPoint<Mpfr<50>>&,
+                                                                 const Chart&, const ElementPart<Mpfr<50>>&,
                                                                  const TriangleBasis<Mpfr<50>>&,
                                                                  const Tolerance&);
 

@@ -13,7 +13,7 @@ const WorkLimit most_steps(
 }  // namespace
 
 template <Real R>
-bool contains(const Cell<R>& cell, const ParameterPoint<R>& at) {
+bool contains(const ElementPart<R>& cell, const ParameterPoint<R>& at) {
   const auto& v = cell.vertices;
   const R whole = cross(v[1] - v[0], v[2] - v[0]);
   for (std::size_t i = 0; i < 3; ++i)
@@ -22,7 +22,7 @@ bool contains(const Cell<R>& cell, const ParameterPoint<R>& at) {
 }
 
 template <Real R>
-std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const Cell<R>& cell,
+std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const ElementPart<R>& cell,
                                                const Vector<R>& point, const R& extent) {
   const ChartIn<R>& formula = chart.in<R>();
   const auto& v = cell.vertices;
@@ -48,13 +48,14 @@ std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const Cell<R>
   return std::nullopt;
 }
 
-template std::optional<ParameterPoint<double>> parameters_on<double>(const Chart&, const Cell<double>&,
+template std::optional<ParameterPoint<double>> parameters_on<double>(const Chart&, const ElementPart<double>&,
                                                                      const Vector<double>&, const double&);
-template bool contains<double>(const Cell<double>&, const ParameterPoint<double>&);
+template bool contains<double>(const ElementPart<double>&, const ParameterPoint<double>&);
 
-template std::optional<ParameterPoint<Mpfr<50>>> parameters_on<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&,
+template std::optional<ParameterPoint<Mpfr<50>>> parameters_on<Mpfr<50>>(const Chart&,
+                                                                         const ElementPart<Mpfr<50>>&,
                                                                          const Vector<Mpfr<50>>&,
                                                                          const Mpfr<50>&);
-template bool contains<Mpfr<50>>(const Cell<Mpfr<50>>&, const ParameterPoint<Mpfr<50>>&);
+template bool contains<Mpfr<50>>(const ElementPart<Mpfr<50>>&, const ParameterPoint<Mpfr<50>>&);
 
 }  // namespace radcert

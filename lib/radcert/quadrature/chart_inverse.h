@@ -17,22 +17,23 @@ namespace radcert {
 ///           end. P is then integrated by bisection, which never comes to an end where P is on the cell: what
 ///           is left counts as incomplete, and the radius of ElementIntegral holds all that the element may
 template <Real R>
-std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const Cell<R>& cell,
+std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const ElementPart<R>& cell,
                                                const Vector<R>& point, const R& extent);
 
 /// Whether a parameter point lies in a cell, up to 1e-12 of its size.
 template <Real R>
-bool contains(const Cell<R>& cell, const ParameterPoint<R>& at);
+bool contains(const ElementPart<R>& cell, const ParameterPoint<R>& at);
 
-extern template std::optional<ParameterPoint<double>> parameters_on<double>(const Chart&, const Cell<double>&,
+extern template std::optional<ParameterPoint<double>> parameters_on<double>(const Chart&,
+                                                                            const ElementPart<double>&,
                                                                             const Vector<double>&,
                                                                             const double&);
-extern template bool contains<double>(const Cell<double>&, const ParameterPoint<double>&);
+extern template bool contains<double>(const ElementPart<double>&, const ParameterPoint<double>&);
 
 extern template std::optional<ParameterPoint<Mpfr<50>>> parameters_on<Mpfr<50>>(const Chart&,
-                                                                                const Cell<Mpfr<50>>&,
+                                                                                const ElementPart<Mpfr<50>>&,
                                                                                 const Vector<Mpfr<50>>&,
                                                                                 const Mpfr<50>&);
-extern template bool contains<Mpfr<50>>(const Cell<Mpfr<50>>&, const ParameterPoint<Mpfr<50>>&);
+extern template bool contains<Mpfr<50>>(const ElementPart<Mpfr<50>>&, const ParameterPoint<Mpfr<50>>&);
 
 }  // namespace radcert

@@ -12,12 +12,13 @@
 namespace radcert {
 namespace {
 
-/// A piece is bisected unseen while the observer is nearer to its centre than this many radii of its ball.
+/// A piece is bisected unseen while the collocation point is nearer to its centre than this many radii of its
+/// ball.
 constexpr double admissible_ratio = 1.8;
 /// A whole element, whose samples are kept, counts as far down to this ratio.
 constexpr double admissible_ratio_of_whole = 1.35;
-/// A block of observers is integrated side by side from this ratio on: nearer, the bounds of FarBounds are
-/// too wide.
+/// A block of collocation points is integrated side by side from this ratio on: nearer, the bounds of
+/// FarBounds are too wide.
 constexpr double admissible_ratio_of_block = 2.5;
 constexpr int order_step = 3;
 /// A block whose two rules differ is tried again so often with the next finer ones.
@@ -54,10 +55,11 @@ ElementIntegrator<R>::ElementIntegrator(std::shared_ptr<const IntegrationScheme<
       kept_(ConicalRules<R>::largest_order + 1) {}
 
 template <Real R>
-typename ElementIntegrator<R>::Ball ElementIntegrator<R>::ball_about(const Cell<R>& cell) const {
+typename ElementIntegrator<R>::BoundingBall ElementIntegrator<R>::ball_about(
+    const ElementPart<R>& cell) const {
   const ChartIn<R>& formula = chart_.in<R>();
   const auto& v = cell.vertices;
-  Ball ball;
+  BoundingBall ball;
   ball.centre = formula.frame((R(1) / R(3)) * (v[0] + v[1] + v[2])).point;
   ball.radius = R(0);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -68,7 +70,7 @@ typename ElementIntegrator<R>::Ball ElementIntegrator<R>::ball_about(const Cell<
 }
 
 template <Real R>
-double ElementIntegrator<R>::unevenness_of(const Cell<R>& cell) const {
+double ElementIntegrator<R>::unevenness_of(const ElementPart<R>& cell) const {
   if (chart_.facts().plane) return 0;
   const auto normal = [&](const ParameterPoint<R>& at) { return chart_.in<R>().frame(at).area_normal; };
   std::array<Vector<R>, 3> at_corner;
@@ -90,7 +92,7 @@ const Samples<R>& ElementIntegrator<R>::kept(int order) {
 }
 
 template <Real R>
-const Samples<R>& ElementIntegrator<R>::samples(const Cell<R>& cell, bool whole, int order) {
+const Samples<R>& ElementIntegrator<R>::samples(const ElementPart<R>& cell, bool whole, int order) {
   if (whole) return kept(order);
   Samples<R>& fresh = scratch_[static_cast<std::size_t>(order % 2)];
   take_samples(chart_, cell, basis(), order, fresh);
@@ -104,7 +106,7 @@ R ElementIntegrator<R>::extent_for(const R& coordinate, std::size_t chart_of_p, 
 }
 
 template <Real R>
-KernelSums<R> ElementIntegrator<R>::sums(const Observer<R>& p, const Cell<R>& cell, bool whole,
+KernelSums<R> ElementIntegrator<R>::sums(const CollocationPoint<R>& p, const ElementPart<R>& cell, bool whole,
                                          const R& extent, int order) {
   const Samples<R>& points = samples(cell, whole, order);
   const bool same_curved_piece_nearby = !whole && p.at.chart == chart_index_;
@@ -112,8 +114,9 @@ KernelSums<R> ElementIntegrator<R>::sums(const Observer<R>& p, const Cell<R>& ce
 }
 
 template <Real R>
-std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>& p, const Cell<R>& cell,
-                                                              bool whole, double ratio, const R& extent,
+std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const CollocationPoint<R>& p,
+                                                              const ElementPart<R>& cell, bool whole,
+                                                              double ratio, const R& extent,
                                                               Insistence insist) {
   using std::abs;
   const int check_step = scheme_->check_step(chart_.facts(), unevenness_);
@@ -143,7 +146,7 @@ std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const Observer<R>&
 }
 
 template <Real R>
-CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const Cell<R>& cell,
+CheckedSums<R> ElementIntegrator<R>::integrate_away(const CollocationPoint<R>& p, const ElementPart<R>& cell,
                                                     bool is_element) {
   CheckedSums<R> result(basis().size());
   const R coordinate = largest_coordinate(p.point);
@@ -160,7 +163,7 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const 
     Piece piece = pending_.back();
     pending_.pop_back();
     const bool whole = is_element && piece.depth == 0;
-    const Ball fresh = whole ? ball_ : ball_about(piece.cell);
+    const BoundingBall fresh = whole ? ball_ : ball_about(piece.cell);
     const R distance = norm(p.point - fresh.centre);
     const auto ratio = nearest_double<R>(distance / fresh.radius);
     const bool admissible = ratio >= (whole ? admissible_ratio_of_whole : admissible_ratio);
@@ -189,7 +192,7 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const Observer<R>& p, const 
         opposite = i;
       }
     }
-    for (const Cell<R>& half : piece.cell.bisected(opposite))
+    for (const ElementPart<R>& half : piece.cell.bisected(opposite))
       pending_.push_back({half, piece.depth + 1, piece.failures});
   }
   return result;
@@ -213,7 +216,7 @@ bool ElementIntegrator<R>::is_near(const Vector<R>& p) const {
 }
 
 template <Real R>
-ElementIntegral<R> ElementIntegrator<R>::integrate(const Observer<R>& p) {
+ElementIntegral<R> ElementIntegrator<R>::integrate(const CollocationPoint<R>& p) {
   if (scheme_->in_plane(p.at.chart, chart_index_)) return {};
   const Chart& own = scheme_->surface().charts[p.at.chart];
   const Tolerance& tolerance = scheme_->tolerance();
@@ -223,7 +226,7 @@ ElementIntegral<R> ElementIntegrator<R>::integrate(const Observer<R>& p) {
   } else if (scheme_->surface().charts_join_smoothly && own.facts().piece == chart_.facts().piece &&
              norm(p.point - ball_.centre) < R(2) * ball_.radius) {
     if (const auto at = parameters_on(chart_, element_, p.point, extent_)) {
-      Observer<R> seen = p;
+      CollocationPoint<R> seen = p;
       seen.at = {chart_index_, *at};
       return with_radius(integrate_around(seen, chart_, element_, basis(), tolerance));
     }
@@ -232,13 +235,14 @@ ElementIntegral<R> ElementIntegrator<R>::integrate(const Observer<R>& p) {
 }
 
 template <Real R>
-ElementIntegral<R> ElementIntegrator<R>::integrate_part(const Observer<R>& p, const Cell<R>& part) {
+ElementIntegral<R> ElementIntegrator<R>::integrate_part(const CollocationPoint<R>& p,
+                                                        const ElementPart<R>& part) {
   return with_radius(integrate_away(p, part, false));
 }
 
 template <Real R>
-void ElementIntegrator<R>::integrate_lane(const ObserverBlock<R>& block,
-                                          std::span<const Observer<R>> observers, std::size_t lane,
+void ElementIntegrator<R>::integrate_lane(const CollocationPointBlock<R>& block,
+                                          std::span<const CollocationPoint<R>> observers, std::size_t lane,
                                           BlockIntegral<R>& integral) {
   const ElementIntegral<R> alone = integrate(observers[block.first + lane]);
   Block<R>::set_lane(integral.absolute, lane, alone.absolute);
@@ -264,8 +268,9 @@ typename Block<R>::Type ElementIntegrator<R>::far_rounding(std::size_t points, c
 
 /// On a plane element: one rule, whose truncation is bounded.
 template <Real R>
-void ElementIntegrator<R>::integrate_far_by_bound(const ObserverBlock<R>& block, const FarBounds<R>& bounds,
-                                                  int order, BlockIntegral<R>& integral) {
+void ElementIntegrator<R>::integrate_far_by_bound(const CollocationPointBlock<R>& block,
+                                                  const FarBounds<R>& bounds, int order,
+                                                  BlockIntegral<R>& integral) {
   const Samples<R>& points = kept(order);
   far_sums(block, points, g_, far_[0]);
   const B left_out = B(R(scheme_->flat_truncation())) * bounds.solid_angle;
@@ -279,8 +284,8 @@ void ElementIntegrator<R>::integrate_far_by_bound(const ObserverBlock<R>& block,
 /// Elsewhere: two rules, finer ones if they differ. A lane in which those of the last try still differ is
 /// integrated alone.
 template <Real R>
-void ElementIntegrator<R>::integrate_far_by_comparison(const ObserverBlock<R>& block,
-                                                       std::span<const Observer<R>> observers,
+void ElementIntegrator<R>::integrate_far_by_comparison(const CollocationPointBlock<R>& block,
+                                                       std::span<const CollocationPoint<R>> observers,
                                                        const FarBounds<R>& bounds, int order,
                                                        BlockIntegral<R>& integral) {
   using std::abs;
@@ -319,7 +324,8 @@ void ElementIntegrator<R>::integrate_far_by_comparison(const ObserverBlock<R>& b
 }
 
 template <Real R>
-void ElementIntegrator<R>::integrate(const ObserverBlock<R>& block, std::span<const Observer<R>> observers,
+void ElementIntegrator<R>::integrate(const CollocationPointBlock<R>& block,
+                                     std::span<const CollocationPoint<R>> observers,
                                      BlockIntegral<R>& integral) {
   if (scheme_->in_plane(block.chart, chart_index_)) {
     integral.absolute = B(R(0));

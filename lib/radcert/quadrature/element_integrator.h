@@ -13,7 +13,7 @@
 
 namespace radcert {
 
-/// The collocation integrals of one observer and one element.
+/// The collocation integrals of one collocation point and one element.
 /// Maths     value[j] = Int_Delta G(P,Q) l_j(Q) dS_Q;  absolute = Int_Delta |G| dS
 /// Source    [ac98, (40)]
 /// Result    |value[j] - exact| <= radius[j] as far as the estimate goes: what the rule leaves out plus the
@@ -26,7 +26,7 @@ struct ElementIntegral {
   R absolute{};
 };
 
-/// The same for a block of observers, one a lane.
+/// The same for a block of collocation points, one a lane.
 template <Real R>
 struct BlockIntegral {
   using B = typename Block<R>::Type;
@@ -35,11 +35,11 @@ struct BlockIntegral {
   B absolute;
 };
 
-/// Integrates G l_j over one element for many observers.
+/// Integrates G l_j over one element for many collocation points.
 /// Maths     far: conical Gauss rules on the element, of an order chosen from the ratio of distance and size;
 ///           near: the longest side is bisected until the pieces are far in terms of their own size, and
-///           change evenly (even_shape.h); near and around an observer on the element's own curved chart:
-///           integrate_around; on the element's own plane: exactly 0.  What a rule leaves out:
+///           change evenly (even_shape.h); near and around a collocation point on the element's own curved
+///           chart: integrate_around; on the element's own plane: exactly 0.  What a rule leaves out:
 ///           flat_rule_bound on plane elements seen from afar, elsewhere the difference of two rules.  A
 ///           piece that rounding does not tell apart from P, or that bisection does not reach, is left out:
 ///           then |Int G l_j| over it is at most max|l_j| Int |G| dS, and Int |G| dS <= pi over what each ray
@@ -47,10 +47,10 @@ struct BlockIntegral {
 /// Source    [ac98, section 5.1] asks for effort that grows as P comes near; the rules are ours
 /// Requires  P not on an edge of the element at which another piece meets it at an angle
 /// Result    each value to the scheme's tolerance, radius with it, or with the radius pi max|l_j| more. A
-///           near block's lanes have the bits of their observers alone; a far block takes one rule for all
-///           its lanes, so that an observer's bits depend on its block
+///           near block's lanes have the bits of their collocation points alone; a far block takes one rule
+///           for all its lanes, so that a collocation point's bits depend on its block
 /// Limits    one thread at a time; samples are kept for the element's life, so let one element serve all
-///           observers
+///           collocation points
 template <Real R>
 class ElementIntegrator {
 public:
@@ -60,26 +60,26 @@ public:
       : ElementIntegrator(std::make_shared<const IntegrationScheme<R>>(surface, basis, tolerance), triangle) {
   }
 
-  ElementIntegral<R> integrate(const Observer<R>& p);
+  ElementIntegral<R> integrate(const CollocationPoint<R>& p);
   /// The same over a triangle in the element, a plane one that P is not in the plane of.
-  ElementIntegral<R> integrate_part(const Observer<R>& p, const Cell<R>& part);
+  ElementIntegral<R> integrate_part(const CollocationPoint<R>& p, const ElementPart<R>& part);
   const IntegrationScheme<R>& scheme() const { return *scheme_; }
 
-  /// The integrals of a block of `observers`, whose members are needed where the block is near.
-  void integrate(const ObserverBlock<R>& block, std::span<const Observer<R>> observers,
+  /// The integrals of a block of `collocation points`, whose members are needed where the block is near.
+  void integrate(const CollocationPointBlock<R>& block, std::span<const CollocationPoint<R>> observers,
                  BlockIntegral<R>& integral);
 
 private:
   using B = typename Block<R>::Type;
 
   /// A ball about the image of a cell.
-  struct Ball {
+  struct BoundingBall {
     Vector<R> centre;
     R radius;
     std::array<Vector<R>, 3> corners;
   };
   struct Piece {
-    Cell<R> cell;
+    ElementPart<R> cell;
     int depth;
     int failures;  ///< how often two rules differed on a piece that contains this one
   };
@@ -90,34 +90,36 @@ private:
   };
 
   const TriangleBasis<R>& basis() const { return scheme_->basis(); }
-  Ball ball_about(const Cell<R>& cell) const;
-  double unevenness_of(const Cell<R>& cell) const;
+  BoundingBall ball_about(const ElementPart<R>& cell) const;
+  double unevenness_of(const ElementPart<R>& cell) const;
   bool is_near(const Vector<R>& p) const;
   /// What stands for the largest coordinate in the bounds of rounding, for points within `reach` of P.
   R extent_for(const R& coordinate, std::size_t chart_of_p, const R& reach) const;
   const Samples<R>& kept(int order);
-  const Samples<R>& samples(const Cell<R>& cell, bool whole, int order);
-  KernelSums<R> sums(const Observer<R>& p, const Cell<R>& cell, bool whole, const R& extent, int order);
+  const Samples<R>& samples(const ElementPart<R>& cell, bool whole, int order);
+  KernelSums<R> sums(const CollocationPoint<R>& p, const ElementPart<R>& cell, bool whole, const R& extent,
+                     int order);
   /// The sums of a piece if two rules agree on it; otherwise what `insist` says.
-  std::optional<CheckedSums<R>> try_piece(const Observer<R>& p, const Cell<R>& cell, bool whole, double ratio,
-                                          const R& extent, Insistence insist);
-  CheckedSums<R> integrate_away(const Observer<R>& p) { return integrate_away(p, element_, true); }
-  CheckedSums<R> integrate_away(const Observer<R>& p, const Cell<R>& cell, bool is_element);
+  std::optional<CheckedSums<R>> try_piece(const CollocationPoint<R>& p, const ElementPart<R>& cell,
+                                          bool whole, double ratio, const R& extent, Insistence insist);
+  CheckedSums<R> integrate_away(const CollocationPoint<R>& p) { return integrate_away(p, element_, true); }
+  CheckedSums<R> integrate_away(const CollocationPoint<R>& p, const ElementPart<R>& cell, bool is_element);
   ElementIntegral<R> with_radius(const CheckedSums<R>& checked) const;
 
   B far_rounding(std::size_t points, const FarBounds<R>& bounds, std::size_t j) const;
-  void integrate_far_by_bound(const ObserverBlock<R>& block, const FarBounds<R>& bounds, int order,
+  void integrate_far_by_bound(const CollocationPointBlock<R>& block, const FarBounds<R>& bounds, int order,
                               BlockIntegral<R>& integral);
-  void integrate_far_by_comparison(const ObserverBlock<R>& block, std::span<const Observer<R>> observers,
-                                   const FarBounds<R>& bounds, int order, BlockIntegral<R>& integral);
-  void integrate_lane(const ObserverBlock<R>& block, std::span<const Observer<R>> observers, std::size_t lane,
-                      BlockIntegral<R>& integral);
+  void integrate_far_by_comparison(const CollocationPointBlock<R>& block,
+                                   std::span<const CollocationPoint<R>> observers, const FarBounds<R>& bounds,
+                                   int order, BlockIntegral<R>& integral);
+  void integrate_lane(const CollocationPointBlock<R>& block, std::span<const CollocationPoint<R>> observers,
+                      std::size_t lane, BlockIntegral<R>& integral);
 
   std::shared_ptr<const IntegrationScheme<R>> scheme_;
   const Chart& chart_;
   std::size_t chart_index_;
-  Cell<R> element_;
-  Ball ball_;
+  ElementPart<R> element_;
+  BoundingBall ball_;
   double unevenness_;
   R extent_{};
   std::optional<FarView<R>> view_;

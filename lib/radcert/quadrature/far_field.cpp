@@ -40,7 +40,7 @@ void add_products(const std::vector<typename Block<R>::Type>& g, const Samples<R
 }  // namespace
 
 template <Real R>
-void far_sums(const ObserverBlock<R>& observers, const Samples<R>& samples,
+void far_sums(const CollocationPointBlock<R>& observers, const Samples<R>& samples,
               std::vector<typename Block<R>::Type>& g, FarSums<R>& sums) {
   using B = typename Block<R>::Type;
   using std::abs;
@@ -87,8 +87,8 @@ FarView<R>::FarView(const Samples<R>& samples, const Vector<R>& centre) {
 }
 
 template <Real R>
-FarBounds<R>::FarBounds(const ObserverBlock<R>& observers, const FarView<R>& view, const Vector<R>& centre,
-                        const R& radius, const R& extent) {
+FarBounds<R>::FarBounds(const CollocationPointBlock<R>& observers, const FarView<R>& view,
+                        const Vector<R>& centre, const R& radius, const R& extent) {
   using std::abs;
   using std::sqrt;
   const Vector<B> d = observers.point - broadcast<R>(centre);
@@ -112,11 +112,11 @@ FarBounds<R>::FarBounds(const ObserverBlock<R>& observers, const FarView<R>& vie
   solid_angle = B(view.area) * face_on / (squared * distance);
 }
 
-template void far_sums<double>(const ObserverBlock<double>&, const Samples<double>&, std::vector<Pack>&,
-                               FarSums<double>&);
+template void far_sums<double>(const CollocationPointBlock<double>&, const Samples<double>&,
+                               std::vector<Pack>&, FarSums<double>&);
 template struct FarView<double>;
 template struct FarBounds<double>;
-template void far_sums<Mpfr<50>>(const ObserverBlock<Mpfr<50>>&, const Samples<Mpfr<50>>&,
+template void far_sums<Mpfr<50>>(const CollocationPointBlock<Mpfr<50>>&, const Samples<Mpfr<50>>&,
                                  std::vector<Mpfr<50>>&, FarSums<Mpfr<50>>&);
 template struct FarView<Mpfr<50>>;
 template struct FarBounds<Mpfr<50>>;

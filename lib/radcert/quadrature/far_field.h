@@ -4,13 +4,13 @@
 #include <array>
 #include <vector>
 
+#include "radcert/quadrature/collocation_point_block.h"
 #include "radcert/quadrature/kernel_sums.h"
-#include "radcert/quadrature/observer_block.h"
 #include "radcert/quadrature/samples.h"
 
 namespace radcert {
 
-/// What a rule sums up over one far element for a block of observers, one a lane.
+/// What a rule sums up over one far element for a block of collocation points, one a lane.
 /// Maths     value_j = sum_q g_q l_j(x_q),  size = sum_q |g_q|,  g_q = G(P,Q_q) times area element and weight
 /// Source    [ac98, (40)]
 /// Result    rounded lane by lane
@@ -21,14 +21,14 @@ struct FarSums {
   B size;
 };
 
-/// The sums of one rule for a block of observers.
+/// The sums of one rule for a block of collocation points.
 /// Maths     see FarSums; first all g_q, then their products with the basis: two short loops that stay in
 ///           registers
-/// Requires  no observer among the samples
+/// Requires  no collocation point among the samples
 /// Result    each lane the same bits as if it were alone; `g` is scratch
 /// Limits    about 28 operations and one division an evaluation of G at degree 1
 template <Real R>
-void far_sums(const ObserverBlock<R>& observers, const Samples<R>& samples,
+void far_sums(const CollocationPointBlock<R>& observers, const Samples<R>& samples,
               std::vector<typename Block<R>::Type>& g, FarSums<R>& sums);
 
 /// What bounds G over an element as a whole, seen from afar.
@@ -48,7 +48,7 @@ struct FarView {
   FarView(const Samples<R>& samples, const Vector<R>& centre);
 };
 
-/// Bounds for one far element and a block of observers.
+/// Bounds for one far element and a block of collocation points.
 /// Maths     with R = |P-c|, r the radius of the element's ball, n_P = a normal + t, t orthogonal to normal:
 ///           |(Q-P).n_P| <= |(c-P).n_P| + |a| height + r |t|,  |(P-Q).n_Q| <= |(P-c).normal| + sum_i |P-c|_i
 ///           spread_i + rise, |P-Q| >= R - r; from these largest >= |G| and lean >= X ((|(Q-P).n_P| + 8 u X)
@@ -64,16 +64,16 @@ struct FarBounds {
   B lean;
   B solid_angle;
 
-  FarBounds(const ObserverBlock<R>& observers, const FarView<R>& view, const Vector<R>& centre,
+  FarBounds(const CollocationPointBlock<R>& observers, const FarView<R>& view, const Vector<R>& centre,
             const R& radius, const R& extent);
 };
 
-extern template void far_sums<double>(const ObserverBlock<double>&, const Samples<double>&,
+extern template void far_sums<double>(const CollocationPointBlock<double>&, const Samples<double>&,
                                       std::vector<Pack>&, FarSums<double>&);
 extern template struct FarView<double>;
 extern template struct FarBounds<double>;
 
-extern template void far_sums<Mpfr<50>>(const ObserverBlock<Mpfr<50>>&, const Samples<Mpfr<50>>&,
+extern template void far_sums<Mpfr<50>>(const CollocationPointBlock<Mpfr<50>>&, const Samples<Mpfr<50>>&,
                                         std::vector<Mpfr<50>>&, FarSums<Mpfr<50>>&);
 extern template struct FarView<Mpfr<50>>;
 extern template struct FarBounds<Mpfr<50>>;

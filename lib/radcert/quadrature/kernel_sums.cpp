@@ -38,7 +38,7 @@ KernelSums<R>& KernelSums<R>::operator+=(const KernelSums& other) {
 }
 
 template <Real R>
-KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const R& extent) {
+KernelSums<R> kernel_sums(const CollocationPoint<R>& p, const Samples<R>& samples, const R& extent) {
   using B = BlockOf<R>;
   const Vector<B> point = broadcast<R>(p.point);
   const Vector<B> normal_p = broadcast<R>(p.normal);
@@ -57,7 +57,7 @@ KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const
 }
 
 template <Real R>
-KernelSums<R> chord_sums(const Observer<R>& p, const Chart& chart, const Samples<R>& samples) {
+KernelSums<R> chord_sums(const CollocationPoint<R>& p, const Chart& chart, const Samples<R>& samples) {
   using B = BlockOf<R>;
   using std::max;
   const ChartIn<B>& formula = chart.in<B>();
@@ -80,13 +80,14 @@ KernelSums<R> chord_sums(const Observer<R>& p, const Chart& chart, const Samples
 }
 
 template struct KernelSums<double>;
-template KernelSums<double> kernel_sums<double>(const Observer<double>&, const Samples<double>&,
+template KernelSums<double> kernel_sums<double>(const CollocationPoint<double>&, const Samples<double>&,
                                                 const double&);
-template KernelSums<double> chord_sums<double>(const Observer<double>&, const Chart&, const Samples<double>&);
+template KernelSums<double> chord_sums<double>(const CollocationPoint<double>&, const Chart&,
+                                               const Samples<double>&);
 template struct KernelSums<Mpfr<50>>;
-template KernelSums<Mpfr<50>> kernel_sums<Mpfr<50>>(const Observer<Mpfr<50>>&, const Samples<Mpfr<50>>&,
-                                                    const Mpfr<50>&);
-template KernelSums<Mpfr<50>> chord_sums<Mpfr<50>>(const Observer<Mpfr<50>>&, const Chart&,
+template KernelSums<Mpfr<50>> kernel_sums<Mpfr<50>>(const CollocationPoint<Mpfr<50>>&,
+                                                    const Samples<Mpfr<50>>&, const Mpfr<50>&);
+template KernelSums<Mpfr<50>> chord_sums<Mpfr<50>>(const CollocationPoint<Mpfr<50>>&, const Chart&,
                                                    const Samples<Mpfr<50>>&);
 
 }  // namespace radcert

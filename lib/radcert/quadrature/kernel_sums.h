@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "radcert/kernel/rounded_kernel.h"
-#include "radcert/quadrature/observer.h"
+#include "radcert/quadrature/collocation_point.h"
 #include "radcert/quadrature/samples.h"
 
 namespace radcert {
 
-/// What a rule sums up for one observer over one cell.
+/// What a rule sums up for one collocation point over one cell.
 /// Maths     value_j = sum g_q l_j(x_q),  size_j = sum |g_q| |l_j(x_q)|,  total = sum g_q,  size = sum |g_q|,
 ///           tilt_j: e tilt_j is what a change of all coordinates by e X does to the product of the two
 ///           scalar products at most, e = 8 u: sum of X (|(Q-P).n_P| + |(P-Q).n_Q| + e X) |l_j| / |P-Q|^4
@@ -93,7 +93,7 @@ private:
 /// Result    the same bits on every machine; no allocation
 /// Limits    loses digits near the diagonal of a smooth chart: there use chord_sums
 template <Real R>
-KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const R& extent);
+KernelSums<R> kernel_sums(const CollocationPoint<R>& p, const Samples<R>& samples, const R& extent);
 
 /// The same where P = F(p) lies on the chart of the samples: through divided differences.
 /// Maths     see KernelSums and Chord
@@ -101,7 +101,7 @@ KernelSums<R> kernel_sums(const Observer<R>& p, const Samples<R>& samples, const
 /// Requires  p on `chart`, the chart of the samples, and not among them
 /// Result    as kernel_sums, without its loss of digits near the diagonal
 template <Real R>
-KernelSums<R> chord_sums(const Observer<R>& p, const Chart& chart, const Samples<R>& samples);
+KernelSums<R> chord_sums(const CollocationPoint<R>& p, const Chart& chart, const Samples<R>& samples);
 
 /// A bound for what rounding did to value_j, to first order in the unit roundoff u.
 /// Maths     (points + 60) u size_j + 8 u tilt_j: each term passes at most 60 roundings in chart, kernel,
@@ -132,15 +132,15 @@ R rounding(const KernelSums<R>& sums, std::size_t j) {
 }
 
 extern template struct KernelSums<double>;
-extern template KernelSums<double> kernel_sums<double>(const Observer<double>&, const Samples<double>&,
-                                                       const double&);
-extern template KernelSums<double> chord_sums<double>(const Observer<double>&, const Chart&,
+extern template KernelSums<double> kernel_sums<double>(const CollocationPoint<double>&,
+                                                       const Samples<double>&, const double&);
+extern template KernelSums<double> chord_sums<double>(const CollocationPoint<double>&, const Chart&,
                                                       const Samples<double>&);
 
 extern template struct KernelSums<Mpfr<50>>;
-extern template KernelSums<Mpfr<50>> kernel_sums<Mpfr<50>>(const Observer<Mpfr<50>>&,
+extern template KernelSums<Mpfr<50>> kernel_sums<Mpfr<50>>(const CollocationPoint<Mpfr<50>>&,
                                                            const Samples<Mpfr<50>>&, const Mpfr<50>&);
-extern template KernelSums<Mpfr<50>> chord_sums<Mpfr<50>>(const Observer<Mpfr<50>>&, const Chart&,
+extern template KernelSums<Mpfr<50>> chord_sums<Mpfr<50>>(const CollocationPoint<Mpfr<50>>&, const Chart&,
                                                           const Samples<Mpfr<50>>&);
 
 }  // namespace radcert

@@ -13,22 +13,22 @@ Barycentric<R> midpoint(const Barycentric<R>& a, const Barycentric<R>& b) {
   return {{half * (a.x[0] + b.x[0]), half * (a.x[1] + b.x[1]), half * (a.x[2] + b.x[2])}};
 }
 
-/// The cell turned so that the rule gathers where the chart is not analytic, and how it gathers.
+/// The cell turned so that the rule is graded towards where the chart is not analytic, and how it is graded.
 template <Real R>
 struct Arrangement {
-  Cell<R> cell;
-  Gathering gathering;
+  ElementPart<R> cell;
+  Grading grading;
 };
 
 template <Real R>
-Arrangement<R> arrange(const Chart& chart, const Cell<R>& cell) {
-  if (chart.facts().singular == SingularLine::none) return {cell, Gathering::nowhere};
+Arrangement<R> arrange(const Chart& chart, const ElementPart<R>& cell) {
+  if (chart.facts().singular == SingularLine::none) return {cell, Grading::none};
   std::vector<std::size_t> on_line;
   std::vector<std::size_t> off_line;
   for (std::size_t i = 0; i < 3; ++i) (cell.vertices[i].s == R(0) ? on_line : off_line).push_back(i);
-  if (on_line.empty()) return {cell, Gathering::nowhere};
-  if (on_line.size() == 1) return {cell.rotated(on_line[0]), Gathering::apex};
-  return {cell.rotated(off_line.at(0)), Gathering::base};
+  if (on_line.empty()) return {cell, Grading::none};
+  if (on_line.size() == 1) return {cell.rotated(on_line[0]), Grading::apex};
+  return {cell.rotated(off_line.at(0)), Grading::base};
 }
 
 template <Real R>
@@ -47,25 +47,25 @@ RuleArrays<R> in_arrays(const TriangleRule<R>& rule) {
 }  // namespace
 
 template <Real R>
-std::array<Cell<R>, 2> Cell<R>::bisected(std::size_t i) const {
+std::array<ElementPart<R>, 2> ElementPart<R>::bisected(std::size_t i) const {
   const std::size_t j = (i + 1) % 3;
   const std::size_t k = (i + 2) % 3;
   const ParameterPoint<R> middle = (R(1) / R(2)) * (vertices[j] + vertices[k]);
   const Barycentric<R> corner = midpoint(corners[j], corners[k]);
-  return {Cell{{vertices[i], vertices[j], middle}, {corners[i], corners[j], corner}},
-          Cell{{vertices[i], middle, vertices[k]}, {corners[i], corner, corners[k]}}};
+  return {ElementPart{{vertices[i], vertices[j], middle}, {corners[i], corners[j], corner}},
+          ElementPart{{vertices[i], middle, vertices[k]}, {corners[i], corner, corners[k]}}};
 }
 
 template <Real R>
-Cell<R> Cell<R>::rotated(std::size_t i) const {
+ElementPart<R> ElementPart<R>::rotated(std::size_t i) const {
   const std::size_t j = (i + 1) % 3;
   const std::size_t k = (i + 2) % 3;
   return {{vertices[i], vertices[j], vertices[k]}, {corners[i], corners[j], corners[k]}};
 }
 
 template <Real R>
-Cell<R> whole_element(const ParameterTriangle& triangle) {
-  Cell<R> cell;
+ElementPart<R> whole_element(const ParameterTriangle& triangle) {
+  ElementPart<R> cell;
   for (std::size_t i = 0; i < 3; ++i) {
     cell.vertices[i] = {R(triangle.vertices[i].s), R(triangle.vertices[i].t)};
     cell.corners[i].x = {R(0), R(0), R(0)};
@@ -75,20 +75,20 @@ Cell<R> whole_element(const ParameterTriangle& triangle) {
 }
 
 template <Real R>
-const RuleArrays<R>& ConicalRules<R>::rule(int order, Gathering gathering) {
+const RuleArrays<R>& ConicalRules<R>::rule(int order, Grading grading) {
   expects(smallest_order <= order && order <= largest_order, "an order with a rule", named("order", order));
   constexpr std::size_t orders = largest_order + 1;
   static LazyTable<RuleArrays<R>, 3 * orders> rules;
-  return rules.at(static_cast<std::size_t>(gathering) * orders + static_cast<std::size_t>(order),
-                  [&] { return in_arrays(conical_rule<R>(order, gathering)); });
+  return rules.at(static_cast<std::size_t>(grading) * orders + static_cast<std::size_t>(order),
+                  [&] { return in_arrays(conical_rule<R>(order, grading)); });
 }
 
 template <Real R>
-void take_samples(const Chart& chart, const Cell<R>& cell,
+void take_samples(const Chart& chart, const ElementPart<R>& cell,
                   const std::type_identity_t<TriangleBasis<R>>& basis, int order, Samples<R>& out) {
   using B = typename Block<R>::Type;
-  const auto [turned, gathering] = arrange(chart, cell);
-  const RuleArrays<R>& rule = ConicalRules<R>::rule(order, gathering);
+  const auto [turned, grading] = arrange(chart, cell);
+  const RuleArrays<R>& rule = ConicalRules<R>::rule(order, grading);
   const ChartIn<B>& formula = chart.in<B>();
 
   const std::array<ParameterPoint<R>, 3>& v = turned.vertices;
@@ -132,15 +132,15 @@ void take_samples(const Chart& chart, const Cell<R>& cell,
   }
 }
 
-template struct Cell<double>;
-template Cell<double> whole_element<double>(const ParameterTriangle&);
+template struct ElementPart<double>;
+template ElementPart<double> whole_element<double>(const ParameterTriangle&);
 template class ConicalRules<double>;
-template void take_samples<double>(const Chart&, const Cell<double>&, const TriangleBasis<double>&, int,
-                                   Samples<double>&);
-template struct Cell<Mpfr<50>>;
-template Cell<Mpfr<50>> whole_element<Mpfr<50>>(const ParameterTriangle&);
+template void take_samples<double>(const Chart&, const ElementPart<double>&, const TriangleBasis<double>&,
+                                   int, Samples<double>&);
+template struct ElementPart<Mpfr<50>>;
+template ElementPart<Mpfr<50>> whole_element<Mpfr<50>>(const ParameterTriangle&);
 template class ConicalRules<Mpfr<50>>;
-template void take_samples<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&, const TriangleBasis<Mpfr<50>>&, int,
-                                     Samples<Mpfr<50>>&);
+template void take_samples<Mpfr<50>>(const Chart&, const ElementPart<Mpfr<50>>&,
+                                     const TriangleBasis<Mpfr<50>>&, int, Samples<Mpfr<50>>&);
 
 }  // namespace radcert

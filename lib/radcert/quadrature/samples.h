@@ -18,20 +18,21 @@ namespace radcert {
 /// Requires  corners and vertices belong together
 /// Result    bisection is exact as long as the coordinates are dyadic
 template <Real R>
-struct Cell {
+struct ElementPart {
   std::array<ParameterPoint<R>, 3> vertices;
   std::array<Barycentric<R>, 3> corners;
 
   /// The two halves at the middle of the side opposite to vertex `i`.
-  std::array<Cell, 2> bisected(std::size_t i) const;
+  std::array<ElementPart, 2> bisected(std::size_t i) const;
   /// The same cell with vertex `i` first.
-  Cell rotated(std::size_t i) const;
+  ElementPart rotated(std::size_t i) const;
 };
 
 template <Real R>
-Cell<R> whole_element(const ParameterTriangle& triangle);
+ElementPart<R> whole_element(const ParameterTriangle& triangle);
 
-/// Quadrature points of one cell, as structure of arrays, with all that does not depend on the observer.
+/// Quadrature points of one cell, as structure of arrays, with all that does not depend on the collocation
+/// point.
 /// Maths     Int_cell f l_j dS ~ sum_q f(Q_q) |normal_q| l_j(x_q); normal_q is the inner normal n_Q times
 ///           area element times weight
 /// Source    [ac98, (30)]
@@ -66,35 +67,35 @@ struct RuleArrays {
   std::vector<R> weights;
 };
 
-/// The conical rules of every order and gathering, each computed once.
+/// The conical rules of every order and grading, each computed once.
 template <Real R>
 class ConicalRules {
 public:
   static constexpr int smallest_order = 2;
-  /// Enough for an observer 1.35 radii away at the finest tolerance of double; more for more digits.
+  /// Enough for a collocation point 1.35 radii away at the finest tolerance of double; more for more digits.
   static constexpr int largest_order = std::is_same_v<R, double> ? 24 : 72;
-  static const RuleArrays<R>& rule(int order, Gathering gathering);
+  static const RuleArrays<R>& rule(int order, Grading grading);
 };
 
 /// Samples of a cell by the conical rule of an order. Where the cell touches a line on which its chart is not
-/// analytic, the rule is gathered towards it.
+/// analytic, the rule is graded towards it.
 /// Maths     see conical_rule
 /// Source    ours
 /// Requires  smallest_order <= order <= largest_order
 /// Result    fills `out`, reusing its storage
 template <Real R>
-void take_samples(const Chart& chart, const Cell<R>& cell,
+void take_samples(const Chart& chart, const ElementPart<R>& cell,
                   const std::type_identity_t<TriangleBasis<R>>& basis, int order, Samples<R>& out);
 
-extern template struct Cell<double>;
-extern template Cell<double> whole_element<double>(const ParameterTriangle&);
+extern template struct ElementPart<double>;
+extern template ElementPart<double> whole_element<double>(const ParameterTriangle&);
 extern template class ConicalRules<double>;
-extern template void take_samples<double>(const Chart&, const Cell<double>&, const TriangleBasis<double>&,
-                                          int, Samples<double>&);
-extern template struct Cell<Mpfr<50>>;
-extern template Cell<Mpfr<50>> whole_element<Mpfr<50>>(const ParameterTriangle&);
+extern template void take_samples<double>(const Chart&, const ElementPart<double>&,
+                                          const TriangleBasis<double>&, int, Samples<double>&);
+extern template struct ElementPart<Mpfr<50>>;
+extern template ElementPart<Mpfr<50>> whole_element<Mpfr<50>>(const ParameterTriangle&);
 extern template class ConicalRules<Mpfr<50>>;
-extern template void take_samples<Mpfr<50>>(const Chart&, const Cell<Mpfr<50>>&,
+extern template void take_samples<Mpfr<50>>(const Chart&, const ElementPart<Mpfr<50>>&,
                                             const TriangleBasis<Mpfr<50>>&, int, Samples<Mpfr<50>>&);
 
 }  // namespace radcert

@@ -27,7 +27,7 @@ constexpr double narrowest = 0x1p-40;  // of a parameter; a cell so narrow is no
 constexpr double goal = 0x1p-44;       // of Int |u|
 
 /// An interval of one coordinate.
-struct Interval {
+struct Range {
   double low = infinite;
   double high = -infinite;
 
@@ -40,13 +40,13 @@ struct Interval {
   double half() const { return std::nextafter(std::max(high - middle(), middle() - low), infinite); }
 };
 
-struct Box {
-  Interval x, y, z;
+struct SpaceBox {
+  Range x, y, z;
 };
 
 /// The ball from one end of an interval, exact there, to the other or a little farther: a root may end at
 /// that end.
-Ball from_end(const Interval& x, bool from_low) {
+Ball from_end(const Range& x, bool from_low) {
   if (x.low == x.high) return Ball(x.low);
   int exponent = 0;
   constexpr int digits = 20;  // so few that a ball's radius holds them
@@ -58,19 +58,19 @@ Ball from_end(const Interval& x, bool from_low) {
 }
 
 /// The complex square about the disk of `growth` times the radius about an interval.
-ComplexBall disk_about(const Interval& x, double growth) {
+ComplexBall disk_about(const Range& x, double growth) {
   const Ball radius = Ball(growth) * Ball(x.half());
   const Ball across = widened(Ball(0), radius);
   return {Ball(x.middle()) + across, across};
 }
 
-BoxValue value_on(const Expression& f, const Box& box, bool from_low, double growth) {
-  const auto of = [&](const Interval& x) { return BoxValue(from_end(x, from_low), disk_about(x, growth)); };
+BoxValue value_on(const Expression& f, const SpaceBox& box, bool from_low, double growth) {
+  const auto of = [&](const Range& x) { return BoxValue(from_end(x, from_low), disk_about(x, growth)); };
   return f.evaluate<BoxValue>({of(box.x), of(box.y), of(box.z)});
 }
 
 /// How far f is on a box from a polynomial of degree < 64.
-double deviation_on(const Expression& f, const Box& box) {
+double deviation_on(const Expression& f, const SpaceBox& box) {
   constexpr int degree = 64;
   constexpr double rounding = 1 + 0x1p-40;
   double least = infinite;
@@ -88,9 +88,9 @@ double deviation_on(const Expression& f, const Box& box) {
 }
 
 /// A box that is nowhere much thinner than it is wide.
-Box fattened(const Box& box) {
+SpaceBox fattened(const SpaceBox& box) {
   const double least = 0x1p-10 * std::max({box.x.half(), box.y.half(), box.z.half()});
-  const auto fat = [least](const Interval& x) -> Interval {
+  const auto fat = [least](const Range& x) -> Range {
     return {std::min(x.low, x.middle() - least), std::max(x.high, x.middle() + least)};
   };
   return {fat(box.x), fat(box.y), fat(box.z)};
@@ -98,7 +98,7 @@ Box fattened(const Box& box) {
 
 /// A bound of sum_i |D_i f| off_i on a box: where |f| <= m on disks of `growth` times its radii h_i, |D_i f|
 /// is at most m / ((growth - 1) h_i) by Cauchy.
-double change_by_disks(const Expression& f, const Box& box, const Vector<double>& off, double growth) {
+double change_by_disks(const Expression& f, const SpaceBox& box, const Vector<double>& off, double growth) {
   const double m = value_on(f, box, true, growth).on_disks.magnitude_bound();
   const Ball sum =
       Ball(off.x) / Ball(box.x.half()) + Ball(off.y) / Ball(box.y.half()) + Ball(off.z) / Ball(box.z.half());
@@ -119,7 +119,7 @@ double change_by_slopes(const Expression& f, const Variables<Ball>& box, const V
 }
 
 /// What rounding may do to f on a box whose points are off by `off`: no more than f changes there.
-double rounding_on(const Expression& f, const Box& box, const Vector<double>& off) {
+double rounding_on(const Expression& f, const SpaceBox& box, const Vector<double>& off) {
   double least = infinite;
   for (const double growth : {2.0, 3.0, 5.0 / 3})
     least = std::min(least, change_by_disks(f, fattened(box), off, growth));
@@ -133,7 +133,7 @@ double rounding_on(const Expression& f, const Box& box, const Vector<double>& of
   return least;
 }
 
-void include(Box& box, const Vector<Ball>& q) {
+void include(SpaceBox& box, const Vector<Ball>& q) {
   box.x.include(q.x);
   box.y.include(q.y);
   box.z.include(q.z);
@@ -141,29 +141,29 @@ void include(Box& box, const Vector<Ball>& q) {
 
 /// A box about F(polygon): about the corners of a plane one, else about the images of rectangles of
 /// parameters.
-Box box_about(const Chart& chart, const Polygon& polygon) {
+SpaceBox box_about(const Chart& chart, const Polygon& polygon) {
   const ChartIn<Ball>& formula = chart.in<Ball>();
-  Box box;
+  SpaceBox box;
   if (chart.facts().plane) {
     for (std::size_t i = 0; i < polygon.count; ++i)
       include(box, formula.frame({Ball(polygon[i].s), Ball(polygon[i].t)}).point);
     return box;
   }
-  Interval s;
-  Interval t;
+  Range s;
+  Range t;
   for (std::size_t i = 0; i < polygon.count; ++i) {
     s.include(Ball(polygon[i].s));
     t.include(Ball(polygon[i].t));
   }
   const int parts = std::max(s.high - s.low, t.high - t.low) > 0.125 ? 4 : 2;  // a wide one loses more
-  const auto part = [parts](const Interval& x, int i) -> Interval {
+  const auto part = [parts](const Range& x, int i) -> Range {
     const double step = (x.high - x.low) / parts;
     return {i == 0 ? x.low : x.low + i * step, i + 1 == parts ? x.high : x.low + (i + 1) * step};
   };
   for (int i = 0; i < parts; ++i)
     for (int j = 0; j < parts; ++j) {
-      const Interval of_s = part(s, i);
-      const Interval of_t = part(t, j);
+      const Range of_s = part(s, i);
+      const Range of_t = part(t, j);
       if (chart.facts().domain == ChartDomain::unit_triangle && of_s.low + of_t.low > 1) continue;
       include(box, formula.frame({from_end(of_s, true), from_end(of_t, true)}).point);
     }
@@ -275,7 +275,7 @@ private:
     open.cell.centre = frame.point;
     open.cell.half = {infinite, infinite, infinite};
     if (chart.is_known_in_balls()) {
-      const Box box = box_about(chart, polygon);
+      const SpaceBox box = box_about(chart, polygon);
       open.cell.centre = {box.x.middle(), box.y.middle(), box.z.middle()};
       open.cell.half = {box.x.half(), box.y.half(), box.z.half()};
       open.extent = norm(open.cell.half);
@@ -297,7 +297,7 @@ private:
   };
 
   Halves halves(const DensityCell& cell, const Parameters& normal) const {
-    Interval along;
+    Range along;
     for (std::size_t i = 0; i < cell.polygon.count; ++i) {
       const double here = normal.s * cell.polygon[i].s + normal.t * cell.polygon[i].t;
       along.low = std::min(along.low, here);

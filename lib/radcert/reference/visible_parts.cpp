@@ -24,7 +24,7 @@ double largest_density(const Collocation& at, std::size_t index, const Corners& 
 }
 
 /// What a convex part and a cell have in common.
-Corners common_part(Corners part, const DensityCell& cell) {
+Corners intersection(Corners part, const DensityCell& cell) {
   for (std::size_t i = 0; i < cell.polygon.count && !cell.is_whole; ++i) {
     const Parameters from = cell.polygon[i];
     const Parameters along = cell.polygon[i + 1] - from;
@@ -65,7 +65,7 @@ void add_visible_parts(AdaptiveCubature& cubature, const Collocation& at, std::s
                        const ChartView& view, std::span<const DensityCell> cells) {
   for (const Corners& part : view.parts)
     for (const DensityCell& cell : cells)
-      if (const Corners common = common_part(part, cell); common.size() >= 3)
+      if (const Corners common = intersection(part, cell); common.size() >= 3)
         add_convex_part(cubature, at, index, common);
 }
 

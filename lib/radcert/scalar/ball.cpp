@@ -325,7 +325,7 @@ Ball hull(const Ball& a, const Ball& b) {
   return result;
 }
 
-Ball common_part(const Ball& a, const Ball& b) {
+Ball intersection(const Ball& a, const Ball& b) {
   if (!b.is_finite()) return a;
   if (!a.is_finite()) return b;
   expects(overlaps(a, b), "balls with a common point", named("a", a), named("b", b));

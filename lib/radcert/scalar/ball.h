@@ -37,7 +37,7 @@ struct BinaryNumber {
 /// Result    the exact value is always enclosed. A ball is either finite, or the whole line with failure()
 ///           naming the first operation that could not bound its result: division by a ball that contains
 ///           zero, sqrt or log outside the domain, and so on. A failure stays: every operation on such a ball
-///           has the same failure, sin and atan, products with zero and zeroth powers included, common_part
+///           has the same failure, sin and atan, products with zero and zeroth powers included, intersection
 ///           alone excepted; so a finite ball proves that the formula has a value for every point of its
 ///           operands. There is no NaN. x * x with one and the same object is a square, and never negative
 /// Limits    no == and no <: ask certainly_less, contains, overlaps. Mantissas beyond 128 bits are kept on
@@ -166,7 +166,7 @@ public:
   /// A ball around the common points of two balls that enclose one number. A failed ball bounds nothing: then
   /// the other, and the failure of `a` if both have failed. ContractViolation if the balls have no point in
   /// common: then one of them is wrong.
-  friend Ball common_part(const Ball& a, const Ball& b);
+  friend Ball intersection(const Ball& a, const Ball& b);
   /// [x - |by|, x + |by|].
   friend Ball widened(const Ball& x, const Ball& by);
 

@@ -268,10 +268,10 @@ ComplexBall hull(const ComplexBall& a, const ComplexBall& b) {
   return ComplexBall(hull(a.real(), b.real()), hull(a.imag(), b.imag()));
 }
 
-ComplexBall common_part(const ComplexBall& a, const ComplexBall& b) {
+ComplexBall intersection(const ComplexBall& a, const ComplexBall& b) {
   if (!b.is_finite()) return a;
   if (!a.is_finite()) return b;
-  return ComplexBall(common_part(a.real(), b.real()), common_part(a.imag(), b.imag()));
+  return ComplexBall(intersection(a.real(), b.real()), intersection(a.imag(), b.imag()));
 }
 
 bool overlaps(const ComplexBall& a, const ComplexBall& b) { return acb_overlaps(in(a), in(b)) != 0; }
@@ -311,7 +311,7 @@ ComplexBall bend_of_power(const ComplexBall& a, const ComplexBall& b, const Comp
   const ComplexBall by_mean = e * (e - 1) / 2 * pow(around, e - 2);
   if (d.contains_zero()) return by_mean;
   const ComplexBall by_definition = (pow(b, e) - pow(a, e) - e * pow(a, e - 1) * d) / power(d, 2);
-  return common_part(by_mean, by_definition);
+  return intersection(by_mean, by_definition);
 }
 
 ComplexBall first_of_power(const ComplexBall& a, const ComplexBall& b, const ComplexBall& d,
@@ -320,9 +320,9 @@ ComplexBall first_of_power(const ComplexBall& a, const ComplexBall& b, const Com
   if (around.is_finite() && touches_the_cut(around)) {
     return ComplexBall::failed("a divided difference of a power that touches its cut");
   }
-  const ComplexBall by_mean = common_part(e * pow(around, e - 1), e * pow(a, e - 1) + d * bend);
+  const ComplexBall by_mean = intersection(e * pow(around, e - 1), e * pow(a, e - 1) + d * bend);
   if (d.contains_zero()) return by_mean;
-  return common_part(by_mean, (pow(b, e) - pow(a, e)) / d);
+  return intersection(by_mean, (pow(b, e) - pow(a, e)) / d);
 }
 
 }  // namespace radcert

@@ -115,7 +115,7 @@ public:
   /// The smallest rectangle around two, up to rounding.
   friend ComplexBall hull(const ComplexBall& a, const ComplexBall& b);
   /// A rectangle around the common points of two that enclose one number, as for Ball.
-  friend ComplexBall common_part(const ComplexBall& a, const ComplexBall& b);
+  friend ComplexBall intersection(const ComplexBall& a, const ComplexBall& b);
 
   /// Whether the rectangles have a point in common.
   friend bool overlaps(const ComplexBall& a, const ComplexBall& b);

@@ -287,7 +287,7 @@ private:
   LevelGeometry geometry_;
   const Surface& surface_ = geometry_.data().surface;
   const Triangulation& triangulation_ = geometry_.data().triangulation;
-  const std::vector<Observer<double>>& nodes_ = geometry_.data().nodes;
+  const std::vector<CollocationPoint<double>>& nodes_ = geometry_.data().nodes;
   std::vector<double> rho_;
   std::vector<double> u_;
   std::vector<double> emission_;

@@ -103,7 +103,7 @@ std::optional<Approximation> uniform_error(const NodalFunction& u_n, const Piece
 std::vector<std::pair<std::string, double>> piece_means(const NodalFunction& u_n) {
   const Surface& surface = u_n.surface();
   const std::vector<ParameterTriangle>& triangles = u_n.triangulation().triangles;
-  const TriangleRule<double> rule = conical_rule<double>(mean_order, Gathering::nowhere);
+  const TriangleRule<double> rule = conical_rule<double>(mean_order, Grading::none);
   std::vector<AreaAndIntegral> by_element(triangles.size());
   parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
@@ -136,8 +136,8 @@ double means_radius(const NodalFunction& u_n, double node_radius) {
   const Surface& surface = u_n.surface();
   const std::vector<ParameterTriangle>& triangles = u_n.triangulation().triangles;
   const std::size_t functions = u_n.basis().size();
-  const TriangleRule<double> rule = conical_rule<double>(mean_order, Gathering::nowhere);
-  const TriangleRule<double> finer = conical_rule<double>(finer_mean_order, Gathering::nowhere);
+  const TriangleRule<double> rule = conical_rule<double>(mean_order, Grading::none);
+  const TriangleRule<double> finer = conical_rule<double>(finer_mean_order, Grading::none);
   // Roundings of a term, of the sum over a rule, over the functions and over the elements.
   const double roundings =
       unit_roundoff<double>() * static_cast<double>(rule.weights.size() + functions + triangles.size() + 64);

@@ -39,11 +39,11 @@ NodedSurface noded(Surface surface, Triangulation triangulation, const TriangleB
 }
 
 /// Fourth powers of distances, down to 2^-44 of the coordinates, and areas must be in the range of double.
-void require_scale(const std::vector<Observer<double>>& nodes) {
+void require_scale(const std::vector<CollocationPoint<double>>& nodes) {
   constexpr double least = 0x1p-200;
   constexpr double most = 0x1p200;
   double largest = 0;
-  for (const Observer<double>& node : nodes)
+  for (const CollocationPoint<double>& node : nodes)
     largest = std::max({largest, std::abs(node.point.x), std::abs(node.point.y), std::abs(node.point.z)});
   if (largest >= least && largest <= most) return;
   throw InputError(

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "radcert/polynomial/triangle_basis.h"
-#include "radcert/quadrature/observer.h"
+#include "radcert/quadrature/collocation_point.h"
 #include "radcert/study/problem.h"
 #include "radcert/triangulation/triangulation.h"
 
@@ -15,7 +15,7 @@ namespace radcert {
 struct NodedSurface {
   Surface surface;
   Triangulation triangulation;
-  std::vector<Observer<double>> nodes;
+  std::vector<CollocationPoint<double>> nodes;
 };
 
 /// The geometry of one level: where its data live, and where its collocation integrals are taken.

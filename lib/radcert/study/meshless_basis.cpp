@@ -70,7 +70,7 @@ double site_spacing(const SiteLevels& sites, int level, double area) {
 }
 
 double surface_area(const Surface& surface) {
-  const TriangleRule<double> rule = conical_rule<double>(2, Gathering::nowhere);
+  const TriangleRule<double> rule = conical_rule<double>(2, Grading::none);
   const auto cells =
       cells_below(surface, std::numeric_limits<double>::infinity(), std::numeric_limits<std::size_t>::max());
   double area = 0;

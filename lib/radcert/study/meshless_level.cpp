@@ -222,7 +222,7 @@ private:
   void look_at_sites(double growth, double system_error) {
     double row_sum = 0;
     BasisValues room;
-    for (const Observer<double>& node : nodes_) {
+    for (const CollocationPoint<double>& node : nodes_) {
       u_n_.push_back(value_at(node, room));
       double sum = 0;
       for (const double value : room.values()) sum += std::abs(value);
@@ -239,7 +239,7 @@ private:
   }
 
   /// u_n at a point of S. InputError where no site is in reach.
-  double value_at(const Observer<double>& p, BasisValues& room) const {
+  double value_at(const CollocationPoint<double>& p, BasisValues& room) const {
     if (!basis_.evaluate({p.point, p.normal}, room))
       refuse("/basis", std::string(name(choice_.family)),
              "has no value at " + text_of(p.point) + " on piece " +
@@ -259,7 +259,7 @@ private:
     const std::optional<SurfaceFunction> u =
         problem_.solution ? std::optional<SurfaceFunction>(std::in_place, *problem_.solution, surface_)
                           : std::nullopt;
-    const TriangleRule<double> rule = conical_rule<double>(mean_order, Gathering::nowhere);
+    const TriangleRule<double> rule = conical_rule<double>(mean_order, Grading::none);
     const std::vector<Barycentric<double>> sample = error_sample();
     parallel_for(count, [&](std::size_t begin, std::size_t end) {
       BasisValues room;
@@ -287,9 +287,9 @@ private:
                                 .u = u_.empty() ? std::nullopt : std::optional(u_[i])});
   }
 
-  [[nodiscard]] Observer<double> at(std::size_t k, const Barycentric<double>& x) const {
+  [[nodiscard]] CollocationPoint<double> at(std::size_t k, const Barycentric<double>& x) const {
     const ParameterTriangle& triangle = triangulation_.triangles[k];
-    return observer<double>(surface_, {triangle.chart, triangle.at(x.x)});
+    return collocation_point<double>(surface_, {triangle.chart, triangle.at(x.x)});
   }
 
   ElementValue corners_of(std::size_t k, BasisValues& room) const {
@@ -299,7 +299,7 @@ private:
     for (std::size_t c = 0; c < 3; ++c) {
       Barycentric<double> corner{{0, 0, 0}};
       corner.x[c] = 1;
-      const Observer<double> p = at(k, corner);
+      const CollocationPoint<double> p = at(k, corner);
       element.corners[c] = p.point;
       element.corner_values[c] = value_at(p, room);
     }
@@ -310,7 +310,7 @@ private:
                   std::span<const Barycentric<double>> sample, BasisValues& room) const {
     double most = 0;
     for (const Barycentric<double>& x : sample) {
-      const Observer<double> p = at(k, x);
+      const CollocationPoint<double> p = at(k, x);
       const double here = value_at(p, room);
       if (!u) continue;
       const double error = std::abs((*u)(p.at.chart, p.point) - here);
@@ -355,7 +355,7 @@ private:
   const Triangulation& triangulation_ = geometry_.data().triangulation;
   SiteChoice sites_;
   RadialBasis basis_;
-  std::vector<Observer<double>> nodes_;
+  std::vector<CollocationPoint<double>> nodes_;
   std::vector<double> rho_;
   std::vector<double> u_;
   std::vector<double> emission_;

@@ -21,7 +21,7 @@ std::string number_text(double value) {
 }
 
 [[noreturn]] void refuse_at_node(const PiecewiseExpression& function, const std::string& pointer,
-                                 const Surface& surface, std::size_t i, const Observer<double>& node,
+                                 const Surface& surface, std::size_t i, const CollocationPoint<double>& node,
                                  double value, const std::string& allowed) {
   const std::string& piece = surface.charts[node.at.chart].facts().piece;
   const PiecewiseExpression::Case* used = nullptr;
@@ -38,7 +38,7 @@ std::string number_text(double value) {
 }
 
 /// The coordinates of a node as balls.
-Vector<Ball> enclosed_point(const Chart& chart, const Observer<double>& node) {
+Vector<Ball> enclosed_point(const Chart& chart, const CollocationPoint<double>& node) {
   constexpr double roundings = coordinate_roundings * unit_roundoff<double>();
   const auto largest = std::max({std::abs(node.point.x), std::abs(node.point.y), std::abs(node.point.z)});
   Vector<double> sizes{largest, largest, largest};
@@ -56,7 +56,7 @@ Vector<Ball> enclosed_point(const Chart& chart, const Observer<double>& node) {
 }  // namespace
 
 std::optional<std::vector<double>> value_radii(const PiecewiseExpression& function, const Surface& surface,
-                                               std::span<const Observer<double>> nodes,
+                                               std::span<const CollocationPoint<double>> nodes,
                                                std::span<const double> values) {
   constexpr long bits = 64;
   const BallPrecision precision(bits);
@@ -79,7 +79,7 @@ std::optional<std::vector<double>> value_radii(const PiecewiseExpression& functi
 }
 
 std::vector<double> values_at_nodes(const PiecewiseExpression& function, const std::string& pointer,
-                                    const Surface& surface, std::span<const Observer<double>> nodes) {
+                                    const Surface& surface, std::span<const CollocationPoint<double>> nodes) {
   const SurfaceFunction f(function, surface);
   std::vector<double> values;
   values.reserve(nodes.size());
@@ -93,7 +93,7 @@ std::vector<double> values_at_nodes(const PiecewiseExpression& function, const s
 }
 
 std::vector<double> reflectivity_at_nodes(const PiecewiseExpression& reflectivity, const Surface& surface,
-                                          std::span<const Observer<double>> nodes) {
+                                          std::span<const CollocationPoint<double>> nodes) {
   std::vector<double> values = values_at_nodes(reflectivity, "/reflectivity", surface, nodes);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (values[i] < 0 || values[i] > 1)

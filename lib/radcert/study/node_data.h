@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "radcert/quadrature/observer.h"
+#include "radcert/quadrature/collocation_point.h"
 #include "radcert/study/problem.h"
 
 namespace radcert {
@@ -18,7 +18,7 @@ namespace radcert {
 ///           file
 /// Result    finite values; otherwise InputError naming the node: its number, piece and coordinates
 std::vector<double> values_at_nodes(const PiecewiseExpression& function, const std::string& pointer,
-                                    const Surface& surface, std::span<const Observer<double>> nodes);
+                                    const Surface& surface, std::span<const CollocationPoint<double>> nodes);
 
 /// What rounding may have done to the values of a piecewise expression at the collocation nodes.
 /// Maths     |f(v_i) - values_i|, v_i the node of exact parameters, whose coordinates are off by no more than
@@ -28,7 +28,7 @@ std::vector<double> values_at_nodes(const PiecewiseExpression& function, const s
 /// Result    a radius a node; nothing where an expression is not proved to have a value at a node
 /// Limits    a bound if the chart's own formula loses no more than 8 u
 std::optional<std::vector<double>> value_radii(const PiecewiseExpression& function, const Surface& surface,
-                                               std::span<const Observer<double>> nodes,
+                                               std::span<const CollocationPoint<double>> nodes,
                                                std::span<const double> values);
 
 /// The reflectivity at the collocation nodes.
@@ -37,6 +37,6 @@ std::optional<std::vector<double>> value_radii(const PiecewiseExpression& functi
 /// Requires  as values_at_nodes
 /// Result    values in [0,1]; otherwise InputError naming the node
 std::vector<double> reflectivity_at_nodes(const PiecewiseExpression& reflectivity, const Surface& surface,
-                                          std::span<const Observer<double>> nodes);
+                                          std::span<const CollocationPoint<double>> nodes);
 
 }  // namespace radcert

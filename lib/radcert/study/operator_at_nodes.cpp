@@ -7,7 +7,7 @@
 namespace radcert {
 
 OperatorAtNodes apply_operator(const Problem& problem, const Surface& surface, const OperatorRoute& route,
-                               std::span<const Observer<double>> nodes, std::span<const double> rho) {
+                               std::span<const CollocationPoint<double>> nodes, std::span<const double> rho) {
   const SurfaceFunction u(*problem.solution, surface);
   const AppliedOperator integral_at = route(surface, u);
   OperatorAtNodes result{std::vector<double>(nodes.size()), std::vector<double>(nodes.size())};

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "radcert/quadrature/observer.h"
+#include "radcert/quadrature/collocation_point.h"
 #include "radcert/study/study.h"
 
 namespace radcert {
@@ -25,7 +25,7 @@ struct OperatorAtNodes {
 /// Limits    as the route says
 [[nodiscard]] OperatorAtNodes apply_operator(const Problem& problem, const Surface& surface,
                                              const OperatorRoute& route,
-                                             std::span<const Observer<double>> nodes,
+                                             std::span<const CollocationPoint<double>> nodes,
                                              std::span<const double> rho);
 
 }  // namespace radcert

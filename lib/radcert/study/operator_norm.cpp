@@ -29,7 +29,7 @@ std::optional<Rational> constant_bound(const PiecewiseExpression& reflectivity, 
 }
 
 /// A square of the parameter plane with corners at multiples of 2^-depth.
-struct Box {
+struct ParameterSquare {
   long s = 0;
   long t = 0;
   int depth = 0;
@@ -46,15 +46,15 @@ Ball side(long place, int depth) {
 }
 
 /// Whether a box lies beyond the domain.
-bool is_outside(const Box& box, ChartDomain domain) {
+bool is_outside(const ParameterSquare& box, ChartDomain domain) {
   return domain == ChartDomain::unit_triangle && box.s + box.t >= 1L << box.depth;
 }
 
 bool is_below_one(const Expression& f, const Chart& chart) {
   if (const std::optional<Rational> constant = f.is_constant()) return *constant < Rational(1);
-  std::vector<Box> open{{}};
+  std::vector<ParameterSquare> open{{}};
   for (std::size_t seen = 0; !open.empty(); ++seen) {
-    const Box box = open.back();
+    const ParameterSquare box = open.back();
     open.pop_back();
     if (is_outside(box, chart.facts().domain)) continue;
     const Vector<Ball> q = chart.in<Ball>().frame({side(box.s, box.depth), side(box.t, box.depth)}).point;

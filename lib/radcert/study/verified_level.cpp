@@ -75,13 +75,13 @@ void require_provable(const Problem& problem, int level) {
 }
 
 /// A square of a chart's parameters with corners at multiples of 2^-depth, and a bound of |u| over it.
-struct Box {
+struct SizeBox {
   double most = 0;
   std::size_t chart = 0;
   long s = 0;
   long t = 0;
   int depth = 0;
-  friend bool operator<(const Box& a, const Box& b) { return a.most < b.most; }
+  friend bool operator<(const SizeBox& a, const SizeBox& b) { return a.most < b.most; }
 };
 
 /// A value of |u| that no other is twice as large as, or the largest that was found: at least `at_nodes`.
@@ -95,8 +95,8 @@ double found_size(const PiecewiseExpression& u, const Surface& surface, double a
   const auto place = [](long k, int depth) { return Ball(std::ldexp(static_cast<double>(k), -depth)); };
   constexpr int deepest = 50;
   double found = at_nodes;
-  std::priority_queue<Box> boxes;
-  const auto add = [&](Box box) {
+  std::priority_queue<SizeBox> boxes;
+  const auto add = [&](SizeBox box) {
     const bool triangle = surface.charts[box.chart].facts().domain == ChartDomain::unit_triangle;
     if (triangle && box.s + box.t >= 1L << box.depth) return;
     const Ball s = place(box.s, box.depth);
@@ -109,7 +109,7 @@ double found_size(const PiecewiseExpression& u, const Surface& surface, double a
   };
   for (std::size_t chart = 0; chart < surface.chart_count(); ++chart) add({.chart = chart});
   for (long seen = 0; seen < boxes_of_size.value() && !boxes.empty(); ++seen) {
-    const Box box = boxes.top();
+    const SizeBox box = boxes.top();
     if (!(box.most > 2 * found) || box.depth >= deepest) break;
     boxes.pop();
     for (const long s : {2 * box.s, 2 * box.s + 1})
@@ -385,7 +385,7 @@ private:
     return balls_of(*found);
   }
 
-  Density density_of_u() const {
+  DensityFormula density_of_u() const {
     PiecewiseDensity piecewise;
     for (const Chart& chart : surface_.charts)
       piecewise.by_chart.push_back(problem_.solution->on(chart.facts().piece));

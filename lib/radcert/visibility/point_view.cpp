@@ -52,7 +52,7 @@ Spread spread(const Signs& signs) {
 class HullProbe {
 public:
   /// For boxes within `all`.
-  HullProbe(const Vector<double>& eye, const std::array<Vector<double>, 3>& corners, const Box& all)
+  HullProbe(const Vector<double>& eye, const std::array<Vector<double>, 3>& corners, const BoundingBox& all)
       : about_(box_about(std::array<Vector<double>, 4>{eye, corners[0], corners[1], corners[2]})),
         all_(all) {}
 
@@ -70,7 +70,7 @@ public:
     ++count_;
   }
 
-  [[nodiscard]] bool operator()(const Box& box) const {
+  [[nodiscard]] bool operator()(const BoundingBox& box) const {
     // What only touches the hull's box meets no point inside the hull.
     if (box.high.x <= about_.low.x || box.low.x >= about_.high.x || box.high.y <= about_.low.y ||
         box.low.y >= about_.high.y || box.high.z <= about_.low.z || box.low.z >= about_.high.z)
@@ -85,7 +85,7 @@ private:
     Vector<double> origin;
     Vector<double> inward;
     double least = 0;
-    [[nodiscard]] bool beyond(const Box& box) const {
+    [[nodiscard]] bool beyond(const BoundingBox& box) const {
       const Vector<double>& m = inward;
       const Vector<double> low = box.low - origin;
       const Vector<double> high = box.high - origin;
@@ -94,8 +94,8 @@ private:
              least;
     }
   };
-  Box about_;
-  Box all_;
+  BoundingBox about_;
+  BoundingBox all_;
   std::array<Plane, 5> planes_;
   std::size_t count_ = 0;
 };

@@ -25,7 +25,7 @@ public:
         size_{std::abs(direction_.x), std::abs(direction_.y), std::abs(direction_.z)},
         about_(box_about(std::array<Vector<double>, 2>{p, q})) {}
 
-  [[nodiscard]] bool operator()(const Box& box) const {
+  [[nodiscard]] bool operator()(const BoundingBox& box) const {
     if (box.high.x < about_.low.x || box.low.x > about_.high.x || box.high.y < about_.low.y ||
         box.low.y > about_.high.y || box.high.z < about_.low.z || box.low.z > about_.high.z)
       return false;
@@ -60,7 +60,7 @@ private:
   Vector<double> p_;
   Vector<double> direction_;
   Vector<double> size_;
-  Box about_;
+  BoundingBox about_;
 };
 
 /// The same number for points of a plane, without the coordinate in which the triangle's normal is largest.

@@ -82,7 +82,7 @@ public:
   }
 
   static const TriangleRule<double>& plain_rule() {
-    static const TriangleRule<double> rule = conical_rule<double>(6, Gathering::nowhere);
+    static const TriangleRule<double> rule = conical_rule<double>(6, Grading::none);
     return rule;
   }
 

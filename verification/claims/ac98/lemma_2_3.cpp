@@ -121,7 +121,7 @@ Ball power_integral(int k) {
     constexpr double middle = 1.0 / 3;
     above.push_back(chart.in<double>().frame({middle, middle}).point.z > 0);
   }
-  const Density q = density([=]<class R>(const DensityPoint<R>& at) {
+  const DensityFormula q = density([=]<class R>(const DensityPoint<R>& at) {
     if (k == 0) return R(1);
     return above.at(at.chart) ? R(power(at.point.z, k)) : R(0);
   });

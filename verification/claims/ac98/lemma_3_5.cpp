@@ -76,12 +76,12 @@ Bounds second_derivatives(const Ball& distance, const Ball& r, const Ball& a) {
 
 // A box of |p| from 0 to 1/2, r from 0 to 1 and the angle, over pi, from 0 to 1: the other half turn is a
 // mirror image.
-struct Box {
+struct BoundingBox {
   std::array<double, 3> low{0, 0, 0};
   std::array<double, 3> high{0.5, 1, 1};
 };
 
-bool below(const Box& box, const Ball& c) {
+bool below(const BoundingBox& box, const Ball& c) {
   const auto side = [&box](std::size_t i) { return hull(Ball(box.low.at(i)), Ball(box.high.at(i))); };
   const Bounds here = second_derivatives(side(0), side(1), Ball::pi() * side(2));
   for (const Ball& each : {here.by_ss, here.by_st, here.by_tt})
@@ -93,7 +93,7 @@ bool below(const Box& box, const Ball& c) {
 Rational boxes_not_below(const Ball& c) {
   constexpr int halvings = 24;
   constexpr long most = 1000;
-  std::vector<std::pair<Box, int>> waiting{{Box{}, 0}};
+  std::vector<std::pair<BoundingBox, int>> waiting{{BoundingBox{}, 0}};
   long count = 0;
   while (!waiting.empty() && count < most) {
     const auto [box, depth] = waiting.back();
@@ -105,8 +105,8 @@ Rational boxes_not_below(const Ball& c) {
     }
     const auto axis = static_cast<std::size_t>(depth % 3);
     const double middle = (box.low.at(axis) + box.high.at(axis)) / 2;
-    Box first = box;
-    Box second = box;
+    BoundingBox first = box;
+    BoundingBox second = box;
     first.high.at(axis) = middle;
     second.low.at(axis) = middle;
     waiting.emplace_back(first, depth + 1);

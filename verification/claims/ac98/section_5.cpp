@@ -26,7 +26,7 @@ double by_rule(int order, double d) {
   const Vector<double> p{1.0 / 3, 1.0 / 3, d};
   const Vector<double> n_p{0.6, 0, -0.8};
   const Vector<double> n_q{0, 0, 1};
-  const TriangleRule<double> rule = conical_rule<double>(order, Gathering::nowhere);
+  const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
   double sum = 0;
   for (std::size_t i = 0; i < rule.points.size(); ++i) {
     const auto& x = rule.points[i].x;

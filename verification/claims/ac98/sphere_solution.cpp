@@ -51,7 +51,7 @@ Ball sphere_residual(const SphereSolution& problem, const Ball& factor, double r
   std::vector<Rational> u;
   for (int k = 0; k <= problem.solution.degree(); ++k)
     u.push_back(problem.solution.coefficient(static_cast<std::size_t>(k)));
-  const Density q = density([u]<class R>(const DensityPoint<R>& at) {
+  const DensityFormula q = density([u]<class R>(const DensityPoint<R>& at) {
     R sum(0);
     for (std::size_t k = u.size(); k > 0; --k)
       sum = sum * at.point.z * at.point.z + from_rational<R>(u[k - 1]);

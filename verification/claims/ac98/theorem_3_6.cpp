@@ -134,8 +134,8 @@ Approximation seen_from(const Surface& surface, const SurfacePoint<double>& p,
                         const std::vector<Element>& elements, double alpha) {
   // Two rules beside the element of P and its neighbours, two for the others.
   static const std::array<TriangleRule<double>, 4> rules{
-      conical_rule<double>(12, Gathering::nowhere), conical_rule<double>(16, Gathering::nowhere),
-      conical_rule<double>(4, Gathering::nowhere), conical_rule<double>(6, Gathering::nowhere)};
+      conical_rule<double>(12, Grading::none), conical_rule<double>(16, Grading::none),
+      conical_rule<double>(4, Grading::none), conical_rule<double>(6, Grading::none)};
   const Frame<double> frame = surface.charts.at(p.chart).in<double>().frame(p.at);
   Approximation sum{.value = 0, .radius = 0};
   for (const Element& each : elements) {

@@ -30,7 +30,7 @@ Ball left_over(const Chart& chart, bool as_printed) {
   };
   std::vector<Ball> at_nodes;
   for (const Barycentric<Ball>& q : basis.nodes()) at_nodes.push_back(as_printed ? area(q) : Ball(1));
-  const TriangleRule<Ball> rule = conical_rule<Ball>(order, Gathering::nowhere);
+  const TriangleRule<Ball> rule = conical_rule<Ball>(order, Grading::none);
   std::vector<Ball> values(basis.size());
   Ball sum = 0;
   for (std::size_t p = 0; p < rule.points.size(); ++p) {

@@ -27,8 +27,7 @@ std::vector<PlanePoint> places(const Barycentric<Ball>& q, Region region) {
 Ball largest_defect(const TriangleBasis<Ball>& basis, Region region, int total_degree) {
   const std::vector<Barycentric<Ball>> nodes = basis.nodes();
   // Phi L g has the degree total_degree + r at most; the rule is exact up to 2 order - 1.
-  const TriangleRule<Ball> rule =
-      conical_rule<Ball>((total_degree + basis.degree()) / 2 + 1, Gathering::nowhere);
+  const TriangleRule<Ball> rule = conical_rule<Ball>((total_degree + basis.degree()) / 2 + 1, Grading::none);
   std::vector<std::vector<Ball>> values;
   for (const Barycentric<Ball>& q : rule.points) {
     values.emplace_back(basis.size());

@@ -22,7 +22,7 @@ public:
         p_(p),
         frame_(surface.charts[p.chart].in<double>().frame(p.at)),
         normal_(unit_normal(frame_)),
-        rule_(conical_rule<double>(order, Gathering::nowhere)) {}
+        rule_(conical_rule<double>(order, Grading::none)) {}
 
   // Triangles about P are cut at P, where G has a value for each direction: the rule is collapsed there.
   [[nodiscard]] double over(const ParameterTriangle& t, const InterpolationRemainder& rest) const {

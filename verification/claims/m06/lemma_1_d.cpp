@@ -65,7 +65,7 @@ long chart_pairs_off_a_quarter(const Surface& surface, int pairs) {
     const Ball by_frames = geometric_kernel(at_p.point, unit_normal(at_p), at_q.point, unit_normal(at_q));
     Ball g = by_frames;
     if (&here == &there)
-      g = common_part(by_frames, chord_kernel(here.chord(p, q - p), unit_normal(at_p), unit_normal(at_q)));
+      g = intersection(by_frames, chord_kernel(here.chord(p, q - p), unit_normal(at_p), unit_normal(at_q)));
     if (!g.contains(Rational(1, 4)) || !(g.radius() < 1e-20)) ++count;
   }
   return count;

@@ -79,7 +79,7 @@ Errors errors_on_two_pieces(const TriangleBasis<double>& basis, std::size_t char
 Errors errors_on_the_sphere(const TriangleBasis<double>& basis, int first, int last) {
   const Surface surface = sphere();
   constexpr int order = 8;
-  const TriangleRule<double> rule = conical_rule<double>(order, Gathering::nowhere);
+  const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
   Errors errors;
   for (int level = first; level <= last; ++level) {
     const std::vector<ParameterTriangle> elements = triangulate(surface, level).triangles;

@@ -87,7 +87,7 @@ private:
 /// The functions of the elements, and a density divided by a power of two.
 class LagrangeAndDensity final : public ElementFunctions {
 public:
-  LagrangeAndDensity(const LagrangeFunctions& functions, const Density& u, double scale)
+  LagrangeAndDensity(const LagrangeFunctions& functions, const DensityFormula& u, double scale)
       : functions_(functions), u_(u), inverse_scale_(1 / scale) {}
 
   std::size_t size() const override { return functions_.size() + 1; }
@@ -106,7 +106,7 @@ public:
 
 private:
   LagrangeOnElements functions_;
-  const Density& u_;
+  const DensityFormula& u_;
   double inverse_scale_;
 };
 
@@ -197,8 +197,8 @@ Outcome<CertifiedEntries> certified_chart_entries(const Surface& surface, const 
 
 Outcome<CertifiedCollocation> certified_collocation(const Surface& surface,
                                                     const Triangulation& triangulation,
-                                                    const LagrangeFunctions& functions, const Density& u,
-                                                    double size, double demand) {
+                                                    const LagrangeFunctions& functions,
+                                                    const DensityFormula& u, double size, double demand) {
   expects(size > 0 && std::isfinite(size), "0 < size", named("size", size));
   const std::size_t p = functions.size();
   const std::size_t elements = triangulation.triangles.size();

@@ -51,7 +51,7 @@ struct CertifiedCollocation {
 /// Limits    at the cost of the matrix alone, unless u is not analytic close to the elements
 Outcome<CertifiedCollocation> certified_collocation(const Surface& surface,
                                                     const Triangulation& triangulation,
-                                                    const LagrangeFunctions& functions, const Density& u,
-                                                    double size, double demand);
+                                                    const LagrangeFunctions& functions,
+                                                    const DensityFormula& u, double size, double demand);
 
 }  // namespace radcert

@@ -19,7 +19,7 @@ constexpr double unit = unit_roundoff<double>();
 /// The density as the one function of every element.
 class DensityOnElements final : public ElementFunctions {
 public:
-  explicit DensityOnElements(const Density& u) : u_(u) {}
+  explicit DensityOnElements(const DensityFormula& u) : u_(u) {}
   std::size_t size() const override { return 1; }
   void values(const ElementPoint<BoundedDouble>& q, std::span<BoundedDouble> out) const override {
     out[0] = u_.in_doubles({q.chart, q.at, q.point});
@@ -31,7 +31,7 @@ public:
   double allowed(const ElementPoint<TaylorModel>& /*q*/, double /*bound*/) const override { return 1; }
 
 private:
-  const Density& u_;
+  const DensityFormula& u_;
 };
 
 /// The sums over a chunk of elements.
@@ -62,8 +62,8 @@ Outcome<CertifiedValues> CertifiedSums::within(double demand, std::size_t elemen
 }
 
 Outcome<CertifiedValues> certified_operator(const Surface& surface, const Triangulation& triangulation,
-                                            const Density& u, std::span<const SurfacePoint<Rational>> points,
-                                            double demand) {
+                                            const DensityFormula& u,
+                                            std::span<const SurfacePoint<Rational>> points, double demand) {
   const DensityOnElements density(u);
   const CertifiedKernelSums sums(surface, triangulation, density, points, demand);
   const std::size_t n = points.size();

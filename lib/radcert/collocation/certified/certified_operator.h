@@ -42,7 +42,7 @@ private:
 ///           any number of threads; Interrupted when asked to stop
 /// Limits    V = 1. The triangulation is for speed alone: about one element a few points
 Outcome<CertifiedValues> certified_operator(const Surface& surface, const Triangulation& triangulation,
-                                            const Density& u, std::span<const SurfacePoint<Rational>> points,
-                                            double demand);
+                                            const DensityFormula& u,
+                                            std::span<const SurfacePoint<Rational>> points, double demand);
 
 }  // namespace radcert

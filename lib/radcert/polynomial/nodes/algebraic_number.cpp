@@ -94,7 +94,7 @@ Ball AlgebraicNumber::value() const {
   }
   while (true) {
     const Ball middle = x.midpoint();
-    const Ball next = common_part(x, middle - value_of(polynomial_, middle) / value_of(derivative_, x));
+    const Ball next = intersection(x, middle - value_of(polynomial_, middle) / value_of(derivative_, x));
     const bool shrinks = certainly_less(next.radius_ball() * Ball(2), x.radius_ball());
     x = next;
     if (!shrinks) return x;

@@ -9,7 +9,7 @@
 namespace radcert {
 namespace {
 
-constexpr int gathering_power = 8;  // 1 - m^8 = (1 - m) (1 + m) (1 + m^2) (1 + m^4) below
+constexpr int grading_power = 8;  // 1 - m^8 = (1 - m) (1 + m) (1 + m^2) (1 + m^4) below
 
 /// Distances from the apex and from the base, and the weight of l dl, all free of cancellation.
 template <Real R>
@@ -20,9 +20,9 @@ struct RadialRule {
 };
 
 template <Real R>
-RadialRule<R> radial_rule(int order, Gathering gathering) {
+RadialRule<R> radial_rule(int order, Grading grading) {
   RadialRule<R> radial;
-  if (gathering == Gathering::nowhere) {
+  if (grading == Grading::none) {
     const IntervalRule<R> gauss = gauss_rule<R>(order, IntervalWeight::variable);
     for (int k = 0; k < order; ++k) {
       const auto i = static_cast<std::size_t>(k);
@@ -32,18 +32,18 @@ RadialRule<R> radial_rule(int order, Gathering gathering) {
     }
     return radial;
   }
-  const IntervalRule<R> gauss = gauss_rule<R>(std::max(2 * order, gathering_power), IntervalWeight::one);
+  const IntervalRule<R> gauss = gauss_rule<R>(std::max(2 * order, grading_power), IntervalWeight::one);
   for (std::size_t i = 0; i < gauss.nodes.size(); ++i) {
     const R& m = gauss.nodes[i];
     const R& rest = gauss.nodes[gauss.nodes.size() - 1 - i];  // 1 - m: the rule is symmetric
-    const R near = power(m, gathering_power);
+    const R near = power(m, grading_power);
     const R far = R(1) - near;
-    const R length = gathering == Gathering::apex ? near
-                                                  : rest * (R(1) + m) * (R(1) + m * m) *
-                                                        (R(1) + power(m, 4));  // far, to the last place
-    radial.from_apex.push_back(gathering == Gathering::apex ? near : far);
-    radial.from_base.push_back(gathering == Gathering::apex ? far : near);
-    radial.weights.push_back(gauss.weights[i] * R(gathering_power) * power(m, gathering_power - 1) * length);
+    const R length = grading == Grading::apex ? near
+                                              : rest * (R(1) + m) * (R(1) + m * m) *
+                                                    (R(1) + power(m, 4));  // far, to the last place
+    radial.from_apex.push_back(grading == Grading::apex ? near : far);
+    radial.from_base.push_back(grading == Grading::apex ? far : near);
+    radial.weights.push_back(gauss.weights[i] * R(grading_power) * power(m, grading_power - 1) * length);
   }
   return radial;
 }
@@ -51,9 +51,9 @@ RadialRule<R> radial_rule(int order, Gathering gathering) {
 }  // namespace
 
 template <Real R>
-TriangleRule<R> conical_rule(int order, Gathering gathering) {
+TriangleRule<R> conical_rule(int order, Grading grading) {
   expects(1 <= order && order <= 96, "1 <= order <= 96", named("order", order));
-  const RadialRule<R> radial = radial_rule<R>(order, gathering);
+  const RadialRule<R> radial = radial_rule<R>(order, grading);
   const IntervalRule<R> across = gauss_rule<R>(order, IntervalWeight::one);
   TriangleRule<R> rule;
   for (std::size_t i = 0; i < radial.weights.size(); ++i)
@@ -65,8 +65,8 @@ TriangleRule<R> conical_rule(int order, Gathering gathering) {
   return rule;
 }
 
-template TriangleRule<double> conical_rule<double>(int, Gathering);
-template TriangleRule<Mpfr<50>> conical_rule<Mpfr<50>>(int, Gathering);
-template TriangleRule<Ball> conical_rule<Ball>(int, Gathering);
+template TriangleRule<double> conical_rule<double>(int, Grading);
+template TriangleRule<Mpfr<50>> conical_rule<Mpfr<50>>(int, Grading);
+template TriangleRule<Ball> conical_rule<Ball>(int, Grading);
 
 }  // namespace radcert

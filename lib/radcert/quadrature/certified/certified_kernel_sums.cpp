@@ -37,7 +37,7 @@ double upper_norm(double x, double y, double z) { return std::sqrt(x * x + y * y
 
 /// A triangle within an element by the barycentric coordinates of its corners, which are exact: whole numbers
 /// over 2^depth.
-struct Cell {
+struct SquarePart {
   std::array<Barycentric<double>, 3> corners{{{{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}}};
   int depth = 0;
 };
@@ -46,7 +46,7 @@ Barycentric<double> midpoint(const Barycentric<double>& a, const Barycentric<dou
   return {{(a.x[0] + b.x[0]) / 2, (a.x[1] + b.x[1]) / 2, (a.x[2] + b.x[2]) / 2}};
 }
 
-std::array<Cell, 4> quarters(const Cell& cell) {
+std::array<SquarePart, 4> quarters(const SquarePart& cell) {
   const auto& [a, b, c] = cell.corners;
   const Barycentric<double> ab = midpoint(a, b);
   const Barycentric<double> bc = midpoint(b, c);
@@ -55,8 +55,8 @@ std::array<Cell, 4> quarters(const Cell& cell) {
   return {{{{{a, ab, ca}}, depth}, {{{ab, b, bc}}, depth}, {{{ca, bc, c}}, depth}, {{{ab, bc, ca}}, depth}}};
 }
 
-ExactCorners exact_corners(const ParameterTriangle& triangle) {
-  ExactCorners corners;
+ElementCorners exact_corners(const ParameterTriangle& triangle) {
+  ElementCorners corners;
   for (std::size_t i = 0; i < 3; ++i)
     corners[i] = {Rational::exactly(triangle.vertices[i].s), Rational::exactly(triangle.vertices[i].t)};
   return corners;
@@ -83,7 +83,7 @@ struct SquareToElement {
   std::array<R, 3> along;
   R determinant;
 
-  SquareToElement(const ExactCorners& element, const Cell& cell)
+  SquareToElement(const ElementCorners& element, const SquarePart& cell)
       : determinant(from_rational<R>(power(Rational(1, 4), cell.depth) *
                                      abs(cross(element[1] - element[0], element[2] - element[0])))) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -142,7 +142,7 @@ Vector<BoundedDouble> bounded_vector(const Vector<Ball>& v) {
 }
 
 /// Whether a point is in a triangle, its border included.
-bool contains(const ExactCorners& triangle, const ParameterPoint<Rational>& p) {
+bool contains(const ElementCorners& triangle, const ParameterPoint<Rational>& p) {
   int sense = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const int sign = cross(triangle[(k + 1) % 3] - triangle[k], p - triangle[k]).sign();
@@ -256,7 +256,7 @@ public:
       }
       outside.push_back(static_cast<std::uint32_t>(i));
     }
-    Outcome<void> found = from(Cell{}, outside);
+    Outcome<void> found = from(SquarePart{}, outside);
     for (double& r : radius_) r *= up;
     return found;
   }
@@ -284,7 +284,7 @@ private:
     return {};
   }
 
-  Outcome<void> from(const Cell& cell, std::span<const std::uint32_t> list) {
+  Outcome<void> from(const SquarePart& cell, std::span<const std::uint32_t> list) {
     if (list.empty()) return {};
     throw_if_interrupted();
     if (cell.depth > deepest.value()) {
@@ -322,7 +322,7 @@ private:
       by_rule(cell, m, by_order[m]);
     }
     if (near.empty()) return {};
-    for (const Cell& quarter : quarters(cell))
+    for (const SquarePart& quarter : quarters(cell))
       if (Outcome<void> found = from(quarter, near); !found) return found;
     return {};
   }
@@ -416,7 +416,7 @@ private:
     return sum / 2 * up;
   }
 
-  void find_reaches(const Cell& cell) {
+  void find_reaches(const SquarePart& cell) {
     reach_.fill(Reach{});
     function_fails_ = false;
     const SquareToElement<TaylorModel> map(corners_, cell);
@@ -451,7 +451,7 @@ private:
     }
   }
 
-  void sample(const Cell& cell, std::size_t m) {
+  void sample(const SquarePart& cell, std::size_t m) {
     const GaussOrders::Rule& rule = all_.gauss_.rules[m];
     const SquareToElement<BoundedDouble> map(corners_, cell);
     rule_.begin(GaussOrders::orders[m]);
@@ -471,7 +471,7 @@ private:
     }
   }
 
-  void by_rule(const Cell& cell, std::size_t m, std::span<const std::uint32_t> list) {
+  void by_rule(const SquarePart& cell, std::size_t m, std::span<const std::uint32_t> list) {
     sample(cell, m);
     KernelRule::Sums sums;
     KernelRule::Points points;
@@ -509,7 +509,7 @@ private:
   const ParameterTriangle& triangle_;
   const Chart& chart_;
   const BoundedChart& bounded_;
-  ExactCorners corners_;
+  ElementCorners corners_;
   std::span<double> values_;
   std::span<double> radius_;
   std::vector<BoundedDouble> function_values_;

@@ -22,7 +22,7 @@ ParameterPoint<R> taken_into(const ParameterPoint<Rational>& p) {
 }  // namespace
 
 IntegralFromWithin::IntegralFromWithin(const Chart& chart, const BoundedChart& bounded, std::size_t index,
-                                       const ExactCorners& corners, const ElementFunctions& functions,
+                                       const ElementCorners& corners, const ElementFunctions& functions,
                                        const GaussOrders& gauss)
     : chart_(chart),
       bounded_(bounded),

@@ -17,7 +17,7 @@
 namespace radcert {
 
 /// The corners of an element in the parameters of its chart.
-using ExactCorners = std::array<ParameterPoint<Rational>, 3>;
+using ElementCorners = std::array<ParameterPoint<Rational>, 3>;
 
 /// The integrals of the kernel times functions over an element, from points of the element.
 /// Maths     Int_Delta G(P,Q) f_j(Q) dS_Q, P in Delta
@@ -32,7 +32,7 @@ using ExactCorners = std::array<ParameterPoint<Rational>, 3>;
 class IntegralFromWithin {
 public:
   IntegralFromWithin(const Chart& chart, const BoundedChart& bounded, std::size_t index,
-                     const ExactCorners& corners, const ElementFunctions& functions,
+                     const ElementCorners& corners, const ElementFunctions& functions,
                      const GaussOrders& gauss);
 
   [[nodiscard]] Outcome<void> integrals(const ParameterPoint<Rational>& p, const Vector<Ball>& normal,
@@ -82,7 +82,7 @@ private:
   const Chart& chart_;
   const BoundedChart& bounded_;
   std::size_t index_;
-  ExactCorners corners_;
+  ElementCorners corners_;
   const ElementFunctions& functions_;
   const GaussOrders& gauss_;
   std::vector<BoundedDouble> function_values_;

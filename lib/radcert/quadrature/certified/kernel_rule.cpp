@@ -93,7 +93,8 @@ void KernelRule::take_sums(const Points& points, Sums& sums) const {
 void KernelRule::rounding(const Sums& sums, std::size_t lane, const PointErrors& points,
                           std::span<double> error) const {
   const double displaced = (position_error_ + points.position) * up;
-  // The computed r is off by displaced, and by less than 4 u of itself; its inverse square is rounded once more.
+  // The computed r is off by displaced, and by less than 4 u of itself; its inverse square is rounded once
+  // more.
   const double least = 1 / std::sqrt(sums.inverse.lane(lane)) * (1 - 8 * unit) - displaced;
   constexpr double small = 1e-4;  // so that products of errors are within the slack
   constexpr double slack = 1 + 8 * small;

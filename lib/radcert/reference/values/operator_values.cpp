@@ -53,8 +53,8 @@ Outcome<Ball> over_the_faces_of_a_box(const Arguments& a, const Rational& radius
 }
 
 /// P on the first octant of an ellipsoid at the parameters (s,t).
-Enclosure over_an_ellipsoid(const Surface& surface, const Rational& s, const Rational& t, const Density& q,
-                            const Demand& demand) {
+Enclosure over_an_ellipsoid(const Surface& surface, const Rational& s, const Rational& t,
+                            const DensityFormula& q, const Demand& demand) {
   return kernel_integral(ExactObserver::on_surface({{.chart = 0, .at = {s, t}}}), surface, q, demand);
 }
 
@@ -88,8 +88,8 @@ Enclosure over_the_roof(const Arguments& a, RoofDensity density, const Demand& d
 }
 
 Enclosure over_the_roof_chart(const Arguments& a, RoofDensity density, const Demand& demand) {
-  const Density one = unit_density();
-  const Density squared_radius = radcert::density([]<class R>(const DensityPoint<R>& q) {
+  const DensityFormula one = unit_density();
+  const DensityFormula squared_radius = radcert::density([]<class R>(const DensityPoint<R>& q) {
     return q.point.x * q.point.x + q.point.y * q.point.y + q.point.z * q.point.z;
   });
   const Surface surface = two_piece(a[0]);
@@ -193,7 +193,7 @@ Theme operator_values() {
            by_integral("double integrals over eight charts, chords divided at P", digits_on_curved_pieces,
                        [](const Arguments& a, const Demand& demand) {
                          const long k = *a[0].to_long();
-                         const Density z =
+                         const DensityFormula z =
                              density([k]<class R>(const DensityPoint<R>& q) { return power(q.point.z, k); });
                          return over_an_ellipsoid(sphere(), a[1], a[2], z, demand);
                        })},

@@ -54,7 +54,7 @@ Route by_double_integral(std::function<Configuration(const Arguments&)> configur
         surface.name = "parallelogram";
         surface.charts.push_back(
             make_rectangle({.name = "parallelogram", .piece = "parallelogram"}, c.origin, c.first, c.second));
-        const Density q = density([&c]<class R>(const DensityPoint<R>& at) {
+        const DensityFormula q = density([&c]<class R>(const DensityPoint<R>& at) {
           return from_rational<R>(c.density[0]) + from_rational<R>(c.density[1]) * at.at.s +
                  from_rational<R>(c.density[2]) * at.at.t;
         });

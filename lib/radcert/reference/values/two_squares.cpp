@@ -23,7 +23,7 @@ Route by_double_integral(Factor factor) {
                        surface.name = "square";
                        surface.charts.push_back(make_rectangle({.name = "square", .piece = "square"},
                                                                {0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
-                       const Density q = density([&a, factor]<class R>(const DensityPoint<R>& at) {
+                       const DensityFormula q = density([&a, factor]<class R>(const DensityPoint<R>& at) {
                          switch (factor) {
                            case Factor::offset: return at.at.s - from_rational<R>(a[0]);
                            case Factor::distance: return at.at.t;

@@ -11,7 +11,7 @@ const WorkLimit terms_a_bit("scalar/power_difference: terms of the binomial seri
                             "what is left out is bounded by the last term, and widens the ball");
 
 /// Of two enclosures of one number, where either may have failed.
-Ball better(const Ball& x, const Ball& y) { return common_part(x, y); }
+Ball better(const Ball& x, const Ball& y) { return intersection(x, y); }
 
 /// a^(e-2) sum_{k >= 2} binom(e, k) x^(k-2) for x = d/a with |x| <= 3/4. From k >= (e-1)/2 on the quotient of
 /// a term and the one before is at most q = |x| max(1, (k-e)/(k+1)), which does not grow with k: where q < 1,

@@ -12,14 +12,14 @@ namespace radcert {
 /// Requires  see SurfacePoint
 /// Result    rounded as R rounds
 template <Real R>
-struct Observer {
+struct CollocationPoint {
   SurfacePoint<R> at;
   Vector<R> point;
   Vector<R> normal;
 };
 
 template <Real R>
-Observer<R> observer(const Surface& surface, const SurfacePoint<R>& at) {
+CollocationPoint<R> collocation_point(const Surface& surface, const SurfacePoint<R>& at) {
   const Chart& chart = surface.charts[at.chart];
   const Frame<R> frame = chart.in<R>().frame(at.at);
   return {at, frame.point, unit_normal(frame)};

@@ -5,16 +5,16 @@
 #include <span>
 #include <vector>
 
-#include "radcert/quadrature/observer.h"
+#include "radcert/quadrature/collocation_point.h"
 #include "radcert/scalar/pack.h"
 
 namespace radcert {
 
-/// Observers side by side, one a lane.
+/// Collocation points side by side, one a lane.
 /// Maths     P_i and n_{P_i} for first <= i < first + count, all on one chart, and a ball about them
-/// Result    lanes from `count` on repeat the last observer
+/// Result    lanes from `count` on repeat the last collocation point
 template <Real R>
-struct ObserverBlock {
+struct CollocationPointBlock {
   using B = typename Block<R>::Type;
 
   std::size_t first = 0;
@@ -27,21 +27,21 @@ struct ObserverBlock {
   R extent{};  ///< the largest coordinate
 };
 
-/// Consecutive observers in blocks that do not straddle charts.
+/// Consecutive collocation points in blocks that do not straddle charts.
 template <Real R>
-std::vector<ObserverBlock<R>> observer_blocks(std::span<const Observer<R>> observers) {
+std::vector<CollocationPointBlock<R>> observer_blocks(std::span<const CollocationPoint<R>> observers) {
   using std::abs;
   constexpr std::size_t lanes = Block<R>::lanes;
-  std::vector<ObserverBlock<R>> blocks;
+  std::vector<CollocationPointBlock<R>> blocks;
   for (std::size_t first = 0; first < observers.size();) {
-    ObserverBlock<R> block;
+    CollocationPointBlock<R> block;
     block.first = first;
     block.chart = observers[first].at.chart;
     while (block.count < lanes && first + block.count < observers.size() &&
            observers[first + block.count].at.chart == block.chart)
       ++block.count;
     for (std::size_t i = 0; i < lanes; ++i) {
-      const Observer<R>& p = observers[first + std::min(i, block.count - 1)];
+      const CollocationPoint<R>& p = observers[first + std::min(i, block.count - 1)];
       Block<R>::set_lane(block.point.x, i, p.point.x);
       Block<R>::set_lane(block.point.y, i, p.point.y);
       Block<R>::set_lane(block.point.z, i, p.point.z);
