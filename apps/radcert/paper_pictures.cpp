@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The figures of [psg10] as pictures of radcert's own: the scene of figures 3, 5, 7 and 8 is lit_room(), for
-// the paper gives none.
+// The figures of [psg10] as pictures of radcert's own: the scene of figures 3, 5, 7 and 8 is lit_room(), for the paper gives none.
 #include "paper_pictures.h"
 
 #include <algorithm>
@@ -82,8 +81,7 @@ private:
   std::size_t strip_;
 };
 
-/// The pose with an angle so wide that a panel which is narrower than the scene wants it still shows all from
-/// left to right.
+/// The pose with an angle so wide that a panel which is narrower than the scene wants it still shows all from left to right.
 CameraPose fitted_to(CameraPose pose, const ImageRegion& panel) {
   constexpr double wanted = 4.0 / 3;  // width over height
   const double least = wanted * as_double(panel.height) / as_double(panel.width);

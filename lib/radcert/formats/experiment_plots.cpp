@@ -53,8 +53,7 @@ std::vector<PlotPoint> points(const Result& result, const ErrorKind& kind, const
   return out;
 }
 
-/// The fit of a result for an error; of an error that has no radius and is not among the fits, over all
-/// levels.
+/// The fit of a result for an error; of an error that has no radius and is not among the fits, over all levels.
 template <class X>
 OrderFit order_of(const Result& result, const std::vector<OrderFit>& fits, const ErrorKind& kind, const X& x,
                   double sign) {

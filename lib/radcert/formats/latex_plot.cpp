@@ -62,8 +62,7 @@ std::string triangle_text(const SlopeTriangle& triangle) {
          nearest_text(triangle.order, DecimalForm::fixed(2)) + "$};\n";
 }
 
-/// The ticks of the horizontal axis: those of the SVG, which are no odd powers of ten where there is less
-/// than a decade.
+/// The ticks of the horizontal axis: those of the SVG, which are no odd powers of ten where there is less than a decade.
 std::string ticks(const ConvergencePlot& plot) {
   double least = 0;
   double largest = 0;

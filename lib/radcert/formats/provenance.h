@@ -23,7 +23,11 @@ struct LibraryVersion {
 };
 
 /// What somebody needs to know to make files again.
+/// Maths     none
+/// Source    -
+/// Requires  -
 /// Result    plain data
+/// Limits    -
 struct Provenance {
   std::string command;
   std::vector<InputDigest> inputs;
@@ -37,6 +41,7 @@ struct Provenance {
 };
 
 /// A provenance as JSON, ending with a newline.
+/// Maths     none
 /// Source    the file format radcert/provenance/1
 /// Requires  nothing
 /// Result    with version and source digest of this radcert

@@ -6,6 +6,7 @@
 namespace radcert {
 
 /// The texts of the schemas, one source a file type.
+/// Maths     none
 /// Source    the file formats
 /// Requires  nothing
 /// Result    JSON, draft 2020-12

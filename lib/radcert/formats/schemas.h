@@ -14,6 +14,7 @@ struct Schema {
 };
 
 /// The file types that radcert reads or writes.
+/// Maths     none
 /// Source    the file formats; JSON Schema draft 2020-12
 /// Requires  nothing
 /// Result    in a fixed order; what this version reads and writes, no more

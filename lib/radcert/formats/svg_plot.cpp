@@ -27,8 +27,8 @@ constexpr std::size_t colours = 8;
 constexpr double marker_radius = 4;
 constexpr double least_length = 1e-6;  // of an axis, relative: far above the rounding of its ticks
 
-// Colours that people with the usual deficiencies tell apart (after Okabe and Ito), each dark enough on white
-// and bright enough on black.
+// Colours that people with the usual deficiencies tell apart (after Okabe and Ito), each dark enough on white and bright
+// enough on black.
 constexpr std::string_view style = R"css(
     text { font: 13px system-ui, "DejaVu Sans", sans-serif; fill: #1b1b1b; }
     .title { font-size: 16px; font-weight: 600; }
@@ -129,8 +129,7 @@ private:
   double from_, to_;
 };
 
-/// The range of an axis: the data's, and a twentieth of it on either side; a single value lies in the middle
-/// of a range.
+/// The range of an axis: the data's, and a twentieth of it on either side; a single value lies in the middle of a range.
 std::pair<double, double> range(const std::vector<double>& values, bool linear) {
   if (values.empty()) return {1, 10};
   constexpr double margin = 0.05;
@@ -183,8 +182,7 @@ std::string group(std::size_t series) {
   return "  <g class=\"c" + std::to_string(series % colours) + "\">\n";
 }
 
-/// From y - radius to y + radius, with a short line across each end inside the frame; nothing where the
-/// marker hides it.
+/// From y - radius to y + radius, with a short line across each end inside the frame; nothing where the marker hides it.
 std::string error_bar(const PlotPoint& point, const Axis& x, const Axis& y) {
   constexpr double half_width = 5;
   constexpr double bottom = top + plot_height;

@@ -32,6 +32,8 @@ struct CurvePanel {
 };
 
 /// Draws curves with a frame, ticks and their numbers.
+/// Maths     none
+/// Source    -
 /// Requires  low_x < high_x, low_y < high_y, finite points, names of printable ASCII, a region of the image,
 ///           else ContractViolation
 /// Result    the curves are cut off at the frame; ticks as axis_ticks; a thin line at y = 0 if it is within
@@ -41,8 +43,10 @@ void draw_panel(Image& image, const ImageRegion& region, const CurvePanel& panel
 
 /// Draws a bar with the colours of a scale and its numbers to the right of it.
 /// Maths     linear from low, below, to high, above
+/// Source    -
 /// Requires  a region of the image, else ContractViolation
 /// Result    the bar is as wide as the numbers are high; nothing where the region is too small for them
+/// Limits    -
 void draw_scale(Image& image, const ImageRegion& region, const ColourScale& scale, double text_height);
 
 }  // namespace radcert

@@ -13,6 +13,7 @@ namespace radcert {
 /// A line through points, with smooth edges.
 /// Maths     coverage of a pixel: 1/2 + width/2 - distance of its middle from the line, cut off to [0,1]; for
 ///           lines thinner than a pixel times the width
+/// Source    -
 /// Requires  width > 0, opacity in [0,1], finite points, else ContractViolation
 /// Result    joints and crossings of the line with itself are not darker than the rest; what lies outside of
 ///           `within` is left out
@@ -31,6 +32,7 @@ void fill(Image& image, const ImageRegion& region, const Colour& colour);
 enum class TextAlign : std::uint8_t { left, middle, right };
 
 /// A text in strokes.
+/// Maths     none
 /// Source    letters of its own, lines and splines on a grid
 /// Requires  printable ASCII, height > 0, else ContractViolation
 /// Result    capital letters `height` high on the line at y, in strokes a ninth as thick, one pixel at least

@@ -16,8 +16,7 @@ namespace {
 constexpr char first_character = ' ';
 constexpr char last_character = '~';
 
-/// A letter: its width, and strokes with a bar between them, numbers x y x y ...; ~ before a smooth stroke, o
-/// before a closed smooth one.
+/// A letter: its width, and strokes with a bar between them, numbers x y x y ...; ~ before a smooth stroke, o before a closed smooth one.
 struct LetterText {
   double width;
   std::string_view strokes;

@@ -10,7 +10,9 @@ namespace radcert {
 /// A letter as lines.
 /// Maths     coordinates on a grid: x from 0, y upwards from the base line; capital letters are 8 high
 /// Source    drawn for radcert
+/// Requires  -
 /// Result    plain data
+/// Limits    -
 struct StrokeLetter {
   double advance = 0;  ///< to the next letter
   std::vector<std::vector<ImagePoint>> strokes;

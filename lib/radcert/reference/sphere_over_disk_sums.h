@@ -20,12 +20,12 @@ enum class SumWeights {
 };
 
 /// How the paper's sums are read.
-/// Maths     form_factor: F = form_factor cos cos'/(pi d^2) where the points face each other. 1: a surface of
-///           albedo beta reflects beta of what arrives; 1/2: rho G of section II is 2 beta cos cos'/(4 pi
-///           d^2); 1/4: G of section II alone
+/// Maths     form_factor: F = form_factor cos cos'/(pi d^2) where the points face each other. 1: a surface of albedo beta reflects beta of what
+///           arrives; 1/2: rho G of section II is 2 beta cos cos'/(4 pi d^2); 1/4: G of section II alone
 /// Source    [psg10, (2)-(5), (21)-(25)]
 /// Requires  counts >= 2
 /// Result    plain data; the defaults are n = m = k = 100 and the physical factor
+/// Limits    -
 struct SumReading {
   int rings = 100;      ///< n
   int parallels = 100;  ///< m
