@@ -54,9 +54,9 @@ struct RuleChoice {
   Ball error;  ///< for a side of length 2 and the bound on the ellipse
 };
 
-class SquareCell {
+class CellVisit {
 public:
-  SquareCell(const SquareFunction& f, const OpenCell& cell, double allowance, long work)
+  CellVisit(const SquareFunction& f, const OpenCell& cell, double allowance, long work)
       : f_(f),
         cell_(cell),
         allowance_(allowance),
@@ -253,7 +253,7 @@ Enclosure integral_over_squares(std::span<const SquareFunction> functions, const
           const BallPrecision inside(bits);
           for (std::size_t i = from; i < to; ++i) {
             const OpenCell& cell = open[begin + i];
-            visits[i] = SquareCell(functions[cell.function], cell, allowance, share).visit();
+            visits[i] = CellVisit(functions[cell.function], cell, allowance, share).visit();
           }
         });
       }

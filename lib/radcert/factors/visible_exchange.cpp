@@ -26,7 +26,7 @@ double area_of(const ReceiverCell& c) { return norm(cross(c[1] - c[0], c[2] - c[
 Facing facing(const FacetCorners& corners, const Point& unit_normal) { return {corners, unit_normal}; }
 
 /// A triangle of the receiver.
-struct ReceiverCell {
+struct PendingCell {
   ReceiverCell corners;
   CellSight sight;
   int order = 0;  ///< of the rule; 0: none
@@ -34,7 +34,7 @@ struct ReceiverCell {
   double error = 0;
   std::size_t number = 0;
   /// The largest error first, the older of equals.
-  friend bool operator<(const ReceiverCell& a, const ReceiverCell& b) {
+  friend bool operator<(const PendingCell& a, const PendingCell& b) {
     return a.error != b.error ? a.error < b.error : a.number > b.number;
   }
 };
@@ -82,7 +82,7 @@ public:
       push({geometry_.receiver[0], geometry_.receiver[k], geometry_.receiver[k + 1]}, all, low_order);
     while (!cells_.empty() && made_ < most_cells && error_ > tolerance) {
       throw_if_interrupted();
-      const ReceiverCell worst = cells_.top();
+      const PendingCell worst = cells_.top();
       cells_.pop();
       error_ -= worst.error;
       refine(worst);
@@ -101,15 +101,15 @@ private:
 
   void sum_errors() {
     error_ = 0;
-    std::priority_queue<ReceiverCell> copy = cells_;
+    std::priority_queue<PendingCell> copy = cells_;
     for (; !copy.empty(); copy.pop()) error_ += copy.top().error;
   }
 
-  static double error_on_kinks(const ReceiverCell& cell) {
+  static double error_on_kinks(const PendingCell& cell) {
     return rule_error_on_kinks(cell.order) * area_of(cell.corners) / std::numbers::pi * cell.sight.change;
   }
 
-  void refine(const ReceiverCell& cell) {
+  void refine(const PendingCell& cell) {
     // Along the lines that matter most, as far as they make up most of the change; else in four.
     constexpr std::size_t most_lines = 4;
     if (cell.order == low_order && cell.error > 2 * error_on_kinks(cell)) {
@@ -163,7 +163,7 @@ private:
     ++made_;
     const double area = area_of(c);
     if (area == 0) return;
-    ReceiverCell cell{.corners = c, .sight = events_.of(c, screens), .order = order, .number = made_};
+    PendingCell cell{.corners = c, .sight = events_.of(c, screens), .order = order, .number = made_};
     if (cell.sight.hidden) return;
     if (cell.sight.screens.empty()) {
       settled_ += exchange_area({c.begin(), c.end()}, geometry_.source);
@@ -190,7 +190,7 @@ private:
   const ExchangeGeometry& geometry_;
   SourceViewer viewer_;
   SightEvents events_;
-  std::priority_queue<ReceiverCell> cells_;
+  std::priority_queue<PendingCell> cells_;
   Approximation settled_ = Approximation::exact(0);
   double rounded_ = 0;
   double error_ = 0;
