@@ -9,7 +9,7 @@
 #include "radcert/collocation/assembly.h"
 #include "radcert/collocation/nodes.h"
 #include "radcert/core/parallel.h"
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 #include "radcert/quadrature/element_integrator.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/study.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "radcert/formats/provenance.h"
+#include "radcert/formats/result/provenance.h"
 
 namespace radcert::app {
 

@@ -9,7 +9,7 @@
 #include "command.h"
 #include "examples.h"
 #include "output.h"
-#include "radcert/formats/json_reader.h"
+#include "radcert/formats/json/json_reader.h"
 
 namespace radcert::app {
 

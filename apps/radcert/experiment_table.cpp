@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "output.h"
-#include "radcert/formats/order_text.h"
+#include "radcert/formats/table/order_text.h"
 #include "radcert/scalar/enclosing_text.h"
 
 namespace radcert::app {

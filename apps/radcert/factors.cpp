@@ -23,9 +23,9 @@
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
 #include "radcert/factors/factor_mesh.h"
-#include "radcert/formats/factors_csv.h"
-#include "radcert/formats/factors_json.h"
-#include "radcert/formats/json_reader.h"
+#include "radcert/formats/json/json_reader.h"
+#include "radcert/formats/result/factors_json.h"
+#include "radcert/formats/table/factors_csv.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/surface/catalogue.h"
 

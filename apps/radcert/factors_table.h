@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "radcert/formats/factors_json.h"
+#include "radcert/formats/result/factors_json.h"
 
 namespace radcert::app {
 

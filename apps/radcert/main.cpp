@@ -13,7 +13,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/version.h"
-#include "radcert/formats/json_reader.h"
+#include "radcert/formats/json/json_reader.h"
 
 namespace {
 

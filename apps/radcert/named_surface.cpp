@@ -6,7 +6,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
-#include "radcert/formats/json_reader.h"
+#include "radcert/formats/json/json_reader.h"
 
 namespace radcert::app {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "command.h"
-#include "radcert/formats/provenance.h"
+#include "radcert/formats/result/provenance.h"
 #include "radcert/study/problem.h"
 
 namespace radcert::app {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "progress.h"
-#include "radcert/formats/json_value.h"
+#include "radcert/formats/json/json_value.h"
 #include "radcert/picture/image.h"
 
 namespace radcert::app {

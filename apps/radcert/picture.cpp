@@ -17,7 +17,7 @@
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
-#include "radcert/formats/json_reader.h"
+#include "radcert/formats/json/json_reader.h"
 #include "radcert/picture/png.h"
 
 namespace radcert::app {

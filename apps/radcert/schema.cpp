@@ -8,8 +8,8 @@
 
 #include "command.h"
 #include "output.h"
-#include "radcert/formats/json_reader.h"
-#include "radcert/formats/schemas.h"
+#include "radcert/formats/json/json_reader.h"
+#include "radcert/formats/schema/schemas.h"
 
 namespace radcert::app {
 

@@ -14,7 +14,7 @@
 #include "paper_pictures.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/version.h"
-#include "radcert/formats/schemas.h"
+#include "radcert/formats/schema/schemas.h"
 
 namespace radcert::app {
 

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "radcert/core/errors.h"
-#include "radcert/formats/csv.h"
+#include "radcert/formats/table/csv.h"
 #include "radcert/reference/sphere_over_disk_value.h"
 
 namespace radcert::app {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "command.h"
-#include "radcert/formats/reference_json.h"
+#include "radcert/formats/result/reference_json.h"
 #include "radcert/reference/reference_value.h"
 
 namespace radcert::app {

@@ -16,8 +16,8 @@
 #include "output.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
-#include "radcert/formats/json_reader.h"
-#include "radcert/formats/surface_json.h"
+#include "radcert/formats/json/json_reader.h"
+#include "radcert/formats/result/surface_json.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/rational.h"
 

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/formats/convergence_plot.h"
-#include "radcert/formats/csv.h"
-#include "radcert/formats/latex_plot.h"
-#include "radcert/formats/latex_table.h"
+#include "radcert/formats/plot/convergence_plot.h"
+#include "radcert/formats/plot/latex_plot.h"
+#include "radcert/formats/table/csv.h"
+#include "radcert/formats/table/latex_table.h"
 
 namespace radcert::app {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/factors_csv.h"
+#include "radcert/formats/table/factors_csv.h"
 
 #include <gtest/gtest.h>
 

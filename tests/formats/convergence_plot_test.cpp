@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/convergence_plot.h"
+#include "radcert/formats/plot/convergence_plot.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "radcert/core/digest.h"
-#include "radcert/formats/latex_plot.h"
-#include "radcert/formats/provenance.h"
+#include "radcert/formats/plot/latex_plot.h"
+#include "radcert/formats/result/provenance.h"
 
 namespace radcert {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/csv.h"
+#include "radcert/formats/table/csv.h"
 
 #include <gtest/gtest.h>
 

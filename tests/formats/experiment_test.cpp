@@ -7,11 +7,11 @@
 #include <random>
 
 #include "radcert/core/contract.h"
-#include "radcert/formats/experiment_json.h"
-#include "radcert/formats/experiment_plots.h"
-#include "radcert/formats/json_document.h"
-#include "radcert/formats/problem_json.h"
-#include "radcert/formats/svg_plot.h"
+#include "radcert/formats/json/json_document.h"
+#include "radcert/formats/plot/experiment_plots.h"
+#include "radcert/formats/plot/svg_plot.h"
+#include "radcert/formats/problem/problem_json.h"
+#include "radcert/formats/result/experiment_json.h"
 #include "tests/formats/sample.h"
 
 namespace radcert {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/json_document.h"
+#include "radcert/formats/json/json_document.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

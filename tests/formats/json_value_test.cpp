@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/json_value.h"
+#include "radcert/formats/json/json_value.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <random>
 
 #include "radcert/core/contract.h"
-#include "radcert/formats/json_document.h"
+#include "radcert/formats/json/json_document.h"
 
 namespace radcert {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/latex_table.h"
+#include "radcert/formats/table/latex_table.h"
 
 #include <gtest/gtest.h>
 

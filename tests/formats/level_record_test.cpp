@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/level_record.h"
+#include "radcert/formats/result/level_record.h"
 
 #include <gtest/gtest.h>
 

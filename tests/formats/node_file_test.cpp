@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/node_file.h"
+#include "radcert/formats/problem/node_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "radcert/core/errors.h"
 #include "radcert/expression/parse.h"
-#include "radcert/formats/polynomial_expression.h"
+#include "radcert/formats/problem/polynomial_expression.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/ply.h"
+#include "radcert/formats/field/ply.h"
 
 #include <gtest/gtest.h>
 

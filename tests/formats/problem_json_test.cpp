@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 
 #include <gtest/gtest.h>
 
-#include "radcert/formats/json_document.h"
+#include "radcert/formats/json/json_document.h"
 #include "tests/formats/sample.h"
 
 namespace radcert {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "radcert/core/errors.h"
-#include "radcert/formats/json_document.h"
+#include "radcert/formats/json/json_document.h"
 #include "tests/formats/sample.h"
 
 namespace radcert {

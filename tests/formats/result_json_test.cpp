@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/result_json.h"
+#include "radcert/formats/result/result_json.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
 #include "radcert/core/version.h"
-#include "radcert/formats/json_document.h"
+#include "radcert/formats/json/json_document.h"
 #include "tests/formats/sample.h"
 
 namespace radcert {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 #include "radcert/study/study.h"
 
 namespace radcert::test {

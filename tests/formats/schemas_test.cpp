@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/schemas.h"
+#include "radcert/formats/schema/schemas.h"
 
 #include <gtest/gtest.h>
 
-#include "radcert/formats/json_document.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/surface/catalogue.h"
 
 namespace radcert {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/formats/vtu.h"
+#include "radcert/formats/field/vtu.h"
 
 #include <gtest/gtest.h>
 

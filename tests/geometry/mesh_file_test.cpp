@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/geometry/mesh_file.h"
+#include "radcert/geometry/mesh_file/mesh_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "radcert/core/text.h"
-#include "radcert/geometry/face_triangulation.h"
-#include "radcert/geometry/mesh_file.h"
+#include "radcert/geometry/mesh_file/face_triangulation.h"
+#include "radcert/geometry/mesh_file/mesh_file.h"
 #include "radcert/geometry/triangle_mesh.h"
 
 namespace radcert::sample {

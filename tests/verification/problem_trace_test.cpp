@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 #include "tests/verification/fixtures.h"
 
 namespace radcert::verification {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "radcert/core/errors.h"
-#include "radcert/formats/json_document.h"
+#include "radcert/formats/json/json_document.h"
 #include "tests/verification/fixtures.h"
 #include "verification/report/report_text.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "radcert/core/errors.h"
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 #include "radcert/reference/reference_value.h"
 #include "radcert/scalar/ball_precision.h"
 

@@ -8,7 +8,7 @@
 
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
-#include "radcert/formats/level_record.h"
+#include "radcert/formats/result/level_record.h"
 
 namespace radcert::verification {
 namespace {

@@ -22,7 +22,7 @@ public:
 };
 
 /// Solved levels, each computed once and kept.
-/// Source    formats/level_record.h for the key and the text
+/// Source    formats/result/level_record.h for the key and the text
 /// Requires  the store outlives the source
 /// Result    a level found in the store is not computed; one that is computed is stored at once, so that an
 ///           interrupted run goes on where it was. computed() counts the computations of this object

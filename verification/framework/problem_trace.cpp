@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "radcert/formats/problem_json.h"
-#include "radcert/formats/problem_parts.h"
-#include "radcert/formats/problem_words.h"
+#include "radcert/formats/problem/problem_json.h"
+#include "radcert/formats/problem/problem_parts.h"
+#include "radcert/formats/problem/problem_words.h"
 
 namespace radcert::verification {
 namespace {

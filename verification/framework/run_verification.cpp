@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "radcert/core/errors.h"
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 #include "verification/claims/contents.h"
 #include "verification/framework/enclosure_check.h"
 #include "verification/framework/table_check.h"

@@ -11,7 +11,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/triangulation/triangulation.h"
 #include "verification/framework/cell.h"

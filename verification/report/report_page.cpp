@@ -12,7 +12,7 @@
 
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
-#include "radcert/formats/json_value.h"
+#include "radcert/formats/json/json_value.h"
 #include "verification/framework/embedded.h"
 #include "verification/report/report_text.h"
 

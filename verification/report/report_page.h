@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "radcert/formats/json_value.h"
+#include "radcert/formats/json/json_value.h"
 #include "verification/framework/report.h"
 
 namespace radcert::verification {

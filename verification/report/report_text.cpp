@@ -13,7 +13,7 @@
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/version.h"
-#include "radcert/formats/result_json.h"
+#include "radcert/formats/result/result_json.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "verification/report/report_page.h"
 

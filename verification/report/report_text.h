@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "radcert/formats/json_value.h"
+#include "radcert/formats/json/json_value.h"
 #include "verification/framework/report.h"
 
 namespace radcert::verification {

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/study.h"
 

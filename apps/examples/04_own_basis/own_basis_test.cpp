@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 #include "radcert/polynomial/exact_basis.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/study.h"

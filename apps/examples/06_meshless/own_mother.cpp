@@ -8,7 +8,7 @@
 #include <iostream>
 #include <span>
 
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/study.h"
 

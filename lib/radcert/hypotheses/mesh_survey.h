@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "radcert/geometry/face_triangulation.h"
 #include "radcert/geometry/mesh_defects.h"
+#include "radcert/geometry/mesh_file/face_triangulation.h"
 #include "radcert/geometry/mesh_quality.h"
 #include "radcert/geometry/mesh_repair.h"
 #include "radcert/geometry/mesh_topology.h"

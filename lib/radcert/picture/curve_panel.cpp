@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "radcert/core/contract.h"
-#include "radcert/formats/svg_plot.h"
+#include "radcert/formats/plot/svg_plot.h"
 #include "radcert/picture/drawing.h"
 #include "radcert/scalar/enclosing_text.h"
 

@@ -13,7 +13,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/expression/batch.h"
-#include "radcert/formats/level_record.h"
+#include "radcert/formats/result/level_record.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/triangulation/interpolated_surface.h"
 #include "radcert/triangulation/triangulation.h"

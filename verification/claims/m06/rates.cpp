@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "radcert/core/contract.h"
-#include "radcert/formats/problem_json.h"
+#include "radcert/formats/problem/problem_json.h"
 #include "verification/framework/embedded.h"
 
 namespace radcert::verification::m06 {

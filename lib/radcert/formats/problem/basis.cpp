@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/formats/problem/node_file.h"
+#include "radcert/formats/problem/problem_parts.h"
+#include "radcert/polynomial/nodes/superconvergent_inset.h"
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
+#include "radcert/scalar/real.h"
+
+namespace radcert {
+
+namespace {
+
+constexpr int largest_degree = 8;
+const std::vector<std::string> available_families = {"inset",    "symmetric", "shepard",
+                                                     "gaussian", "lehtinen",  "meshless"};
+constexpr const char* alpha_allowed =
+    "a decimal or fraction in a string, or a number, in [0, 1/3); superconvergent at degrees 1 and 3; "
+    "at degree 0 it may be left out";
+
+void read_alpha(const JsonReader& alpha, BasisChoice& choice) {
+  if (const std::string* word = alpha.value().string(); word != nullptr && *word == "superconvergent") {
+    if (choice.degree == 0)
+      alpha.refuse("names no number at degree 0, where alpha has no effect", alpha_allowed);
+    // Far below the rounding of every arithmetic that a problem is solved in.
+    const Outcome<NearInset> inset = superconvergent_inset(choice.degree, 1 / power(Rational(10), 100));
+    if (!inset) alpha.refuse("does not exist: " + inset.reason(), alpha_allowed);
+    choice.alpha = inset->value;
+    choice.alpha_is_near = !inset->is_exact;
+    return;
+  }
+  const Rational value = alpha.rational(alpha_allowed);
+  if (value < Rational(0) || value >= Rational(1, 3)) alpha.refuse("is outside the range", alpha_allowed);
+  choice.alpha = value;
+}
+
+BasisChoice read_file(const JsonReader& basis, const JsonReader& file, const std::filesystem::path& folder) {
+  basis.require_object({"file", "digest"});
+  BasisChoice choice;
+  choice.family = BasisFamily::file;
+  choice.file = file.string("the name of a file of nodes, relative to the problem's folder");
+  const std::filesystem::path path = folder / choice.file;
+  if (!std::filesystem::exists(path))
+    file.refuse("is not there", "a file of nodes, its name relative to the problem's folder");
+  NodeFile nodes = read_nodes(path);
+  require_digest(basis, nodes.digest);
+  choice.digest = nodes.digest;
+  choice.degree = nodes.functions.degree();
+  if (choice.degree > largest_degree)
+    file.refuse("has functions of degree " + std::to_string(choice.degree), "functions of degree 0 to 8");
+  choice.functions = std::make_shared<const LagrangeFunctions>(std::move(nodes.functions));
+  return choice;
+}
+
+BasisChoice read_symmetric(const JsonReader& basis) {
+  basis.require_object({"family", "degree"});
+  const std::string allowed = "a whole number from " + std::to_string(smallest_symmetric_degree) + " to " +
+                              std::to_string(largest_symmetric_degree);
+  BasisChoice choice;
+  choice.family = BasisFamily::symmetric;
+  choice.degree = static_cast<int>(
+      basis.at("degree", allowed).whole(smallest_symmetric_degree, largest_symmetric_degree, allowed));
+  choice.functions = std::make_shared<const LagrangeFunctions>(
+      lagrange_functions(symmetric_nodes(choice.degree).nodes()).value());
+  return choice;
+}
+
+}  // namespace
+
+BasisChoice read_basis(const JsonReader& basis, const std::filesystem::path& folder) {
+  if (basis.value().string() != nullptr) return read_meshless(basis);
+  if (basis.value().members() == nullptr) basis.refuse("is " + basis.value().kind(), "an object");
+  if (const auto file = basis.find("file")) return read_file(basis, *file, folder);
+  const std::string& family =
+      basis.at("family", "one of " + listed(available_families)).word(available_families);
+  if (family == "symmetric") return read_symmetric(basis);
+  if (is_meshless_family(family)) return read_meshless(basis);
+  basis.require_object({"family", "degree", "alpha"});
+
+  BasisChoice choice;
+  const std::string degree_allowed = "a whole number from 0 to 8";
+  choice.degree =
+      static_cast<int>(basis.at("degree", degree_allowed).whole(0, largest_degree, degree_allowed));
+  if (const auto alpha = basis.find("alpha"))
+    read_alpha(*alpha, choice);
+  else if (choice.degree > 0)
+    read_alpha(basis.at("alpha", alpha_allowed), choice);
+  return choice;
+}
+
+JsonValue basis_json(const BasisChoice& basis) {
+  if (basis.meshless) return meshless_json(*basis.meshless);
+  JsonValue out = JsonValue::object();
+  if (basis.family == BasisFamily::file) {
+    out.set("file", basis.file);
+    out.set("digest", basis.digest);
+    return out;
+  }
+  out.set("family", basis.family == BasisFamily::symmetric ? "symmetric" : "inset");
+  out.set("degree", basis.degree);
+  if (basis.alpha) out.set("alpha", basis.alpha_is_near ? "superconvergent" : basis.alpha->to_text());
+  return out;
+}
+
+}  // namespace radcert

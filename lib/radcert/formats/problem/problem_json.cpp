@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/problem/problem_json.h"
+
+#include <string>
+#include <vector>
+
+#include "radcert/core/errors.h"
+#include "radcert/formats/json/json_document.h"
+#include "radcert/formats/problem/problem_parts.h"
+#include "radcert/surface/catalogue.h"
+
+namespace radcert {
+
+namespace {
+
+constexpr const char* schema = "radcert/problem/1";
+
+/// The pieces that the problem may name: of the catalogue, or of the mesh.
+std::vector<std::string> pieces_of(const SurfaceChoice& surface) {
+  return surface.mesh ? surface.mesh->surface->piece_names() : find_surface(surface.name)->pieces;
+}
+
+Problem read(const JsonValue& document, const std::filesystem::path& folder) {
+  const JsonReader root(document);
+  if (document.members() == nullptr) root.refuse("is " + document.kind(), "an object: a problem");
+  const std::vector<std::string> schemas = {schema};
+  (void)root.at("schema", schema).word(schemas);
+  root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
+                       "emission", "quadrature", "solver"});
+  Problem problem;
+  problem.surface = read_surface(
+      root.at("surface", "an object with a name, see radcert list surfaces, or with a file"), folder);
+  const std::vector<std::string> pieces = pieces_of(problem.surface);
+  problem.triangulation = read_triangulation(root.at("triangulation", "an object with levels"), pieces);
+  if (const auto geometry = root.find("geometry")) problem.geometry = read_geometry(*geometry);
+  problem.basis =
+      read_basis(root.at("basis", "an object with a family, see radcert list bases, or with a file"), folder);
+  problem.reflectivity = read_piecewise(root.at("reflectivity", "an expression, or one a piece"), pieces);
+
+  const auto solution = root.find("solution");
+  const auto emission = root.find("emission");
+  if (solution && emission)
+    emission->refuse("stands beside a solution", "exactly one of solution and emission");
+  if (!solution && !emission)
+    throw InputError({.pointer = "/solution",
+                      .problem = "is missing, and so is emission",
+                      .allowed = "exactly one of solution and emission"});
+  if (solution) problem.solution = read_piecewise(*solution, pieces);
+  if (emission) problem.emission = read_piecewise(*emission, pieces);
+  if (const auto quadrature = root.find("quadrature")) problem.quadrature = read_quadrature(*quadrature);
+  if (const auto solver = root.find("solver")) problem.solver = read_solver(*solver);
+  return problem;
+}
+
+}  // namespace
+
+Problem read_problem(const std::filesystem::path& path) {
+  const JsonValue document = read_json(path);
+  return with_source(path.string(), [&] { return read(document, path.parent_path()); });
+}
+
+Problem parse_problem(std::string_view text, const std::string& source) {
+  const JsonValue document = parse_json(text, source);
+  return with_source(source, [&] { return read(document, std::filesystem::path(source).parent_path()); });
+}
+
+JsonValue problem_json(const Problem& problem) {
+  JsonValue out = JsonValue::object();
+  out.set("schema", schema);
+  out.set("surface", surface_json(problem.surface));
+  out.set("triangulation", triangulation_json(problem.triangulation));
+  out.set("geometry", geometry_json(problem.geometry));
+  out.set("basis", basis_json(problem.basis));
+  out.set("reflectivity", piecewise_json(problem.reflectivity));
+  if (problem.solution) out.set("solution", piecewise_json(*problem.solution));
+  if (problem.emission) out.set("emission", piecewise_json(*problem.emission));
+  out.set("quadrature", quadrature_json(problem.quadrature));
+  out.set("solver", solver_json(problem.solver));
+  return out;
+}
+
+std::string problem_text(const Problem& problem) { return problem_json(problem).pretty() + "\n"; }
+
+}  // namespace radcert

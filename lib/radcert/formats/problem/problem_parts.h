@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "radcert/formats/json/json_reader.h"
+#include "radcert/study/problem.h"
+
+namespace radcert {
+
+/// The parts of a problem file, each read from its own place in it.
+/// Maths     none
+/// Source    the file format radcert/problem/1
+/// Requires  pieces: the names of the pieces of the problem's surface; folder: where the names of files begin
+/// Result    the part with its defaults filled in; otherwise InputError with the JSON pointer
+/// Limits    single values only: check() looks at the whole
+SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::path& folder);
+TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces);
+std::optional<InterpolatedGeometry> read_geometry(const JsonReader& geometry);
+BasisChoice read_basis(const JsonReader& basis, const std::filesystem::path& folder);
+BasisChoice read_meshless(const JsonReader& basis);
+QuadratureChoice read_quadrature(const JsonReader& quadrature);
+SolverChoice read_solver(const JsonReader& solver);
+PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);
+
+/// The same parts as JSON.
+/// Maths     none
+/// Source    the file format radcert/problem/1
+/// Requires  a part that the functions above could have read
+/// Result    every default written out
+/// Limits    none
+JsonValue surface_json(const SurfaceChoice& surface);
+JsonValue triangulation_json(const TriangulationChoice& triangulation);
+JsonValue geometry_json(const std::optional<InterpolatedGeometry>& geometry);
+JsonValue basis_json(const BasisChoice& basis);
+JsonValue meshless_json(const MeshlessBasis& basis);
+JsonValue quadrature_json(const QuadratureChoice& quadrature);
+JsonValue solver_json(const SolverChoice& solver);
+JsonValue piecewise_json(const PiecewiseExpression& expression);
+
+/// Whether a family of bases is one of shepard, gaussian, lehtinen, meshless.
+[[nodiscard]] bool is_meshless_family(std::string_view family);
+
+/// A meshless basis in words: what it is, its sites, its weights, its coefficients.
+[[nodiscard]] std::vector<std::string> meshless_words(const MeshlessBasis& basis);
+
+/// Refuses the `digest` of an object, where it is given, unless it is that of the file.
+void require_digest(const JsonReader& object, const std::string& digest);
+
+/// An exact number as JSON.
+/// Maths     none
+/// Source    the file format: a JSON number means the nearest double, a string is exact
+/// Requires  nothing
+/// Result    a whole number up to 2^53 as a number, everything else as a string: 2, "1/6"
+/// Limits    none
+JsonValue exact_json(const Rational& value);
+
+/// Whether somebody named each piece, or "*"; refuses other names.
+/// Maths     none
+/// Source    -
+/// Requires  an object
+/// Result    returns, or throws InputError
+/// Limits    none
+void require_pieces(const JsonReader& by_piece, std::span<const std::string> pieces);
+
+}  // namespace radcert

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/problem/problem_words.h"
+
+#include <optional>
+
+#include "radcert/core/contract.h"
+#include "radcert/formats/problem/problem_parts.h"
+
+namespace radcert {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// A string without its quotes, anything else as JSON.
+std::string plain(const JsonValue& value) {
+  return value.string() != nullptr ? *value.string() : value.compact();
+}
+
+Words surface_words(const SurfaceChoice& surface) {
+  Words words{surface.name};
+  for (const SurfaceParameter& parameter : surface.parameters)
+    words.push_back(parameter.name + " " + parameter.value.to_text());
+  return words;
+}
+
+Words triangulation_words(const TriangulationChoice& triangulation) {
+  std::string levels = "levels";
+  for (const int level : triangulation.levels) levels += " " + std::to_string(level);
+  const JsonValue json = triangulation_json(triangulation);
+  return {levels, "pattern " + plain(*json.find("pattern")), "grading " + triangulation.grading.to_text()};
+}
+
+Words geometry_words(const std::optional<InterpolatedGeometry>& geometry) {
+  if (!geometry) return {"exact geometry"};
+  Words words{"interpolated of degree " + std::to_string(geometry->degree)};
+  if (geometry->data == DataPoints::interpolant) words.emplace_back("data on the interpolant");
+  return words;
+}
+
+Words basis_words(const BasisChoice& basis) {
+  if (basis.meshless) return meshless_words(*basis.meshless);
+  if (basis.family == BasisFamily::file) return {basis.file};
+  const std::string family = basis.family == BasisFamily::symmetric ? "symmetric" : "inset";
+  Words words{family + " of degree " + std::to_string(basis.degree)};
+  if (basis.alpha)
+    words.push_back("alpha " + (basis.alpha_is_near ? "superconvergent" : basis.alpha->to_text()));
+  return words;
+}
+
+Words solver_words(const SolverChoice& solver) {
+  Words words{solver_name(solver.name)};
+  if (solver.tolerance) words.push_back("tolerance " + solver.tolerance->to_text());
+  return words;
+}
+
+Words function_words(const std::string& symbol, const std::optional<PiecewiseExpression>& function) {
+  if (!function) return {};
+  return {symbol + " = " + plain(piecewise_json(*function))};
+}
+
+}  // namespace
+
+std::vector<std::string> part_words(const Problem& problem, std::string_view key) {
+  if (key == "surface") return surface_words(problem.surface);
+  if (key == "triangulation") return triangulation_words(problem.triangulation);
+  if (key == "geometry") return geometry_words(problem.geometry);
+  if (key == "basis") return basis_words(problem.basis);
+  if (key == "reflectivity") return function_words("rho", problem.reflectivity);
+  if (key == "solution") return function_words("u", problem.solution);
+  if (key == "emission") return function_words("E", problem.emission);
+  if (key == "quadrature") return {"quadrature " + problem.quadrature.tolerance.to_text()};
+  expects(key == "solver", "a key of a problem", named("key", std::string(key)));
+  return solver_words(problem.solver);
+}
+
+std::string joined_words(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
+  return out;
+}
+
+}  // namespace radcert

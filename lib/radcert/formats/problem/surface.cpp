@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "radcert/core/digest.h"
+#include "radcert/formats/problem/problem_parts.h"
+#include "radcert/hypotheses/mesh_survey.h"
+#include "radcert/surface/catalogue.h"
+
+namespace radcert {
+
+namespace {
+
+/// Names that the file format knows of surfaces parts of which hide others.
+const std::vector<std::string> occluded_surfaces = {"torus", "sphere_over_disk", "concentric_spheres"};
+
+std::vector<std::string> available_surfaces() {
+  std::vector<std::string> names;
+  for (const SurfaceDescription& surface : surface_catalogue())
+    if (surface.unoccluded) names.push_back(surface.name);
+  return names;
+}
+
+/// What a problem with a mesh may state beside the file.
+const std::vector<std::string> mesh_keys = {"file", "angle", "repair", "digest"};
+
+Rational read_angle(const JsonReader& surface) {
+  const std::string allowed = "an angle in degrees, from 0 to 180";
+  const auto given = surface.find("angle");
+  if (!given) return Rational::exactly(default_sharp_degrees);
+  const Rational angle = given->rational(allowed);
+  if (angle.sign() < 0 || angle > Rational(180)) given->refuse("is outside the range", allowed);
+  return angle;
+}
+
+std::vector<std::string> read_repair(const JsonReader& surface) {
+  const std::vector<std::string> known(repair_words.begin(), repair_words.end());
+  std::vector<std::string> words;
+  if (const auto given = surface.find("repair"))
+    for (const JsonReader& word : given->elements("a list of " + listed(known)))
+      words.push_back(word.word(known));
+  return words;
+}
+
+SurfaceChoice read_mesh(const JsonReader& surface, const JsonReader& file,
+                        const std::filesystem::path& folder) {
+  surface.require_object(mesh_keys);
+  MeshChoice mesh{.file = file.string("the name of a mesh file, relative to the problem's folder"),
+                  .digest = {},
+                  .angle = read_angle(surface),
+                  .repair = read_repair(surface),
+                  .mended = {},
+                  .surface = nullptr};
+  const std::filesystem::path path = folder / mesh.file;
+  if (!is_mesh_file_name(mesh.file))
+    file.refuse("has no name of a mesh file", "names in .off, .obj, .ply, .stl");
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+    file.refuse("is not there", "a mesh file, its name relative to the problem's folder");
+  const MeshSurvey survey = survey_mesh(path, mesh.angle.to_double(), repair_named(mesh.repair));
+  require_digest(surface, survey.digest);
+  if (const auto obstacle = survey.obstacle())
+    file.refuse(*obstacle,
+                "a mesh of triangles that neither cross nor run against each other; see radcert surface " +
+                    mesh.file);
+  mesh.digest = survey.digest;
+  mesh.mended = survey.mended;
+  mesh.surface = std::make_shared<const Surface>(survey.surface(mesh.file));
+  return {.name = mesh.file, .parameters = {}, .mesh = std::move(mesh)};
+}
+
+Rational default_value(const ParameterDescription& parameter) {
+  return Rational::parse(parameter.default_text).value();
+}
+
+}  // namespace
+
+void require_digest(const JsonReader& object, const std::string& digest) {
+  const auto given = object.find("digest");
+  if (!given) return;
+  const std::string& text = given->string("the digest of the file");
+  if (text == digest) return;
+  given->refuse(is_digest(text) ? "is not that of the file: it has changed"
+                                : "is no SHA-256 digest: whether the file has changed cannot be told",
+                digest);
+}
+
+SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::path& folder) {
+  if (surface.value().members() == nullptr) surface.refuse("is " + surface.value().kind(), "an object");
+  const std::vector<std::string> available = available_surfaces();
+  if (const auto file = surface.find("file")) return read_mesh(surface, *file, folder);
+  const JsonReader named = surface.at("name", "one of " + listed(available));
+  for (const std::string& occluded : occluded_surfaces)
+    if (named.value().string() && *named.value().string() == occluded)
+      named.refuse(
+          "has curved parts that hide each other: visibility of curved parts is not available in this "
+          "version, only of "
+          "plane triangles",
+          listed(available) + ", or {\"file\": a mesh of it}");
+  const std::string& name = named.word(available);
+
+  const SurfaceDescription& description = *find_surface(name);
+  std::vector<std::string> keys{"name"};
+  for (const ParameterDescription& parameter : description.parameters) keys.push_back(parameter.name);
+  surface.require_object(keys);
+
+  SurfaceChoice choice{.name = name, .parameters = {}};
+  for (const ParameterDescription& parameter : description.parameters) {
+    SurfaceParameter given{.name = parameter.name, .value = default_value(parameter)};
+    if (const auto place = surface.find(parameter.name)) {
+      const std::string allowed =
+          parameter.requirement + ", as a number or as a decimal or fraction in a string";
+      given.value = place->rational(allowed);
+      if (!parameter.admits(given.value)) place->refuse("is outside the range", allowed);
+    }
+    choice.parameters.push_back(given);
+  }
+  return choice;
+}
+
+JsonValue exact_json(const Rational& value) {
+  const Rational largest(std::int64_t{1} << 53);
+  if (value.is_integer() && abs(value) <= largest) return *value.to_long();
+  return value.to_text();
+}
+
+JsonValue surface_json(const SurfaceChoice& surface) {
+  JsonValue out = JsonValue::object();
+  if (surface.mesh) {
+    out.set("file", surface.mesh->file);
+    out.set("angle", exact_json(surface.mesh->angle));
+    out.set("repair",
+            json_array(surface.mesh->repair, [](const std::string& word) { return JsonValue(word); }));
+    out.set("digest", surface.mesh->digest);
+    return out;
+  }
+  out.set("name", surface.name);
+  for (const SurfaceParameter& parameter : surface.parameters)
+    out.set(parameter.name, exact_json(parameter.value));
+  return out;
+}
+
+}  // namespace radcert

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+#include <vector>
+
+#include "radcert/core/contract.h"
+#include "radcert/formats/problem/problem_parts.h"
+
+namespace radcert {
+
+namespace {
+
+/// 4^30 triangles are more than any machine holds; what is possible below that, the memory plan decides.
+constexpr int largest_level = 30;
+constexpr const char* levels_allowed =
+    "a list, not empty, of whole numbers from 0 to 30, strictly ascending: numbers of symmetric refinements";
+const std::vector<std::string> diagonals = {"main", "anti"};
+
+Diagonal diagonal_of(const std::string& word) { return word == "main" ? Diagonal::main : Diagonal::anti; }
+std::string word_of(Diagonal diagonal) { return diagonal == Diagonal::main ? "main" : "anti"; }
+
+std::vector<int> read_levels(const JsonReader& levels) {
+  std::vector<int> out;
+  for (const JsonReader& element : levels.elements(levels_allowed)) {
+    const int level = static_cast<int>(element.whole(0, largest_level, levels_allowed));
+    if (!out.empty() && level <= out.back()) element.refuse("does not ascend", levels_allowed);
+    out.push_back(level);
+  }
+  if (out.empty()) levels.refuse("is empty", levels_allowed);
+  return out;
+}
+
+std::vector<std::pair<std::string, Diagonal>> read_pattern(const JsonReader& pattern,
+                                                           std::span<const std::string> pieces) {
+  std::vector<std::pair<std::string, Diagonal>> out;
+  if (pattern.value().string() != nullptr) {
+    const std::vector<std::string> words = {"published", "main", "anti"};
+    const std::string& word = pattern.word(words);
+    if (word != "published") out.emplace_back("*", diagonal_of(word));
+    return out;
+  }
+  if (pattern.value().members() == nullptr)
+    pattern.refuse("is " + pattern.value().kind(), "published, main, anti, or main or anti by piece");
+  require_pieces(pattern, pieces);
+  for (const auto& [piece, value] : *pattern.value().members())
+    out.emplace_back(piece, diagonal_of(pattern.at(piece, "").word(diagonals)));
+  return out;
+}
+
+}  // namespace
+
+TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces) {
+  triangulation.require_object({"levels", "pattern", "grading"});
+  TriangulationChoice choice;
+  choice.levels = read_levels(triangulation.at("levels", levels_allowed));
+  if (const auto pattern = triangulation.find("pattern")) choice.pattern = read_pattern(*pattern, pieces);
+  if (const auto grading = triangulation.find("grading")) {
+    const std::string allowed = "a number >= 1, or a decimal or fraction in a string";
+    choice.grading = grading->rational(allowed);
+    if (choice.grading < Rational(1)) grading->refuse("is outside the range", allowed);
+  }
+  return choice;
+}
+
+JsonValue triangulation_json(const TriangulationChoice& triangulation) {
+  JsonValue out = JsonValue::object();
+  out.set("levels", json_array(triangulation.levels, [](int level) { return JsonValue(level); }));
+  const auto& pattern = triangulation.pattern;
+  if (pattern.empty()) {
+    out.set("pattern", "published");
+  } else if (pattern.size() == 1 && pattern.front().first == "*") {
+    out.set("pattern", word_of(pattern.front().second));
+  } else {
+    JsonValue by_piece = JsonValue::object();
+    for (const auto& [piece, diagonal] : pattern) by_piece.set(piece, word_of(diagonal));
+    out.set("pattern", std::move(by_piece));
+  }
+  out.set("grading", exact_json(triangulation.grading));
+  return out;
+}
+
+}  // namespace radcert

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/result/basis_json.h"
+
+#include <array>
+#include <string_view>
+
+#include "radcert/core/text.h"
+#include "radcert/core/version.h"
+#include "radcert/formats/table/csv.h"
+#include "radcert/scalar/enclosing_text.h"
+
+namespace radcert {
+
+namespace {
+
+// The digits of long coordinates and weights, as in node files.
+constexpr int long_digits = 60;
+
+std::string proof_name(PrecisionProof proof) {
+  switch (proof) {
+    case PrecisionProof::exact: return "exact";
+    case PrecisionProof::algebraic: return "algebraic";
+    case PrecisionProof::certificate: return "certificate";
+  }
+  return "exact";
+}
+
+int count_with_sign(const BasisFacts& facts, int sign) {
+  int count = 0;
+  for (const Rational& weight : facts.weights) count += weight.sign() == sign ? 1 : 0;
+  return count;
+}
+
+/// Of a table: a midpoint with its radius in units of the last digit.
+std::string norm_word(const LebesgueConstant& norm) {
+  constexpr int digits = 6;
+  const Rational middle = Rational(1, 2) * (norm.lower + norm.upper);
+  return parenthesised_text(middle, norm.upper - middle, digits);
+}
+
+JsonValue precision_json(const EnclosedPrecision& precision, PrecisionProof proof) {
+  const BallDecimal defect = precision.defect.decimal(20);
+  JsonValue out = JsonValue::object();
+  out.set("degree", precision.degree);
+  out.set("first_failure", precision.first_failure.to_text());
+  out.set("defect", defect.midpoint);
+  out.set("defect_radius", defect.radius);
+  out.set("proof", proof_name(proof));
+  return out;
+}
+
+JsonValue record_json(const BasisRecord& record) {
+  const BasisFacts& facts = record.facts;
+  JsonValue out = JsonValue::object();
+  out.set("family", record.family);
+  out.set("degree", facts.degree);
+  out.set("reproduces", facts.reproduced);
+  out.set("alpha", record.alpha);
+  out.set("file", record.file);
+  out.set("space", record.space ? json_array(*record.space, [](const std::string& f) { return JsonValue(f); })
+                                : JsonValue());
+  JsonValue nodes = JsonValue::array();
+  for (std::size_t j = 0; j < facts.nodes.size(); ++j) {
+    JsonValue node = JsonValue::object();
+    node.set("barycentric", json_array(facts.nodes[j].x, [](const Rational& x) {
+               return JsonValue(readable(x, long_digits));
+             }));
+    node.set("weight", readable(facts.weights[j], long_digits));
+    nodes.push(std::move(node));
+  }
+  out.set("nodes", std::move(nodes));
+  JsonValue signs = JsonValue::object();
+  signs.set("positive", count_with_sign(facts, 1));
+  signs.set("zero", count_with_sign(facts, 0));
+  signs.set("negative", count_with_sign(facts, -1));
+  out.set("weight_signs", std::move(signs));
+  out.set("unisolvent", true);
+  out.set("determinant", readable(facts.determinant, 20));
+  JsonValue precision = JsonValue::object();
+  precision.set("triangle", precision_json(facts.triangle, facts.proof));
+  precision.set("parallelogram", precision_json(facts.parallelogram, facts.proof));
+  out.set("precision", std::move(precision));
+  const ProductPrecision of_products = product_precision(facts);
+  JsonValue products = JsonValue::object();
+  products.set("triangle", of_products.triangle);
+  products.set("parallelogram", of_products.parallelogram);
+  out.set("product_precision", std::move(products));
+  JsonValue norm = JsonValue::object();
+  norm.set("lower", Ball(facts.norm.lower).lower_double());
+  norm.set("upper", Ball(facts.norm.upper).upper_double());
+  norm.set("near", json_array(facts.norm.near.x, [](double x) { return JsonValue(x); }));
+  out.set("norm", std::move(norm));
+  out.set("condition", Ball(facts.condition).upper_double());
+  const PredictedOrders predicted = record.orders();
+  JsonValue orders = JsonValue::object();
+  orders.set("everywhere", predicted.everywhere);
+  orders.set("nodes_smooth", predicted.curved);
+  orders.set("nodes_smooth_logarithm", predicted.curved_has_logarithm);
+  orders.set("nodes_smooth_kernel", predicted.smooth_kernel);
+  orders.set("nodes_at_edges", predicted.at_edges);
+  out.set("orders", std::move(orders));
+  return out;
+}
+
+}  // namespace
+
+std::string readable(const Rational& value, int digits) {
+  std::string exact = value.to_text();
+  constexpr std::size_t short_length = 24;
+  if (exact.size() <= short_length) return exact;
+  return nearest_text(value, DecimalForm::padded(digits));
+}
+
+EnclosingText norm_text(const LebesgueConstant& norm, int digits) {
+  const Rational middle = Rational(1, 2) * (norm.lower + norm.upper);
+  return enclosing_text(middle, norm.upper - middle, DecimalForm::padded(digits));
+}
+
+std::string upper_readable(const Rational& bound, int digits) {
+  const std::string exact = readable(bound, digits);
+  if (bound.to_text() == exact) return exact;
+  return "<= " + upper_text(bound, DecimalForm::padded(digits));
+}
+
+std::string order_text(int order, bool has_logarithm) {
+  return (order == 1 ? std::string("h") : "h^" + std::to_string(order)) + (has_logarithm ? " |log h|" : "");
+}
+
+JsonValue basis_record_json(std::span<const BasisRecord> records, const std::string& command) {
+  JsonValue out = JsonValue::object();
+  out.set("schema", "radcert/basis/1");
+  out.set("radcert", version());
+  out.set("command", command);
+  out.set("bases", json_array(records, record_json));
+  return out;
+}
+
+std::string basis_csv(std::span<const BasisRecord> records) {
+  constexpr std::array<std::string_view, 6> columns = {"degree", "node", "x1", "x2", "x3", "weight"};
+  CsvTable table(columns);
+  for (const BasisRecord& record : records)
+    for (std::size_t j = 0; j < record.facts.nodes.size(); ++j) {
+      const Barycentric<Rational>& q = record.facts.nodes[j];
+      const std::array<JsonValue, 6> row = {
+          record.facts.degree,           j,
+          readable(q.x[0], long_digits), readable(q.x[1], long_digits),
+          readable(q.x[2], long_digits), readable(record.facts.weights[j], long_digits)};
+      table.add(row);
+    }
+  return table.text();
+}
+
+std::string basis_latex(std::span<const BasisRecord> records) {
+  std::string out =
+      "\\begin{tabular}{rrrrrrll}\n"
+      "$r$ & nodes & negative weights & triangle & parallelogram & $\\|P_n\\|$ & everywhere & at nodes \\\\\n"
+      "\\hline\n";
+  for (const BasisRecord& record : records) {
+    const BasisFacts& facts = record.facts;
+    const PredictedOrders orders = record.orders();
+    const auto power = [](int order) { return "$h^{" + std::to_string(order) + "}$"; };
+    out += std::to_string(facts.degree) + " & " + std::to_string(facts.nodes.size()) + " & " +
+           std::to_string(count_with_sign(facts, -1)) + " & " + std::to_string(facts.triangle.degree) +
+           " & " + std::to_string(facts.parallelogram.degree) + " & " + norm_word(facts.norm) + " & " +
+           power(orders.everywhere) + " & " +
+           (orders.curved_has_logarithm ? "$h^{" + std::to_string(orders.curved) + "} |\\log h|$"
+                                        : power(orders.curved)) +
+           " \\\\\n";
+  }
+  return out + "\\end{tabular}\n";
+}
+
+}  // namespace radcert

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "radcert/formats/json/json_value.h"
+#include "radcert/formats/table/factors_csv.h"
+
+namespace radcert {
+
+/// What radcert factors found, with what a report needs beside the matrix.
+struct FactorReport {
+  std::string command;
+  std::string name;
+  std::string by;  ///< "triangle", "piece", "group"
+  std::size_t triangles = 0;
+  bool open = false;
+  bool facets_only = false;  ///< the mesh may stand for something round: the numbers are those of its facets
+  std::vector<std::string> names;
+  FactorMatrix matrix;
+  std::vector<std::string> warnings;
+  std::optional<std::vector<FactorComparison>> comparison;
+};
+
+/// How far the row sums as given are from 1 at most.
+/// Maths     max_I |sum_I - 1| of the doubles sum_I
+/// Source    -
+/// Requires  -
+/// Result    rounded up
+/// Limits    -
+[[nodiscard]] double closure_bound(const FactorMatrix& matrix);
+
+/// The same as JSON.
+/// Maths     none
+/// Source    the file format radcert/factors/1
+/// Requires  -
+/// Result    comparison: counts and the factors_json_worst largest differences; null where none was asked for
+/// Limits    -
+[[nodiscard]] JsonValue factors_report(const FactorReport& report);
+
+inline constexpr std::size_t factors_json_worst = 100;
+
+}  // namespace radcert

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/result/provenance.h"
+
+#include <utility>
+
+#include "radcert/core/version.h"
+
+namespace radcert {
+
+std::string provenance_text(const Provenance& provenance) {
+  JsonValue machine = JsonValue::object();
+  machine.set("system", provenance.system);
+  machine.set("threads", provenance.threads);
+  machine.set("cpu_features",
+              json_array(provenance.cpu_features, [](const std::string& name) { return JsonValue(name); }));
+  JsonValue out = JsonValue::object();
+  out.set("schema", "radcert/provenance/1");
+  out.set("radcert", version());
+  out.set("sources", source_digest());
+  out.set("command", provenance.command);
+  out.set("inputs", json_array(provenance.inputs, [](const InputDigest& input) {
+            JsonValue entry = JsonValue::object();
+            entry.set("name", input.name);
+            entry.set("digest", input.digest);
+            return entry;
+          }));
+  out.set("compiler", provenance.compiler);
+  out.set("architecture", provenance.architecture);
+  out.set("libraries", json_array(provenance.libraries, [](const LibraryVersion& library) {
+            JsonValue entry = JsonValue::object();
+            entry.set("name", library.name);
+            entry.set("version", library.version);
+            return entry;
+          }));
+  out.set("machine", std::move(machine));
+  out.set("seed", provenance.seed);
+  return out.pretty() + "\n";
+}
+
+}  // namespace radcert

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "radcert/formats/json/json_value.h"
+#include "radcert/hypotheses/mesh_survey.h"
+#include "radcert/surface/catalogue.h"
+
+namespace radcert {
+
+/// What radcert surface writes, as JSON.
+/// Maths     none
+/// Source    the file format radcert/surface/1
+/// Requires  -
+/// Result    the same keys for a mesh and for a surface of the catalogue, null where something is not known of it. Lists of places show
+///           the first surface_json_places, beside the count of all
+/// Limits    -
+[[nodiscard]] JsonValue surface_report(const std::string& file, const MeshSurvey& survey,
+                                       const std::string& command);
+[[nodiscard]] JsonValue surface_report(const Surface& surface, const ConvexContainment& containment,
+                                       const std::string& command);
+
+inline constexpr std::size_t surface_json_places = 10;
+
+}  // namespace radcert

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/table/factors_csv.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "radcert/core/atomic_file.h"
+#include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/text.h"
+#include "radcert/formats/table/csv.h"
+
+namespace radcert {
+
+namespace {
+
+std::string line_text(std::size_t line) { return "line " + std::to_string(line); }
+
+/// RFC 4180, line by line; a quoted cell may hold line ends.
+class CsvRows {
+public:
+  explicit CsvRows(std::string_view text) : text_(text) {}
+  /// The cells of the next line that is not empty; no value at the end.
+  std::optional<std::vector<std::string>> next() {
+    while (at_ < text_.size()) {
+      line_ = next_line_;
+      std::vector<std::string> cells = row();
+      if (cells.size() > 1 || !cells.front().empty()) return cells;
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+private:
+  std::vector<std::string> row() {
+    std::vector<std::string> cells{""};
+    bool quoted = false;
+    for (; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (c == '\n') ++next_line_;
+      if (quoted) {
+        if (c != '"')
+          cells.back() += c;
+        else if (at_ + 1 < text_.size() && text_[at_ + 1] == '"')
+          cells.back() += text_[++at_];
+        else
+          quoted = false;
+      } else if (c == '"' && cells.back().empty()) {
+        quoted = true;
+      } else if (c == ',') {
+        cells.emplace_back();
+      } else if (c == '\n') {
+        ++at_;
+        return cells;
+      } else if (c != '\r') {
+        cells.back() += c;
+      }
+    }
+    if (quoted)
+      throw InputError(
+          {.pointer = line_text(line_), .problem = "a quoted cell does not end", .allowed = "RFC 4180"});
+    return cells;
+  }
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+  std::size_t next_line_ = 1;
+};
+
+double number_at(std::string_view text, std::size_t line) {
+  const std::optional<double> number = parse_double(text);
+  if (!number)
+    throw InputError({.pointer = line_text(line), .value = std::string(text), .allowed = "a decimal number"});
+  return *number;
+}
+
+/// Half a unit of the last digit of a decimal text.
+double half_a_unit(std::string_view text) {
+  const std::size_t e = text.find_first_of("eE");
+  int exponent = 0;
+  if (e != std::string_view::npos) {
+    std::string_view digits = text.substr(e + 1);
+    if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
+    std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+  }
+  const std::string_view mantissa = text.substr(0, e);
+  const std::size_t point = mantissa.find('.');
+  if (point != std::string_view::npos) exponent -= static_cast<int>(mantissa.size() - point - 1);
+  return 0.5 * std::pow(10.0, exponent);
+}
+
+ClaimedFactors parse_csv(std::string_view text) {
+  CsvRows rows(text);
+  const auto head = rows.next();
+  const auto column = [&](std::string_view name) -> std::optional<std::size_t> {
+    if (!head) return std::nullopt;
+    const auto found = std::find(head->begin(), head->end(), name);
+    return found == head->end() ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - head->begin()));
+  };
+  const auto from = column("from");
+  const auto to = column("to");
+  const auto factor = column("factor");
+  const auto radius = column("radius");
+  if (!from || !to || !factor)
+    throw InputError({.pointer = line_text(1),
+                      .problem = "has not the columns of a file of factors",
+                      .allowed = "from, to, factor and, if known, radius; or the output of View3D"});
+  ClaimedFactors out;
+  while (const auto row = rows.next()) {
+    if (row->size() != head->size())
+      throw InputError({.pointer = line_text(rows.line()),
+                        .value = std::to_string(row->size()) + " cells",
+                        .allowed = std::to_string(head->size()) + ", as in the first line"});
+    ClaimedFactor claim{.value = number_at((*row)[*factor], rows.line()),
+                        .halfwidth = half_a_unit((*row)[*factor])};
+    if (radius && !(*row)[*radius].empty()) claim.halfwidth = number_at((*row)[*radius], rows.line());
+    if (!out.emplace(std::pair((*row)[*from], (*row)[*to]), claim).second)
+      throw InputError({.pointer = line_text(rows.line()),
+                        .value = (*row)[*from] + " to " + (*row)[*to],
+                        .problem = "occurs twice"});
+  }
+  return out;
+}
+
+/// Words parted by white space, with their lines.
+class Words {
+public:
+  explicit Words(std::string_view text) : text_(text) {}
+  std::string_view next(const std::string& what) {
+    while (at_ < text_.size() && is_blank(text_[at_])) {
+      if (text_[at_] == '\n') ++line_;
+      ++at_;
+    }
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && !is_blank(text_[at_])) ++at_;
+    if (begin == at_)
+      throw InputError({.pointer = line_text(line_), .problem = "the file ends too early", .allowed = what});
+    return text_.substr(begin, at_ - begin);
+  }
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+};
+
+ClaimedFactors parse_view3d(std::string_view text, std::span<const std::string> names) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::vector<std::string> head;
+  {
+    Words words(text.substr(0, end));
+    try {
+      for (;;) head.emplace_back(words.next(""));
+    } catch (const InputError&) {
+    }
+  }
+  constexpr std::size_t least_words = 4;
+  if (head.size() < least_words || head[2] != "0")
+    throw InputError(
+        {.pointer = line_text(1),
+         .value = std::string(text.substr(0, end)),
+         .allowed = "View3D's text output with a square matrix: \"View3D <version> 0 ... <surfaces>\""});
+  if (head.back() != std::to_string(names.size()))
+    throw InputError({.pointer = line_text(1),
+                      .value = head.back() + " surfaces",
+                      .allowed = std::to_string(names.size()) + ", as many as here"});
+  Words words(text.substr(end));
+  const std::string what = "areas, factors by rows, emissivities";
+  for (std::size_t k = 0; k < names.size(); ++k) number_at(words.next(what), words.line());
+  ClaimedFactors out;
+  for (const std::string& from : names)
+    for (const std::string& to : names) {
+      const std::string_view word = words.next(what);
+      const double value = number_at(word, words.line());
+      out[{from, to}] = {value, half_a_unit(word)};
+    }
+  return out;
+}
+
+}  // namespace
+
+std::string factors_csv(const FactorMatrix& matrix, std::span<const std::string> names) {
+  constexpr std::array<std::string_view, 5> columns = {"from", "to", "factor", "radius", "guaranteed"};
+  CsvTable table(columns);
+  for (const ConfigurationFactor& entry : matrix.entries) {
+    const std::array<JsonValue, columns.size()> row = {names[entry.from], names[entry.to], entry.factor.value,
+                                                       entry.factor.radius, matrix.guaranteed};
+    table.add(row);
+  }
+  return table.text();
+}
+
+std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std::string> names) {
+  constexpr std::array<std::string_view, 5> columns = {"name", "area", "row_sum", "row_radius", "to_space"};
+  CsvTable table(columns);
+  for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
+    const FactorRow& line = matrix.rows[i];
+    const std::array<JsonValue, columns.size()> row = {
+        names[i], line.area.value, line.sum.value,
+        line.to_space ? std::max(line.sum.radius, line.to_space->radius) : line.sum.radius,
+        line.to_space ? JsonValue(line.to_space->value) : JsonValue()};
+    table.add(row);
+  }
+  return table.text();
+}
+
+ClaimedFactors parse_factors(std::string_view text, const std::string& source,
+                             std::span<const std::string> names) {
+  return with_source(
+      source, [&] { return text.starts_with("View3D") ? parse_view3d(text, names) : parse_csv(text); });
+}
+
+ClaimedFactors read_factors(const std::filesystem::path& path, std::span<const std::string> names) {
+  constexpr std::uint64_t largest = std::uint64_t{1} << 30;
+  return parse_factors(read_file(path, largest), path.string(), names);
+}
+
+double FactorComparison::difference() const { return std::abs(ours.value - theirs.value); }
+
+std::vector<FactorComparison> compared(const FactorMatrix& matrix, std::span<const std::string> names,
+                                       const ClaimedFactors& claimed) {
+  const std::set<std::string> known(names.begin(), names.end());
+  for (const auto& [pair, claim] : claimed)
+    for (const std::string& name : {pair.first, pair.second})
+      if (!known.contains(name))
+        throw InputError(
+            {.value = name, .problem = "is no surface here", .allowed = "the names of the rows of --out"});
+  std::map<std::pair<std::string, std::string>, FactorComparison> pairs;
+  const auto place = [&](const std::string& from, const std::string& to) -> FactorComparison& {
+    FactorComparison& pair = pairs[{from, to}];
+    pair.from = from;
+    pair.to = to;
+    return pair;
+  };
+  for (const ConfigurationFactor& entry : matrix.entries)
+    place(names[entry.from], names[entry.to]).ours = entry.factor;
+  for (const auto& [pair, claim] : claimed) place(pair.first, pair.second).theirs = claim;
+  std::vector<FactorComparison> out;
+  for (auto& [key, pair] : pairs) {
+    const Ball distance = abs(Ball(pair.ours.value) - Ball(pair.theirs.value));
+    const Ball radius(pair.ours.radius);
+    const Ball halfwidth(pair.theirs.halfwidth);
+    if (certainly_at_most(distance + radius, halfwidth))
+      pair.agreement = Agreement::agrees;
+    else if (certainly_less(halfwidth, distance - radius))
+      pair.agreement = Agreement::differs;
+    out.push_back(pair);
+  }
+  std::stable_sort(out.begin(), out.end(), [](const FactorComparison& a, const FactorComparison& b) {
+    return a.difference() > b.difference();
+  });
+  return out;
+}
+
+std::string agreement_word(Agreement agreement) {
+  switch (agreement) {
+    case Agreement::agrees: return "agrees";
+    case Agreement::differs: return "differs";
+    case Agreement::undecided: return "undecided";
+  }
+  return {};
+}
+
+}  // namespace radcert
