@@ -19,7 +19,7 @@ namespace radcert::app {
 namespace {
 
 std::string_view bibliography() {
-  for (const verification::EmbeddedFile& file : verification::embedded_papers())
+  for (const EmbeddedFile& file : verification::embedded_papers())
     if (file.path == "references.bib") return file.content;
   return {};
 }

@@ -58,9 +58,9 @@ std::vector<InputDigest> inputs_of(const std::vector<std::string>& words) {
   std::vector<InputDigest> out;
   for (const std::string& word : words) {
     const auto& papers = verification::embedded_papers();
-    const bool embedded = std::any_of(
-        papers.begin(), papers.end(),
-        [&](const verification::EmbeddedFile& each) { return each.path.starts_with(word + "/"); });
+    const bool embedded = std::any_of(papers.begin(), papers.end(), [&](const EmbeddedFile& each) {
+      return each.path.starts_with(word + "/");
+    });
     const auto file = std::filesystem::path(word) / "claims.toml";
     if (!embedded && std::filesystem::is_regular_file(file)) out.push_back(input_digest(file));
   }

@@ -29,5 +29,6 @@ function(radcert_report_page target folder)
     message(STATUS "Node or npm is missing: reports are plain pages, without formulas, plots and views in space")
     file(WRITE "${page}" "")
   endif()
-  radcert_embed(${target} "${pages}" FUNCTION embedded_page FILES "${page}")
+  radcert_embed(${target} "${pages}" FUNCTION radcert::verification::embedded_page
+    HEADER "verification/framework/embedded.h" FILES "${page}")
 endfunction()

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Run by the build: embed_files FOLDER LIST OUTPUT FUNCTION
-// Writes a C++ source that defines FUNCTION() of embedded.h with the files named in LIST, one absolute path a
+// Run by the build: embed_files FOLDER LIST OUTPUT HEADER FUNCTION
+// Writes a C++ source that defines FUNCTION(), declared in HEADER, with the files named in LIST, one absolute path a
 // line, by their paths from FOLDER.
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -13,8 +12,6 @@
 #include <iterator>
 #include <stdexcept>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 
@@ -43,39 +40,33 @@ void write_literal(std::ostream& out, const std::string& text) {
 }
 
 void embed(const std::filesystem::path& folder, const std::filesystem::path& list,
-           const std::filesystem::path& output, const std::string& function) {
-  std::vector<std::pair<std::string, std::string>> files;
-  std::ifstream lines(list);
-  for (std::string line; std::getline(lines, line);)
-    if (!line.empty())
-      files.emplace_back(std::filesystem::path(line).lexically_relative(folder).generic_string(), read(line));
-  std::sort(files.begin(), files.end());
-
+           const std::filesystem::path& output, const std::string& header, const std::string& function) {
   std::ofstream out(output, std::ios::binary);
-  out << "#include \"verification/framework/embedded.h\"\n\n#include <array>\n\n"
-      << "namespace radcert::verification {\n\nnamespace {\n\n"
-      << "constexpr std::array<EmbeddedFile, " << files.size() << "> files{";
-  for (const auto& [path, content] : files) {
-    out << "\n  EmbeddedFile{";
-    write_literal(out, path);
+  out << "#include \"" << header << "\"\n\nnamespace {\n\nconstexpr radcert::EmbeddedFile files[] = {";
+  std::ifstream lines(list);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty()) continue;
+    const std::string content = read(line);
+    out << "\n  radcert::EmbeddedFile{";
+    write_literal(out, std::filesystem::path(line).lexically_relative(folder).generic_string());
     // The length is written out: a file may hold a zero byte.
     out << ", std::string_view(\n    ";
     write_literal(out, content);
     out << ", " << content.size() << ")},";
   }
-  out << "\n};\n\n}  // namespace\n\nstd::span<const EmbeddedFile> " << function << "() { return files; }\n\n"
-      << "}  // namespace radcert::verification\n";
+  out << "\n};\n\n}  // namespace\n\nstd::span<const radcert::EmbeddedFile> " << function
+      << "() { return files; }\n";
   if (!out.flush()) throw std::runtime_error("cannot write " + output.string());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-  if (argc != 5) {
-    std::cerr << "usage: embed_files FOLDER LIST OUTPUT FUNCTION\n";
+  if (argc != 6) {
+    std::cerr << "usage: embed_files FOLDER LIST OUTPUT HEADER FUNCTION\n";
     return 2;
   }
-  embed(argv[1], argv[2], argv[3], argv[4]);
+  embed(argv[1], argv[2], argv[3], argv[4], argv[5]);
   return 0;
 } catch (const std::exception& error) {
   std::cerr << "embed_files: " << error.what() << '\n';
