@@ -2,6 +2,7 @@
 
 // radcert schema NAME: the JSON Schema of a file type.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,22 +16,17 @@ namespace radcert::app {
 
 namespace {
 
-std::vector<std::string> names() {
-  std::vector<std::string> out;
-  for (const Schema& schema : schemas()) out.emplace_back(schema.name);
-  return out;
-}
-
 ExitCode print_schema(const Common& common, const std::string& name) {
-  const Schema* schema = find_schema(name);
-  if (schema == nullptr) {
-    const auto near = nearest_word(name, names());
+  const std::vector<std::string> names = schema_names();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    const auto near = nearest_word(name, names);
     throw InputError({.source = "schema",
                       .value = name,
                       .problem = "is no file type" + (near ? "; did you mean " + *near + "?" : std::string()),
-                      .allowed = listed(names())});
+                      .allowed = listed(names)});
   }
-  print_result(common, schema->text, schema->text);
+  const std::string text = schema_text(name);
+  print_result(common, text, text);
   return ExitCode::done;
 }
 
@@ -39,7 +35,7 @@ ExitCode print_schema(const Common& common, const std::string& name) {
 void add_schema(CLI::App& program, Common& common, Action& action) {
   CLI::App& command = add_command(program, common, "schema", "The JSON Schema of a file type");
   auto name = std::make_shared<std::string>();
-  command.add_option("NAME", *name, listed(names()))->required();
+  command.add_option("NAME", *name, listed(schema_names()))->required();
   command.callback(
       [&common, &action, name] { action = [&common, name] { return print_schema(common, *name); }; });
 }

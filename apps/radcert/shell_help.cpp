@@ -47,9 +47,8 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
 
 /// What the word of a command may be, where it is one of a list.
 std::vector<std::string> words_of(const std::string& command) {
+  if (command == "schema") return schema_names();
   std::vector<std::string> out;
-  if (command == "schema")
-    for (const Schema& schema : schemas()) out.emplace_back(schema.name);
   if (command == "example") {
     for (const Example& example : examples()) out.emplace_back(example.name);
     for (const Example& example : experiment_examples()) out.emplace_back(example.name);

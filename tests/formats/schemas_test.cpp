@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "radcert/core/contract.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/surface/catalogue.h"
 
@@ -10,19 +11,19 @@ namespace radcert {
 namespace {
 
 TEST(Schemas, AreJsonWithTheNameOfTheirFileType) {
-  for (const Schema& schema : schemas()) {
-    const JsonValue json = parse_json(schema.text, std::string(schema.name));
-    EXPECT_EQ(*json.find("properties")->find("schema")->find("const")->string(),
-              "radcert/" + std::string(schema.name) + "/1");
+  for (const std::string& name : schema_names()) {
+    const std::string text = schema_text(name);
+    const JsonValue json = parse_json(text, name);
+    EXPECT_EQ(*json.find("properties")->find("schema")->find("const")->string(), "radcert/" + name + "/1");
+    for (const char* gap : {"$catalogue", "$part"}) EXPECT_EQ(text.find(gap), std::string::npos) << name;
     // A relative $id would become the base of every $ref beside it, which validators resolve differently.
     EXPECT_EQ(json.find("$id"), nullptr);
-    EXPECT_EQ(find_schema(schema.name), &schema);
   }
-  EXPECT_EQ(find_schema("problems"), nullptr);
+  EXPECT_THROW((void)schema_text("problems"), ContractViolation);
 }
 
 TEST(ProblemSchema, NamesTheSurfacesOfTheCatalogueAndTheirParameters) {
-  const std::string_view text = find_schema("problem")->text;
+  const std::string text = schema_text("problem");
   const JsonValue json = parse_json(text, "");
   std::vector<std::string> named;
   const JsonValue& surface = *json.find("properties")->find("surface");
@@ -33,9 +34,27 @@ TEST(ProblemSchema, NamesTheSurfacesOfTheCatalogueAndTheirParameters) {
     if (!description.unoccluded) continue;  // no problem can name it
     there.push_back(description.name);
     for (const ParameterDescription& parameter : description.parameters)
-      EXPECT_NE(text.find("\"" + parameter.name + "\": {"), std::string_view::npos) << parameter.name;
+      EXPECT_NE(text.find("\"" + parameter.name + "\": {"), std::string::npos) << parameter.name;
   }
   EXPECT_EQ(named, there);
+}
+
+TEST(ExperimentSchema, HasThePartsOfAProblemOnceAndInLists) {
+  const JsonValue problem = parse_json(schema_text("problem"), "");
+  const JsonValue experiment = parse_json(schema_text("experiment"), "");
+  std::vector<std::string> parts;
+  for (const auto& [key, part] : *problem.find("properties")->members())
+    if (key != "schema" && key != "emission") parts.push_back(key);
+  for (const char* place : {"base", "vary"}) {
+    std::vector<std::string> keys;
+    for (const auto& [key, value] :
+         *experiment.find("properties")->find(place)->find("properties")->members()) {
+      keys.push_back(key);
+      const JsonValue& part = place == std::string("base") ? value : *value.find("items");
+      EXPECT_EQ(part.compact(), problem.find("properties")->find(key)->compact());
+    }
+    EXPECT_EQ(keys, parts) << place;
+  }
 }
 
 }  // namespace

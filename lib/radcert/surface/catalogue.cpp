@@ -16,23 +16,24 @@
 namespace radcert {
 namespace {
 
-ParameterDescription positive_length(std::string name, std::string default_text) {
+ParameterDescription positive_length(std::string name, std::string default_text, std::string meaning = {}) {
   // Fourth powers of distances must neither overflow nor lose digits to underflow.
   const Rational largest = power(Rational(10), 60);
   return {.name = std::move(name),
           .requirement = "a number in [1e-60, 1e60]",
           .default_text = std::move(default_text),
-          .admits = [largest](const Rational& length) { return length * largest >= 1 && length <= largest; }};
+          .admits = [largest](const Rational& length) { return length * largest >= 1 && length <= largest; },
+          .meaning = std::move(meaning)};
 }
 
 /// Nearer to its ends a chart has its next singularity within a thousandth of its domain.
-ParameterDescription inner_part(std::string name, std::string default_text) {
-  return {.name = std::move(name),
-          .requirement = "a number in [1/1000, 999/1000]",
-          .default_text = std::move(default_text),
-          .admits = [](const Rational& part) {
-            return part >= Rational(1, 1000) && part <= Rational(999, 1000);
-          }};
+ParameterDescription inner_part(std::string name, std::string default_text, std::string meaning) {
+  return {
+      .name = std::move(name),
+      .requirement = "a number in [1/1000, 999/1000]",
+      .default_text = std::move(default_text),
+      .admits = [](const Rational& part) { return part >= Rational(1, 1000) && part <= Rational(999, 1000); },
+      .meaning = std::move(meaning)};
 }
 
 std::vector<ParameterDescription> half_axes_or_sides() {
@@ -80,7 +81,7 @@ std::vector<SurfaceDescription> all_surfaces() {
        .make = [](Values v) { return ellipsoid(v[0], v[1], v[2]); }},
       {.name = "spherical_cap",
        .summary = "the cap of the unit sphere with a given part of its area, open at its rim, four charts",
-       .parameters = {inner_part("fraction", "1/4")},
+       .parameters = {inner_part("fraction", "1/4", "of the sphere's area")},
        .pieces = {"cap"},
        .make = [](Values v) { return spherical_cap(v[0]); }},
       {.name = "cylinder",
@@ -90,7 +91,8 @@ std::vector<SurfaceDescription> all_surfaces() {
        .make = [](Values v) { return cylinder(v[0], v[1]); }},
       {.name = "cone",
        .summary = "the boundary of a truncated cone, four charts a piece",
-       .parameters = {positive_length("radius", "1"), positive_length("top", "1/2"),
+       .parameters = {positive_length("radius", "1"),
+                      positive_length("top", "1/2", "the radius of the upper end"),
                       positive_length("height", "1")},
        .pieces = {"floor", "ceiling", "mantle"},
        .make = [](Values v) { return cone(v[0], v[1], v[2]); }},
@@ -112,7 +114,8 @@ std::vector<SurfaceDescription> all_surfaces() {
        .make = [](Values) { return octahedron(); }},
       {.name = "torus",
        .summary = "the torus of that radius, its tube ratio times as wide; parts hide others: not for solve",
-       .parameters = {positive_length("radius", "1"), inner_part("ratio", "1/2")},
+       .parameters = {positive_length("radius", "1"),
+                      inner_part("ratio", "1/2", "of the tube's radius to the other")},
        .pieces = {"torus"},
        .make = [](Values v) { return torus(v[0], v[1]); },
        .unoccluded = false},

@@ -101,7 +101,7 @@ std::string JsonValue::compact() const {
 
 std::string JsonValue::pretty() const {
   std::string out;
-  write_pretty(out, 0);
+  append_pretty(out, 0);
   return out;
 }
 
@@ -135,7 +135,7 @@ void JsonValue::write_compact(std::string& out) const {
   }
 }
 
-void JsonValue::write_pretty(std::string& out, std::size_t indent) const {
+void JsonValue::append_pretty(std::string& out, std::size_t indent) const {
   const std::size_t last_line = out.rfind('\n');
   const std::size_t column = last_line == std::string::npos ? out.size() : out.size() - last_line - 1;
   const std::string line = compact();
@@ -151,7 +151,7 @@ void JsonValue::write_pretty(std::string& out, std::size_t indent) const {
     for (const JsonValue& element : *array) {
       out += before;
       out += inner;
-      element.write_pretty(out, indent + 2);
+      element.append_pretty(out, indent + 2);
       before = ",";
     }
   }
@@ -160,7 +160,7 @@ void JsonValue::write_pretty(std::string& out, std::size_t indent) const {
     for (const auto& [key, value] : *object) {
       out += before;
       out += inner + string_literal(key) + ": ";
-      value.write_pretty(out, indent + 2);
+      value.append_pretty(out, indent + 2);
       before = ",";
     }
   }

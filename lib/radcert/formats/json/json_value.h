@@ -66,13 +66,14 @@ public:
   [[nodiscard]] std::string compact() const;
   /// Indented, what fits on a line kept on it.
   [[nodiscard]] std::string pretty() const;
+  /// The same after a text whose last line has that indentation.
+  void append_pretty(std::string& out, std::size_t indent) const;
 
 private:
   using Content = std::variant<Null, bool, std::int64_t, std::uint64_t, double, std::string, Array, Object>;
   template <std::integral Integer>
   static Content whole(Integer value);
   void write_compact(std::string& out) const;
-  void write_pretty(std::string& out, std::size_t indent) const;
 
   Content content_;
 };

@@ -12,9 +12,12 @@ constexpr int smallest_degree = 1;
 constexpr int largest_degree = 6;
 constexpr const char* geometry_allowed = "exact, or an object with the key interpolated";
 constexpr const char* degree_allowed = "a whole number from 1 to 6: the degree of the interpolated surface";
-const std::vector<std::string> data_words = {"surface", "interpolant"};
+constexpr const char* on_surface = "surface";
+constexpr const char* on_interpolant = "interpolant";
 
 }  // namespace
+
+std::vector<std::string> data_point_names() { return {on_surface, on_interpolant}; }
 
 std::optional<InterpolatedGeometry> read_geometry(const JsonReader& geometry) {
   if (geometry.value().string() != nullptr) {
@@ -30,7 +33,7 @@ std::optional<InterpolatedGeometry> read_geometry(const JsonReader& geometry) {
       geometry.at("interpolated", degree_allowed).whole(smallest_degree, largest_degree, degree_allowed));
   if (const auto data = geometry.find("data"))
     interpolated.data =
-        data->word(data_words) == "interpolant" ? DataPoints::interpolant : DataPoints::surface;
+        data->word(data_point_names()) == on_interpolant ? DataPoints::interpolant : DataPoints::surface;
   return interpolated;
 }
 
@@ -38,7 +41,7 @@ JsonValue geometry_json(const std::optional<InterpolatedGeometry>& geometry) {
   if (!geometry) return "exact";
   JsonValue out = JsonValue::object();
   out.set("interpolated", geometry->degree);
-  out.set("data", geometry->data == DataPoints::interpolant ? "interpolant" : "surface");
+  out.set("data", geometry->data == DataPoints::interpolant ? on_interpolant : on_surface);
   return out;
 }
 

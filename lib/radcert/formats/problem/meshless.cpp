@@ -13,8 +13,6 @@ namespace radcert {
 
 namespace {
 
-const std::vector<std::string> families = {"shepard", "gaussian", "lehtinen", "meshless"};
-
 /// The values of an enumeration, by their words.
 template <class Choice>
 std::vector<std::string> words_of(std::initializer_list<Choice> choices) {
@@ -31,6 +29,9 @@ Choice read_choice(const JsonReader& place, std::initializer_list<Choice> choice
   return *choices.begin();
 }
 
+constexpr auto named_families = {MeshlessFamily::shepard, MeshlessFamily::gaussian, MeshlessFamily::lehtinen};
+constexpr auto families = {MeshlessFamily::shepard, MeshlessFamily::gaussian, MeshlessFamily::lehtinen,
+                           MeshlessFamily::meshless};
 constexpr auto distances = {SiteDistance::normal_sensitive, SiteDistance::euclidean_with_normal_factor,
                             SiteDistance::euclidean};
 constexpr auto normalisations = {Normalisation::none, Normalisation::partition_of_unity};
@@ -158,23 +159,25 @@ std::string sites_words(const SiteLevels& sites) {
 }  // namespace
 
 bool is_meshless_family(std::string_view family) {
-  return std::find(families.begin(), families.end(), family) != families.end();
+  return std::any_of(families.begin(), families.end(), [&](MeshlessFamily f) { return name(f) == family; });
 }
+
+std::vector<std::string> named_meshless_families() { return words_of(named_families); }
+std::vector<std::string> site_distance_names() { return words_of(distances); }
+std::vector<std::string> normalisation_names() { return words_of(normalisations); }
+std::vector<std::string> too_few_neighbours_names() { return words_of(too_few_rules); }
+std::vector<std::string> weight_rule_names() { return words_of(weight_rules); }
+std::vector<std::string> coefficient_rule_names() { return words_of(coefficient_rules); }
 
 BasisChoice read_meshless(const JsonReader& basis) {
   BasisChoice choice;
   choice.family = BasisFamily::meshless;
   if (basis.value().string() != nullptr) {
-    const std::vector<std::string> alone(families.begin(), families.end() - 1);
-    const std::string& word = basis.word(alone);
-    for (const MeshlessFamily family :
-         {MeshlessFamily::shepard, MeshlessFamily::gaussian, MeshlessFamily::lehtinen})
-      if (name(family) == word) choice.meshless = basis_of(family);
+    choice.meshless = basis_of(read_choice(basis, named_families));
     return choice;
   }
-  const MeshlessFamily family = read_choice(basis.at("family", "one of " + listed(families)),
-                                            {MeshlessFamily::shepard, MeshlessFamily::gaussian,
-                                             MeshlessFamily::lehtinen, MeshlessFamily::meshless});
+  const MeshlessFamily family =
+      read_choice(basis.at("family", "one of " + listed(words_of(families))), families);
   MeshlessBasis meshless = family == MeshlessFamily::meshless ? read_own(basis) : read_named(basis, family);
   if (const auto sites = basis.find("sites")) meshless.sites = read_sites(*sites);
   if (const auto weights = basis.find("weights")) meshless.weights = read_choice(*weights, weight_rules);

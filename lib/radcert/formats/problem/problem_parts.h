@@ -43,6 +43,22 @@ JsonValue quadrature_json(const QuadratureChoice& quadrature);
 JsonValue solver_json(const SolverChoice& solver);
 JsonValue piecewise_json(const PiecewiseExpression& expression);
 
+/// The words that a problem file may have at a place.
+/// Source    the file format radcert/problem/1
+/// Result    in the order of messages and of the schema
+std::vector<std::string> surface_names();  ///< surfaces of the catalogue without parts that hide others
+std::vector<std::string> pattern_names();
+std::vector<std::string> diagonal_names();
+std::vector<std::string> data_point_names();
+std::vector<std::string> solver_names();
+std::vector<std::string> solvers_without_tolerance();
+std::vector<std::string> named_meshless_families();  ///< those that have all defaults
+std::vector<std::string> site_distance_names();
+std::vector<std::string> normalisation_names();
+std::vector<std::string> too_few_neighbours_names();
+std::vector<std::string> weight_rule_names();
+std::vector<std::string> coefficient_rule_names();
+
 /// Whether a family of bases is one of shepard, gaussian, lehtinen, meshless.
 [[nodiscard]] bool is_meshless_family(std::string_view family);
 

@@ -10,10 +10,10 @@ namespace radcert {
 
 namespace {
 
-const std::vector<std::string> available_solvers = {"direct", "gmres", "neumann", "verified"};
+constexpr auto solvers = {SolverName::direct, SolverName::gmres, SolverName::neumann, SolverName::verified};
 constexpr const char* as_far_as_double_holds = "rounding";
 
-bool has_tolerance(const std::string& solver) { return solver == "gmres" || solver == "neumann"; }
+bool has_tolerance(SolverName solver) { return solver == SolverName::gmres || solver == SolverName::neumann; }
 
 Rational read_tolerance(const JsonReader& tolerance) {
   const std::string allowed =
@@ -28,16 +28,30 @@ Rational read_tolerance(const JsonReader& tolerance) {
 
 }  // namespace
 
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names;
+  for (const SolverName solver : solvers) names.push_back(solver_name(solver));
+  return names;
+}
+
+std::vector<std::string> solvers_without_tolerance() {
+  std::vector<std::string> names;
+  for (const SolverName solver : solvers)
+    if (!has_tolerance(solver)) names.push_back(solver_name(solver));
+  return names;
+}
+
 SolverChoice read_solver(const JsonReader& solver) {
   solver.require_object({"name", "tolerance"});
-  const std::string& name = solver.at("name", "one of " + listed(available_solvers)).word(available_solvers);
+  const std::vector<std::string> names = solver_names();
+  const std::string& chosen = solver.at("name", "one of " + listed(names)).word(names);
   SolverChoice choice;
-  if (!has_tolerance(name)) {
+  for (const SolverName each : solvers)
+    if (solver_name(each) == chosen) choice.name = each;
+  if (!has_tolerance(choice.name)) {
     solver.require_object({"name"});
-    if (name == "verified") choice.name = SolverName::verified;
     return choice;
   }
-  choice.name = name == "gmres" ? SolverName::gmres : SolverName::neumann;
   if (const auto tolerance = solver.find("tolerance")) {
     const std::string* word = tolerance->value().string();
     if (word == nullptr || *word != as_far_as_double_holds) choice.tolerance = read_tolerance(*tolerance);
@@ -48,7 +62,7 @@ SolverChoice read_solver(const JsonReader& solver) {
 JsonValue solver_json(const SolverChoice& solver) {
   JsonValue out = JsonValue::object();
   out.set("name", solver_name(solver.name));
-  if (has_tolerance(solver_name(solver.name)))
+  if (has_tolerance(solver.name))
     out.set("tolerance",
             solver.tolerance ? exact_json(*solver.tolerance) : JsonValue(as_far_as_double_holds));
   return out;

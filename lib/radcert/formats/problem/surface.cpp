@@ -17,13 +17,6 @@ namespace {
 /// Names that the file format knows of surfaces parts of which hide others.
 const std::vector<std::string> occluded_surfaces = {"torus", "sphere_over_disk", "concentric_spheres"};
 
-std::vector<std::string> available_surfaces() {
-  std::vector<std::string> names;
-  for (const SurfaceDescription& surface : surface_catalogue())
-    if (surface.unoccluded) names.push_back(surface.name);
-  return names;
-}
-
 /// What a problem with a mesh may state beside the file.
 const std::vector<std::string> mesh_keys = {"file", "angle", "repair", "digest"};
 
@@ -78,6 +71,13 @@ Rational default_value(const ParameterDescription& parameter) {
 
 }  // namespace
 
+std::vector<std::string> surface_names() {
+  std::vector<std::string> names;
+  for (const SurfaceDescription& surface : surface_catalogue())
+    if (surface.unoccluded) names.push_back(surface.name);
+  return names;
+}
+
 void require_digest(const JsonReader& object, const std::string& digest) {
   const auto given = object.find("digest");
   if (!given) return;
@@ -90,7 +90,7 @@ void require_digest(const JsonReader& object, const std::string& digest) {
 
 SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::path& folder) {
   if (surface.value().members() == nullptr) surface.refuse("is " + surface.value().kind(), "an object");
-  const std::vector<std::string> available = available_surfaces();
+  const std::vector<std::string> available = surface_names();
   if (const auto file = surface.find("file")) return read_mesh(surface, *file, folder);
   const JsonReader named = surface.at("name", "one of " + listed(available));
   for (const std::string& occluded : occluded_surfaces)

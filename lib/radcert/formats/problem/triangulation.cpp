@@ -11,9 +11,9 @@ namespace {
 
 /// 4^30 triangles are more than any machine holds; what is possible below that, the memory plan decides.
 constexpr int largest_level = 30;
+constexpr const char* published = "published";
 constexpr const char* levels_allowed =
     "a list, not empty, of whole numbers from 0 to 30, strictly ascending: numbers of symmetric refinements";
-const std::vector<std::string> diagonals = {"main", "anti"};
 
 Diagonal diagonal_of(const std::string& word) { return word == "main" ? Diagonal::main : Diagonal::anti; }
 std::string word_of(Diagonal diagonal) { return diagonal == Diagonal::main ? "main" : "anti"; }
@@ -33,20 +33,25 @@ std::vector<std::pair<std::string, Diagonal>> read_pattern(const JsonReader& pat
                                                            std::span<const std::string> pieces) {
   std::vector<std::pair<std::string, Diagonal>> out;
   if (pattern.value().string() != nullptr) {
-    const std::vector<std::string> words = {"published", "main", "anti"};
-    const std::string& word = pattern.word(words);
-    if (word != "published") out.emplace_back("*", diagonal_of(word));
+    const std::string& word = pattern.word(pattern_names());
+    if (word != published) out.emplace_back("*", diagonal_of(word));
     return out;
   }
   if (pattern.value().members() == nullptr)
     pattern.refuse("is " + pattern.value().kind(), "published, main, anti, or main or anti by piece");
   require_pieces(pattern, pieces);
   for (const auto& [piece, value] : *pattern.value().members())
-    out.emplace_back(piece, diagonal_of(pattern.at(piece, "").word(diagonals)));
+    out.emplace_back(piece, diagonal_of(pattern.at(piece, "").word(diagonal_names())));
   return out;
 }
 
 }  // namespace
+
+std::vector<std::string> diagonal_names() { return {word_of(Diagonal::main), word_of(Diagonal::anti)}; }
+
+std::vector<std::string> pattern_names() {
+  return {published, word_of(Diagonal::main), word_of(Diagonal::anti)};
+}
 
 TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces) {
   triangulation.require_object({"levels", "pattern", "grading"});
@@ -66,7 +71,7 @@ JsonValue triangulation_json(const TriangulationChoice& triangulation) {
   out.set("levels", json_array(triangulation.levels, [](int level) { return JsonValue(level); }));
   const auto& pattern = triangulation.pattern;
   if (pattern.empty()) {
-    out.set("pattern", "published");
+    out.set("pattern", published);
   } else if (pattern.size() == 1 && pattern.front().first == "*") {
     out.set("pattern", word_of(pattern.front().second));
   } else {

@@ -1,46 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/formats/schema/schemas.h"
 
-#include <array>
+#include <algorithm>
 
-#include "radcert/formats/schema/schema_texts.h"
+#include "radcert/core/contract.h"
+#include "radcert/formats/json/json_document.h"
+#include "radcert/formats/schema/catalogue_json.h"
+#include "radcert/formats/schema/embedded_schemas.h"
 
 namespace radcert {
 
-std::span<const Schema> schemas() {
-  static const std::array<Schema, 15> all = {
-      Schema{"problem", "what radcert solve reads: a surface, a basis, the data, the levels",
-             problem_schema()},
-      Schema{"solution", "what radcert solve writes: errors, ratios and orders, level by level",
-             solution_schema()},
-      Schema{"experiment", "what radcert experiment reads: parts that problems share and lists of others",
-             experiment_schema()},
-      Schema{"experiment_result", "what radcert experiment writes: the combinations, compared at equal cost",
-             experiment_result_schema()},
-      Schema{"verification", "what radcert verify writes: verdicts and their evidence",
-             verification_schema()},
-      Schema{"provenance", "what solve, experiment and verify write with --out: how the files were made",
-             provenance_schema()},
-      Schema{"reference", "what radcert reference writes: a number with its radius, proved or estimated",
-             reference_schema()},
-      Schema{"references", "what radcert reference writes for more than one --at", references_schema()},
-      Schema{"manifest", "what radcert reference --all writes beside the values", manifest_schema()},
-      Schema{"surface", "what radcert surface writes with --json: pieces, defects, certificate",
-             surface_schema()},
-      Schema{"factors", "what radcert factors writes with --json: configuration factors with radii",
-             factors_schema()},
-      Schema{"nodes", "a file of nodes on a triangle: a basis of a user's own", nodes_schema()},
-      Schema{"basis", "what radcert basis writes with --json", basis_schema()},
-      Schema{"picture", "what radcert picture writes with --json: what is seen, and what it was made with",
-             picture_schema()},
-      Schema{"list", "what radcert list writes with --json", list_schema()}};
-  return all;
+namespace {
+
+constexpr std::string_view ending = ".json";
+
+/// A value of another schema by its name and a pointer without escapes: "problem#/properties/surface".
+JsonValue part_of_schema(std::string_view place) {
+  const std::size_t mark = place.find('#');
+  const JsonValue schema = parse_json(schema_text(place.substr(0, mark)), std::string(place));
+  const JsonValue* part = &schema;
+  for (std::string_view rest = place.substr(mark + 1); !rest.empty();) {
+    const std::string_view key = rest.substr(1, rest.find('/', 1) - 1);
+    part = part->find(key);
+    expects(part != nullptr, "a part of a schema", named("place", std::string(place)));
+    rest.remove_prefix(1 + key.size());
+  }
+  return *part;
 }
 
-const Schema* find_schema(std::string_view name) {
-  for (const Schema& schema : schemas())
-    if (schema.name == name) return &schema;
-  return nullptr;
+/// The text with a value in place of every gap, which begins as said and ends with its name, a quote and a brace.
+std::string filled(std::string_view text, std::string_view beginning, JsonValue (*value)(std::string_view)) {
+  std::string out;
+  for (std::size_t gap = text.find(beginning); gap != std::string_view::npos; gap = text.find(beginning)) {
+    out += text.substr(0, gap);
+    text.remove_prefix(gap + beginning.size());
+    const std::size_t end = text.find('"');
+    const std::size_t line = out.rfind('\n') + 1;
+    value(text.substr(0, end)).append_pretty(out, out.find_first_not_of(' ', line) - line);
+    text.remove_prefix(end + 2);
+  }
+  return out += text;
+}
+
+}  // namespace
+
+std::vector<std::string> schema_names() {
+  std::vector<std::string> names;
+  for (const EmbeddedFile& file : embedded_schemas())
+    names.emplace_back(file.path.substr(0, file.path.size() - ending.size()));
+  return names;
+}
+
+std::string schema_text(std::string_view name) {
+  const auto files = embedded_schemas();
+  const auto file = std::find_if(files.begin(), files.end(), [&](const EmbeddedFile& f) {
+    return f.path == std::string(name) + std::string(ending);
+  });
+  expects(file != files.end(), "the name of a schema", named("name", std::string(name)));
+  return filled(filled(file->content, R"({"$catalogue": ")", catalogue_json), R"({"$part": ")",
+                part_of_schema);
 }
 
 }  // namespace radcert
