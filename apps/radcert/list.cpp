@@ -10,9 +10,8 @@
 
 #include "command.h"
 #include "output.h"
-#include "radcert/core/version.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
-#include "radcert/formats/json/json_value.h"
 #include "radcert/reference/reference_value.h"
 #include "radcert/reference/sphere_over_disk_value.h"
 #include "radcert/surface/catalogue.h"
@@ -163,10 +162,7 @@ std::string text(const std::string& what, const std::vector<Entry>& lines) {
 }
 
 std::string json(const Common& common, const std::string& what, const std::vector<Entry>& lines) {
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/list/1");
-  out.set("radcert", version());
-  out.set("command", common.command);
+  JsonValue out = document_head("list", common.command);
   out.set("list", what);
   out.set("entries", json_array(lines, [](const Entry& line) {
             JsonValue entry = JsonValue::object();

@@ -16,7 +16,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
-#include "radcert/core/version.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/picture/png.h"
 
@@ -131,10 +131,7 @@ void require_meaning(const PictureOptions& options, const PictureKind& kind) {
 
 JsonValue picture_json(const Common& common, const PictureOptions& options, const PictureWish& wish,
                        const PaperPicture& picture) {
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/picture/1");
-  out.set("radcert", version());
-  out.set("command", common.command);
+  JsonValue out = document_head("picture", common.command);
   out.set("picture", options.name);
   out.set("shows", picture.shows);
   out.set("file", options.out);

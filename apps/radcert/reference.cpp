@@ -17,7 +17,7 @@
 #include "progress.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/parallel.h"
-#include "radcert/core/version.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/result/reference_json.h"
 #include "radcert/reference/reference_value.h"
@@ -199,10 +199,7 @@ ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& opt
 }
 
 JsonValue manifest(const Common& common, const std::vector<ReferenceRecord>& records, int digits) {
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/manifest/1");
-  out.set("radcert", version());
-  out.set("command", common.command);
+  JsonValue out = document_head("manifest", common.command);
   out.set("digits", digits);
   out.set("table", "references.csv");
   out.set("values", json_array(records, [](const ReferenceRecord& record) {

@@ -22,7 +22,7 @@ std::string basis_text(const BasisChoice& basis) {
   switch (basis.family) {
     case BasisFamily::file: return "nodes of " + basis.file;
     case BasisFamily::symmetric: return "symmetric nodes of degree " + std::to_string(basis.degree);
-    case BasisFamily::meshless: return joined_words(meshless_words(*basis.meshless));
+    case BasisFamily::meshless: return listed(meshless_words(*basis.meshless));
     case BasisFamily::inset: break;
   }
   std::string out = "degree " + std::to_string(basis.degree);

@@ -13,6 +13,7 @@
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/version.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/result/result_json.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "verification/report/report_page.h"
@@ -64,17 +65,9 @@ std::string in_markdown_cell(const std::string& text) {
   return out;
 }
 
-JsonValue strings(const std::vector<std::string>& texts) {
-  return json_array(texts, [](const std::string& text) { return JsonValue(text); });
-}
-
+/// Nothing that settles nothing.
 JsonValue figure_json(const std::optional<Approximation>& figure) {
-  if (!figure || !is_finite(*figure)) return {};
-  JsonValue out = JsonValue::object();
-  out.set("value", figure->value);
-  out.set("radius", figure->radius);
-  out.set("guaranteed", figure->guaranteed);
-  return out;
+  return figure && is_finite(*figure) ? approximation_json(figure) : JsonValue();
 }
 
 JsonValue evidence_json(const Evidence& evidence) {
@@ -94,7 +87,7 @@ JsonValue order_json(const OrderFit& fit) {
   out.set("quantity", fit.quantity);
   out.set("order", fit.order);
   out.set("halfwidth", fit.halfwidth);
-  out.set("levels", json_array(fit.levels, [](int level) { return JsonValue(level); }));
+  out.set("levels", json_array(fit.levels));
   return out;
 }
 
@@ -112,9 +105,9 @@ JsonValue claim_json(const ClaimReport& claim) {
   out.set("paper", claim.paper);
   out.set("label", claim.label);
   out.set("says", claim.says);
-  out.set("covers", json_array(claim.covers, [](int equation) { return JsonValue(equation); }));
+  out.set("covers", json_array(claim.covers));
   out.set("page", claim.page);
-  out.set("needs", strings(claim.needs));
+  out.set("needs", json_array(claim.needs));
   out.set("verdict", name(claim.found));
   out.set("recorded", name(claim.recorded));
   out.set("as_recorded", claim.as_recorded());
@@ -123,12 +116,12 @@ JsonValue claim_json(const ClaimReport& claim) {
   out.set("note", claim.note);
   out.set("failure", claim.failure);
   out.set("evidence", json_array(claim.evidence, evidence_json));
-  out.set("remarks", strings(claim.remarks));
+  out.set("remarks", json_array(claim.remarks));
   out.set("formula", claim.account.formula);
-  out.set("met", strings(claim.account.met));
+  out.set("met", json_array(claim.account.met));
   out.set("unchecked", claim.account.unchecked);
   out.set("erratum", claim.account.erratum);
-  out.set("problems", json_array(claim.problems, [](std::size_t index) { return JsonValue(index); }));
+  out.set("problems", json_array(claim.problems));
   return out;
 }
 
@@ -228,10 +221,7 @@ std::string report_markdown(const Report& report, const std::string& command) {
 }
 
 JsonValue report_json(const Report& report, const std::string& command) {
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/verification/1");
-  out.set("radcert", version());
-  out.set("command", command);
+  JsonValue out = document_head("verification", command);
   out.set("budget", name(report.budget));
   out.set("as_recorded", report.as_recorded());
   out.set("claims", json_array(report.claims, claim_json));

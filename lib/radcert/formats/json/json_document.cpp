@@ -6,6 +6,7 @@
 
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/version.h"
 #include "radcert/formats/json/json_reader.h"
 
 namespace radcert {
@@ -132,6 +133,14 @@ JsonValue parse_json(std::string_view text, const std::string& source) {
 JsonValue read_json(const std::filesystem::path& path) {
   return parse_json(with_source(path.string(), [&] { return read_file(path, json_size_limit); }),
                     path.string());
+}
+
+JsonValue document_head(const std::string& type, const std::string& command) {
+  JsonValue out = JsonValue::object();
+  out.set("schema", "radcert/" + type + "/1");
+  out.set("radcert", version());
+  out.set("command", command);
+  return out;
 }
 
 std::string pointer_below(const std::string& pointer, std::string_view key) {

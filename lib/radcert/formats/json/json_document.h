@@ -26,6 +26,11 @@ namespace radcert {
 inline constexpr std::size_t json_depth_limit = 64;
 inline constexpr std::uint64_t json_size_limit = std::uint64_t{64} << 20;
 
+/// The first keys of a document that radcert writes.
+/// Source    the schemas of formats/schema
+/// Result    {"schema": "radcert/<type>/1", "radcert": the version, "command": as given}
+[[nodiscard]] JsonValue document_head(const std::string& type, const std::string& command);
+
 /// A place in a JSON document, one step deeper.
 /// Maths     none
 /// Source    RFC 6901

@@ -168,4 +168,17 @@ void JsonValue::append_pretty(std::string& out, std::size_t indent) const {
   out += elements() != nullptr ? "]" : "}";
 }
 
+JsonValue finite_or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? JsonValue(*value) : JsonValue();
+}
+
+JsonValue approximation_json(const std::optional<Approximation>& number) {
+  if (!number) return {};
+  JsonValue out = JsonValue::object();
+  out.set("value", number->value);
+  out.set("radius", finite_or_null(number->radius));
+  out.set("guaranteed", number->guaranteed);
+  return out;
+}
+
 }  // namespace radcert

@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "radcert/scalar/approximation.h"
+
 namespace radcert {
 
 /// A JSON value whose objects keep the order of their keys.
@@ -104,12 +106,26 @@ JsonValue::Content JsonValue::whole(Integer value) {
     return static_cast<std::uint64_t>(value);
 }
 
+/// A number that JSON has: null for none, and for one that is not finite.
+[[nodiscard]] JsonValue finite_or_null(const std::optional<double>& value);
+
+/// A number with its radius, as every file has it: value, radius, guaranteed.
+/// Requires  a finite value, else ContractViolation
+/// Result    a radius that is not known is null; null for none
+[[nodiscard]] JsonValue approximation_json(const std::optional<Approximation>& number);
+
 /// A list as a JSON array, each element by `make`.
 template <class List, class Make>
 [[nodiscard]] JsonValue json_array(const List& list, const Make& make) {
   JsonValue out = JsonValue::array();
   for (const auto& element : list) out.push(make(element));
   return out;
+}
+
+/// A list of what JSON has: texts, numbers.
+template <class List>
+[[nodiscard]] JsonValue json_array(const List& list) {
+  return json_array(list, [](const auto& element) { return JsonValue(element); });
 }
 
 }  // namespace radcert

@@ -12,38 +12,9 @@ namespace radcert {
 
 namespace {
 
-std::string in_words(const std::string& kind) {
-  if (kind == "uniform_error") return "max |u - u_n| over a sample of S";
-  return kind == "node_error" ? "max |u - u_n| over the nodes" : "max |K(I - P_n)u| over the nodes";
-}
-
 std::string in_latex(const std::string& kind) {
   if (kind == "uniform_error") return "$\\max|u-u_n|$ over a sample of $S$";
   return kind == "node_error" ? "$\\max|u-u_n|$ over the nodes" : "$\\max|K(I-P_n)u|$ over the nodes";
-}
-
-double abscissa(const LevelResult& level, PlotAxis axis) {
-  return axis == PlotAxis::mesh_size ? level.mesh_size : static_cast<double>(level.unknowns);
-}
-
-std::vector<PlotPoint> points(std::span<const LevelResult> levels, const ErrorKind& kind, PlotAxis axis) {
-  std::vector<PlotPoint> out;
-  for (const LevelResult& level : levels)
-    if (const auto& error = level.*kind.figure; error && std::isnormal(error->value) && error->value > 0)
-      out.push_back(
-          {.x = abscissa(level, axis), .y = error->value, .radius = error->has_radius() ? error->radius : 0});
-  return out;
-}
-
-std::optional<double> order_of(std::span<const OrderFit> orders, const std::string& kind,
-                               std::span<const PlotPoint> points, PlotAxis axis) {
-  for (const OrderFit& fit : orders)
-    if (fit.quantity == kind) return fit.order;
-  std::vector<CostPoint> curve;
-  for (const PlotPoint& at : points) curve.push_back({at.x, at.y});
-  const auto law = power_law(curve);
-  const double sign = axis == PlotAxis::mesh_size ? 1 : -1;
-  return law ? std::optional<double>(sign * law->exponent) : std::nullopt;
 }
 
 std::optional<ConvergenceCurve> curve(std::string name, const ErrorKind& kind,
@@ -52,10 +23,10 @@ std::optional<ConvergenceCurve> curve(std::string name, const ErrorKind& kind,
   ConvergenceCurve out{.name = std::move(name),
                        .column = kind.name,
                        .row = row,
-                       .points = points(levels, kind, axis),
+                       .points = error_points(levels, kind, axis),
                        .order = std::nullopt};
   if (out.points.size() < 2) return std::nullopt;
-  out.order = order_of(orders, kind.name, out.points, axis);
+  out.order = fitted_order(levels, orders, kind, axis).order;
   return out;
 }
 
@@ -89,7 +60,7 @@ ConvergencePlot convergence_plot(std::string title, std::span<const LevelResult>
   ConvergencePlot plot{
       .title = std::move(title), .key = std::move(key), .curves = {}, .axis = PlotAxis::mesh_size};
   for (const ErrorKind& kind : error_kinds())
-    if (auto one = curve(in_words(kind.name), kind, levels, orders, row, PlotAxis::mesh_size)) {
+    if (auto one = curve(error_words(kind.name), kind, levels, orders, row, PlotAxis::mesh_size)) {
       one->latex = in_latex(kind.name);
       plot.curves.push_back(std::move(*one));
     }
@@ -103,7 +74,7 @@ std::vector<ConvergencePlot> convergence_plots(const Experiment& experiment,
   std::vector<ConvergencePlot> plots;
   for (const ErrorKind& kind : error_kinds())
     for (const PlotAxis axis : {PlotAxis::mesh_size, PlotAxis::unknowns}) {
-      ConvergencePlot plot{.title = experiment.name + ": " + in_words(kind.name),
+      ConvergencePlot plot{.title = experiment.name + ": " + error_words(kind.name),
                            .key = "combination",
                            .curves = {},
                            .axis = axis};
@@ -129,7 +100,7 @@ Plot plot_of(const ConvergencePlot& plot) {
                             "exponent of the unknowns ") +
           "that is fitted to the levels, no guarantee. Bars: what quadrature and rounding may have "
           "changed, where more than a marker.",
-      .x_name = plot.axis == PlotAxis::mesh_size ? "mesh size h" : "unknowns",
+      .x_name = axis_name(plot.axis),
       .y_name = "error",
       .series = {}};
   for (const ConvergenceCurve& curve : plot.curves)

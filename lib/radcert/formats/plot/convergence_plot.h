@@ -8,14 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "radcert/formats/plot/svg_plot.h"
-#include "radcert/study/experiment.h"
+#include "radcert/formats/plot/error_points.h"
 #include "radcert/study/result.h"
 
 namespace radcert {
-
-/// What a convergence plot has on its horizontal axis: the largest diameter h, or the number N of unknowns.
-enum class PlotAxis { mesh_size, unknowns };
 
 /// An error of one problem against the mesh size or the unknowns, and where a table of errors has it.
 struct ConvergenceCurve {

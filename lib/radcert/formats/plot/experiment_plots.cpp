@@ -2,7 +2,6 @@
 #include "radcert/formats/plot/experiment_plots.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -10,6 +9,8 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/formats/json/json_reader.h"
+#include "radcert/formats/plot/error_points.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/problem/problem_words.h"
 #include "radcert/formats/table/order_text.h"
@@ -18,11 +19,6 @@
 namespace radcert {
 
 namespace {
-
-std::string in_words(const ErrorKind& kind) {
-  if (kind.name == "uniform_error") return "max |u - u_n| over a sample of S";
-  return kind.name == "node_error" ? "max |u - u_n| over the nodes" : "max |K(I - P_n)u| over the nodes";
-}
 
 std::string numbers(const std::vector<int>& levels) {
   std::string out;
@@ -38,59 +34,21 @@ std::string order_text(const OrderFit& fit) {
   return out;
 }
 
-/// An error at x; none where a logarithmic axis has no place for it.
-std::optional<PlotPoint> point(double x, const std::optional<Approximation>& error) {
-  if (!error || !std::isnormal(error->value) || error->value < 0) return std::nullopt;
-  return PlotPoint{.x = x, .y = error->value, .radius = error->has_radius() ? error->radius : 0};
-}
-
-/// The points of one error; x of a level as asked.
-template <class X>
-std::vector<PlotPoint> points(const Result& result, const ErrorKind& kind, const X& x) {
-  std::vector<PlotPoint> out;
-  for (const LevelResult& level : result.levels)
-    if (const auto at = point(x(level), level.*kind.figure)) out.push_back(*at);
-  return out;
-}
-
-/// The fit of a result for an error; of an error that has no radius and is not among the fits, over all levels.
-template <class X>
-OrderFit order_of(const Result& result, const std::vector<OrderFit>& fits, const ErrorKind& kind, const X& x,
-                  double sign) {
-  for (const OrderFit& fit : fits)
-    if (fit.quantity == kind.name) return fit;
-  OrderFit fit{.quantity = kind.name, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
-  std::vector<CostPoint> curve;
-  for (const PlotPoint& at : points(result, kind, x)) curve.push_back({at.x, at.y});
-  for (const LevelResult& level : result.levels) fit.levels.push_back(level.level);
-  if (const auto law = power_law(curve)) {
-    fit.order = sign * law->exponent;
-    fit.halfwidth = law->halfwidth;
-  }
-  return fit;
-}
-
-struct HorizontalAxis {
-  std::string name;
-  double sign;  ///< of the exponent where the error falls
-  double (*value)(const LevelResult& level);
-};
-
 Plot against(const Experiment& experiment, std::span<const Result> results,
-             const std::vector<std::vector<OrderFit>>& orders, const ErrorKind& kind,
-             const HorizontalAxis& axis) {
-  Plot plot{.title = experiment.name + ": " + in_words(kind),
+             const std::vector<std::vector<OrderFit>>& orders, const ErrorKind& kind, PlotAxis axis) {
+  Plot plot{.title = experiment.name + ": " + error_words(kind.name),
             .description =
-                "Both axes are logarithmic. A line a combination; the order is the exponent of " + axis.name +
+                "Both axes are logarithmic. A line a combination; the order is the exponent of " +
+                axis_name(axis) +
                 " fitted to its levels, its uncertainty the spread of the slopes between levels. Bars: what "
                 "quadrature and rounding may have changed, where more than a marker.",
-            .x_name = axis.name,
-            .y_name = in_words(kind),
+            .x_name = axis_name(axis),
+            .y_name = error_words(kind.name),
             .series = {}};
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const OrderFit fit = order_of(results[i], orders[i], kind, axis.value, axis.sign);
-    plot.series.push_back(
-        {experiment.combinations[i].name + ": " + order_text(fit), points(results[i], kind, axis.value)});
+    const OrderFit fit = fitted_order(results[i].levels, orders[i], kind, axis);
+    plot.series.push_back({experiment.combinations[i].name + ": " + order_text(fit),
+                           error_points(results[i].levels, kind, axis)});
   }
   return plot;
 }
@@ -121,8 +79,8 @@ std::string sweep_name(const Experiment& experiment, const Problem& problem) {
   without.basis.alpha = std::nullopt;
   std::vector<std::string> words;
   for (const std::string& key : experiment.varied)
-    if (const std::string part = joined_words(part_words(without, key)); !part.empty()) words.push_back(part);
-  return joined_words(words);
+    if (const std::string part = listed(part_words(without, key)); !part.empty()) words.push_back(part);
+  return listed(words);
 }
 
 std::vector<PlotMark> superconvergent_marks(const std::set<int>& degrees) {
@@ -136,12 +94,12 @@ std::vector<PlotMark> superconvergent_marks(const std::set<int>& degrees) {
 
 Plot against_alpha(const Experiment& experiment, std::span<const Result> results,
                    const std::vector<std::vector<std::size_t>>& sweeps, const ErrorKind& kind) {
-  Plot plot{.title = experiment.name + ": " + in_words(kind),
+  Plot plot{.title = experiment.name + ": " + error_words(kind.name),
             .description =
                 "The vertical axis is logarithmic. A line a level: the error as the nodes are pulled in "
                 "from the corners by alpha.",
             .x_name = "alpha",
-            .y_name = in_words(kind),
+            .y_name = error_words(kind.name),
             .linear_x = true,
             .series = {}};
   std::set<int> degrees;
@@ -153,7 +111,7 @@ Plot against_alpha(const Experiment& experiment, std::span<const Result> results
           sweep_name(experiment, first.problem) + ", level " + std::to_string(first.levels[k].level), {}};
       for (const std::size_t i : sweep)
         if (const auto at =
-                point(results[i].problem.basis.alpha->to_double(), results[i].levels[k].*kind.figure))
+                error_point(results[i].problem.basis.alpha->to_double(), results[i].levels[k].*kind.figure))
           series.points.push_back(*at);
       std::sort(series.points.begin(), series.points.end());
       plot.series.push_back(std::move(series));
@@ -179,14 +137,12 @@ std::vector<NamedPlot> experiment_plots(const Experiment& experiment, std::span<
   const std::vector<std::vector<std::size_t>> sweeps = alpha_sweeps(results);
 
   std::vector<NamedPlot> plots;
-  const HorizontalAxis h{"mesh size h", 1, [](const LevelResult& level) { return level.mesh_size; }};
-  const HorizontalAxis unknowns{"unknowns", -1,
-                                [](const LevelResult& level) { return static_cast<double>(level.unknowns); }};
   for (const ErrorKind& kind : error_kinds()) {
     if (several_levels) {
-      plots.push_back({kind.name + "_against_h", against(experiment, results, in_h, kind, h)});
       plots.push_back(
-          {kind.name + "_against_unknowns", against(experiment, results, in_unknowns, kind, unknowns)});
+          {kind.name + "_against_h", against(experiment, results, in_h, kind, PlotAxis::mesh_size)});
+      plots.push_back({kind.name + "_against_unknowns",
+                       against(experiment, results, in_unknowns, kind, PlotAxis::unknowns)});
     }
     if (!sweeps.empty())
       plots.push_back({kind.name + "_against_alpha", against_alpha(experiment, results, sweeps, kind)});

@@ -418,7 +418,7 @@ JsonValue nodes_json(int degree, std::span<const Barycentric<Rational>> nodes) {
 JsonValue nodes_json(std::span<const std::string> space, std::span<const Barycentric<Rational>> nodes) {
   JsonValue out = JsonValue::object();
   out.set("schema", schema);
-  out.set("space", json_array(space, [](const std::string& function) { return JsonValue(function); }));
+  out.set("space", json_array(space));
   out.set("nodes", node_list(nodes));
   return out;
 }

@@ -74,10 +74,4 @@ std::vector<std::string> part_words(const Problem& problem, std::string_view key
   return solver_words(problem.solver);
 }
 
-std::string joined_words(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
-  return out;
-}
-
 }  // namespace radcert

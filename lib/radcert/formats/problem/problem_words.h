@@ -18,7 +18,4 @@ namespace radcert {
 /// Limits    for people: two parts may read the same. A key that the problem does not state has no words
 [[nodiscard]] std::vector<std::string> part_words(const Problem& problem, std::string_view key);
 
-/// The words as one text, ", " between them.
-[[nodiscard]] std::string joined_words(const std::vector<std::string>& words);
-
 }  // namespace radcert

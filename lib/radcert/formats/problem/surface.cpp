@@ -132,8 +132,7 @@ JsonValue surface_json(const SurfaceChoice& surface) {
   if (surface.mesh) {
     out.set("file", surface.mesh->file);
     out.set("angle", exact_json(surface.mesh->angle));
-    out.set("repair",
-            json_array(surface.mesh->repair, [](const std::string& word) { return JsonValue(word); }));
+    out.set("repair", json_array(surface.mesh->repair));
     out.set("digest", surface.mesh->digest);
     return out;
   }

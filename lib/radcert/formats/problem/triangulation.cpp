@@ -68,7 +68,7 @@ TriangulationChoice read_triangulation(const JsonReader& triangulation, std::spa
 
 JsonValue triangulation_json(const TriangulationChoice& triangulation) {
   JsonValue out = JsonValue::object();
-  out.set("levels", json_array(triangulation.levels, [](int level) { return JsonValue(level); }));
+  out.set("levels", json_array(triangulation.levels));
   const auto& pattern = triangulation.pattern;
   if (pattern.empty()) {
     out.set("pattern", published);

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "radcert/core/text.h"
-#include "radcert/core/version.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/table/csv.h"
 #include "radcert/scalar/enclosing_text.h"
 
@@ -57,8 +57,7 @@ JsonValue record_json(const BasisRecord& record) {
   out.set("reproduces", facts.reproduced);
   out.set("alpha", record.alpha);
   out.set("file", record.file);
-  out.set("space", record.space ? json_array(*record.space, [](const std::string& f) { return JsonValue(f); })
-                                : JsonValue());
+  out.set("space", record.space ? json_array(*record.space) : JsonValue());
   JsonValue nodes = JsonValue::array();
   for (std::size_t j = 0; j < facts.nodes.size(); ++j) {
     JsonValue node = JsonValue::object();
@@ -88,7 +87,7 @@ JsonValue record_json(const BasisRecord& record) {
   JsonValue norm = JsonValue::object();
   norm.set("lower", Ball(facts.norm.lower).lower_double());
   norm.set("upper", Ball(facts.norm.upper).upper_double());
-  norm.set("near", json_array(facts.norm.near.x, [](double x) { return JsonValue(x); }));
+  norm.set("near", json_array(facts.norm.near.x));
   out.set("norm", std::move(norm));
   out.set("condition", Ball(facts.condition).upper_double());
   const PredictedOrders predicted = record.orders();
@@ -127,10 +126,7 @@ std::string order_text(int order, bool has_logarithm) {
 }
 
 JsonValue basis_record_json(std::span<const BasisRecord> records, const std::string& command) {
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/basis/1");
-  out.set("radcert", version());
-  out.set("command", command);
+  JsonValue out = document_head("basis", command);
   out.set("bases", json_array(records, record_json));
   return out;
 }

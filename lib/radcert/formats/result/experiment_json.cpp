@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "radcert/core/contract.h"
-#include "radcert/core/version.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/problem/problem_json.h"
@@ -127,7 +125,7 @@ void name_combinations(std::vector<Combination>& combinations, const std::vector
       words[combination.choice[i].second] = part_words(combination.problem, lists[i].key);
     words = telling_words(words);
     for (Combination& combination : combinations) {
-      const std::string part = joined_words(words[combination.choice[i].second]);
+      const std::string part = listed(words[combination.choice[i].second]);
       combination.name += (combination.name.empty() || part.empty() ? "" : ", ") + part;
     }
   }
@@ -168,25 +166,6 @@ Experiment read(const JsonValue& document, const std::string& source) {
   return experiment;
 }
 
-JsonValue finite_or_null(const std::optional<double>& value) {
-  if (!value || !std::isfinite(*value)) return {};
-  return *value;
-}
-
-JsonValue orders_json(const std::vector<OrderFit>& orders) {
-  JsonValue out = JsonValue::object();
-  for (const OrderFit& fit : orders) {
-    JsonValue entry = JsonValue::object();
-    entry.set("order", finite_or_null(fit.order));
-    entry.set("halfwidth", finite_or_null(fit.halfwidth));
-    entry.set("levels", json_array(fit.levels, [](int level) { return JsonValue(level); }));
-    entry.set("left_out", json_array(fit.left_out, [](int level) { return JsonValue(level); }));
-    entry.set("model", fit.model);
-    out.set(fit.quantity, std::move(entry));
-  }
-  return out;
-}
-
 using Points = std::vector<CostPoint> (*)(const Result& result, const ErrorKind& kind);
 
 /// For each question its combinations, and of each error their ranking at equal cost.
@@ -194,7 +173,7 @@ JsonValue equal_cost_json(const Experiment& experiment, std::span<const Result> 
                           const std::string& cost_name, Points points) {
   return json_array(questions(experiment), [&](const std::vector<std::size_t>& question) {
     JsonValue out = JsonValue::object();
-    out.set("combinations", json_array(question, [](std::size_t i) { return JsonValue(i); }));
+    out.set("combinations", json_array(question));
     for (const ErrorKind& kind : error_kinds()) {
       std::vector<std::vector<CostPoint>> methods;
       for (const std::size_t i : question) methods.push_back(points(results[i], kind));
@@ -221,7 +200,7 @@ JsonValue choice_json(const Combination& combination) {
 }
 
 std::string words_of(const Problem& problem, const std::string& key) {
-  return joined_words(part_words(problem, key));
+  return listed(part_words(problem, key));
 }
 
 /// An expression as it is, several as JSON.
@@ -294,12 +273,9 @@ JsonValue experiment_json(const Experiment& experiment, std::span<const Result> 
   timing.set("at_equal_seconds", equal_cost_json(experiment, results, "seconds", error_against_seconds));
   timing.set("combinations", std::move(seconds));
 
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/experiment_result/1");
-  out.set("radcert", version());
-  out.set("command", command);
+  JsonValue out = document_head("experiment_result", command);
   out.set("name", experiment.name);
-  out.set("varied", json_array(experiment.varied, [](const std::string& key) { return JsonValue(key); }));
+  out.set("varied", json_array(experiment.varied));
   out.set("combinations", std::move(combinations));
   out.set("at_equal_unknowns", equal_cost_json(experiment, results, "unknowns", error_against_unknowns));
   out.set("timing", std::move(timing));

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/formats/result/factors_json.h"
+#include "radcert/formats/json/json_document.h"
 
 #include <algorithm>
 #include <utility>
-
-#include "radcert/core/version.h"
 
 namespace radcert {
 
@@ -46,10 +45,7 @@ double closure_bound(const FactorMatrix& matrix) {
 
 JsonValue factors_report(const FactorReport& report) {
   const FactorMatrix& matrix = report.matrix;
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/factors/1");
-  out.set("radcert", version());
-  out.set("command", report.command);
+  JsonValue out = document_head("factors", report.command);
   out.set("name", report.name);
   out.set("by", report.by);
   out.set("triangles", report.triangles);
@@ -87,7 +83,7 @@ JsonValue factors_report(const FactorReport& report) {
             line.set("guaranteed", matrix.guaranteed);
             return line;
           }));
-  out.set("warnings", json_array(report.warnings, [](const std::string& line) { return JsonValue(line); }));
+  out.set("warnings", json_array(report.warnings));
   out.set("comparison", report.comparison ? comparison_json(*report.comparison) : JsonValue());
   return out;
 }

@@ -176,13 +176,9 @@ LevelOutcome read(const JsonReader& record) {
 }  // namespace
 
 std::string level_record(const LevelOutcome& level) {
-  JsonValue timing = JsonValue::object();
-  timing.set("assembly_seconds", level.timing.assembly_seconds);
-  timing.set("operator_seconds", level.timing.operator_seconds);
-  timing.set("solve_seconds", level.timing.solve_seconds);
   JsonValue out = JsonValue::object();
   out.set("result", level_json(level.result));
-  out.set("timing", std::move(timing));
+  out.set("timing", timing_json(level.timing));
   out.set("nodes", json_array(level.nodes, node_row));
   out.set("elements", json_array(level.elements, element_row));
   return out.compact();

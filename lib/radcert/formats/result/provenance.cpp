@@ -11,8 +11,7 @@ std::string provenance_text(const Provenance& provenance) {
   JsonValue machine = JsonValue::object();
   machine.set("system", provenance.system);
   machine.set("threads", provenance.threads);
-  machine.set("cpu_features",
-              json_array(provenance.cpu_features, [](const std::string& name) { return JsonValue(name); }));
+  machine.set("cpu_features", json_array(provenance.cpu_features));
   JsonValue out = JsonValue::object();
   out.set("schema", "radcert/provenance/1");
   out.set("radcert", version());

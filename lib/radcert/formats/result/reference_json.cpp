@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "radcert/core/contract.h"
-#include "radcert/core/version.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/table/csv.h"
 
 namespace radcert {
@@ -47,10 +47,7 @@ JsonValue reference_json(const ReferenceRecord& record, const std::string& comma
   expects(!record.routes.empty(), "at least one route", named("name", record.name));
   const Ball& value = record.routes.front().value;
   const BallDecimal decimal = reference_decimal(value, record.digits);
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/reference/1");
-  out.set("radcert", version());
-  out.set("command", command);
+  JsonValue out = document_head("reference", command);
   out.set("name", record.name);
   JsonValue parameters = JsonValue::object();
   for (const auto& [name, text] : record.parameters) parameters.set(name, text);
@@ -77,10 +74,7 @@ JsonValue reference_json(const ReferenceRecord& record, const std::string& comma
 }
 
 JsonValue references_json(std::span<const ReferenceRecord> records, const std::string& command) {
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/references/1");
-  out.set("radcert", version());
-  out.set("command", command);
+  JsonValue out = document_head("references", command);
   out.set("values", json_array(records, [&command](const ReferenceRecord& record) {
             return reference_json(record, command);
           }));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "radcert/formats/json/json_value.h"
@@ -20,7 +21,9 @@ JsonValue result_json(const Result& result, const std::string& command);
 /// result_json as text, ending with a newline.
 std::string result_text(const Result& result, const std::string& command);
 
-/// One level of a result, as an element of "levels".
+/// Parts of it: an element of "levels", "orders", and an element of the levels of "timing".
 JsonValue level_json(const LevelResult& level);
+JsonValue orders_json(std::span<const OrderFit> orders);
+JsonValue timing_json(const LevelTiming& timing);
 
 }  // namespace radcert

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/formats/result/surface_json.h"
+#include "radcert/formats/json/json_document.h"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
-
-#include "radcert/core/version.h"
 
 namespace radcert {
 
@@ -15,7 +14,9 @@ JsonValue point_json(const Vector<double>& p) {
   return JsonValue::array({JsonValue(p.x), JsonValue(p.y), JsonValue(p.z)});
 }
 
-JsonValue exact_point_json(const Vector<Rational>& p) {
+/// Coordinates in exact or ball arithmetic.
+template <class R>
+JsonValue point_text_json(const Vector<R>& p) {
   return JsonValue::array({JsonValue(p.x.to_text()), JsonValue(p.y.to_text()), JsonValue(p.z.to_text())});
 }
 
@@ -34,19 +35,15 @@ JsonValue exact_parameters_json(const ParameterPoint<Rational>& at) {
   return JsonValue::array({JsonValue(at.s.to_text()), JsonValue(at.t.to_text())});
 }
 
-JsonValue enclosed_point_json(const Vector<Ball>& p) {
-  return JsonValue::array({JsonValue(p.x.to_text()), JsonValue(p.y.to_text()), JsonValue(p.z.to_text())});
-}
-
 JsonValue chart_witness_json(const Surface& surface, const ChartWitness& witness) {
   JsonValue out = JsonValue::object();
   out.set("chart_p", surface.charts.at(witness.chart_p).facts().name);
   out.set("parameters_p", exact_parameters_json(witness.at_p));
   out.set("chart_q", surface.charts.at(witness.chart_q).facts().name);
   out.set("parameters_q", exact_parameters_json(witness.at_q));
-  out.set("p", enclosed_point_json(witness.p));
-  out.set("q", enclosed_point_json(witness.q));
-  out.set("inner_normal", enclosed_point_json(witness.inner_normal));
+  out.set("p", point_text_json(witness.p));
+  out.set("q", point_text_json(witness.q));
+  out.set("inner_normal", point_text_json(witness.inner_normal));
   out.set("product", witness.product.to_text());
   return out;
 }
@@ -67,9 +64,9 @@ JsonValue containment_json(const ConvexContainment& containment, const Surface* 
     witness = chart_witness_json(*surface, *containment.chart_witness);
   if (containment.witness) {
     witness = JsonValue::object();
-    witness.set("p", exact_point_json(containment.witness->p));
-    witness.set("q", exact_point_json(containment.witness->q));
-    witness.set("inner_normal", exact_point_json(containment.witness->inner_normal));
+    witness.set("p", point_text_json(containment.witness->p));
+    witness.set("q", point_text_json(containment.witness->q));
+    witness.set("inner_normal", point_text_json(containment.witness->inner_normal));
     witness.set("product", containment.witness->product.to_text());
     witness.set("triangle", containment.witness->triangle);
     witness.set("vertex", containment.witness->vertex);
@@ -91,14 +88,6 @@ JsonValue containment_json(const ConvexContainment& containment, const Surface* 
   return out;
 }
 
-JsonValue head(const std::string& command) {
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/surface/1");
-  out.set("radcert", version());
-  out.set("command", command);
-  return out;
-}
-
 JsonValue file_json(const MeshSurvey& survey) {
   JsonValue out = JsonValue::object();
   out.set("format", survey.format);
@@ -110,16 +99,20 @@ JsonValue file_json(const MeshSurvey& survey) {
   out.set("bent_faces", survey.bent_faces.size());
   out.set("precision", survey.precision.words);
   out.set("precision_unit", survey.precision.unit);
-  out.set("mended", json_array(survey.mended, [](const std::string& line) { return JsonValue(line); }));
+  out.set("mended", json_array(survey.mended));
   return out;
+}
+
+/// Where an edge begins and ends.
+JsonValue edge_json(const MeshSurvey& survey, std::size_t e) {
+  const MeshEdge& edge = survey.topology.edges[e];
+  return JsonValue::array(
+      {point_json(survey.mesh.vertices[edge.from]), point_json(survey.mesh.vertices[edge.to])});
 }
 
 JsonValue defects_json(const MeshSurvey& survey) {
   const auto at = [&](std::size_t vertex) { return point_json(survey.mesh.vertices[vertex]); };
-  const auto edge_at = [&](std::size_t e) {
-    const MeshEdge& edge = survey.topology.edges[e];
-    return JsonValue::array({at(edge.from), at(edge.to)});
-  };
+  const auto edge_at = [&](std::size_t e) { return edge_json(survey, e); };
   const auto number = [](std::size_t n) { return JsonValue(n); };
   const auto pair = [](const std::pair<std::size_t, std::size_t>& p) {
     return JsonValue::array({JsonValue(p.first), JsonValue(p.second)});
@@ -157,6 +150,14 @@ std::string inner_side_word(InnerSide side) {
   return {};
 }
 
+JsonValue piece_json(const std::string& name, std::size_t charts, std::size_t component) {
+  JsonValue out = JsonValue::object();
+  out.set("name", name);
+  out.set("charts", charts);
+  out.set("smooth_component", component);
+  return out;
+}
+
 JsonValue pieces_json(const MeshSurvey& survey) {
   if (!survey.components) return {};
   std::vector<std::size_t> triangles(survey.pieces.size(), 0);
@@ -166,13 +167,8 @@ JsonValue pieces_json(const MeshSurvey& survey) {
     component[survey.components->of_piece[k]] = survey.components->of_triangle[k];
   }
   JsonValue out = JsonValue::array();
-  for (std::size_t i = 0; i < survey.pieces.size(); ++i) {
-    JsonValue piece = JsonValue::object();
-    piece.set("name", survey.pieces[i]);
-    piece.set("charts", triangles[i]);
-    piece.set("smooth_component", component[i]);
-    out.push(std::move(piece));
-  }
+  for (std::size_t i = 0; i < survey.pieces.size(); ++i)
+    out.push(piece_json(survey.pieces[i], triangles[i], component[i]));
   return out;
 }
 
@@ -181,7 +177,7 @@ JsonValue pieces_json(const MeshSurvey& survey) {
 JsonValue surface_report(const std::string& file, const MeshSurvey& survey, const std::string& command) {
   const auto at = [&](std::size_t vertex) { return point_json(survey.mesh.vertices[vertex]); };
   const auto& components = survey.components;
-  JsonValue out = head(command);
+  JsonValue out = document_head("surface", command);
   out.set("name", file);
   out.set("kind", "mesh");
   out.set("file", file_json(survey));
@@ -194,10 +190,8 @@ JsonValue surface_report(const std::string& file, const MeshSurvey& survey, cons
   out.set("corners", components ? counted_json(components->corners, at) : JsonValue());
   out.set("planes", survey.planes ? JsonValue(survey.planes->count()) : JsonValue());
   out.set("closed", survey.topology.closed());
-  out.set("open_edges", counted_json(survey.topology.open_edges, [&](std::size_t e) {
-            const MeshEdge& edge = survey.topology.edges[e];
-            return JsonValue::array({at(edge.from), at(edge.to)});
-          }));
+  out.set("open_edges",
+          counted_json(survey.topology.open_edges, [&](std::size_t e) { return edge_json(survey, e); }));
   out.set("open_lines", survey.topology.open_loops.size());
   out.set("connected_components", survey.topology.component_count);
   out.set("euler_characteristic", survey.topology.characteristic);
@@ -219,7 +213,7 @@ JsonValue surface_report(const std::string& file, const MeshSurvey& survey, cons
 JsonValue surface_report(const Surface& surface, const ConvexContainment& containment,
                          const std::string& command) {
   const JsonValue unknown;
-  JsonValue out = head(command);
+  JsonValue out = document_head("surface", command);
   out.set("name", surface.name);
   out.set("kind", "catalogue");
   for (const char* key : {"file", "vertices", "triangles", "angle"}) out.set(key, unknown);
@@ -227,12 +221,9 @@ JsonValue surface_report(const Surface& surface, const ConvexContainment& contai
   out.set("smooth_components", names.size());
   JsonValue pieces = JsonValue::array();
   for (std::size_t i = 0; i < names.size(); ++i) {
-    JsonValue piece = JsonValue::object();
-    piece.set("name", names[i]);
-    piece.set("charts", std::count_if(surface.charts.begin(), surface.charts.end(),
-                                      [&](const Chart& chart) { return chart.facts().piece == names[i]; }));
-    piece.set("smooth_component", i);
-    pieces.push(std::move(piece));
+    const auto charts = std::count_if(surface.charts.begin(), surface.charts.end(),
+                                      [&](const Chart& chart) { return chart.facts().piece == names[i]; });
+    pieces.push(piece_json(names[i], static_cast<std::size_t>(charts), i));
   }
   out.set("pieces", std::move(pieces));
   for (const char* key : {"edges", "corners", "planes"}) out.set(key, unknown);

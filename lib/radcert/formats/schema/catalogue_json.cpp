@@ -44,8 +44,6 @@ constexpr std::array<std::pair<std::string_view, Words (*)()>, 14> lists{
      {"solvers without tolerance", solvers_without_tolerance},
      {"errors", errors}}};
 
-JsonValue word_json(const std::string& word) { return word; }
-
 JsonValue object_of(const char* key, JsonValue value) {
   JsonValue out = JsonValue::object();
   out.set(key, std::move(value));
@@ -80,10 +78,9 @@ JsonValue surface_conditions() {
   }
   return json_array(groups, [](const auto& group) {
     const auto& [keys, names] = group;
-    JsonValue applies = object_of("required", json_array(Words{"name"}, word_json));
-    applies.set("properties",
-                object_of("name", names.size() == 1 ? object_of("const", names.front())
-                                                    : object_of("enum", json_array(names, word_json))));
+    JsonValue applies = object_of("required", json_array(Words{"name"}));
+    applies.set("properties", object_of("name", names.size() == 1 ? object_of("const", names.front())
+                                                                  : object_of("enum", json_array(names))));
     JsonValue holds = object_of("properties", keys);
     holds.set("additionalProperties", false);
     JsonValue out = object_of("if", std::move(applies));
@@ -98,7 +95,7 @@ JsonValue catalogue_json(std::string_view name) {
   if (name == surface_parameters) return surface_conditions();
   const auto list = std::find_if(lists.begin(), lists.end(), [&](const auto& l) { return l.first == name; });
   expects(list != lists.end(), "the name of a list", named("name", std::string(name)));
-  return json_array(list->second(), word_json);
+  return json_array(list->second());
 }
 
 }  // namespace radcert

@@ -2,7 +2,6 @@
 #include "radcert/formats/table/csv.h"
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "radcert/core/contract.h"
@@ -28,22 +27,13 @@ std::string cell_text(const JsonValue& cell) {
   return cell.string() != nullptr ? quoted_cell(*cell.string()) : cell.compact();
 }
 
-JsonValue finite_or_null(const std::optional<double>& value) {
-  if (!value || !std::isfinite(*value)) return {};
-  return *value;
-}
-
-JsonValue radius_or_null(const Approximation& number) {
-  return number.has_radius() ? JsonValue(number.radius) : JsonValue();
-}
-
 void push(std::vector<JsonValue>& row, const std::optional<Approximation>& figure) {
   if (!figure) {
     row.resize(row.size() + 3);
     return;
   }
   row.emplace_back(figure->value);
-  row.push_back(radius_or_null(*figure));
+  row.push_back(finite_or_null(figure->radius));
   row.emplace_back(figure->guaranteed);
 }
 
@@ -118,7 +108,7 @@ std::vector<JsonValue> level_cells(const LevelResult& level) {
   row.emplace_back(level.norm_K.value);
   row.emplace_back(level.norm_K.guaranteed);
   row.emplace_back(level.planned_bytes);
-  row.push_back(radius_or_null(level.norm_K));
+  row.push_back(finite_or_null(level.norm_K.radius));
   return row;
 }
 
