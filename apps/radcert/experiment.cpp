@@ -21,6 +21,7 @@
 #include "radcert/formats/plot/convergence_plot.h"
 #include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/plot/latex_plot.h"
+#include "radcert/formats/problem/experiment_file.h"
 #include "radcert/formats/result/experiment_json.h"
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/study/study.h"

@@ -10,6 +10,7 @@
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/plot/svg_plot.h"
+#include "radcert/formats/problem/experiment_file.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/result/experiment_json.h"
 #include "tests/formats/sample.h"

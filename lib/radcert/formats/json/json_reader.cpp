@@ -89,6 +89,19 @@ void JsonReader::require_object(std::span<const std::string> allowed_keys) const
   }
 }
 
+void JsonReader::require_schema(const std::string& schema, const std::string& what) const {
+  if (value_->members() == nullptr) refuse_kind(what);
+  (void)at("schema", schema).word(std::vector<std::string>{schema});
+}
+
+std::vector<std::pair<std::string, JsonReader>> JsonReader::members(const std::string& what) const {
+  if (value_->members() == nullptr) refuse_kind(what);
+  std::vector<std::pair<std::string, JsonReader>> out;
+  for (const auto& [key, value] : *value_->members())
+    out.emplace_back(key, JsonReader(value, pointer_below(pointer_, key)));
+  return out;
+}
+
 JsonReader JsonReader::at(std::string_view key, const std::string& what) const {
   auto found = find(key);
   if (!found)

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "radcert/core/errors.h"
@@ -32,6 +33,10 @@ public:
   /// Requires an object that has no other keys than these.
   void require_object(std::span<const std::string> allowed_keys) const;
   void require_object(std::initializer_list<std::string_view> allowed_keys) const;
+  /// Requires an object whose key `schema` has that word; `what` says what the object is.
+  void require_schema(const std::string& schema, const std::string& what) const;
+  /// The keys of an object and their values; `what` says what belongs there.
+  [[nodiscard]] std::vector<std::pair<std::string, JsonReader>> members(const std::string& what) const;
   /// The value of a key; `what` says what belongs there if it is missing.
   [[nodiscard]] JsonReader at(std::string_view key, const std::string& what) const;
   /// The value of a key, if it is there.

@@ -54,14 +54,13 @@ void require_pieces(const JsonReader& by_piece, std::span<const std::string> pie
 
 PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces) {
   PiecewiseExpression out;
-  const auto* members = expression.value().members();
-  if (members == nullptr) {
+  if (expression.value().members() == nullptr) {
     out.cases.push_back({"*", read_expression(expression)});
     return out;
   }
   require_pieces(expression, pieces);
-  for (const auto& [piece, value] : *members)
-    out.cases.push_back({piece, read_expression(expression.at(piece, expression_allowed))});
+  for (const auto& [piece, place] : expression.members("an object"))
+    out.cases.push_back({piece, read_expression(place)});
   return out;
 }
 

@@ -346,9 +346,7 @@ NodeFile read_own_space(const JsonReader& root, const JsonReader& key) {
 
 NodeFile read(const JsonValue& document) {
   const JsonReader root(document);
-  if (document.members() == nullptr) root.refuse("is " + document.kind(), "an object: nodes");
-  const std::vector<std::string> schemas = {schema};
-  (void)root.at("schema", schema).word(schemas);
+  root.require_schema(schema, "an object: nodes");
   root.require_object({"schema", "radcert", "command", "degree", "space", "numbers", "nodes", "certificate"});
   if (const auto space = root.find("space")) return read_own_space(root, *space);
   const std::string degree_allowed = "a whole number from 0 to " + std::to_string(largest_node_degree);

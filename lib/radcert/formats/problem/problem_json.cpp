@@ -22,9 +22,7 @@ std::vector<std::string> pieces_of(const SurfaceChoice& surface) {
 
 Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   const JsonReader root(document);
-  if (document.members() == nullptr) root.refuse("is " + document.kind(), "an object: a problem");
-  const std::vector<std::string> schemas = {schema};
-  (void)root.at("schema", schema).word(schemas);
+  root.require_schema(schema, "an object: a problem");
   root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
                        "emission", "quadrature", "solver"});
   Problem problem;

@@ -37,11 +37,9 @@ std::vector<std::pair<std::string, Diagonal>> read_pattern(const JsonReader& pat
     if (word != published) out.emplace_back("*", diagonal_of(word));
     return out;
   }
-  if (pattern.value().members() == nullptr)
-    pattern.refuse("is " + pattern.value().kind(), "published, main, anti, or main or anti by piece");
+  const auto members = pattern.members("published, main, anti, or main or anti by piece");
   require_pieces(pattern, pieces);
-  for (const auto& [piece, value] : *pattern.value().members())
-    out.emplace_back(piece, diagonal_of(pattern.at(piece, "").word(diagonal_names())));
+  for (const auto& [piece, word] : members) out.emplace_back(piece, diagonal_of(word.word(diagonal_names())));
   return out;
 }
 

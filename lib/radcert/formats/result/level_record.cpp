@@ -146,10 +146,8 @@ LevelResult read_level_result(const JsonReader& level) {
   out.node_ratio = number_or_null_at(level, "node_ratio");
   out.discretisation_order = number_or_null_at(level, "discretisation_order");
   out.node_order = number_or_null_at(level, "node_order");
-  const JsonReader means = level.at("piece_means", "means by piece");
-  if (means.value().members() == nullptr) means.refuse("is " + means.value().kind(), "an object");
-  for (const auto& [piece, mean] : *means.value().members())
-    out.piece_means.emplace_back(piece, number_at(means, piece));
+  for (const auto& [piece, mean] : level.at("piece_means", "means by piece").members("an object"))
+    out.piece_means.emplace_back(piece, mean.number("a number"));
   out.norm_K = read_approximation(level.at("norm_K", "a norm"));
   out.planned_bytes = level.at("planned_bytes", "a number").unsigned_whole("a number");
   out.iteration = read_iteration(level.at("iteration", "a report or null"));
