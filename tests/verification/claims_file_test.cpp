@@ -62,7 +62,9 @@ TEST(ClaimsFile, RefusesWithLineAndPlace) {
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"definition\"\n"), HasSubstr("/a/symbol: is missing"));
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\ncheck = \"magic\"\nverdict = \"supported\"\n"),
               HasSubstr("function, table, order or enclosure"));
-  EXPECT_THAT(refusal("a = 1\n"), HasSubstr("/a"));
+  EXPECT_THAT(refusal("a = 1\n"), HasSubstr("line 1: /a: \"1\" is a number"));
+  EXPECT_THAT(refusal("[a]\n\nsays = 1979-05-27\n"), HasSubstr("line 3: /a/says: is a date or time"));
+  EXPECT_THAT(refusal("[a]\nslack = [1,\n inf]\n"), HasSubstr("line 3: /a/slack/1: is not finite"));
 }
 
 TEST(ClaimsFile, RefusesWhatIsNoToml) {
