@@ -1,9 +1,9 @@
 # radcert_embed(<target> <folder> FUNCTION <name> HEADER <header> [FILES <file>...])
 #
-# Gives the target the definition of the function <name>, as radcert::embedded_schemas, which <header> declares to return
-# std::span<const EmbeddedFile>: the files in their order, by their paths from the folder; if none are named, every
-# .toml, .csv, .json, .md and .bib file below it, ascending by path. Built again when one of these files changes, comes
-# or goes.
+# Gives the target the definition of the function <name>, as radcert::embedded_schemas, which <header>
+# declares to return std::span<const EmbeddedFile>: the files in their order, by their paths from the folder;
+# if none are named, every .toml, .csv, .json, .md and .bib file below it, ascending by path. Built again when
+# one of these files changes, comes or goes.
 function(radcert_embed target folder)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "FUNCTION;HEADER" "FILES")
   get_filename_component(folder "${folder}" ABSOLUTE)

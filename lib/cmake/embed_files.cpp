@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Run by the build: embed_files FOLDER LIST OUTPUT HEADER FUNCTION
-// Writes a C++ source that defines FUNCTION(), declared in HEADER, with the files named in LIST, one absolute path a
-// line, by their paths from FOLDER.
+// Writes a C++ source that defines FUNCTION(), declared in HEADER, with the files named in LIST, one absolute
+// path a line, by their paths from FOLDER.
 
 #include <cstdio>
 #include <exception>

@@ -23,8 +23,8 @@ struct TomlDocument {
 
 /// A document of unknown origin.
 /// Requires  `source` names the text in messages
-/// Result    the document; InputError with source and line for a text that is no TOML, and for what JSON does not have:
-///           dates, times, numbers that are not finite
+/// Result    the document; InputError with source and line for a text that is no TOML, and for what JSON does
+///           not have: dates, times, numbers that are not finite
 [[nodiscard]] TomlDocument parse_toml(std::string_view text, const std::string& source);
 
 }  // namespace radcert::verification

@@ -30,7 +30,8 @@ enum class PlotAxis { mesh_size, unknowns };
 /// How an error falls.
 /// Maths     error ~ h^order, or N^-order
 /// Requires  fits: those of the levels against that axis
-/// Result    the fit of that error; of an error that has no radius and is not among the fits, one of all levels, by power_law
+/// Result    the fit of that error; of an error that has no radius and is not among the fits, one of all
+///           levels, by power_law
 [[nodiscard]] OrderFit fitted_order(std::span<const LevelResult> levels, std::span<const OrderFit> fits,
                                     const ErrorKind& kind, PlotAxis axis);
 

@@ -28,7 +28,7 @@ JsonValue part_of_schema(std::string_view place) {
   return *part;
 }
 
-/// The text with a value in place of every gap, which begins as said and ends with its name, a quote and a brace.
+/// The text with a value in place of every gap: the beginning, a name, a quote and a brace.
 std::string filled(std::string_view text, std::string_view beginning, JsonValue (*value)(std::string_view)) {
   std::string out;
   for (std::size_t gap = text.find(beginning); gap != std::string_view::npos; gap = text.find(beginning)) {
