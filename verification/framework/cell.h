@@ -34,7 +34,7 @@ struct PrintedNumber {
 /// What our value says of a printed number.
 /// Maths     with o +- r ours, p printed and h its half unit:  |o-p| + r <= h  reproduced, certified if o +-
 ///           r is guaranteed; |o-p| - r > h  contradicted;  otherwise undecided
-/// Source    the project's rule for cells
+/// Source    verification/README.md
 /// Requires  value finite, radius finite and >= 0, else ContractViolation
 /// Result    the comparison is exact: no rounding can tip it
 /// Limits    a radius that is an estimate makes the verdict one

@@ -88,7 +88,7 @@ struct EnclosureClaim {
 };
 
 /// One numbered statement, as papers/<key>/claims.toml has it.
-/// Source    the project's format of claims
+/// Source    verification/README.md
 /// Requires  made by read_claims
 /// Result    plain data; a table has cells instead of a verdict of its own
 struct Claim {

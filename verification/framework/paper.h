@@ -53,7 +53,7 @@ struct Selected {
 
 /// What words of a command line select: KEY, KEY/CLAIM, KEY/TABLE.CELL, or a folder of the user's own; none:
 /// every paper.
-/// Source    the command line's documentation
+/// Source    apps/radcert/README.md
 /// Requires  nothing
 /// Result    papers in the order in which they were first named; InputError for a word that is none of these,
 ///           with what there is

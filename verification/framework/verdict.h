@@ -15,7 +15,7 @@ namespace radcert::verification {
 ///           was rejected; contradicted: proved or measured otherwise; undecided: the evidence does not
 ///           settle it; definition: nothing to verify; unchecked: not looked at yet; failed: the check threw,
 ///           or it could not reject what it must reject
-/// Source    the project's table of verdicts
+/// Source    verification/README.md
 /// Requires  nothing
 /// Result    `failed` is never recorded
 /// Limits    `contradicted` speaks of the paper, `failed` of the check
@@ -38,7 +38,7 @@ enum class Verdict {
 [[nodiscard]] std::span<const std::string> recordable_verdicts();
 
 /// How much work a verification may do.
-/// Source    the command line's documentation
+/// Source    apps/radcert/README.md
 /// Requires  nothing
 /// Result    quick: a paper in under two minutes on two cores; standard, full: more evidence of the same
 ///           kind. No statement is left out at any of them, and tables are complete at each

@@ -9,7 +9,7 @@
 namespace radcert {
 
 /// What the program says to the shell.
-/// Source    the command line's documentation
+/// Source    apps/radcert/README.md
 /// Requires  nothing
 /// Result    done: every verdict as recorded; differs: a verdict differs, or a demanded accuracy was not
 ///           reached; input: the user's input is wrong; environment: disk, package, memory; interrupted: what

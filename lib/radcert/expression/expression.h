@@ -22,7 +22,7 @@ namespace radcert {
 /// The names that an expression may use for its arguments.
 /// Maths     space: a function of the point (x, y, z);  radius: a function of the distance r;  barycentric: a
 ///           function of the point (x1, x2, x3) of a triangle
-/// Source    the file formats
+/// Source    lib/radcert/formats/README.md
 /// Requires  nothing
 /// Result    the order of the values given to evaluate()
 enum class ExpressionVariables : std::uint8_t { space, radius, barycentric };

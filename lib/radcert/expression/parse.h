@@ -31,7 +31,7 @@ struct ExpressionFault {
 ///           number  := digits ['.' [digits]] [e] | '.' digits [e],  e := ('e' | 'E') ['+' | '-'] digits
 ///           name    := pi, and x | y | z, or r, or x1 | x2 | x3
 ///           function := sqrt exp log sin cos tan atan abs (one argument), min max (two)
-/// Source    the file formats
+/// Source    lib/radcert/formats/README.md
 /// Requires  nothing
 /// Result    the tree as written, numbers exact; or the place and the reason
 /// Limits    at most 4096 characters of ASCII, 64 levels of parentheses, calls, signs and exponents together,

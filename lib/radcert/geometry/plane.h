@@ -8,7 +8,6 @@ namespace radcert {
 
 /// A plane with rational coefficients, for decisions that must not depend on rounding.
 /// Maths     { X : normal . X = offset }
-/// Source    design: geometry decides exactly
 /// Requires  normal != 0, else ContractViolation
 /// Result    equality of planes as sets, exact
 /// Limits    the normal is not of unit length (a unit normal is rarely rational)

@@ -11,7 +11,6 @@ namespace radcert {
 /// Which triangles lie in one plane and look the same way.
 /// Maths     a ~ b where the planes are equal as sets and the normals (v_2 - v_1) x (v_3 - v_1) have the same
 ///           direction
-/// Source    design: no epsilon in a geometric decision
 /// Requires  no degenerate triangle, else ContractViolation
 /// Result    of_triangle[t] is a number below count; numbered in the order in which triangles first show
 ///           them; exact. In n log n steps

@@ -14,7 +14,6 @@ namespace radcert {
 
 /// Eight doubles that go through a formula side by side.
 /// Maths     every operation lane by lane
-/// Source    design: one formula, several arithmetics
 /// Result    each lane has the bits that the same formula gives in double, on every machine: + - * / sqrt fma
 ///           abs min max are those of IEEE 754, the other functions go through libm one lane at a time
 /// Limits    a formula that branches on values cannot run in it; `by_lane` takes such a step. Eight whatever
@@ -157,7 +156,6 @@ struct Constants<Pack> {
 
 /// What a hot loop over numbers of type R runs in: several at a time where there is such a type, else one.
 /// Maths     Block<R>::Type has Block<R>::lanes places
-/// Source    design: one formula, several arithmetics
 /// Result    double: Pack; any other arithmetic: itself, one lane
 template <class R>
 struct Block {

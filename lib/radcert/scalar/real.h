@@ -13,7 +13,7 @@ namespace radcert {
 /// The arithmetic a rational formula needs.
 /// Maths     a ring with division: + - * / and unary minus, with the usual laws up to the rounding of the
 ///           type
-/// Source    design: one formula, several arithmetics
+/// Source    CONTRIBUTING.md, on arithmetics
 /// Requires  operands that are values of the type; division by zero is the type's own business
 /// Result    a concept; Rational, every Real, Dual and DividedDifference model it
 /// Limits    no order and no comparison: a formula never branches on them
@@ -30,7 +30,6 @@ concept Field = std::copyable<T> && requires(const T& a, const T& b) {
 
 /// How an exact number enters an arithmetic.
 /// Maths     from_rational<R>(q) is q in R; pi<R>() is the circle number in R
-/// Source    design: input decimals stay exact until a Real is asked for
 /// Requires  a specialisation for R
 /// Result    double, long double, Mpfr: rounded to nearest (long double: within one unit in the last place);
 ///           Ball: enclosed; Dual: a constant
@@ -81,7 +80,7 @@ concept HasElementaryFunctions = requires(const T& a) {
 
 /// A field with the elementary functions, found by argument-dependent lookup or in std.
 /// Maths     sqrt exp log sin cos atan pow
-/// Source    design: one formula, several arithmetics
+/// Source    CONTRIBUTING.md, on arithmetics
 /// Result    a concept; double, long double, Pack, Mpfr, Ball and their Dual model it, others join by
 ///           providing the functions
 /// Limits    as Field
@@ -151,7 +150,7 @@ constexpr R unit_roundoff() {
 
 /// Comparisons that a formula may branch on in every arithmetic.
 /// Maths     a < b, a <= b, 0 < x, x < 0, x = 0, each where it is certain
-/// Source    design: a formula never branches on < between Reals
+/// Source    CONTRIBUTING.md, on arithmetics
 /// Result    numbers: the comparison itself, false for a NaN. Ball: true if it holds for all points of the
 ///           balls; then neither certainly_less(a, b) nor certainly_less(b, a) need be true: see select_less
 /// Limits    of Pack only certainly_zero, which is true if all lanes are zero
@@ -189,7 +188,6 @@ concept Enclosing = requires(const T& a) {
 
 /// A branch that every arithmetic can take: both values are there, the comparison chooses.
 /// Maths     if_less where a < b, otherwise elsewhere
-/// Source    design: certainly_less, or the hull of both branches
 /// Result    Ball: the hull of both where a and b overlap; Pack: lane by lane; a NaN is not less
 /// Limits    a branch that costs much, or that must not be evaluated for the other case, asks certainly_less
 ///           itself

@@ -123,7 +123,7 @@ Surface surface_of(const Problem& problem);
 ///           elements meet at an angle; interpolants of degree 1 to 6; a plan within `memory_limit` bytes for
 ///           every level; constant reflectivities in [0,1]; on closed surfaces sup rho < 1; a tolerance that
 ///           double can hold, for a solver that has one
-/// Source    contract of the command line
+/// Source    lib/radcert/formats/README.md
 /// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed
 /// Limits    what depends on a node (an expression that is not finite there) is refused when the node is
 ///           known

@@ -22,7 +22,6 @@ using AppliedOperator = std::function<Approximation(const SurfacePoint<double>& 
 
 /// The second route to Ku, passed in from outside: this layer knows of no reference values.
 /// Maths     (surface, u) -> (P -> Int_S G(P,Q) u(Q) dS_Q)
-/// Source    design: E is passed in
 /// Requires  surface and u outlive what it returns
 /// Result    shares no quadrature with the collocation matrix
 using OperatorRoute = std::function<AppliedOperator(const Surface& surface, const SurfaceFunction& u)>;

@@ -233,7 +233,6 @@ template <class Work>
 /// A chart's formula, differentiated.
 /// Maths     Formula<R> is a class with  template <Field T> Vector<T> operator()(const T& s, const T& t)
 ///           const;  here T is Dual<R> for the tangents and DividedDifference<R> for the chord
-/// Source    design: derivatives by forward differentiation
 /// Requires  the formula uses + - * / sqrt power on T and constants of type R
 /// Result    see Frame and Chord
 template <Real R, class Formula>
@@ -294,7 +293,6 @@ private:
 
 /// A chart's formula in an arithmetic whose precision is that of the moment.
 /// Maths     Formula<R>(parameters...), made anew at each call
-/// Source    design: constants of a ball formula belong inside the precision scope
 /// Requires  as ChartOf; parameters exact
 /// Result    as ChartOf: for R = Ball and ComplexBall enclosed, and as narrow as BallPrecision::current()
 ///           allows
@@ -329,7 +327,7 @@ private:
 
 /// A chart from a formula template and its exact parameters, in every arithmetic that radcert compiles.
 /// Maths     Formula<R>(parameters...) for each R
-/// Source    design: one formula, several arithmetics
+/// Source    CONTRIBUTING.md, on arithmetics
 /// Requires  Formula<R> constructible from the Rational parameters
 /// Result    a Chart
 /// Limits    a new arithmetic is added here, once

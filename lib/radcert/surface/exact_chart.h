@@ -11,8 +11,8 @@ namespace radcert {
 
 /// A chart's formula as exact functions of the parameters.
 /// Maths     (s, t) -> F(s, t)
-/// Source    design: one formula, several arithmetics; what is proved of the image is proved of the chart
-/// Result    coordinates may be unknown: see ExactFunction
+/// Result    coordinates may be unknown: see ExactFunction. What is proved of the image is proved of the
+///           chart, which has the same formula
 class ExactImage {
 public:
   ExactImage() = default;
@@ -52,7 +52,7 @@ private:
 
 /// A chart as make_chart makes it, with its exact image.
 /// Maths     Formula<R>(parameters...) for each R, ExactFunction among them
-/// Source    design: one formula, several arithmetics
+/// Source    CONTRIBUTING.md, on arithmetics
 /// Requires  as make_chart; the formula uses + - * / sqrt and powers
 /// Result    a Chart of which exact_image() is known
 template <template <class> class Formula, class... Parameters>
