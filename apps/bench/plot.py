@@ -5,7 +5,7 @@
     radcert_bench --benchmark_out=bench.json --benchmark_out_format=json --benchmark_repetitions=5
     apps/bench/plot.py bench.json [--svg bench.svg]
 
-Prints the ratios that the README quotes (medians of the repetitions, all of one run) and, with --svg, draws the rates of
+Prints the ratios that README.md beside it quotes (medians of the repetitions, all of one run) and, with --svg, draws the rates of
 the kernel and of the entries by distance. Drawing needs matplotlib (Debian: python3-matplotlib).
 """
 import argparse

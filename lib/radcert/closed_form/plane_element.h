@@ -13,8 +13,7 @@
 
 namespace radcert {
 
-/// A plane polygon prepared for the radiosity integrals of many points: doubles with a bounded error. For
-/// triangles in great number: PlaneTriangle.
+/// A plane polygon prepared for the radiosity integrals of many points: doubles with a bounded error.
 /// Maths     Int G(P,Q) q_k(Q) dS_Q over what P sees of the polygon, for all functions q_k at once, as
 ///           point_to_polygon: without 1/pi, negative where P lies behind the polygon
 /// Source    KernelMoments in BoundedDouble; Gauss rules over pieces that are small against their distance
