@@ -1,75 +1,26 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The pages of apps/examples and the README, followed as they are written: every command, and what they show of its output."""
+"""The pages of apps/examples, followed as they are written, and what they say of claims of one's own."""
 import csv
 import json
 import os
 import re
 import shutil
-import subprocess
-import sys
 import unittest
 
-from program import EXAMPLES, ProgramTest
+from page import ROOT, PageTest, commands, read
+from program import EXAMPLES
 
-ROOT = os.path.dirname(os.path.dirname(EXAMPLES))
 # 04 and 06 have tests of their own.
-PAGES = ["01_solve", "02_reference_value", "03_own_surface", "05_own_claim", "07_occluded_room", "08_factors_of_an_stl"]
+EXAMPLE_PAGES = ["01_solve", "02_reference_value", "03_own_surface", "05_own_claim", "07_occluded_room", "08_factors_of_an_stl"]
 
 
-def read(path):
-    with open(path, encoding="utf-8") as file:
-        return file.read()
-
-
-def commands(page):
-    """The words of each command of radcert, with the indented lines of output that follow it."""
-    found = []
-    for match in re.finditer(r"^    (?:build/release/bin/)?radcert (.*)\n((?:\n?    (?!\S*radcert |cmake |ctest |Python ).*\n)*)",
-                             page, re.MULTILINE):
-        shown = [line[4:].rstrip() for line in match.group(2).splitlines() if line.strip()]
-        found.append((match.group(1).split("  # ")[0].split(), shown))
-    return found
-
-
-def python_lines(page):
-    """The lines that a page gives for Python, by block."""
-    blocks = re.findall(r"^    Python      (.*\n(?:                .*\n)*)", page, re.MULTILINE)
-    return ["\n".join(line.strip() for line in block.splitlines()) for block in blocks]
-
-
-class Examples(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        shutil.copytree(EXAMPLES, self.path("apps/examples"))
-
-    def follow(self, page):
-        for words, shown in commands(page):
-            file = None
-            if ">" in words:
-                words, file = words[:words.index(">")], words[-1]
-            with self.subTest(" ".join(words)):
-                text = self.expect(0, *words)
-                if file:
-                    self.write(file, text)
-                lines = [line.rstrip() for line in text.splitlines()]
-                for line in shown:
-                    self.assertIn(line, lines)
-        for block in python_lines(page):
-            done = subprocess.run([sys.executable, "-c", block], cwd=self.folder, capture_output=True, text=True,
-                                  check=False)
-            self.assertEqual((done.returncode, done.stderr), (0, ""), block)
-
+class Examples(PageTest):
     def test_every_command_of_every_page_works_and_shows_what_is_printed(self):
-        for name in PAGES:
+        for name in EXAMPLE_PAGES:
             with self.subTest(name):
                 page = read(os.path.join(EXAMPLES, name, "README.md"))
                 self.assertTrue(commands(page))
                 self.follow(page)
-
-    def test_the_readme_is_true(self):
-        page = read(os.path.join(ROOT, "README.md"))
-        self.write("room.json", re.search(r"^```json\n(.*?)^```", page, re.MULTILINE | re.DOTALL).group(1))
-        self.follow(page)
 
     def test_the_list_of_examples_and_the_readme_name_them_all_in_order(self):
         numbered = sorted(name for name in os.listdir(EXAMPLES) if re.match("[0-9]{2}_", name))

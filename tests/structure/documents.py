@@ -10,6 +10,8 @@ import re
 import sys
 
 MOST_COLUMNS = 120
+# What has grown and is not laid out anew.
+ANY_WIDTH = {"CHANGELOG.md"}
 # Folders of documents and sources; what is built is not looked at.
 PARTS = ["apps", "lib", "papers", "tests", "verification"]
 # What would send a reader to a page outside the repository.
@@ -46,7 +48,7 @@ def faults_of_page(root, page):
         elif anchor and anchor not in headings(file.read_text(encoding="utf-8")):
             yield f"{name}: {target}: no such heading"
     for number, line in enumerate(prose.split("\n"), 1):
-        if len(line) > MOST_COLUMNS and not line.startswith("|"):
+        if len(line) > MOST_COLUMNS and not line.startswith("|") and page.name not in ANY_WIDTH:
             yield f"{name}:{number}: {len(line)} columns, at most {MOST_COLUMNS}"
 
 
