@@ -203,7 +203,7 @@ std::vector<Ball> balls_of(const CertifiedEntries& found, std::size_t step) {
 }
 
 Case plane_entries() {
-  return {.limit = "study/plane_entries: bits of an entry", .answer = [] {
+  return {.limit = "collocation/plane_entries: bits of an entry", .answer = [] {
             const Surface surface = cube();
             std::vector<PlaneChart> elements;
             for (std::size_t j = 0; j < 3; ++j)
@@ -290,8 +290,8 @@ std::vector<Case> system_cases() {
       row("quadrature/apex_rule: rectangles", long_ellipsoid, on_octants, 0, 2, "an ellipsoid"),
       row("quadrature/chart_inverse: steps", unit_sphere, {{0, {0.0, 0.4}}, {0, {1e-9, 0.4}}}, 1, 1,
           "a seam"),
-      certified_integrals("collocation/certified_kernel_sums: quarterings of an element", "the sphere"),
-      certified_integrals("collocation/integral_from_within: halvings of a square", "the sphere"),
+      certified_integrals("quadrature/certified_kernel_sums: quarterings of an element", "the sphere"),
+      certified_integrals("quadrature/integral_from_within: halvings of a square", "the sphere"),
       by_gmres(),
       contraction(),
       squarings(),

@@ -39,7 +39,7 @@ READS_BACK = {
     "lib/radcert/study/meshless_level.cpp": "parameters of the input, and coordinates",
     "lib/radcert/study/level.cpp": "the tolerance of the input, and coordinates",
     "lib/radcert/study/level_geometry.cpp": "a coordinate",
-    "lib/radcert/study/surface_function.h": "coordinates",
+    "lib/radcert/surface/surface_function.h": "coordinates",
     "lib/radcert/study/problem.cpp": "constants that are allowed as input",
     "apps/radcert/factors.cpp": "coordinates of the input",
     "apps/radcert/surface.cpp": "coordinates of the input, and an OFF file, which is read back",
@@ -56,7 +56,6 @@ OTHER_TEXT = {
     "lib/radcert/core/contract.h": "a value of the caller's own type, in what is thrown",
     "lib/radcert/core/memory_plan.cpp": "a file of the system, as text",
     "lib/radcert/factors/factor_matrix.cpp": "the bits of a double in base 16, for a store",
-    "verification/framework/claim.cpp": "a file of the input, as text",
 }
 
 # Files that may take the midpoint of a ball's decimal alone.

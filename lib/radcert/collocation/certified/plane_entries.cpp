@@ -24,7 +24,7 @@ constexpr int largest_degree = 8;
 /// angle.
 constexpr double wanted_bits = 60;
 constexpr long least_bits = 128;
-const WorkLimit most_bits("study/plane_entries: bits of an entry", 4096, 64,
+const WorkLimit most_bits("collocation/plane_entries: bits of an entry", 4096, 64,
                           "refused: an entry is not enclosed");
 
 bool is_reversed(const PlaneChart& element) {

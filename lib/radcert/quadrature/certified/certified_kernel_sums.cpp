@@ -27,7 +27,7 @@ constexpr long ball_bits = 64;
 
 constexpr std::size_t order_count = GaussOrders::orders.size();
 /// A point of another element's inside is resolved long before.
-const WorkLimit deepest("collocation/certified_kernel_sums: quarterings of an element", 16, 0,
+const WorkLimit deepest("quadrature/certified_kernel_sums: quarterings of an element", 16, 0,
                         "refused, with the point and the element");
 
 /// The places of those ellipses for which there is a Taylor model of their own.

@@ -11,7 +11,7 @@ namespace {
 
 /// More than the roundings of any bound below: each takes fewer than 2^12 operations on positive numbers.
 constexpr double up = 1 + 0x1p-40;
-const WorkLimit deepest("collocation/integral_from_within: halvings of a square", 24, 0,
+const WorkLimit deepest("quadrature/integral_from_within: halvings of a square", 24, 0,
                         "refused, with the element");
 
 template <Field R>
