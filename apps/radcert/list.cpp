@@ -13,9 +13,8 @@
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/reference/reference_value.h"
-#include "radcert/reference/sphere_over_disk_value.h"
 #include "radcert/surface/catalogue.h"
-#include "sphere_over_disk.h"
+#include "verification/claims/psg10/figures/sphere_over_disk_records.h"
 #include "verification/framework/paper.h"
 #include "verification/framework/run_verification.h"
 
@@ -133,9 +132,9 @@ std::vector<Entry> references() {
     out.push_back(line);
   }
   Entry scene{
-      .name = std::string(sphere_over_disk_name),
+      .name = std::string(verification::psg10::sphere_over_disk_name),
       .summary = "radiance of a sphere above a disk lit from above, psg10 (20)-(21); at points by --at"};
-  for (const reference::ValueParameter& parameter : reference::sphere_over_disk_parameters())
+  for (const reference::ValueParameter& parameter : verification::psg10::sphere_over_disk_parameters())
     scene.parameters.push_back({parameter.name, parameter.allowed, parameter.default_text});
   out.push_back(scene);
   return out;

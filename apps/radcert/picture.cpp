@@ -11,7 +11,6 @@
 
 #include "command.h"
 #include "output.h"
-#include "paper_pictures.h"
 #include "progress.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
@@ -19,10 +18,16 @@
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/picture/png.h"
+#include "verification/claims/psg10/figures/figure.h"
 
 namespace radcert::app {
 
 namespace {
+
+using verification::psg10::Figure;
+using verification::psg10::figure_kinds;
+using verification::psg10::FigureKind;
+using verification::psg10::FigureWish;
 
 constexpr std::size_t least_side = 64;
 constexpr std::size_t most_side = 4096;
@@ -46,9 +51,9 @@ std::optional<std::uint64_t> whole(std::string_view text) {
   return number;
 }
 
-const PictureKind& kind_of(const std::string& name) {
+const FigureKind& kind_of(const std::string& name) {
   std::vector<std::string> names;
-  for (const PictureKind& kind : picture_kinds()) {
+  for (const FigureKind& kind : figure_kinds()) {
     if (kind.name == name) return kind;
     names.emplace_back(kind.name);
   }
@@ -68,8 +73,8 @@ std::optional<double> positive(const std::string& option, const std::string& tex
   return number;
 }
 
-PictureWish wish_of(const Common& common, const PictureOptions& options, const PictureKind& kind) {
-  PictureWish wish{.width = kind.width, .height = kind.height, .memory = common.memory_limit()};
+FigureWish wish_of(const Common& common, const PictureOptions& options, const FigureKind& kind) {
+  FigureWish wish{.width = kind.width, .height = kind.height, .memory = common.memory_limit()};
   if (!options.size.empty()) {
     const std::size_t sign = options.size.find('x');
     const auto width = whole(std::string_view(options.size).substr(0, sign));
@@ -110,27 +115,27 @@ PictureWish wish_of(const Common& common, const PictureOptions& options, const P
 }
 
 /// An option that says nothing of this picture is a mistake.
-void require_meaning(const PictureOptions& options, const PictureKind& kind) {
+void require_meaning(const PictureOptions& options, const FigureKind& kind) {
   const auto require = [&](bool has_meaning, const std::string& option, const std::string& text,
                            auto member) {
     if (has_meaning || text.empty()) return;
     std::vector<std::string> names;
-    for (const PictureKind& other : picture_kinds())
+    for (const FigureKind& other : figure_kinds())
       if (other.*member) names.emplace_back(other.name);
     throw InputError({.source = option,
                       .value = text,
                       .problem = "means nothing for " + std::string(kind.name),
                       .allowed = "with " + listed(names)});
   };
-  require(kind.has_separation, "--separation", options.separation, &PictureKind::has_separation);
-  require(kind.has_seed, "--seed", options.seed, &PictureKind::has_seed);
-  require(kind.has_direct, "--direct", options.direct, &PictureKind::has_direct);
-  require(kind.has_white, "--white", options.white, &PictureKind::has_white);
-  require(kind.has_rays, "--samples", options.samples, &PictureKind::has_rays);
+  require(kind.has_separation, "--separation", options.separation, &FigureKind::has_separation);
+  require(kind.has_seed, "--seed", options.seed, &FigureKind::has_seed);
+  require(kind.has_direct, "--direct", options.direct, &FigureKind::has_direct);
+  require(kind.has_white, "--white", options.white, &FigureKind::has_white);
+  require(kind.has_rays, "--samples", options.samples, &FigureKind::has_rays);
 }
 
-JsonValue picture_json(const Common& common, const PictureOptions& options, const PictureWish& wish,
-                       const PaperPicture& picture) {
+JsonValue picture_json(const Common& common, const PictureOptions& options, const FigureWish& wish,
+                       const Figure& picture) {
   JsonValue out = document_head("picture", common.command);
   out.set("picture", options.name);
   out.set("shows", picture.shows);
@@ -146,8 +151,7 @@ JsonValue picture_json(const Common& common, const PictureOptions& options, cons
   return out;
 }
 
-std::string picture_text(const PictureOptions& options, const PictureWish& wish,
-                         const PaperPicture& picture) {
+std::string picture_text(const PictureOptions& options, const FigureWish& wish, const Figure& picture) {
   std::vector<std::vector<std::string>> rows{
       {"file", options.out},
       {"size", std::to_string(wish.width) + " x " + std::to_string(wish.height) + " pixels"}};
@@ -157,9 +161,9 @@ std::string picture_text(const PictureOptions& options, const PictureWish& wish,
 }
 
 ExitCode make_picture(const Common& common, const PictureOptions& options) {
-  const PictureKind& kind = kind_of(options.name);
+  const FigureKind& kind = kind_of(options.name);
   require_meaning(options, kind);
-  const PictureWish wish = wish_of(common, options, kind);
+  const FigureWish wish = wish_of(common, options, kind);
   if (options.out.empty())
     throw InputError({.source = "picture", .problem = "without --out", .allowed = "--out FILE.png"});
   Outputs outputs;
@@ -168,9 +172,9 @@ ExitCode make_picture(const Common& common, const PictureOptions& options) {
   const auto threads = common.thread_limit();
   const std::optional<ThreadLimit> limit =
       threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
-  const PaperPicture picture = [&] {
+  const Figure picture = [&] {
     ProgressDisplay progress(common.quiet);
-    PaperPicture made = kind.make(wish, progress);
+    Figure made = kind.make(wish, [&](double part, const std::string& begins) { progress.at(part, begins); });
     if (kind.has_rays) made.facts.insert(made.facts.begin(), {"rays a pixel", wish.samples * wish.samples});
     return made;
   }();
@@ -208,7 +212,7 @@ void add_picture(CLI::App& program, Common& common, Action& action) {
                   "The radiance that is shown white; default: 1, for figure_7 0.008")
       ->type_name("RADIANCE");
   std::string footer = "Pictures:\n";
-  for (const PictureKind& kind : picture_kinds())
+  for (const FigureKind& kind : figure_kinds())
     footer += "  " + std::string(kind.name) + std::string(19 - kind.name.size(), ' ') +
               std::string(kind.summary) + "\n";
   footer +=

@@ -21,12 +21,13 @@
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/result/reference_json.h"
 #include "radcert/reference/reference_value.h"
-#include "radcert/reference/sphere_over_disk_value.h"
-#include "sphere_over_disk.h"
+#include "verification/claims/psg10/figures/sphere_over_disk_records.h"
 
 namespace radcert::app {
 
 namespace {
+
+namespace psg10 = verification::psg10;
 
 struct ReferenceOptions {
   std::string name;
@@ -95,7 +96,7 @@ Wanted member(const reference::NamedValue& value) {
   std::vector<std::string> names;
   for (const reference::NamedValue& value : reference::named_values()) names.push_back(value.name);
   for (const reference::ValueFamily& family : reference::value_families()) names.push_back(family.name);
-  names.emplace_back(sphere_over_disk_name);
+  names.emplace_back(psg10::sphere_over_disk_name);
   const auto near = nearest_word(name, names);
   throw InputError({.source = "reference",
                     .value = name,
@@ -170,15 +171,15 @@ ExitCode print_one(const Common& common, const ReferenceOptions& options, int di
 }
 
 ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& options, int digits) {
-  SphereOverDiskWish wish{
+  psg10::SphereOverDiskWish wish{
       .arguments = {}, .at = options.at, .curve = options.curve, .points = options.points, .digits = digits};
-  const auto parameters = reference::sphere_over_disk_parameters();
+  const auto parameters = psg10::sphere_over_disk_parameters();
   for (const reference::ValueParameter& parameter : parameters)
     wish.arguments.push_back(Rational::parse(parameter.default_text).value());
-  apply(options.settings, sphere_over_disk_name, parameters, wish.arguments);
+  apply(options.settings, psg10::sphere_over_disk_name, parameters, wish.arguments);
   if (wish.at.empty() && wish.curve.empty())
     throw InputError({.source = "reference",
-                      .problem = std::string(sphere_over_disk_name) + " without a point",
+                      .problem = std::string(psg10::sphere_over_disk_name) + " without a point",
                       .allowed = "--at B:LATITUDE, --at D:DISTANCE, --curve FILE.csv"});
   Outputs outputs;
   if (!wish.curve.empty()) outputs.file("--curve", wish.curve);
@@ -187,8 +188,8 @@ ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& opt
   if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
   // Before anything is written: a point that is not allowed leaves no file behind.
   std::vector<ReferenceRecord> records;
-  if (!wish.at.empty()) records = sphere_over_disk_records(wish);
-  if (!wish.curve.empty()) outputs.write({{wish.curve, sphere_over_disk_csv(wish)}});
+  if (!wish.at.empty()) records = psg10::sphere_over_disk_records(wish);
+  if (!wish.curve.empty()) outputs.write({{wish.curve, psg10::sphere_over_disk_csv(wish)}});
   if (records.empty()) return ExitCode::done;
   std::string text;
   for (const ReferenceRecord& record : records) text += (text.empty() ? "" : "\n") + text_of(record);
@@ -254,11 +255,11 @@ ExitCode give_reference(const Common& common, const ReferenceOptions& options) {
   const auto threads = common.thread_limit();
   const std::optional<ThreadLimit> limit =
       threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
-  if (options.name == sphere_over_disk_name) return give_sphere_over_disk(common, options, digits);
+  if (options.name == psg10::sphere_over_disk_name) return give_sphere_over_disk(common, options, digits);
   if (!options.at.empty() || !options.curve.empty())
     throw InputError({.source = options.at.empty() ? "--curve" : "--at",
                       .value = options.at.empty() ? options.curve : options.at.front(),
-                      .problem = "is for " + std::string(sphere_over_disk_name)});
+                      .problem = "is for " + std::string(psg10::sphere_over_disk_name)});
   return options.all ? write_all(common, options, digits) : print_one(common, options, digits);
 }
 

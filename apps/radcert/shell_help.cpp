@@ -11,10 +11,10 @@
 #include "command.h"
 #include "examples.h"
 #include "output.h"
-#include "paper_pictures.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/version.h"
-#include "radcert/formats/schema/schemas.h"
+#include "radcert/formats/schemas.h"
+#include "verification/claims/psg10/figures/figure.h"
 
 namespace radcert::app {
 
@@ -55,7 +55,8 @@ std::vector<std::string> words_of(const std::string& command) {
   }
   if (command == "list") out = {"surfaces", "bases", "claims", "references"};
   if (command == "picture")
-    for (const PictureKind& kind : picture_kinds()) out.emplace_back(kind.name);
+    for (const verification::psg10::FigureKind& kind : verification::psg10::figure_kinds())
+      out.emplace_back(kind.name);
   if (command == "completion") out = {"bash"};
   return out;
 }

@@ -6,7 +6,7 @@
 #include "radcert/reference/nearest_point.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/reference/reference_value.h"
-#include "radcert/reference/sphere_over_disk_value.h"
+#include "verification/claims/psg10/sphere_over_disk/estimate.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
@@ -16,6 +16,7 @@ namespace radcert::limits {
 namespace {
 
 using namespace reference;
+using namespace verification::psg10;
 using Place = SurfacePoint<double>;
 
 double one(const Place&, const Vector<double>&) { return 1; }
@@ -192,8 +193,8 @@ std::vector<Case> reference_cases() {
       formula_of_density("sqrt(z)", "a root"),
       legendre(8),
       legendre(23),
-      over_disk("reference/sphere_over_disk: rounds of Neumann's series", {}, 1, "the paper's scene"),
-      over_disk("reference/sphere_over_disk_value: nodes a panel",
+      over_disk("psg10/sphere_over_disk/solution: rounds of Neumann's series", {}, 1, "the paper's scene"),
+      over_disk("psg10/sphere_over_disk/estimate: nodes a panel",
                 {.radius = 1, .disk_radius = 3, .height = Rational(101, 100), .albedo = Rational(99, 100)}, 1,
                 "a near sphere"),
       family("reference/reference_value: bits of a formula for each bit wanted", "opposed_rectangles",

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
-#include "radcert/picture/lit_room.h"
+#include "verification/claims/psg10/scenes/lit_room.h"
+#include "verification/claims/psg10/scenes/sphere_over_disk.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/surface/catalogue.h"
 #include "radcert/surface/mesh_surface.h"
@@ -16,6 +17,8 @@
 
 namespace radcert {
 namespace {
+
+using namespace verification::psg10;
 
 Vector<Rational> exact(const Vector<double>& v) {
   return {Rational::exactly(v.x), Rational::exactly(v.y), Rational::exactly(v.z)};

@@ -10,10 +10,12 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/meshless/sampling.h"
-#include "radcert/picture/lit_room.h"
+#include "verification/claims/psg10/scenes/lit_room.h"
 
 namespace radcert {
 namespace {
+
+using namespace verification::psg10;
 
 std::string bytes_of(const Image& image) { return {image.bytes().begin(), image.bytes().end()}; }
 

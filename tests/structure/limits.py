@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""lib/limits.md names the limits of work that the sources of the library define, and no others.
+"""lib/limits.md names the limits of work that the sources of the library and of the claims define, and no others.
 
 That the rows say what the limits say, and that each is lowered, test_limits sees; here none is missed for not being linked.
 """
@@ -13,9 +13,11 @@ def main():
     root = pathlib.Path(sys.argv[1])
     defined = set()
     faults = []
-    for path in sorted((root / "lib/radcert").rglob("*.cpp")):
+    sources = [(path, base) for base in (root / "lib/radcert", root / "verification/claims")
+               for path in sorted(base.rglob("*.cpp"))]
+    for path, base in sources:
         text = path.read_text(encoding="utf-8")
-        place = path.relative_to(root / "lib/radcert").with_suffix("").as_posix()
+        place = path.relative_to(base).with_suffix("").as_posix()
         for name in re.findall(r'const WorkLimit \w+\(\s*"([^"]*)"', text):
             defined.add(name)
             # A limit of a header without a source of its own is defined in another source of the layer.

@@ -43,11 +43,12 @@ READS_BACK = {
     "lib/radcert/study/problem.cpp": "constants that are allowed as input",
     "apps/radcert/factors.cpp": "coordinates of the input",
     "apps/radcert/surface.cpp": "coordinates of the input, and an OFF file, which is read back",
-    "apps/radcert/paper_pictures.cpp": "parameters of a picture and its coefficients, without a radius",
     "verification/framework/levels.cpp": "a store, which is read back",
     "verification/framework/finding.cpp": "the numbers of a statement, and what is not finite",
     "verification/framework/table_check.cpp": "what is not finite",
     "verification/claims/psg10/comparison.cpp": "parameters of the input",
+    "verification/claims/psg10/figures/figure_6.cpp": "coefficients, without a radius",
+    "verification/claims/psg10/figures/panels.h": "a parameter of the input",
 }
 
 # Files that may use std::to_chars or a string stream.

@@ -29,9 +29,10 @@
 
 #include "radcert/core/text.h"
 #include "radcert/meshless/light_solution.h"
-#include "radcert/meshless/profile_errors.h"
+#include "verification/claims/psg10/scenes/profile_errors.h"
+#include "verification/claims/psg10/scenes/sphere_over_disk.h"
 #include "radcert/meshless/sampling.h"
-#include "radcert/reference/sphere_over_disk.h"
+#include "verification/claims/psg10/sphere_over_disk/solution.h"
 #include "verification/claims/psg10/checks.h"
 
 namespace radcert::verification::psg10 {
@@ -47,8 +48,8 @@ std::string words(Part part, Share share) {
          (share == Share::total ? ", total" : ", indirect");
 }
 
-std::vector<ProfilePoint> profile(const reference::SphereOverDisk<double>& truth, Part part, Share share) {
-  const auto value = [share](const reference::Radiance<double>& radiance) {
+std::vector<ProfilePoint> profile(const SphereOverDisk<double>& truth, Part part, Share share) {
+  const auto value = [share](const Radiance<double>& radiance) {
     return share == Share::total ? radiance.total() : radiance.indirect;
   };
   return part == Part::sphere ? sphere_profile(5, 20, 60, [&](double t) { return value(truth.sphere(t)); })
@@ -80,8 +81,8 @@ struct SolvedSet {
   }
 };
 
-const reference::SphereOverDisk<double>& truth() {
-  static const reference::SphereOverDisk<double> solution({}, {.nodes = 16, .points = 24});
+const SphereOverDisk<double>& truth() {
+  static const SphereOverDisk<double> solution({}, {.nodes = 16, .points = 24});
   return solution;
 }
 

@@ -53,7 +53,7 @@ long disagreeing_on_sphere(const Rational& shift) {
 
 Finding equation_20(const Bench&) {
   Finding finding;
-  const Rational r = reference::SphereOverDiskScene{}.radius;
+  const Rational r = SphereOverDiskScene{}.radius;
   finding.require("points of the disk that are lit, or not, against (20)", IsExactly{0},
                   Rational(disagreeing_on_disk(r)));
   finding.control("the same with a shadow of radius 6", IsExactly{0}, Rational(disagreeing_on_disk(6)));

@@ -13,15 +13,13 @@
 
 #include <cmath>
 
-#include "radcert/reference/sphere_over_disk_cubature.h"
+#include "verification/claims/psg10/sphere_over_disk/cubature.h"
 #include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/exact_scene.h"
 
 namespace radcert::verification::psg10 {
 namespace {
 
-using reference::SphereOverDisk;
-using reference::SphereOverDiskScene;
 
 constexpr int pairs = 400;
 constexpr int points_a_unit = 12;

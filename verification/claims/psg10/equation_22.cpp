@@ -21,10 +21,6 @@
 namespace radcert::verification::psg10 {
 namespace {
 
-using reference::Spacing;
-using reference::SumReading;
-using reference::SumSolution;
-using reference::SumWeights;
 
 SumReading reading_with(int n, Spacing spacing) {
   return {.rings = n, .parallels = n, .azimuths = n, .spacing = spacing};
@@ -75,7 +71,7 @@ double residual(const SumSolution& sums) {
 /// The factor by which the changes of lambda grow in an iteration, over two of them: R takes disk to sphere and back.
 Approximation growth(const SumReading& reading) {
   constexpr int iterations = 16;
-  const SumSolution sums = reference::sum_solution({}, reading, iterations, 0);
+  const SumSolution sums = sum_solution({}, reading, iterations, 0);
   const auto last = sums.changes.end();
   return {.value = std::sqrt(last[-1] / last[-3]), .radius = 1e-3};
 }
@@ -83,8 +79,8 @@ Approximation growth(const SumReading& reading) {
 /// The largest difference between two fixed points.
 Approximation difference(const SumReading& first, const SumReading& second) {
   constexpr int iterations = 100;
-  const SumSolution a = reference::sum_solution({}, first, iterations, 1e-14);
-  const SumSolution b = reference::sum_solution({}, second, iterations, 1e-14);
+  const SumSolution a = sum_solution({}, first, iterations, 1e-14);
+  const SumSolution b = sum_solution({}, second, iterations, 1e-14);
   double largest = 0;
   for (std::size_t i = 0; i < a.sphere.size(); ++i)
     largest = std::max(largest, std::abs(a.sphere[i] - b.sphere[i]));
@@ -123,7 +119,7 @@ Finding equation_24(const Bench&) {
       .slack = 1e-12,
       .why = "sums of some thousand terms of the order of 1, and an iteration that stands still"};
   SumReading reading = reading_with(40, Spacing::midpoints);
-  const SumSolution sums = reference::sum_solution({}, reading, 100, 1e-16);
+  const SumSolution sums = sum_solution({}, reading, 100, 1e-16);
   Finding finding;
   finding.require("left less right side of (22) and (23), largest, n = 40", zero,
                   Approximation{.value = residual(sums), .radius = 1e-14});
@@ -134,7 +130,7 @@ Finding equation_24(const Bench&) {
   reading.form_factor = Rational(1, 2);
   finding.control(
       "the same for the solution with half of F", zero,
-      Approximation{.value = residual(reference::sum_solution({}, reading, 100, 1e-16)), .radius = 1e-14});
+      Approximation{.value = residual(sum_solution({}, reading, 100, 1e-16)), .radius = 1e-14});
   return finding;
 }
 

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "radcert/geometry/vector.h"
-#include "radcert/reference/sphere_over_disk.h"
+#include "verification/claims/psg10/sphere_over_disk/solution.h"
 
 namespace radcert::verification::psg10 {
 
@@ -51,11 +51,11 @@ public:
   static Vector<Rational> on_disk(const Rational& distance, const Direction& azimuth) {
     return {distance * azimuth.cosine, distance * azimuth.sine, 0};
   }
-  [[nodiscard]] const reference::SphereOverDiskScene& numbers() const { return scene_; }
+  [[nodiscard]] const SphereOverDiskScene& numbers() const { return scene_; }
 
 private:
   std::mt19937_64 bits_;
-  reference::SphereOverDiskScene scene_;
+  SphereOverDiskScene scene_;
 };
 
 }  // namespace radcert::verification::psg10

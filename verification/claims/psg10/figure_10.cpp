@@ -18,15 +18,12 @@
 namespace radcert::verification::psg10 {
 namespace {
 
-using reference::Spacing;
-using reference::SumReading;
-using reference::SumWeights;
 
 constexpr int most_iterations = 60;
 
 /// The number of the first iteration that changes nothing by more than the tolerance, one more than the most if none does.
 Approximation iterations_to(const SumReading& reading, double tolerance) {
-  const auto changes = reference::sum_solution({}, reading, most_iterations, tolerance).changes;
+  const auto changes = sum_solution({}, reading, most_iterations, tolerance).changes;
   const std::size_t count = changes.size() + (changes.back() <= tolerance ? 0 : 1);
   return {.value = static_cast<double>(count), .radius = 0};
 }
@@ -60,7 +57,7 @@ Finding figure_10(const Bench&) {
   finding.require("error of D, the ends among the points", shown, of_disk({.spacing = Spacing::with_ends}));
   finding.control("error of B, half of F", shown, of_sphere({.form_factor = Rational(1, 2)}));
   finding.control("error of B, a quarter of F", shown, of_sphere({.form_factor = Rational(1, 4)}));
-  const reference::SphereOverDisk<double> truth({}, {.nodes = 32, .points = 64});
+  const SphereOverDisk<double> truth({}, {.nodes = 32, .points = 64});
   double least = 1;
   for (int i = 0; i <= 100; ++i)
     least = std::min({least, truth.sphere(-1 + 0.02 * i).indirect, truth.disk(0.4 * i).indirect});

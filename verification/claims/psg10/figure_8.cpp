@@ -17,7 +17,7 @@
 #include "radcert/meshless/light_solution.h"
 #include "radcert/meshless/sampling.h"
 #include "radcert/picture/image.h"
-#include "radcert/picture/lit_room.h"
+#include "verification/claims/psg10/scenes/lit_room.h"
 #include "verification/claims/psg10/checks.h"
 
 namespace radcert::verification::psg10 {

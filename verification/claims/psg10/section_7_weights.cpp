@@ -26,6 +26,7 @@
 #include "radcert/meshless/sampling.h"
 #include "radcert/meshless/weights.h"
 #include "radcert/surface/catalogue/rectangle.h"
+#include "verification/claims/psg10/scenes/sphere_over_disk.h"
 #include "verification/claims/ac98/proved_number.h"
 #include "verification/claims/psg10/checks.h"
 

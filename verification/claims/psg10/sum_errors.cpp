@@ -6,9 +6,9 @@
 
 namespace radcert::verification::psg10 {
 
-SumErrors sum_errors(const reference::SumReading& reading) {
-  static const reference::SphereOverDisk<double> truth({}, {.nodes = 32, .points = 64});
-  const reference::SumSolution sums = reference::sum_solution({}, reading, 100, 1e-15);
+SumErrors sum_errors(const SumReading& reading) {
+  static const SphereOverDisk<double> truth({}, {.nodes = 32, .points = 64});
+  const SumSolution sums = sum_solution({}, reading, 100, 1e-15);
   SumErrors errors;
   for (std::size_t i = 0; i < sums.sphere.size(); ++i) {
     const double t = std::clamp(std::sin(sums.latitudes[i]), -1.0, 1.0);

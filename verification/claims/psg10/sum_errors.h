@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "radcert/reference/sphere_over_disk_sums.h"
+#include "verification/claims/psg10/sphere_over_disk/sums.h"
 
 namespace radcert::verification::psg10 {
 
@@ -16,6 +16,6 @@ struct SumErrors {
 /// Requires  counts of at least 2
 /// Result    rounded; the sums are iterated until they stand still, 100 times at most, and B, D are good to 1e-13
 /// Limits    -
-[[nodiscard]] SumErrors sum_errors(const reference::SumReading& reading);
+[[nodiscard]] SumErrors sum_errors(const SumReading& reading);
 
 }  // namespace radcert::verification::psg10

@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sphere_over_disk.h"
+#include "verification/claims/psg10/figures/sphere_over_disk_records.h"
 
 #include <array>
 #include <charconv>
 
 #include "radcert/core/errors.h"
-#include "radcert/formats/table/csv.h"
-#include "radcert/reference/sphere_over_disk_value.h"
+#include "radcert/formats/csv.h"
+#include "verification/claims/psg10/sphere_over_disk/estimate.h"
 
-namespace radcert::app {
+namespace radcert::verification::psg10 {
 
 namespace {
-
-using reference::SphereOverDiskPoint;
-using reference::SphereOverDiskScene;
 
 constexpr int most_curve_points = 100000;
 
 /// The scene of the arguments; what they forbid together is refused here.
 SphereOverDiskScene scene_of(const SphereOverDiskWish& wish) {
-  const SphereOverDiskScene scene = reference::sphere_over_disk_scene(wish.arguments);
+  const SphereOverDiskScene scene = sphere_over_disk_scene(wish.arguments);
   const std::string above = "a number > radius, which is " + scene.radius.to_text();
   if (scene.height <= scene.radius)
     throw InputError({.source = "--set height", .value = scene.height.to_text(), .allowed = above});
@@ -45,7 +42,7 @@ SphereOverDiskPoint point_of(const std::string& text, const SphereOverDiskScene&
   }
   const Outcome<Rational> number = Rational::parse(place);
   if (number) point.place = *number;
-  if (!number || !reference::allows(scene, point))
+  if (!number || !allows(scene, point))
     throw InputError({.source = on_sphere ? "--at B" : "--at D",
                       .value = place,
                       .allowed = on_sphere ? latitudes + "; pi/2 and -pi/2 are the poles" : distances});
@@ -61,14 +58,14 @@ std::string place_text(const SphereOverDiskPoint& point) {
 
 std::vector<ReferenceRecord> sphere_over_disk_records(const SphereOverDiskWish& wish) {
   const SphereOverDiskScene scene = scene_of(wish);
-  if (wish.digits > reference::most_sphere_over_disk_digits)
+  if (wish.digits > most_sphere_over_disk_digits)
     throw InputError({.source = "--digits",
                       .value = std::to_string(wish.digits),
                       .allowed = "for " + std::string(sphere_over_disk_name) + " a whole number from 1 to " +
-                                 std::to_string(reference::most_sphere_over_disk_digits)});
+                                 std::to_string(most_sphere_over_disk_digits)});
   std::vector<SphereOverDiskPoint> points;
   for (const std::string& at : wish.at) points.push_back(point_of(at, scene));
-  const auto found = reference::estimate(scene, points, wish.digits);
+  const auto found = estimate(scene, points, wish.digits);
   if (!found)
     throw AccuracyNotReached(
         std::string(sphere_over_disk_name),
@@ -78,7 +75,7 @@ std::vector<ReferenceRecord> sphere_over_disk_records(const SphereOverDiskWish& 
     const bool on_sphere = points[i].part == SphereOverDiskPoint::Part::sphere;
     ReferenceRecord record;
     record.name = sphere_over_disk_name;
-    const auto parameters = reference::sphere_over_disk_parameters();
+    const auto parameters = sphere_over_disk_parameters();
     for (std::size_t k = 0; k < parameters.size(); ++k)
       record.parameters.emplace_back(parameters[k].name, wish.arguments[k].to_text());
     record.parameters.emplace_back(on_sphere ? "latitude" : "distance", place_text(points[i]));
@@ -86,8 +83,8 @@ std::vector<ReferenceRecord> sphere_over_disk_records(const SphereOverDiskWish& 
     record.formula = on_sphere ? "B(zeta) = B*(zeta) + beta Int D cos cos'/(pi d^2) over the disk"
                                : "D(u) = D*(u) + beta Int B cos cos'/(pi d^2) over the sphere";
     record.source = "psg10 (20)-(21)";
-    record.routes = {{reference::sphere_over_disk_route(), (*found)[i].total},
-                     {reference::sphere_over_disk_second_route(), (*found)[i].second}};
+    record.routes = {{sphere_over_disk_route(), (*found)[i].total},
+                     {sphere_over_disk_second_route(), (*found)[i].second}};
     record.guaranteed = false;
     records.push_back(std::move(record));
   }
@@ -106,7 +103,7 @@ std::string sphere_over_disk_csv(const SphereOverDiskWish& wish) {
   static constexpr std::array<std::string_view, 6> columns = {"curve", "place",    "lit",
                                                               "total", "emission", "indirect"};
   CsvTable table(columns);
-  for (const reference::CurvePoint& point : reference::curves(scene_of(wish), count)) {
+  for (const CurvePoint& point : curves(scene_of(wish), count)) {
     const std::array<JsonValue, columns.size()> row = {
         point.part == SphereOverDiskPoint::Part::sphere ? "B" : "D",
         point.place,
@@ -119,4 +116,4 @@ std::string sphere_over_disk_csv(const SphereOverDiskWish& wish) {
   return table.text();
 }
 
-}  // namespace radcert::app
+}  // namespace radcert::verification::psg10

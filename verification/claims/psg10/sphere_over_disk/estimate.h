@@ -7,14 +7,14 @@
 
 #include "radcert/core/outcome.h"
 #include "radcert/reference/reference_value.h"
-#include "radcert/reference/sphere_over_disk.h"
+#include "verification/claims/psg10/sphere_over_disk/solution.h"
 
-namespace radcert::reference {
+namespace radcert::verification::psg10 {
 
 /// The scene's parameters, as --set names them, in the order radius, disk_radius, height, albedo, intensity.
-[[nodiscard]] std::span<const ValueParameter> sphere_over_disk_parameters();
+[[nodiscard]] std::span<const reference::ValueParameter> sphere_over_disk_parameters();
 /// The scene of their values; some that are allowed one by one make none: see allows().
-[[nodiscard]] SphereOverDiskScene sphere_over_disk_scene(const Arguments& arguments);
+[[nodiscard]] SphereOverDiskScene sphere_over_disk_scene(const reference::Arguments& arguments);
 
 /// A point of the scene.
 /// Maths     sphere: the latitude place + poles pi/2 in radians; disk: the distance `place` from the axis
@@ -83,4 +83,4 @@ struct CurvePoint {
 /// Limits    no radii: estimate() gives them
 [[nodiscard]] std::vector<CurvePoint> curves(const SphereOverDiskScene& scene, int count);
 
-}  // namespace radcert::reference
+}  // namespace radcert::verification::psg10

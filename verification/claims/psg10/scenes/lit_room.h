@@ -8,7 +8,7 @@
 #include "radcert/picture/camera.h"
 #include "radcert/surface/surface.h"
 
-namespace radcert {
+namespace radcert::verification::psg10 {
 
 /// A room with a lamp, to look at.
 struct LitRoom {
@@ -28,4 +28,4 @@ struct LitRoom {
 /// Limits    the lamp is a point without a bulb: shadows are sharp
 [[nodiscard]] LitRoom lit_room();
 
-}  // namespace radcert
+}  // namespace radcert::verification::psg10

@@ -5,11 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "command.h"
-#include "radcert/formats/result/reference_json.h"
-#include "radcert/reference/reference_value.h"
+#include "radcert/formats/reference_json.h"
+#include "verification/claims/psg10/sphere_over_disk/estimate.h"
 
-namespace radcert::app {
+namespace radcert::verification::psg10 {
 
 /// The name under which radcert reference gives the radiance of the sphere over the disk.
 inline constexpr std::string_view sphere_over_disk_name = "sphere_over_disk";
@@ -29,4 +28,4 @@ std::vector<ReferenceRecord> sphere_over_disk_records(const SphereOverDiskWish& 
 /// Both curves as CSV: curve, place, lit, total, emission, indirect.
 std::string sphere_over_disk_csv(const SphereOverDiskWish& wish);
 
-}  // namespace radcert::app
+}  // namespace radcert::verification::psg10

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "radcert/reference/sphere_over_disk.h"
+#include "verification/claims/psg10/sphere_over_disk/solution.h"
 
-namespace radcert::reference {
+namespace radcert::verification::psg10 {
 
 /// The right-hand sides of the two equations at one point, by cubature of the kernel itself.
 /// Maths     beta Int D(Q) cos cos'/(pi d^2) dQ over the part of the disk that a point of the sphere sees, and the same the other way round: cosines and
@@ -25,4 +25,4 @@ extern template Mpfr<50> indirect_on_sphere<Mpfr<50>>(const SphereOverDisk<Mpfr<
 extern template double indirect_on_disk<double>(const SphereOverDisk<double>&, const double&, int);
 extern template Mpfr<50> indirect_on_disk<Mpfr<50>>(const SphereOverDisk<Mpfr<50>>&, const Mpfr<50>&, int);
 
-}  // namespace radcert::reference
+}  // namespace radcert::verification::psg10

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/reference/sphere_over_disk_cubature.h"
+#include "verification/claims/psg10/sphere_over_disk/cubature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "radcert/core/parallel.h"
 #include "radcert/geometry/vector.h"
 
-namespace radcert::reference {
+namespace radcert::verification::psg10 {
 namespace {
 
 /// x = 1/(1 + exp(-pi sinh s)) on (0,1), s in whole multiples of the step as far as the weights are above rounding.
@@ -134,4 +134,4 @@ template Mpfr<50> indirect_on_sphere<Mpfr<50>>(const SphereOverDisk<Mpfr<50>>&, 
 template double indirect_on_disk<double>(const SphereOverDisk<double>&, const double&, int);
 template Mpfr<50> indirect_on_disk<Mpfr<50>>(const SphereOverDisk<Mpfr<50>>&, const Mpfr<50>&, int);
 
-}  // namespace radcert::reference
+}  // namespace radcert::verification::psg10

@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "radcert/reference/sphere_over_disk.h"
+#include "verification/claims/psg10/sphere_over_disk/solution.h"
 
-namespace radcert::reference {
+namespace radcert::verification::psg10 {
 
 /// Where "equally spaced" points of an interval lie.
 enum class Spacing {
@@ -53,4 +53,4 @@ struct SumSolution {
 [[nodiscard]] SumSolution sum_solution(const SphereOverDiskScene& scene, const SumReading& reading,
                                        int iterations, double tolerance);
 
-}  // namespace radcert::reference
+}  // namespace radcert::verification::psg10

@@ -8,7 +8,7 @@
 #include "radcert/scalar/rational.h"
 #include "radcert/scalar/real.h"
 
-namespace radcert::reference {
+namespace radcert::verification::psg10 {
 
 /// A sphere above a disk, with the centre on the disk's axis, and light that falls parallel to the axis.
 /// Maths     sphere: |x - (0,0,height)| = radius; disk: z = 0, distance from the axis <= disk_radius, lit and lighting on its upper side;
@@ -164,4 +164,4 @@ extern template HorizonLatitudes<Mpfr<50>> horizon_latitudes<Mpfr<50>>(const Sce
 extern template class SphereOverDisk<double>;
 extern template class SphereOverDisk<Mpfr<50>>;
 
-}  // namespace radcert::reference
+}  // namespace radcert::verification::psg10

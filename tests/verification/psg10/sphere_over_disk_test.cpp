@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/reference/sphere_over_disk.h"
+#include "verification/claims/psg10/sphere_over_disk/solution.h"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +10,11 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/rules/gauss.h"
-#include "radcert/reference/sphere_over_disk_cubature.h"
-#include "radcert/reference/sphere_over_disk_sums.h"
-#include "radcert/reference/sphere_over_disk_value.h"
+#include "verification/claims/psg10/sphere_over_disk/cubature.h"
+#include "verification/claims/psg10/sphere_over_disk/sums.h"
+#include "verification/claims/psg10/sphere_over_disk/estimate.h"
 
-namespace radcert::reference {
+namespace radcert::verification::psg10 {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -312,4 +312,4 @@ TEST(SphereOverDiskValues, MakeCurvesWithBothSidesOfTheRim) {
 }
 
 }  // namespace
-}  // namespace radcert::reference
+}  // namespace radcert::verification::psg10

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/meshless/profile_errors.h"
+#include "verification/claims/psg10/scenes/profile_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 
-namespace radcert {
+namespace radcert::verification::psg10 {
 namespace {
 
 // The charts of sphere_over_disk_surface: eight of the sphere, then four of the disk.
@@ -117,4 +117,4 @@ ProfileErrors profile_errors(const std::function<std::optional<double>(const Lit
   return errors;
 }
 
-}  // namespace radcert
+}  // namespace radcert::verification::psg10

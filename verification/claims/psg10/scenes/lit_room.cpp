@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/picture/lit_room.h"
+#include "verification/claims/psg10/scenes/lit_room.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "radcert/geometry/polygon_triangulation.h"
 #include "radcert/surface/mesh_surface.h"
 
-namespace radcert {
+namespace radcert::verification::psg10 {
 namespace {
 
 /// A point of the floor plan.
@@ -177,4 +177,4 @@ LitRoom lit_room() {
           .camera = {.position = {2.25, -4.75, 1.75}, .look_at = {2, 2, 1.4375}, .vertical_angle = 0.57}};
 }
 
-}  // namespace radcert
+}  // namespace radcert::verification::psg10

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/reference/sphere_over_disk.h"
+#include "verification/claims/psg10/sphere_over_disk/solution.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,11 @@
 #include "radcert/polynomial/rules/gauss.h"
 #include "radcert/scalar/enclosing_text.h"
 
-namespace radcert::reference {
+namespace radcert::verification::psg10 {
 namespace {
 
 /// The rounds of Neumann's series contract by less than (radius/height)^2 albedo^2; this many serve down to contractions of 0.99.
-const WorkLimit most_rounds("reference/sphere_over_disk: rounds of Neumann's series", 12000, 1,
+const WorkLimit most_rounds("psg10/sphere_over_disk/solution: rounds of Neumann's series", 12000, 1,
                             "no solution: AccuracyNotReached with the last change");
 
 template <Real R>
@@ -298,4 +298,4 @@ template HorizonLatitudes<Mpfr<50>> horizon_latitudes<Mpfr<50>>(const SceneNumbe
 template class SphereOverDisk<double>;
 template class SphereOverDisk<Mpfr<50>>;
 
-}  // namespace radcert::reference
+}  // namespace radcert::verification::psg10

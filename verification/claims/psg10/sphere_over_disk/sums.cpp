@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/reference/sphere_over_disk_sums.h"
+#include "verification/claims/psg10/sphere_over_disk/sums.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/geometry/vector.h"
 
-namespace radcert::reference {
+namespace radcert::verification::psg10 {
 namespace {
 
 std::vector<double> equally_spaced(double from, double to, int count, Spacing spacing) {
@@ -103,4 +103,4 @@ SumSolution sum_solution(const SphereOverDiskScene& scene, const SumReading& rea
   return out;
 }
 
-}  // namespace radcert::reference
+}  // namespace radcert::verification::psg10

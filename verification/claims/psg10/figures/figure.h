@@ -3,20 +3,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "progress.h"
-#include "radcert/formats/json/json_value.h"
+#include "radcert/formats/json_value.h"
 #include "radcert/picture/image.h"
 
-namespace radcert::app {
+namespace radcert::verification::psg10 {
 
-/// How a picture is wanted; what is absent is the picture's own.
-struct PictureWish {
+/// How a figure is wanted; what is absent is the figure's own.
+struct FigureWish {
   std::size_t width = 0;
   std::size_t height = 0;
   std::size_t samples = 2;             ///< rays a pixel each way
@@ -27,15 +27,18 @@ struct PictureWish {
   std::uint64_t memory = 0;  ///< bytes that may be used
 };
 
-/// A picture that is made.
-struct PaperPicture {
+/// Told from time to time which part of the work is done, and what begins now.
+using FigureProgress = std::function<void(double part, const std::string& begins)>;
+
+/// A figure that is made.
+struct Figure {
   Image image;
   std::string shows;                                     ///< in one line of ASCII
   std::vector<std::pair<std::string, JsonValue>> facts;  ///< what it was made with, and what was found
 };
 
-/// A picture that can be made.
-struct PictureKind {
+/// A figure that can be made.
+struct FigureKind {
   std::string_view name;
   std::string_view summary;
   std::size_t width;  ///< unless another is wanted
@@ -45,10 +48,13 @@ struct PictureKind {
   bool has_direct;
   bool has_white;
   bool has_rays;  ///< --samples does
-  PaperPicture (*make)(const PictureWish& wish, ProgressDisplay& progress);
+  Figure (*make)(const FigureWish& wish, const FigureProgress& progress);
 };
 
-/// In the order of the paper.
-const std::vector<PictureKind>& picture_kinds();
+/// The figures of [psg10] as radcert makes them, in the order of the paper.
+/// Maths     the scene of figures 3, 5, 7 and 8 is lit_room(), for the paper gives none
+/// Source    [psg10, figures 3-9]
+/// Result    InputError where sites or a basis refuse the separation that was wanted, or where memory does not do
+[[nodiscard]] const std::vector<FigureKind>& figure_kinds();
 
-}  // namespace radcert::app
+}  // namespace radcert::verification::psg10

@@ -9,7 +9,7 @@
 
 #include "radcert/meshless/light_scene.h"
 
-namespace radcert {
+namespace radcert::verification::psg10 {
 
 /// A circle about the z-axis on a surface of revolution, and the radiance that is right there.
 /// Maths     points (distance cos phi, distance sin phi, height), normals (radial cos phi, radial sin phi, axial)
@@ -70,4 +70,4 @@ struct ProfileErrors {
     const std::function<std::optional<double>(const LitPoint&)>& radiance,
     std::span<const ProfilePoint> profile, std::size_t azimuths);
 
-}  // namespace radcert
+}  // namespace radcert::verification::psg10

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/reference/sphere_over_disk_value.h"
+#include "verification/claims/psg10/sphere_over_disk/estimate.h"
 
 #include <algorithm>
 #include <array>
@@ -9,18 +9,18 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/work_limit.h"
-#include "radcert/reference/sphere_over_disk_cubature.h"
 #include "radcert/reference/values/families.h"
 #include "radcert/scalar/ball.h"
+#include "verification/claims/psg10/sphere_over_disk/cubature.h"
 
-namespace radcert::reference {
+namespace radcert::verification::psg10 {
 namespace {
 
 using Digits = Mpfr<50>;
 using Part = SphereOverDiskPoint::Part;
 
 /// Finer discretisations bring no digits any more: their Gauss rules end at 192 points.
-const WorkLimit most_nodes_a_panel("reference/sphere_over_disk_value: nodes a panel", 96, 2,
+const WorkLimit most_nodes_a_panel("psg10/sphere_over_disk/estimate: nodes a panel", 96, 2,
                                    "refused, with the difference of the last two discretisations");
 constexpr int points_of(int nodes) { return 2 * nodes; }
 
@@ -57,15 +57,15 @@ SphereOverDiskRule rule_with(int nodes) { return {.nodes = nodes, .points = poin
 
 }  // namespace
 
-std::span<const ValueParameter> sphere_over_disk_parameters() {
-  static const std::array<ValueParameter, 5> all = {
-      values::positive("radius", "5"), values::positive("disk_radius", "40"),
-      values::positive("height", "20"), values::from_to_below("albedo", "9/10", 0, 1),
-      values::positive("intensity", "9/10")};
+std::span<const reference::ValueParameter> sphere_over_disk_parameters() {
+  static const std::array<reference::ValueParameter, 5> all = {
+      reference::values::positive("radius", "5"), reference::values::positive("disk_radius", "40"),
+      reference::values::positive("height", "20"), reference::values::from_to_below("albedo", "9/10", 0, 1),
+      reference::values::positive("intensity", "9/10")};
   return all;
 }
 
-SphereOverDiskScene sphere_over_disk_scene(const Arguments& arguments) {
+SphereOverDiskScene sphere_over_disk_scene(const reference::Arguments& arguments) {
   expects(arguments.size() == sphere_over_disk_parameters().size(), "a value for each parameter",
           named("values", arguments.size()));
   return {.radius = arguments[0],
@@ -197,4 +197,4 @@ std::vector<CurvePoint> curves(const SphereOverDiskScene& scene, int count) {
   return out;
 }
 
-}  // namespace radcert::reference
+}  // namespace radcert::verification::psg10

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/picture/lit_room.h"
+#include "verification/claims/psg10/scenes/lit_room.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "radcert/geometry/mesh_topology.h"
 #include "radcert/visibility/scene.h"
 
-namespace radcert {
+namespace radcert::verification::psg10 {
 namespace {
 
 TEST(LitRoom, IsAClosedMeshWithoutFaults) {
@@ -78,4 +78,4 @@ TEST(LitRoom, IsLitByItsLampBelowTheShade) {
 }
 
 }  // namespace
-}  // namespace radcert
+}  // namespace radcert::verification::psg10
