@@ -18,12 +18,11 @@
 #include "progress.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/result_store.h"
-#include "radcert/formats/plot/convergence_plot.h"
+#include "radcert/formats/problem/experiment_file.h"
 #include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/plot/latex_plot.h"
-#include "radcert/formats/problem/experiment_file.h"
-#include "radcert/formats/result/experiment_json.h"
 #include "radcert/formats/table/latex_table.h"
+#include "radcert/formats/plot/svg_plot.h"
 #include "radcert/study/study.h"
 #include "verification/framework/levels.h"
 #include "verification/report/report_page.h"
@@ -103,7 +102,11 @@ Files paper_files(const Common& common, const ExperimentOptions& options, const 
                   std::span<const Result> results) {
   const std::filesystem::path folder = options.out;
   Files files = {{folder / "table.tex", combinations_latex(experiment, results)}};
-  const std::vector<ConvergencePlot> plots = convergence_plots(experiment, results);
+  std::vector<Plot> plots;
+  for (NamedPlot& named : experiment_plots(experiment, results)) {
+    files.emplace_back(folder / (named.name + ".svg"), svg_text(named.plot));
+    plots.push_back(std::move(named.plot));
+  }
   if (!plots.empty()) files.emplace_back(folder / "plot.tex", latex_plots_text(plots, "errors.csv"));
   std::vector<Problem> problems;
   std::vector<std::string> references;
@@ -150,11 +153,10 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   if (!options.out.empty()) {
     const std::filesystem::path folder = options.out;
     files.emplace_back(folder / "experiment.json", json);
-    files.emplace_back(folder / "experiment.html", verification::experiment_page(document));
+    files.emplace_back(folder / "experiment.html",
+                       verification::experiment_page(document, experiment, results));
     files.emplace_back(folder / "errors.csv", experiment_errors_csv(experiment, results));
     files.emplace_back(folder / "timing.csv", experiment_timing_csv(experiment, results));
-    for (const NamedPlot& plot : experiment_plots(experiment, results))
-      files.emplace_back(folder / (plot.name + ".svg"), svg_text(plot.plot));
   }
   outputs.write(files);
   print(common.json_to_stdout() ? json : fitted(experiment_table(experiment, results)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// radcert picture NAME: a figure of [psg10] as a PNG file.
+// radcert picture NAME: a figure of [psg10] as an SVG or PNG file.
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
@@ -15,8 +15,9 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
-#include "radcert/formats/json/json_document.h"
+#include "radcert/core/version.h"
 #include "radcert/formats/json/json_reader.h"
+#include "radcert/formats/plot/svg_plot.h"
 #include "radcert/picture/png.h"
 #include "verification/claims/psg10/figures/figure.h"
 
@@ -73,8 +74,13 @@ std::optional<double> positive(const std::string& option, const std::string& tex
   return number;
 }
 
+bool is_svg(const std::string& file) { return file.ends_with(".svg"); }
+
 FigureWish wish_of(const Common& common, const PictureOptions& options, const FigureKind& kind) {
-  FigureWish wish{.width = kind.width, .height = kind.height, .memory = common.memory_limit()};
+  FigureWish wish{.width = kind.width,
+                  .height = kind.height,
+                  .memory = common.memory_limit(),
+                  .has_words = is_svg(options.out)};
   if (!options.size.empty()) {
     const std::size_t sign = options.size.find('x');
     const auto width = whole(std::string_view(options.size).substr(0, sign));
@@ -114,6 +120,18 @@ FigureWish wish_of(const Common& common, const PictureOptions& options, const Fi
   return wish;
 }
 
+/// A file that is not SVG by its name is a PNG file; plots are no raster.
+void require_format(const PictureOptions& options, const FigureKind& kind) {
+  if (options.out.empty())
+    throw InputError(
+        {.source = "picture", .problem = "without --out", .allowed = "--out FILE.svg, --out FILE.png"});
+  if (!kind.has_rays && !is_svg(options.out))
+    throw InputError({.source = "--out",
+                      .value = options.out,
+                      .problem = std::string(kind.name) + " is plots, not a raster",
+                      .allowed = "--out FILE.svg"});
+}
+
 /// An option that says nothing of this picture is a mistake.
 void require_meaning(const PictureOptions& options, const FigureKind& kind) {
   const auto require = [&](bool has_meaning, const std::string& option, const std::string& text,
@@ -132,6 +150,7 @@ void require_meaning(const PictureOptions& options, const FigureKind& kind) {
   require(kind.has_direct, "--direct", options.direct, &FigureKind::has_direct);
   require(kind.has_white, "--white", options.white, &FigureKind::has_white);
   require(kind.has_rays, "--samples", options.samples, &FigureKind::has_rays);
+  require(kind.has_rays, "--size", options.size, &FigureKind::has_rays);
 }
 
 JsonValue picture_json(const Common& common, const PictureOptions& options, const FigureWish& wish,
@@ -140,8 +159,10 @@ JsonValue picture_json(const Common& common, const PictureOptions& options, cons
   out.set("picture", options.name);
   out.set("shows", picture.shows);
   out.set("file", options.out);
-  out.set("width", wish.width);
-  out.set("height", wish.height);
+  if (picture.sheet) {
+    out.set("width", wish.width);
+    out.set("height", wish.height);
+  }
   out.set("facts", json_array(picture.facts, [](const auto& fact) {
             JsonValue entry = JsonValue::object();
             entry.set("name", fact.first);
@@ -152,20 +173,25 @@ JsonValue picture_json(const Common& common, const PictureOptions& options, cons
 }
 
 std::string picture_text(const PictureOptions& options, const FigureWish& wish, const Figure& picture) {
-  std::vector<std::vector<std::string>> rows{
-      {"file", options.out},
-      {"size", std::to_string(wish.width) + " x " + std::to_string(wish.height) + " pixels"}};
+  std::vector<std::vector<std::string>> rows{{"file", options.out}};
+  if (picture.sheet)
+    rows.push_back({"size", std::to_string(wish.width) + " x " + std::to_string(wish.height) + " pixels"});
   for (const auto& [name, value] : picture.facts)
     rows.push_back({name, value.string() != nullptr ? *value.string() : value.compact()});
   return picture.shows + "\n" + aligned_left(rows);
+}
+
+std::string content(const Figure& picture, const FigureWish& wish) {
+  if (!picture.sheet) return svg_text(picture.plots);
+  return wish.has_words ? picture.sheet->svg_text(picture.shows)
+                        : png_bytes(picture.sheet->image, picture.shows);
 }
 
 ExitCode make_picture(const Common& common, const PictureOptions& options) {
   const FigureKind& kind = kind_of(options.name);
   require_meaning(options, kind);
   const FigureWish wish = wish_of(common, options, kind);
-  if (options.out.empty())
-    throw InputError({.source = "picture", .problem = "without --out", .allowed = "--out FILE.png"});
+  require_format(options, kind);
   Outputs outputs;
   outputs.file("--out", options.out);
   if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
@@ -175,10 +201,14 @@ ExitCode make_picture(const Common& common, const PictureOptions& options) {
   const Figure picture = [&] {
     ProgressDisplay progress(common.quiet);
     Figure made = kind.make(wish, [&](double part, const std::string& begins) { progress.at(part, begins); });
-    if (kind.has_rays) made.facts.insert(made.facts.begin(), {"rays a pixel", wish.samples * wish.samples});
+    if (!kind.has_rays) return made;
+    made.facts.insert(made.facts.begin(), {"rays a pixel", wish.samples * wish.samples});
+    if (!wish.has_words)
+      for (const std::string& title : made.sheet->titles())
+        made.facts.emplace_back("panel, without its title in a PNG file", title);
     return made;
   }();
-  outputs.write({{options.out, png_bytes(picture.image, picture.shows)}});
+  outputs.write({{options.out, content(picture, wish)}});
   print_result(common, picture_text(options, wish, picture),
                picture_json(common, options, wish, picture).pretty() + "\n");
   return ExitCode::done;
@@ -187,10 +217,13 @@ ExitCode make_picture(const Common& common, const PictureOptions& options) {
 }  // namespace
 
 void add_picture(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command = add_command(program, common, "picture", "A figure of psg10 as a PNG file");
+  CLI::App& command = add_command(program, common, "picture", "A figure of psg10 as an SVG or PNG file");
   auto options = std::make_shared<PictureOptions>();
   command.add_option("NAME", options->name, "Which picture; see below")->required();
-  command.add_option("--out", options->out, "Write the picture to this file")->type_name("FILE.png");
+  command
+      .add_option("--out", options->out,
+                  "Write the picture to this file: .svg with titles and scales, .png the pixels alone")
+      ->type_name("FILE.svg");
   command
       .add_option("--size", options->size,
                   "Width and height in pixels, each from 64 to 4096; default: the picture's own")
@@ -222,7 +255,10 @@ void add_picture(CLI::App& program, Common& common, Action& action) {
       "diverges "
       "for the Gaussian\nbasis as the paper has it: figure_8_gaussian takes a quarter of the radii and "
       "coefficients that interpolate. Where\nit diverges even so, which depends on the sites, no picture is "
-      "made. Magenta: the basis has no value there.";
+      "made. Magenta: the basis has no value there.\n"
+      "An SVG file is a sheet with titles and scales as text around the raster. A PNG file is the raster "
+      "alone, and the titles are "
+      "printed.\nfigure_6 is plots, for SVG alone.";
   command.footer(footer);
   command.callback([&common, &action, options] {
     action = [&common, options] { return make_picture(common, *options); };

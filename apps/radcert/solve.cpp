@@ -16,15 +16,16 @@
 #include "progress.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/result_store.h"
-#include "radcert/formats/field/element_errors.h"
-#include "radcert/formats/field/ply.h"
-#include "radcert/formats/field/vtu.h"
 #include "radcert/formats/plot/convergence_plot.h"
+#include "radcert/formats/table/csv.h"
+#include "radcert/formats/field/element_errors.h"
 #include "radcert/formats/plot/latex_plot.h"
+#include "radcert/formats/table/latex_table.h"
+#include "radcert/formats/field/ply.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/result/result_json.h"
-#include "radcert/formats/table/csv.h"
-#include "radcert/formats/table/latex_table.h"
+#include "radcert/formats/plot/svg_plot.h"
+#include "radcert/formats/field/vtu.h"
 #include "solve_table.h"
 #include "verification/framework/levels.h"
 
@@ -96,12 +97,12 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
                  {folder / "solution.vtu", vtu_text(elements, errors)},
                  {folder / "solution.ply", ply_text(elements, errors)},
                  {folder / "table.tex", levels_latex(result)}};
-  const ConvergencePlot plot =
+  const Plot plot =
       convergence_plot("Errors of " + std::filesystem::path(options.problem).filename().string(),
-                       result.levels, result.orders);
+                       {.name = {}, .levels = result.levels, .orders = result.orders, .row = std::nullopt});
   if (!plot.curves.empty()) {
     files.emplace_back(folder / "plot.tex", latex_plots_text({&plot, 1}, "errors.csv"));
-    files.emplace_back(folder / "errors_against_h.svg", svg_text(plot_of(plot)));
+    files.emplace_back(folder / "errors_against_h.svg", svg_text(plot));
   }
   std::vector<InputDigest> inputs = {input_digest(options.problem)};
   for (InputDigest& named : inputs_named_in({&result.problem, 1})) inputs.push_back(std::move(named));

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "radcert/formats/plot/convergence_plot.h"
-#include "radcert/formats/plot/latex_plot.h"
 #include "radcert/formats/table/csv.h"
+#include "radcert/formats/plot/latex_plot.h"
 #include "radcert/formats/table/latex_table.h"
+#include "radcert/formats/plot/svg_plot.h"
 
 namespace radcert::app {
 
@@ -62,12 +63,14 @@ std::string verdicts_latex(const verification::Report& report) {
 Files verify_files(const verification::Report& report, const std::filesystem::path& folder) {
   Files files = {{folder / "errors.csv", problem_levels_csv(report)},
                  {folder / "table.tex", verdicts_latex(report)}};
-  std::vector<ConvergencePlot> plots;
+  std::vector<Plot> plots;
   for (std::size_t i = 0; i < report.problems.size(); ++i) {
     const verification::ProblemTrace& problem = report.problems[i];
-    ConvergencePlot plot = convergence_plot(problem.name, problem.levels, problem.orders, "problem", i);
+    Plot plot = convergence_plot(
+        problem.name, {.name = problem.name, .levels = problem.levels, .orders = problem.orders, .row = i},
+        "problem");
     if (plot.curves.empty()) continue;
-    files.emplace_back(folder / ("errors_of_problem_" + std::to_string(i) + ".svg"), svg_text(plot_of(plot)));
+    files.emplace_back(folder / ("errors_of_problem_" + std::to_string(i) + ".svg"), svg_text(plot));
     plots.push_back(std::move(plot));
   }
   if (!plots.empty()) files.emplace_back(folder / "plot.tex", latex_plots_text(plots, "errors.csv"));

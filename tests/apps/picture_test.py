@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures: files that can be looked at, the same for any number of threads, and what is refused."""
+import base64
 import json
 import math
 import os
 import struct
 import unittest
+import xml.etree.ElementTree as xml
 import zlib
 
 import jsonschema
@@ -13,9 +15,12 @@ from program import ProgramTest
 
 NAMES = ["figure_3", "figure_5", "figure_6", "figure_7", "figure_8", "figure_8_direct", "figure_8_shepard",
          "figure_8_gaussian", "figure_8_lehtinen", "figure_9"]
+RASTERS = [name for name in NAMES if name != "figure_6"]
 # Few rays and few sites: seconds for all.
 SMALL = ["--size", "96x64", "--quiet"]
 COARSE = ["--separation", "0.35"]
+SVG = "{http://www.w3.org/2000/svg}"
+XLINK = "{http://www.w3.org/1999/xlink}"
 
 
 def chunks(data):
@@ -51,17 +56,23 @@ def pixels(data):
 class Picture(ProgramTest):
     def picture(self, name, *words):
         self.expect(0, "picture", name, "--out", "picture.png", *words)
-        with open(self.path("picture.png"), "rb") as file:
+        return self.content("picture.png")
+
+    def content(self, name):
+        with open(self.path(name), "rb") as file:
             return file.read()
 
-    def words_for(self, name):
-        return [*SMALL, *(COARSE if name.startswith("figure_8") else []),
-                *([] if name == "figure_6" else ["--samples", "1"])]
+    def sheet(self, name, *words):
+        self.expect(0, "picture", name, "--out", "picture.svg", *words)
+        return xml.fromstring(self.content("picture.svg"))
 
-    def test_every_picture_is_a_png_that_says_what_it_shows(self):
+    def words_for(self, name):
+        return [*SMALL, "--samples", "1", *(COARSE if name.startswith("figure_8") else [])]
+
+    def test_every_raster_is_a_png_that_says_what_it_shows(self):
         schema = json.loads(self.expect(0, "schema", "picture"))
         jsonschema.Draft202012Validator.check_schema(schema)
-        for name in NAMES:
+        for name in RASTERS:
             with self.subTest(name):
                 data = self.picture(name, *self.words_for(name), "--json", "about.json")
                 with open(self.path("about.json"), encoding="utf-8") as file:
@@ -77,7 +88,40 @@ class Picture(ProgramTest):
                 self.assertGreater(len({pixel for row in rows for pixel in row}), 10)
                 for fact in about["facts"]:
                     if fact["name"].endswith("without a value"):
-                        self.assertEqual(fact["value"], 0)
+                        # Sites so coarse leave gaps in a corner.
+                        self.assertLess(fact["value"], 0.01 if "0.35" in self.words_for(name) else 1e-300)
+
+    def test_a_sheet_has_the_raster_and_the_titles_as_text(self):
+        for name in ["figure_5", "figure_8_direct", "figure_9"]:
+            with self.subTest(name):
+                words = [word if word != "96x64" else "400x200" for word in self.words_for(name)]
+                root = self.sheet(name, *words, "--json", "about.json")
+                about = json.loads(self.content("about.json"))
+                self.assertEqual(root.find(SVG + "title").text, about["shows"])
+                image, = root.iter(SVG + "image")
+                kind, data = image.get(XLINK + "href").split(",")
+                self.assertEqual(kind, "data:image/png;base64")
+                width, height, rows = pixels(base64.b64decode(data))
+                self.assertEqual((width, height), (400, 200))
+                self.assertEqual((about["width"], about["height"]), (400, 200))
+                self.assertGreater(len({pixel for row in rows for pixel in row}), 10)
+                shown = [text.text for text in root.iter(SVG + "text")]
+                self.expect(0, "picture", name, "--out", "raster.png", *words, "--json", "raster.json")
+                titles = [fact["value"] for fact in json.loads(self.content("raster.json"))["facts"]
+                          if fact["name"].startswith("panel, without its title")]
+                self.assertEqual(shown[:len(titles)], titles)
+                # The ticks of a scale from 0 to 1, where there is one.
+                self.assertEqual(shown[len(titles):], ["0", "0.2", "0.4", "0.6", "0.8", "1"] if name == "figure_5" else [])
+
+    def test_figure_6_is_plots(self):
+        root = self.sheet("figure_6", "--quiet")
+        shown = [text.text for text in root.iter(SVG + "text")]
+        for words in ["Shepard", "Gauss", "Lehtinen"]:
+            self.assertIn(words, shown)
+        self.assertEqual(shown.count("f"), 3)
+        # Three frames; in each four elements and f, and four values as dots, beside one in the legend.
+        self.assertEqual(len([rect for rect in root.iter(SVG + "rect") if rect.get("class") == "axis"]), 3)
+        self.assertEqual(len(list(root.iter(SVG + "circle"))), 3 * 5)
 
     def test_threads_change_nothing(self):
         for name in ["figure_5", "figure_8_lehtinen", "figure_9"]:
@@ -91,7 +135,7 @@ class Picture(ProgramTest):
         self.assertGreater(max(rows[height - 12][int(0.25 * width)]), 20)
 
     def test_figure_6_interpolates_by_the_formulas(self):
-        about = json.loads(self.expect(0, "picture", "figure_6", "--out", "a.png", *SMALL, "--json", "-"))
+        about = json.loads(self.expect(0, "picture", "figure_6", "--out", "a.svg", "--quiet", "--json", "-"))
         facts = {fact["name"]: fact["value"] for fact in about["facts"]}
 
         def spline(r):
@@ -126,7 +170,9 @@ class Picture(ProgramTest):
     def test_bad_input_is_refused_and_leaves_no_file(self):
         for words, text in [
                 ((), "NAME"),
-                (("figure_5",), "--out FILE.png"),
+                (("figure_5",), "--out FILE.svg"),
+                (("figure_6", "--out", "a.png"), "is plots, not a raster"),
+                (("figure_6", "--out", "a.svg", "--size", "100x100"), "means nothing for figure_6"),
                 (("figure_5", "--out", "no/such/a.png"), "a folder that exists"),
                 (("figure_5", "--out", "."), "is a folder"),
                 (("figure_5", "--out", "a.png", "--size", "0x0"), "from 64 to 4096"),
@@ -138,7 +184,7 @@ class Picture(ProgramTest):
                 (("figure_5", "--out", "a.png", "--samples", "9"), "from 1 to 8"),
                 (("figure_5", "--out", "a.png", "--samples", "two"), "from 1 to 8"),
                 (("figure_5", "--out", "a.png", "--threads", "0"), "--threads"),
-                (("figure_6", "--out", "a.png", "--samples", "2"), "means nothing for figure_6"),
+                (("figure_6", "--out", "a.svg", "--samples", "2"), "means nothing for figure_6"),
                 (("figure_5", "--out", "a.png", "--white", "2"), "means nothing for figure_5"),
                 (("figure_3", "--out", "a.png", "--separation", "2"), "means nothing for figure_3"),
                 (("figure_9", "--out", "a.png", "--direct", "exact"), "means nothing for figure_9"),
@@ -156,7 +202,7 @@ class Picture(ProgramTest):
     def test_a_disk_that_is_full_is_no_fault_of_the_input(self):
         if not os.path.exists("/dev/full"):
             self.skipTest("no /dev/full")
-        self.assertIn("/dev/full", self.refused(3, "picture", "figure_6", "--out", "/dev/full", *SMALL))
+        self.assertIn("/dev/full", self.refused(3, "picture", "figure_5", "--out", "/dev/full", *SMALL))
 
     def test_more_memory_than_there_is_is_refused(self):
         for name in ["figure_7", "figure_8_lehtinen", "figure_9"]:

@@ -93,9 +93,14 @@ try {
 
   // A table beside ours, its plot, and the surface in space.
   await page.goto(`${address}#/ac98/table_4`);
-  await page.waitForSelector(".plot canvas");
-  await page.waitForTimeout(300);
-  assert.ok(await colours(page, ".plot canvas") > 5, "the plot is blank");
+  await page.waitForSelector(".plot svg");
+  assert.ok(await page.locator(".plot svg circle").count() > 4, "the plot is blank");
+  const ink = () => page.locator(".plot svg text").first().evaluate((text) => getComputedStyle(text).fill);
+  const inkOnWhite = await ink();
+  await page.locator("#theme").click();
+  assert.notEqual(await ink(), inkOnWhite, "the plot does not follow the page into the dark");
+  await shot(page, "table_dark");
+  await page.locator("#theme").click();
   assert.equal(await page.locator("mark").count() > 0, true, "no digit of Table 4 is marked: 1.04E-4 is misprinted");
   await shot(page, "table");
   await page.locator("a[href^='#/view/']").first().click();

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "radcert/core/digest.h"
+#include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/plot/latex_plot.h"
 #include "radcert/formats/result/provenance.h"
+#include "radcert/formats/plot/svg_plot.h"
 
 namespace radcert {
 namespace {
@@ -21,52 +25,58 @@ std::vector<LevelResult> levels(int count, double node_order, double discretisat
     level.level = k;
     level.mesh_size = std::ldexp(1.0, -k);
     level.unknowns = std::uint64_t{12} << static_cast<unsigned>(2 * k);
-    level.node_error = Approximation{
-        .value = 0.1 * std::pow(level.mesh_size, node_order), .radius = 1e-9, .guaranteed = false};
+    level.node_error =
+        Approximation{.value = 0.1 * std::pow(level.mesh_size, node_order), .radius = 1e-9, .guaranteed = false};
     level.discretisation_error = Approximation{.value = std::pow(level.mesh_size, discretisation_order),
-                                               .radius = std::numeric_limits<double>::infinity(),
-                                               .guaranteed = false};
+                                        .radius = std::nullopt,
+                                        .guaranteed = false};
     out.push_back(level);
   }
   return out;
 }
 
-const ConvergenceCurve& curve(const ConvergencePlot& plot, const std::string& column) {
-  for (const ConvergenceCurve& one : plot.curves)
+Plot plot_of(std::string title, const std::vector<LevelResult>& levels, std::vector<OrderFit> orders = {},
+             std::string key = {}, std::optional<std::size_t> row = std::nullopt) {
+  return convergence_plot(std::move(title), {.name = "", .levels = levels, .orders = orders, .row = row},
+                          std::move(key));
+}
+
+const PlotCurve& curve(const Plot& plot, const std::string& column) {
+  for (const PlotCurve& one : plot.curves)
     if (one.column == column) return one;
   throw std::out_of_range(column);
 }
 
 TEST(ConvergencePlot, HasACurveForEachErrorThatIsThereTwice) {
   auto given = levels(4, 4, 2);
-  const ConvergencePlot plot = convergence_plot("t", given, {});
+  const Plot plot = plot_of("t", given);
   EXPECT_EQ(plot.curves.size(), 2U);
   EXPECT_EQ(curve(plot, "node_error").points.size(), 4U);
-  EXPECT_NEAR(*curve(plot, "node_error").order, 4, 1e-12);
+  EXPECT_NEAR(*curve(plot, "node_error").exponent, 4, 1e-12);
   EXPECT_EQ(curve(plot, "node_error").points[2].radius, 1e-9);
   for (LevelResult& level : given) level.node_error->value = 0;
-  EXPECT_EQ(convergence_plot("t", given, {}).curves.size(), 1U);
-  EXPECT_TRUE(convergence_plot("t", levels(1, 4, 2), {}).curves.empty());
+  EXPECT_EQ(plot_of("t", given).curves.size(), 1U);
+  EXPECT_TRUE(plot_of("t", levels(1, 4, 2)).curves.empty());
 }
 
 TEST(ConvergencePlot, TakesTheFittedOrderWhereThereIsOne) {
   const std::vector<OrderFit> fits = {
       {.quantity = "node_error", .order = 3.5, .halfwidth = {}, .levels = {}, .left_out = {}}};
-  const ConvergencePlot plot = convergence_plot("t", levels(3, 4, 2), fits);
-  EXPECT_EQ(curve(plot, "node_error").order, 3.5);
-  EXPECT_NEAR(*curve(plot, "discretisation_error").order, 2, 1e-12);
+  const Plot plot = plot_of("t", levels(3, 4, 2), fits);
+  EXPECT_EQ(curve(plot, "node_error").exponent, 3.5);
+  EXPECT_NEAR(*curve(plot, "discretisation_error").exponent, 2, 1e-12);
 }
 
 TEST(SlopeTriangles, HaveTheSlopeOfTheirCurveAndLieOnItsFreeSide) {
-  const ConvergencePlot plot = convergence_plot("t", levels(4, 4, 2), {});
+  const Plot plot = plot_of("t", levels(4, 4, 2));
   const auto triangles = slope_triangles(plot);
   ASSERT_EQ(triangles.size(), 2U);
   for (const SlopeTriangle& triangle : triangles) {
     const double slope = std::log(triangle.y[1] / triangle.y[0]) / std::log(triangle.x[1] / triangle.x[0]);
-    EXPECT_NEAR(slope, triangle.order, 1e-12);
+    EXPECT_NEAR(slope, triangle.exponent, 1e-12);
     EXPECT_DOUBLE_EQ(triangle.x[0], 0.125 * std::pow(2, 0.25));
     EXPECT_DOUBLE_EQ(triangle.x[1], 0.125 * std::pow(2, 0.75));
-    const bool lowest = std::abs(triangle.order - 4) < 1e-9;
+    const bool lowest = std::abs(triangle.exponent - 4) < 1e-9;
     EXPECT_EQ(triangle.above, !lowest);
     for (std::size_t i = 0; i < 2; ++i) {
       const double on_curve = lowest ? 0.1 * std::pow(triangle.x[i], 4) : std::pow(triangle.x[i], 2);
@@ -76,47 +86,49 @@ TEST(SlopeTriangles, HaveTheSlopeOfTheirCurveAndLieOnItsFreeSide) {
 }
 
 TEST(SlopeTriangles, AreOneWhereAllOrdersAreAlikeAndNoneWithoutCurves) {
-  EXPECT_EQ(slope_triangles(convergence_plot("t", levels(3, 2.05, 2), {})).size(), 1U);
-  EXPECT_TRUE(slope_triangles(convergence_plot("t", levels(1, 4, 2), {})).empty());
+  EXPECT_EQ(slope_triangles(plot_of("t", levels(3, 2.05, 2))).size(), 1U);
+  EXPECT_TRUE(slope_triangles(plot_of("t", levels(1, 4, 2))).empty());
 }
 
 /// Two methods, of orders 4 and 2 at the nodes in h: half of that in the unknowns.
-std::vector<ConvergencePlot> plots_of_two_methods() {
+std::vector<Plot> plots_of_two_methods() {
   Experiment experiment{.name = "two", .varied = {}, .combinations = {}};
   std::vector<Result> results;
   for (const double order : {4.0, 2.0}) {
     experiment.combinations.push_back({.name = "a", .choice = {}, .problem = {}});
     results.push_back({.problem = {}, .levels = levels(4, order, 2), .orders = {}, .timing = {}});
   }
-  return convergence_plots(experiment, results);
+  std::vector<Plot> plots;
+  for (NamedPlot& named : experiment_plots(experiment, results)) plots.push_back(std::move(named.plot));
+  return plots;
 }
 
 TEST(ConvergencePlots, AreAgainstHAndAgainstTheUnknowns) {
-  const std::vector<ConvergencePlot> plots = plots_of_two_methods();
+  const std::vector<Plot> plots = plots_of_two_methods();
   ASSERT_EQ(plots.size(), 4U);
-  for (const ConvergencePlot& plot : plots) {
-    const bool in_h = plot.axis == PlotAxis::mesh_size;
+  for (const Plot& plot : plots) {
+    const bool in_h = plot.x.column == "mesh_size";
     ASSERT_EQ(plot.curves.size(), 2U);
     EXPECT_EQ(plot.curves[1].points[2].x, in_h ? 0.25 : 192);
     if (plot.curves[0].column == "node_error") {
-      EXPECT_NEAR(*plot.curves[0].order, in_h ? 4 : 2, 1e-12);
+      EXPECT_NEAR(*plot.curves[0].exponent, in_h ? 4 : -2, 1e-12);
     }
   }
-  EXPECT_EQ(std::count_if(plots.begin(), plots.end(),
-                          [](const ConvergencePlot& plot) { return plot.axis == PlotAxis::unknowns; }),
-            2);
+  EXPECT_EQ(
+      std::count_if(plots.begin(), plots.end(), [](const Plot& plot) { return plot.x.column == "unknowns"; }),
+      2);
 }
 
 TEST(SlopeTriangles, FallWithTheUnknownsOnTheFreeSides) {
-  for (const ConvergencePlot& plot : plots_of_two_methods()) {
-    if (plot.axis != PlotAxis::unknowns || plot.curves[0].column != "node_error") continue;
+  for (const Plot& plot : plots_of_two_methods()) {
+    if (plot.x.column != "unknowns" || plot.curves[0].column != "node_error") continue;
     const auto triangles = slope_triangles(plot);
     ASSERT_EQ(triangles.size(), 2U);
     for (const SlopeTriangle& triangle : triangles) {
       EXPECT_LT(triangle.x[0], triangle.x[1]);
       const double slope = std::log(triangle.y[1] / triangle.y[0]) / std::log(triangle.x[1] / triangle.x[0]);
-      EXPECT_NEAR(slope, -triangle.order, 1e-12);
-      const double on_curve = 0.1 * std::pow(triangle.x[0] / 12, -triangle.order);
+      EXPECT_NEAR(slope, triangle.exponent, 1e-12);
+      const double on_curve = 0.1 * std::pow(triangle.x[0] / 12, triangle.exponent);
       EXPECT_EQ(triangle.y[0] > on_curve, triangle.above);
     }
   }
@@ -131,8 +143,8 @@ TEST(LatexPlots, TakeTheUnknownsFromTheirColumn) {
 }
 
 TEST(LatexPlots, ReadTheColumnsAndRowsOfTheTable) {
-  const std::vector<ConvergencePlot> plots = {convergence_plot("a_b", levels(3, 4, 2), {}, "problem", 7),
-                                              convergence_plot("", levels(3, 4, 2), {})};
+  const std::vector<Plot> plots = {plot_of("a_b", levels(3, 4, 2), {}, "problem", 7),
+                                   plot_of("", levels(3, 4, 2))};
   const std::string text = latex_plots_text(plots, "errors.csv");
   EXPECT_NE(text.find("y=node_error,restrict expr to domain={\\thisrow{problem}}{7:7}"), std::string::npos);
   EXPECT_NE(text.find("y=discretisation_error]{\\jobname-errors.csv}"), std::string::npos);
@@ -140,11 +152,46 @@ TEST(LatexPlots, ReadTheColumnsAndRowsOfTheTable) {
   EXPECT_EQ(text.find("y=uniform_error"), std::string::npos);
 }
 
-TEST(PlotOf, NamesTheOrders) {
-  const Plot plot = plot_of(convergence_plot("t", levels(3, 4, 2), {}));
-  ASSERT_EQ(plot.series.size(), 2U);
-  EXPECT_TRUE(plot.series[1].name.ends_with("order 4.00")) << plot.series[1].name;
-  EXPECT_NE(svg_text(plot).find("order 2.00"), std::string::npos);
+TEST(LatexPlots, HaveThePointsThatNoTableHas) {
+  Plot plot{.title = "t",
+            .x = {.name = "x", .logarithmic = false, .range = std::pair(0.0, 4.0)},
+            .y = {.name = "y", .logarithmic = false},
+            .curves = {{.name = "a_b", .points = {{1, 2}, {3, 0.5}}, .style = CurveStyle::thin}},
+            .marks = {{.x = 2, .name = "here"}}};
+  const auto text = [&] { return latex_plots_text({&plot, 1}, "errors.csv"); };
+  EXPECT_NE(text().find("\\begin{axis}"), std::string::npos);
+  EXPECT_NE(text().find("xmin=0,xmax=4,"), std::string::npos);
+  EXPECT_NE(text().find("mark=none] coordinates {(1,2)(3,0.5)};"), std::string::npos);
+  EXPECT_NE(text().find("{here}"), std::string::npos);
+  plot.y.logarithmic = true;
+  EXPECT_NE(text().find("\\begin{semilogyaxis}"), std::string::npos);
+}
+
+TEST(ConvergencePlot, NamesTheOrdersInItsLegend) {
+  const Plot plot = plot_of("t", levels(3, 4, 2));
+  ASSERT_EQ(plot.curves.size(), 2U);
+  EXPECT_TRUE(plot.curves[1].fit.starts_with("order 4.00")) << plot.curves[1].fit;
+  EXPECT_NE(svg_text(plot).find("max |u - u_n| over the nodes: order 4.00"), std::string::npos);
+}
+
+TEST(ConvergencePlot, ComparesProblemsByOneError) {
+  const auto one = levels(3, 4, 2);
+  const auto single = levels(1, 4, 2);
+  const ErrorHistory problems[] = {{.name = "one", .levels = one, .orders = {}, .row = {}},
+                                   {.name = "a single level", .levels = single, .orders = {}, .row = {}}};
+  const Plot plot = convergence_plot("t", error_kinds()[0], ErrorAgainst::unknowns, problems);
+  ASSERT_EQ(plot.curves.size(), 1U);
+  EXPECT_EQ(plot.curves[0].name, "one");
+  EXPECT_NEAR(*plot.curves[0].exponent, -1, 1e-12);
+}
+
+TEST(SvgPlot, DrawsTheSlopeTrianglesOfThePlot) {
+  const Plot plot = plot_of("t", levels(4, 4, 2));
+  const std::string text = svg_text(plot);
+  std::size_t found = 0;
+  for (std::size_t at = 0; (at = text.find("class=\"slope-line\"", at)) != std::string::npos; ++at) ++found;
+  EXPECT_EQ(found, slope_triangles(plot).size());
+  EXPECT_NE(text.find(">4.00</text>"), std::string::npos);
 }
 
 TEST(Provenance, SaysWhatIsUnknownAsNull) {

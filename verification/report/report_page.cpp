@@ -12,7 +12,10 @@
 
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
+#include "radcert/formats/plot/base64.h"
+#include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/json/json_value.h"
+#include "radcert/formats/plot/svg_plot.h"
 #include "verification/framework/embedded.h"
 #include "verification/report/report_text.h"
 
@@ -21,28 +24,14 @@ namespace {
 
 constexpr std::string_view data_gap = "/*DATA*/";
 
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t held = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t three = 0;
-    for (std::size_t j = 0; j < 3; ++j) three = three << 8U | (j < held ? bytes[i + j] : 0U);
-    for (std::size_t j = 0; j < 4; ++j)
-      out += j <= held ? letters[three >> (18U - 6U * static_cast<unsigned>(j)) & 0x3FU] : '=';
-  }
-  return out;
-}
-
 // Single precision, least byte first: what a Float32Array reads.
 std::string floats(const std::vector<double>& values) {
-  std::vector<std::uint8_t> bytes;
+  std::string bytes;
   bytes.reserve(4 * values.size());
   for (const double value : values) {
     const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
     for (unsigned shift = 0; shift < 32; shift += 8)
-      bytes.push_back(static_cast<std::uint8_t>(bits >> shift & 0xFFU));
+      bytes.push_back(static_cast<char>(bits >> shift & 0xFFU));
   }
   return base64(bytes);
 }
@@ -151,12 +140,57 @@ JsonValue paper_json(const Report& report, const std::string& key) {
   return out;
 }
 
+// A plot's name: the error, the problems that it is of, and what it is against.
+std::string plot_name(const ErrorKind& kind, std::span<const std::size_t> problems, ErrorAgainst against) {
+  std::string name = kind.name + ":";
+  for (const std::size_t i : problems) name += (name.back() == ':' ? "" : ",") + std::to_string(i);
+  return name + (against == ErrorAgainst::mesh_size ? ":mesh_size" : ":unknowns");
+}
+
+// Each error of the problems of each statement against h, where one of them has two levels; the page shows what it needs.
+std::map<std::string, std::string> plots_of(const Report& report) {
+  std::map<std::string, std::string> plots;
+  for (const ClaimReport& claim : report.claims) {
+    std::vector<ErrorHistory> problems;
+    for (const std::size_t i : claim.problems)
+      problems.push_back({.name = report.problems[i].name,
+                          .levels = report.problems[i].levels,
+                          .orders = report.problems[i].orders,
+                          .row = i});
+    for (const ErrorKind& kind : error_kinds()) {
+      const std::string name = plot_name(kind, claim.problems, ErrorAgainst::mesh_size);
+      if (plots.contains(name)) continue;
+      const Plot plot = convergence_plot(in_words(kind), kind, ErrorAgainst::mesh_size, problems);
+      if (!plot.curves.empty()) plots.emplace(name, svg_text(plot));
+    }
+  }
+  return plots;
+}
+
+std::map<std::string, std::string> plots_of(const Experiment& experiment, std::span<const Result> results) {
+  std::map<std::string, std::string> plots;
+  for (const std::vector<std::size_t>& question : questions(experiment))
+    for (const ErrorKind& kind : error_kinds())
+      for (const ErrorAgainst against : {ErrorAgainst::mesh_size, ErrorAgainst::unknowns})
+        if (const Plot plot = combinations_plot(experiment, results, question, kind, against);
+            !plot.curves.empty())
+          plots.emplace(plot_name(kind, question, against), svg_text(plot));
+  return plots;
+}
+
+JsonValue json_of(const std::map<std::string, std::string>& plots) {
+  JsonValue out = JsonValue::object();
+  for (const auto& [name, text] : plots) out.set(name, text);
+  return out;
+}
+
 JsonValue page_data(const Report& report, const std::string& command) {
   JsonValue out = JsonValue::object();
   out.set("report", report_json(report, command));
   out.set("papers",
           json_array(papers_of(report), [&](const std::string& key) { return paper_json(report, key); }));
   out.set("pictures", json_array(report.problems, picture_json));
+  out.set("plots", json_of(plots_of(report)));
   return out;
 }
 
@@ -239,13 +273,15 @@ std::string report_page(const Report& report, const std::string& command) {
   return has_full_page() ? page_with(page_data(report, command)) : plain_page(report, command);
 }
 
-std::string experiment_page(const JsonValue& experiment) {
+std::string experiment_page(const JsonValue& document, const Experiment& experiment,
+                            std::span<const Result> results) {
   if (!has_full_page())
     return plain_head("An experiment") +
            "<p>The figures are in experiment.json, errors.csv and the plots beside this "
            "file.</p></body></html>\n";
   JsonValue data = JsonValue::object();
-  data.set("experiment", experiment);
+  data.set("experiment", document);
+  data.set("plots", json_of(plots_of(experiment, results)));
   return page_with(data);
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "radcert/formats/json/json_value.h"
+#include "radcert/study/experiment.h"
 #include "verification/framework/report.h"
 
 namespace radcert::verification {
@@ -22,8 +24,9 @@ namespace radcert::verification {
 
 /// A result of radcert experiment as such a page: rankings, plots, levels.
 /// Source    verification/report/web
-/// Requires  a value of the type radcert/experiment_result/1
+/// Requires  a value of the type radcert/experiment_result/1, and what it was made of
 /// Result    as report_page; built without Node: a page that names the other files
-[[nodiscard]] std::string experiment_page(const JsonValue& experiment);
+[[nodiscard]] std::string experiment_page(const JsonValue& document, const Experiment& experiment,
+                                          std::span<const Result> results);
 
 }  // namespace radcert::verification

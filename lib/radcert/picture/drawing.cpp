@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
-#include "radcert/picture/stroke_font.h"
 
 namespace radcert {
 namespace {
@@ -130,39 +129,6 @@ void fill(Image& image, const ImageRegion& region, const Colour& colour) {
   const Pixel pixel = screen_pixel(colour);
   for (std::size_t y = 0; y < region.height; ++y)
     for (std::size_t x = 0; x < region.width; ++x) image.set(region.x + x, region.y + y, pixel);
-}
-
-double text_width(double height, std::string_view text) {
-  double width = 0;
-  for (const char c : text) width += stroke_letter(c).advance;
-  // Nothing is left behind the last letter.
-  constexpr double between = 2;
-  return text.empty() ? 0 : height / stroke_capital_height * (width - between);
-}
-
-void draw_text(Image& image, const ImagePoint& at, double height, std::string_view text, const Colour& colour,
-               TextAlign align) {
-  expects(height > 0 && std::isfinite(height), "a positive height", named("height", height));
-  const double unit = height / stroke_capital_height;
-  const double width = std::max(1.0, height / 9);
-  double x = at.x;
-  if (align != TextAlign::left) x -= text_width(height, text) / (align == TextAlign::middle ? 2 : 1);
-  std::vector<std::vector<ImagePoint>> strokes;
-  std::vector<ImagePoint> all;
-  for (const char c : text) {
-    const StrokeLetter& letter = stroke_letter(c);
-    for (const std::vector<ImagePoint>& stroke : letter.strokes) {
-      std::vector<ImagePoint> points;
-      points.reserve(stroke.size());
-      for (const ImagePoint& p : stroke) points.push_back({x + unit * p.x, at.y - unit * p.y});
-      all.insert(all.end(), points.begin(), points.end());
-      strokes.push_back(std::move(points));
-    }
-    x += unit * letter.advance;
-  }
-  Mask mask(image, image.whole(), all, width + 1);
-  for (const std::vector<ImagePoint>& stroke : strokes) add_line(mask, stroke, width);
-  mask.lay(image, colour, 1);
 }
 
 }  // namespace radcert

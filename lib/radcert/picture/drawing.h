@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
 #include <span>
-#include <string_view>
 
 #include "radcert/picture/camera.h"
 #include "radcert/picture/image.h"
@@ -27,19 +25,5 @@ void draw_disc(Image& image, const ImageRegion& within, const ImagePoint& middle
 
 /// A region in one colour.
 void fill(Image& image, const ImageRegion& region, const Colour& colour);
-
-/// Where a text stands about its place.
-enum class TextAlign : std::uint8_t { left, middle, right };
-
-/// A text in strokes.
-/// Maths     none
-/// Source    letters of its own, lines and splines on a grid
-/// Requires  printable ASCII, height > 0, else ContractViolation
-/// Result    capital letters `height` high on the line at y, in strokes a ninth as thick, one pixel at least
-/// Limits    one line
-void draw_text(Image& image, const ImagePoint& at, double height, std::string_view text, const Colour& colour,
-               TextAlign align = TextAlign::left);
-/// How wide draw_text draws it.
-[[nodiscard]] double text_width(double height, std::string_view text);
 
 }  // namespace radcert

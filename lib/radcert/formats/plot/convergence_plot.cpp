@@ -1,137 +1,117 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/formats/plot/convergence_plot.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "radcert/core/contract.h"
-#include "radcert/scalar/enclosing_text.h"
+#include "radcert/formats/table/order_text.h"
 
 namespace radcert {
 
 namespace {
 
-std::string in_latex(const std::string& kind) {
-  if (kind == "uniform_error") return "$\\max|u-u_n|$ over a sample of $S$";
-  return kind == "node_error" ? "$\\max|u-u_n|$ over the nodes" : "$\\max|K(I-P_n)u|$ over the nodes";
+double abscissa(const LevelResult& level, ErrorAgainst against) {
+  return against == ErrorAgainst::mesh_size ? level.mesh_size : static_cast<double>(level.unknowns);
 }
 
-std::optional<ConvergenceCurve> curve(std::string name, const ErrorKind& kind,
-                                      std::span<const LevelResult> levels, std::span<const OrderFit> orders,
-                                      std::optional<std::size_t> row, PlotAxis axis) {
-  ConvergenceCurve out{.name = std::move(name),
-                       .column = kind.name,
-                       .row = row,
-                       .points = error_points(levels, kind, axis),
-                       .order = std::nullopt};
-  if (out.points.size() < 2) return std::nullopt;
-  out.order = fitted_order(levels, orders, kind, axis).order;
+/// The exponent of the axis has this sign where errors fall.
+double sign_of(ErrorAgainst against) { return against == ErrorAgainst::mesh_size ? 1 : -1; }
+
+PlotAxis axis_of(ErrorAgainst against) {
+  return against == ErrorAgainst::mesh_size
+             ? PlotAxis{.name = "mesh size h", .latex = "mesh size $h$", .column = "mesh_size"}
+             : PlotAxis{.name = "unknowns", .latex = "unknowns $N$", .column = "unknowns"};
+}
+
+/// The fit of an error; of one that is not among the fits, over all its levels.
+OrderFit order_of(const ErrorHistory& problem, const ErrorKind& kind, std::span<const PlotPoint> points,
+                  ErrorAgainst against) {
+  for (const OrderFit& fit : problem.orders)
+    if (fit.quantity == kind.name) return fit;
+  OrderFit fit{.quantity = kind.name, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
+  std::vector<CostPoint> curve;
+  for (const PlotPoint& at : points) curve.push_back({at.x, at.y});
+  for (const LevelResult& level : problem.levels) fit.levels.push_back(level.level);
+  if (const auto law = power_law(curve)) {
+    fit.order = sign_of(against) * law->exponent;
+    fit.halfwidth = law->halfwidth;
+  }
+  return fit;
+}
+
+std::string order_text(const OrderFit& fit) {
+  const auto order = fitted_order_text(fit, " \u00b1 ");
+  std::string out = order ? "order " + *order : "no order fitted";
+  if (order && (fit.levels.size() < 3 || !fit.halfwidth)) out += " from two levels";
+  if (fit.left_out.empty()) return out;
+  out += ", left out:";
+  for (const int level : fit.left_out) out += " " + std::to_string(level);
   return out;
 }
 
-/// How far a triangle stands off its curve, as part of the plot's height.
-constexpr double distance = 0.05;
+PlotCurve curve_of(std::string name, const ErrorHistory& problem, const ErrorKind& kind,
+                   ErrorAgainst against) {
+  PlotCurve curve{.name = std::move(name), .column = kind.name, .row = problem.row};
+  for (const LevelResult& level : problem.levels)
+    if (const auto at = plot_point(abscissa(level, against), level.*kind.figure)) curve.points.push_back(*at);
+  const OrderFit fit = order_of(problem, kind, curve.points, against);
+  curve.fit = order_text(fit);
+  if (fit.order) curve.exponent = sign_of(against) * *fit.order;
+  return curve;
+}
 
-/// Below this order a triangle is a line.
-constexpr double least_order = 0.25;
-
-std::optional<SlopeTriangle> triangle(const ConvergenceCurve& curve, PlotAxis axis, double height,
-                                      bool above) {
-  if (!curve.order || *curve.order < least_order || curve.points.size() < 2) return std::nullopt;
-  const PlotPoint& fine = curve.points.back();
-  const PlotPoint& coarse = curve.points[curve.points.size() - 2];
-  const double ratio = coarse.x / fine.x;
-  if (!(axis == PlotAxis::mesh_size ? ratio > 1 : ratio < 1)) return std::nullopt;
-  const double shift = std::pow(height, above ? distance : -distance);
-  const double slope = axis == PlotAxis::mesh_size ? *curve.order : -*curve.order;
-  const auto [low, high] = std::minmax({std::pow(ratio, 0.25), std::pow(ratio, 0.75)});
-  return SlopeTriangle{.x = {fine.x * low, fine.x * high},
-                       .y = {fine.y * shift * std::pow(low, slope), fine.y * shift * std::pow(high, slope)},
-                       .order = *curve.order,
-                       .above = above};
+std::string description(ErrorAgainst against) {
+  return "Both axes are logarithmic. The order is " +
+         std::string(against == ErrorAgainst::mesh_size ? "the exponent of the mesh size"
+                                                        : "minus the exponent of the unknowns") +
+         " that is fitted to the levels, its uncertainty the spread of the slopes between levels. Bars: what "
+         "quadrature and "
+         "rounding may have changed, where more than a marker.";
 }
 
 }  // namespace
 
-ConvergencePlot convergence_plot(std::string title, std::span<const LevelResult> levels,
-                                 std::span<const OrderFit> orders, std::string key,
-                                 std::optional<std::size_t> row) {
-  ConvergencePlot plot{
-      .title = std::move(title), .key = std::move(key), .curves = {}, .axis = PlotAxis::mesh_size};
-  for (const ErrorKind& kind : error_kinds())
-    if (auto one = curve(error_words(kind.name), kind, levels, orders, row, PlotAxis::mesh_size)) {
-      one->latex = in_latex(kind.name);
-      plot.curves.push_back(std::move(*one));
-    }
+std::string in_words(const ErrorKind& kind) {
+  if (kind.name == "uniform_error") return "max |u - u_n| over a sample of S";
+  return kind.name == "node_error" ? "max |u - u_n| over the nodes" : "max |K(I - P_n)u| over the nodes";
+}
+
+std::string in_latex(const ErrorKind& kind) {
+  if (kind.name == "uniform_error") return "$\\max|u-u_n|$ over a sample of $S$";
+  return kind.name == "node_error" ? "$\\max|u-u_n|$ over the nodes" : "$\\max|K(I-P_n)u|$ over the nodes";
+}
+
+std::optional<PlotPoint> plot_point(double x, const std::optional<Approximation>& error) {
+  if (!error || !std::isnormal(error->value) || error->value < 0) return std::nullopt;
+  return PlotPoint{.x = x, .y = error->value, .radius = error->has_radius() ? error->radius : 0};
+}
+
+Plot convergence_plot(std::string title, const ErrorKind& kind, ErrorAgainst against,
+                      std::span<const ErrorHistory> problems, std::string key) {
+  Plot plot{.title = std::move(title),
+            .description = description(against),
+            .x = axis_of(against),
+            .y = {.name = in_words(kind), .latex = in_latex(kind)},
+            .key = std::move(key)};
+  for (const ErrorHistory& problem : problems)
+    if (PlotCurve curve = curve_of(problem.name, problem, kind, against); curve.points.size() > 1)
+      plot.curves.push_back(std::move(curve));
   return plot;
 }
 
-std::vector<ConvergencePlot> convergence_plots(const Experiment& experiment,
-                                               std::span<const Result> results) {
-  expects(results.size() == experiment.combinations.size(), "a result for each combination",
-          named("results", results.size()));
-  std::vector<ConvergencePlot> plots;
-  for (const ErrorKind& kind : error_kinds())
-    for (const PlotAxis axis : {PlotAxis::mesh_size, PlotAxis::unknowns}) {
-      ConvergencePlot plot{.title = experiment.name + ": " + error_words(kind.name),
-                           .key = "combination",
-                           .curves = {},
-                           .axis = axis};
-      for (std::size_t i = 0; i < results.size(); ++i) {
-        const std::vector<OrderFit> orders =
-            axis == PlotAxis::mesh_size ? results[i].orders : orders_in_unknowns(results[i]);
-        if (auto one = curve(experiment.combinations[i].name, kind, results[i].levels, orders, i, axis))
-          plot.curves.push_back(std::move(*one));
-      }
-      if (!plot.curves.empty()) plots.push_back(std::move(plot));
-    }
-  return plots;
-}
-
-Plot plot_of(const ConvergencePlot& plot) {
-  Plot out{
-      .title = plot.title,
-      .description =
-          std::string(plot.axis == PlotAxis::mesh_size
-                          ? "Errors against the mesh size, both axes logarithmic. The order is the exponent "
-                            "of the mesh size "
-                          : "Errors against the unknowns, both axes logarithmic. The order is minus the "
-                            "exponent of the unknowns ") +
-          "that is fitted to the levels, no guarantee. Bars: what quadrature and rounding may have "
-          "changed, where more than a marker.",
-      .x_name = axis_name(plot.axis),
-      .y_name = "error",
-      .series = {}};
-  for (const ConvergenceCurve& curve : plot.curves)
-    out.series.push_back(
-        {curve.name + (curve.order ? ": order " + nearest_text(*curve.order, DecimalForm::fixed(2)) : ""),
-         curve.points});
-  return out;
-}
-
-std::vector<SlopeTriangle> slope_triangles(const ConvergencePlot& plot) {
-  double least = 0;
-  double largest = 0;
-  const ConvergenceCurve* lowest = nullptr;
-  const ConvergenceCurve* highest = nullptr;
-  for (const ConvergenceCurve& curve : plot.curves) {
-    for (const PlotPoint& at : curve.points) {
-      least = least == 0 ? at.y : std::min(least, at.y);
-      largest = std::max(largest, at.y);
-    }
-    if (!curve.order || curve.points.size() < 2) continue;
-    if (lowest == nullptr || curve.points.back().y < lowest->points.back().y) lowest = &curve;
-    if (highest == nullptr || curve.points.back().y > highest->points.back().y) highest = &curve;
+Plot convergence_plot(std::string title, const ErrorHistory& problem, std::string key) {
+  Plot plot{.title = std::move(title),
+            .description = description(ErrorAgainst::mesh_size),
+            .x = axis_of(ErrorAgainst::mesh_size),
+            .y = {.name = "error"},
+            .key = std::move(key)};
+  for (const ErrorKind& kind : error_kinds()) {
+    PlotCurve curve = curve_of(in_words(kind), problem, kind, ErrorAgainst::mesh_size);
+    if (curve.points.size() < 2) continue;
+    curve.latex = in_latex(kind);
+    plot.curves.push_back(std::move(curve));
   }
-  std::vector<SlopeTriangle> out;
-  if (lowest == nullptr) return out;
-  const double height = largest / least;
-  if (const auto one = triangle(*lowest, plot.axis, height, false)) out.push_back(*one);
-  constexpr double alike = 0.1;
-  if (std::abs(*highest->order - *lowest->order) > alike)
-    if (const auto one = triangle(*highest, plot.axis, height, true)) out.push_back(*one);
-  return out;
+  return plot;
 }
 
 }  // namespace radcert

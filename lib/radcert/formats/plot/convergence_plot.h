@@ -1,84 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "radcert/formats/plot/error_points.h"
+#include "radcert/formats/plot/plot.h"
+#include "radcert/study/experiment.h"
 #include "radcert/study/result.h"
 
 namespace radcert {
 
-/// An error of one problem against the mesh size or the unknowns, and where a table of errors has it.
-struct ConvergenceCurve {
-  std::string name;                ///< for people
-  std::string latex = {};          ///< the same with its formulas set; empty: it has none
-  std::string column;              ///< of errors.csv: "node_error"
-  std::optional<std::size_t> row;  ///< the rows with this number in the key column; absent: all rows
-  std::vector<PlotPoint> points;   ///< abscissa, error, radius; the coarsest level first
-  std::optional<double> order;     ///< fitted: error ~ h^order, or N^-order
+/// What errors are drawn against: the largest diameter h, or the number N of unknowns.
+enum class ErrorAgainst : std::uint8_t { mesh_size, unknowns };
+
+/// An error in words: "max |u - u_n| over the nodes".
+[[nodiscard]] std::string in_words(const ErrorKind& kind);
+/// The same with its formulas for LaTeX.
+[[nodiscard]] std::string in_latex(const ErrorKind& kind);
+
+/// An error as a point; none where a logarithmic axis has no place for it.
+[[nodiscard]] std::optional<PlotPoint> plot_point(double x, const std::optional<Approximation>& error);
+
+/// The levels of one problem, as far as a plot asks.
+struct ErrorHistory {
+  std::string name;
+  std::span<const LevelResult> levels;
+  std::span<const OrderFit> orders;  ///< in h or in N, whichever the plot is against
+  std::optional<std::size_t> row;    ///< the number that its rows in a table have
 };
 
-/// Errors against the mesh size or the unknowns, both logarithmic.
-/// Maths     none
-/// Source    -
-/// Requires  -
-/// Result    plain data
-/// Limits    -
-struct ConvergencePlot {
-  std::string title;
-  std::string key;  ///< the column of errors.csv that tells problems apart; empty: there is one problem
-  std::vector<ConvergenceCurve> curves;
-  PlotAxis axis = PlotAxis::mesh_size;
-};
-
-/// The errors of the levels of one problem.
-/// Maths     discretisation_error, node_error and uniform_error against h
-/// Source    -
+/// An error of several problems against the mesh size or the unknowns, both logarithmic.
+/// Maths     errors of `kind`; the order is the exponent of h, or minus that of N, by `orders`; over all levels where the kind is not among them
 /// Requires  levels ascending, orders as collect() fits them
-/// Result    a curve for each error that is positive at two levels or more; `row` as given. Without one, no curves
-/// Limits    an error of zero has no place on a logarithmic axis and is left out
-[[nodiscard]] ConvergencePlot convergence_plot(std::string title, std::span<const LevelResult> levels,
-                                               std::span<const OrderFit> orders, std::string key = {},
-                                               std::optional<std::size_t> row = std::nullopt);
+/// Result    a curve for each problem with a positive error at two levels or more, its order in words; `key` as given. Columns are those of errors.csv
+/// Limits    an error of zero has no place on a logarithmic axis and is left out. An order +- the spread of its slopes is no guarantee
+[[nodiscard]] Plot convergence_plot(std::string title, const ErrorKind& kind, ErrorAgainst against,
+                                    std::span<const ErrorHistory> problems, std::string key = {});
 
-/// The errors of one kind of all combinations of an experiment, two plots a kind: against h, then against the unknowns.
-/// Maths     as above
-/// Source    -
-/// Requires  a result of collect for each combination, in their order
-/// Result    key is "combination"; a curve for each combination with two levels or more; kinds without a curve are left out
-/// Limits    as above
-[[nodiscard]] std::vector<ConvergencePlot> convergence_plots(const Experiment& experiment,
-                                                             std::span<const Result> results);
-
-/// A convergence plot as one for svg_text, the fitted orders in the names of its series.
-[[nodiscard]] Plot plot_of(const ConvergencePlot& plot);
-
-/// A right-angled triangle whose longest side has the slope of a curve.
-/// Maths     in logarithmic coordinates: from the last but one point of the curve to its last, the middle half of that length, moved by a
-///           twentieth of the height of the plot, with the slope `order` in h, -order in the unknowns
-/// Source    -
-/// Requires  -
-/// Result    x[0] < x[1]; y[i] on the slanting side at x[i]; above: the right angle has the larger y and the x of the smaller one, else
-///           the smaller y and the x of the larger one
-/// Limits    -
-struct SlopeTriangle {
-  std::array<double, 2> x{};
-  std::array<double, 2> y{};
-  double order = 0;
-  bool above = false;
-};
-
-/// The triangles that a plot shows.
-/// Maths     one below the curve that ends lowest, one above the curve that ends highest where its order differs by more than a tenth
-/// Source    -
-/// Requires  -
-/// Result    at most two; none where no order is fitted or it is below 1/4
-/// Limits    a curve with a single point has none
-[[nodiscard]] std::vector<SlopeTriangle> slope_triangles(const ConvergencePlot& plot);
+/// The errors of the levels of one problem against h: a curve for each error that is positive at two levels or more; no curves without
+/// one.
+[[nodiscard]] Plot convergence_plot(std::string title, const ErrorHistory& problem, std::string key = {});
 
 }  // namespace radcert

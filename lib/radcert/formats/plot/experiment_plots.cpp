@@ -4,54 +4,19 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "radcert/core/contract.h"
-#include "radcert/formats/json/json_reader.h"
-#include "radcert/formats/plot/error_points.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/problem/problem_words.h"
-#include "radcert/formats/table/order_text.h"
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
 
 namespace radcert {
 
 namespace {
-
-std::string numbers(const std::vector<int>& levels) {
-  std::string out;
-  for (const int level : levels) out += " " + std::to_string(level);
-  return out;
-}
-
-std::string order_text(const OrderFit& fit) {
-  const auto order = fitted_order_text(fit, " \u00b1 ");
-  std::string out = order ? "order " + *order : "no order fitted";
-  if (order && (fit.levels.size() < 3 || !fit.halfwidth)) out += " from two levels";
-  if (!fit.left_out.empty()) out += ", left out:" + numbers(fit.left_out);
-  return out;
-}
-
-Plot against(const Experiment& experiment, std::span<const Result> results,
-             const std::vector<std::vector<OrderFit>>& orders, const ErrorKind& kind, PlotAxis axis) {
-  Plot plot{.title = experiment.name + ": " + error_words(kind.name),
-            .description =
-                "Both axes are logarithmic. A line a combination; the order is the exponent of " +
-                axis_name(axis) +
-                " fitted to its levels, its uncertainty the spread of the slopes between levels. Bars: what "
-                "quadrature and rounding may have changed, where more than a marker.",
-            .x_name = axis_name(axis),
-            .y_name = error_words(kind.name),
-            .series = {}};
-  for (std::size_t i = 0; i < results.size(); ++i) {
-    const OrderFit fit = fitted_order(results[i].levels, orders[i], kind, axis);
-    plot.series.push_back({experiment.combinations[i].name + ": " + order_text(fit),
-                           error_points(results[i].levels, kind, axis)});
-  }
-  return plot;
-}
 
 bool has_alpha(const Problem& problem) {
   return problem.basis.family == BasisFamily::inset && problem.basis.degree > 0 && problem.basis.alpha;
@@ -79,8 +44,8 @@ std::string sweep_name(const Experiment& experiment, const Problem& problem) {
   without.basis.alpha = std::nullopt;
   std::vector<std::string> words;
   for (const std::string& key : experiment.varied)
-    if (const std::string part = listed(part_words(without, key)); !part.empty()) words.push_back(part);
-  return listed(words);
+    if (const std::string part = joined_words(part_words(without, key)); !part.empty()) words.push_back(part);
+  return joined_words(words);
 }
 
 std::vector<PlotMark> superconvergent_marks(const std::set<int>& degrees) {
@@ -94,27 +59,25 @@ std::vector<PlotMark> superconvergent_marks(const std::set<int>& degrees) {
 
 Plot against_alpha(const Experiment& experiment, std::span<const Result> results,
                    const std::vector<std::vector<std::size_t>>& sweeps, const ErrorKind& kind) {
-  Plot plot{.title = experiment.name + ": " + error_words(kind.name),
+  Plot plot{.title = experiment.name + ": " + in_words(kind),
             .description =
                 "The vertical axis is logarithmic. A line a level: the error as the nodes are pulled in "
                 "from the corners by alpha.",
-            .x_name = "alpha",
-            .y_name = error_words(kind.name),
-            .linear_x = true,
-            .series = {}};
+            .x = {.name = "alpha", .latex = "$\\alpha$", .logarithmic = false},
+            .y = {.name = in_words(kind), .latex = in_latex(kind)}};
   std::set<int> degrees;
   for (const std::vector<std::size_t>& sweep : sweeps) {
     const Result& first = results[sweep.front()];
     degrees.insert(first.problem.basis.degree);
     for (std::size_t k = 0; k < first.levels.size(); ++k) {
-      PlotSeries series{
-          sweep_name(experiment, first.problem) + ", level " + std::to_string(first.levels[k].level), {}};
+      PlotCurve curve{.name = sweep_name(experiment, first.problem) + ", level " +
+                              std::to_string(first.levels[k].level)};
       for (const std::size_t i : sweep)
         if (const auto at =
-                error_point(results[i].problem.basis.alpha->to_double(), results[i].levels[k].*kind.figure))
-          series.points.push_back(*at);
-      std::sort(series.points.begin(), series.points.end());
-      plot.series.push_back(std::move(series));
+                plot_point(results[i].problem.basis.alpha->to_double(), results[i].levels[k].*kind.figure))
+          curve.points.push_back(*at);
+      std::sort(curve.points.begin(), curve.points.end());
+      plot.curves.push_back(std::move(curve));
     }
   }
   plot.marks = superconvergent_marks(degrees);
@@ -123,27 +86,32 @@ Plot against_alpha(const Experiment& experiment, std::span<const Result> results
 
 }  // namespace
 
+Plot combinations_plot(const Experiment& experiment, std::span<const Result> results,
+                       std::span<const std::size_t> places, const ErrorKind& kind, ErrorAgainst against) {
+  std::vector<std::vector<OrderFit>> orders;
+  for (const std::size_t i : places)
+    orders.push_back(against == ErrorAgainst::mesh_size ? results[i].orders : orders_in_unknowns(results[i]));
+  std::vector<ErrorHistory> problems;
+  for (std::size_t k = 0; k < places.size(); ++k)
+    problems.push_back({.name = experiment.combinations[places[k]].name,
+                        .levels = results[places[k]].levels,
+                        .orders = orders[k],
+                        .row = places[k]});
+  return convergence_plot(experiment.name + ": " + in_words(kind), kind, against, problems, "combination");
+}
+
 std::vector<NamedPlot> experiment_plots(const Experiment& experiment, std::span<const Result> results) {
   expects(results.size() == experiment.combinations.size(), "a result for each combination",
           named("results", results.size()));
-  std::vector<std::vector<OrderFit>> in_h;
-  std::vector<std::vector<OrderFit>> in_unknowns;
-  for (const Result& result : results) {
-    in_h.push_back(result.orders);
-    in_unknowns.push_back(orders_in_unknowns(result));
-  }
-  const bool several_levels = std::any_of(results.begin(), results.end(),
-                                          [](const Result& result) { return result.levels.size() > 1; });
+  std::vector<std::size_t> all(results.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
   const std::vector<std::vector<std::size_t>> sweeps = alpha_sweeps(results);
-
   std::vector<NamedPlot> plots;
   for (const ErrorKind& kind : error_kinds()) {
-    if (several_levels) {
-      plots.push_back(
-          {kind.name + "_against_h", against(experiment, results, in_h, kind, PlotAxis::mesh_size)});
-      plots.push_back({kind.name + "_against_unknowns",
-                       against(experiment, results, in_unknowns, kind, PlotAxis::unknowns)});
-    }
+    for (const auto& [name, against] :
+         {std::pair("_against_h", ErrorAgainst::mesh_size), {"_against_unknowns", ErrorAgainst::unknowns}})
+      if (Plot plot = combinations_plot(experiment, results, all, kind, against); !plot.curves.empty())
+        plots.push_back({kind.name + name, std::move(plot)});
     if (!sweeps.empty())
       plots.push_back({kind.name + "_against_alpha", against_alpha(experiment, results, sweeps, kind)});
   }

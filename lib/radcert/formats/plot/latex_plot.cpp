@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "radcert/core/text.h"
 #include "radcert/formats/table/latex_table.h"
@@ -14,15 +16,14 @@ namespace radcert {
 
 namespace {
 
-// Those of svg_text on paper; five marks and eight colours, so that forty curves differ.
-constexpr std::array<std::string_view, 8> colours = {"0072B2", "D55E00", "008A64", "B8588F",
-                                                     "3D9FD6", "B98000", "6A4FA3", "6B6B6B"};
+// Five marks and eight colours, so that forty curves differ.
 constexpr std::array<std::string_view, 5> marks = {"*", "square*", "triangle*", "diamond*", "pentagon*"};
 
 std::string defined_colours() {
   std::string out;
-  for (std::size_t i = 0; i < colours.size(); ++i)
-    out += "\\definecolor{radcert" + std::to_string(i) + "}{HTML}{" + std::string(colours[i]) + "}\n";
+  for (std::size_t i = 0; i < curve_colours.size(); ++i)
+    out += "\\definecolor{radcert" + std::to_string(i) + "}{HTML}{" + std::string(curve_colours[i].on_white) +
+           "}\n";
   return out;
 }
 
@@ -52,81 +53,124 @@ std::string place(double x, double y) { return "(axis cs:" + shortest(x) + "," +
 std::string triangle_text(const SlopeTriangle& triangle) {
   const double along = std::sqrt(triangle.x[0] * triangle.x[1]);
   const double up = std::sqrt(triangle.y[0]) * std::sqrt(triangle.y[1]);
-  const bool rises = triangle.y[0] < triangle.y[1];
-  const double level = triangle.above == rises ? triangle.y[1] : triangle.y[0];
-  const double side = triangle.above == rises ? triangle.x[0] : triangle.x[1];
+  const auto [side, level] = triangle.right_angle();
   return "\\draw " + place(triangle.x[0], triangle.y[0]) + " -- " + place(triangle.x[1], triangle.y[1]) +
          " -- " + place(side, level) + " -- cycle;\n\\node[" + (triangle.above ? "above" : "below") +
          ",font=\\scriptsize] at " + place(along, level) + " {$1$};\n\\node[" +
-         (triangle.above == rises ? "left" : "right") + ",font=\\scriptsize] at " + place(side, up) + " {$" +
-         nearest_text(triangle.order, DecimalForm::fixed(2)) + "$};\n";
+         (side == triangle.x[0] ? "left" : "right") + ",font=\\scriptsize] at " + place(side, up) + " {$" +
+         nearest_text(std::abs(triangle.exponent), DecimalForm::fixed(2)) + "$};\n";
+}
+
+/// A name as LaTeX.
+std::string latex_name(const std::string& latex, const std::string& name) {
+  return latex.empty() ? latex_escaped(name) : latex;
+}
+
+/// "5e-7" as a product.
+std::string latex_tick(double tick) {
+  std::string text = tick_text(tick);
+  if (const std::size_t e = text.find('e'); e != std::string::npos)
+    text = text.substr(0, e) + "\\cdot10^{" + text.substr(e + 1) + "}";
+  return text;
 }
 
 /// The ticks of the horizontal axis: those of the SVG, which are no odd powers of ten where there is less than a decade.
-std::string ticks(const ConvergencePlot& plot) {
-  double least = 0;
-  double largest = 0;
-  for (const ConvergenceCurve& curve : plot.curves)
-    for (const PlotPoint& at : curve.points) {
-      least = least == 0 ? at.x : std::min(least, at.x);
-      largest = std::max(largest, at.x);
-    }
-  constexpr double least_length = 1.001;  // what axis_ticks takes, and more
-  if (!(largest > least * least_length)) return {};
+std::string ticks(const Plot& plot) {
+  const auto [least, largest] = shown_range(plot).x;
   std::string places;
   std::string names;
-  for (const double tick : axis_ticks(least, largest, false)) {
+  for (const double tick : axis_ticks(least, largest, plot.x.logarithmic)) {
     places += (places.empty() ? "" : ",") + shortest(tick);
-    names += (names.empty() ? "$" : ",$") +
-             (plot.axis == PlotAxis::unknowns ? std::to_string(std::llround(tick)) : shortest(tick)) + "$";
+    names += (names.empty() ? "$" : ",$") + latex_tick(tick) + "$";
   }
   return "  xtick={" + places + "},xticklabels={" + names + "},xminorticks=false,\n";
 }
 
+/// The ends of an axis that has a range of its own.
+std::string ends(const std::string& axis, const std::optional<std::pair<double, double>>& range) {
+  return range ? "  " + axis + "min=" + shortest(range->first) + "," + axis +
+                     "max=" + shortest(range->second) + ",\n"
+               : std::string();
+}
+
 /// Many short names stand side by side.
-std::string legend_columns(const ConvergencePlot& plot) {
+std::string legend_columns(const Plot& plot) {
   constexpr std::size_t many = 6;
   constexpr std::size_t is_short = 20;  // characters, three times which with their marks fit a line
   const bool fit = std::all_of(plot.curves.begin(), plot.curves.end(),
-                               [](const ConvergenceCurve& curve) { return curve.name.size() <= is_short; });
+                               [](const PlotCurve& curve) { return curve.name.size() <= is_short; });
   return plot.curves.size() > many && fit ? ",legend columns=3" : "";
 }
 
-std::string picture(const ConvergencePlot& plot, const std::string& file) {
-  std::string out = "\\begin{tikzpicture}\n\\begin{loglogaxis}[title={" + latex_escaped(plot.title) +
+std::string environment(const Plot& plot) {
+  if (plot.x.logarithmic) return plot.y.logarithmic ? "loglogaxis" : "semilogxaxis";
+  return plot.y.logarithmic ? "semilogyaxis" : "axis";
+}
+
+std::string look(const PlotCurve& curve, std::size_t i) {
+  const std::string colour = "radcert" + std::to_string(i % curve_colours.size());
+  switch (curve.style) {
+    case CurveStyle::thin: return colour + ",mark=none";
+    case CurveStyle::bold: return "black,thick,mark=none";
+    case CurveStyle::dots: return "black,only marks,mark=*";
+    case CurveStyle::marked: break;
+  }
+  return colour + ",mark=" + std::string(marks[i % marks.size()]);
+}
+
+/// Where the points come from: the table, or as they are.
+std::string points_of(const PlotCurve& curve, const Plot& plot, const std::string& file) {
+  if (curve.column.empty() || plot.x.column.empty()) {
+    std::string out = "coordinates {";
+    for (const PlotPoint& at : curve.points) out += "(" + shortest(at.x) + "," + shortest(at.y) + ")";
+    return out + "}";
+  }
+  std::string out = "table[col sep=comma,x=" + plot.x.column + ",y=" + curve.column;
+  if (curve.row) {
+    const std::string number = std::to_string(*curve.row);
+    out += ",restrict expr to domain={\\thisrow{" + plot.key + "}}{" + number + ":" + number + "}";
+  }
+  return out + "]{\\jobname-" + file + "}";
+}
+
+/// A dotted line from the lower edge to the upper one.
+std::string mark_text(const PlotMark& mark) {
+  const std::string x = shortest(mark.x);
+  return "\\draw[dotted] ({axis cs:" + x + ",1}|-{rel axis cs:0,0}) -- ({axis cs:" + x +
+         ",1}|-{rel axis cs:0,1})\n  node[pos=0.96,right,font=\\scriptsize] {" + latex_escaped(mark.name) +
+         "};\n";
+}
+
+std::string picture(const Plot& plot, const std::string& file) {
+  const std::string axis = environment(plot);
+  std::string out = "\\begin{tikzpicture}\n\\begin{" + axis + "}[title={" + latex_escaped(plot.title) +
                     "},title style={font=\\footnotesize,text width=0.9\\linewidth,align=center},\n" +
-                    ticks(plot) + "  xlabel={" +
-                    (plot.axis == PlotAxis::mesh_size ? "mesh size $h$" : "unknowns $N$") +
-                    "},ylabel={error},log basis x=10,log basis y=10,width=0.8\\linewidth,\n"
+                    ticks(plot) + ends("x", plot.x.range) + ends("y", plot.y.range) + "  xlabel={" +
+                    latex_name(plot.x.latex, plot.x.name) + "},ylabel={" +
+                    latex_name(plot.y.latex, plot.y.name) +
+                    "},log basis x=10,log basis y=10,width=0.8\\linewidth,\n"
                     "  clip=false,legend cell align=left,\n"
                     "  legend style={font=\\footnotesize,at={(0.5,-0.18)},anchor=north,draw=none" +
                     legend_columns(plot) + "}]\n";
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
-    const ConvergenceCurve& curve = plot.curves[i];
-    out += "\\addplot[radcert" + std::to_string(i % colours.size()) +
-           ",mark=" + std::string(marks[i % marks.size()]) +
-           "] table[col sep=comma,x=" + (plot.axis == PlotAxis::mesh_size ? "mesh_size" : "unknowns") +
-           ",y=" + curve.column;
-    if (curve.row) {
-      const std::string number = std::to_string(*curve.row);
-      out += ",restrict expr to domain={\\thisrow{" + plot.key + "}}{" + number + ":" + number + "}";
-    }
-    out += "]{\\jobname-" + file + "};\n\\addlegendentry{" +
-           (curve.latex.empty() ? latex_escaped(curve.name) : curve.latex) + "}\n";
+    const PlotCurve& curve = plot.curves[i];
+    out += "\\addplot[" + look(curve, i) + "] " + points_of(curve, plot, file) + ";\n\\addlegendentry{" +
+           latex_name(curve.latex, curve.name) + "}\n";
   }
+  for (const PlotMark& mark : plot.marks) out += mark_text(mark);
   for (const SlopeTriangle& triangle : slope_triangles(plot)) out += triangle_text(triangle);
-  return out + "\\end{loglogaxis}\n\\end{tikzpicture}\n";
+  return out + "\\end{" + axis + "}\n\\end{tikzpicture}\n";
 }
 
 }  // namespace
 
-std::string latex_plots_text(std::span<const ConvergencePlot> plots, const std::string& file) {
+std::string latex_plots_text(std::span<const Plot> plots, const std::string& file) {
   std::string out =
       "% Needs \\usepackage{pgfplots}\\pgfplotsset{compat=1.18}. Reads " + file +
       "; where that is not in the folder\n% of the document, say \\def\\radcertdata{path/} before.\n"
       "\\begingroup\n\\providecommand\\radcertdata{}%\n" +
       defined_colours() + copied_table(file);
-  for (const ConvergencePlot& plot : plots) out += picture(plot, file) + "\\par\\medskip\n";
+  for (const Plot& plot : plots) out += picture(plot, file) + "\\par\\medskip\n";
   return out + "\\endgroup\n";
 }
 

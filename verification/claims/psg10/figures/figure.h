@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/formats/json_value.h"
-#include "radcert/picture/image.h"
+#include "radcert/formats/json/json_value.h"
+#include "radcert/formats/plot/plot.h"
+#include "radcert/picture/sheet.h"
 
 namespace radcert::verification::psg10 {
 
@@ -25,6 +26,7 @@ struct FigureWish {
   bool exact_direct = false;  ///< direct light as it is, not in the basis
   std::optional<double> white{};
   std::uint64_t memory = 0;  ///< bytes that may be used
+  bool has_words = true;     ///< titles and scales around the panels
 };
 
 /// Told from time to time which part of the work is done, and what begins now.
@@ -32,22 +34,23 @@ using FigureProgress = std::function<void(double part, const std::string& begins
 
 /// A figure that is made.
 struct Figure {
-  Image image;
   std::string shows;                                     ///< in one line of ASCII
   std::vector<std::pair<std::string, JsonValue>> facts;  ///< what it was made with, and what was found
+  std::optional<Sheet> sheet{};                          ///< a picture; absent: it is plots
+  std::vector<Plot> plots{};
 };
 
 /// A figure that can be made.
 struct FigureKind {
   std::string_view name;
   std::string_view summary;
-  std::size_t width;  ///< unless another is wanted
+  std::size_t width;  ///< unless another is wanted; of plots none
   std::size_t height;
   bool has_separation;  ///< whether --separation means something
   bool has_seed;
   bool has_direct;
   bool has_white;
-  bool has_rays;  ///< --samples does
+  bool has_rays;  ///< --samples and --size do: it is a picture, else plots
   Figure (*make)(const FigureWish& wish, const FigureProgress& progress);
 };
 

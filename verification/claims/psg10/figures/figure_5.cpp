@@ -23,33 +23,24 @@ Figure draw_figure_5(const FigureWish& wish, const FigureProgress& progress) {
   const Paint paint{.scale = {.kind = ColourScale::Kind::map, .low = 0, .high = 1},
                     .outline = 0.6,
                     .outline_colour = grey(0.5)};
-  Sheet sheet(wish, 2, 1, true);
-  Figure picture{.image = Image(1, 1),
-                 .shows =
-                     "psg10, figure 5: 1/(1 + distance from X), Euclidean and by (15), with points "
-                     "in its numerator",
-                 .facts = {{"scene", "lit_room"}, {"X", "(2.375, 4, 1.25), on the back wall"}}};
+  Sheet sheet = sheet_of(wish, 2, 1, true);
+  Figure figure{.shows =
+                    "psg10, figure 5: 1/(1 + distance from X), Euclidean and by (15), with points "
+                    "in its numerator",
+                .facts = {{"scene", "lit_room"}, {"X", "(2.375, 4, 1.25), on the back wall"}}};
   progress(0.1, "Euclidean");
   const ImageRegion left = sheet.panel(0, 0, "1/(1+d), d the Euclidean distance from X");
-  add_counts(
-      picture, "Euclidean",
-      show(sheet.image,
-           {.camera = fitted_to(room.camera, left), .picture = left, .samples = wish.samples, .smooth = true},
-           caster, shared(euclidean), paint));
+  add_counts(figure, "Euclidean",
+             show_scene(sheet, left, room.camera, wish, caster, shared(euclidean), paint));
   mark(sheet.image, left, room.camera, q, 0.08);
   progress(0.55, "normal-sensitive");
   const ImageRegion right = sheet.panel(1, 0, "the same by (15), sensitive to normals");
-  add_counts(picture, "normal-sensitive",
-             show(sheet.image,
-                  {.camera = fitted_to(room.camera, right),
-                   .picture = right,
-                   .samples = wish.samples,
-                   .smooth = true},
-                  caster, shared(normal_sensitive), paint));
+  add_counts(figure, "normal-sensitive",
+             show_scene(sheet, right, room.camera, wish, caster, shared(normal_sensitive), paint));
   mark(sheet.image, right, room.camera, q, 0.08);
-  sheet.scale(right, paint.scale);
-  picture.image = std::move(sheet.image);
-  return picture;
+  sheet.add_scale(right, paint.scale);
+  figure.sheet = std::move(sheet);
+  return figure;
 }
 
 }  // namespace radcert::verification::psg10

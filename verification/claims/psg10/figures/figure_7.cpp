@@ -35,37 +35,30 @@ Figure draw_figure_7(const FigureWish& wish, const FigureProgress& progress) {
   const auto lit = matrix.column(column);
   const double white = wish.white.value_or(0.008);
   progress(0.6, "rays");
-  Sheet sheet(wish, 2, 1, false);
-  Figure picture{.image = Image(1, 1),
-                 .shows =
-                     "psg10, figure 7: a scene, and its radiance by light that the element at X sends out, "
-                     "scattered once: a column of the transfer matrix",
-                 .facts = {{"scene", "lit_room"},
-                           {"basis", "Lehtinen"},
-                           {"separation", room_separation(wish)},
-                           {"seed", wish.seed},
-                           {"sites", sites.size()},
-                           {"column", column},
-                           {"weight of the element", weights[column]},
-                           {"white", white}}};
+  Sheet sheet = sheet_of(wish, 2, 1);
+  Figure figure{.shows =
+                    "psg10, figure 7: a scene, and its radiance by light that the element at X sends out, "
+                    "scattered once: a column of the transfer matrix",
+                .facts = {{"scene", "lit_room"},
+                          {"basis", "Lehtinen"},
+                          {"separation", room_separation(wish)},
+                          {"seed", wish.seed},
+                          {"sites", sites.size()},
+                          {"column", column},
+                          {"weight of the element", weights[column]},
+                          {"white", white}}};
   const ImageRegion left = sheet.panel(0, 0, "the scene");
-  (void)show(
-      sheet.image,
-      {.camera = fitted_to(room.camera, left), .picture = left, .samples = wish.samples, .smooth = true},
-      caster, seen_by_headlight(room.scene, room.camera.position),
-      {.outline = 0.8, .outline_colour = dark_line});
+  (void)show_scene(sheet, left, room.camera, wish, caster,
+                   seen_by_headlight(room.scene, room.camera.position),
+                   {.outline = 0.8, .outline_colour = dark_line});
   mark(sheet.image, left, room.camera, sites[column], 0.08);
   const ImageRegion right = sheet.panel(1, 0, "light of the element at X, scattered once");
-  add_counts(picture, "radiance",
-             show(sheet.image,
-                  {.camera = fitted_to(room.camera, right),
-                   .picture = right,
-                   .samples = wish.samples,
-                   .smooth = true},
-                  caster, combination(basis, lit), {.scale = {.high = white}}));
+  add_counts(figure, "radiance",
+             show_scene(sheet, right, room.camera, wish, caster, combination(basis, lit),
+                        {.scale = {.high = white}}));
   mark(sheet.image, right, room.camera, sites[column], 0.08);
-  picture.image = std::move(sheet.image);
-  return picture;
+  figure.sheet = std::move(sheet);
+  return figure;
 }
 
 }  // namespace radcert::verification::psg10

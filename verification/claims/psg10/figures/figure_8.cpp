@@ -54,7 +54,7 @@ void draw_lamp(Image& image, const ImageRegion& panel, const LitRoom& room, cons
 
 /// Draws a panel of figure 8.
 void show_light(Sheet& sheet, const ImageRegion& panel, const LightShown& shown, const LitRoom& room,
-                const FigureWish& wish, Figure& picture) {
+                const FigureWish& wish, Figure& figure) {
   const RayCaster caster = caster_of(room);
   const double white = wish.white.value_or(1);
   const std::string title(shown.title);
@@ -73,7 +73,7 @@ void show_light(Sheet& sheet, const ImageRegion& panel, const LightShown& shown,
         emission[i] = direct_radiance(room.scene, room.lamp,
                                       {.site = basis.sites()[i], .chart = basis.sites().at[i].chart});
     });
-    picture.facts.emplace_back(title + ", sites", basis.size());
+    figure.facts.emplace_back(title + ", sites", basis.size());
     value = combination(basis, emission);
   } else {
     const TransferChoice choice{.meshless = {.basis = shown.basis, .sites = sites},
@@ -82,10 +82,10 @@ void show_light(Sheet& sheet, const ImageRegion& panel, const LightShown& shown,
     require_memory(room.scene, sites, wish);
     const LightTransfer transfer = accepted(LightTransfer::make(room.scene, choice), wish);
     const LightSolution solution = accepted(transfer.solve(room.lamp), wish);
-    picture.facts.emplace_back(title + ", sites", transfer.basis().size());
-    picture.facts.emplace_back(title + ", spectral radius", transfer.sums().spectral_radius);
-    picture.facts.emplace_back(title + ", reflections", solution.reflections);
-    if (!shown.remark.empty()) picture.facts.emplace_back(title, std::string(shown.remark));
+    figure.facts.emplace_back(title + ", sites", transfer.basis().size());
+    figure.facts.emplace_back(title + ", spectral radius", transfer.sums().spectral_radius);
+    figure.facts.emplace_back(title + ", reflections", solution.reflections);
+    if (!shown.remark.empty()) figure.facts.emplace_back(title, std::string(shown.remark));
     if (wish.exact_direct) {
       value = [make = combination(transfer.basis(), solution.indirect), &room] {
         return [indirect = make(), &room](const LitPoint& at) {
@@ -98,13 +98,9 @@ void show_light(Sheet& sheet, const ImageRegion& panel, const LightShown& shown,
       value = combination(transfer.basis(), solution.total);
     }
   }
-  add_counts(picture, title,
-             show(sheet.image,
-                  {.camera = fitted_to(room.camera, panel),
-                   .picture = panel,
-                   .samples = wish.samples,
-                   .smooth = !wish.exact_direct},
-                  caster, value, {.scale = {.high = white}}));
+  add_counts(figure, title,
+             show_scene(sheet, panel, room.camera, wish, caster, value, {.scale = {.high = white}},
+                        !wish.exact_direct));
   draw_lamp(sheet.image, panel, room, caster);
 }
 
@@ -112,21 +108,20 @@ Figure draw_figure_8_of(const FigureWish& wish, const FigureProgress& progress,
                         std::span<const LightShown> all) {
   const LitRoom room = lit_room();
   const std::size_t columns = all.size() > 1 ? 2 : 1;
-  Sheet sheet(wish, columns, all.size() / columns, false);
-  Figure picture{.image = Image(1, 1),
-                 .shows = "psg10, figure 8: a room lit by a lamp, ",
-                 .facts = {{"scene", "lit_room"},
-                           {"separation", room_separation(wish)},
-                           {"seed", wish.seed},
-                           {"white", wish.white.value_or(1)},
-                           {"direct light", wish.exact_direct ? "exact" : "in the basis"}}};
+  Sheet sheet = sheet_of(wish, columns, all.size() / columns);
+  Figure figure{.shows = "psg10, figure 8: a room lit by a lamp, ",
+                .facts = {{"scene", "lit_room"},
+                          {"separation", room_separation(wish)},
+                          {"seed", wish.seed},
+                          {"white", wish.white.value_or(1)},
+                          {"direct light", wish.exact_direct ? "exact" : "in the basis"}}};
   for (std::size_t k = 0; k < all.size(); ++k) {
     progress(as_double(k) / as_double(all.size()), std::string(all[k].title));
-    show_light(sheet, sheet.panel(k % columns, k / columns, all[k].title), all[k], room, wish, picture);
-    picture.shows += (k == 0 ? "" : "; ") + std::string(all[k].title);
+    show_light(sheet, sheet.panel(k % columns, k / columns, all[k].title), all[k], room, wish, figure);
+    figure.shows += (k == 0 ? "" : "; ") + std::string(all[k].title);
   }
-  picture.image = std::move(sheet.image);
-  return picture;
+  figure.sheet = std::move(sheet);
+  return figure;
 }
 
 }  // namespace

@@ -28,9 +28,8 @@ Figure draw_figure_9(const FigureWish& wish, const FigureProgress& progress) {
   const LightTransfer transfer = accepted(LightTransfer::make(scene, choice), wish);
   const LightSolution solution = accepted(transfer.solve(light), wish);
   const double white = wish.white.value_or(1);
-  Sheet sheet(wish, 2, 1, false);
-  Figure picture{
-      .image = Image(1, 1),
+  Sheet sheet = sheet_of(wish, 2, 1);
+  Figure figure{
       .shows = "psg10, figure 9: the sphere over the disk, and sites with a least distance from each other",
       .facts = {{"scene", "sphere_over_disk"},
                 {"separation", separation},
@@ -48,18 +47,16 @@ Figure draw_figure_9(const FigureWish& wish, const FigureProgress& progress) {
     };
   };
   const Colour night = grey(0.02);
-  add_counts(picture, "radiance",
-             show(sheet.image, {.camera = fitted_to(pose, left), .picture = left, .samples = wish.samples},
-                  caster, make, {.scale = {.high = white}, .background = night}));
+  add_counts(figure, "radiance",
+             show_scene(sheet, left, pose, wish, caster, make,
+                        {.scale = {.high = white}, .background = night}, false));
   const ImageRegion right = sheet.panel(1, 0, "its sites; pale: not seen");
-  (void)show(sheet.image,
-             {.camera = fitted_to(pose, right), .picture = right, .samples = wish.samples, .smooth = true},
-             caster, seen_by_headlight(scene, pose.position),
-             {.scale = {.low = -12, .high = 1}, .outline = 0.7, .outline_colour = dark_line});
+  (void)show_scene(sheet, right, pose, wish, caster, seen_by_headlight(scene, pose.position),
+                   {.scale = {.low = -12, .high = 1}, .outline = 0.7, .outline_colour = dark_line});
   const std::size_t seen = draw_sites(sheet.image, right, pose, caster, transfer.basis().sites());
-  picture.facts.emplace_back("sites seen", seen);
-  picture.image = std::move(sheet.image);
-  return picture;
+  figure.facts.emplace_back("sites seen", seen);
+  figure.sheet = std::move(sheet);
+  return figure;
 }
 
 }  // namespace radcert::verification::psg10

@@ -6,6 +6,15 @@
 
 namespace radcert::verification::psg10 {
 
+Sheet sheet_of(const FigureWish& wish, std::size_t columns, std::size_t rows, bool has_scale) {
+  return Sheet({.width = wish.width,
+                .height = wish.height,
+                .columns = columns,
+                .rows = rows,
+                .has_words = wish.has_words,
+                .has_scale = has_scale});
+}
+
 CameraPose fitted_to(CameraPose pose, const ImageRegion& panel) {
   constexpr double wanted = 4.0 / 3;  // width over height
   const double least = wanted * as_double(panel.height) / as_double(panel.width);
@@ -62,6 +71,14 @@ std::size_t draw_sites(Image& image, const ImageRegion& panel, const CameraPose&
     if (const auto at = camera.image_of(sites.points[i], panel))
       draw_disc(image, panel, *at, radius, mark_colour);
   return in_front.size();
+}
+
+Seen show_scene(Sheet& sheet, const ImageRegion& panel, const CameraPose& pose, const FigureWish& wish,
+                const RayCaster& caster, const std::function<PointValue()>& value, const Paint& paint,
+                bool smooth) {
+  return show(sheet.image,
+              {.camera = fitted_to(pose, panel), .picture = panel, .samples = wish.samples, .smooth = smooth},
+              caster, value, paint);
 }
 
 void add_counts(Figure& figure, const std::string& name, const Seen& seen) {

@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "radcert/core/errors.h"
-#include "radcert/formats/csv.h"
+#include "radcert/formats/table/csv.h"
 #include "verification/claims/psg10/sphere_over_disk/estimate.h"
 
 namespace radcert::verification::psg10 {

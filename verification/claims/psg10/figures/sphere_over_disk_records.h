@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "radcert/formats/reference_json.h"
+#include "radcert/formats/result/reference_json.h"
 #include "verification/claims/psg10/sphere_over_disk/estimate.h"
 
 namespace radcert::verification::psg10 {

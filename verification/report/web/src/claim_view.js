@@ -3,7 +3,7 @@ import { chip, element, figure, meaning, prose, seconds, table } from "./dom.js"
 import { paper, pictures, report, spoken, statements } from "./data.js";
 import { errataRows } from "./errata_view.js";
 import { formula } from "./formula.js";
-import { convergence, hasConvergence } from "./plot.js";
+import { convergence } from "./plot.js";
 import { tableParts } from "./table_view.js";
 
 function evidenceTable(caption, lines) {
@@ -37,10 +37,9 @@ function evidence(claim) {
 }
 
 function plots(claim) {
-  const problems = claim.problems.map((index) => report.problems[index]).filter(hasConvergence);
-  if (problems.length === 0) return null;
-  const quantity = problems.some((problem) => problem.levels.some((level) => level.node_error)) ? "node_error" : "discretisation_error";
-  return element("section", {}, element("h2", {}, "Convergence"), convergence(problems, quantity));
+  const problems = claim.problems.map((index) => report.problems[index]);
+  const drawn = convergence(problems, claim.problems, "node_error") ?? convergence(problems, claim.problems, "discretisation_error");
+  return drawn ? element("section", {}, element("h2", {}, "Convergence"), drawn) : null;
 }
 
 function views(claim) {

@@ -7,6 +7,8 @@ export const experiment = data.experiment ?? null;
 export const report = data.report ?? { claims: [], problems: [], timing: { claims: [] } };
 export const papers = data.papers ?? [];
 export const pictures = data.pictures ?? [];
+/** SVG by the error, the problems and the axis: "node_error:0,2:mesh_size". */
+export const plots = data.plots ?? {};
 export const licences = JSON.parse(document.getElementById("licences").textContent);
 
 const timing = new Map(report.timing.claims.map((each) => [`${each.paper}/${each.label}`, each.seconds]));

@@ -2,7 +2,7 @@
 import { element, figure, table } from "./dom.js";
 import { experiment } from "./data.js";
 import { about, toPower } from "./number_text.js";
-import { convergence, hasConvergence } from "./plot.js";
+import { convergence } from "./plot.js";
 
 const quantities = { node_error: "error at the nodes", discretisation_error: "E_n = max |K(u - P_n u)|", uniform_error: "error over a sample of S" };
 
@@ -23,13 +23,12 @@ function ranking(group, quantity, cost, unit) {
 
 function group(byUnknowns, bySeconds, number, many) {
   const combinations = byUnknowns.combinations.map((index) => experiment.combinations[index]);
-  const drawn = combinations.filter(hasConvergence);
   const shown = Object.keys(quantities).filter((quantity) => byUnknowns[quantity].ranking.some((place) => place.error !== null));
   return element("section", {},
     many ? element("h2", {}, `Group ${number + 1}: one surface, reflectivity and solution`) : null,
     shown.map((quantity) => element("section", {},
       element("h2", {}, quantities[quantity]),
-      convergence(drawn, quantity), convergence(drawn, quantity, "unknowns"),
+      convergence(combinations, byUnknowns.combinations, quantity), convergence(combinations, byUnknowns.combinations, quantity, "unknowns"),
       ranking(byUnknowns, quantity, "unknowns", "unknowns"), ranking(bySeconds, quantity, "seconds", "seconds of assembly and solution"))));
 }
 

@@ -45,7 +45,6 @@ function themeButton() {
   const apply = (dark) => {
     document.documentElement.dataset.theme = dark ? "dark" : "light";
     button.setAttribute("aria-pressed", String(dark));
-    dispatchEvent(new Event("radcert-theme"));
   };
   apply(wanted.matches);
   wanted.addEventListener("change", () => apply(wanted.matches));

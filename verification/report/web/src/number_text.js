@@ -76,11 +76,3 @@ export function enclosing(value, radius) {
     : power >= -3 && power <= 4 ? toDecimals(value, Math.max(0, digits - 1 - power)) : toPower(value, digits);
   return `${text} ± ${radiusBehind(text, value, radius)}`;
 }
-
-/** An order with its spread, both with two decimals, the spread rounded up. */
-export function enclosingOrder(order, halfwidth) {
-  const text = toDecimals(order, 2);
-  const total = sum(size(sum(exactly(order), minus(read(text)))), exactly(halfwidth));
-  const hundredths = String(ceiling(total, 2)).padStart(3, "0");
-  return `${text} ± ${hundredths.slice(0, -2)}.${hundredths.slice(-2)}`;
-}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { chip, element, figure, table } from "./dom.js";
-import { convergence, hasConvergence } from "./plot.js";
+import { convergence } from "./plot.js";
 import { report } from "./data.js";
 import { toDecimals, toPower } from "./number_text.js";
 
@@ -66,10 +66,11 @@ function series(name, cells) {
 export function tableParts(entry) {
   const groups = [...new Set(entry.cells.map((cell) => parts(cell).series))];
   const told = entry.cells.filter((cell) => cell.note || !cell.as_recorded || cell.failure);
-  const problems = entry.claim.problems.map((index) => report.problems[index]).filter(hasConvergence);
+  const problems = entry.claim.problems.map((index) => report.problems[index]);
+  const drawn = ["discretisation_error", "node_error"].map((quantity) => convergence(problems, entry.claim.problems, quantity)).filter(Boolean);
   return [
     ...groups.map((name) => series(name, entry.cells.filter((cell) => parts(cell).series === name))),
-    problems.length > 0 ? element("section", {}, element("h2", {}, "Convergence"), convergence(problems, "discretisation_error"), convergence(problems, "node_error")) : null,
+    drawn.length > 0 ? element("section", {}, element("h2", {}, "Convergence"), drawn) : null,
     told.length > 0 ? element("section", {}, element("h2", {}, "Cells that differ"),
       element("dl", {}, told.flatMap((cell) => [
         element("dt", {}, element("code", {}, cell.label), " ", chip(cell.verdict)),
