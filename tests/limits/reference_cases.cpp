@@ -6,11 +6,11 @@
 #include "radcert/reference/nearest_point.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/reference/reference_value.h"
-#include "verification/claims/psg10/sphere_over_disk/estimate.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "tests/limits/limits.h"
+#include "verification/claims/psg10/sphere_over_disk/estimate.h"
 
 namespace radcert::limits {
 namespace {

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
-#include "verification/claims/psg10/scenes/lit_room.h"
-#include "verification/claims/psg10/scenes/sphere_over_disk.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/surface/catalogue.h"
 #include "radcert/surface/mesh_surface.h"
 #include "tests/picture/draws.h"
+#include "verification/claims/psg10/scenes/lit_room.h"
+#include "verification/claims/psg10/scenes/sphere_over_disk.h"
 
 namespace radcert {
 namespace {

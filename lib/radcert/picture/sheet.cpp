@@ -25,13 +25,18 @@ std::size_t part(std::size_t whole, std::size_t taken, std::size_t count) {
   return whole > taken + count ? (whole - taken) / count : 1;
 }
 
+const Sheet::Layout& checked(const Sheet::Layout& layout) {
+  expects(layout.columns > 0 && layout.rows > 0, "a panel");
+  return layout;
+}
+
 std::string font_size(double size) { return svg::attribute("font-size", size); }
 
 }  // namespace
 
 Sheet::Sheet(const Layout& layout)
     : image(layout.width, layout.height),
-      layout_(layout),
+      layout_(checked(layout)),
       text_(layout.has_words ? std::clamp(std::min(as_double(layout.height / layout.rows) / 25,
                                                    as_double(layout.width / layout.columns) / 30),
                                           7.0, 50.0)
@@ -40,9 +45,7 @@ Sheet::Sheet(const Layout& layout)
            : layout.columns == 1 && layout.rows == 1 ? 0
                                                      : pixels(as_double(layout.width) / 100)),
       above_(layout.has_words ? pixels(1.7 * text_) : gap_),
-      strip_(layout.has_words && layout.has_scale ? std::min(pixels(5 * text_), layout.width / 3) : 0) {
-  expects(layout.columns > 0 && layout.rows > 0, "a panel");
-}
+      strip_(layout.has_words && layout.has_scale ? std::min(pixels(5 * text_), layout.width / 3) : 0) {}
 
 ImageRegion Sheet::panel(std::size_t column, std::size_t row, std::string_view title) {
   const std::size_t width = part(image.width() - strip_, (layout_.columns + 1) * gap_, layout_.columns);

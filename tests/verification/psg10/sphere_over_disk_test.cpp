@@ -11,8 +11,8 @@
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/rules/gauss.h"
 #include "verification/claims/psg10/sphere_over_disk/cubature.h"
-#include "verification/claims/psg10/sphere_over_disk/sums.h"
 #include "verification/claims/psg10/sphere_over_disk/estimate.h"
+#include "verification/claims/psg10/sphere_over_disk/sums.h"
 
 namespace radcert::verification::psg10 {
 namespace {

@@ -13,13 +13,12 @@
 
 #include <cmath>
 
-#include "verification/claims/psg10/sphere_over_disk/cubature.h"
 #include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/exact_scene.h"
+#include "verification/claims/psg10/sphere_over_disk/cubature.h"
 
 namespace radcert::verification::psg10 {
 namespace {
-
 
 constexpr int pairs = 400;
 constexpr int points_a_unit = 12;

@@ -21,7 +21,6 @@
 namespace radcert::verification::psg10 {
 namespace {
 
-
 SumReading reading_with(int n, Spacing spacing) {
   return {.rings = n, .parallels = n, .azimuths = n, .spacing = spacing};
 }

@@ -18,7 +18,6 @@
 namespace radcert::verification::psg10 {
 namespace {
 
-
 constexpr int most_iterations = 60;
 
 /// The number of the first iteration that changes nothing by more than the tolerance, one more than the most if none does.
