@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "radcert/formats/plot/convergence_plot.h"
-#include "radcert/formats/table/csv.h"
 #include "radcert/formats/plot/latex_plot.h"
-#include "radcert/formats/table/latex_table.h"
 #include "radcert/formats/plot/svg_plot.h"
+#include "radcert/formats/table/csv.h"
+#include "radcert/formats/table/latex_table.h"
 
 namespace radcert::app {
 

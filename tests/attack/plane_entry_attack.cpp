@@ -13,7 +13,7 @@
 #include "radcert/collocation/certified/certified_entries.h"
 #include "radcert/core/errors.h"
 #include "radcert/polynomial/nodes/lattice.h"
-#include "radcert/study/verified_level.h"
+#include "radcert/study/collocation/verified_level.h"
 #include "radcert/surface/mesh_surface.h"
 #include "tests/attack/attack.h"
 #include "tests/attack/nasty_geometry.h"

@@ -11,8 +11,8 @@
 #include "radcert/core/digest.h"
 #include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/plot/latex_plot.h"
-#include "radcert/formats/result/provenance.h"
 #include "radcert/formats/plot/svg_plot.h"
+#include "radcert/formats/result/provenance.h"
 
 namespace radcert {
 namespace {
@@ -25,11 +25,11 @@ std::vector<LevelResult> levels(int count, double node_order, double discretisat
     level.level = k;
     level.mesh_size = std::ldexp(1.0, -k);
     level.unknowns = std::uint64_t{12} << static_cast<unsigned>(2 * k);
-    level.node_error =
-        Approximation{.value = 0.1 * std::pow(level.mesh_size, node_order), .radius = 1e-9, .guaranteed = false};
+    level.node_error = Approximation{
+        .value = 0.1 * std::pow(level.mesh_size, node_order), .radius = 1e-9, .guaranteed = false};
     level.discretisation_error = Approximation{.value = std::pow(level.mesh_size, discretisation_order),
-                                        .radius = std::nullopt,
-                                        .guaranteed = false};
+                                               .radius = std::nullopt,
+                                               .guaranteed = false};
     out.push_back(level);
   }
   return out;

@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "radcert/expression/parse.h"
-#include "radcert/reference/gauss_rule.h"
+#include "radcert/reference/cubature/gauss_rule.h"
 #include "radcert/reference/nearest_point.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/reference/reference_value.h"

@@ -13,7 +13,7 @@
 #include "radcert/solve/gmres.h"
 #include "radcert/solve/power_series.h"
 #include "radcert/solve/verified_system.h"
-#include "radcert/study/operator_norm.h"
+#include "radcert/study/collocation/operator_norm.h"
 #include "radcert/study/study.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"

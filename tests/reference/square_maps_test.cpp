@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/reference/square_maps.h"
+#include "radcert/reference/cubature/square_maps.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-#include "radcert/reference/gauss_rule.h"
-#include "radcert/reference/sinh_cosh.h"
+#include "radcert/reference/cubature/gauss_rule.h"
+#include "radcert/reference/cubature/sinh_cosh.h"
 
 namespace radcert::reference {
 namespace {

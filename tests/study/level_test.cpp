@@ -12,7 +12,7 @@
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/reference/operator_integral.h"
-#include "radcert/study/level_errors.h"
+#include "radcert/study/collocation/level_errors.h"
 #include "radcert/study/plan.h"
 #include "radcert/study/study.h"
 #include "radcert/surface/catalogue/ellipsoid.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/node_data.h"
+#include "radcert/study/collocation/node_data.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

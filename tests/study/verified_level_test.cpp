@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/verified_level.h"
+#include "radcert/study/collocation/verified_level.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -12,9 +12,9 @@
 
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
+#include "radcert/formats/json/json_value.h"
 #include "radcert/formats/plot/base64.h"
 #include "radcert/formats/plot/experiment_plots.h"
-#include "radcert/formats/json/json_value.h"
 #include "radcert/formats/plot/svg_plot.h"
 #include "verification/framework/embedded.h"
 #include "verification/report/report_text.h"

@@ -9,8 +9,8 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/kernel/geometric_kernel.h"
+#include "radcert/reference/cubature/kernel_integrands.h"
 #include "radcert/reference/decomposition.h"
-#include "radcert/reference/kernel_integrands.h"
 #include "radcert/reference/nearest_point.h"
 #include "radcert/reference/tangent_plane.h"
 

@@ -4,8 +4,8 @@
 #include <cstddef>
 
 #include "radcert/geometry/vector.h"
-#include "radcert/reference/adaptive_cubature.h"
-#include "radcert/reference/kernel_integrands.h"
+#include "radcert/reference/cubature/adaptive_cubature.h"
+#include "radcert/reference/cubature/kernel_integrands.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/reference/polygon.h"
 #include "radcert/surface/surface.h"

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "radcert/reference/adaptive_cubature.h"
+#include "radcert/reference/cubature/adaptive_cubature.h"
 #include "radcert/reference/polygon.h"
 #include "radcert/reference/tangent_plane.h"
 

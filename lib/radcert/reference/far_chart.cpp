@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "radcert/core/contract.h"
-#include "radcert/reference/kernel_integrands.h"
-#include "radcert/reference/roughness.h"
+#include "radcert/reference/cubature/kernel_integrands.h"
+#include "radcert/reference/cubature/roughness.h"
 
 namespace radcert::reference {
 namespace {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "radcert/geometry/vector.h"
+#include "radcert/reference/cubature/region.h"
+#include "radcert/reference/cubature/square_maps.h"
 #include "radcert/reference/density.h"
-#include "radcert/reference/region.h"
-#include "radcert/reference/square_maps.h"
 #include "radcert/surface/chart.h"
 
 namespace radcert::reference {

@@ -12,8 +12,8 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
-#include "radcert/reference/adaptive_cubature.h"
 #include "radcert/reference/chart_parts.h"
+#include "radcert/reference/cubature/adaptive_cubature.h"
 #include "radcert/reference/far_chart.h"
 #include "radcert/reference/polygon.h"
 #include "radcert/reference/visible_parts.h"

@@ -10,7 +10,7 @@
 
 #include "radcert/polynomial/triangle_basis.h"
 #include "radcert/scalar/rational.h"
-#include "radcert/study/meshless_basis.h"
+#include "radcert/study/meshless/meshless_basis.h"
 #include "radcert/surface/surface.h"
 #include "radcert/surface/surface_function.h"
 

@@ -127,9 +127,8 @@ Finding equation_24(const Bench&) {
   finding.control("the same with one latitude moved by 1e-6", zero,
                   Approximation{.value = residual(moved), .radius = 1e-14});
   reading.form_factor = Rational(1, 2);
-  finding.control(
-      "the same for the solution with half of F", zero,
-      Approximation{.value = residual(sum_solution({}, reading, 100, 1e-16)), .radius = 1e-14});
+  finding.control("the same for the solution with half of F", zero,
+                  Approximation{.value = residual(sum_solution({}, reading, 100, 1e-16)), .radius = 1e-14});
   return finding;
 }
 

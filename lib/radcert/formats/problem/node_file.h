@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "radcert/formats/json/json_value.h"
-#include "radcert/polynomial/nodes/algebraic_nodes.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/nodes/algebraic_nodes.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/reference/cubature/kernel_integrands.h"
+#include "radcert/reference/cubature/region.h"
+#include "radcert/reference/cubature/roughness.h"
+#include "radcert/reference/cubature/square_maps.h"
 #include "radcert/reference/density.h"
-#include "radcert/reference/kernel_integrands.h"
 #include "radcert/reference/operator_integral.h"
-#include "radcert/reference/region.h"
-#include "radcert/reference/roughness.h"
-#include "radcert/reference/square_maps.h"
 
 namespace radcert::reference {
 

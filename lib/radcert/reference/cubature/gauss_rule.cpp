@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/reference/gauss_rule.h"
+#include "radcert/reference/cubature/gauss_rule.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/verified_level.h"
+#include "radcert/study/collocation/verified_level.h"
 
 #include <algorithm>
 #include <array>
@@ -24,11 +24,11 @@
 #include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/solve/verified_system.h"
-#include "radcert/study/exact_interpolant.h"
-#include "radcert/study/level_description.h"
-#include "radcert/study/level_geometry.h"
-#include "radcert/study/node_data.h"
-#include "radcert/study/operator_norm.h"
+#include "radcert/study/collocation/exact_interpolant.h"
+#include "radcert/study/collocation/level_description.h"
+#include "radcert/study/collocation/level_geometry.h"
+#include "radcert/study/collocation/node_data.h"
+#include "radcert/study/collocation/operator_norm.h"
 #include "radcert/study/plan.h"
 #include "radcert/study/stopwatch.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/meshless_level.h"
+#include "radcert/study/meshless/meshless_level.h"
 
 #include <algorithm>
 #include <array>
@@ -18,11 +18,11 @@
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/direct.h"
-#include "radcert/study/level_errors.h"
-#include "radcert/study/level_geometry.h"
-#include "radcert/study/node_data.h"
+#include "radcert/study/collocation/level_errors.h"
+#include "radcert/study/collocation/level_geometry.h"
+#include "radcert/study/collocation/node_data.h"
+#include "radcert/study/collocation/operator_norm.h"
 #include "radcert/study/operator_at_nodes.h"
-#include "radcert/study/operator_norm.h"
 #include "radcert/study/stopwatch.h"
 #include "radcert/surface/surface_function.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/exact_interpolant.h"
+#include "radcert/study/collocation/exact_interpolant.h"
 
 #include <array>
 #include <optional>

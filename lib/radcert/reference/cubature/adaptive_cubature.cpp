@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/reference/adaptive_cubature.h"
+#include "radcert/reference/cubature/adaptive_cubature.h"
 
 #include <algorithm>
 #include <array>

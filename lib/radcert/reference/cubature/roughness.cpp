@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/reference/roughness.h"
+#include "radcert/reference/cubature/roughness.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "radcert/reference/gauss_rule.h"
+#include "radcert/reference/cubature/gauss_rule.h"
 #include "radcert/scalar/pack.h"
 
 namespace radcert::reference {

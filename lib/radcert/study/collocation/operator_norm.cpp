@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/operator_norm.h"
+#include "radcert/study/collocation/operator_norm.h"
 
 #include <algorithm>
 #include <cstddef>

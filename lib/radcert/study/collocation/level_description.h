@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radcert/polynomial/triangle_basis.h"
-#include "radcert/study/level_geometry.h"
+#include "radcert/study/collocation/level_geometry.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/study.h"
 

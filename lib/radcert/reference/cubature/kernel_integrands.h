@@ -6,8 +6,8 @@
 #include <variant>
 
 #include "radcert/geometry/vector.h"
+#include "radcert/reference/cubature/square_maps.h"
 #include "radcert/reference/polygon.h"
-#include "radcert/reference/square_maps.h"
 #include "radcert/scalar/pack.h"
 #include "radcert/scalar/real.h"
 #include "radcert/surface/chart.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "radcert/core/outcome.h"
-#include "radcert/study/level_geometry.h"
+#include "radcert/study/collocation/level_geometry.h"
 
 namespace radcert {
 

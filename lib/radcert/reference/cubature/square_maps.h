@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <variant>
 
+#include "radcert/reference/cubature/sinh_cosh.h"
 #include "radcert/reference/polygon.h"
-#include "radcert/reference/sinh_cosh.h"
 #include "radcert/scalar/pack.h"
 
 namespace radcert::reference {

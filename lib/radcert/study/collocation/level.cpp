@@ -13,16 +13,16 @@
 #include "radcert/solve/direct.h"
 #include "radcert/solve/gmres.h"
 #include "radcert/solve/neumann.h"
-#include "radcert/study/level_description.h"
-#include "radcert/study/level_geometry.h"
-#include "radcert/study/meshless_level.h"
-#include "radcert/study/node_data.h"
+#include "radcert/study/collocation/level_description.h"
+#include "radcert/study/collocation/level_geometry.h"
+#include "radcert/study/collocation/node_data.h"
+#include "radcert/study/collocation/operator_norm.h"
+#include "radcert/study/collocation/verified_level.h"
+#include "radcert/study/meshless/meshless_level.h"
 #include "radcert/study/operator_at_nodes.h"
-#include "radcert/study/operator_norm.h"
 #include "radcert/study/plan.h"
 #include "radcert/study/stopwatch.h"
 #include "radcert/study/study.h"
-#include "radcert/study/verified_level.h"
 
 namespace radcert {
 namespace {

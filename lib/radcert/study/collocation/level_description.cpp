@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/level_description.h"
+#include "radcert/study/collocation/level_description.h"
 
 #include <optional>
 #include <utility>
 
-#include "radcert/study/level_errors.h"
+#include "radcert/study/collocation/level_errors.h"
 
 namespace radcert {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/level_geometry.h"
+#include "radcert/study/collocation/level_geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/meshless_basis.h"
+#include "radcert/study/meshless/meshless_basis.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "radcert/reference/gauss_rule.h"
+#include "radcert/reference/cubature/gauss_rule.h"
 #include "radcert/scalar/pack.h"
 #include "radcert/scalar/real.h"
 
