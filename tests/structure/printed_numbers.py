@@ -38,7 +38,7 @@ READS_BACK = {
     "lib/radcert/study/collocation/operator_norm.cpp": "what is wrong with an input, no less than 1",
     "lib/radcert/study/collocation/node_data.cpp": "coordinates, and a value of the input there",
     "lib/radcert/study/meshless/meshless_level.cpp": "parameters of the input, and coordinates",
-    "lib/radcert/study/level.cpp": "the tolerance of the input, and coordinates",
+    "lib/radcert/study/collocation/level.cpp": "the tolerance of the input, and coordinates",
     "lib/radcert/study/collocation/level_geometry.cpp": "a coordinate",
     "lib/radcert/surface/surface_function.h": "coordinates",
     "lib/radcert/study/problem.cpp": "constants that are allowed as input",
