@@ -297,7 +297,8 @@ TEST(SvgPlot, PutsLargerValuesHigherAndFurtherRight) {
                     .x = {.name = "x"},
                     .y = {.name = "y"},
                     .curves = {{.name = "s", .points = {{1, 1}, {10, 100}, {100, 10000}}}}});
-  // The ends lie a twentieth of 560 by 380 units within the frame at (84, 48), by the rule for ranges: 1/22 of each.
+  // The ends lie a twentieth of 560 by 380 units within the frame at (84, 48), by the rule for ranges: 1/22
+  // of each.
   EXPECT_NE(text.find("d=\"M109.45 410.73L364 238L618.55 65.27\""), std::string::npos) << text;
 }
 

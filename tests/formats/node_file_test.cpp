@@ -180,7 +180,8 @@ TEST(NodeFile, KeepsAlgebraicNodesExactly) {
 
 // Sums, signs and zeros of coordinates are those of the irrational numbers, not of their digits.
 TEST(NodeFile, DecidesAboutIrrationalCoordinatesExactly) {
-  // On a side and at a corner, as x^2 - 2 = 0 and 3 - x^2 = 1; digits of x would put these nodes beside them, inside or outside.
+  // On a side and at a corner, as x^2 - 2 = 0 and 3 - x^2 = 1; digits of x would put these nodes beside them,
+  // inside or outside.
   const NodeFile file = parse_nodes(
       with_root_of_two(
           R"f([["x*x - 2", "x - 1", "2 - x"], ["3 - x*x", "(2 - x*x)/x", "0"], ["0", "0", "1"]])f", 1),

@@ -9,7 +9,8 @@
 namespace radcert {
 namespace {
 
-/// A key of the root of the sample problem, what stands there instead ("": the key is left out), and what is said.
+/// A key of the root of the sample problem, what stands there instead ("": the key is left out), and what is
+/// said.
 struct Refusal {
   std::string key;
   std::string value;

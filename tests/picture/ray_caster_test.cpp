@@ -24,7 +24,8 @@ Vector<Rational> exact(const Vector<double>& v) {
   return {Rational::exactly(v.x), Rational::exactly(v.y), Rational::exactly(v.z)};
 }
 
-/// The first lit triangle along the ray by Cramer's rule in rational numbers, over all triangles; of several at once all.
+/// The first lit triangle along the ray by Cramer's rule in rational numbers, over all triangles; of several
+/// at once all.
 struct ExactHit {
   std::vector<std::size_t> triangles;
   Rational t{0};
@@ -101,7 +102,8 @@ TEST(RayCaster, FindsWhatAllTrianglesTogetherHave) {
 }
 
 TEST(RayCaster, LetsNoRayPassBetweenNeighbours) {
-  // A closed body seen from outside its light: each line from within meets a face, also through sides and vertices.
+  // A closed body seen from outside its light: each line from within meets a face, also through sides and
+  // vertices.
   const LitRoom room = lit_room();
   const RayCaster caster = RayCaster::make(room.scene.surface()).value();
   test::Draws draws(32);
@@ -143,7 +145,8 @@ TEST(RayCaster, MeetsSphereAndDiskWhereTheirFormulasSay) {
         : k % 3 == 1 ? Vector<double>{42 * z * std::cos(phi), 42 * z * std::sin(phi), 0}
                      : draws.point(-40, 40);
     const auto hit = caster.first(eye, target);
-    // Independent: the height over the disk along the line, and the least root by halving of the ball's quadratic.
+    // Independent: the height over the disk along the line, and the least root by halving of the ball's
+    // quadratic.
     const Vector<double> d = target - eye;
     double best = -1;
     bool on_sphere = false;

@@ -78,7 +78,8 @@ TEST(Show, PutsEveryPointWhereTheCameraHasIt) {
 }
 
 TEST(Show, AveragesLight) {
-  // A wall half of which is black and half white, through the middle of a pixel, seen by two rays each way: half the light.
+  // A wall half of which is black and half white, through the middle of a pixel, seen by two rays each way:
+  // half the light.
   const Room room;
   const PinholeCamera camera(room.room.camera);
   Image image(61, 41);

@@ -147,7 +147,8 @@ std::string plot_name(const ErrorKind& kind, std::span<const std::size_t> proble
   return name + (against == ErrorAgainst::mesh_size ? ":mesh_size" : ":unknowns");
 }
 
-// Each error of the problems of each statement against h, where one of them has two levels; the page shows what it needs.
+// Each error of the problems of each statement against h, where one of them has two levels; the page shows
+// what it needs.
 std::map<std::string, std::string> plots_of(const Report& report) {
   std::map<std::string, std::string> plots;
   for (const ClaimReport& claim : report.claims) {

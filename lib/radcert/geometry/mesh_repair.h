@@ -19,8 +19,8 @@ struct MeshRepair {
   bool faces = false;        ///< leave out degenerate triangles and all but the first of equal ones
   bool orientation = false;  ///< turn the fewest triangles that make neighbours agree
   bool manifold = false;     ///< part the surface at edges with more than two sides and at pinched vertices
-  bool crossings =
-      false;  ///< leave out every triangle that crosses or overlaps another; `holes` then closes what that opens
+  /// Leave out every triangle that crosses or overlaps another; `holes` then closes what that opens
+  bool crossings = false;
   bool holes = false;  ///< close every line of open edges with triangles
 };
 

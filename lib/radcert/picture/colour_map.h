@@ -8,9 +8,7 @@ namespace radcert {
 /// A colour of the perceptual space OKLab, as light.
 /// Maths     l, m, s are cubes of sums of lightness, a, b; red, green, blue sums of l, m, s
 /// Source    B. Ottosson, A perceptual color space for image processing, 2020
-/// Requires  -
 /// Result    rounded; parts outside [0,1] where sRGB has no such colour
-/// Limits    -
 [[nodiscard]] Colour colour_of_oklab(double lightness, double a, double b);
 
 /// A colour for a number, so that equal steps look equal and larger ones brighter.
@@ -19,7 +17,6 @@ namespace radcert {
 /// Source    the idea of viridis (S. van der Walt, N. Smith, 2015); control points of its own
 /// Requires  not NaN, else ContractViolation
 /// Result    within sRGB; x below 0 as 0, above 1 as 1; the luminance increases with x
-/// Limits    -
 [[nodiscard]] Colour map_colour(double x);
 
 }  // namespace radcert

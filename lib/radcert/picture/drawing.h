@@ -11,7 +11,6 @@ namespace radcert {
 /// A line through points, with smooth edges.
 /// Maths     coverage of a pixel: 1/2 + width/2 - distance of its middle from the line, cut off to [0,1]; for
 ///           lines thinner than a pixel times the width
-/// Source    -
 /// Requires  width > 0, opacity in [0,1], finite points, else ContractViolation
 /// Result    joints and crossings of the line with itself are not darker than the rest; what lies outside of
 ///           `within` is left out

@@ -12,7 +12,6 @@ namespace radcert {
 /// A colour as an amount of light.
 /// Maths     red, green, blue parts, 1 what a screen shows at most
 /// Source    IEC 61966-2-1, sRGB: its primaries, before its transfer function
-/// Requires  -
 /// Result    plain data; sums and multiples are those of light
 /// Limits    parts outside [0,1] are cut off where they are shown
 struct Colour {
@@ -35,7 +34,6 @@ struct Colour {
 /// Source    IEC 61966-2-1, sRGB
 /// Requires  not NaN, else ContractViolation
 /// Result    in [0,1]; light below 0 is shown as 0, above 1 as 1; monotone
-/// Limits    -
 [[nodiscard]] double screen_value(double light);
 /// The light of a screen value: the inverse of screen_value on [0,1].
 [[nodiscard]] double light_of_screen_value(double value);
@@ -54,7 +52,6 @@ struct ImageRegion {
 
 /// A picture of 8-bit pixels.
 /// Maths     pixel (x, y), x to the right, y downwards, covers [x, x+1) x [y, y+1)
-/// Source    -
 /// Requires  1 <= width, height <= most_side, places within the image, else ContractViolation
 /// Result    bytes() row by row from the top, three a pixel
 /// Limits    sRGB alone, opaque

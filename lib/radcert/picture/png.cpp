@@ -36,7 +36,8 @@ void append(png_structp png, png_bytep data, std::size_t length) {
 
 void flush_nothing(png_structp) {}
 
-/// Whether libpng wrote the file. Nothing here has a destructor that the jump back from libpng would leave out.
+/// Whether libpng wrote the file. Nothing here has a destructor that the jump back from libpng would leave
+/// out.
 bool write(Sink& sink, const Image& image, png_bytepp rows, png_textp texts, int text_count) {
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
   if (png == nullptr) return false;

@@ -8,7 +8,6 @@
 namespace radcert {
 
 /// An image as a PNG file.
-/// Maths     none
 /// Source    ISO/IEC 15948, by libpng
 /// Requires  a description of printable ASCII, else ContractViolation
 /// Result    the bytes of the file: 8-bit RGB, the chunk sRGB, the texts `Software` (radcert and its version)

@@ -32,7 +32,8 @@ struct RayHit {
 ///           first one
 class RayCaster {
 public:
-  /// Of a mesh, or of a surface each piece of which is the skin of a ball or a disk. Refused: other curved surfaces.
+  /// Of a mesh, or of a surface each piece of which is the skin of a ball or a disk. Refused: other curved
+  /// surfaces.
   [[nodiscard]] static Outcome<RayCaster> make(const Surface& surface,
                                                std::span<const RoundBlocker> bodies = {});
 

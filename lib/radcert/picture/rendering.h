@@ -18,7 +18,6 @@ namespace radcert {
 /// Which colour a number has.
 /// Maths     x = (value - low) / (high - low);  light: the amount of light x, by the transfer function of
 ///           sRGB;  map: map_colour(x)
-/// Source    -
 /// Requires  low < high, both finite
 /// Result    plain data
 /// Limits    what is below low looks like low, above high like high
@@ -65,7 +64,6 @@ struct Seen {
 /// Shows a number on the surface by casting rays.
 /// Maths     a pixel is the mean of the colours, as light, of samples^2 rays through the middles of equal
 ///           squares
-/// Source    -
 /// Requires  1 <= samples <= 16, a region of the image, opacity in [0,1], finite values; else
 ///           ContractViolation. `make` is called once a group of rows, by the thread that uses what it gives
 /// Result    the pixels of view.picture are written; where the view is smooth, of the rays of a pixel that

@@ -13,10 +13,11 @@
 namespace radcert {
 
 /// A sheet of panels: a raster, and the words and the scale of colours that stand around it.
-/// Maths     columns by rows of equal panels; with words each has its title above, and a scale stands to the right of all
+/// Maths     columns by rows of equal panels; with words each has its title above, and a scale stands to the
+///           right of all
 /// Requires  1 <= columns, rows; sides that an Image takes, else ContractViolation
-/// Result    `image` is as large as the sheet, its margins white. Without words there is no room for titles and scale, and a single panel
-///           is the whole sheet
+/// Result    `image` is as large as the sheet, its margins white. Without words there is no room for titles
+///           and scale, and a single panel is the whole sheet
 class Sheet {
 public:
   struct Layout {

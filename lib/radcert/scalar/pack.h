@@ -137,7 +137,8 @@ inline Pack sin(const Pack& a) { return by_lane([](double x) { return std::sin(x
 inline Pack cos(const Pack& a) { return by_lane([](double x) { return std::cos(x); }, a); }
 inline Pack tan(const Pack& a) { return by_lane([](double x) { return std::tan(x); }, a); }
 inline Pack atan(const Pack& a) { return by_lane([](double x) { return std::atan(x); }, a); }
-inline Pack pow(const Pack& a, const Pack& b) { return by_lane([](double x, double y) { return std::pow(x, y); }, a, b); }
+inline Pack pow(const Pack& a, const Pack& b) {
+  return by_lane([](double x, double y) { return std::pow(x, y); }, a, b); }
 // clang-format on
 
 inline Pack select_less(const Pack& a, const Pack& b, const Pack& if_less, const Pack& otherwise) {

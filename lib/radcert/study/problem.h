@@ -44,8 +44,10 @@ struct TriangulationChoice {
 
 /// Where a problem on an interpolated surface takes its data.
 enum class DataPoints {
-  surface,  ///< rho, E and u at the points v_i of S, Ku over S: the interpolant serves the collocation integrals alone
-  interpolant,  ///< at the points v~_i of the interpolant, Ku over it: the problem is posed on the interpolant altogether
+  /// Rho, E and u at the points v_i of S, Ku over S: the interpolant serves the collocation integrals alone
+  surface,
+  /// At the points v~_i of the interpolant, Ku over it: the problem is posed on the interpolant altogether
+  interpolant,
 };
 
 /// The interpolant of S over which a problem's collocation integrals are taken.

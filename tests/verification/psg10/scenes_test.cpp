@@ -99,7 +99,8 @@ TEST(ProfileErrors, LeaveOutWhatHasNoValue) {
   EXPECT_EQ(errors.oscillation, 0);
 }
 
-// The bounds are three times what these sites give: a lost factor of the albedo, of the weights or of pi exceeds them.
+// The bounds are three times what these sites give: a lost factor of the albedo, of the weights or of pi
+// exceeds them.
 TEST(SphereOverDiskLightScene, AgreesWithTheSolutionOfTheSphereOverTheDisk) {
   const LightScene scene = sphere_over_disk_light_scene().value();
   const Light light = ParallelLight{.towards = {0, 0, 1}, .power = 0.9};

@@ -2,20 +2,22 @@
 
 // The comparison of the bases with the solution of (21): sphere and disk, R = N.
 //
-// Checked      separation 3 over 6 sets of sites (20 beyond quick), weights integrated; the light that was scattered at least once
-//              (total, all of it in the basis) and at least twice (indirect). Errors are root mean squares by area, over 60
-//              parallels and 80 circles at 64 azimuths each.
-//              conclusion_accuracy_*: the error of Lehtinen's basis over that of Shepard's, geometric mean over the sets.
-//              conclusion_images: the oscillation of Lehtinen's basis over Shepard's, the root mean square of what is left
-//              on each circle when its mean is taken away. conclusion_oscillation: the systematic error, that of the mean
-//              over azimuths and sets, over the oscillation.
-//              figure_11, figure_13: the reflections do not grow, by a proved bound of the spectral radius, and the errors are no
-//              more than a drawing shows.
-//              section_8_same_values: the error at the finest separation over that at 3: 3 and 3/2 over 4 sets at quick, 3, 2, 3/2,
-//              1 over 20 at standard, to 7/10 at full. The order between separations is a remark.
-//              section_8_gaussian: the same of the Gaussian basis, with w_j = area/n, for which the reflections do not grow.
-//              figure_12: the spectral radius of R for the Gaussian basis as (12), (17) and section VII have it.
-// Not checked  Shepard's basis with a radius; other scenes; the figures themselves, of which no number is printed.
+// Checked      separation 3 over 6 sets of sites (20 beyond quick), weights integrated; the light that was
+//              scattered at least once (total, all of it in the basis) and at least twice (indirect). Errors
+//              are root mean squares by area, over 60 parallels and 80 circles at 64 azimuths each.
+//              conclusion_accuracy_*: the error of Lehtinen's basis over that of Shepard's, geometric mean
+//              over the sets. conclusion_images: the oscillation of Lehtinen's basis over Shepard's, the root
+//              mean square of what is left on each circle when its mean is taken away.
+//              conclusion_oscillation: the systematic error, that of the mean over azimuths and sets, over
+//              the oscillation. figure_11, figure_13: the reflections do not grow, by a proved bound of the
+//              spectral radius, and the errors are no more than a drawing shows. section_8_same_values: the
+//              error at the finest separation over that at 3: 3 and 3/2 over 4 sets at quick, 3, 2, 3/2, 1
+//              over 20 at standard, to 7/10 at full. The order between separations is a remark.
+//              section_8_gaussian: the same of the Gaussian basis, with w_j = area/n, for which the
+//              reflections do not grow. figure_12: the spectral radius of R for the Gaussian basis as (12),
+//              (17) and section VII have it.
+// Not checked  Shepard's basis with a radius; other scenes; the figures themselves, of which no number is
+// printed.
 
 #include <algorithm>
 #include <array>
@@ -166,7 +168,8 @@ private:
   std::vector<const SolvedSet*> sets_;
 };
 
-/// The geometric mean of ratios set by set, and twice the standard error of its logarithm as the radius; over the sets that both have.
+/// The geometric mean of ratios set by set, and twice the standard error of its logarithm as the radius; over
+/// the sets that both have.
 Approximation ratio(const SetErrors& over, const SetErrors& under, double ProfileErrors::*error) {
   const std::size_t common = std::min(over.sets.size(), under.sets.size());
   const auto count = static_cast<double>(common);

@@ -2,14 +2,14 @@
 
 // The mother functions.
 //
-// Checked      (12) "can be assumed to be zero for r > 4": G(4) = e^-8, and the share of the integral over the plane beyond 4, which is e^-8
-//              too, are below half a grey level of 255. Rejected for r > 3.
-//              (13): K is the polynomial 2r^3 - 3r^2 + 1 on [0,1], which two polynomials of degree 3 that agree at 5 points are; at r = 1 it and
-//              its derivative vanish, at 0 the derivative does: one continuous derivative, as a function of the point too. Rejected: the
-//              second derivative, 6 at r = 1 from the left, 0 from the right. K falls: K' = -6r(1 - r).
-//              "approximation of G": |K - G| at r = 1, where K = 0, and for K(r/s) with s = 63/25, near the best scale.
-//              (14): whether the three have a value at 0.
-//              Section V: a raw element "is zero (or nearly so)" beyond its radius.
+// Checked      (12) "can be assumed to be zero for r > 4": G(4) = e^-8, and the share of the integral over
+//              the plane beyond 4, which is e^-8 too, are below half a grey level of 255. Rejected for r > 3.
+//              (13): K is the polynomial 2r^3 - 3r^2 + 1 on [0,1], which two polynomials of degree 3 that
+//              agree at 5 points are; at r = 1 it and its derivative vanish, at 0 the derivative does: one
+//              continuous derivative, as a function of the point too. Rejected: the second derivative, 6 at r
+//              = 1 from the left, 0 from the right. K falls: K' = -6r(1 - r). "approximation of G": |K - G|
+//              at r = 1, where K = 0, and for K(r/s) with s = 63/25, near the best scale. (14): whether the
+//              three have a value at 0. Section V: a raw element "is zero (or nearly so)" beyond its radius.
 // Not checked  whether e^-8 can be seen in an image.
 
 #include <cmath>

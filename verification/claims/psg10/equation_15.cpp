@@ -2,13 +2,15 @@
 
 // The distance of sites, exactly: sites with rational points and normals.
 //
-// Checked      As printed, |p-> - q->| / max{0, p->.q->}: zero between different points of a plane. With the points in the numerator:
-//              symmetric, positive at different points, never below |p - q|, and |p - q| where the normals agree, at 2000 pairs.
-//              No metric: three sites on a line, normals turned by the angle with the cosine 4/5 from one to the next: 5/4 and 5/4 against 50/7.
-//              Infinite where the angle of the normals is 90 degrees or more and the points differ.
-//              "centroids with the same orientation get more weight than centroids that are closer": not where the angle is small.
-//              Figure 5 in a room of our own, a box: on the wall with the X both distances give the colour 1/(1+d) of |p - q|; on the
-//              five other walls, floor and ceiling among them, the normal-sensitive one gives 0 and the Euclidean one does not.
+// Checked      As printed, |p-> - q->| / max{0, p->.q->}: zero between different points of a plane. With the
+//              points in the numerator: symmetric, positive at different points, never below |p - q|, and |p
+//              - q| where the normals agree, at 2000 pairs. No metric: three sites on a line, normals turned
+//              by the angle with the cosine 4/5 from one to the next: 5/4 and 5/4 against 50/7. Infinite
+//              where the angle of the normals is 90 degrees or more and the points differ. "centroids with
+//              the same orientation get more weight than centroids that are closer": not where the angle is
+//              small. Figure 5 in a room of our own, a box: on the wall with the X both distances give the
+//              colour 1/(1+d) of |p - q|; on the five other walls, floor and ceiling among them, the
+//              normal-sensitive one gives 0 and the Euclidean one does not.
 // Not checked  figure 5 itself. Where both points are one and the angle is 90 degrees or more (15) is 0/0.
 
 #include <array>
@@ -123,7 +125,8 @@ Rational not_black(const Distance& distance) {
   return total;
 }
 
-/// Points of the back wall where the squared distance is not |p - q|^2, the wall's normals as they are or turned.
+/// Points of the back wall where the squared distance is not |p - q|^2, the wall's normals as they are or
+/// turned.
 Rational not_euclidean(const Vector<Rational>& normal) {
   ExactSites random(18);
   long total = 0;
@@ -207,8 +210,8 @@ Finding section_5_infinite(const Bench&) {
 }
 
 Finding section_5_orientation(const Bench&) {
-  // p at 0, q with the normal of p at 2, r nearer with another normal: how often r is not farther than q by the distance, over
-  // 1000 places and normals of r.
+  // p at 0, q with the normal of p at 2, r nearer with another normal: how often r is not farther than q by
+  // the distance, over 1000 places and normals of r.
   const auto preferred = [](const auto& distance) {
     ExactSites random(19);
     const ExactSite p{{0, 0, 0}, {0, 0, 1}};

@@ -2,15 +2,16 @@
 
 // The three bases.
 //
-// Checked      (16), exactly, sites in space with rational points and normals, no two at one point: near a site 1 - phi_j <= |p,p_j|^2
-//              sum_i 1/|p,p_i|^2, so that phi_j tends to 1 and the others to 0 there; the closed form without a division by zero is the
-//              formula elsewhere and is delta_ij at sites; elements sum to 1. Two sites at one point with normals of cosine 4/5, as on
-//              an edge: on the way to it along one normal phi is 25/41, at any distance.
-//              (17): 1 at the centroid; on a line the sum of the elements there exceeds 1 by more than 1/2.
-//              (18), exactly, on a line: as printed, with the normals in the place of the points, all elements of a plane are one
-//              constant; with the points they are different.
-//              Figure 6: four sites on a line in a plane, at 0, 1, 2, 3, values 1, 3, 2, 4, radii 2: the matrix phi_j(p_i) is regular for all three, by
-//              its determinant. With the values as coefficients f interpolates for Shepard's basis alone.
+// Checked      (16), exactly, sites in space with rational points and normals, no two at one point: near a
+//              site 1 - phi_j <= |p,p_j|^2 sum_i 1/|p,p_i|^2, so that phi_j tends to 1 and the others to 0
+//              there; the closed form without a division by zero is the formula elsewhere and is delta_ij at
+//              sites; elements sum to 1. Two sites at one point with normals of cosine 4/5, as on an edge: on
+//              the way to it along one normal phi is 25/41, at any distance. (17): 1 at the centroid; on a
+//              line the sum of the elements there exceeds 1 by more than 1/2. (18), exactly, on a line: as
+//              printed, with the normals in the place of the points, all elements of a plane are one
+//              constant; with the points they are different. Figure 6: four sites on a line in a plane, at 0,
+//              1, 2, 3, values 1, 3, 2, 4, radii 2: the matrix phi_j(p_i) is regular for all three, by its
+//              determinant. With the values as coefficients f interpolates for Shepard's basis alone.
 // Not checked  figure 6 itself, nor where its sites and radii are.
 
 #include <array>
@@ -47,7 +48,8 @@ Rational not_delta() {
   return total;
 }
 
-/// Points near sites, at 2^-1 to 2^-40 from them, where 1 - phi_j exceeds |p,p_j|^2 sum_i 1/|p,p_i|^2; psi_j = 1/(shift + |p,p_j|^2).
+/// Points near sites, at 2^-1 to 2^-40 from them, where 1 - phi_j exceeds |p,p_j|^2 sum_i 1/|p,p_i|^2; psi_j
+/// = 1/(shift + |p,p_j|^2).
 Rational not_tending_to_one(const Rational& shift) {
   ExactSites random(162);
   long total = 0;

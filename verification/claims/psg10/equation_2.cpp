@@ -2,12 +2,14 @@
 
 // The two forms of the transfer operator, and the albedo.
 //
-// Checked      By enclosed integrals, for light Z = 1: a point at height 1 above the middle of a disk of radius 2 that faces it, all of it
-//              in sight. (2) integrates H over the directions, by the cosine c of their angle; (4) G over the disk, by the
-//              distance u from its middle. (4) is 1/(4 pi) of (2). Without the 1/(4 pi) of (5) the two agree.
-//              The albedo: light 1 from all sides of a surface, rho = 2 beta. (2) gives back 2 pi beta, (4) with (5) over a dome beta/2;
-//              an albedo beta means beta. rho = beta/pi in (2) gives beta: with it (1) is the radiosity equation.
-// Not checked  other shapes: that dv = cos' dy/d^2 is a change of variables. V, which is 1 here. Surfaces that are not Lambertian.
+// Checked      By enclosed integrals, for light Z = 1: a point at height 1 above the middle of a disk of
+//              radius 2 that faces it, all of it in sight. (2) integrates H over the directions, by the
+//              cosine c of their angle; (4) G over the disk, by the distance u from its middle. (4) is 1/(4
+//              pi) of (2). Without the 1/(4 pi) of (5) the two agree. The albedo: light 1 from all sides of a
+//              surface, rho = 2 beta. (2) gives back 2 pi beta, (4) with (5) over a dome beta/2; an albedo
+//              beta means beta. rho = beta/pi in (2) gives beta: with it (1) is the radiosity equation.
+// Not checked  other shapes: that dv = cos' dy/d^2 is a change of variables. V, which is 1 here. Surfaces
+// that are not Lambertian.
 
 #include "radcert/enclosure/interval_integral.h"
 #include "verification/claims/ac98/proved_number.h"

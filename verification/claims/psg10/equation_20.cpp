@@ -2,12 +2,13 @@
 
 // Light that falls parallel to the axis onto the sphere over the disk.
 //
-// Checked      Exactly, at 400 points each. Disk: the vertical through a point at the distance u meets the sphere where
-//              r^2 - u^2 > 0, touches it at u = r, and passes elsewhere: the point is lit if u >= r, as (20) has it. Sphere: the vertical
-//              upwards from a point leaves the sphere if its latitude is not below the equator, and the plane there stands to the light
-//              at the cosine sin zeta. A surface of albedo beta gives back beta of what arrives, and B*, D* are in the
-//              unit in which a white surface across the light has mu. What the sphere catches is what the shadow lacks: Int B*/(beta mu) over
-//              the sphere, 2 pi r^2 Int_0^1 t dt, is pi r^2.
+// Checked      Exactly, at 400 points each. Disk: the vertical through a point at the distance u meets the
+//              sphere where r^2 - u^2 > 0, touches it at u = r, and passes elsewhere: the point is lit if u
+//              >= r, as (20) has it. Sphere: the vertical upwards from a point leaves the sphere if its
+//              latitude is not below the equator, and the plane there stands to the light at the cosine sin
+//              zeta. A surface of albedo beta gives back beta of what arrives, and B*, D* are in the unit in
+//              which a white surface across the light has mu. What the sphere catches is what the shadow
+//              lacks: Int B*/(beta mu) over the sphere, 2 pi r^2 Int_0^1 t dt, is pi r^2.
 // Not checked  that radiance in this unit is what the figures show.
 
 #include "verification/claims/psg10/checks.h"

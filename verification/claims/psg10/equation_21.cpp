@@ -2,13 +2,15 @@
 
 // The two coupled equations, and what is said before and after them.
 //
-// Checked      (21): B and D as the reference has them, against double exponential cubature of cos cos'/(pi d^2), F of (21) for a surface that
-//              gives back beta of what arrives, over what a point sees: at 11 latitudes and 9 distances; rejected for a sphere one unit higher.
-//              Symmetry and visibility: exactly, at 400 pairs of points with rational coordinates. cos cos'/d^2 is the same for (theta, phi) and
-//              (theta - phi, 0). The segment from p on the sphere to q meets the sphere again at s = -2 r (q - p).n/|q - p|^2; it is cut off if
-//              0 < s < 1. V = 0 exactly where (q - p).n < 0, and a factor F that is 0 there makes V needless. The disk, flat and
-//              below the sphere, hides nothing. The angle between n and the direction q -> p has the cosine (p - q).n/|p - q|, positive there:
-//              it is acute, not obtuse.
+// Checked      (21): B and D as the reference has them, against double exponential cubature of cos cos'/(pi
+//              d^2), F of (21) for a surface that gives back beta of what arrives, over what a point sees: at
+//              11 latitudes and 9 distances; rejected for a sphere one unit higher. Symmetry and visibility:
+//              exactly, at 400 pairs of points with rational coordinates. cos cos'/d^2 is the same for
+//              (theta, phi) and (theta - phi, 0). The segment from p on the sphere to q meets the sphere
+//              again at s = -2 r (q - p).n/|q - p|^2; it is cut off if 0 < s < 1. V = 0 exactly where (q -
+//              p).n < 0, and a factor F that is 0 there makes V needless. The disk, flat and below the
+//              sphere, hides nothing. The angle between n and the direction q -> p has the cosine (p -
+//              q).n/|p - q|, positive there: it is acute, not obtuse.
 // Not checked  other scenes; F of section II, whose factor differs: see papers/psg10/errata.md.
 
 #include <cmath>

@@ -2,13 +2,15 @@
 
 // The sums for the integrals, and the matrix for the sums.
 //
-// Checked      (22), (23): with points in the middles of equal parts, so that R/n, pi/m and 2 pi/k are the weights of a rule, the sums approach the
-//              solution of (21) like n^-2 for n = m = k = 80, 160 (and 320 beyond quick), numbers for which no ring straddles
-//              the shadow's rim; with the ends among the points like n^-1, which is rejected.
-//              (24), (25): the fixed point of lambda <- epsilon + R lambda against (22) and (23), their sums typed in anew with
-//              lengths and cosines by the law of cosines; rejected for the factors of (25). Against (25): the matrix of (22)-(23) has
-//              R/n 2 pi/k u_j in M and pi/m 2 pi/k r^2 cos zeta_i in N besides beta and the sums; without them the iteration diverges, and
-//              where F is so small that it converges it does so to other values.
+// Checked      (22), (23): with points in the middles of equal parts, so that R/n, pi/m and 2 pi/k are the
+//              weights of a rule, the sums approach the solution of (21) like n^-2 for n = m = k = 80, 160
+//              (and 320 beyond quick), numbers for which no ring straddles the shadow's rim; with the ends
+//              among the points like n^-1, which is rejected. (24), (25): the fixed point of lambda <-
+//              epsilon + R lambda against (22) and (23), their sums typed in anew with lengths and cosines by
+//              the law of cosines; rejected for the factors of (25). Against (25): the matrix of (22)-(23)
+//              has R/n 2 pi/k u_j in M and pi/m 2 pi/k r^2 cos zeta_i in N besides beta and the sums; without
+//              them the iteration diverges, and where F is so small that it converges it does so to other
+//              values.
 // Not checked  another form factor F, which changes all figures: see papers/psg10/errata.md.
 
 #include <algorithm>
@@ -30,12 +32,14 @@ Approximation exponent(double coarse, double fine) {
   return {.value = std::log2(coarse / fine), .radius = 1e-6};
 }
 
-/// The largest difference between the sides of (22) and (23) for r = 5, h = 20, R = 40, beta = mu = 9/10, n = m = k.
+/// The largest difference between the sides of (22) and (23) for r = 5, h = 20, R = 40, beta = mu = 9/10, n =
+/// m = k.
 double residual(const SumSolution& sums) {
   constexpr double pi = std::numbers::pi;
   constexpr double beta = 0.9;
   const std::size_t n = sums.distances.size();
-  // a: squared distance of the points, b: (q - p).n_p; from u^2 + (h + r sin)^2 + (r cos)^2 - 2 u r cos cos(tau).
+  // a: squared distance of the points, b: (q - p).n_p; from u^2 + (h + r sin)^2 + (r cos)^2 - 2 u r cos
+  // cos(tau).
   const auto factor_sum = [&](double zeta, double u) {
     double sum = 0;
     for (std::size_t s = 0; s < n; ++s) {
@@ -67,7 +71,8 @@ double residual(const SumSolution& sums) {
   return largest;
 }
 
-/// The factor by which the changes of lambda grow in an iteration, over two of them: R takes disk to sphere and back.
+/// The factor by which the changes of lambda grow in an iteration, over two of them: R takes disk to sphere
+/// and back.
 Approximation growth(const SumReading& reading) {
   constexpr int iterations = 16;
   const SumSolution sums = sum_solution({}, reading, iterations, 0);

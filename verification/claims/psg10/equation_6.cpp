@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Neumann's formula and the iteration, exactly: matrices of order 5 with rational entries that are not negative.
+// Neumann's formula and the iteration, exactly: matrices of order 5 with rational entries that are not
+// negative.
 //
-// Checked      "favourable circumstances": row sums of at most beta = 9/10, as every transfer matrix of a scene of albedo beta has them. Then
-//              (I - R)(I + R + ... + R^k) = I - R^(k+1), entry by entry, and the row sums of R^(k+1) are at most beta^(k+1), k = 20: the
-//              formula converges, to the inverse. Rejected: row sums of 11/10, whose powers grow.
-//              (19): k + 1 steps lambda <- epsilon + R lambda from 0 give the sum of the first k + 1 terms applied to epsilon, exactly.
-//              R^k alone as light scattered k times: the same sums.
+// Checked      "favourable circumstances": row sums of at most beta = 9/10, as every transfer matrix of a
+//              scene of albedo beta has them. Then (I - R)(I + R + ... + R^k) = I - R^(k+1), entry by entry,
+//              and the row sums of R^(k+1) are at most beta^(k+1), k = 20: the formula converges, to the
+//              inverse. Rejected: row sums of 11/10, whose powers grow. (19): k + 1 steps lambda <- epsilon +
+//              R lambda from 0 give the sum of the first k + 1 terms applied to epsilon, exactly. R^k alone
+//              as light scattered k times: the same sums.
 // Not checked  operators; point lights in corners, which may give a matrix with larger row sums.
 
 #include <array>

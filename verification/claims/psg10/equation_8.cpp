@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Section IV, exactly. Sites and points lie on a line, their normals within 90 degrees of each other or not, all coordinates rational:
-// there every |p - q|, and with it (15), (16) and (18), is rational.
+// Section IV, exactly. Sites and points lie on a line, their normals within 90 degrees of each other or not,
+// all coordinates rational: there every |p - q|, and with it (15), (16) and (18), is rational.
 //
-// Checked      Interpolation: f = sum_i c_i phi_i has the values c_i at the sites for Shepard's basis. Lehtinen's, whose supports reach
-//              beyond the next site, is rejected.
-//              (8), (9): (11) makes of elements that are not negative a basis with (8) and (9) wherever their sum is positive. Elements
-//              less 1/4, which are negative somewhere, are rejected. For all p of Gamma there is no such basis of compact supports: where no
-//              element reaches (11) is 0/0.
-//              (10): c_min <= sum_i c_i phi_i <= c_max for coefficients between -1 and 1. As printed, with c_min and c_max exchanged, it
-//              fails unless the coefficients are equal.
-//              Section III: Shepard's elements (16) are not zero at any distance; Lehtinen's are beyond the radius.
-// Not checked  sites off a line for Lehtinen's basis, whose distances are roots. Gauss' elements here: they are in equation_17.
+// Checked      Interpolation: f = sum_i c_i phi_i has the values c_i at the sites for Shepard's basis.
+//              Lehtinen's, whose supports reach beyond the next site, is rejected. (8), (9): (11) makes of
+//              elements that are not negative a basis with (8) and (9) wherever their sum is positive.
+//              Elements less 1/4, which are negative somewhere, are rejected. For all p of Gamma there is no
+//              such basis of compact supports: where no element reaches (11) is 0/0. (10): c_min <= sum_i c_i
+//              phi_i <= c_max for coefficients between -1 and 1. As printed, with c_min and c_max exchanged,
+//              it fails unless the coefficients are equal. Section III: Shepard's elements (16) are not zero
+//              at any distance; Lehtinen's are beyond the radius.
+// Not checked  sites off a line for Lehtinen's basis, whose distances are roots. Gauss' elements here: they
+// are in equation_17.
 
 #include <algorithm>
 #include <functional>
@@ -98,7 +99,8 @@ Rational not_interpolated(const Basis& basis) {
   });
 }
 
-/// Points where the combination is outside [c_min, c_max], or, as printed, not between c_max and c_min in that order.
+/// Points where the combination is outside [c_min, c_max], or, as printed, not between c_max and c_min in
+/// that order.
 Rational outside(const Basis& basis, bool as_printed) {
   return count([&](const Sites& sites, const Site<Rational>& p, const std::vector<Rational>& coefficients) {
     const std::vector<Rational> values = basis(sites, p);

@@ -17,7 +17,6 @@ struct Direction {
 /// Points of the sphere over the disk with rational coordinates.
 /// Maths     ((1 - w^2)/(1 + w^2), 2w/(1 + w^2)) is on the unit circle; latitudes and azimuths that way
 /// Source    the scene: [psg10, section VIII]
-/// Requires  -
 /// Result    exact; the same on every run
 /// Limits    azimuths leave out pi
 class ExactScene {

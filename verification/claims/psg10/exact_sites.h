@@ -15,7 +15,6 @@ namespace radcert::verification::psg10 {
 /// Sites with rational points and rational unit normals.
 /// Maths     normals: the stereographic image of multiples of 1/8
 /// Source    the sites: [psg10, section III]
-/// Requires  -
 /// Result    exact; the same on every run
 /// Limits    the normal -e_z is left out
 class ExactSites {
@@ -37,8 +36,8 @@ public:
   Site<Rational> in_space() { return {{eighths(4), eighths(4), eighths(4)}, normal(3)}; }
   /// `count` sites at different points.
   std::vector<Site<Rational>> several_in_space(std::size_t count);
-  /// Sites at the places 0, 1, ..., count - 1 of the x-axis, moved by up to 3/8. Flat: all normals are e_z; else they are about e_z,
-  /// up to 110 degrees away.
+  /// Sites at the places 0, 1, ..., count - 1 of the x-axis, moved by up to 3/8. Flat: all normals are e_z;
+  /// else they are about e_z, up to 110 degrees away.
   std::vector<Site<Rational>> several_on_axis(std::size_t count, bool flat);
   /// A point of the x-axis between -1 and count.
   Site<Rational> on_axis(std::size_t count, bool flat);
@@ -50,7 +49,8 @@ private:
 /// max{0, p->.q->}.
 [[nodiscard]] Rational normal_factor(const Site<Rational>& p, const Site<Rational>& q);
 
-/// The raw elements (18) with the points in the place of the normals, all radii alpha, for points of the x-axis.
+/// The raw elements (18) with the points in the place of the normals, all radii alpha, for points of the
+/// x-axis.
 [[nodiscard]] std::vector<Rational> raw_lehtinen(std::span<const Site<Rational>> sites, const Rational& alpha,
                                                  const Site<Rational>& p);
 
@@ -58,11 +58,11 @@ private:
 [[nodiscard]] std::vector<Rational> normalised(std::vector<Rational> raw);
 
 /// (16), by its limit where a distance is zero. Empty where every distance is infinite.
-/// Maths     psi_i = (max{0, p->.p_i->})^2 / |p^ - p_i^|^2; at a centroid, where one psi is infinite, phi is 1 for it and 0 for others
+/// Maths     psi_i = (max{0, p->.p_i->})^2 / |p^ - p_i^|^2; at a centroid, where one psi is infinite, phi is
+///           1 for it and 0 for others
 /// Source    [psg10, (15), (16)]
 /// Requires  no two sites of `sites` at p within 90 degrees of its normal
 /// Result    exact
-/// Limits    -
 [[nodiscard]] std::vector<Rational> shepard_elements(std::span<const Site<Rational>> sites,
                                                      const Site<Rational>& p);
 

@@ -2,12 +2,14 @@
 
 // What is said of the reference solution, n = m = k = 100.
 //
-// Checked      "converged after a few iterations": the first iteration that changes no value by more than half a grey level of 255, 1/510, and
-//              the first that changes none by more than 1e-6. With (25) as printed there is none among 60.
-//              The curves: the sums (22)-(23) against the solution of (21), with the points in the middles of equal parts and with the
-//              ends among them: within 1/100, what a plot shows. Rejected: F half and a quarter as large, the readings of section II.
+// Checked      "converged after a few iterations": the first iteration that changes no value by more than
+//              half a grey level of 255, 1/510, and the first that changes none by more than 1e-6. With (25)
+//              as printed there is none among 60. The curves: the sums (22)-(23) against the solution of
+//              (21), with the points in the middles of equal parts and with the ends among them: within
+//              1/100, what a plot shows. Rejected: F half and a quarter as large, the readings of section II.
 //              B+ and D+, the part from light scattered twice or more, are not negative.
-// Not checked  the figure itself: no number of it is printed, and the readings cannot be told apart without its axes. B at the lowest latitude
+// Not checked  the figure itself: no number of it is printed, and the readings cannot be told apart without
+// its axes. B at the lowest latitude
 //              is 0.577, and 0.287 or 0.143 with the factors of section II.
 
 #include <algorithm>
@@ -20,7 +22,8 @@ namespace {
 
 constexpr int most_iterations = 60;
 
-/// The number of the first iteration that changes nothing by more than the tolerance, one more than the most if none does.
+/// The number of the first iteration that changes nothing by more than the tolerance, one more than the most
+/// if none does.
 Approximation iterations_to(const SumReading& reading, double tolerance) {
   const auto changes = sum_solution({}, reading, most_iterations, tolerance).changes;
   const std::size_t count = changes.size() + (changes.back() <= tolerance ? 0 : 1);

@@ -2,10 +2,12 @@
 
 // A room by the bases, with ten iterations.
 //
-// Checked      lit_room(), sites 0.4 apart, w_j the integral of phi_j, R = N. Ten iterations of (19) from 0 against the solution, at all
-//              sites, in 255 grey levels of the screen's curve, white the radiance 1: Shepard's and Lehtinen's bases. Three
-//              iterations are rejected. The same room by the Gaussian basis as (12), (17) have it: the spectral radius of R.
-// Not checked  the paper's scene, of which nothing is said; the figure itself; the radiance between the sites, of which the bases make
+// Checked      lit_room(), sites 0.4 apart, w_j the integral of phi_j, R = N. Ten iterations of (19) from 0
+//              against the solution, at all sites, in 255 grey levels of the screen's curve, white the
+//              radiance 1: Shepard's and Lehtinen's bases. Three iterations are rejected. The same room by
+//              the Gaussian basis as (12), (17) have it: the spectral radius of R.
+// Not checked  the paper's scene, of which nothing is said; the figure itself; the radiance between the
+// sites, of which the bases make
 //              means.
 
 #include <algorithm>

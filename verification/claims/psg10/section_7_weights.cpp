@@ -2,14 +2,16 @@
 
 // Radii and integrals of the elements, on the paper's scene with sites 3 apart, and on squares.
 //
-// Checked      "integral = constant alpha^2" on a plane: 2 pi Int Phi(r/alpha) r dr by enclosed quadrature, alpha = 3/2, against 3 pi/10
-//              alpha^2 for K and 2 pi (1 - e^-8) alpha^2 for G cut at 4. Rejected: the constant times alpha.
-//              Over the paper's scene: the sum of constant alpha^2 against that of the integrals, cut up by place.
-//              "expected value 1/delta": the mean of w_j over a scene is area/n, as the elements sum to 1. Rejected: Gauss' elements.
-//              pi alpha^2/t: the mean of delta pi alpha^2/t, t = 10, over sites away from the rim of a square, sites anywhere and sites apart;
-//              rejected for t = 9, what is left without the centroid itself. Over the paper's scene: sum of pi alpha^2/t over area.
-//              Radii: whether each site has ten others at a finite distance (15). Supports: whether they cover the scene; whether the
-//              elements are independent, by the condition of phi_j(p_i). N for R: whether constant coefficients give constant values.
+// Checked      "integral = constant alpha^2" on a plane: 2 pi Int Phi(r/alpha) r dr by enclosed quadrature,
+//              alpha = 3/2, against 3 pi/10 alpha^2 for K and 2 pi (1 - e^-8) alpha^2 for G cut at 4.
+//              Rejected: the constant times alpha. Over the paper's scene: the sum of constant alpha^2
+//              against that of the integrals, cut up by place. "expected value 1/delta": the mean of w_j over
+//              a scene is area/n, as the elements sum to 1. Rejected: Gauss' elements. pi alpha^2/t: the mean
+//              of delta pi alpha^2/t, t = 10, over sites away from the rim of a square, sites anywhere and
+//              sites apart; rejected for t = 9, what is left without the centroid itself. Over the paper's
+//              scene: sum of pi alpha^2/t over area. Radii: whether each site has ten others at a finite
+//              distance (15). Supports: whether they cover the scene; whether the elements are independent,
+//              by the condition of phi_j(p_i). N for R: whether constant coefficients give constant values.
 //              Figure 9: that sites of separation 3 are 3 apart, exactly, for their rounded coordinates.
 // Not checked  other scenes; the sites of the paper's figure 9; a proof for curved surfaces.
 
@@ -65,7 +67,8 @@ Surface square() {
   return surface;
 }
 
-/// The mean of delta pi alpha^2 / t over the sites at least 6 from the rim, alpha the distance of the tenth other.
+/// The mean of delta pi alpha^2 / t over the sites at least 6 from the rim, alpha the distance of the tenth
+/// other.
 Approximation inner_ratio(const SiteSet& sites, double t) {
   constexpr double rim = 6;
   const std::vector<double> radii = neighbour_radii(sites, SiteDistance::euclidean, ten).value();
@@ -188,7 +191,8 @@ Finding section_7_plane_integral_scene(const Bench&) {
   const RadialBasis basis = basis_on(scene_sites(1), gaussian_basis());
   const std::vector<double> plane = plane_weights(basis).value();
   const std::vector<double> exact = integrate_basis(basis, scene(), {.relative_error = 0.05}).weights;
-  // The quotient of the sums over the sites of the sphere, of the disk away from its rim, and of the rest of the disk.
+  // The quotient of the sums over the sites of the sphere, of the disk away from its rim, and of the rest of
+  // the disk.
   constexpr double rim = 12;
   std::array<double, 3> of_plane{};
   std::array<double, 3> of_scene{};

@@ -14,8 +14,8 @@ struct SumErrors {
 /// Maths     max |b_i - B(zeta_i)|, max |d_j - D(u_j)| in the paper's scene
 /// Source    [psg10, (20)-(25)]
 /// Requires  counts of at least 2
-/// Result    rounded; the sums are iterated until they stand still, 100 times at most, and B, D are good to 1e-13
-/// Limits    -
+/// Result    rounded; the sums are iterated until they stand still, 100 times at most, and B, D are good to
+///           1e-13
 [[nodiscard]] SumErrors sum_errors(const SumReading& reading);
 
 }  // namespace radcert::verification::psg10

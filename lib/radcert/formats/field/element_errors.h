@@ -16,7 +16,6 @@ using CornerErrors = std::vector<std::array<double, 3>>;
 
 /// The error at the corners of elements, for pictures.
 /// Maths     |u - u_n| at the three corners, u_n as the element has it
-/// Source    -
 /// Requires  elements of that problem
 /// Result    in the order of the elements; none without a solution, or where u is not finite at a corner
 /// Limits    rounded; a picture's figure, the largest of them is no bound of the error

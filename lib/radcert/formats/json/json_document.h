@@ -12,11 +12,10 @@
 namespace radcert {
 
 /// JSON of unknown origin.
-/// Maths     none
 /// Source    RFC 8259
 /// Requires  nothing: the text may be empty, cut off, binary, not UTF-8 or nested 100,000 times
-/// Result    the value; otherwise InputError with the source and, for a text that is no JSON, line, column and byte;
-///           keys that occur twice in one object are refused with their pointer
+/// Result    the value; otherwise InputError with the source and, for a text that is no JSON, line, column
+///           and byte; keys that occur twice in one object are refused with their pointer
 /// Limits    nesting of at most json_depth_limit; a number beyond the range of double is refused
 [[nodiscard]] JsonValue parse_json(std::string_view text, const std::string& source);
 
@@ -32,11 +31,9 @@ inline constexpr std::uint64_t json_size_limit = std::uint64_t{64} << 20;
 [[nodiscard]] JsonValue document_head(const std::string& type, const std::string& command);
 
 /// A place in a JSON document, one step deeper.
-/// Maths     none
 /// Source    RFC 6901
 /// Requires  nothing
 /// Result    the pointer with "/key" appended, "~" and "/" in the key escaped
-/// Limits    none
 [[nodiscard]] std::string pointer_below(const std::string& pointer, std::string_view key);
 [[nodiscard]] std::string pointer_below(const std::string& pointer, std::size_t place);
 

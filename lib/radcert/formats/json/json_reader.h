@@ -18,10 +18,9 @@
 namespace radcert {
 
 /// A place in a JSON document that is read with an expectation.
-/// Maths     none
-/// Source    -
 /// Requires  the document outlives the reader
-/// Result    what was asked for; otherwise InputError with the JSON pointer, what stands there and what is allowed
+/// Result    what was asked for; otherwise InputError with the JSON pointer, what stands there and what is
+///           allowed
 /// Limits    the error names no source: see with_source
 class JsonReader {
 public:
@@ -65,24 +64,18 @@ private:
 };
 
 /// Words for a message: "a, b, c".
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    the words in their order
-/// Limits    none
 [[nodiscard]] std::string listed(std::span<const std::string> words);
 
 /// A reason from elsewhere as part of a message, which is quoted as a whole where it has quotes of its own.
-/// Maths     none
-/// Source    -
 /// Requires  nothing
 /// Result    double quotes have become single ones, backslashes are left out
-/// Limits    none
 [[nodiscard]] std::string without_quotes(std::string reason);
 
 /// The word of a list that somebody may have meant.
-/// Maths     least edit distance (insertions, deletions, substitutions, exchanges of neighbours), at most a third of the
-///           longer word
+/// Maths     least edit distance (insertions, deletions, substitutions, exchanges of neighbours), at most a
+///           third of the longer word
 /// Source    Damerau and Levenshtein, optimal string alignment
 /// Requires  nothing
 /// Result    the first nearest word, or none that is near enough

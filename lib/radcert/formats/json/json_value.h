@@ -16,7 +16,6 @@
 namespace radcert {
 
 /// A JSON value whose objects keep the order of their keys.
-/// Maths     none
 /// Source    RFC 8259
 /// Requires  a number is finite, else ContractViolation; a key is set once
 /// Result    plain data; whole numbers of 64 bits are kept exactly, all others are doubles

@@ -74,7 +74,8 @@ std::string latex_tick(double tick) {
   return text;
 }
 
-/// The ticks of the horizontal axis: those of the SVG, which are no odd powers of ten where there is less than a decade.
+/// The ticks of the horizontal axis: those of the SVG, which are no odd powers of ten where there is less
+/// than a decade.
 std::string ticks(const Plot& plot) {
   const auto [least, largest] = shown_range(plot).x;
   std::string places;

@@ -42,7 +42,8 @@ std::vector<double> even_ticks(double least, double largest) {
   return ticks;
 }
 
-/// The range of an axis: the data's, and a twentieth of it on either side; a single value lies in the middle of a range.
+/// The range of an axis: the data's, and a twentieth of it on either side; a single value lies in the middle
+/// of a range.
 std::pair<double, double> range_of(const std::vector<double>& values, bool logarithmic) {
   if (values.empty()) return {1, 10};
   constexpr double margin = 0.05;

@@ -41,8 +41,8 @@ struct PlotCurve {
   CurveStyle style = CurveStyle::marked;
 };
 
-/// The colours that curves take in turns, as six digits in base 16: people with the usual deficiencies tell them apart (after Okabe and
-/// Ito), and each is dark enough on white and bright enough on black.
+/// The colours that curves take in turns, as six digits in base 16: people with the usual deficiencies tell
+/// them apart (after Okabe and Ito), and each is dark enough on white and bright enough on black.
 struct CurveColour {
   std::string_view on_white;
   std::string_view on_black;
@@ -91,10 +91,10 @@ struct NamedPlot {
 };
 
 /// Where an axis has its ticks.
-/// Maths     logarithmic: 10^k; also 2 and 5 times that where the ends are fewer than four decades apart; all whole multiples
-///           of a 1, 2 or 5 times 10^k where that leaves fewer than three
-/// Requires  least < largest, finite, apart by more than a millionth of the larger, positive if logarithmic, else
-///           ContractViolation
+/// Maths     logarithmic: 10^k; also 2 and 5 times that where the ends are fewer than four decades apart; all
+///           whole multiples of a 1, 2 or 5 times 10^k where that leaves fewer than three
+/// Requires  least < largest, finite, apart by more than a millionth of the larger, positive if logarithmic,
+///           else ContractViolation
 /// Result    ascending, between least and largest, at least three
 /// Limits    beyond twelve decades every third one
 [[nodiscard]] std::vector<double> axis_ticks(double least, double largest, bool logarithmic);
@@ -103,10 +103,10 @@ struct NamedPlot {
 [[nodiscard]] std::string tick_text(double value);
 
 /// What the two axes of a plot show.
-/// Maths     an axis without a range of its own: from the least to the largest of points, marks and slope triangles, and a twentieth of
-///           that on either side; a single value lies in the middle
-/// Requires  finite points, y and x not below the smallest normal double where their axis is logarithmic, radii that are not negative,
-///           ranges that axis_ticks takes, else ContractViolation
+/// Maths     an axis without a range of its own: from the least to the largest of points, marks and slope
+///           triangles, and a twentieth of that on either side; a single value lies in the middle
+/// Requires  finite points, y and x not below the smallest normal double where their axis is logarithmic,
+///           radii that are not negative, ranges that axis_ticks takes, else ContractViolation
 /// Result    least < largest, as axis_ticks takes them; from 1 to 10 without a point
 struct PlotRange {
   std::pair<double, double> x;
@@ -115,10 +115,10 @@ struct PlotRange {
 [[nodiscard]] PlotRange shown_range(const Plot& plot);
 
 /// A right-angled triangle whose longest side has the slope of a curve.
-/// Maths     in logarithmic coordinates: from the last but one point of the curve to its last, the middle half of that length, moved by a
-///           twentieth of the height of the plot, with the slope `exponent`
-/// Result    x[0] < x[1]; y[i] on the slanting side at x[i]; above: the right angle has the larger y and the x of the smaller one, else
-///           the smaller y and the x of the larger one
+/// Maths     in logarithmic coordinates: from the last but one point of the curve to its last, the middle
+///           half of that length, moved by a twentieth of the height of the plot, with the slope `exponent`
+/// Result    x[0] < x[1]; y[i] on the slanting side at x[i]; above: the right angle has the larger y and the
+///           x of the smaller one, else the smaller y and the x of the larger one
 struct SlopeTriangle {
   std::array<double, 2> x{};
   std::array<double, 2> y{};
@@ -133,8 +133,10 @@ struct SlopeTriangle {
 };
 
 /// The triangles that a plot shows.
-/// Maths     one below the curve that ends lowest, one above the curve that ends highest where its exponent differs by more than a tenth
-/// Result    at most two; none where no exponent is fitted or it is below 1/4, or an axis is not logarithmic, or the errors do not fall
+/// Maths     one below the curve that ends lowest, one above the curve that ends highest where its exponent
+///           differs by more than a tenth
+/// Result    at most two; none where no exponent is fitted or it is below 1/4, or an axis is not logarithmic,
+///           or the errors do not fall
 /// Limits    a curve with a single point has none
 [[nodiscard]] std::vector<SlopeTriangle> slope_triangles(const Plot& plot);
 

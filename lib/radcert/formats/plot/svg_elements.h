@@ -13,8 +13,8 @@ namespace radcert {
 /// Limits    text is measured by its number of characters
 namespace svg {
 
-/// The root element as far as its contents, with title and desc. `style` is CSS: its rules begin with .radcert, the root's class,
-/// for a page may hold several. A link of the namespace xlink may stand within.
+/// The root element as far as its contents, with title and desc. `style` is CSS: its rules begin with
+/// .radcert, the root's class, for a page may hold several. A link of the namespace xlink may stand within.
 [[nodiscard]] std::string head(double width, double height, std::string_view title,
                                std::string_view description, std::string_view style);
 inline constexpr std::string_view foot = "</svg>\n";

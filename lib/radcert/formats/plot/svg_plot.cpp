@@ -81,7 +81,8 @@ struct Scales {
   Scale y;
 };
 
-/// The marker of a curve: a disk, a square, a triangle, a cross, by turns of the colours. `title` is an element within it.
+/// The marker of a curve: a disk, a square, a triangle, a cross, by turns of the colours. `title` is an
+/// element within it.
 std::string marker(std::size_t number, double x, double y, const std::string& title) {
   constexpr double r = marker_radius;
   const auto closed = [&](const std::string& name) {
@@ -124,7 +125,8 @@ std::string stroke(const PlotCurve& curve) {
          (curve.style == CurveStyle::bold ? "2.4" : "1.6") + "\"/>\n";
 }
 
-/// From y - radius to y + radius, with a short line across each end inside the frame; nothing where the marker hides it.
+/// From y - radius to y + radius, with a short line across each end inside the frame; nothing where the
+/// marker hides it.
 std::string error_bar(const PlotPoint& point, const Plot& plot, const Scales& to) {
   constexpr double half_width = 5;
   const double middle = to.x.at(point.x);
@@ -166,7 +168,8 @@ std::string drawn(const PlotCurve& curve, std::size_t number, const Plot& plot, 
          markers + "  </g>\n";
 }
 
-/// The curves, cut off at the frame where the axes have ranges of their own: what an inner svg element shows ends at its edges.
+/// The curves, cut off at the frame where the axes have ranges of their own: what an inner svg element shows
+/// ends at its edges.
 std::string all_curves(const Plot& plot, const Scales& to) {
   std::string out;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) out += drawn(plot.curves[i], i, plot, to);

@@ -24,8 +24,8 @@ Expression read_expression(const JsonReader& place) {
   return std::move(parsed).value();
 }
 
-/// An expression that came from a JSON number other than a small whole one goes back as that number: its text as an
-/// exact fraction may have hundreds of digits.
+/// An expression that came from a JSON number other than a small whole one goes back as that number: its text
+/// as an exact fraction may have hundreds of digits.
 JsonValue expression_json(const Expression& expression) {
   const auto& nodes = expression.nodes();
   if (nodes.size() == 1 && nodes.front().kind == ExpressionKind::literal) {

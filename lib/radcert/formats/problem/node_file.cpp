@@ -27,8 +27,8 @@ constexpr const char* schema = "radcert/nodes/1";
 constexpr int largest_node_degree = 12;
 constexpr const char* coordinate_allowed = "a decimal or fraction in a string, from 0 to 1";
 
-// A problem is solved with fractions so close to irrational numbers: as many digits as node files have, and the rounding of no
-// arithmetic that it is solved in.
+// A problem is solved with fractions so close to irrational numbers: as many digits as node files have, and
+// the rounding of no arithmetic that it is solved in.
 const Rational& number_width() {
   static const Rational width = 1 / power(Rational(10), 70);
   return width;
@@ -290,8 +290,8 @@ std::string point_text(const Barycentric<Rational>& x) {
   return "(" + x.x[0].to_text() + ", " + x.x[1].to_text() + ", " + x.x[2].to_text() + ")";
 }
 
-// Collocation with functions whose sum is not 1 does not converge. The sum's largest distance from 1 at the places of its
-// Bernstein coefficients shows where and by how much.
+// Collocation with functions whose sum is not 1 does not converge. The sum's largest distance from 1 at the
+// places of its Bernstein coefficients shows where and by how much.
 void require_constants(const JsonReader& space, const LagrangeFunctions& functions) {
   if (functions.reproduced_degree() >= 0) return;
   Barycentric<Rational> worst;

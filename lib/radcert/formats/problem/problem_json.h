@@ -11,11 +11,11 @@
 namespace radcert {
 
 /// A problem file.
-/// Maths     none
 /// Source    the file format radcert/problem/1
 /// Requires  a file of at most 64 MiB, nested at most 64 deep
-/// Result    the problem, numbers and expressions exact, defaults filled in; otherwise InputError with file, JSON
-///           pointer, value and what is allowed. "superconvergent" has become the alpha that it stands for
+/// Result    the problem, numbers and expressions exact, defaults filled in; otherwise InputError with file,
+///           JSON pointer, value and what is allowed. "superconvergent" has become the alpha that it stands
+///           for
 /// Limits    syntax, names, types and ranges of single values; check() refuses what only the whole shows
 Problem read_problem(const std::filesystem::path& path);
 

@@ -14,7 +14,6 @@
 namespace radcert {
 
 /// The parts of a problem file, each read from its own place in it.
-/// Maths     none
 /// Source    the file format radcert/problem/1
 /// Requires  pieces: the names of the pieces of the problem's surface; folder: where the names of files begin
 /// Result    the part with its defaults filled in; otherwise InputError with the JSON pointer
@@ -29,11 +28,9 @@ SolverChoice read_solver(const JsonReader& solver);
 PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);
 
 /// The same parts as JSON.
-/// Maths     none
 /// Source    the file format radcert/problem/1
 /// Requires  a part that the functions above could have read
 /// Result    every default written out
-/// Limits    none
 JsonValue surface_json(const SurfaceChoice& surface);
 JsonValue triangulation_json(const TriangulationChoice& triangulation);
 JsonValue geometry_json(const std::optional<InterpolatedGeometry>& geometry);
@@ -69,19 +66,14 @@ std::vector<std::string> coefficient_rule_names();
 void require_digest(const JsonReader& object, const std::string& digest);
 
 /// An exact number as JSON.
-/// Maths     none
 /// Source    the file format: a JSON number means the nearest double, a string is exact
 /// Requires  nothing
 /// Result    a whole number up to 2^53 as a number, everything else as a string: 2, "1/6"
-/// Limits    none
 JsonValue exact_json(const Rational& value);
 
 /// Whether somebody named each piece, or "*"; refuses other names.
-/// Maths     none
-/// Source    -
 /// Requires  an object
 /// Result    returns, or throws InputError
-/// Limits    none
 void require_pieces(const JsonReader& by_piece, std::span<const std::string> pieces);
 
 }  // namespace radcert

@@ -23,10 +23,10 @@ struct BasisRecord {
 };
 
 /// What is known of bases, as JSON.
-/// Maths     none
 /// Source    the file format radcert/basis/1
 /// Requires  nothing
-/// Result    exact numbers as strings, rounded to the nearest of 60 digits where they are long; the norm between doubles that enclose it
+/// Result    exact numbers as strings, rounded to the nearest of 60 digits where they are long; the norm
+///           between doubles that enclose it
 /// Limits    the same bits on every run, apart from `command`
 [[nodiscard]] JsonValue basis_record_json(std::span<const BasisRecord> records, const std::string& command);
 
@@ -36,8 +36,8 @@ struct BasisRecord {
 /// A table in LaTeX, a row a basis: degree, nodes, degrees of precision, norm, condition, orders.
 [[nodiscard]] std::string basis_latex(std::span<const BasisRecord> records);
 
-/// An exact number for people: as it stands where that is short, else rounded to nearest with so many digits, trailing zeros
-/// included: the number is then within half a unit of the last one.
+/// An exact number for people: as it stands where that is short, else rounded to nearest with so many digits,
+/// trailing zeros included: the number is then within half a unit of the last one.
 [[nodiscard]] std::string readable(const Rational& value, int digits);
 
 /// A bound for people: as it stands where that is short, else "<= " and so many digits, rounded up.

@@ -10,7 +10,6 @@
 namespace radcert {
 
 /// The results of an experiment as JSON.
-/// Maths     none
 /// Source    the file format radcert/experiment_result/1
 /// Requires  a result of collect for each combination, in their order; finite figures, else ContractViolation
 /// Result    apart from `timing` and `command` the same bits on every run
@@ -19,11 +18,10 @@ namespace radcert {
                                         const std::string& command);
 
 /// The levels of all combinations as CSV.
-/// Maths     none
 /// Source    RFC 4180
 /// Requires  as experiment_json
-/// Result    a row a combination and level: what the combination is, then the columns of errors_csv, fitted orders last;
-///           no seconds, so that the same experiment gives the same bytes
+/// Result    a row a combination and level: what the combination is, then the columns of errors_csv, fitted
+///           orders last; no seconds, so that the same experiment gives the same bytes
 /// Limits    what is null in the JSON file is empty here
 [[nodiscard]] std::string experiment_errors_csv(const Experiment& experiment,
                                                 std::span<const Result> results);

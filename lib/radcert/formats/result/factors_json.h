@@ -27,18 +27,12 @@ struct FactorReport {
 
 /// How far the row sums as given are from 1 at most.
 /// Maths     max_I |sum_I - 1| of the doubles sum_I
-/// Source    -
-/// Requires  -
 /// Result    rounded up
-/// Limits    -
 [[nodiscard]] double closure_bound(const FactorMatrix& matrix);
 
 /// The same as JSON.
-/// Maths     none
 /// Source    the file format radcert/factors/1
-/// Requires  -
 /// Result    comparison: counts and the factors_json_worst largest differences; null where none was asked for
-/// Limits    -
 [[nodiscard]] JsonValue factors_report(const FactorReport& report);
 
 inline constexpr std::size_t factors_json_worst = 100;

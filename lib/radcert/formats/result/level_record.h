@@ -21,11 +21,9 @@ std::string level_record(const LevelOutcome& level);
 Outcome<LevelOutcome> read_level_record(std::string_view text);
 
 /// The key under which a level of a problem is stored.
-/// Maths     none
-/// Source    -
 /// Requires  a problem that problem_json can write
-/// Result    the digest of the sources, the canonical problem without its other levels, the level: everything that the
-///           level's numbers depend on
+/// Result    the digest of the sources, the canonical problem without its other levels, the level: everything
+///           that the level's numbers depend on
 /// Limits    two spellings of one problem ("0.5" and "1/2" in an expression) have two keys
 std::string level_key(const Problem& problem, int level);
 

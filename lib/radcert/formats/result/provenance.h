@@ -23,11 +23,7 @@ struct LibraryVersion {
 };
 
 /// What somebody needs to know to make files again.
-/// Maths     none
-/// Source    -
-/// Requires  -
 /// Result    plain data
-/// Limits    -
 struct Provenance {
   std::string command;
   std::vector<InputDigest> inputs;
@@ -41,7 +37,6 @@ struct Provenance {
 };
 
 /// A provenance as JSON, ending with a newline.
-/// Maths     none
 /// Source    the file format radcert/provenance/1
 /// Requires  nothing
 /// Result    with version and source digest of this radcert

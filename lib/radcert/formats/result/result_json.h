@@ -10,11 +10,10 @@
 namespace radcert {
 
 /// A result of solve as JSON.
-/// Maths     none
 /// Source    the file format radcert/solution/1
 /// Requires  figures are finite, else ContractViolation
-/// Result    keys in the order of the format, null for what is absent, doubles in their shortest exact form; `command`
-///           is how it was made. Apart from `timing` and `command` the same bits on every run
+/// Result    keys in the order of the format, null for what is absent, doubles in their shortest exact form;
+///           `command` is how it was made. Apart from `timing` and `command` the same bits on every run
 /// Limits    a ratio or an order that is not finite is null
 JsonValue result_json(const Result& result, const std::string& command);
 

@@ -10,12 +10,9 @@
 namespace radcert {
 
 /// What radcert surface writes, as JSON.
-/// Maths     none
 /// Source    the file format radcert/surface/1
-/// Requires  -
-/// Result    the same keys for a mesh and for a surface of the catalogue, null where something is not known of it. Lists of places show
-///           the first surface_json_places, beside the count of all
-/// Limits    -
+/// Result    the same keys for a mesh and for a surface of the catalogue, null where something is not known
+///           of it. Lists of places show the first surface_json_places, beside the count of all
 [[nodiscard]] JsonValue surface_report(const std::string& file, const MeshSurvey& survey,
                                        const std::string& command);
 [[nodiscard]] JsonValue surface_report(const Surface& surface, const ConvexContainment& containment,

@@ -12,11 +12,10 @@
 namespace radcert {
 
 /// A table as CSV.
-/// Maths     none
 /// Source    RFC 4180
 /// Requires  a row has as many cells as there are columns, else ContractViolation
-/// Result    one header line, lines end with CR LF, cells quoted where needed; doubles in their shortest exact form,
-///           null as an empty cell
+/// Result    one header line, lines end with CR LF, cells quoted where needed; doubles in their shortest
+///           exact form, null as an empty cell
 /// Limits    arrays and objects are no cells: ContractViolation
 class CsvTable {
 public:
@@ -30,15 +29,14 @@ private:
 };
 
 /// The values at the nodes of several levels.
-/// Maths     none
-/// Source    the columns level, piece, element, node, x, y, z, normal_x, normal_y, normal_z, u_n, radius, u, emission
+/// Source    the columns level, piece, element, node, x, y, z, normal_x, normal_y, normal_z, u_n, radius, u,
+///           emission
 /// Requires  nothing
 /// Result    a row a node, in the order of the levels and of their unknowns; normals point inwards
 /// Limits    `u` is empty where the problem gives no solution
 std::string nodes_csv(std::span<const LevelOutcome> levels);
 
 /// The columns of one level's figures, and the cells below them.
-/// Maths     none
 /// Source    the file format radcert/solution/1
 /// Requires  nothing
 /// Result    figures as three columns value, radius, guaranteed; piece means are left to the JSON file
@@ -47,7 +45,6 @@ std::span<const std::string_view> level_columns();
 std::vector<JsonValue> level_cells(const LevelResult& level);
 
 /// The levels of a result, a row each, with the columns of the JSON file's levels.
-/// Maths     none
 /// Source    the file format radcert/solution/1
 /// Requires  nothing
 /// Result    the columns of level_columns

@@ -15,12 +15,10 @@
 namespace radcert {
 
 /// The factors of a matrix as CSV.
-/// Maths     none
 /// Source    the columns from, to, factor, radius, guaranteed
 /// Requires  a name for each row
-/// Result    RFC 4180; a row for each factor that is not exactly zero, in the shortest form that reads back as the same double: the
-///           radius holds for that double
-/// Limits    -
+/// Result    RFC 4180; a row for each factor that is not exactly zero, in the shortest form that reads back
+///           as the same double: the radius holds for that double
 [[nodiscard]] std::string factors_csv(const FactorMatrix& matrix, std::span<const std::string> names);
 
 /// The rows of a matrix as CSV: the columns name, area, row_sum, row_radius, to_space; the last is empty
@@ -29,10 +27,7 @@ namespace radcert {
 
 /// A factor that somebody else found.
 /// Maths     what is claimed: value +- halfwidth
-/// Source    -
-/// Requires  -
 /// Result    halfwidth: the radius given, else half a unit of the last printed digit
-/// Limits    -
 struct ClaimedFactor {
   double value = 0;
   double halfwidth = 0;
@@ -42,7 +37,6 @@ struct ClaimedFactor {
 using ClaimedFactors = std::map<std::pair<std::string, std::string>, ClaimedFactor>;
 
 /// A file of factors.
-/// Maths     none
 /// Source    CSV with columns from, to, factor and, if there, radius, in any order, others ignored; or the
 ///           text output of View3D: a line "View3D <version> 0 <...> <surfaces>", the areas, the square
 ///           matrix by rows, emissivities
@@ -76,7 +70,6 @@ struct FactorComparison {
 /// Every pair that either matrix has, the largest differences first.
 /// Maths     with d = |ours - theirs|, r our radius, h their halfwidth: agrees if d + r <= h, differs if d -
 ///           r > h, else undecided
-/// Source    -
 /// Requires  a name for each row
 /// Result    InputError, without a source, for a name that no surface has
 /// Limits    the comparison of the doubles is proved; a claim is the doubles nearest to its decimals

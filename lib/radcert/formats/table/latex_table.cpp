@@ -18,7 +18,8 @@ constexpr int error_digits = 4;
 constexpr std::string_view absent = "{--}";
 constexpr std::string_view in_parentheses = "in parentheses their radius, in units of the last digit";
 
-// Columns of siunitx: room for a mantissa of error_digits digits, its uncertainty and a negative power of two digits.
+// Columns of siunitx: room for a mantissa of error_digits digits, its uncertainty and a negative power of two
+// digits.
 LatexColumn error_column(std::string head) { return {std::move(head), "S[table-format=1.3(2)e-2]"}; }
 LatexColumn count_column(std::string head) { return {std::move(head), "r"}; }
 LatexColumn ratio_column(std::string head) { return {std::move(head), "r"}; }

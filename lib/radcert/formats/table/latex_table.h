@@ -13,7 +13,6 @@
 namespace radcert {
 
 /// A text for LaTeX, with its special characters as they print.
-/// Maths     none
 /// Source    the ten special characters of LaTeX
 /// Requires  UTF-8
 /// Result    as plain text of a paragraph; underscores and slashes are places where a line may end
@@ -21,12 +20,10 @@ namespace radcert {
 [[nodiscard]] std::string latex_escaped(std::string_view text);
 
 /// A number as siunitx reads it.
-/// Maths     with a radius an enclosure, `digits` digits of the midpoint or as many as the radius leaves a meaning: parenthesised_text.
-///           Without one, or with an infinite one, rounded to nearest
-/// Source    -
+/// Maths     with a radius an enclosure, `digits` digits of the midpoint or as many as the radius leaves a
+///           meaning: parenthesised_text. Without one, or with an infinite one, rounded to nearest
 /// Requires  1 <= digits <= 100; a finite value; radius >= 0, else ContractViolation
 /// Result    "1.483(2)e-3" is 1.483e-3 +- 0.002e-3; "1.483e-3" where no radius is known
-/// Limits    -
 [[nodiscard]] std::string latex_number(double value, std::optional<double> radius, int digits);
 
 /// A column of a table: its head as LaTeX, and its letter or S[...] of siunitx.
@@ -36,11 +33,9 @@ struct LatexColumn {
 };
 
 /// A table for LaTeX with booktabs and siunitx.
-/// Maths     none
 /// Source    the packages array, booktabs, siunitx, and longtable for one that goes over pages
 /// Requires  a row has as many cells as there are columns, else ContractViolation; cells are LaTeX
 /// Result    a tabular, or a longtable with its head on every page, without float and caption
-/// Limits    -
 class LatexTable {
 public:
   explicit LatexTable(std::vector<LatexColumn> columns, bool over_pages = false);
@@ -56,17 +51,17 @@ private:
   std::string rows_;
 };
 
-/// The levels of a result as a table: elements, unknowns, h, errors with their ratios, the fitted orders below.
-/// Maths     none
+/// The levels of a result as a table: elements, unknowns, h, errors with their ratios, the fitted orders
+/// below.
 /// Source    the tables of [ac98]
 /// Requires  nothing
-/// Result    four significant digits with the radius in parentheses, fewer where it leaves fewer; without a solution the means over the pieces
+/// Result    four significant digits with the radius in parentheses, fewer where it leaves fewer; without a
+///           solution the means over the pieces
 /// Limits    all digits are in errors.csv
 [[nodiscard]] std::string levels_latex(const Result& result);
 
-/// The combinations of an experiment as a table: unknowns and errors at the finest level, the fitted order of the node error.
-/// Maths     none
-/// Source    -
+/// The combinations of an experiment as a table: unknowns and errors at the finest level, the fitted order of
+/// the node error.
 /// Requires  a result of collect for each combination, in their order
 /// Result    a row a combination, in their order
 /// Limits    combinations may have different finest levels

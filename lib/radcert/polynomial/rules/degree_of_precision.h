@@ -24,8 +24,9 @@ struct Monomial {
 
 /// The region a rule on the reference triangle is meant for.
 enum class Region {
-  triangle,       ///< sigma: s, t >= 0, s + t <= 1
-  parallelogram,  ///< sigma and its image under (s,t) -> (1 - s, 1 - t), each with the rule: the square [0,1]^2
+  triangle,  ///< sigma: s, t >= 0, s + t <= 1
+  /// Sigma and its image under (s,t) -> (1 - s, 1 - t), each with the rule: the square [0,1]^2
+  parallelogram,
 };
 
 /// By how much a rule misses the integral of a monomial.

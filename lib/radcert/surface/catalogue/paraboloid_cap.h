@@ -9,9 +9,7 @@ namespace radcert {
 /// A quarter of the paraboloid over the unit disk.
 /// Maths     F(s,t) = (+-x, +-y, 1 - x^2 - y^2),  (x,y) = disk_point(s,t)
 /// Source    see disk_point
-/// Requires  -
 /// Result    see ChartOf
-/// Limits    -
 template <Field R>
 class ParaboloidQuadrant {
 public:
@@ -30,10 +28,7 @@ private:
 
 /// The boundary of the body between a paraboloid and its disk.
 /// Maths     0 <= z <= 1 - x^2 - y^2
-/// Source    -
-/// Requires  -
 /// Result    pieces floor (z = 0) and cap, four charts each
-/// Limits    -
 Surface paraboloid_cap();
 
 }  // namespace radcert

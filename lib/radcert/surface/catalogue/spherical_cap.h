@@ -9,12 +9,13 @@
 namespace radcert {
 
 /// A quarter of a cap of the unit sphere, the equal-area image of the unit disk's.
-/// Maths     F(s,t) = (+-2 sqrt(f) x w, +-2 sqrt(f) y w, 1 - 2f (x^2+y^2)),  w = sqrt(1 - f (x^2+y^2)),  (x,y) = disk_point(s,t);
-///           |D_s F x D_t F| = 4f/(1-2st)^2
+/// Maths     F(s,t) = (+-2 sqrt(f) x w, +-2 sqrt(f) y w, 1 - 2f (x^2+y^2)),  w = sqrt(1 - f (x^2+y^2)),
+///           (x,y) = disk_point(s,t); |D_s F x D_t F| = 4f/(1-2st)^2
 /// Source    Lambert's equal-area projection
 /// Requires  0 < f < 1
 /// Result    see ChartOf
-/// Limits    w vanishes at distance (1-f)/f outside the rim: for f near 1 orders are seen on fine triangulations only
+/// Limits    w vanishes at distance (1-f)/f outside the rim: for f near 1 orders are seen on fine
+///           triangulations only
 template <Field R>
 class SphericalCapQuadrant {
 public:

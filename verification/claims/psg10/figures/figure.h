@@ -57,7 +57,8 @@ struct FigureKind {
 /// The figures of [psg10] as radcert makes them, in the order of the paper.
 /// Maths     the scene of figures 3, 5, 7 and 8 is lit_room(), for the paper gives none
 /// Source    [psg10, figures 3-9]
-/// Result    InputError where sites or a basis refuse the separation that was wanted, or where memory does not do
+/// Result    InputError where sites or a basis refuse the separation that was wanted, or where memory does
+///           not do
 [[nodiscard]] const std::vector<FigureKind>& figure_kinds();
 
 }  // namespace radcert::verification::psg10

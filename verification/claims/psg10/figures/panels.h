@@ -32,7 +32,8 @@ inline double as_double(std::size_t n) { return static_cast<double>(n); }
 [[nodiscard]] Sheet sheet_of(const FigureWish& wish, std::size_t columns, std::size_t rows,
                              bool has_scale = false);
 
-/// The pose with an angle so wide that a panel which is narrower than the scene wants it still shows all from left to right.
+/// The pose with an angle so wide that a panel which is narrower than the scene wants it still shows all from
+/// left to right.
 [[nodiscard]] CameraPose fitted_to(CameraPose pose, const ImageRegion& panel);
 
 [[nodiscard]] RayCaster caster_of(const LitRoom& room);

@@ -30,7 +30,8 @@ std::vector<PlanPoint> square_plan(int middle_x, int middle_y, int u, int v) {
   return plan;
 }
 
-/// Eight corners about a middle, counterclockwise: at distances of far beside the axes and near from them; in sixteenths.
+/// Eight corners about a middle, counterclockwise: at distances of far beside the axes and near from them; in
+/// sixteenths.
 std::vector<PlanPoint> octagon_plan(int middle_x, int middle_y, int far, int near) {
   std::vector<PlanPoint> plan;
   for (const auto& [x, y] : {std::pair(far, -near),
@@ -53,7 +54,8 @@ public:
 
   void polygon(const std::vector<Vector<Rational>>& corners) { add(plane_polygon(corners).value()); }
 
-  /// origin + s first + t second within the first loop, out of the others; seen from the side of first x second.
+  /// origin + s first + t second within the first loop, out of the others; seen from the side of first x
+  /// second.
   void with_holes(const Vector<Rational>& origin, const Vector<Rational>& first,
                   const Vector<Rational>& second, std::vector<PolygonLoop> loops) {
     add(plane_polygon(origin, first, second, std::move(loops)).value());

@@ -22,7 +22,6 @@ struct LitRoom {
 ///           conforming mesh without faults, closed, of pieces floor, ceiling, back, front, left, right,
 ///           tall, low, column, shade; albedo constant on each, from 0.1 to 0.8, its mean by area about 0.6
 /// Source    designed for radcert, in the manner of [psg10, figure 8]
-/// Requires  -
 /// Result    the lamp of intensity 5/2 is at (2, 1.75, 2.1875), below the shade, which keeps its light off
 ///           most of the ceiling
 /// Limits    the lamp is a point without a bulb: shadows are sharp

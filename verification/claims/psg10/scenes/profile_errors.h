@@ -12,11 +12,11 @@
 namespace radcert::verification::psg10 {
 
 /// A circle about the z-axis on a surface of revolution, and the radiance that is right there.
-/// Maths     points (distance cos phi, distance sin phi, height), normals (radial cos phi, radial sin phi, axial)
+/// Maths     points (distance cos phi, distance sin phi, height), normals (radial cos phi, radial sin phi,
+///           axial)
 /// Source    [psg10, section VIII]
 /// Requires  distance >= 0, radial^2 + axial^2 = 1, area > 0
 /// Result    plain data; area: of the part of the surface that the circle stands for
-/// Limits    -
 struct ProfilePoint {
   double distance = 0;
   double height = 0;
@@ -27,7 +27,8 @@ struct ProfilePoint {
   double truth = 0;
 };
 
-/// `count` parallels of the sphere of sphere_over_disk_surface, in the middles of equal parts of the sine t of the latitude: equal areas.
+/// `count` parallels of the sphere of sphere_over_disk_surface, in the middles of equal parts of the sine t
+/// of the latitude: equal areas.
 [[nodiscard]] std::vector<ProfilePoint> sphere_profile(double radius, double height, std::size_t count,
                                                        const std::function<double(double t)>& truth);
 /// `count` circles of its disk, in the middles of equal parts of the distance u.
@@ -44,12 +45,11 @@ struct CircleValues {
 };
 
 /// How far a radiance is from the right one on circles.
-/// Maths     max: max |L - truth|; mean: the mean of L - truth; l2^2 = bias^2 + oscillation^2, the means of squares of L - truth, of (mean over the
-///           circle) - truth and of L - (mean over the circle); all means by area
+/// Maths     max: max |L - truth|; mean: the mean of L - truth; l2^2 = bias^2 + oscillation^2, the means of
+///           squares of L - truth, of (mean over the circle) - truth and of L - (mean over the circle); all
+///           means by area
 /// Source    [psg10, section VIII-B and IX]: systematic errors and oscillations
-/// Requires  -
 /// Result    rounded; over the points where the radiance has a value
-/// Limits    -
 struct ProfileErrors {
   double max = 0;
   double l2 = 0;
@@ -62,7 +62,6 @@ struct ProfileErrors {
 
 /// Compares a radiance with the right one.
 /// Maths     azimuths 2 pi k / azimuths, k = 0, ..., azimuths - 1
-/// Source    -
 /// Requires  azimuths >= 1, else ContractViolation; a radiance that threads may ask for at the same time
 /// Result    see ProfileErrors; the same bits for any number of threads
 /// Limits    max is over the points that are looked at

@@ -11,7 +11,8 @@
 namespace radcert::verification::psg10 {
 namespace {
 
-/// x = 1/(1 + exp(-pi sinh s)) on (0,1), s in whole multiples of the step as far as the weights are above rounding.
+/// x = 1/(1 + exp(-pi sinh s)) on (0,1), s in whole multiples of the step as far as the weights are above
+/// rounding.
 template <Real R>
 struct DoubleExponentialRule {
   std::vector<R> nodes;
@@ -114,8 +115,9 @@ R indirect_on_disk(const SphereOverDisk<R>& solution, const R& u, int points_a_u
   const SceneNumbers<R>& scene = solution.scene();
   const DoubleExponentialRule<R> rule(points_a_unit);
   std::vector<R> ends = solution.latitudes();
-  // The sphere seen from the point: its centre at the polar angle phi from the vertical, its limb at the angle psi from the far
-  // point as seen from the centre; the limb's highest and lowest latitudes have the sines -cos(phi +- psi).
+  // The sphere seen from the point: its centre at the polar angle phi from the vertical, its limb at the
+  // angle psi from the far point as seen from the centre; the limb's highest and lowest latitudes have the
+  // sines -cos(phi +- psi).
   const R distance = sqrt(u * u + scene.height * scene.height);
   const R cos_psi = scene.radius / distance;
   const R sin_psi = sqrt((R(1) - cos_psi) * (R(1) + cos_psi));

@@ -18,8 +18,6 @@ namespace radcert::verification::psg10 {
 
 /// A point of the scene.
 /// Maths     sphere: the latitude place + poles pi/2 in radians; disk: the distance `place` from the axis
-/// Source    -
-/// Requires  -
 /// Result    plain data
 /// Limits    a pole is place = 0, poles = -1 or 1
 struct SphereOverDiskPoint {
@@ -35,8 +33,8 @@ struct SphereOverDiskPoint {
 /// A radiance with an estimated error.
 /// Maths     midpoints and radii; total = emission + indirect
 /// Source    [psg10, (20)-(21)]
-/// Requires  -
-/// Result    total, emission and indirect by the two equations, second: the total by cubature in double; routes: how each was found
+/// Result    total, emission and indirect by the two equations, second: the total by cubature in double;
+///           routes: how each was found
 /// Limits    the radii are estimates
 struct EstimatedRadiance {
   Ball total;
@@ -52,12 +50,14 @@ struct EstimatedRadiance {
 inline constexpr int most_sphere_over_disk_digits = 24;
 
 /// The radiance at points of the sphere over the disk, by two routes.
-/// Maths     with Mpfr<50>, 8 + 2 digits nodes a panel, 8 more, and then a third more each time, until at every point two neighbouring
-///           discretisations differ by at most 10^-digits / 2: the difference is the radius, and that of the coarser of the two, so
-///           that the finer is better by some digits. The second route's radius is the largest change of its value when its rule or its
-///           discretisation is made coarser, and 10^-13 of the intensity for rounding
+/// Maths     with Mpfr<50>, 8 + 2 digits nodes a panel, 8 more, and then a third more each time, until at
+///           every point two neighbouring discretisations differ by at most 10^-digits / 2: the difference is
+///           the radius, and that of the coarser of the two, so that the finer is better by some digits. The
+///           second route's radius is the largest change of its value when its rule or its discretisation is
+///           made coarser, and 10^-13 of the intensity for rounding
 /// Source    SphereOverDisk, indirect_on_sphere, indirect_on_disk
-/// Requires  allows(scene), allows(scene, point) for each, 1 <= digits <= most_sphere_over_disk_digits, else ContractViolation
+/// Requires  allows(scene), allows(scene, point) for each, 1 <= digits <= most_sphere_over_disk_digits, else
+///           ContractViolation
 /// Result    in the order of the points; or why not: the radius that was reached, or routes that do not agree
 /// Limits    nothing is proved
 [[nodiscard]] Outcome<std::vector<EstimatedRadiance>> estimate(const SphereOverDiskScene& scene,
@@ -75,11 +75,12 @@ struct CurvePoint {
 };
 
 /// Both curves of figure 10.
-/// Maths     B at `count` latitudes from -pi/2 to pi/2, D at `count` distances from 0 to disk_radius, equally spaced with the ends; D at u = radius on
-///           both sides of the shadow's rim besides
+/// Maths     B at `count` latitudes from -pi/2 to pi/2, D at `count` distances from 0 to disk_radius, equally
+///           spaced with the ends; D at u = radius on both sides of the shadow's rim besides
 /// Source    [psg10, figure 10]
 /// Requires  allows(scene), 2 <= count, else ContractViolation
-/// Result    the sphere first, each ascending; rounded to double from a discretisation in Mpfr<50> that meets 10^-14 in the paper's scene
+/// Result    the sphere first, each ascending; rounded to double from a discretisation in Mpfr<50> that meets
+///           10^-14 in the paper's scene
 /// Limits    no radii: estimate() gives them
 [[nodiscard]] std::vector<CurvePoint> curves(const SphereOverDiskScene& scene, int count);
 

@@ -16,7 +16,8 @@
 namespace radcert::verification::psg10 {
 namespace {
 
-/// The rounds of Neumann's series contract by less than (radius/height)^2 albedo^2; this many serve down to contractions of 0.99.
+/// The rounds of Neumann's series contract by less than (radius/height)^2 albedo^2; this many serve down to
+/// contractions of 0.99.
 const WorkLimit most_rounds("psg10/sphere_over_disk/solution: rounds of Neumann's series", 12000, 1,
                             "no solution: AccuracyNotReached with the last change");
 

@@ -11,12 +11,12 @@
 namespace radcert::verification::psg10 {
 
 /// A sphere above a disk, with the centre on the disk's axis, and light that falls parallel to the axis.
-/// Maths     sphere: |x - (0,0,height)| = radius; disk: z = 0, distance from the axis <= disk_radius, lit and lighting on its upper side;
-///           both reflect the share `albedo` of what arrives; `intensity`: the power per area that a plane across the light receives
+/// Maths     sphere: |x - (0,0,height)| = radius; disk: z = 0, distance from the axis <= disk_radius, lit and
+///           lighting on its upper side; both reflect the share `albedo` of what arrives; `intensity`: the
+///           power per area that a plane across the light receives
 /// Source    [psg10, section VIII]: r, R, h, beta, mu
 /// Requires  see allows()
 /// Result    plain data; the defaults are those of the paper
-/// Limits    -
 struct SphereOverDiskScene {
   Rational radius = 5;
   Rational disk_radius = 40;
@@ -44,28 +44,30 @@ struct SceneNumbers {
         intensity(from_rational<R>(scene.intensity)) {}
 };
 
-/// The kernel between a point of the disk and a point of the sphere, integrated over the azimuth between them.
-/// Maths     k(u,t) = Int max(0, cos cos')/(pi d^2) dtau over a full turn, u: distance of the disk's point from the axis, t: sine of the
-///           latitude of the sphere's. With a = u sqrt(1 - t^2), b = h t + r the sphere's point is seen where a cos tau > b: nowhere for b >= a,
-///           everywhere for b <= -a, else for |tau| < tau_0, cos tau_0 = b/a. With T^2 = u^2 + h^2 - r^2 the squared distance is
-///           d^2 = T^2 - 2 r (a cos tau - b) = A - B cos tau, A = T^2 + 2 r b, B = 2 r a, and with Delta = A^2 - B^2,
-///           k = 2 (h + r t)/(pi Delta) {[2 r (a^2 - b^2) - b T^2] I + w},  I = Int_0^tau_0 dtau/(A - B cos tau),
-///           w = sqrt(a^2 - b^2), I = 2/sqrt(Delta) atan sqrt((A + B)(a - b)/((A - B)(a + b)));  seen everywhere: w = 0, I = pi/sqrt(Delta)
+/// The kernel between a point of the disk and a point of the sphere, integrated over the azimuth between
+/// them.
+/// Maths     k(u,t) = Int max(0, cos cos')/(pi d^2) dtau over a full turn, u: distance of the disk's point
+///           from the axis, t: sine of the latitude of the sphere's. With a = u sqrt(1 - t^2), b = h t + r
+///           the sphere's point is seen where a cos tau > b: nowhere for b >= a, everywhere for b <= -a, else
+///           for |tau| < tau_0, cos tau_0 = b/a. With T^2 = u^2 + h^2 - r^2 the squared distance is d^2 = T^2
+///           - 2 r (a cos tau - b) = A - B cos tau, A = T^2 + 2 r b, B = 2 r a, and with Delta = A^2 - B^2, k
+///           = 2 (h + r t)/(pi Delta) {[2 r (a^2 - b^2) - b T^2] I + w},  I = Int_0^tau_0 dtau/(A - B cos
+///           tau), w = sqrt(a^2 - b^2), I = 2/sqrt(Delta) atan sqrt((A + B)(a - b)/((A - B)(a + b)));  seen
+///           everywhere: w = 0, I = pi/sqrt(Delta)
 /// Source    [psg10, (21)]; cos cos' = (h + r t)(a cos tau - b)/d^2, numerator = (T^2 - d^2)/(2 r), and
 ///           Delta Int dtau/d^4 = A I + B sin tau_0/d^2(tau_0), where d^2(tau_0) = T^2
 /// Requires  0 <= u, -1 <= t <= 1
 /// Result    rounded; the absolute error is a few units of rounding of the largest term
-/// Limits    arithmetics with an order: double, Mpfr. k has bounded first derivatives; across b = a and b = -a it goes with the power 3/2
+/// Limits    arithmetics with an order: double, Mpfr. k has bounded first derivatives; across b = a and b =
+///           -a it goes with the power 3/2
 template <Real R>
 [[nodiscard]] R azimuth_kernel(const SceneNumbers<R>& scene, const R& u, const R& t);
 
 /// Where the tangent plane of a parallel of the sphere touches a circle of the disk, and the other way round.
-/// Maths     the roots t_- <= t_+ of h t + r = -+u sqrt(1 - t^2): (-h r -+ u sqrt(h^2 + u^2 - r^2))/(h^2 + u^2); from the circle u the
-///           parallels below t_- are seen all around, those above t_+ nowhere
-/// Source    -
+/// Maths     the roots t_- <= t_+ of h t + r = -+u sqrt(1 - t^2): (-h r -+ u sqrt(h^2 + u^2 - r^2))/(h^2 +
+///           u^2); from the circle u the parallels below t_- are seen all around, those above t_+ nowhere
 /// Requires  0 <= u
 /// Result    rounded
-/// Limits    -
 template <Real R>
 struct HorizonLatitudes {
   R whole;  ///< t_-
@@ -89,20 +91,23 @@ struct SphereOverDiskRule {
 };
 
 /// The radiance of the sphere over the disk.
-/// Maths     B(t) = B*(t) + beta Int_0^R D(u) k(u,t) u du,  D(u) = D*(u) + beta r^2 Int_-1^1 B(t) k(u,t) dt,  B* = beta mu max(0,t),
-///           D* = beta mu for r <= u <= R, else 0. In radiance as colour: a white surface across the light has mu; a surface of albedo beta
-///           reflects beta of what arrives. Unknown are the parts from light scattered twice or more. Panels end where they are not smooth:
-///           u = r, t = 0 and the latitudes whose tangent planes touch the circles u = r and u = R; on each the argument goes as
-///           sin^2(pi x/2), which makes powers with half-integer exponents at its ends smooth in x, and the function is a polynomial in x
-///           through Chebyshev points. At these points the equations are met (collocation); their integrals are cut at the panels' ends
-///           and at the horizon, and go by Gauss' rule in an x of each piece; solved by Neumann's series. Off the nodes the right-hand
-///           side is evaluated (Nystrom's interpolation)
+/// Maths     B(t) = B*(t) + beta Int_0^R D(u) k(u,t) u du,  D(u) = D*(u) + beta r^2 Int_-1^1 B(t) k(u,t) dt,
+///           B* = beta mu max(0,t), D* = beta mu for r <= u <= R, else 0. In radiance as colour: a white
+///           surface across the light has mu; a surface of albedo beta reflects beta of what arrives. Unknown
+///           are the parts from light scattered twice or more. Panels end where they are not smooth: u = r, t
+///           = 0 and the latitudes whose tangent planes touch the circles u = r and u = R; on each the
+///           argument goes as sin^2(pi x/2), which makes powers with half-integer exponents at its ends
+///           smooth in x, and the function is a polynomial in x through Chebyshev points. At these points the
+///           equations are met (collocation); their integrals are cut at the panels' ends and at the horizon,
+///           and go by Gauss' rule in an x of each piece; solved by Neumann's series. Off the nodes the
+///           right-hand side is evaluated (Nystrom's interpolation)
 /// Source    [psg10, (20)-(21)]
 /// Requires  allows(scene), 2 <= nodes, 2 <= points <= 192, else ContractViolation
-/// Result    rounded; how far it has converged shows by comparison with a finer rule. AccuracyNotReached where Neumann's series
-///           has not come down to rounding after 12000 rounds: it contracts by less than (radius/height)^2 albedo^2
-/// Limits    nothing is proved. Where the sphere comes close to the disk, (height - radius)/radius << 1, more nodes are needed.
-///           Arithmetics: double, Mpfr<50>
+/// Result    rounded; how far it has converged shows by comparison with a finer rule. AccuracyNotReached
+///           where Neumann's series has not come down to rounding after 12000 rounds: it contracts by less
+///           than (radius/height)^2 albedo^2
+/// Limits    nothing is proved. Where the sphere comes close to the disk, (height - radius)/radius << 1, more
+///           nodes are needed. Arithmetics: double, Mpfr<50>
 template <Real R>
 class SphereOverDisk {
 public:

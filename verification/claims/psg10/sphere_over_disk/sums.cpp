@@ -21,7 +21,8 @@ std::vector<double> equally_spaced(double from, double to, int count, Spacing sp
   return points;
 }
 
-/// cos cos'/(pi d^2) between a point of the sphere and one of the disk; 0 where the sphere's point turns away.
+/// cos cos'/(pi d^2) between a point of the sphere and one of the disk; 0 where the sphere's point turns
+/// away.
 double form_factor(const SceneNumbers<double>& scene, double latitude, double azimuth, double distance) {
   const Vector<double> normal{std::cos(latitude) * std::cos(azimuth), std::cos(latitude) * std::sin(azimuth),
                               std::sin(latitude)};

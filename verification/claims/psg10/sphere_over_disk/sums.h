@@ -15,17 +15,18 @@ enum class Spacing {
 
 /// Which matrix is iterated.
 enum class SumWeights {
-  of_the_sums,  ///< that of (22)-(23): R/n u_j 2 pi/k from the disk, pi/m r^2 cos zeta_i 2 pi/k from the sphere
+  /// That of (22)-(23): R/n u_j 2 pi/k from the disk, pi/m r^2 cos zeta_i 2 pi/k from the sphere
+  of_the_sums,
   as_in_the_text,  ///< (25) to the letter: beta and the sum over the azimuths, no other factor
 };
 
 /// How the paper's sums are read.
-/// Maths     form_factor: F = form_factor cos cos'/(pi d^2) where the points face each other. 1: a surface of albedo beta reflects beta of what
-///           arrives; 1/2: rho G of section II is 2 beta cos cos'/(4 pi d^2); 1/4: G of section II alone
+/// Maths     form_factor: F = form_factor cos cos'/(pi d^2) where the points face each other. 1: a surface of
+///           albedo beta reflects beta of what arrives; 1/2: rho G of section II is 2 beta cos cos'/(4 pi
+///           d^2); 1/4: G of section II alone
 /// Source    [psg10, (2)-(5), (21)-(25)]
 /// Requires  counts >= 2
 /// Result    plain data; the defaults are n = m = k = 100 and the physical factor
-/// Limits    -
 struct SumReading {
   int rings = 100;      ///< n
   int parallels = 100;  ///< m
