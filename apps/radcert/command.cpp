@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "output.h"
 #include "radcert/core/checked.h"
 #include "radcert/core/memory_plan.h"
+#include "radcert/core/version.h"
+#include "radcert/formats/json/json_reader.h"
 
 namespace radcert::app {
 
@@ -48,6 +51,26 @@ std::string shell_word(std::string_view word) {
   return out + "'";
 }
 
+constexpr const char* exit_codes =
+    "Results go to stdout, everything else to stderr.\n"
+    "Exit codes: 0 done, every verdict as recorded; 1 a verdict differs from the record, or a demanded "
+    "accuracy was\n"
+    "not reached; 2 the input is wrong; 3 the environment failed, or radcert itself has a defect; 130 "
+    "interrupted.";
+
+/// A word in the place of a subcommand that is none.
+void require_command(const CLI::App& program, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands([](const CLI::App*) { return true; })) {
+    if (command->get_name() == word) return;
+    names.push_back(command->get_name());
+  }
+  const auto near = nearest_word(word, names);
+  throw InputError({.value = word,
+                    .problem = "is no command" + (near ? "; did you mean " + *near + "?" : std::string()),
+                    .allowed = listed(names)});
+}
+
 }  // namespace
 
 std::optional<std::size_t> Common::thread_limit() const {
@@ -71,19 +94,84 @@ std::uint64_t Common::memory_limit() const {
   return std::min(available, *limit);
 }
 
-CLI::App& add_command(CLI::App& program, Common& common, const std::string& name,
-                      const std::string& summary) {
-  CLI::App& command = *program.add_subcommand(name, summary);
+void Subcommand::word(const std::string& name, std::string& value, const std::string& help,
+                      const std::string& type) {
+  CLI::Option* option = app_->add_option(name, value, help)->required();
+  if (!type.empty()) option->type_name(type);
+}
+void Subcommand::optional_word(const std::string& name, std::string& value, const std::string& help) {
+  app_->add_option(name, value, help);
+}
+void Subcommand::words(const std::string& name, std::vector<std::string>& values, const std::string& help) {
+  app_->add_option(name, values, help);
+}
+void Subcommand::option(const std::string& name, std::string& value, const std::string& help,
+                        const std::string& type) {
+  app_->add_option(name, value, help)->type_name(type);
+}
+void Subcommand::option_with_default(const std::string& name, std::string& value, const std::string& help) {
+  app_->add_option(name, value, help)->capture_default_str();
+}
+void Subcommand::repeated(const std::string& name, std::vector<std::string>& values, const std::string& help,
+                          const std::string& type) {
+  app_->add_option(name, values, help)->type_name(type)->take_all();
+}
+void Subcommand::list(const std::string& name, std::vector<std::string>& values, const std::string& help,
+                      const std::string& type) {
+  app_->add_option(name, values, help)->delimiter(',')->type_name(type);
+}
+void Subcommand::flag(const std::string& name, bool& value, const std::string& help) {
+  app_->add_flag(name, value, help);
+}
+void Subcommand::footer(const std::string& text) { app_->footer(text); }
+void Subcommand::runs(Action action) {
+  app_->callback([chosen = action_, action = std::move(action)] { *chosen = action; });
+}
+
+Program::Program(int count, const char* const* words)
+    : tree_(std::make_unique<CLI::App>("Verified numerics for the radiosity integral equation", "radcert")),
+      common_{.command = command_line(count, words)} {
+  tree_->set_help_flag("-h,--help", "Print this help");
+  tree_->set_version_flag("--version", "radcert " + std::string(version()), "Print the version");
+  tree_->footer(exit_codes);
+  tree_->require_subcommand(1);
+}
+Program::~Program() = default;
+
+Subcommand Program::add_plain(const std::string& name, const std::string& summary) {
+  CLI::App& command = *tree_->add_subcommand(name, summary);
   command.set_help_flag("-h,--help", "Print this help");
-  command.add_option("--json", common.json, "Write the result as JSON to FILE, - for stdout")
-      ->type_name("FILE");
-  command.add_option("--threads", common.threads, "Use at most N threads; the numbers do not depend on it")
-      ->type_name("N");
-  command
-      .add_option("--max-memory", common.max_memory, "Refuse what would need more; default: what is there")
-      ->type_name("BYTES");
-  command.add_flag("--quiet", common.quiet, "Say nothing about progress");
+  return {command, action_};
+}
+
+Subcommand Program::add(const std::string& name, const std::string& summary) {
+  Subcommand command = add_plain(name, summary);
+  command.option("--json", common_.json, "Write the result as JSON to FILE, - for stdout", "FILE");
+  command.option("--threads", common_.threads, "Use at most N threads; the numbers do not depend on it", "N");
+  command.option("--max-memory", common_.max_memory, "Refuse what would need more; default: what is there",
+                 "BYTES");
+  command.flag("--quiet", common_.quiet, "Say nothing about progress");
   return command;
+}
+
+std::optional<Action> Program::parse(int argc, char** argv) {
+  if (argv[1][0] != '-') require_command(*tree_, argv[1]);
+  try {
+    tree_->parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = tree_->get_subcommands();
+    print(fitted(chosen.empty() ? tree_->help() : chosen.front()->help("radcert")));
+    return std::nullopt;
+  } catch (const CLI::CallForVersion& version_text) {
+    print(std::string(version_text.what()) + "\n");
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    const auto chosen = tree_->get_subcommands();
+    const std::string name = chosen.empty() ? std::string() : chosen.front()->get_name();
+    const std::string help = chosen.empty() ? "radcert --help" : "radcert " + name + " --help";
+    throw InputError({.source = name, .problem = error.what(), .allowed = "see " + help});
+  }
+  return action_;
 }
 
 std::string command_line(int count, const char* const* words) {

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "radcert/core/errors.h"
 
@@ -35,23 +37,78 @@ struct Common {
 /// What to do once the whole command line has been understood.
 using Action = std::function<ExitCode()>;
 
-/// Each adds its subcommand; choosing it on the command line sets the action.
-void add_solve(CLI::App& program, Common& common, Action& action);
-void add_verify(CLI::App& program, Common& common, Action& action);
-void add_reference(CLI::App& program, Common& common, Action& action);
-void add_surface(CLI::App& program, Common& common, Action& action);
-void add_factors(CLI::App& program, Common& common, Action& action);
-void add_experiment(CLI::App& program, Common& common, Action& action);
-void add_basis(CLI::App& program, Common& common, Action& action);
-void add_picture(CLI::App& program, Common& common, Action& action);
-void add_list(CLI::App& program, Common& common, Action& action);
-void add_schema(CLI::App& program, Common& common, Action& action);
-void add_example(CLI::App& program, Common& common, Action& action);
-void add_completion(CLI::App& program, Action& action);
-void add_man(CLI::App& program, Action& action);
+/// A subcommand while it is being described. `type` is what help shows for a value: "FILE.json".
+class Subcommand {
+public:
+  Subcommand(CLI::App& app, Action& action) : app_(&app), action_(&action) {}
 
-/// A new subcommand with the options that all have.
-CLI::App& add_command(CLI::App& program, Common& common, const std::string& name, const std::string& summary);
+  /// A word without dashes that must be there.
+  void word(const std::string& name, std::string& value, const std::string& help,
+            const std::string& type = {});
+  void optional_word(const std::string& name, std::string& value, const std::string& help);
+  /// Any number of such words.
+  void words(const std::string& name, std::vector<std::string>& values, const std::string& help);
+
+  void option(const std::string& name, std::string& value, const std::string& help, const std::string& type);
+  /// Help shows the value that it has now.
+  void option_with_default(const std::string& name, std::string& value, const std::string& help);
+  /// One that may be given several times.
+  void repeated(const std::string& name, std::vector<std::string>& values, const std::string& help,
+                const std::string& type);
+  /// One whose value is a list, parted by commas.
+  void list(const std::string& name, std::vector<std::string>& values, const std::string& help,
+            const std::string& type);
+  void flag(const std::string& name, bool& value, const std::string& help);
+
+  /// What help says below the options.
+  void footer(const std::string& text);
+  /// What is done where this subcommand is chosen.
+  void runs(Action action);
+
+private:
+  CLI::App* app_;
+  Action* action_;
+};
+
+/// The command line of radcert. CLI11, which takes long to compile, stands behind it in command.cpp and shell_help.cpp.
+class Program {
+public:
+  Program(int count, const char* const* words);
+  ~Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  /// A new subcommand with the options that all have.
+  Subcommand add(const std::string& name, const std::string& summary);
+  /// One with --help alone.
+  Subcommand add_plain(const std::string& name, const std::string& summary);
+  [[nodiscard]] Common& common() { return common_; }
+  [[nodiscard]] const CLI::App& tree() const { return *tree_; }
+
+  /// What the command line asks for; nothing where it asked for help or the version, which are printed. InputError where it is
+  /// not understood.
+  [[nodiscard]] std::optional<Action> parse(int argc, char** argv);
+
+private:
+  std::unique_ptr<CLI::App> tree_;
+  Common common_;
+  Action action_;
+};
+
+/// Each adds its subcommand.
+void add_solve(Program& program);
+void add_verify(Program& program);
+void add_reference(Program& program);
+void add_surface(Program& program);
+void add_factors(Program& program);
+void add_experiment(Program& program);
+void add_basis(Program& program);
+void add_picture(Program& program);
+void add_list(Program& program);
+void add_schema(Program& program);
+void add_example(Program& program);
+void add_completion(Program& program);
+void add_man(Program& program);
 
 /// The words of a command line as a shell would take them: quotes where they are needed.
 std::string command_line(int count, const char* const* words);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert reference NAME, or --all: numbers in proved enclosures; sphere_over_disk: with estimated radii.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <memory>
@@ -265,38 +264,30 @@ ExitCode give_reference(const Common& common, const ReferenceOptions& options) {
 
 }  // namespace
 
-void add_reference(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command =
-      add_command(program, common, "reference", "A reference value as midpoint and radius, by two routes");
+void add_reference(Program& program) {
+  Subcommand command = program.add("reference", "A reference value as midpoint and radius, by two routes");
   auto options = std::make_shared<ReferenceOptions>();
-  command.add_option("NAME", options->name, "A value or a family of radcert list references");
-  command.add_option("--digits", options->digits, "The radius is at most 10^-DIGITS; from 1 to 1000")
-      ->capture_default_str();
-  command.add_option("--set", options->settings, "A parameter of a family, as NAME=VALUE; may be repeated")
-      ->type_name("NAME=VALUE")
-      ->take_all();
-  command.add_flag("--all", options->all, "Every value that has a name of its own, with --out");
-  command
-      .add_option("--out", options->out, "With --all: a JSON file a value, references.csv and manifest.json")
-      ->type_name("DIR");
-  command
-      .add_option(
-          "--at", options->at,
-          "sphere_over_disk: B:LATITUDE in radians on the sphere, or D:DISTANCE from the axis on the disk; "
-          "may be repeated. The total radiance; at the shadow's rim that of the lit side")
-      ->type_name("PLACE")
-      ->take_all();
-  command
-      .add_option("--curve", options->curve, "sphere_over_disk: both curves, B by latitude and D by distance")
-      ->type_name("FILE.csv");
-  command.add_option("--points", options->points, "How many points each curve has")->capture_default_str();
+  command.optional_word("NAME", options->name, "A value or a family of radcert list references");
+  command.option_with_default("--digits", options->digits,
+                              "The radius is at most 10^-DIGITS; from 1 to 1000");
+  command.repeated("--set", options->settings, "A parameter of a family, as NAME=VALUE; may be repeated",
+                   "NAME=VALUE");
+  command.flag("--all", options->all, "Every value that has a name of its own, with --out");
+  command.option("--out", options->out, "With --all: a JSON file a value, references.csv and manifest.json",
+                 "DIR");
+  command.repeated(
+      "--at", options->at,
+      "sphere_over_disk: B:LATITUDE in radians on the sphere, or D:DISTANCE from the axis on the disk; "
+      "may be repeated. The total radiance; at the shadow's rim that of the lit side",
+      "PLACE");
+  command.option("--curve", options->curve, "sphere_over_disk: both curves, B by latitude and D by distance",
+                 "FILE.csv");
+  command.option_with_default("--points", options->points, "How many points each curve has");
   command.footer(
       "What is printed encloses the value: the radius is rounded up after the midpoint has been rounded. "
       "Radii are "
       "proved,\nthose of sphere_over_disk estimated, as the word beside them says.");
-  command.callback([&common, &action, options] {
-    action = [&common, options] { return give_reference(common, *options); };
-  });
+  command.runs([&common = program.common(), options] { return give_reference(common, *options); });
 }
 
 }  // namespace radcert::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert solve PROBLEM.json: one problem over its levels.
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -155,25 +154,21 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
 
 }  // namespace
 
-void add_solve(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command = add_command(
-      program, common, "solve", "Solve one problem over its levels: errors, ratios, orders, seconds, memory");
+void add_solve(Program& program) {
+  Subcommand command =
+      program.add("solve", "Solve one problem over its levels: errors, ratios, orders, seconds, memory");
   auto options = std::make_shared<SolveOptions>();
-  command.add_option("PROBLEM", options->problem, "A problem file; see radcert example problem")
-      ->required()
-      ->type_name("FILE.json");
-  command.add_option("--nodes", options->nodes, "Write the values at the nodes of every level as CSV")
-      ->type_name("FILE.csv");
-  command.add_option("--vtu", options->vtu, "Write u_n and its error at the last level for ParaView")
-      ->type_name("FILE.vtu");
-  command.add_option("--ply", options->ply, "Write the same as PLY: triangles with radiosity and error")
-      ->type_name("FILE.ply");
-  command
-      .add_option(
-          "--out", options->out,
-          "Write to DIR: solution.json, .vtu and .ply, errors.csv, nodes.csv; table.tex, plot.tex and plots "
-          "(SVG) of the errors, cite.bib, provenance.json")
-      ->type_name("DIR");
+  command.word("PROBLEM", options->problem, "A problem file; see radcert example problem", "FILE.json");
+  command.option("--nodes", options->nodes, "Write the values at the nodes of every level as CSV",
+                 "FILE.csv");
+  command.option("--vtu", options->vtu, "Write u_n and its error at the last level for ParaView", "FILE.vtu");
+  command.option("--ply", options->ply, "Write the same as PLY: triangles with radiosity and error",
+                 "FILE.ply");
+  command.option(
+      "--out", options->out,
+      "Write to DIR: solution.json, .vtu and .ply, errors.csv, nodes.csv; table.tex, plot.tex and plots "
+      "(SVG) of the errors, cite.bib, provenance.json",
+      "DIR");
   command.footer(
       "In a problem, `emission` is E, the power emitted per area, not the material constant 1 - rho; with "
       "`solution`\n"
@@ -185,8 +180,7 @@ void add_solve(CLI::App& program, Common& common, Action& action) {
       "with "
       "exit code 1.\n"
       "Finished levels are kept in $RADCERT_STORE, else ~/.cache/radcert.");
-  command.callback(
-      [&common, &action, options] { action = [&common, options] { return solve(common, *options); }; });
+  command.runs([&common = program.common(), options] { return solve(common, *options); });
 }
 
 }  // namespace radcert::app

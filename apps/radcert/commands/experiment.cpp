@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert experiment EXPERIMENT.json: many problems, compared.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -165,26 +164,22 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
 
 }  // namespace
 
-void add_experiment(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command = add_command(program, common, "experiment",
-                                  "Solve problems that differ in a few parts and compare them at equal cost");
+void add_experiment(Program& program) {
+  Subcommand command =
+      program.add("experiment", "Solve problems that differ in a few parts and compare them at equal cost");
   auto options = std::make_shared<ExperimentOptions>();
-  command.add_option("EXPERIMENT", options->experiment, "An experiment file; see radcert example experiment")
-      ->required()
-      ->type_name("FILE.json");
-  command
-      .add_option(
-          "--out", options->out,
-          "Write to DIR: experiment.json, experiment.html, errors.csv, timing.csv, plots (SVG), table.tex, "
-          "plot.tex, cite.bib, provenance.json")
-      ->type_name("DIR");
+  command.word("EXPERIMENT", options->experiment, "An experiment file; see radcert example experiment",
+               "FILE.json");
+  command.option(
+      "--out", options->out,
+      "Write to DIR: experiment.json, experiment.html, errors.csv, timing.csv, plots (SVG), table.tex, "
+      "plot.tex, cite.bib, provenance.json",
+      "DIR");
   command.footer(
       "Every combination of the lists of `vary` with `base` is a problem, as radcert solve takes it.\n"
       "Finished levels are kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted experiment goes "
       "on.");
-  command.callback([&common, &action, options] {
-    action = [&common, options] { return run_experiment(common, *options); };
-  });
+  command.runs([&common = program.common(), options] { return run_experiment(common, *options); });
 }
 
 }  // namespace radcert::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert surface NAME or FILE: what a surface is made of, and what is decided about it.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -300,35 +299,26 @@ ExitCode show(const Common& common, const SurfaceOptions& options) {
 
 }  // namespace
 
-void add_surface(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command =
-      add_command(program, common, "surface",
-                  "Smooth pieces, border, orientation, convex-containment certificate, mesh quality");
+void add_surface(Program& program) {
+  Subcommand command = program.add(
+      "surface", "Smooth pieces, border, orientation, convex-containment certificate, mesh quality");
   auto options = std::make_shared<SurfaceOptions>();
-  command
-      .add_option("SURFACE", options->name,
-                  "A surface of radcert list surfaces, or a mesh in .off, .obj, .ply, .stl")
-      ->required()
-      ->type_name("NAME or FILE");
-  command
-      .add_option("--angle", options->angle,
-                  "Edges whose triangles' normals make a larger angle part two pieces; default 30")
-      ->type_name("DEGREES");
-  command
-      .add_option(
-          "--repair", options->repair,
-          "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, holes; "
-          "without it nothing is mended")
-      ->delimiter(',')
-      ->type_name("WHAT,...");
-  command.add_option("--write", options->write, "Write the triangles, mended if asked, as an OFF file")
-      ->type_name("FILE.off");
+  command.word("SURFACE", options->name,
+               "A surface of radcert list surfaces, or a mesh in .off, .obj, .ply, .stl", "NAME or FILE");
+  command.option("--angle", options->angle,
+                 "Edges whose triangles' normals make a larger angle part two pieces; default 30", "DEGREES");
+  command.list(
+      "--repair", options->repair,
+      "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, holes; "
+      "without it nothing is mended",
+      "WHAT,...");
+  command.option("--write", options->write, "Write the triangles, mended if asked, as an OFF file",
+                 "FILE.off");
   command.footer(
       "Triangles that cross are left out by --repair crossings; with holes too, what that opens is closed.\n"
       "Faces of more than three corners must be exactly plane; --repair triangulate cuts those that are not, "
       "and says how.");
-  command.callback(
-      [&common, &action, options] { action = [&common, options] { return show(common, *options); }; });
+  command.runs([&common = program.common(), options] { return show(common, *options); });
 }
 
 }  // namespace radcert::app

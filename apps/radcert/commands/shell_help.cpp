@@ -167,31 +167,25 @@ std::string manual_page(const CLI::App& program) {
 
 }  // namespace
 
-void add_completion(CLI::App& program, Action& action) {
-  CLI::App& command =
-      *program.add_subcommand("completion", "Print a script that completes radcert's words in a shell");
-  command.set_help_flag("-h,--help", "Print this help");
+void add_completion(Program& program) {
+  Subcommand command =
+      program.add_plain("completion", "Print a script that completes radcert's words in a shell");
   auto shell = std::make_shared<std::string>();
-  command.add_option("SHELL", *shell, "bash")->required()->type_name("bash");
+  command.word("SHELL", *shell, "bash", "bash");
   command.footer("In ~/.bashrc: source <(radcert completion bash)");
-  command.callback([&program, &action, shell] {
-    action = [&program, shell] {
-      if (*shell != "bash") throw InputError({.source = "completion", .value = *shell, .allowed = "bash"});
-      print(bash_script(program));
-      return ExitCode::done;
-    };
+  command.runs([&program, shell] {
+    if (*shell != "bash") throw InputError({.source = "completion", .value = *shell, .allowed = "bash"});
+    print(bash_script(program.tree()));
+    return ExitCode::done;
   });
 }
 
-void add_man(CLI::App& program, Action& action) {
-  CLI::App& command = *program.add_subcommand("man", "Print the manual page");
-  command.set_help_flag("-h,--help", "Print this help");
+void add_man(Program& program) {
+  Subcommand command = program.add_plain("man", "Print the manual page");
   command.footer("To read it: radcert man | man -l -");
-  command.callback([&program, &action] {
-    action = [&program] {
-      print(manual_page(program));
-      return ExitCode::done;
-    };
+  command.runs([&program] {
+    print(manual_page(program.tree()));
+    return ExitCode::done;
   });
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert picture NAME: a figure of [psg10] as an SVG or PNG file.
-#include <CLI/CLI.hpp>
 #include <charconv>
 #include <memory>
 #include <optional>
@@ -216,34 +215,26 @@ ExitCode make_picture(const Common& common, const PictureOptions& options) {
 
 }  // namespace
 
-void add_picture(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command = add_command(program, common, "picture", "A figure of psg10 as an SVG or PNG file");
+void add_picture(Program& program) {
+  Subcommand command = program.add("picture", "A figure of psg10 as an SVG or PNG file");
   auto options = std::make_shared<PictureOptions>();
-  command.add_option("NAME", options->name, "Which picture; see below")->required();
-  command
-      .add_option("--out", options->out,
-                  "Write the picture to this file: .svg with titles and scales, .png the pixels alone")
-      ->type_name("FILE.svg");
-  command
-      .add_option("--size", options->size,
-                  "Width and height in pixels, each from 64 to 4096; default: the picture's own")
-      ->type_name("WxH");
-  command.add_option("--samples", options->samples, "N x N rays a pixel; from 1 to 8, default: 2")
-      ->type_name("N");
-  command
-      .add_option("--separation", options->separation,
-                  "The least distance of sites; default: 0.2 in the room, 3 for the sphere over the disk")
-      ->type_name("LENGTH");
-  command.add_option("--seed", options->seed, "Of the sites; default: 1")->type_name("NUMBER");
-  command
-      .add_option("--direct", options->direct,
-                  "figure_8: basis, direct light in the basis as all other, as the paper has it (the "
-                  "default), or exact, with sharp shadows")
-      ->type_name("HOW");
-  command
-      .add_option("--white", options->white,
-                  "The radiance that is shown white; default: 1, for figure_7 0.008")
-      ->type_name("RADIANCE");
+  command.word("NAME", options->name, "Which picture; see below");
+  command.option("--out", options->out,
+                 "Write the picture to this file: .svg with titles and scales, .png the pixels alone",
+                 "FILE.svg");
+  command.option("--size", options->size,
+                 "Width and height in pixels, each from 64 to 4096; default: the picture's own", "WxH");
+  command.option("--samples", options->samples, "N x N rays a pixel; from 1 to 8, default: 2", "N");
+  command.option("--separation", options->separation,
+                 "The least distance of sites; default: 0.2 in the room, 3 for the sphere over the disk",
+                 "LENGTH");
+  command.option("--seed", options->seed, "Of the sites; default: 1", "NUMBER");
+  command.option("--direct", options->direct,
+                 "figure_8: basis, direct light in the basis as all other, as the paper has it (the "
+                 "default), or exact, with sharp shadows",
+                 "HOW");
+  command.option("--white", options->white,
+                 "The radiance that is shown white; default: 1, for figure_7 0.008", "RADIANCE");
   std::string footer = "Pictures:\n";
   for (const FigureKind& kind : figure_kinds())
     footer += "  " + std::string(kind.name) + std::string(19 - kind.name.size(), ' ') +
@@ -260,9 +251,7 @@ void add_picture(CLI::App& program, Common& common, Action& action) {
       "alone, and the titles are "
       "printed.\nfigure_6 is plots, for SVG alone.";
   command.footer(footer);
-  command.callback([&common, &action, options] {
-    action = [&common, options] { return make_picture(common, *options); };
-  });
+  command.runs([&common = program.common(), options] { return make_picture(common, *options); });
 }
 
 }  // namespace radcert::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert basis NAME or FILE: what is known of interpolation at its nodes.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <memory>
@@ -345,22 +344,19 @@ ExitCode give_basis(const Common& common, const BasisOptions& options) {
 
 }  // namespace
 
-void add_basis(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command = add_command(program, common, "basis",
-                                  "Nodes, weights, degrees of precision, norm and orders of a basis");
+void add_basis(Program& program) {
+  Subcommand command =
+      program.add("basis", "Nodes, weights, degrees of precision, norm and orders of a basis");
   auto options = std::make_shared<BasisOptions>();
-  command.add_option("NAME", options->name, "inset, symmetric, or a file of nodes (radcert schema nodes)")
-      ->required();
-  command.add_option("--degree", options->degree, "The degree, or several as 1-10: then a table, a row each")
-      ->type_name("R");
-  command.add_option("--alpha", options->alpha, "Of inset nodes: a number in [0, 1/3), or superconvergent")
-      ->type_name("A");
-  command.add_option("--csv", options->csv, "Nodes and weights")->type_name("FILE");
-  command.add_option("--latex", options->latex, "A table, a row a basis")->type_name("FILE");
-  command.add_option("--nodes", options->nodes, "The nodes as a file that radcert reads")->type_name("FILE");
+  command.word("NAME", options->name, "inset, symmetric, or a file of nodes (radcert schema nodes)");
+  command.option("--degree", options->degree, "The degree, or several as 1-10: then a table, a row each",
+                 "R");
+  command.option("--alpha", options->alpha, "Of inset nodes: a number in [0, 1/3), or superconvergent", "A");
+  command.option("--csv", options->csv, "Nodes and weights", "FILE");
+  command.option("--latex", options->latex, "A table, a row a basis", "FILE");
+  command.option("--nodes", options->nodes, "The nodes as a file that radcert reads", "FILE");
   command.footer("Degrees of precision and weights are exact, the norm lies between proved bounds.");
-  command.callback(
-      [&common, &action, options] { action = [&common, options] { return give_basis(common, *options); }; });
+  command.runs([&common = program.common(), options] { return give_basis(common, *options); });
 }
 
 }  // namespace radcert::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert example NAME: a problem or an experiment to start from.
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,12 +48,11 @@ ExitCode print_example(const Common& common, const std::string& name) {
 
 }  // namespace
 
-void add_example(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command = add_command(program, common, "example", "A runnable example of a file type");
+void add_example(Program& program) {
+  Subcommand command = program.add("example", "A runnable example of a file type");
   auto name = std::make_shared<std::string>();
-  command.add_option("NAME", *name, listed(names()))->required();
-  command.callback(
-      [&common, &action, name] { action = [&common, name] { return print_example(common, *name); }; });
+  command.word("NAME", *name, listed(names()));
+  command.runs([&common = program.common(), name] { return print_example(common, *name); });
 }
 
 }  // namespace radcert::app

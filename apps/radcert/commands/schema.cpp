@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert schema NAME: the JSON Schema of a file type.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <string>
@@ -32,12 +31,11 @@ ExitCode print_schema(const Common& common, const std::string& name) {
 
 }  // namespace
 
-void add_schema(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command = add_command(program, common, "schema", "The JSON Schema of a file type");
+void add_schema(Program& program) {
+  Subcommand command = program.add("schema", "The JSON Schema of a file type");
   auto name = std::make_shared<std::string>();
-  command.add_option("NAME", *name, listed(schema_names()))->required();
-  command.callback(
-      [&common, &action, name] { action = [&common, name] { return print_schema(common, *name); }; });
+  command.word("NAME", *name, listed(schema_names()));
+  command.runs([&common = program.common(), name] { return print_schema(common, *name); });
 }
 
 }  // namespace radcert::app

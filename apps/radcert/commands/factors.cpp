@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert factors NAME or FILE: configuration factors between the surfaces of a scene.
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -303,45 +302,33 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
 
 }  // namespace
 
-void add_factors(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command =
-      add_command(program, common, "factors", "Area-to-area configuration factors, closure, reciprocity");
+void add_factors(Program& program) {
+  Subcommand command = program.add("factors", "Area-to-area configuration factors, closure, reciprocity");
   auto options = std::make_shared<FactorsOptions>();
-  command
-      .add_option("SURFACE", options->name,
-                  "A surface of plane pieces (cube, box, tetrahedron, octahedron, ...), or a mesh in .off, "
-                  ".obj, .ply, .stl")
-      ->required()
-      ->type_name("NAME or FILE");
-  command
-      .add_option("--by", options->by, "What a row stands for: triangle, piece or group; default triangle")
-      ->type_name("WHAT");
-  command.add_flag("--certified", options->certified, "Prove each radius");
-  command
-      .add_option("--out", options->out,
-                  "Write from,to,factor,radius,guaranteed, and FILE.surfaces.csv beside it")
-      ->type_name("FILE.csv");
-  command.add_flag("--space", options->space,
-                   "The scene is open: give what reaches no front of a surface as to_space");
-  command
-      .add_option("--accuracy", options->accuracy,
-                  "Wanted of each row's sum, where occlusion makes integration adaptive; default 1e-5, with "
-                  "--certified 1e-9")
-      ->type_name("X");
-  command
-      .add_option("--level", options->level,
-                  "Cut each triangle of a surface of the catalogue into 4^N; default 0")
-      ->type_name("N");
-  command
-      .add_option("--repair", options->repair,
-                  "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, "
-                  "holes; without it nothing is mended")
-      ->delimiter(',')
-      ->type_name("WHAT,...");
-  command
-      .add_option("--compare", options->compare,
-                  "Hold the factors against those of a file: columns from,to,factor, or View3D's output")
-      ->type_name("OTHER.csv");
+  command.word("SURFACE", options->name,
+               "A surface of plane pieces (cube, box, tetrahedron, octahedron, ...), or a mesh in .off, "
+               ".obj, .ply, .stl",
+               "NAME or FILE");
+  command.option("--by", options->by, "What a row stands for: triangle, piece or group; default triangle",
+                 "WHAT");
+  command.flag("--certified", options->certified, "Prove each radius");
+  command.option("--out", options->out,
+                 "Write from,to,factor,radius,guaranteed, and FILE.surfaces.csv beside it", "FILE.csv");
+  command.flag("--space", options->space,
+               "The scene is open: give what reaches no front of a surface as to_space");
+  command.option("--accuracy", options->accuracy,
+                 "Wanted of each row's sum, where occlusion makes integration adaptive; default 1e-5, with "
+                 "--certified 1e-9",
+                 "X");
+  command.option("--level", options->level,
+                 "Cut each triangle of a surface of the catalogue into 4^N; default 0", "N");
+  command.list("--repair", options->repair,
+               "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, "
+               "holes; without it nothing is mended",
+               "WHAT,...");
+  command.option("--compare", options->compare,
+                 "Hold the factors against those of a file: columns from,to,factor, or View3D's output",
+                 "OTHER.csv");
   command.footer(
       "A factor is what part of the light that leaves `from`, everywhere alike, arrives at `to`. Exact zeros "
       "are left out.\n"
@@ -353,8 +340,7 @@ void add_factors(CLI::App& program, Common& common, Action& action) {
       "The exit code is 1 where rows of a closed scene do not sum to 1 within their radius, where a row's "
       "radius is above "
       "an --accuracy that was given, and with --compare where a pair differs.");
-  command.callback(
-      [&common, &action, options] { action = [&common, options] { return factors(common, *options); }; });
+  command.runs([&common = program.common(), options] { return factors(common, *options); });
 }
 
 }  // namespace radcert::app

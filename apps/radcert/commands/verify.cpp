@@ -3,7 +3,6 @@
 // radcert verify: the claims of the papers, or of a user's own folder, held against their record.
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -120,24 +119,21 @@ ExitCode verify(const Common& common, const VerifyOptions& options) {
 
 }  // namespace
 
-void add_verify(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command =
-      add_command(program, common, "verify", "Run the claims and hold each verdict against its record");
+void add_verify(Program& program) {
+  Subcommand command = program.add("verify", "Run the claims and hold each verdict against its record");
   auto options = std::make_shared<VerifyOptions>();
-  command.add_option("WHAT", options->words,
-                     "KEY, KEY/CLAIM, or a folder with claims.toml; all papers if none is named");
-  command.add_option("--budget", options->budget, "quick (each paper in under 2 minutes), standard or full")
-      ->capture_default_str();
-  command
-      .add_option(
-          "--out", options->out,
-          "Write to DIR: report.html, report.json, report.md; errors.csv, table.tex, plot.tex, plots (SVG), "
-          "cite.bib, provenance.json")
-      ->type_name("DIR");
+  command.words("WHAT", options->words,
+                "KEY, KEY/CLAIM, or a folder with claims.toml; all papers if none is named");
+  command.option_with_default("--budget", options->budget,
+                              "quick (each paper in under 2 minutes), standard or full");
+  command.option(
+      "--out", options->out,
+      "Write to DIR: report.html, report.json, report.md; errors.csv, table.tex, plot.tex, plots (SVG), "
+      "cite.bib, provenance.json",
+      "DIR");
   command.footer(
       "Finished work is kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted run goes on there.");
-  command.callback(
-      [&common, &action, options] { action = [&common, options] { return verify(common, *options); }; });
+  command.runs([&common = program.common(), options] { return verify(common, *options); });
 }
 
 }  // namespace radcert::app

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert list surfaces, bases, claims, references: what there is, a line each.
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <memory>
 #include <string>
@@ -202,13 +201,11 @@ ExitCode print_list(const Common& common, const std::string& what) {
 
 }  // namespace
 
-void add_list(CLI::App& program, Common& common, Action& action) {
-  CLI::App& command =
-      add_command(program, common, "list", "What there is, a line each, with parameters and defaults");
+void add_list(Program& program) {
+  Subcommand command = program.add("list", "What there is, a line each, with parameters and defaults");
   auto what = std::make_shared<std::string>();
-  command.add_option("WHAT", *what, listed(names()))->required();
-  command.callback(
-      [&common, &action, what] { action = [&common, what] { return print_list(common, *what); }; });
+  command.word("WHAT", *what, listed(names()));
+  command.runs([&common = program.common(), what] { return print_list(common, *what); });
 }
 
 }  // namespace radcert::app
