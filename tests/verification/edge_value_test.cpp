@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/claims/ac98/edge_value.h"
+#include "verification/claims/ac98/collocation/edge_value.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "radcert/core/contract.h"
-#include "verification/claims/ac98/level_orders.h"
+#include "verification/claims/ac98/collocation/level_orders.h"
 
 namespace radcert::verification::ac98 {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "radcert/core/errors.h"
 #include "tests/verification/fixtures.h"
-#include "verification/claims/contents.h"
+#include "verification/framework/check.h"
 #include "verification/framework/paper.h"
 #include "verification/framework/run_verification.h"
 

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <random>
 
-#include "verification/claims/ac98/collocation_model.h"
-#include "verification/claims/ac98/exact_plane.h"
-#include "verification/claims/ac98/interpolation_bounds.h"
-#include "verification/claims/ac98/observed_order.h"
-#include "verification/claims/ac98/sphere_collocation.h"
+#include "verification/claims/ac98/collocation/collocation_model.h"
+#include "verification/claims/ac98/collocation/interpolation_bounds.h"
+#include "verification/claims/ac98/collocation/observed_order.h"
+#include "verification/claims/ac98/collocation/sphere_collocation.h"
+#include "verification/claims/ac98/surfaces/exact_plane.h"
 
 namespace radcert::verification::ac98 {
 namespace {

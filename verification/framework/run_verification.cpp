@@ -9,7 +9,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/formats/problem/problem_json.h"
-#include "verification/claims/contents.h"
+#include "verification/framework/check.h"
 #include "verification/framework/enclosure_check.h"
 #include "verification/framework/table_check.h"
 

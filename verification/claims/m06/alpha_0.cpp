@@ -12,8 +12,8 @@
 
 #include "radcert/polynomial/basis_facts.h"
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
-#include "verification/claims/ac98/differing_coefficients.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/collocation/differing_coefficients.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

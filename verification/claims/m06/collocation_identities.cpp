@@ -13,8 +13,8 @@
 
 #include "radcert/expression/parse.h"
 #include "radcert/reference/operator_integral.h"
-#include "verification/claims/ac98/element_function.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/collocation/element_function.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

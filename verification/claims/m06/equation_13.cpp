@@ -11,8 +11,8 @@
 
 #include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/nodes/lattice.h"
-#include "verification/claims/ac98/differing_coefficients.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/collocation/differing_coefficients.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

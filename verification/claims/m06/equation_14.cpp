@@ -15,7 +15,7 @@
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

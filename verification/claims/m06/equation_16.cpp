@@ -7,9 +7,9 @@
 // Not checked  nothing is left of "at least r". When it is more: alpha_0.
 
 #include "radcert/polynomial/nodes/inset_family.h"
-#include "verification/claims/ac98/differing_coefficients.h"
-#include "verification/claims/ac98/planar_rule.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/collocation/differing_coefficients.h"
+#include "verification/claims/ac98/surfaces/planar_rule.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

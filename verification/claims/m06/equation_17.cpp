@@ -11,9 +11,9 @@
 
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/polynomial/nodes/lattice.h"
-#include "verification/claims/ac98/differing_coefficients.h"
-#include "verification/claims/ac98/proved_number.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/collocation/differing_coefficients.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "radcert/scalar/real.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

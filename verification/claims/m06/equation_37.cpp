@@ -12,8 +12,8 @@
 // both change constants.
 
 #include "radcert/enclosure/interval_integral.h"
-#include "verification/claims/ac98/proved_number.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

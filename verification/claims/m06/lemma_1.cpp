@@ -15,7 +15,7 @@
 #include <algorithm>
 
 #include "radcert/kernel/geometric_kernel.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

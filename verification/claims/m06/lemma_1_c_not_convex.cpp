@@ -17,9 +17,9 @@
 #include "radcert/enclosure/kernel_integral.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/surface/catalogue/torus.h"
-#include "verification/claims/ac98/proved_number.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/m06/non_convex_bodies.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

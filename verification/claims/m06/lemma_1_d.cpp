@@ -20,7 +20,7 @@
 
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

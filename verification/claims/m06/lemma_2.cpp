@@ -3,8 +3,8 @@
 // Lemma 2 and Theorem 3 (b) are [ac98, Lemma 2.3 and Theorem 2.4 (b)], and fail with them where a curved
 // piece has a corner.
 
-#include "verification/claims/ac98/corner_derivative.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/surfaces/corner_derivative.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 

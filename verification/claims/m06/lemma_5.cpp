@@ -13,9 +13,9 @@
 //              takes B to a multiple of itself; the derivatives are then those of g and Phi behind the map.
 
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
-#include "verification/claims/ac98/proved_number.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/m06/interpolation_defects.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

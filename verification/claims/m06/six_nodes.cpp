@@ -32,10 +32,10 @@
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/triangulation/triangulation.h"
-#include "verification/claims/m06/checks.h"
 #include "verification/claims/m06/interpolation_remainder.h"
 #include "verification/claims/m06/kernel_error.h"
 #include "verification/claims/m06/rates.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

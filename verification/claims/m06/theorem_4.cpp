@@ -18,8 +18,8 @@
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/triangulation/triangulation.h"
-#include "verification/claims/m06/checks.h"
 #include "verification/claims/m06/rates.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

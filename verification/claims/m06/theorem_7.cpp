@@ -30,9 +30,9 @@
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/triangulation/triangulation.h"
-#include "verification/claims/m06/checks.h"
 #include "verification/claims/m06/kernel_error.h"
 #include "verification/claims/m06/rates.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

@@ -13,8 +13,8 @@
 // Not checked  such a u itself: it is not named.
 
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
-#include "verification/claims/ac98/proved_number.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

@@ -22,8 +22,8 @@
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/triangulation/triangulation.h"
-#include "verification/claims/ac98/proved_number.h"
-#include "verification/claims/m06/checks.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {

@@ -32,10 +32,10 @@
 #include "radcert/core/text.h"
 #include "radcert/meshless/light_solution.h"
 #include "radcert/meshless/sampling.h"
-#include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/scenes/profile_errors.h"
 #include "verification/claims/psg10/scenes/sphere_over_disk.h"
 #include "verification/claims/psg10/sphere_over_disk/solution.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

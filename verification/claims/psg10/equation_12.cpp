@@ -15,8 +15,8 @@
 #include <cmath>
 
 #include "radcert/meshless/weights.h"
-#include "verification/claims/ac98/proved_number.h"
-#include "verification/claims/psg10/checks.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

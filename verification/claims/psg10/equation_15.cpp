@@ -17,8 +17,8 @@
 #include <optional>
 
 #include "radcert/meshless/radial_element.h"
-#include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/exact_sites.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

@@ -17,9 +17,9 @@
 #include <array>
 
 #include "radcert/meshless/radial_element.h"
-#include "verification/claims/ac98/proved_number.h"
-#include "verification/claims/psg10/checks.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/psg10/exact_sites.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

@@ -11,8 +11,8 @@
 //              lacks: Int B*/(beta mu) over the sphere, 2 pi r^2 Int_0^1 t dt, is pi r^2.
 // Not checked  that radiance in this unit is what the figures show.
 
-#include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/exact_scene.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

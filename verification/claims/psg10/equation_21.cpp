@@ -15,9 +15,9 @@
 
 #include <cmath>
 
-#include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/exact_scene.h"
 #include "verification/claims/psg10/sphere_over_disk/cubature.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

@@ -17,8 +17,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/sum_errors.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

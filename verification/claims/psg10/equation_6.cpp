@@ -13,8 +13,8 @@
 
 #include <array>
 
-#include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/exact_sites.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

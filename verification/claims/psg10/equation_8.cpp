@@ -18,8 +18,8 @@
 #include <functional>
 #include <string>
 
-#include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/exact_sites.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

@@ -14,8 +14,8 @@
 
 #include <algorithm>
 
-#include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/sum_errors.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

@@ -19,8 +19,8 @@
 #include "radcert/meshless/light_solution.h"
 #include "radcert/meshless/sampling.h"
 #include "radcert/picture/image.h"
-#include "verification/claims/psg10/checks.h"
 #include "verification/claims/psg10/scenes/lit_room.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

@@ -28,9 +28,9 @@
 #include "radcert/meshless/sampling.h"
 #include "radcert/meshless/weights.h"
 #include "radcert/surface/catalogue/rectangle.h"
-#include "verification/claims/ac98/proved_number.h"
-#include "verification/claims/psg10/checks.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/psg10/scenes/sphere_over_disk.h"
+#include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Checked      0 <= Int_T G <= c area(T) = O(epsilon^2) at the tip of the ellipsoid (1,2,5) for all 0 <
+//              epsilon <= 1 at once, with the least c of (6), 25/4, and the area of T's shadow on the tangent
+//              plane, which is less than that of T; on the sphere, where all three are pi epsilon^2/4. The
+//              order 2 is not 3: Int_T G/epsilon^2 has a positive lower bound.
+// Not checked  other points; they are bounded by the same c, and T by a disk of the chart.
+
+#include "verification/claims/ac98/surfaces/excluded_ball.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/check.h"
+
+namespace radcert::verification::ac98 {
+
+Finding equation_10(const Bench& bench) {
+  const long panels = bench.budget == Budget::quick ? 512 : 4096;
+  const BallPrecision precision(128);
+  Finding finding;
+  const Rational kernel_bound(25, 4);
+  const EllipsoidTip tip(1, 2, 5);
+  const Ball cap = tip.cap_over_square(1, panels);
+  const Ball shadow = tip.shadow_over_square(1, panels);
+  finding.require("-Int_T G/epsilon^2, all epsilon up to 1, ellipsoid (1,2,5)", AtMost{}, proved(-cap));
+  finding.require("(Int_T G - 25/4 area of the shadow of T)/epsilon^2, all epsilon up to 1/10", AtMost{},
+                  proved(tip.cap_over_square(Rational(1, 10), panels) -
+                         Ball(kernel_bound) * tip.shadow_over_square(Rational(1, 10), panels)));
+  finding.control("the same with the constant 2 for 25/4", AtMost{},
+                  proved(tip.cap_over_square(Rational(1, 10), panels) -
+                         Ball(2) * tip.shadow_over_square(Rational(1, 10), panels)));
+  finding.require("Int_T G/epsilon^2 - 10, all epsilon up to 1, ellipsoid (1,2,5)", AtMost{},
+                  proved(cap - Ball(10)));
+  finding.remark("area of the shadow of T/epsilon^2, all epsilon up to 1", proved(shadow));
+  const EllipsoidTip sphere(1, 1, 1);
+  for (const Rational& radius : {Rational(1), Rational(1, 10), Rational(1, 1000)}) {
+    constexpr double error = 1e-32;
+    const std::string at = ", sphere, epsilon = " + radius.to_text();
+    const Ball square(radius * radius);
+    const AgreesWith quarter{.value = Ball::pi() / Ball(4), .within = 1e-22};
+    finding.require("Int_T G/epsilon^2, against pi/4" + at, quarter, sphere.over_cap(radius, error) / square);
+    finding.control("Int_T G/epsilon^2 at the tip of the ellipsoid (1,2,5), against pi/4" + at, quarter,
+                    tip.over_cap(radius, error) / square);
+  }
+  // (c^2/8) Int k^2 dphi, k = cos^2 + sin^2/4 the curvature over c: Int = pi (3/4 (1 + 1/16) + 1/2 1/4).
+  const Rational limit = Rational(25, 8) * (Rational(3, 4) * Rational(17, 16) + Rational(1, 8));
+  const Rational small(1, 1000000);
+  const AgreesWith leading{.value = Ball::pi() * Ball(limit), .within = 1e-8};
+  finding.require("Int_T G/epsilon^2 at epsilon = 1e-6, ellipsoid (1,2,5), against its limit", leading,
+                  tip.over_cap(small, 1e-32) / Ball(small * small));
+  finding.control("Int_T G/epsilon^2 at epsilon = 1, against that limit", leading, tip.over_cap(1, 1e-32));
+  finding.show(proved(Ball::pi() * Ball(limit)));
+  return finding;
+}
+
+}  // namespace radcert::verification::ac98

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// (76) is (30) element by element. What the paper says of the parts that its factors play is another matter:
+// the method interpolates u and leaves G and the area element alone, so that its error is the integral of G
+// |D_s m x D_t m| (I - L) u(m). That is Lemmas 3.2 and
+// 3.3 with f = u(m) and Phi = G |D_s m x D_t m|, and not with f = u |D_s m x D_t m| and Phi = G: for u = 1
+// the method has no error. The hypotheses on F_j in Theorems 3.6 and 3.7, made for the printed parts, are one
+// derivative more than f = u(m) needs.
+//
+// Checked      equation_30: on five triangles of the sphere the right side, an enclosed integral over sigma
+//              through the library's charts, is the left side in closed form: the area, and the integrals of
+//              x, y, z as half the sum of the sides' angles times their normals. equation_76: the sum over
+//              the elements, by cubature, against the operator over the whole surface. equation_76_parts: K(I
+//              - P_n)u in balls on the sphere, u = 1 and u = z^4, against both readings.
+// Not checked  other surfaces for (30).
+
+#include <algorithm>
+#include <cmath>
+
+#include "radcert/enclosure/polygon_integral.h"
+#include "radcert/expression/parse.h"
+#include "radcert/reference/operator_integral.h"
+#include "radcert/surface/catalogue.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/triangulation/triangulation.h"
+#include "verification/claims/ac98/collocation/sphere_collocation.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/check.h"
+
+namespace radcert::verification::ac98 {
+namespace {
+
+// What is integrated: 1, x, y or z.
+enum class Factor { one, x, y, z };
+
+// The integrand of (30) over sigma: the chart of the first octant is F(s,t) = e/|e|, e = (1-s-t, s, t), so
+// that corners of the plane x + y + z = 1 have the parameters (y, z).
+struct PulledBack {
+  const Surface* surface;
+  std::array<ParameterPoint<Rational>, 3> v;  // v_1, v_2, v_3
+  Factor factor;
+  bool with_area_element;
+
+  template <class R>
+  R operator()(const ParameterPoint<R>& at) const {
+    const auto in = [](const ParameterPoint<Rational>& p) {
+      return ParameterPoint<R>{from_rational<R>(p.s), from_rational<R>(p.t)};
+    };
+    const ParameterPoint<R> along_s = in(v[0] - v[2]);
+    const ParameterPoint<R> along_t = in(v[1] - v[2]);
+    const Frame<R> frame =
+        surface->charts.front().template in<R>().frame(in(v[2]) + at.s * along_s + at.t * along_t);
+    const Vector<R> by_s = along_s.s * frame.tangent_s + along_s.t * frame.tangent_t;
+    const Vector<R> by_t = along_t.s * frame.tangent_s + along_t.t * frame.tangent_t;
+    const R area = with_area_element ? norm(cross(by_s, by_t)) : R(1);
+    if (factor == Factor::x) return area * frame.point.x;
+    if (factor == Factor::y) return area * frame.point.y;
+    if (factor == Factor::z) return area * frame.point.z;
+    return area;
+  }
+};
+
+Ball over_sigma(const Surface& sphere, const OctantTriangle& triangle, Factor factor, bool with_area_element,
+                double radius) {
+  std::array<ParameterPoint<Rational>, 3> v;
+  for (std::size_t i = 0; i < 3; ++i) v.at(i) = {triangle.corners.at(i).y, triangle.corners.at(i).z};
+  const PulledBack f{&sphere, v, factor, with_area_element};
+  return known(integral_over_polygon(f, {{0, 0}, {1, 0}, {0, 1}}, {.radius = radius}));
+}
+
+// Int (x, y, z) dS over a triangle of great circles: half the sum of the sides' angles times the inner
+// normals of their planes.
+Vector<Ball> first_moment(const OctantTriangle& triangle) {
+  std::array<Vector<Ball>, 3> v;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector<Rational>& c = triangle.corners.at(i);
+    v.at(i) = {Ball(c.x), Ball(c.y), Ball(c.z)};
+  }
+  const bool turned = certainly_negative(dot(v[0], cross(v[1], v[2])));
+  Vector<Ball> sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector<Ball>& a = v.at(i);
+    const Vector<Ball>& b = v.at((i + 1) % 3);
+    const Vector<Ball> normal = cross(a, b);
+    const Ball sine = norm(normal);
+    sum = sum + (atan(sine / dot(a, b)) / (Ball(2) * sine)) * normal;
+  }
+  return turned ? -sum : sum;
+}
+
+std::vector<OctantTriangle> five_triangles() {
+  std::vector<OctantTriangle> all = symmetric_octant(1);
+  all.push_back(symmetric_octant(3).at(25));
+  return all;
+}
+
+}  // namespace
+
+Finding equation_30(const Bench& bench) {
+  const BallPrecision precision(192);
+  const double radius = bench.budget == Budget::quick ? 1e-15 : 1e-25;
+  const Surface surface = sphere();
+  Finding finding;
+  int number = 0;
+  for (const OctantTriangle& triangle : five_triangles()) {
+    const std::string at = ", triangle " + std::to_string(++number);
+    const std::array<Ball, 3> parts = coordinate_integrals(triangle);
+    const Vector<Ball> moment = first_moment(triangle);
+    const AgreesWith area{.value = parts[0] + parts[1] + parts[2], .within = 4 * radius};
+    finding.require("area" + at, area, over_sigma(surface, triangle, Factor::one, true, radius));
+    finding.require("Int x" + at, AgreesWith{.value = moment.x, .within = 4 * radius},
+                    over_sigma(surface, triangle, Factor::x, true, radius));
+    finding.require("Int y" + at, AgreesWith{.value = moment.y, .within = 4 * radius},
+                    over_sigma(surface, triangle, Factor::y, true, radius));
+    finding.require("Int z" + at, AgreesWith{.value = moment.z, .within = 4 * radius},
+                    over_sigma(surface, triangle, Factor::z, true, radius));
+    finding.control("area, without |D_s m x D_t m|" + at, area,
+                    over_sigma(surface, triangle, Factor::one, false, radius));
+  }
+  return finding;
+}
+
+Finding equation_76(const Bench&) {
+  const Equals zero{
+      .value = 0, .slack = 1e-9, .why = "cubature to 1e-12 on each element, and up to 128 elements"};
+  Finding finding;
+  const std::vector<std::pair<std::string, std::vector<Rational>>> cases{
+      {"ellipsoid", {1, 2, 5}}, {"two_piece", {2}}, {"spherical_cap", {Rational(1, 4)}}};
+  for (const auto& [name, parameters] : cases) {
+    const Surface surface = find_surface(name)->make(parameters);
+    const std::vector<ParameterTriangle> triangles = triangulate(surface, 2).triangles;
+    const reference::Density u = [](const SurfacePoint<double>&, const Vector<double>& q) {
+      return std::exp(q.x + q.y / 2 - q.z / 3);
+    };
+    const SurfacePoint<double> p{0, {11.0 / 32, 5.0 / 16}};
+    const Approximation whole = reference::operator_integral(surface, p, u);
+    Approximation difference{.value = -whole.value, .radius = whole.radius};
+    double largest = 0;
+    for (const ParameterTriangle& each : triangles) {
+      const Approximation part = reference::operator_integral(surface, p, each.chart, each.vertices, u);
+      difference.value += part.value;
+      difference.radius += part.radius;
+      largest = std::max(largest, std::abs(part.value));
+    }
+    finding.require("sum over the elements less the whole, " + name, zero, difference);
+    finding.control("the same without the largest element, " + name, zero,
+                    Approximation{.value = difference.value - largest, .radius = difference.radius});
+  }
+  return finding;
+}
+
+Finding equation_76_parts(const Bench&) {
+  const BallPrecision precision(192);
+  Finding finding;
+  using Function = SphereCollocation::Function;
+  const Function one = [](const Vector<Ball>&) { return Ball(1); };
+  const Function fourth_power = [](const Vector<Ball>& q) { return power(q.z, 4); };
+  constexpr int octants = 8;
+  for (const int level : {0, 1, 2}) {
+    const std::vector<OctantTriangle> triangles = symmetric_octant(level);
+    const SphereCollocation method(triangles, Rational(1, 6));
+    // The rule (54) for u |D_s m x D_t m|, |D_s m x D_t m| = |e|^-3/4^level: what interpolation of the
+    // product gives.
+    const auto by_the_printed_parts = [&](const Function& u) {
+      Ball sum(0);
+      for (const OctantTriangle& t : triangles)
+        for (std::size_t j = 0; j < 3; ++j) {
+          Vector<Rational> e{0, 0, 0};
+          for (std::size_t i = 0; i < 3; ++i)
+            e = e + (i == j ? Rational(2, 3) : Rational(1, 6)) * t.corners.at(i);
+          const Vector<Ball> at{Ball(e.x), Ball(e.y), Ball(e.z)};
+          const Ball length = norm(at);
+          sum += u(reciprocal(length) * at) * power(length, -3);
+        }
+      return Ball(octants) * sum / (Ball(6) * power(Ball(4), level) * Ball(4) * Ball::pi());
+    };
+    const std::string at = ", level " + std::to_string(level);
+    // K(I - P_n)u on the unit sphere is the mean of u less M_n u, rho = 1.
+    for (const auto& [name, u, mean] : {std::tuple<std::string, Function, Rational>{"u = 1", one, 1},
+                                        {"u = z^4", fourth_power, Rational(1, 5)}}) {
+      const AgreesWith error{.value = Ball(mean) - method.mean(u), .within = 1e-9};
+      finding.require("Int G (I - L)(u |D_s m x D_t m|), against K(I - P_n)u, " + name + at, error,
+                      Ball(mean) - by_the_printed_parts(u));
+      finding.control("the same without its factor 1/6, " + name + at, error,
+                      Ball(mean) - Ball(6) * by_the_printed_parts(u));
+    }
+  }
+  finding.show(proved(Ball(1) - Ball(2) * sqrt(Ball(2)) / Ball::pi()));
+  return finding;
+}
+
+}  // namespace radcert::verification::ac98

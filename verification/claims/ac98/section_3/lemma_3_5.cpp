@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// On the paraboloid z = |q|^2, with h = q - p = r e, |e| = 1: (Q-P).n_P = r^2/w(p), (P-Q).n_Q = r^2/w(q),
+// w(q) = (1 + 4 |q|^2)^(1/2), and |P-Q|^2 = r^2 (1 + k^2), k = (p + q).e, so that G = 1/[w(p) w(q) (1 +
+// k^2)^2]: smooth in r and e down to r = 0, though not in q. With e = (cos a, sin a) the derivatives by q
+// times r^2 are sums of r^2 G_rr, r G_ra, G_aa, r G_r and G_a, which are bounded. G contains n_Q, that is
+// first derivatives of the surface: D_Q^2 G needs its third ones. On z = x^2 + y^2 + |x|^(5/2), which is
+// convex and C^2 but not C^3, D_Q^2 G grows without bound as Q nears the plane x = 0, far from P.
+//
+// Checked      equation_77: |P-Q|^2 |D_Q^2 G| <= 60 for all three second derivatives, all p with |p| <= 1/2
+//              and r <= 1, by enclosures over boxes: p = (|p|, 0) without loss. G of the formula against G of
+//              (2), at points. lemma_3_5: the growth of |P-Q|^2 |D_Q^2 G| on the second surface, in balls.
+// Not checked  (77) for all surfaces of C^3.
+
+#include <algorithm>
+
+#include "radcert/geometry/vector.h"
+#include "radcert/kernel/geometric_kernel.h"
+#include "radcert/scalar/dual.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/check.h"
+
+namespace radcert::verification::ac98 {
+namespace {
+
+using Once = Dual<Ball>;
+using Twice = Dual<Once>;
+
+Twice constant(const Ball& x) { return {Once{x, Ball(0), Ball(0)}, Once{}, Once{}}; }
+Twice first_variable(const Ball& x) {
+  return {Once{x, Ball(1), Ball(0)}, Once{Ball(1), Ball(0), Ball(0)}, Once{}};
+}
+Twice second_variable(const Ball& x) {
+  return {Once{x, Ball(0), Ball(1)}, Once{}, Once{Ball(1), Ball(0), Ball(0)}};
+}
+
+// G on the paraboloid for p = (distance, 0) and q = p + r (cos a, sin a).
+template <class T>
+T kernel(const T& distance, const T& r, const T& a) {
+  const T c = cos(a);
+  const T s = sin(a);
+  const T q_1 = distance + r * c;
+  const T q_2 = r * s;
+  const T one = T(1);
+  const T four = T(4);
+  const T w_p = sqrt(one + four * (distance * distance));
+  const T w_q = sqrt(one + four * (q_1 * q_1 + q_2 * q_2));
+  const T k = (distance + q_1) * c + q_2 * s;
+  const T chord = one + k * k;
+  return reciprocal(w_p * w_q * (chord * chord));
+}
+
+struct Bounds {
+  Ball by_ss;  ///< |P-Q|^2 D_ss G
+  Ball by_st;
+  Ball by_tt;
+  Ball distance;  ///< |P-Q|
+};
+
+Bounds second_derivatives(const Ball& distance, const Ball& r, const Ball& a) {
+  const Twice g = kernel<Twice>(constant(distance), first_variable(r), second_variable(a));
+  const Ball c = cos(a);
+  const Ball s = sin(a);
+  const Ball& r_a = g.by_s.by_t;
+  const Ball& a_a = g.by_t.by_t;
+  const Ball rr = r * r * g.by_s.by_s;
+  const Ball mixed = Ball(2) * s * c * (r * r_a - g.by_t.value);
+  const Ball turned = a_a + r * g.by_s.value;
+  const Ball k = Ball(2) * distance * c + r;
+  const Ball chord = Ball(1) + k * k;
+  return {.by_ss = chord * (c * c * rr - mixed + s * s * turned),
+          .by_st = chord * (s * c * (rr - turned) + (c * c - s * s) * (r * r_a - g.by_t.value)),
+          .by_tt = chord * (s * s * rr + mixed + c * c * turned),
+          .distance = r * sqrt(chord)};
+}
+
+// A box of |p| from 0 to 1/2, r from 0 to 1 and the angle, over pi, from 0 to 1: the other half turn is a
+// mirror image.
+struct BoundingBox {
+  std::array<double, 3> low{0, 0, 0};
+  std::array<double, 3> high{0.5, 1, 1};
+};
+
+bool below(const BoundingBox& box, const Ball& c) {
+  const auto side = [&box](std::size_t i) { return hull(Ball(box.low.at(i)), Ball(box.high.at(i))); };
+  const Bounds here = second_derivatives(side(0), side(1), Ball::pi() * side(2));
+  for (const Ball& each : {here.by_ss, here.by_st, here.by_tt})
+    if (!certainly_at_most(abs(each), c)) return false;
+  return true;
+}
+
+// Boxes are halved, each side in turn, until all three derivatives are at most c, or the halving ends.
+Rational boxes_not_below(const Ball& c) {
+  constexpr int halvings = 24;
+  constexpr long most = 1000;
+  std::vector<std::pair<BoundingBox, int>> waiting{{BoundingBox{}, 0}};
+  long count = 0;
+  while (!waiting.empty() && count < most) {
+    const auto [box, depth] = waiting.back();
+    waiting.pop_back();
+    if (below(box, c)) continue;
+    if (depth == halvings) {
+      ++count;
+      continue;
+    }
+    const auto axis = static_cast<std::size_t>(depth % 3);
+    const double middle = (box.low.at(axis) + box.high.at(axis)) / 2;
+    BoundingBox first = box;
+    BoundingBox second = box;
+    first.high.at(axis) = middle;
+    second.low.at(axis) = middle;
+    waiting.emplace_back(first, depth + 1);
+    waiting.emplace_back(second, depth + 1);
+  }
+  return {count};
+}
+
+Vector<Ball> on_the_paraboloid(const Ball& x, const Ball& y) { return {x, y, x * x + y * y}; }
+Vector<Ball> inner_normal(const Ball& x, const Ball& y) {
+  const Vector<Ball> n{-(Ball(2) * x), -(Ball(2) * y), Ball(1)};
+  return reciprocal(norm(n)) * n;
+}
+
+// G on z = x^2 + y^2 + x^(5/2), x > 0, of P = (1, 0) and Q = (x, y), with derivatives by x and y.
+Ball on_the_rough_surface(const Rational& x) {
+  const auto height = [](const auto& s, const auto& t) { return s * s + t * t + s * s * sqrt(s); };
+  const Twice s = first_variable(Ball(x));
+  const Twice t = second_variable(Ball(Rational(1, 7)));
+  const Twice zero = constant(Ball(0));
+  const Twice one = constant(Ball(1));
+  const Twice slope = constant(Ball(2)) * s + constant(Ball(Rational(5, 2))) * s * sqrt(s);
+  const Vector<Twice> q{s, t, height(s, t)};
+  const Vector<Twice> area_normal{-slope, -(constant(Ball(2)) * t), one};
+  const Twice length = sqrt(dot(area_normal, area_normal));
+  const Vector<Twice> n_q = reciprocal(length) * area_normal;
+  const Vector<Twice> p{one, zero, constant(Ball(2))};
+  const Twice bend = constant(Ball(Rational(9, 2)));  // the slope at x = 1
+  const Vector<Twice> n_p = reciprocal(sqrt(one + bend * bend)) * Vector<Twice>{-bend, zero, one};
+  const Vector<Twice> h = q - p;
+  const Twice square = dot(h, h);
+  const Twice g = dot(h, n_p) * dot(-h, n_q) / (square * square);
+  return abs(square.value.value * g.by_s.by_s);
+}
+
+}  // namespace
+
+Finding equation_77(const Bench&) {
+  const BallPrecision precision(64);
+  constexpr int c = 60;
+  Finding finding;
+  const AtMost bound{.value = c, .slack = 0, .why = ""};
+  const std::string boxes = "boxes where |P-Q|^2 |D_Q^2 G| was not shown to be at most ";
+  finding.require(boxes + std::to_string(c), IsExactly{0}, boxes_not_below(Ball(c)));
+  finding.control(boxes + "1", IsExactly{0}, boxes_not_below(Ball(1)));
+  const Ball half(Rational(1, 2));
+  for (const int exponent : {4, 8, 12}) {
+    const Ball r(power(Rational(10), -exponent));
+    const Ball a(1);
+    const Bounds here = second_derivatives(half, r, a);
+    const std::string at = ", |p| = 1/2, r = 1e-" + std::to_string(exponent);
+    finding.require("|P-Q|^2 |D_ss G|" + at, bound, proved(abs(here.by_ss)));
+    finding.control("|P-Q| |D_ss G|" + at, bound, proved(abs(here.by_ss) / here.distance));
+  }
+  for (const auto& [x, y] : {std::pair<Rational, Rational>{{1, 3}, {2, 5}}, {{-1, 2}, {1, 9}}}) {
+    const Ball px = half;
+    const Ball qx(x);
+    const Ball qy(y);
+    const Ball dx = qx - px;
+    const Ball r = sqrt(dx * dx + qy * qy);
+    const Ball angle = Ball(2) * atan(qy / (r + dx));
+    const Ball direct = geometric_kernel<Ball>(on_the_paraboloid(px, Ball(0)), inner_normal(px, Ball(0)),
+                                               on_the_paraboloid(qx, qy), inner_normal(qx, qy));
+    finding.require("G by the formula, against (2), q = (" + x.to_text() + "," + y.to_text() + ")",
+                    AgreesWith{.value = direct, .within = 1e-12}, kernel<Ball>(px, r, angle));
+  }
+  finding.show({.value = c, .radius = 0, .guaranteed = true});
+  return finding;
+}
+
+Finding lemma_3_5(const Bench&) {
+  const BallPrecision precision(512);
+  Finding finding;
+  const AtMost bounded{.value = 50, .slack = 0, .why = ""};
+  for (const int k : {5, 10, 20, 40}) {
+    const Ball value = on_the_rough_surface(power(Rational(4), -k));
+    const std::string at = "x = 4^-" + std::to_string(k);
+    if (k <= 20)
+      finding.remark("|P-Q|^2 |D_Q^2 G|, " + at, proved(value));
+    else
+      finding.require("|P-Q|^2 |D_Q^2 G|, z = x^2 + y^2 + |x|^(5/2), P = (1,0), Q = (x,1/7), " + at, bounded,
+                      proved(value));
+  }
+  const Ball growth =
+      on_the_rough_surface(power(Rational(4), -41)) / on_the_rough_surface(power(Rational(4), -40));
+  finding.require("growth of |D_Q^2 G| as x is divided by 4, against none",
+                  AgreesWith{.value = Ball(1), .within = 1e-3}, growth);
+  finding.control("the same for x^2 D_Q^2 G", AgreesWith{.value = Ball(1), .within = 1e-3},
+                  growth / Ball(16));
+  finding.control("2^50 |P-Q|^2 |D_Q^2 G|, x = 4^-1", bounded,
+                  proved(power(Ball(2), 50) * on_the_rough_surface(Rational(1, 4))));
+  finding.show(proved(growth));
+  return finding;
+}
+
+}  // namespace radcert::verification::ac98

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// (82) asks for E in C^2(S) alone. On the surface (20), which is two faces of the cube, E = 1, rho = 1/2 and
+// alpha = 1/6 meet every hypothesis of Theorem 4.1: norm of K <= (rho/pi) (pi/2) = 1/4, so that (80) holds
+// with gamma = 7/12. But u is not continuous at the ends of the common edge. On the edge u = 1/(1 - rho/2) =
+// 4/3. On the diagonal x = z of a square, from 1 <= u <= 4/3,
+//     u(t,0,t) <= 1 + (1/2)/pi (4/3) (22)(t,t) -> 1 + (2/3)(3/8) = 5/4 as t -> 0,
+// and an element with a vertex at the end of the edge has points of both kinds next to that vertex, where u_n
+// is continuous. Hence norm of (u - u_n) >= (4/3 - 5/4)/2 = 1/24 for every triangulation whose elements have
+// a side on the edge and reach the diagonal there. Away from the ends u is continuous and behaves like r^b
+// beside the edge, and so does the error like h^b. What (81) gives is O(h^2) if u is in C^2 of each closed
+// face.
+//
+// Checked      that the hypotheses hold; the lower bound, by balls; |u_n - 4/3| on the edge as h is halved,
+//              at its middle and anywhere on it; and, as a remark, the order of what u_n changes by beside an
+//              edge of the closed cube, where r^b has b = 0.81.
+// Not checked  E for which u happens to be smooth; there (82) holds, as Table 4 shows.
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "radcert/closed_form/two_squares.h"
+#include "radcert/core/contract.h"
+#include "verification/claims/ac98/collocation/edge_value.h"
+#include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/check.h"
+
+namespace radcert::verification::ac98 {
+namespace {
+
+// Half the difference of the limit of u on the edge and an upper bound of u(t,0,t).
+Ball half_the_jump(const Rational& reflectivity, const Ball& t) {
+  const Ball edge(solution_on_the_edge(reflectivity));
+  const Ball factor = Ball(reflectivity) / Ball::pi();
+  return (edge - (Ball(1) + factor * edge * TwoSquares<Ball>(t, t).one())) / Ball(2);
+}
+
+// The mean of u_n at the vertex (1, 1/2, 0) of the cube over the elements of the face x = 1.
+double value_beside_an_edge_of_the_cube(const LevelOutcome& level) {
+  constexpr double at_the_vertex = 1e-9;
+  double sum = 0;
+  int count = 0;
+  for (const ElementValue& element : level.elements) {
+    if (element.piece != "east") continue;
+    for (std::size_t i = 0; i < element.corners.size(); ++i) {
+      if (norm(element.corners.at(i) - Vector<double>{1, 0.5, 0}) > at_the_vertex) continue;
+      sum += element.corner_values.at(i);
+      ++count;
+    }
+  }
+  expects(count > 0, "a level with that vertex", named("level", level.result.level));
+  return sum / count;
+}
+
+// The order of what u_n changes by there from level to level, for E = x^2 and rho = 2/5, which (80) allows.
+Approximation order_on_the_cube(const Bench& bench, int finest) {
+  Problem cube = linear_problem("cube", {}, "2/5");
+  cube.emission = on_all_pieces("x^2");
+  cube.solver = {.name = SolverName::gmres, .tolerance = std::nullopt};
+  const auto change = [&](int level) {
+    return Approximation{
+        .value = std::abs(value_beside_an_edge_of_the_cube(bench.levels.level(cube, level)) -
+                          value_beside_an_edge_of_the_cube(bench.levels.level(cube, level - 1))),
+        .radius = 1e-10};
+  };
+  return order_between(change(finest - 1), change(finest));
+}
+
+}  // namespace
+
+Finding equation_82(const Bench& bench) {
+  const BallPrecision precision(128);
+  Finding finding;
+  const Rational half(1, 2);
+  const Bound two{.order = 2, .slack = 0.25, .why = "three halvings leave the next term"};
+  const AtMost vanishing{
+      .value = 0.01, .slack = 0, .why = "what tends to 0 with h falls below any number, such as 1/100"};
+
+  finding.remark("gamma of (80): 7/3 times the bound rho/2 of norm of K", proved(Ball(Rational(7, 12))));
+  const Ball tiny = power(Ball(2), -40);
+  finding.require("a lower bound of norm of (u - u_n), whatever h", vanishing,
+                  proved(half_the_jump(half, tiny)));
+  finding.control("the largest value of u - 1 on the edge", vanishing,
+                  proved(Ball(solution_on_the_edge(half) - 1)));
+
+  const Problem problem = constant_emission_on_two_squares(half, 1);
+  constexpr int finest = 4;
+  for (int level = finest - 1; level <= finest; ++level) {
+    const std::string at = ", levels " + std::to_string(level - 1) + " and " + std::to_string(level);
+    const EdgeError coarse = edge_error(bench.levels.level(problem, level - 1), half);
+    const EdgeError fine = edge_error(bench.levels.level(problem, level), half);
+    finding.require("order of |u - u_n| in the middle of the edge" + at, two,
+                    order_between(coarse.at_midpoint, fine.at_midpoint));
+    finding.require("order of the largest |u - u_n| at vertices on the edge" + at, two,
+                    order_between(coarse.anywhere, fine.anywhere));
+    if (level == finest) finding.show(order_between(coarse.at_midpoint, fine.at_midpoint));
+  }
+  Problem constant = linear_problem_with_solution("two_squares", {}, "1/2", "x^2 + y^2 + z^2");
+  constant.basis = {.degree = 0, .alpha = Rational(0)};
+  finding.control("order of u - u_n for u = x^2 + y^2 + z^2 and the centroid rule", two,
+                  observed_order(bench.levels, constant, &LevelResult::uniform_error, 3));
+  finding.remark(
+      "order of u - u_n for u = x^2 + y^2 + z^2, linear interpolation",
+      observed_order(bench.levels, linear_problem_with_solution("two_squares", {}, "1/2", "x^2 + y^2 + z^2"),
+                     &LevelResult::uniform_error, 3));
+  finding.remark("order of the change of u_n beside an edge of the cube, E = x^2, rho = 2/5",
+                 order_on_the_cube(bench, bench.budget == Budget::quick ? 3 : 4));
+  return finding;
+}
+
+}  // namespace radcert::verification::ac98

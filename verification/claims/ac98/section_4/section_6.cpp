@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The concluding remarks. On the surface (20) with E = 1 the solution is 1/(1 - rho/2) on the common edge,
+// whatever it is elsewhere, so that the error of u_n there is known without a reference solution.
+//
+// Checked      section_6_ill_behaved: u - u_n in the middle of the edge falls like h^b with the b of r^b
+//              beside a right-angled edge, for two reflectivities: u is no smoother than that.
+//              section_6_grading: with vertices at c -> (2c)^q/2 it falls like h^(q b), up to h^2.
+//              section_6_piecewise_emissivity: a jump of E on the sphere, where u is known, leaves an error
+//              that does not fall with h in the elements that it crosses.
+// Not checked  corners of closed surfaces; other angles than the right one; where several edges meet.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "verification/claims/ac98/collocation/edge_value.h"
+#include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/framework/check.h"
+
+namespace radcert::verification::ac98 {
+namespace {
+
+Approximation order_in_the_middle(const Bench& bench, const Rational& reflectivity, const Rational& grading,
+                                  int level) {
+  const Problem problem = constant_emission_on_two_squares(reflectivity, grading);
+  return order_between(edge_error(bench.levels.level(problem, level - 1), reflectivity).at_midpoint,
+                       edge_error(bench.levels.level(problem, level), reflectivity).at_midpoint);
+}
+
+// E on the unit sphere as a function of z, and its mean M(E). G = 1/4 there: u = E + M(E) rho/(1 - rho).
+struct ZonalEmission {
+  std::string emission;
+  std::function<double(double)> at;
+  double mean;
+};
+
+Approximation order_on_the_sphere(const Bench& bench, const ZonalEmission& data, int level) {
+  Problem problem = linear_problem("sphere", {}, "1/2");
+  problem.emission = on_all_pieces(data.emission);
+  const auto error_at = [&](int of_level) {
+    Approximation largest{.value = 0, .radius = 1e-11};
+    for (const ElementValue& element : bench.levels.level(problem, of_level).elements)
+      for (std::size_t i = 0; i < element.corners.size(); ++i)
+        largest.value = std::max(largest.value, std::abs(element.corner_values.at(i) - data.mean -
+                                                         data.at(element.corners.at(i).z)));
+    return largest;
+  };
+  return order_between(error_at(level - 1), error_at(level));
+}
+
+constexpr int finest_level = 4;
+
+}  // namespace
+
+Finding section_6_ill_behaved(const Bench& bench) {
+  Finding finding;
+  for (const Rational& rho : {Rational(1, 2), Rational(9, 10)}) {
+    const Equals exponent{
+        .value = edge_exponent(rho),
+        .slack = 0.02,
+        .why = "the next terms of u beside the edge, r and r log r, still show at h = 1/16"};
+    const Approximation order = order_in_the_middle(bench, rho, 1, finest_level);
+    finding.require("order of u - u_n in the middle of the edge, rho = " + rho.to_text() + ", against b",
+                    exponent, order);
+    finding.control(
+        "order of u - u_n for a smooth u, against b of rho = " + rho.to_text(), exponent,
+        observed_order(bench.levels, linear_problem_with_solution("two_squares", {}, rho.to_text(), "x^2"),
+                       &LevelResult::uniform_error, 3));
+    if (rho == Rational(1, 2)) finding.show(order);
+  }
+  return finding;
+}
+
+Finding section_6_grading(const Bench& bench) {
+  Finding finding;
+  for (const Rational& rho : {Rational(1, 2), Rational(9, 10)})
+    for (const int grading : {2, 3}) {
+      if (bench.budget == Budget::quick && rho != Rational(1, 2)) continue;
+      const double expected = std::min(2.0, grading * edge_exponent(rho));
+      const Bound bound{.order = expected,
+                        .slack = 0.15,
+                        .why = "elements of the size h^q at the edge: the next terms fade slowly"};
+      const std::string with = ", rho = " + rho.to_text();
+      finding.require("order in the middle of the edge, graded by " + std::to_string(grading) + with, bound,
+                      order_in_the_middle(bench, rho, grading, finest_level));
+      finding.control("order there without grading, against " + std::to_string(grading) + " b" + with, bound,
+                      order_in_the_middle(bench, rho, 1, finest_level));
+    }
+  return finding;
+}
+
+Finding section_6_piecewise_emissivity(const Bench& bench) {
+  const int level = bench.budget == Budget::quick ? 2 : 3;
+  const AtMost lost{.value = 1, .slack = 0, .why = "halfway between the order 0 at a jump and 2 of (50)"};
+  const Approximation kinked = order_on_the_sphere(bench,
+                                                   {.emission = "2 + abs(z - 1/3)/(z - 1/3)",
+                                                    .at = [](double z) { return 3 * z > 1 ? 3.0 : 1.0; },
+                                                    .mean = 5.0 / 3},
+                                                   level);
+  Finding finding;
+  finding.require("order of u - u_n at vertices of elements, sphere, E = 2 + sign(z - 1/3)", lost, kinked);
+  finding.control(
+      "order of u - u_n at vertices of elements, sphere, E = z^2", lost,
+      order_on_the_sphere(bench, {.emission = "z^2", .at = [](double z) { return z * z; }, .mean = 1.0 / 3},
+                          level));
+  finding.show(kinked);
+  return finding;
+}
+
+}  // namespace radcert::verification::ac98

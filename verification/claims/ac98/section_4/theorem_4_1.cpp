@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// (80) with alpha = 1/6 is norm of K < 3/7. On a closed surface norm of K = norm of rho, (17) with equality,
+// so that (80) is rho < 3/7 there: Table 4, on the cube with rho = 1/2, has norm of P_n norm of K = 7/6, and
+// Theorem 4.1 says nothing of it. Table 5, with norm of P_n = 1, is covered. (80) is sufficient only: the
+// error of u - u_n falls like h^2 in Table 4 all the same, and for rho = 99/100 too.
+//
+// Checked      equation_80_table_4: the product for the data of Table 4, by balls; of Table 5 likewise.
+//              equation_81: on the cube with rho = 2/5, which (80) allows, with 1/(1 - gamma) = 15 for the
+//              norm of the inverse.
+// Not checked  the norm of the inverse itself.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/claims/ac98/surfaces/polyhedra.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/check.h"
+
+namespace radcert::verification::ac98 {
+namespace {
+
+// (37).
+Rational norm_of_interpolation(const Rational& alpha) { return (1 + alpha) / (1 - 3 * alpha); }
+
+// max |u - P_n u| over the barycentric lattice k/8 of a right triangle with legs h for u = x^2 + y^2: h^2
+// times that of the unit triangle, as linear parts of u are reproduced.
+double interpolation_error(double h) {
+  constexpr int steps = 8;
+  constexpr double alpha = 1.0 / 6;
+  constexpr std::array<std::array<double, 2>, 3> nodes{
+      {{alpha, alpha}, {alpha, 1 - 2 * alpha}, {1 - 2 * alpha, alpha}}};
+  const auto u = [](double s, double t) { return s * s + t * t; };
+  double largest = 0;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; i + j <= steps; ++j) {
+      const double s = static_cast<double>(i) / steps;
+      const double t = static_cast<double>(j) / steps;
+      const std::array<double, 3> l{(1 - s - t - alpha) / (1 - 3 * alpha), (t - alpha) / (1 - 3 * alpha),
+                                    (s - alpha) / (1 - 3 * alpha)};
+      double interpolant = 0;
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        interpolant += u(nodes.at(k)[0], nodes.at(k)[1]) * l.at(k);
+      largest = std::max(largest, std::abs(u(s, t) - interpolant));
+    }
+  return h * h * largest;
+}
+
+}  // namespace
+
+Finding equation_80_table_4(const Bench&) {
+  const BallPrecision precision(128);
+  const AtMost below_one{.value = 1 - 0x1p-20, .slack = 0, .why = "gamma < 1"};
+  const Polyhedron cube = cube_polyhedron();
+  const Ball of_kernel =
+      total_factor(cube, floor_face, {Rational(1, 3), Rational(1, 5), 0}, 1 / power(Rational(10), 30)) /
+      Ball::pi();
+  const auto product = [&](const Rational& norm, const Rational& rho) {
+    return proved(Ball(norm * rho) * of_kernel);
+  };
+  const Rational linear = norm_of_interpolation(Rational(1, 6));
+  Finding finding;
+  finding.require("norm of P_n norm of K, cube, alpha = 1/6, rho = 1/2 (Table 4)", below_one,
+                  product(linear, Rational(1, 2)));
+  finding.require("norm of P_n norm of K, cube, centroid rule, rho = 1/2 (Table 5)", below_one,
+                  product(1, Rational(1, 2)));
+  finding.require("norm of P_n norm of K, cube, alpha = 1/6, rho = 2/5", below_one,
+                  product(linear, Rational(2, 5)));
+  finding.control("norm of P_n norm of K, cube, centroid rule, rho = 1", below_one, product(1, 1));
+  finding.show(product(linear, Rational(1, 2)));
+  return finding;
+}
+
+Finding equation_81(const Bench& bench) {
+  const Rational rho(2, 5);
+  const Rational inverse = 1 / (1 - norm_of_interpolation(Rational(1, 6)) * rho);
+  const AtMost bound{.value = inverse.to_double(),
+                     .slack = 0,
+                     .why = "norm of (I - P_n K)^-1 <= 1/(1 - gamma), gamma = 14/15"};
+  const Problem problem = linear_problem_with_solution("cube", {}, rho.to_text(), "x^2 + y^2 + z^2");
+  const Problem beyond = linear_problem_with_solution("cube", {}, "99/100", "x^2 + y^2 + z^2");
+  const int finest = bench.budget == Budget::quick ? 1 : bench.budget == Budget::standard ? 2 : 3;
+  Finding finding;
+  for (int level = 0; level <= finest; ++level) {
+    const double leg = std::ldexp(1.0, -level);
+    const auto quotient = [&](const Problem& of) {
+      const double error = bench.levels.level(of, level).result.uniform_error.value().value;
+      return Approximation{.value = error / interpolation_error(leg), .radius = 1e-9};
+    };
+    const std::string at = ", level " + std::to_string(level);
+    finding.require("norm of (u - u_n)/norm of (u - P_n u), cube, rho = 2/5" + at, bound, quotient(problem));
+    finding.remark("the same for rho = 99/100, where (80) fails" + at, quotient(beyond));
+    if (level == finest) finding.show(quotient(problem));
+  }
+  Approximation wrong = {.value = bench.levels.level(problem, 0).result.uniform_error.value().value /
+                                  interpolation_error(std::ldexp(1.0, -3)),
+                         .radius = 1e-9};
+  finding.control("norm of (u - u_n) at level 0/norm of (u - P_n u) at level 3", bound, wrong);
+  return finding;
+}
+
+}  // namespace radcert::verification::ac98
