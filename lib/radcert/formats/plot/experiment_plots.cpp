@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/problem/problem_words.h"
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
@@ -44,8 +45,8 @@ std::string sweep_name(const Experiment& experiment, const Problem& problem) {
   without.basis.alpha = std::nullopt;
   std::vector<std::string> words;
   for (const std::string& key : experiment.varied)
-    if (const std::string part = joined_words(part_words(without, key)); !part.empty()) words.push_back(part);
-  return joined_words(words);
+    if (const std::string part = listed(part_words(without, key)); !part.empty()) words.push_back(part);
+  return listed(words);
 }
 
 std::vector<PlotMark> superconvergent_marks(const std::set<int>& degrees) {
