@@ -30,7 +30,7 @@ std::string problem_levels_csv(const verification::Report& report) {
   return table.text();
 }
 
-std::string figure_cell(const std::optional<verification::Approximation>& ours) {
+std::string figure_cell(const std::optional<Approximation>& ours) {
   if (!ours || !std::isfinite(ours->value) || !std::isfinite(ours->radius)) return "--";
   constexpr int digits = 6;
   return "\\num{" + latex_number(ours->value, ours->radius, digits) + "}";

@@ -15,6 +15,7 @@
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/plot/svg_plot.h"
 #include "radcert/picture/png.h"

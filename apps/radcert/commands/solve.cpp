@@ -25,6 +25,7 @@
 #include "radcert/formats/result/result_json.h"
 #include "radcert/formats/table/csv.h"
 #include "radcert/formats/table/latex_table.h"
+#include "radcert/reference/operator_integral.h"
 #include "solve_table.h"
 #include "verification/framework/levels.h"
 
