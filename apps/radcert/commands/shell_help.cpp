@@ -13,7 +13,7 @@
 #include "output.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/version.h"
-#include "radcert/formats/schemas.h"
+#include "radcert/formats/schema/schemas.h"
 #include "verification/claims/psg10/figures/figure.h"
 
 namespace radcert::app {
