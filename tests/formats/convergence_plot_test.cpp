@@ -2,6 +2,7 @@
 #include "radcert/formats/plot/convergence_plot.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ std::vector<LevelResult> levels(int count, double node_order, double discretisat
     level.node_error = Approximation{
         .value = 0.1 * std::pow(level.mesh_size, node_order), .radius = 1e-9, .guaranteed = false};
     level.discretisation_error = Approximation{.value = std::pow(level.mesh_size, discretisation_order),
-                                               .radius = std::nullopt,
+                                               .radius = std::numeric_limits<double>::infinity(),
                                                .guaranteed = false};
     out.push_back(level);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
+#include <limits>
 
 #include <cmath>
 
@@ -99,7 +100,7 @@ TEST(Collect, LeavesOutAndNamesALevelWhoseRadiusExceedsFivePercent) {
 
 TEST(Collect, LeavesOutErrorsThatAreZeroOrHaveNoRadius) {
   std::vector<LevelResult> levels = powers(0, 3);
-  levels[0].node_error->radius = std::nullopt;
+  levels[0].node_error->radius = std::numeric_limits<double>::infinity();
   levels[3].node_error->value = 0;
   const Result result = collect(sample_problem("sphere"), levels, {});
   EXPECT_EQ(result.orders[1].levels, (std::vector<int>{1, 2}));

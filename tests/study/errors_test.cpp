@@ -50,7 +50,7 @@ TEST(UniformError, VanishesForWhatTheBasisReproduces) {
   ASSERT_TRUE(error);
   EXPECT_LT(error->value, 1e-13);
   EXPECT_FALSE(error->guaranteed);
-  EXPECT_EQ(error->radius, std::nullopt);
+  EXPECT_FALSE(error->has_radius());
 }
 
 TEST(UniformError, IsTheLargestDifferenceCornersIncluded) {

@@ -361,7 +361,7 @@ TEST(VerifiedLevel, IsThatOfTheSurfaceWhereTheInterpolantIs) {
     double radii = 0;
     for (const LevelResult* result : {&exact, &quadratic, &cubic_roof, &its_interpolant}) {
       EXPECT_TRUE((result->*figure)->guaranteed);
-      radii += *(result->*figure)->radius;
+      radii += (result->*figure)->radius;
     }
     EXPECT_LT(radii, 1e-8);
     EXPECT_LE(distance(exact, quadratic), radii);

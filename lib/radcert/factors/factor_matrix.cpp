@@ -80,17 +80,21 @@ bool read_number(std::string_view& text, char end, double& number) {
   return true;
 }
 
-/// What stored_text wrote; nothing where it is not so many pairs.
-std::optional<std::vector<PairExchange>> stored_pairs(std::string_view text, std::size_t count) {
+/// What stored_text wrote of pairs with proved or estimated radii; nothing where it is not so many.
+std::optional<std::vector<PairExchange>> stored_pairs(std::string_view text, std::size_t count,
+                                                      bool guaranteed) {
   std::vector<PairExchange> pairs(count);
   for (PairExchange& pair : pairs) {
     if (text.size() < 2 || text[0] < '0' || text[0] > '3') return std::nullopt;
     pair.sight = static_cast<PairSight>(text[0] - '0');
     text.remove_prefix(1);
-    if (text[0] == ';')
+    if (text[0] == ';') {
       text.remove_prefix(1);
-    else if (!read_number(text, ',', pair.area.value) || !read_number(text, ';', pair.area.radius))
+      continue;
+    }
+    if (!read_number(text, ',', pair.area.value) || !read_number(text, ';', pair.area.radius))
       return std::nullopt;
+    pair.area.guaranteed = guaranteed;
   }
   return text.empty() ? std::optional(std::move(pairs)) : std::nullopt;
 }
@@ -98,7 +102,8 @@ std::optional<std::vector<PairExchange>> stored_pairs(std::string_view text, std
 /// The matrix of exchange areas between units, of which half is kept.
 class ExchangeSums {
 public:
-  explicit ExchangeSums(std::size_t units) : units_(units), sums_(units * (units + 1) / 2) {}
+  explicit ExchangeSums(std::size_t units)
+      : units_(units), sums_(units * (units + 1) / 2, Approximation::exact(0)) {}
   Approximation& at(std::size_t a, std::size_t b) {
     const std::size_t low = std::min(a, b);
     const std::size_t high = std::max(a, b);
@@ -115,7 +120,8 @@ private:
 /// reciprocity.
 Approximation quotient(const Approximation& exchange, const Approximation& area) {
   const double value = exchange.value / area.value;
-  return {value, abs(ball_of(exchange) / ball_of(area) - Ball(value)).upper_double()};
+  return {value, abs(ball_of(exchange) / ball_of(area) - Ball(value)).upper_double(),
+          exchange.guaranteed && area.guaranteed};
 }
 
 /// A bound of |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J) for these doubles: in double the products of which it is
@@ -142,8 +148,7 @@ void finish(FactorMatrix& matrix, ExchangeSums& sums, const FactorDemand& demand
           std::max(matrix.largest_reciprocity_defect,
                    reciprocity_defect(row.area.value, factor.value, other.value, back));
     }
-    if (demand.open_to_space)
-      row.to_space = Approximation{1, 0} + Approximation{-row.sum.value, row.sum.radius};
+    if (demand.open_to_space) row.to_space = Approximation::exact(1) + -row.sum;
   }
 }
 
@@ -187,7 +192,7 @@ std::size_t FactorMatrix::worst_row() const {
 PairExchange pair_exchange(const FacetScene& scene, std::size_t first, std::size_t second,
                            const FactorDemand& demand) {
   const FacetPair pair = scene.pair(first, second);
-  PairExchange out{.area = {}, .sight = pair.sight};
+  PairExchange out{.sight = pair.sight};
   if (pair.sight == PairSight::nothing || pair.sight == PairSight::hidden) return out;
   if (demand.certified) {
     const double share = std::max(scene.area(first), scene.area(second)) / scene.total_area();
@@ -264,7 +269,7 @@ FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units, co
     std::optional<std::vector<PairExchange>> pairs;
     if (progress.store != nullptr)
       if (const auto kept = progress.store->get(block_key(progress, demand, block)))
-        pairs = stored_pairs(*kept, block.pairs);
+        pairs = stored_pairs(*kept, block.pairs, demand.certified);
     if (!pairs) {
       pairs = block_pairs(scene, demand, block);
       if (progress.store != nullptr)

@@ -80,7 +80,7 @@ JsonValue factors_report(const FactorReport& report) {
             line.set("to", report.names[entry.to]);
             line.set("factor", entry.factor.value);
             line.set("radius", entry.factor.radius);
-            line.set("guaranteed", matrix.guaranteed);
+            line.set("guaranteed", entry.factor.guaranteed);
             return line;
           }));
   out.set("warnings", json_array(report.warnings));

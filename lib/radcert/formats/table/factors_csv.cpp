@@ -190,7 +190,7 @@ std::string factors_csv(const FactorMatrix& matrix, std::span<const std::string>
   CsvTable table(columns);
   for (const ConfigurationFactor& entry : matrix.entries) {
     const std::array<JsonValue, columns.size()> row = {names[entry.from], names[entry.to], entry.factor.value,
-                                                       entry.factor.radius, matrix.guaranteed};
+                                                       entry.factor.radius, entry.factor.guaranteed};
     table.add(row);
   }
   return table.text();
