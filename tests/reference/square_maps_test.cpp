@@ -76,9 +76,9 @@ TEST(SquareMaps, CoverTheirImageOnce) {
   sector.start = -end;
   sector.extent = 2 * end;
   sector.density = 1;
-  Sector graded = sector;
-  graded.spacing = {.kind = Spacing::Kind::power};
-  graded.from_end = true;
+  Sector from_the_end = sector;
+  from_the_end.spacing = {.kind = Spacing::Kind::power};
+  from_the_end.from_end = true;
   Sector graded = sector;
   graded.spacing = Spacing::centred(0, 0.1);
   Slab slab{};
@@ -90,7 +90,7 @@ TEST(SquareMaps, CoverTheirImageOnce) {
     for (int b = 0; b < 3; ++b) {
       EXPECT_NEAR(moment(collapse, {}, {0, 0}, a, b), truth(a, b), 1e-14);
       EXPECT_NEAR(moment(sector, Spacing::centred(0, 0.1), {0, 0}, a, b), truth(a, b), 1e-14);
-      EXPECT_NEAR(moment(graded, {.kind = Spacing::Kind::power}, {0, 0}, a, b), truth(a, b), 1e-14);
+      EXPECT_NEAR(moment(from_the_end, {.kind = Spacing::Kind::power}, {0, 0}, a, b), truth(a, b), 1e-14);
       EXPECT_NEAR(moment(graded, {}, {0, 0}, a, b), truth(a, b), 1e-14);
       EXPECT_NEAR(moment(slab, Spacing::centred(0.4, 0.2), slab.apex, a, b), truth(a, b), 1e-14);
     }
