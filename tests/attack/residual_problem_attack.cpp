@@ -61,7 +61,7 @@ Known integral_of_u_n(const Surface& surface, const Triangulation& triangulation
     const Approximation part =
         reference::operator_integral(surface, node, t.chart, t.vertices, reference::Density(density));
     sum.value += part.value;
-    sum.radius += part.radius + 1e-15 * part.absolute;
+    sum.radius += part.radius + 1e-15 * std::abs(part.value);
   }
   return sum;
 }

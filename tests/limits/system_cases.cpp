@@ -225,10 +225,10 @@ Case level(const std::string& limit, const Problem& problem, int number_of_level
                 };
                 const LevelOutcome outcome = solve_level(problem, number_of_level, no_route);
                 std::vector<Ball> all;
+                const std::optional<Approximation>& error = outcome.result.node_error;
                 const double radius = outcome.result.verified ? outcome.result.verified->solution_radius
-                                      : outcome.result.node_error
-                                          ? outcome.result.node_error->radius.value_or(0)
-                                          : 0;
+                                      : error && error->has_radius() ? error->radius
+                                                                     : 0;
                 for (std::size_t i = 0; i < outcome.nodes.size(); i += 5)
                   all.push_back(number(outcome.nodes[i].u_n, radius + 1e-15));
                 return numbers(all);
