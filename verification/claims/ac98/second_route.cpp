@@ -307,8 +307,9 @@ System system_of(const Level& level, bool with_matrix) {
   const Cubature cubature(level, with_matrix);
   const std::size_t m = level.basis.size();
   const std::size_t size = level.nodes.size();
-  System system{.r = std::vector<Approximation>(size),
-                .a = std::vector<Approximation>(with_matrix ? size * size : 0)};
+  System system{
+      .r = std::vector<Approximation>(size, Approximation{.value = 0, .radius = 0}),
+      .a = std::vector<Approximation>(with_matrix ? size * size : 0, Approximation{.value = 0, .radius = 0})};
   parallel_for(size, 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t k = 0; k < level.triangles.size(); ++k) {
