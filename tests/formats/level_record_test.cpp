@@ -17,7 +17,7 @@ TEST(LevelRecord, ReadsBackToTheBit) {
   EXPECT_EQ(level_record(*back), level_record(level));
   EXPECT_EQ(back->result.planned_bytes, level.result.planned_bytes);
   EXPECT_EQ(back->result.discretisation_error->radius, level.result.discretisation_error->radius);
-  EXPECT_FALSE(back->result.node_error->radius);
+  EXPECT_FALSE(back->result.node_error->has_radius());
   EXPECT_FALSE(back->result.uniform_error);
   EXPECT_EQ(back->result.piece_means, level.result.piece_means);
   EXPECT_EQ(back->result.solution_radius, level.result.solution_radius);

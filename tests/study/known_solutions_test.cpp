@@ -219,8 +219,8 @@ TEST(KnownSolutions, WithoutABoundHaveNoRadius) {
   for (const char* u : {"log((x - 0.3)^2)", "sin(y - 0.4)/(y - 0.4)"}) {
     const LevelResult level =
         solve_level(with_solution(sample_problem("cube"), u), 0, reference::applied_operator).result;
-    EXPECT_FALSE(level.discretisation_error->radius) << u;
-    EXPECT_FALSE(level.node_error->radius) << u;
+    EXPECT_FALSE(level.discretisation_error->has_radius()) << u;
+    EXPECT_FALSE(level.node_error->has_radius()) << u;
     EXPECT_FALSE(level.solution_radius) << u;
   }
 }

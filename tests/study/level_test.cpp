@@ -374,7 +374,7 @@ TEST(SolveLevel, KnowsTheNormOfKOnClosedSurfacesOfConstantReflectivity) {
   const Approximation varying = solve_level(problem, 0, no_route).result.norm_K;
   EXPECT_FALSE(varying.guaranteed);
   EXPECT_EQ(varying.value, 0.5);  // the east face
-  EXPECT_FALSE(varying.radius);
+  EXPECT_FALSE(varying.has_radius());
 }
 
 // The double 0.8 is not 4/5.
@@ -389,7 +389,7 @@ TEST(SolveLevel, GivesTheNormOfKARadiusThatReachesTheReflectivity) {
                                       {"0", 0.0}}) {
     problem.reflectivity = everywhere(text);
     const Approximation norm = solve_level(problem, 0, no_route).result.norm_K;
-    ASSERT_TRUE(norm.guaranteed && norm.radius) << text;
+    ASSERT_TRUE(norm.guaranteed && norm.has_radius()) << text;
     const Rational off = abs(Rational::exactly(norm.value) - Rational::parse(text).value());
     EXPECT_LE(off, Rational::exactly(norm.radius)) << text;
     EXPECT_LE(norm.radius, largest) << text;

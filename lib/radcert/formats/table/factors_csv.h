@@ -61,7 +61,7 @@ enum class Agreement {
 struct FactorComparison {
   std::string from;
   std::string to;
-  Approximation ours;
+  Approximation ours = Approximation::exact(0);  ///< zero where the matrix has no entry
   ClaimedFactor theirs;
   Agreement agreement = Agreement::undecided;
   [[nodiscard]] double difference() const;

@@ -31,7 +31,11 @@ Problem linear_problem_with_solution(const std::string& surface, std::vector<Sur
 
 Approximation observed_order(LevelSource& levels, const Problem& problem, LevelError error, int level) {
   expects(level >= 1, "a level with one before it", named("level", level));
-  const auto of_level = [&](int at) { return as_sampled((levels.level(problem, at).result.*error).value()); };
+  const auto of_level = [&](int at) {
+    const std::optional<Approximation> figure = levels.level(problem, at).result.*error;
+    expects(figure.has_value(), "a problem with a known solution");
+    return as_sampled(*figure);
+  };
   return order_between(of_level(level - 1), of_level(level));
 }
 
