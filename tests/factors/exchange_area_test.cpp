@@ -119,14 +119,5 @@ TEST(ExchangeArea, RefusesFewerThanThreeCornersAndNearPolygonsByRules) {
                ContractViolation);
 }
 
-TEST(Approximation, SumsEncloseAndBallsGoInAndOut) {
-  const Approximation third = enclosing(Ball(Rational(1, 3)));
-  Approximation sum = Approximation::exact(0);
-  for (int k = 0; k < 3000; ++k) sum += third;
-  EXPECT_TRUE(ball_of(sum).contains(Rational(1000)));
-  EXPECT_LE(sum.radius, 1e-9);
-  EXPECT_TRUE(ball_of(third).contains(Rational(1, 3)));
-}
-
 }  // namespace
 }  // namespace radcert

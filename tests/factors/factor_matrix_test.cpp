@@ -153,12 +153,35 @@ TEST(FactorMatrix, HasTheSameBitsForAnyThreadsAndFromTheStore) {
     for (std::size_t k = 0; k < first.entries.size(); ++k) {
       EXPECT_EQ(first.entries[k].factor.value, other->entries[k].factor.value);
       EXPECT_EQ(first.entries[k].factor.radius, other->entries[k].factor.radius);
+      EXPECT_FALSE(other->entries[k].factor.guaranteed);
     }
   }
   // Another demand is another key.
   const FactorMatrix finer =
       factor_matrix(scene, units, {.accuracy = 1e-5}, {.key = "a test", .store = &store});
   EXPECT_LT(finer.largest_radius(), first.largest_radius());
+  std::filesystem::remove_all(folder);
+}
+
+TEST(FactorMatrix, ProvesEachNumberWhereThatIsAsked) {
+  const TriangleMesh mesh = sample::obstructed_squares();
+  const FacetScene scene(mesh);
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "radcert_factor_matrix_proof_test";
+  std::filesystem::remove_all(folder);
+  ResultStore store(folder);
+  for (const bool certified : {true, false, true}) {
+    const FactorMatrix matrix = factor_matrix(
+        scene, sample::by_face(mesh), {.certified = certified, .accuracy = 1e-6, .open_to_space = true},
+        {.key = "a proof", .store = &store});
+    EXPECT_EQ(matrix.guaranteed, certified);
+    for (const ConfigurationFactor& entry : matrix.entries) EXPECT_EQ(entry.factor.guaranteed, certified);
+    for (const FactorRow& row : matrix.rows) {
+      EXPECT_TRUE(row.area.guaranteed);
+      EXPECT_EQ(row.sum.guaranteed, certified);
+      EXPECT_EQ(row.to_space->guaranteed, certified);
+    }
+  }
   std::filesystem::remove_all(folder);
 }
 

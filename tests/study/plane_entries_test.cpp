@@ -125,29 +125,5 @@ TEST(PolynomialOnPlane, IsTheExpression) {
         << text;
 }
 
-TEST(Approximation, HoldsTheBallAndTheLargestSize) {
-  std::mt19937_64 random(9);
-  for (int trial = 0; trial < 200; ++trial) {
-    std::vector<Approximation> numbers;
-    double most = 0;
-    double least = 0;
-    for (int i = 0; i < 5; ++i) {
-      const Rational middle = Rational(static_cast<long>(random() % 2001) - 1000) / 997;
-      const double radius = random() % 3 == 0 ? 0.0 : std::ldexp(1.0, -static_cast<int>(random() % 70));
-      const Ball ball = widened(Ball(middle), Ball(radius));
-      numbers.push_back(enclosing(ball));
-      EXPECT_TRUE(ball_of(numbers.back()).contains(ball));
-      EXPECT_LE(numbers.back().radius, radius * (1 + 1e-8) + 2.3e-16);
-      most = std::max(most, std::abs(numbers.back().value) + numbers.back().radius);
-      least = std::max(least, std::abs(numbers.back().value) - numbers.back().radius);
-    }
-    const Approximation figure = max_abs(numbers);
-    EXPECT_TRUE(figure.guaranteed);
-    EXPECT_GE(figure.value + figure.radius, most * (1 - 1e-15));
-    EXPECT_LE(figure.value - figure.radius, least * (1 + 1e-15));
-    EXPECT_LE(2 * figure.radius, (most - least) * (1 + 1e-8) + 1e-15);
-  }
-}
-
 }  // namespace
 }  // namespace radcert

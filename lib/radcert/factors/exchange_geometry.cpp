@@ -75,8 +75,8 @@ void find_common_sides(std::vector<Screen>& screens) {
 
 }  // namespace
 
-ExchangeGeometry exchange_geometry(const FacetScene& scene, const Facing& receiver, const Facing& source,
-                                   const std::vector<std::size_t>& occluders) {
+ExchangeGeometry exchange_geometry(const FacetScene& scene, const OrientedPolygon& receiver,
+                                   const OrientedPolygon& source, const std::vector<std::size_t>& occluders) {
   double largest = 0;
   for (const Point& p : receiver.corners)
     for (const Point& q : source.corners) largest = std::max(largest, norm(p - q));

@@ -37,13 +37,13 @@ struct ExchangeGeometry {
 };
 
 /// A polygon with its unit normal, which a sliver's own corners do not give in doubles.
-struct Facing {
+struct OrientedPolygon {
   FacetCorners corners;
   Vector<double> unit_normal;
 };
 
-[[nodiscard]] ExchangeGeometry exchange_geometry(const FacetScene& scene, const Facing& receiver,
-                                                 const Facing& source,
+[[nodiscard]] ExchangeGeometry exchange_geometry(const FacetScene& scene, const OrientedPolygon& receiver,
+                                                 const OrientedPolygon& source,
                                                  const std::vector<std::size_t>& occluders);
 
 /// Lambert's flux of a polygon as seen from `at`.

@@ -23,7 +23,9 @@ using Point = Vector<double>;
 
 double area_of(const ReceiverCell& c) { return norm(cross(c[1] - c[0], c[2] - c[0])) / 2; }
 
-Facing facing(const FacetCorners& corners, const Point& unit_normal) { return {corners, unit_normal}; }
+OrientedPolygon oriented(const FacetCorners& corners, const Point& unit_normal) {
+  return {corners, unit_normal};
+}
 
 /// A triangle of the receiver.
 struct PendingCell {
@@ -203,8 +205,8 @@ private:
 double visible_flux(const FacetScene& scene, const Vector<double>& point, const Vector<double>& unit_normal,
                     const FacetCorners& source, const std::vector<std::size_t>& occluders) {
   const Point area = vector_area(source);
-  ExchangeGeometry geometry = exchange_geometry(scene, facing({point}, unit_normal),
-                                                facing(source, (1 / norm(area)) * area), occluders);
+  ExchangeGeometry geometry = exchange_geometry(scene, oriented({point}, unit_normal),
+                                                oriented(source, (1 / norm(area)) * area), occluders);
   std::vector<std::size_t> all(geometry.screens.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   return SourceViewer(geometry).flux((1 / geometry.unit) * (point - geometry.origin), all);
@@ -214,8 +216,8 @@ Approximation visible_exchange_area(const FacetScene& scene, const FacetPair& pa
                                     const CubatureDemand& demand) {
   expects(demand.tolerance > 0, "tolerance > 0", named("tolerance", demand.tolerance));
   if (pair.sight == PairSight::nothing || pair.sight == PairSight::hidden) return Approximation::exact(0);
-  const Facing first = facing(pair.first, pair.first_normal);
-  const Facing second = facing(pair.second, pair.second_normal);
+  const OrientedPolygon first = oriented(pair.first, pair.first_normal);
+  const OrientedPolygon second = oriented(pair.second, pair.second_normal);
   const bool first_receives = norm(vector_area(pair.first)) <= norm(vector_area(pair.second));
   const ExchangeGeometry geometry = exchange_geometry(scene, first_receives ? first : second,
                                                       first_receives ? second : first, pair.occluders);
