@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "radcert/core/result_store.h"
+#include "radcert/formats/result/stored_levels.h"
 #include "radcert/study/study.h"
 #include "verification/framework/finding.h"
-#include "verification/framework/levels.h"
 
 namespace radcert::verification {
 

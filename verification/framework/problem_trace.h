@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "radcert/formats/result/stored_levels.h"
 #include "radcert/study/study.h"
-#include "verification/framework/levels.h"
 
 namespace radcert::verification {
 

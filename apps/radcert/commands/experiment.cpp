@@ -22,10 +22,10 @@
 #include "radcert/formats/plot/svg_plot.h"
 #include "radcert/formats/problem/experiment_file.h"
 #include "radcert/formats/result/experiment_json.h"
+#include "radcert/formats/result/stored_levels.h"
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/study.h"
-#include "verification/framework/levels.h"
 #include "verification/report/report_page.h"
 
 namespace radcert::app {
@@ -65,8 +65,8 @@ std::size_t level_count(const Experiment& experiment) {
 
 /// The results of the combinations, level by level from the store or computed; fewer where somebody asked to
 /// stop.
-Finished solve_all(const Experiment& experiment, const std::string& source,
-                   verification::StoredLevels& levels, bool quiet) {
+Finished solve_all(const Experiment& experiment, const std::string& source, StoredLevels& levels,
+                   bool quiet) {
   ProgressDisplay progress(quiet);
   const double all = work(experiment);
   double done = 0;
@@ -140,7 +140,7 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   const std::optional<ThreadLimit> limit =
       threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
   ResultStore store;
-  verification::StoredLevels levels(store, verification::solve_with(reference::applied_operator, memory));
+  StoredLevels levels(store, solve_with(reference::applied_operator, memory));
   const Finished finished = solve_all(experiment, options.experiment, levels, common.quiet);
   const std::size_t asked = level_count(experiment);
   if (finished.levels < asked) return interrupted(finished.levels, asked, store);

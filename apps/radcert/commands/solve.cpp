@@ -23,11 +23,11 @@
 #include "radcert/formats/plot/svg_plot.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/result/result_json.h"
+#include "radcert/formats/result/stored_levels.h"
 #include "radcert/formats/table/csv.h"
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/reference/operator_integral.h"
 #include "solve_table.h"
-#include "verification/framework/levels.h"
 
 namespace radcert::app {
 
@@ -57,8 +57,7 @@ double work(int level) { return std::pow(16.0, level); }
 
 /// The levels of a problem, each from the store or computed; fewer than asked for where somebody asked to
 /// stop.
-std::vector<LevelOutcome> solve_levels(const Problem& problem, verification::StoredLevels& levels,
-                                       bool quiet) {
+std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& levels, bool quiet) {
   ProgressDisplay progress(quiet);
   double all = 0;
   for (const int level : problem.triangulation.levels) all += work(level);
@@ -122,7 +121,7 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   const std::optional<ThreadLimit> limit =
       threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
   ResultStore store;
-  verification::StoredLevels levels(store, verification::solve_with(reference::applied_operator, memory));
+  StoredLevels levels(store, solve_with(reference::applied_operator, memory));
   const std::vector<LevelOutcome> finished =
       with_source(options.problem, [&] { return solve_levels(problem, levels, common.quiet); });
   const std::size_t asked = problem.triangulation.levels.size();

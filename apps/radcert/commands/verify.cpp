@@ -42,7 +42,7 @@ verification::Budget budget_of(const std::string& word) {
 verification::Report run(const Common& common, const VerifyOptions& options, verification::Budget budget,
                          ResultStore& store) {
   const OperatorRoute route = reference::applied_operator;
-  verification::StoredLevels levels(store, verification::solve_with(route, common.memory_limit()));
+  StoredLevels levels(store, solve_with(route, common.memory_limit()));
   const verification::Bench bench{.budget = budget, .route = route, .levels = levels, .store = store};
   ProgressDisplay progress(common.quiet);
   return verification::run_verification(options.words, bench, [&](const verification::Progress& now) {

@@ -17,6 +17,7 @@
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/triangulation/interpolated_surface.h"
 #include "radcert/triangulation/triangulation.h"
+#include "verification/framework/stored_number.h"
 
 namespace radcert::verification::ac98 {
 namespace {

@@ -4,15 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <string>
+#include <utility>
 
 #include "radcert/core/result_store.h"
 #include "radcert/study/study.h"
-#include "verification/framework/finding.h"
 
-namespace radcert::verification {
+namespace radcert {
 
-/// Where checks get solved levels from.
+/// Where those who compare levels get them from.
 /// Requires  a problem that check() lets pass
 /// Result    what solve_level gives
 class LevelSource {
@@ -22,7 +21,7 @@ public:
 };
 
 /// Solved levels, each computed once and kept.
-/// Source    formats/result/level_record.h for the key and the text
+/// Source    level_record.h for the key and the text
 /// Requires  the store outlives the source
 /// Result    a level found in the store is not computed; one that is computed is stored at once, so that an
 ///           interrupted run goes on where it was. computed() counts the computations of this object
@@ -43,10 +42,4 @@ private:
 /// solve_level with a route, after check() within so many bytes.
 [[nodiscard]] StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit);
 
-/// A number of a check that takes long, computed once and kept.
-/// Requires  `key` says everything that the number depends on, but for radcert's own sources, which are added
-/// Result    the stored number to the bit, or that of compute(), stored
-[[nodiscard]] Approximation stored(ResultStore& store, const std::string& key,
-                                   const std::function<Approximation()>& compute);
-
-}  // namespace radcert::verification
+}  // namespace radcert

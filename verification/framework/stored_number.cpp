@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/framework/levels.h"
+#include "verification/framework/stored_number.h"
 
 #include <array>
 #include <optional>
@@ -8,7 +8,6 @@
 
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
-#include "radcert/formats/result/level_record.h"
 
 namespace radcert::verification {
 namespace {
@@ -30,23 +29,6 @@ std::optional<Approximation> read_number(std::string_view text) {
 }
 
 }  // namespace
-
-LevelOutcome StoredLevels::level(const Problem& problem, int level) {
-  const std::string key = level_key(problem, level);
-  if (const std::optional<std::string> kept = store_->get(key))
-    if (Outcome<LevelOutcome> outcome = read_level_record(*kept)) return std::move(outcome).value();
-  LevelOutcome outcome = solve_(problem, level);
-  ++computed_;
-  static_cast<void>(store_->put(key, level_record(outcome)));
-  return outcome;
-}
-
-StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit) {
-  return [route = std::move(route), memory_limit](const Problem& problem, int level) {
-    check(problem, memory_limit);
-    return solve_level(problem, level, route);
-  };
-}
 
 Approximation stored(ResultStore& store, const std::string& key,
                      const std::function<Approximation()>& compute) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/framework/levels.h"
+#include "verification/framework/stored_number.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "radcert/core/errors.h"
+#include "radcert/formats/result/stored_levels.h"
 #include "tests/verification/fixtures.h"
 
 namespace radcert::verification {

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/result/stored_levels.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "radcert/formats/result/level_record.h"
+
+namespace radcert {
+
+LevelOutcome StoredLevels::level(const Problem& problem, int level) {
+  const std::string key = level_key(problem, level);
+  if (const std::optional<std::string> kept = store_->get(key))
+    if (Outcome<LevelOutcome> outcome = read_level_record(*kept)) return std::move(outcome).value();
+  LevelOutcome outcome = solve_(problem, level);
+  ++computed_;
+  static_cast<void>(store_->put(key, level_record(outcome)));
+  return outcome;
+}
+
+StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit) {
+  return [route = std::move(route), memory_limit](const Problem& problem, int level) {
+    check(problem, memory_limit);
+    return solve_level(problem, level, route);
+  };
+}
+
+}  // namespace radcert
