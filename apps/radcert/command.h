@@ -70,7 +70,8 @@ private:
   Action* action_;
 };
 
-/// The command line of radcert. CLI11, which takes long to compile, stands behind it in command.cpp and shell_help.cpp.
+/// The command line of radcert. CLI11, which takes long to compile, stands behind it in command.cpp and
+/// shell_help.cpp.
 class Program {
 public:
   Program(int count, const char* const* words);
@@ -85,8 +86,8 @@ public:
   [[nodiscard]] Common& common() { return common_; }
   [[nodiscard]] const CLI::App& tree() const { return *tree_; }
 
-  /// What the command line asks for; nothing where it asked for help or the version, which are printed. InputError where it is
-  /// not understood.
+  /// What the command line asks for; nothing where it asked for help or the version, which are printed.
+  /// InputError where it is not understood.
   [[nodiscard]] std::optional<Action> parse(int argc, char** argv);
 
 private:

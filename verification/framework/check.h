@@ -51,7 +51,8 @@ struct PaperChecks {
 
 /// The checks that are compiled in, a list a paper.
 /// Source    generated from verification/claims by verification/checks.cmake
-/// Result    every claim with a check function has exactly one, and every one here has a claim: a test counts them
+/// Result    every claim with a check function has exactly one, and every one here has a claim: a test counts
+///           them
 [[nodiscard]] std::vector<PaperChecks> all_checks();
 
 }  // namespace radcert::verification

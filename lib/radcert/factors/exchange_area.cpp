@@ -264,17 +264,17 @@ Approximation exchange_area_by_rules(const FacetCorners& first, const FacetCorne
   const PolygonPoints to = points_on(second, far.order);
   const Point n = unit_normal(first);
   const Point m = unit_normal(second);
-  const Vector<Pack> normal_p{n.x, n.y, n.z};
+  const Vector<Pack> minus_normal_p{-n.x, -n.y, -n.z};
   const Vector<Pack> normal_q{m.x, m.y, m.z};
   Pack sum(0);
   for (std::size_t i = 0; i < from.x.size(); ++i) {
     if (from.weight[i] == 0) continue;
     Pack inner(0);
     for (std::size_t k = 0; k < to.x.size(); k += Pack::lanes) {
-      const Vector<Pack> difference{Pack::load(&to.x[k]) - Pack(from.x[i]),
-                                    Pack::load(&to.y[k]) - Pack(from.y[i]),
-                                    Pack::load(&to.z[k]) - Pack(from.z[i])};
-      inner += Pack::load(&to.weight[k]) * kernel_terms<Pack>(difference, normal_p, normal_q).value;
+      const Vector<Pack> difference{Pack(from.x[i]) - Pack::load(&to.x[k]),
+                                    Pack(from.y[i]) - Pack::load(&to.y[k]),
+                                    Pack(from.z[i]) - Pack::load(&to.z[k])};
+      inner += Pack::load(&to.weight[k]) * kernel_terms<Pack>(difference, minus_normal_p, normal_q).value();
     }
     sum += Pack(from.weight[i]) * inner;
   }

@@ -26,15 +26,18 @@ struct RoundedKernel {
 };
 
 /// Maths     lean = X (|n_Q| |(Q-P).n_P| + |(P-Q).n_Q| + e X |n_Q|) / |P-Q|^4, |n_Q| = |n_1| + |n_2| + |n_3|
-/// Requires  P != Q, n_P of unit length; `extent` is X and `blur` is e X
+/// Requires  P != Q, n_P of unit length; as kernel_terms P - Q, -n_P and n_Q; `extent` is X and `blur` is e X
 template <Field R>
-[[nodiscard]] inline RoundedKernel<R> rounded_kernel(const Vector<R>& difference, const Vector<R>& normal_p,
+[[nodiscard]] inline RoundedKernel<R> rounded_kernel(const Vector<R>& difference,
+                                                     const Vector<R>& minus_normal_p,
                                                      const Vector<R>& normal_q, const R& extent,
                                                      const R& blur) {
   using std::abs;
-  const KernelTerms<R> g = kernel_terms<R>(difference, normal_p, normal_q);
+  const KernelTerms<R> g = kernel_terms<R>(difference, minus_normal_p, normal_q);
   const R weight = abs(normal_q.x) + abs(normal_q.y) + abs(normal_q.z);
-  return {g.value, extent * (((abs(g.from_p) + blur) * weight + abs(g.from_q)) * (g.inverse * g.inverse))};
+  const R inverse = reciprocal(R(g.squared_distance * g.squared_distance));
+  return {g.from_p * g.from_q * inverse,
+          extent * (((abs(g.from_p) + blur) * weight + abs(g.from_q)) * inverse)};
 }
 
 /// Maths     lean = (|bend_p|.|n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q|.|n_Q| + e |bend_p|.|n_P|
@@ -55,11 +58,13 @@ template <Field R>
       return unit_roundoff<R>();
   };
   const KernelTerms<R> g = chord_terms(chord, normal_p, normal_q);
+  const R inverse = reciprocal(g.squared_distance);
+  const R towards_q = g.from_p * inverse;
+  const R towards_p = g.from_q * inverse;
   const R bend_p = absolute_dot(chord.bend_p, normal_p);
   const R bend_q = absolute_dot(chord.bend_q, normal_q);
-  const R second = R(coordinate_roundings * roundoff()) * bend_q * g.inverse;
-  return {g.value,
-          (bend_p * (abs(g.from_q * g.inverse) + second) + abs(g.from_p * g.inverse) * bend_q) * g.inverse};
+  const R second = R(coordinate_roundings * roundoff()) * bend_q * inverse;
+  return {towards_q * towards_p, (bend_p * (abs(towards_p) + second) + abs(towards_q) * bend_q) * inverse};
 }
 
 }  // namespace radcert

@@ -35,8 +35,8 @@ std::string_view name(TransferFactor factor) {
 }
 
 double site_kernel(const Site<double>& p, const Site<double>& q) {
-  const KernelTerms<double> g = kernel_terms<double>(q.point - p.point, p.normal, q.normal);
-  return g.from_p > 0 && g.from_q > 0 ? g.value : 0;
+  const KernelTerms<double> g = kernel_terms<double>(p.point - q.point, -p.normal, q.normal);
+  return g.from_p > 0 && g.from_q > 0 ? g.scaled_value() : 0;
 }
 
 MemoryPlan transfer_memory(std::size_t sites, std::size_t matrices) {

@@ -46,11 +46,12 @@ void far_sums(const CollocationPointBlock<R>& observers, const Samples<R>& sampl
   using std::abs;
   if (g.size() < samples.count) g.resize(samples.count);
   const Vector<B> point = observers.point;
+  const Vector<B> minus_normal = -observers.normal;
   B size = B(R(0));
   for (std::size_t q = 0; q < samples.count; ++q) {
-    const Vector<B> d{B(samples.x[q]) - point.x, B(samples.y[q]) - point.y, B(samples.z[q]) - point.z};
+    const Vector<B> d{point.x - B(samples.x[q]), point.y - B(samples.y[q]), point.z - B(samples.z[q])};
     const Vector<B> normal_q{B(samples.normal_x[q]), B(samples.normal_y[q]), B(samples.normal_z[q])};
-    g[q] = kernel_terms<B>(d, observers.normal, normal_q).value;
+    g[q] = kernel_terms<B>(d, minus_normal, normal_q).value();
     size = size + abs(g[q]);
   }
   sums.size = size;

@@ -41,7 +41,7 @@ template <Real R>
 KernelSums<R> kernel_sums(const CollocationPoint<R>& p, const Samples<R>& samples, const R& extent) {
   using B = BlockOf<R>;
   const Vector<B> point = broadcast<R>(p.point);
-  const Vector<B> normal_p = broadcast<R>(p.normal);
+  const Vector<B> minus_normal_p = broadcast<R>(-p.normal);
   const B largest_coordinate = B(extent);
   const B blur = B(R(coordinate_roundings) * unit_roundoff<R>() * extent);
   KernelSumsByLane<R> sums(samples.functions);
@@ -49,8 +49,8 @@ KernelSums<R> kernel_sums(const CollocationPoint<R>& p, const Samples<R>& sample
     const std::size_t at = block * Samples<R>::lanes;
     const auto load = [at](const std::vector<R>& array) { return Block<R>::load(&array[at]); };
     const Vector<B> normal_q{load(samples.normal_x), load(samples.normal_y), load(samples.normal_z)};
-    const Vector<B> d = Vector<B>{load(samples.x), load(samples.y), load(samples.z)} - point;
-    const RoundedKernel<B> g = rounded_kernel<B>(d, normal_p, normal_q, largest_coordinate, blur);
+    const Vector<B> d = point - Vector<B>{load(samples.x), load(samples.y), load(samples.z)};
+    const RoundedKernel<B> g = rounded_kernel<B>(d, minus_normal_p, normal_q, largest_coordinate, blur);
     sums.add(g.value, g.lean, basis_of_block(samples, block));
   }
   return sums.sums(samples.count);

@@ -53,7 +53,8 @@ template <std::size_t Fixed>
 [[gnu::always_inline]] inline void KernelRule::take_sums_of(const Points& points, Sums& result) const {
   const std::size_t p = Fixed == 0 ? functions_ : Fixed;
   for (std::size_t j = 0; j < p; ++j) result.sum[j] = Pack(0);
-  Pack inverse(0);
+  const Vector<Pack> minus_normal = -points.normal;
+  Pack nearest(std::numeric_limits<double>::max());
   Pack cosine_p(0);
   Pack cosine_q(0);
   std::array<Pack, Fixed == 0 ? most_functions : Fixed> row;
@@ -61,19 +62,21 @@ template <std::size_t Fixed>
   for (int a = 0; a < order_; ++a) {
     for (std::size_t j = 0; j < p; ++j) row[j] = Pack(0);
     for (int b = 0; b < order_; ++b) {
-      const Vector<Pack> d{Pack(at[0]) - points.position.x, Pack(at[1]) - points.position.y,
-                           Pack(at[2]) - points.position.z};
+      const Vector<Pack> d{points.position.x - Pack(at[0]), points.position.y - Pack(at[1]),
+                           points.position.z - Pack(at[2])};
       const KernelTerms<Pack> g =
-          kernel_terms<Pack>(d, points.normal, {Pack(at[3]), Pack(at[4]), Pack(at[5])});
-      inverse = max(inverse, g.inverse);
-      cosine_p = max(cosine_p, g.from_p * (g.from_p * g.inverse));
-      cosine_q = max(cosine_q, g.from_q * (g.from_q * g.inverse));
-      for (std::size_t j = 0; j < p; ++j) row[j] = fma(g.value, Pack(at[geometry + j]), row[j]);
+          kernel_terms<Pack>(d, minus_normal, {Pack(at[3]), Pack(at[4]), Pack(at[5])});
+      const Pack inverse = Pack(1) / g.squared_distance;
+      const Pack kernel = g.scaled_value();
+      nearest = min(nearest, g.squared_distance);
+      cosine_p = max(cosine_p, g.from_p * (g.from_p * inverse));
+      cosine_q = max(cosine_q, g.from_q * (g.from_q * inverse));
+      for (std::size_t j = 0; j < p; ++j) row[j] = fma(kernel, Pack(at[geometry + j]), row[j]);
       at += geometry + p;
     }
     for (std::size_t j = 0; j < p; ++j) result.sum[j] += row[j];
   }
-  result.inverse = inverse;
+  result.nearest = nearest;
   result.cosine_p = cosine_p;
   result.cosine_q = cosine_q;
 }
@@ -93,9 +96,8 @@ void KernelRule::take_sums(const Points& points, Sums& sums) const {
 void KernelRule::rounding(const Sums& sums, std::size_t lane, const PointErrors& points,
                           std::span<double> error) const {
   const double displaced = (position_error_ + points.position) * up;
-  // The computed r is off by displaced, and by less than 4 u of itself; its inverse square is rounded once
-  // more.
-  const double least = 1 / std::sqrt(sums.inverse.lane(lane)) * (1 - 8 * unit) - displaced;
+  // The computed r is off by displaced, and by less than 4 u of itself.
+  const double least = std::sqrt(sums.nearest.lane(lane)) * (1 - 8 * unit) - displaced;
   constexpr double small = 1e-4;  // so that products of errors are within the slack
   constexpr double slack = 1 + 8 * small;
   if (!(least > 0) || !(displaced < small * least)) {

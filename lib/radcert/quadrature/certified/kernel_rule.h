@@ -36,7 +36,7 @@ public:
   };
   struct Sums {
     std::array<Pack, most_functions> sum;
-    Pack inverse;   ///< largest computed 1 / |Q - P|^2
+    Pack nearest;   ///< least computed |Q - P|^2
     Pack cosine_p;  ///< largest computed ((Q - P).n_P)^2 / |Q - P|^2
     Pack cosine_q;
   };
