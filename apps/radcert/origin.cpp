@@ -60,7 +60,8 @@ std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems) {
   };
   for (const Problem& problem : problems) {
     if (problem.surface.mesh) add(problem.surface.mesh->file, problem.surface.mesh->digest);
-    if (problem.basis.family == BasisFamily::file) add(problem.basis.file, problem.basis.digest);
+    const TriangleBasisChoice* basis = find_triangle_basis(problem.method);
+    if (basis != nullptr && basis->family == NodeFamily::file) add(basis->file, basis->digest);
   }
   return out;
 }
@@ -81,17 +82,18 @@ std::string mended_text(std::span<const Problem> problems) {
 
 std::vector<std::string> references_of(const Problem& problem) {
   std::vector<std::string> keys = {"ac98"};
-  if (problem.basis.family == BasisFamily::inset) keys.emplace_back("m06");
-  if (problem.basis.family == BasisFamily::meshless) keys.emplace_back("psg10");
+  const TriangleBasisChoice* basis = find_triangle_basis(problem.method);
+  if (basis != nullptr && basis->family == NodeFamily::inset) keys.emplace_back("m06");
+  if (std::holds_alternative<Meshless>(problem.method)) keys.emplace_back("psg10");
   return keys;
 }
 
 std::optional<std::uint64_t> seed_of(std::span<const Problem> problems) {
   std::optional<std::uint64_t> common;
   for (const Problem& problem : problems) {
-    if (!problem.basis.meshless) continue;
-    const std::uint64_t seed =
-        std::visit([](const auto& sites) { return sites.seed; }, problem.basis.meshless->sites);
+    const auto* meshless = std::get_if<Meshless>(&problem.method);
+    if (meshless == nullptr) continue;
+    const std::uint64_t seed = std::visit([](const auto& sites) { return sites.seed; }, meshless->sites);
     if (common && *common != seed) return std::nullopt;
     common = seed;
   }

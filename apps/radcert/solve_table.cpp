@@ -139,9 +139,8 @@ std::string iteration_line(const Result& result) {
     error_bound = std::max(error_bound, level.iteration->error_bound);
   }
   const std::string theta = contraction < 1 ? upper_text_below_one(contraction, 3) : upper_text(contraction);
-  return "Iterations of " + solver_name(result.problem.solver.name) + ": " + iterations +
-         "; contraction at most " + theta + ", error of the linear system at most " +
-         upper_text(error_bound) + "\n";
+  return "Iterations of " + result.problem.solver.name + ": " + iterations + "; contraction at most " +
+         theta + ", error of the linear system at most " + upper_text(error_bound) + "\n";
 }
 
 /// Whether the errors at the nodes are proved on every level, and u_n itself.

@@ -76,6 +76,36 @@ function(radcert_layer name)
   endforeach()
 endfunction()
 
+# radcert_catalogue(<layer> <function> TYPE <type> HEADER <file> [FOLDER <folder>] NAMES <name>...)
+#
+# Gives the layer the sources <folder>/<name>.cpp, each of which defines
+#   <type> radcert::<name>_entry();
+# and the definition of `const std::vector<type>& radcert::<function>()`, which is declared in the header: the entries in
+# this order. A new name is a new source, and nothing else has to name it.
+function(radcert_catalogue layer function)
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "TYPE;HEADER;FOLDER" "NAMES")
+  set(declarations)
+  set(entries)
+  foreach(name IN LISTS arg_NAMES)
+    target_sources(radcert_${layer} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/radcert/${layer}/${arg_FOLDER}/${name}.cpp")
+    string(APPEND declarations "${arg_TYPE} ${name}_entry();\n")
+    string(APPEND entries "${name}_entry(), ")
+  endforeach()
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp")
+  file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [[
+#include "radcert/@layer@/@arg_HEADER@"
+
+namespace radcert {
+@declarations@
+const std::vector<@arg_TYPE@>& @function@() {
+  static const std::vector<@arg_TYPE@> entries = {@entries@};
+  return entries;
+}
+}  // namespace radcert
+]])
+  target_sources(radcert_${layer} PRIVATE "${source}")
+endfunction()
+
 # Reads every header and source of a layer, stops at an include of a layer that is not among `allowed` and at one of
 # these that is never included, and has the configuration run again when one of the files changes, comes or goes.
 function(radcert_check_includes name folder allowed)

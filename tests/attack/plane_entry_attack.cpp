@@ -211,7 +211,7 @@ Problem problem_of(const Pair& pair) {
   problem.reflectivity = expressions(pair.reflectivity);
   problem.solution = std::nullopt;
   problem.emission = expressions(pair.emission);
-  problem.solver.name = SolverName::verified;
+  problem.solver.name = "verified";
   return problem;
 }
 

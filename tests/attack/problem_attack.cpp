@@ -29,7 +29,7 @@ Judgement judge_by_proof(const ProblemInstance& x) {
     return Judgement::refused();
   }
   Problem proved = *made;
-  proved.solver = {.name = SolverName::verified, .tolerance = std::nullopt};
+  proved.solver = {.name = "verified", .tolerance = std::nullopt};
   proved.quadrature.tolerance = Rational(1, 1000000000);
   const std::optional<LevelOutcome> level = solved(*made);
   if (!level || !level->result.solution_radius) return Judgement::refused();

@@ -49,20 +49,20 @@ SurfaceChoice surface_choice(const ProblemInstance& x) {
   return choice;
 }
 
-BasisChoice basis_choice(const ProblemInstance& x) {
+TriangleBasisChoice basis_choice(const ProblemInstance& x) {
   if (!x.nodes.empty()) {
     NodeFile file = parse_nodes(x.nodes, "random.json");
     const int degree = file.functions.degree();
     return {.degree = degree,
             .alpha = std::nullopt,
-            .family = BasisFamily::file,
+            .family = NodeFamily::file,
             .file = "random.json",
             .functions = std::make_shared<const LagrangeFunctions>(std::move(file.functions))};
   }
   if (x.symmetric)
     return {.degree = x.degree,
             .alpha = std::nullopt,
-            .family = BasisFamily::symmetric,
+            .family = NodeFamily::symmetric,
             .functions = std::make_shared<const LagrangeFunctions>(
                 lagrange_functions(symmetric_nodes(x.degree).nodes()).value())};
   return {.degree = x.degree, .alpha = x.alpha};
@@ -110,10 +110,10 @@ Problem problem_of(const ProblemInstance& x) {
   Problem problem;
   problem.surface = surface_choice(x);
   problem.triangulation = {.levels = {x.level}, .pattern = {}, .grading = x.grading};
-  problem.basis = basis_choice(x);
+  problem.method = Collocation{basis_choice(x)};
   problem.reflectivity = expression_of(x.reflectivity);
   problem.solver = {.name = x.solver, .tolerance = std::nullopt};
-  if (x.solver != SolverName::direct) problem.solver.tolerance = x.solver_tolerance;
+  if (x.solver != "direct") problem.solver.tolerance = x.solver_tolerance;
   if (x.solution.empty())
     problem.emission = expression_of(x.emission);
   else
@@ -136,7 +136,7 @@ std::string text(const ProblemInstance& x) {
            (x.symmetric ? ", symmetric" : ", alpha " + x.alpha.to_text());
   out += ", rho = " + text(x.reflectivity);
   out += x.solution.empty() ? ", E = " + text(x.emission) : ", u = " + text(x.solution);
-  out += ", " + solver_name(x.solver);
+  out += ", " + x.solver;
   if (x.solver_tolerance) out += " to " + x.solver_tolerance->to_text();
   out += ", tolerance " + x.tolerance.to_text();
   if (x.interpolated > 0)
@@ -176,7 +176,7 @@ std::vector<ProblemInstance> smaller(const ProblemInstance& x) {
     });
   if (x.nodes.empty() && x.degree > 1) with([](ProblemInstance& y) { y.degree = 1; });
   if (x.interpolated > 0) with([](ProblemInstance& y) { y.interpolated = 0; });
-  if (x.solver != SolverName::direct) with([](ProblemInstance& y) { y.solver = SolverName::direct; });
+  if (x.solver != "direct") with([](ProblemInstance& y) { y.solver = "direct"; });
   if (!x.solution.empty() && text(x.reflectivity) != "1/2")
     with([](ProblemInstance& y) { y.reflectivity = everywhere("1/2"); });
   if (!x.mesh)
@@ -187,8 +187,9 @@ std::vector<ProblemInstance> smaller(const ProblemInstance& x) {
 }
 
 LagrangeFunctions functions_of(const Problem& problem) {
-  if (problem.basis.functions) return *problem.basis.functions;
-  return lagrange_functions(inset_nodes(problem.basis.degree, problem.basis.alpha.value_or(Rational(0))))
+  if (triangle_basis_of(problem.method).functions) return *triangle_basis_of(problem.method).functions;
+  return lagrange_functions(inset_nodes(triangle_basis_of(problem.method).degree,
+                                        triangle_basis_of(problem.method).alpha.value_or(Rational(0))))
       .value();
 }
 
@@ -218,7 +219,7 @@ void draw_method(Draw& draw, ProblemInstance& x) {
     default: break;
   }
   if (x.degree < 2 && x.nodes.empty() && draw.below(10) == 0) x.level = 1;
-  x.solver = std::vector{SolverName::direct, SolverName::gmres, SolverName::neumann}[draw.below(3)];
+  x.solver = std::vector{"direct", "gmres", "neumann"}[draw.below(3)];
   if (draw.below(4) == 0)
     x.solver_tolerance =
         std::vector{Rational(1, 1000), Rational(1, 100000000), Rational(9, 10)}[draw.below(3)];

@@ -35,7 +35,7 @@ struct ProblemInstance {
   std::string nodes{};   ///< a node file's text, which takes the place of degree and alpha
   int interpolated = 0;  ///< the degree, or 0: exact
   bool on_interpolant = false;
-  SolverName solver = SolverName::direct;
+  std::string solver = "direct";
   std::optional<Rational> solver_tolerance = std::nullopt;
   Rational tolerance = Rational(1, 10000000);
   Rational grading = Rational(1);

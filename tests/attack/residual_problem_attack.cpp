@@ -73,7 +73,7 @@ Judgement judge_level(const ProblemInstance& x, const Problem& problem, const Le
   const double radius = *level.result.solution_radius;
   const Surface surface = surface_of(problem);
   const Triangulation triangulation = triangulation_of(problem, surface);
-  const TriangleBasis<double> basis = triangle_basis(problem.basis);
+  const TriangleBasis<double> basis = triangle_basis(triangle_basis_of(problem.method));
   const std::vector<SurfacePoint<Rational>> nodes =
       exact_collocation_nodes(triangulation, functions_of(problem));
   std::vector<double> u_n;

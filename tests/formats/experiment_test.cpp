@@ -47,7 +47,7 @@ TEST(Experiment, IsTheProductOfItsListsTheLastRunningFastest) {
     EXPECT_EQ(combination.choice[0], std::pair(std::string("surface"), i / 3));
     EXPECT_EQ(combination.choice[1], std::pair(std::string("basis"), i % 3));
     EXPECT_EQ(combination.problem.surface.name, i < 3 ? "two_piece" : "cube");
-    EXPECT_EQ(combination.problem.basis.degree, i % 3 == 0 ? 0 : 1);
+    EXPECT_EQ(triangle_basis_of(combination.problem.method).degree, i % 3 == 0 ? 0 : 1);
   }
   EXPECT_EQ(questions(experiment), (std::vector<std::vector<std::size_t>>{{0, 1, 2}, {3, 4, 5}}));
 }

@@ -47,16 +47,15 @@ TEST(LevelKey, DependsOnTheProblemAndTheLevelButNotOnTheOtherLevels) {
   EXPECT_NE(level_key(problem, 2), key);
   problem.triangulation.levels = {1, 5};
   EXPECT_EQ(level_key(problem, 1), key);
-  problem.basis.alpha = Rational(1, 7);
+  triangle_basis_of(problem.method).alpha = Rational(1, 7);
   EXPECT_NE(level_key(problem, 1), key);
 }
 
 TEST(LevelKey, DependsOnTheContentOfAFileOfNodes) {
   Problem problem = test::sample_problem();
-  problem.basis =
-      BasisChoice{.alpha = std::nullopt, .family = BasisFamily::file, .file = "nodes.json", .digest = "one"};
+  problem.method = Collocation{{.family = NodeFamily::file, .file = "nodes.json", .digest = "one"}};
   const std::string key = level_key(problem, 1);
-  problem.basis.digest = "another";
+  triangle_basis_of(problem.method).digest = "another";
   EXPECT_NE(level_key(problem, 1), key);
 }
 

@@ -29,8 +29,8 @@ TEST(ParseProblem, ReadsTheExampleOfTheFormat) {
   EXPECT_EQ(problem.triangulation.levels, (std::vector<int>{0, 1, 2}));
   EXPECT_TRUE(problem.triangulation.pattern.empty());
   EXPECT_EQ(problem.triangulation.grading, Rational(1));
-  EXPECT_EQ(problem.basis.degree, 1);
-  EXPECT_EQ(problem.basis.alpha, Rational(1, 6));
+  EXPECT_EQ(triangle_basis_of(problem.method).degree, 1);
+  EXPECT_EQ(triangle_basis_of(problem.method).alpha, Rational(1, 6));
   EXPECT_EQ(problem.solution->on("upper").text(), "1/sqrt(x^2 + y^2 + (z-1/2)^2)");
   EXPECT_FALSE(problem.emission);
 }
@@ -57,9 +57,9 @@ TEST(ParseProblem, FillsInWhatTheFormatSays) {
 
 TEST(ParseProblem, ReadsMeshlessBases) {
   const auto basis = [](const std::string& text) {
-    return *parse_problem(with("basis", text), "").basis.meshless;
+    return std::get<Meshless>(parse_problem(with("basis", text), "").method);
   };
-  const MeshlessBasis own = basis(R"json({"family": "meshless", "mother": "exp(-r^2/2)", "support": "3/2",
+  const Meshless own = basis(R"json({"family": "meshless", "mother": "exp(-r^2/2)", "support": "3/2",
       "distance": "euclidean", "radius": {"neighbour": 7, "too_few": "farthest"}, "normalise": "none",
       "sites": {"poisson_disk": "0.1", "seed": 18446744073709551615}, "weights": "mean_density",
       "coefficients": "interpolated"})json");
@@ -74,7 +74,7 @@ TEST(ParseProblem, ReadsMeshlessBases) {
   EXPECT_EQ(own.weights, WeightRule::mean_density);
   EXPECT_EQ(own.coefficients, CoefficientRule::interpolated);
 
-  const MeshlessBasis plain = basis(R"({"family": "meshless", "mother": "spline", "radius": "absolute"})");
+  const Meshless plain = basis(R"({"family": "meshless", "mother": "spline", "radius": "absolute"})");
   EXPECT_EQ(plain.basis.mother.kind, MotherKind::spline);
   EXPECT_FALSE(plain.basis.radius.neighbour);
   EXPECT_EQ(plain.basis.distance, SiteDistance::normal_sensitive);
@@ -107,14 +107,14 @@ TEST(ProblemJson, WritesMeshlessBasesSoThatTheyAreReadBack) {
 
 TEST(ParseProblem, ReadsTheSolverAndItsTolerance) {
   const auto solver = [](const std::string& text) { return parse_problem(with("solver", text), "").solver; };
-  EXPECT_EQ(test::sample_problem().solver.name, SolverName::direct);
-  EXPECT_EQ(solver(R"({"name": "direct"})").name, SolverName::direct);
+  EXPECT_EQ(test::sample_problem().solver.name, "direct");
+  EXPECT_EQ(solver(R"({"name": "direct"})").name, "direct");
   EXPECT_EQ(test::sample_problem().quadrature.tolerance, Rational(1, 10000000000000));
   EXPECT_EQ(parse_problem(with("quadrature", R"({"tolerance": "1e-6"})"), "").quadrature.tolerance,
             Rational(1, 1000000));
-  EXPECT_EQ(solver(R"({"name": "neumann"})").name, SolverName::neumann);
-  EXPECT_EQ(solver(R"({"name": "gmres"})").name, SolverName::gmres);
-  EXPECT_EQ(solver(R"({"name": "verified"})").name, SolverName::verified);
+  EXPECT_EQ(solver(R"({"name": "neumann"})").name, "neumann");
+  EXPECT_EQ(solver(R"({"name": "gmres"})").name, "gmres");
+  EXPECT_EQ(solver(R"({"name": "verified"})").name, "verified");
   EXPECT_EQ(solver(R"({"name": "gmres"})").tolerance, std::nullopt);
   EXPECT_EQ(solver(R"({"name": "gmres", "tolerance": "rounding"})").tolerance, std::nullopt);
   EXPECT_EQ(solver(R"({"name": "gmres", "tolerance": "1e-10"})").tolerance, Rational(1, 10000000000));
@@ -143,10 +143,10 @@ TEST(ParseProblem, LeavesAlphaOutAtDegreeZeroOnly) {
 
 TEST(ParseProblem, FindsTheSuperconvergentAlpha) {
   const auto basis = [](const std::string& text) { return parse_problem(with("basis", text), "").basis; };
-  const BasisChoice one = basis(R"({"family": "inset", "degree": 1, "alpha": "superconvergent"})");
+  const TriangleBasisChoice one = basis(R"({"family": "inset", "degree": 1, "alpha": "superconvergent"})");
   EXPECT_EQ(one.alpha, Rational(1, 6));
   EXPECT_FALSE(one.alpha_is_near);
-  const BasisChoice three = basis(R"({"family": "inset", "degree": 3, "alpha": "superconvergent"})");
+  const TriangleBasisChoice three = basis(R"({"family": "inset", "degree": 3, "alpha": "superconvergent"})");
   EXPECT_TRUE(three.alpha_is_near);
   // (7 - sqrt 34)/15
   EXPECT_EQ(three.alpha->to_double(), 0.07793654034364664);

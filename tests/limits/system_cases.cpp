@@ -238,26 +238,25 @@ Case level(const std::string& limit, const Problem& problem, int number_of_level
           .is_long = true};
 }
 
-Problem with_solver(Problem problem, SolverName solver) {
+Problem with_solver(Problem problem, const std::string& solver) {
   problem.solver.name = solver;
   return problem;
 }
 
 /// By the ellipsoid's verified interpolant: its points are doubles.
 Problem verified_interpolant() {
-  Problem problem =
-      with_solver(testing::with_emission(testing::sample_problem("two_piece", {{"p", 2}}), "1 + x*y/8"),
-                  SolverName::verified);
+  Problem problem = with_solver(
+      testing::with_emission(testing::sample_problem("two_piece", {{"p", 2}}), "1 + x*y/8"), "verified");
   problem.geometry = InterpolatedGeometry{.degree = 2, .data = DataPoints::surface};
   return problem;
 }
 
 Problem meshless_problem() {
   Problem problem = testing::sample_problem("sphere");
-  MeshlessBasis basis = basis_of(MeshlessFamily::lehtinen);
+  Meshless basis = basis_of(MeshlessFamily::lehtinen);
   basis.sites = PoissonDiskLevels{.separation = Rational(1, 2)};
   basis.weights = WeightRule::integrated;
-  problem.basis = {.alpha = std::nullopt, .family = BasisFamily::meshless, .meshless = basis};
+  problem.method = basis;
   return problem;
 }
 
@@ -275,9 +274,9 @@ std::vector<Case> system_cases() {
   };
   const Problem peaked = with_solver(
       testing::with_solution(testing::sample_problem("cube"), "exp(-100*((x-0.3)^2 + (y-0.4)^2 + z^2))"),
-      SolverName::verified);
+      "verified");
   const Problem plane =
-      with_solver(testing::with_emission(testing::sample_problem("cube"), "1 + x"), SolverName::verified);
+      with_solver(testing::with_emission(testing::sample_problem("cube"), "1 + x"), "verified");
   return {
       row("quadrature/element_integrator: bisections", thin, on_box, 1, 1, "a thin box"),
       row("quadrature/element_integrator: bisections", cube, on_box, 1, 1, "the cube"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/collocation/level_errors.h"
+#include "radcert/study/collocation/nodal_function.h"
 
 #include <gtest/gtest.h>
 

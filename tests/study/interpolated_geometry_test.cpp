@@ -5,7 +5,6 @@
 
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/collocation/level_geometry.h"
-#include "radcert/study/plan.h"
 #include "radcert/study/study.h"
 #include "tests/study/problems.h"
 

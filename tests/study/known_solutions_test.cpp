@@ -53,8 +53,8 @@ bool is_affine(const Surface& surface) {
 }
 
 std::string title(const Problem& problem, int level) {
-  return problem.surface.name + ", degree " + std::to_string(problem.basis.degree) + ", level " +
-         std::to_string(level);
+  return problem.surface.name + ", degree " + std::to_string(triangle_basis_of(problem.method).degree) +
+         ", level " + std::to_string(level);
 }
 
 /// max |u_n - u| over the nodes.

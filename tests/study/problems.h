@@ -30,7 +30,7 @@ inline PiecewiseExpression by_piece(const std::vector<std::pair<std::string, std
 inline Problem sample_problem(const std::string& surface, std::vector<SurfaceParameter> parameters = {}) {
   return {.surface = {.name = surface, .parameters = std::move(parameters)},
           .triangulation = {.levels = {0}, .pattern = {}, .grading = 1},
-          .basis = {.degree = 1, .alpha = Rational(1, 6)},
+          .method = Collocation{{.degree = 1, .alpha = Rational(1, 6)}},
           .reflectivity = everywhere("1/2"),
           .solution = everywhere("1"),
           .emission = std::nullopt,
@@ -50,7 +50,7 @@ inline Problem with_solution(Problem problem, const std::string& solution) {
 }
 
 inline Problem with_basis(Problem problem, int degree, std::optional<Rational> alpha) {
-  problem.basis = {.degree = degree, .alpha = std::move(alpha)};
+  problem.method = Collocation{{.degree = degree, .alpha = std::move(alpha)}};
   return problem;
 }
 

@@ -21,6 +21,7 @@
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/surface/mesh_surface.h"
+#include "tests/geometry/sample_meshes.h"
 
 namespace radcert {
 namespace {
@@ -37,7 +38,7 @@ constexpr long digits_in_bits = 400;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 Problem verified(Problem problem) {
-  problem.solver.name = SolverName::verified;
+  problem.solver.name = "verified";
   return problem;
 }
 
@@ -397,7 +398,7 @@ TEST(VerifiedLevel, RefusesWhatHasNoGuarantee) {
   Tetrahedron t;
   std::mt19937_64 random(7);
   t = random_tetrahedron(random);
-  Problem occluded = t.problem();
+  Problem occluded = with_solution(t.problem(), "1 + x");
   Surface hidden = *occluded.surface.mesh->surface;
   hidden.unoccluded = false;
   occluded.surface.mesh->surface = std::make_shared<const Surface>(std::move(hidden));
@@ -430,6 +431,57 @@ TEST(VerifiedLevel, HoldsPeaksBetweenTheNodes) {
        {"exp(-1000*((x-0.3)^2+(y-0.4)^2+z^2))", "exp(-10000*((x-0.3)^2+(y-0.4)^2+z^2))",
         "1+exp(-100*((x-0.3)^2+(y-0.4)^2+z^2))"})
     EXPECT_EQ(refusal(verified(with_solution(sample_problem("cube"), peak))), "(none)") << peak;
+}
+
+/// A closed room of one piece, its normals against or along the charts' cross products.
+Problem room_problem(const sample::Polyhedron& room, Orientation orientation) {
+  const TriangleMesh mesh = sample::mesh_of(room);
+  const std::vector<std::size_t> pieces(mesh.triangles.size(), 0);
+  Problem problem = with_basis(sample_problem("cube"), 1, Rational(1, 6));
+  problem.surface = {.name = "room", .parameters = {}, .mesh = MeshChoice{}};
+  problem.surface.mesh->surface = std::make_shared<const Surface>(
+      mesh_surface("room", mesh, pieces, std::vector<std::string>{"wall"},
+                   {.orientation = orientation, .closed = true, .unoccluded = false}));
+  return problem;
+}
+
+TEST(VerifiedLevel, HoldsWherePartsHideEachOther) {
+  const auto no_route = [](const Surface&, const SurfaceFunction&) -> AppliedOperator { return {}; };
+  const sample::Polyhedron outwards = sample::l_shaped_room();
+  sample::Polyhedron inwards = outwards;
+  for (std::vector<std::size_t>& face : inwards.faces) std::reverse(face.begin(), face.end());
+  for (const Problem& room : {room_problem(outwards, Orientation::against_the_cross_product),
+                              room_problem(inwards, Orientation::along_the_cross_product),
+                              room_problem(sample::cube_in_cube(0.5, {0.25, 0.125, 0.0625}),
+                                           Orientation::against_the_cross_product)}) {
+    // Int G V = pi in a closed room: u = 1 for E = 1 - rho.
+    const LevelOutcome one = verified_level(verified(with_emission(room, "1/2")), 0);
+    for (const NodeValue& node : one.nodes) {
+      EXPECT_LE(std::abs(node.u_n - 1), *node.radius);
+      EXPECT_LE(*node.radius, 1e-11);
+    }
+    // The other matrix is integrated otherwise: point by point, over parts with rounded corners.
+    const Problem lit = with_emission(room, "1 + x*y + z^2");
+    const LevelOutcome proved = verified_level(verified(lit), 0);
+    const LevelOutcome estimated = solve_level(lit, 0, no_route);
+    double largest = 0;
+    for (std::size_t i = 0; i < proved.nodes.size(); ++i) {
+      EXPECT_LE(std::abs(proved.nodes[i].u_n - estimated.nodes[i].u_n),
+                *proved.nodes[i].radius + estimated.result.solution_radius.value());
+      largest = std::max(largest, std::abs(proved.nodes[i].u_n));
+    }
+    EXPECT_GT(largest, 2);
+  }
+  // A basis whose nodes do not change places with the corners is refused where the corners do.
+  const std::vector<Barycentric<Rational>> lopsided{{{Rational(1, 2), Rational(1, 4), Rational(1, 4)}},
+                                                    {{Rational(1, 4), Rational(5, 8), Rational(1, 8)}},
+                                                    {{Rational(1, 4), Rational(1, 4), Rational(1, 2)}}};
+  Problem problem = with_emission(room_problem(outwards, Orientation::against_the_cross_product), "1/2");
+  problem.method = Collocation{
+      {.degree = 1,
+       .family = NodeFamily::file,
+       .functions = std::make_shared<const LagrangeFunctions>(lagrange_functions(lopsided).value())}};
+  EXPECT_THAT(refusal(verified(problem)), ::testing::HasSubstr("not symmetric to an exchange"));
 }
 
 TEST(VerifiedLevel, RefusesInputThatIsWrongAsOtherSolversDo) {

@@ -81,7 +81,7 @@ TEST(ObservedOrder, IsTheExponentOfAPower) {
 TEST(LinearProblem, HasOneOfTheTwoKindsOfData) {
   const Problem bare = linear_problem("cube", {}, "1/2");
   EXPECT_FALSE(bare.solution || bare.emission);
-  EXPECT_EQ(bare.basis.alpha, Rational(1, 6));
+  EXPECT_EQ(triangle_basis_of(bare.method).alpha, Rational(1, 6));
   EXPECT_TRUE(linear_problem_with_solution("cube", {}, "1/2", "x").solution.has_value());
   const Problem squares = constant_emission_on_two_squares(Rational(1, 2), 3);
   EXPECT_TRUE(squares.emission && !squares.solution);

@@ -50,7 +50,7 @@ inline Problem flat_problem(std::vector<int> levels) {
   Problem problem;
   problem.surface = {.name = "cube", .parameters = {}};
   problem.triangulation.levels = std::move(levels);
-  problem.basis = {.degree = 1, .alpha = Rational(1, 6)};
+  problem.method = Collocation{{.degree = 1, .alpha = Rational(1, 6)}};
   problem.reflectivity = everywhere("0.5");
   problem.solution = everywhere("x");
   return problem;
@@ -64,7 +64,7 @@ inline LevelOutcome made_up_level(const Problem& problem, int level) {
   outcome.result.elements = std::uint64_t{12} << static_cast<unsigned>(2 * level);
   outcome.result.unknowns = 3 * outcome.result.elements;
   outcome.result.mesh_size = std::ldexp(1.0, -level);
-  const double factor = problem.basis.alpha == Rational(1, 10) ? 10 : 1;
+  const double factor = triangle_basis_of(problem.method).alpha == Rational(1, 10) ? 10 : 1;
   outcome.result.node_error =
       Approximation{.value = factor * std::ldexp(1.0, -2 * level), .radius = 1e-12, .guaranteed = false};
   outcome.result.discretisation_error =

@@ -28,7 +28,7 @@ TEST(RecordedLevels, KeepEachProblemOnceWithItsLevelsInOrder) {
   RecordedLevels levels(source);
   const Problem one = flat_problem({0, 1, 2});
   Problem other = one;
-  other.basis.alpha = Rational(1, 5);
+  triangle_basis_of(other.method).alpha = Rational(1, 5);
   for (const int level : {2, 0, 1, 0}) static_cast<void>(levels.level(one, level));
   static_cast<void>(levels.level(other, 1));
   EXPECT_THAT(levels.used(), ElementsAre(0U, 1U));
@@ -65,7 +65,7 @@ TEST(ProblemTitle, NamesWhatDiffersFromTheDefaults) {
   const std::string title = problem_title(problem);
   EXPECT_THAT(title, HasSubstr(problem.surface.name));
   EXPECT_THAT(title, HasSubstr("grading 3/2"));
-  EXPECT_THAT(title, HasSubstr("degree " + std::to_string(problem.basis.degree)));
+  EXPECT_THAT(title, HasSubstr("degree " + std::to_string(triangle_basis_of(problem.method).degree)));
 }
 
 }  // namespace

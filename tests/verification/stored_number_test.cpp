@@ -59,7 +59,7 @@ TEST(StoredLevels, TellProblemsApart) {
   StoredLevels levels(store, made_up_level);
   static_cast<void>(levels.level(flat_problem({0}), 0));
   Problem other = flat_problem({0});
-  other.basis.alpha = Rational(1, 10);
+  triangle_basis_of(other.method).alpha = Rational(1, 10);
   static_cast<void>(levels.level(other, 0));
   EXPECT_EQ(levels.computed(), 2U);
   // Which other levels a problem asks for does not matter.

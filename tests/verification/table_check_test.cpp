@@ -208,7 +208,7 @@ TEST(RunVerification, FitsAnOrderWithoutCode) {
   // Errors that halve for alpha = 1/10 and fall by 16 otherwise.
   StoredLevels levels(store, [](const Problem& problem, int level) {
     LevelOutcome outcome = made_up_level(problem, level);
-    const double rate = problem.basis.alpha == Rational(1, 10) ? 1 : 4;
+    const double rate = triangle_basis_of(problem.method).alpha == Rational(1, 10) ? 1 : 4;
     outcome.result.node_error->value = std::exp2(-rate * level);
     return outcome;
   });

@@ -81,10 +81,10 @@ bool is_value_of_u_n(const std::string& quantity) {
 void check_problem(const Paper& paper, const EnclosedQuantity& number) {
   const Problem problem = problem_of(paper, number);
   const std::string source = paper.source(number.problem);
-  if (problem.solver.name != SolverName::verified)
+  if (problem.solver.name != "verified")
     throw InputError({.source = source,
                       .pointer = "/solver/name",
-                      .value = solver_name(problem.solver.name),
+                      .value = problem.solver.name,
                       .problem = "proves nothing",
                       .allowed = "verified, for a claim with check = \"enclosure\""});
   if (!problem.solution && !is_value_of_u_n(number.quantity))

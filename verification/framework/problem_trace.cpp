@@ -18,12 +18,14 @@ std::string parameters_text(const SurfaceChoice& surface) {
   return out.empty() ? "" : " (" + out + ")";
 }
 
-std::string basis_text(const BasisChoice& basis) {
+std::string method_text(const Method& method) {
+  const TriangleBasisChoice* triangles = find_triangle_basis(method);
+  if (triangles == nullptr) return listed(method_words(method));
+  const TriangleBasisChoice& basis = *triangles;
   switch (basis.family) {
-    case BasisFamily::file: return "nodes of " + basis.file;
-    case BasisFamily::symmetric: return "symmetric nodes of degree " + std::to_string(basis.degree);
-    case BasisFamily::meshless: return listed(meshless_words(*basis.meshless));
-    case BasisFamily::inset: break;
+    case NodeFamily::file: return "nodes of " + basis.file;
+    case NodeFamily::symmetric: return "symmetric nodes of degree " + std::to_string(basis.degree);
+    case NodeFamily::inset: break;
   }
   std::string out = "degree " + std::to_string(basis.degree);
   if (basis.alpha && basis.degree > 0)
@@ -35,7 +37,7 @@ std::string basis_text(const BasisChoice& basis) {
 
 std::string problem_title(const Problem& problem) {
   std::string out =
-      problem.surface.name + parameters_text(problem.surface) + "; " + basis_text(problem.basis);
+      problem.surface.name + parameters_text(problem.surface) + "; " + method_text(problem.method);
   if (problem.geometry) out += "; interpolated of degree " + std::to_string(problem.geometry->degree);
   if (problem.triangulation.grading != Rational(1))
     out += "; grading " + problem.triangulation.grading.to_text();

@@ -185,7 +185,7 @@ class Errors {
 public:
   Errors(const Problem& problem, LevelSource& levels, int proved_elements)
       : problem_(problem), proved_(problem), levels_(&levels) {
-    proved_.solver = {.name = SolverName::verified, .tolerance = std::nullopt};
+    proved_.solver = {.name = "verified", .tolerance = std::nullopt};
     // Of numbers of order 1: beyond the third digit of errors of 1e-8, the least that the tables print.
     const Rational enough = Rational(1) / power(Rational(10), 11);
     proved_.quadrature.tolerance = std::max(proved_.quadrature.tolerance, enough);

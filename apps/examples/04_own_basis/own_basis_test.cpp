@@ -59,11 +59,11 @@ TEST(OwnBasis, SolvesAProblemLikeItsFile) {
   const Problem by_file = read_problem(folder + "/problem.json");
   Problem by_type = by_file;
   const LagrangeFunctions functions = lagrange_functions_of(LinearWithBubble<Rational>());
-  by_type.basis = BasisChoice{.degree = functions.degree(),
-                              .alpha = std::nullopt,
-                              .family = BasisFamily::file,
-                              .file = "LinearWithBubble",
-                              .functions = std::make_shared<const LagrangeFunctions>(functions)};
+  by_type.method = Collocation{{.degree = functions.degree(),
+                                .alpha = std::nullopt,
+                                .family = NodeFamily::file,
+                                .file = "LinearWithBubble",
+                                .functions = std::make_shared<const LagrangeFunctions>(functions)}};
   for (const int level : {0, 1}) {
     const LevelResult one = solve_level(by_type, level, reference::applied_operator).result;
     const LevelResult other = solve_level(by_file, level, reference::applied_operator).result;

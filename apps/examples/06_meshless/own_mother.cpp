@@ -29,7 +29,7 @@ struct Wendland {
 int main() try {
   const Problem by_expression = read_problem(MESHLESS_PROBLEM);
   Problem by_type = by_expression;
-  by_type.basis.meshless->basis.mother = own_mother("wendland", Wendland{}, Rational(1));
+  std::get<Meshless>(by_type.method).basis.mother = own_mother("wendland", Wendland{}, Rational(1));
   double largest = 0;
   for (const int level : {0, 1}) {
     const LevelResult expected = solve_level(by_expression, level, reference::applied_operator).result;

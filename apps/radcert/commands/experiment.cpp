@@ -45,7 +45,8 @@ struct Finished {
 
 /// The entries of the matrix at a level, in units of those of one basis function an element at level 0.
 double work(const Problem& problem, int level) {
-  const auto functions = static_cast<double>(function_count(problem.basis));
+  const TriangleBasisChoice* basis = find_triangle_basis(problem.method);
+  const double functions = basis != nullptr ? static_cast<double>(function_count(*basis)) : 1;
   return functions * functions * std::pow(16.0, level);
 }
 

@@ -21,4 +21,9 @@ namespace radcert {
   return a * b;
 }
 
+/// The product, or 2^64 - 1 where it does not fit: "that or more", as MemoryPlan counts.
+[[nodiscard]] constexpr std::uint64_t saturated_product(std::uint64_t a, std::uint64_t b) {
+  return checked_multiply(a, b).value_or(UINT64_MAX);
+}
+
 }  // namespace radcert

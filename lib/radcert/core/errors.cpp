@@ -32,6 +32,13 @@ std::string message(const InputFault& fault) {
 InputError::InputError(InputFault fault)
     : std::runtime_error(message(fault)), fault_(std::make_shared<const InputFault>(std::move(fault))) {}
 
+void refuse_input(std::string pointer, std::string value, std::string problem, std::string allowed) {
+  throw InputError({.pointer = std::move(pointer),
+                    .value = std::move(value),
+                    .problem = std::move(problem),
+                    .allowed = std::move(allowed)});
+}
+
 InputError InputError::with_source(const std::string& source) const {
   InputFault fault = *fault_;
   if (fault.source.empty()) fault.source = source;

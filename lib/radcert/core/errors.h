@@ -48,6 +48,10 @@ private:
   std::shared_ptr<const InputFault> fault_;
 };
 
+/// Throws the InputError of a value at a place, its source to be filled in by the reader of the file.
+[[noreturn]] void refuse_input(std::string pointer, std::string value, std::string problem,
+                               std::string allowed);
+
 /// Runs an action; an InputError that leaves it names the source.
 /// Requires  nothing
 /// Result    the action's own result; an InputError without a source leaves with this one, every other

@@ -103,4 +103,10 @@ std::string quotation(std::string_view text, std::size_t limit) {
   return out + "\"";
 }
 
+std::string listed(std::span<const std::string> words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
+  return out;
+}
+
 }  // namespace radcert

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -34,6 +35,11 @@ namespace radcert {
 ///           bytes)`
 /// Limits    for people: not guaranteed to be a JSON string
 [[nodiscard]] std::string quotation(std::string_view text, std::size_t limit = 80);
+
+/// Words for a message: "a, b, c".
+/// Requires  nothing
+/// Result    the words in their order
+[[nodiscard]] std::string listed(std::span<const std::string> words);
 
 /// Whether a text is UTF-8.
 /// Source    RFC 3629: no overlong forms, no surrogates, nothing above U+10FFFF

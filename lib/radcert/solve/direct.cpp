@@ -4,11 +4,60 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <utility>
 
+#include "radcert/core/checked.h"
 #include "radcert/core/contract.h"
+#include "radcert/scalar/enclosing_text.h"
+#include "radcert/scalar/real.h"
+#include "radcert/solve/accurate_dot.h"
+#include "radcert/solve/linear_solver.h"
 
 namespace radcert {
+namespace {
+
+/// From the residual to u leads a contraction of all matrices within the radii. Where there is none:
+/// (I - K) d = r for every such K gives |d| <= N (|r| + row_radius |d|), N the norm of the inverse of the
+/// matrix at hand.
+Outcome<LinearSolution> eliminate(const LinearSystem& system) {
+  constexpr double unit = unit_roundoff<double>();
+  const DirectSolver solver(system.k);
+  LinearSolution found{.values = solver.solve(system.e)};
+  const std::vector<double>& u = found.values;
+  const std::vector<double> ku = accurate_product(system.k, u);
+  std::vector<double> residual(u.size());
+  for (std::size_t i = 0; i < u.size(); ++i)
+    residual[i] = std::abs(system.e[i] - (u[i] - ku[i])) + unit * (std::abs(u[i]) + 4 * std::abs(ku[i]));
+  const std::vector<double> bounds = defects(system, u, std::move(residual));
+  if (system.contraction != nullptr) {
+    found.radius = system.contraction->inverse_bound(system.contraction->norm(bounds));
+    return found;
+  }
+  const auto largest = [](std::span<const double> sizes) {
+    return *std::max_element(sizes.begin(), sizes.end());
+  };
+  const double inverse = solver.inverse_norm();
+  const double moved = inverse * largest(system.row_radius);
+  if (!(moved < 1))
+    return because("the collocation matrix is known within " + upper_text(largest(system.row_radius)) +
+                   " a row, and the inverse of I - K_n has the norm " +
+                   nearest_text(inverse, DecimalForm::general(4)) +
+                   ": the matrices within the radii are not all regular");
+  found.radius = inverse * largest(bounds) / (1 - moved);
+  return found;
+}
+
+}  // namespace
+
+LinearSolver direct_entry() {
+  return {
+      .name = "direct",
+      .plan = [](MemoryPlan& plan,
+                 std::uint64_t n) { plan.add("factors of I - K", saturated_product(n, n), sizeof(double)); },
+      .solve = [](const LinearSystem& system, std::optional<double>) { return eliminate(system); }};
+}
 
 /// The factors take the place of the matrix.
 struct DirectSolver::Factors {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "radcert/solve/linear_solver.h"
 #include "radcert/solve/product.h"
 
 namespace radcert {
@@ -144,6 +145,21 @@ Outcome<IterativeSolution, NotReached> solve_by_gmres(const Matrix<double>& k, c
   return iterate(k, contraction, e, tolerance,
                  {.apply = [&krylov](std::span<double> r, double goal) { return krylov(r, goal); },
                   .reflections = krylov_dimension.count()});
+}
+
+LinearSolver gmres_entry() {
+  return {.name = "gmres",
+          .iterates = true,
+          .plan =
+              [](MemoryPlan& plan, std::uint64_t n) {
+                plan.add("Krylov vectors", n,
+                         (std::min<std::uint64_t>(n, krylov_dimension.count()) + 1) * sizeof(double));
+              },
+          .solve =
+              [](const LinearSystem& system, std::optional<double> tolerance) {
+                return iterated(system, solve_by_gmres(system.k, *system.contraction, system.e, tolerance),
+                                tolerance);
+              }};
 }
 
 }  // namespace radcert

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/solve/neumann.h"
 
+#include "radcert/solve/linear_solver.h"
+
 namespace radcert {
 
 Outcome<IterativeSolution, NotReached> solve_by_neumann(const Matrix<double>& k,
@@ -9,6 +11,17 @@ Outcome<IterativeSolution, NotReached> solve_by_neumann(const Matrix<double>& k,
                                                         std::optional<double> tolerance) {
   const auto residual_itself = [](std::span<double>, double) { return std::size_t{1}; };
   return iterate(k, contraction, e, tolerance, {.apply = residual_itself});
+}
+
+LinearSolver neumann_entry() {
+  return {.name = "neumann",
+          .iterates = true,
+          .plan = [](MemoryPlan&, std::uint64_t) {},
+          .solve =
+              [](const LinearSystem& system, std::optional<double> tolerance) {
+                return iterated(system, solve_by_neumann(system.k, *system.contraction, system.e, tolerance),
+                                tolerance);
+              }};
 }
 
 }  // namespace radcert

@@ -8,12 +8,14 @@
 #include <limits>
 #include <utility>
 
+#include "radcert/core/checked.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/real.h"
 #include "radcert/solve/accurate_dot.h"
+#include "radcert/solve/linear_solver.h"
 #include "radcert/solve/product.h"
 
 namespace radcert {
@@ -268,6 +270,13 @@ Outcome<VerifiedSystem> verified_system(Matrix<double> k, Matrix<double> k_radiu
         "was " +
         upper_text(system.theta_, DecimalForm::general(6)));
   return system;
+}
+
+LinearSolver verified_system_entry() {
+  return {.name = "verified", .plan = [](MemoryPlan& plan, std::uint64_t n) {
+            plan.add("radii, inverse and defect of I - K, and a copy to work on",
+                     saturated_product(saturated_product(n, n), 4), sizeof(double));
+          }};
 }
 
 }  // namespace radcert

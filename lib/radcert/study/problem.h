@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "radcert/polynomial/triangle_basis.h"
 #include "radcert/scalar/rational.h"
-#include "radcert/study/meshless/meshless_basis.h"
+#include "radcert/study/method.h"
 #include "radcert/surface/surface.h"
 #include "radcert/surface/surface_function.h"
 
@@ -56,38 +55,11 @@ struct InterpolatedGeometry {
   DataPoints data = DataPoints::surface;
 };
 
-/// Where the nodes of a problem's basis come from.
-enum class BasisFamily { inset, symmetric, file, meshless };
-
-/// The basis of a problem.
-struct BasisChoice {
-  int degree = 1;
-  std::optional<Rational> alpha;  ///< absent exactly where degree 0 left it out
-  bool alpha_is_near =
-      false;  ///< alpha stands for the irrational alpha_0 of m06 and lies within 10^-100 of it
-  BasisFamily family = BasisFamily::inset;
-  std::string file = {};    ///< of nodes, as the problem names it
-  std::string digest = {};  ///< of that file's bytes
-  std::shared_ptr<const LagrangeFunctions> functions =
-      {};  ///< of symmetric nodes and of files; inset bases have none
-  std::optional<MeshlessBasis> meshless =
-      {};  ///< exactly where the family is meshless; degree and alpha say nothing then
-};
-
-/// How many functions the basis has on an element; 1 for a meshless basis, whose elements are its functions.
-std::size_t function_count(const BasisChoice& basis);
-
-/// The basis in the arithmetic of the pipeline. Requires functions, or degree and alpha that an InsetBasis
-/// takes.
-TriangleBasis<double> triangle_basis(const BasisChoice& basis);
-
-enum class SolverName { direct, gmres, neumann, verified };
-
 /// How the linear system of a level is solved, and how well.
 struct SolverChoice {
-  SolverName name = SolverName::direct;
-  /// Of gmres and neumann, relative to max |u_n|; absent: as far as double holds
-  std::optional<Rational> tolerance;
+  std::string name = "direct";  ///< of linear_solvers()
+  /// Of a solver that iterates, relative to max |u_n|; absent: until rounding ends the descent
+  std::optional<Rational> tolerance = std::nullopt;
 };
 
 /// How well the collocation integrals are taken.
@@ -95,7 +67,7 @@ struct QuadratureChoice {
   Rational tolerance = Rational(1) / power(Rational(10), 13);  ///< of an entry, relative to its row's Int |G|
 };
 
-/// A problem as a user states it: one surface, one basis, one pair of data, several levels.
+/// A problem as a user states it: one surface, one method, one pair of data, several levels.
 /// Maths     u(P) - rho(P)/pi Int_S G(P,Q) u(Q) dS_Q = E(P); with `solution` u given, E = u - Ku
 /// Source    [ac98, (1), (40)]; the file format is radcert/problem/1
 /// Requires  exactly one of solution and emission; names of the catalogue; see `check`
@@ -105,7 +77,7 @@ struct Problem {
   TriangulationChoice triangulation;
   std::optional<InterpolatedGeometry> geometry =
       std::nullopt;  ///< absent: the collocation integrals are over S itself
-  BasisChoice basis;
+  Method method;
   PiecewiseExpression reflectivity;
   std::optional<PiecewiseExpression> solution;
   std::optional<PiecewiseExpression> emission;
@@ -113,18 +85,14 @@ struct Problem {
   SolverChoice solver;
 };
 
-/// The word of the file format for a solver.
-std::string solver_name(SolverName name);
-
 /// The surface that a problem names, or its mesh. Requires the name of an unoccluded surface of the catalogue
 /// and admissible parameters, else InputError below /surface.
 Surface surface_of(const Problem& problem);
 
 /// Everything about a problem that can be refused before any work, apart from its file's syntax.
-/// Maths     levels >= 0 with checked counts; 0 <= alpha < 1/3; alpha > 0 where pieces or interpolated
-///           elements meet at an angle; interpolants of degree 1 to 6; a plan within `memory_limit` bytes for
-///           every level; constant reflectivities in [0,1]; on closed surfaces sup rho < 1; a tolerance that
-///           double can hold, for a solver that has one
+/// Maths     levels >= 0 with checked counts; a plan within `memory_limit` bytes for every level; constant
+///           reflectivities in [0,1]; on closed surfaces sup rho < 1; a tolerance that double can hold, for a
+///           solver that has one; and what the method refuses
 /// Source    lib/radcert/formats/README.md
 /// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed
 /// Limits    what depends on a node (an expression that is not finite there) is refused when the node is

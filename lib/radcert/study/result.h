@@ -8,16 +8,10 @@
 #include <vector>
 
 #include "radcert/scalar/approximation.h"
+#include "radcert/solve/linear_solver.h"
 #include "radcert/study/problem.h"
 
 namespace radcert {
-
-/// How an iterative solver came to u_n.
-struct IterationReport {
-  std::uint64_t iterations = 0;  ///< reflections of `neumann`, Krylov vectors of `gmres`
-  double contraction = 0;        ///< theta < 1 of the weighted norm in which K_n contracts
-  double error_bound = 0;        ///< of max |u_n - solution of the system as stored|, proved
-};
 
 /// What `verified` has proved of u_n.
 struct VerifiedReport {

@@ -1,30 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
-#include <span>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "radcert/geometry/vector.h"
+#include "radcert/study/operator_route.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
-#include "radcert/surface/surface_function.h"
-#include "radcert/surface/surface_point.h"
 
 namespace radcert {
-
-/// The operator applied to one density.
-/// Maths     P -> Int_S G(P,Q) u(Q) dS_Q
-/// Source    [ac98, (2)]
-/// Requires  safe to call from several threads at once
-/// Result    as its maker says
-using AppliedOperator = std::function<Approximation(const SurfacePoint<double>& p)>;
-
-/// The second route to Ku, passed in from outside: this layer knows of no reference values.
-/// Maths     (surface, u) -> (P -> Int_S G(P,Q) u(Q) dS_Q)
-/// Requires  surface and u outlive what it returns
-/// Result    shares no quadrature with the collocation matrix
-using OperatorRoute = std::function<AppliedOperator(const Surface& surface, const SurfaceFunction& u)>;
 
 /// What a level computed at one node.
 struct NodeValue {
@@ -54,9 +42,10 @@ struct LevelOutcome {
   std::vector<ElementValue> elements;
 };
 
-/// Solves a problem at one level. Ratios and orders between levels are left empty; see `collect`.
+/// Solves a problem at one level, by its method. Ratios and orders between levels are left empty; see
+/// `collect`.
 /// Maths     (I - P_n K) u_n = P_n E, E = u - Ku at the nodes
-/// Source    [ac98, (40)-(41)]
+/// Source    [ac98, (40)-(41)]; the header of each method
 /// Requires  a checked problem; `level` need not be one of its levels
 /// Result    the same bits for any number of threads; throws InputError naming the node where an expression
 ///           is not finite or rho leaves [0,1], or where the norm of K is not below 1, or at /solver/name
@@ -64,10 +53,7 @@ struct LevelOutcome {
 ///           AccuracyNotReached; Interrupted when asked to stop. AccuracyNotReached too where the matrices
 ///           within the radii are not all regular, where a row of a closed unoccluded surface does not sum to
 ///           Int G = pi within its radius, and where numbers run over the range of double
-/// Limits    radii are estimates because those of the matrix and of Ku are. From them to u_n leads a
-///           contraction of all matrices within the radii; with `direct`, where there is none, the norm of
-///           the inverse, N d / (1 - N r) for defects d and row radii r. With `verified` see verified_level,
-///           which does not take the route
+/// Limits    radii are estimates, but for a solver that proves; such a one does not take the route
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route);
 
 /// The result of finished levels: ratios, orders, fits.

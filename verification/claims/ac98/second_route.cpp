@@ -27,7 +27,7 @@ using Parameters = ParameterPoint<double>;
 // Linear functions of the three barycentric coordinates, or the constant 1.
 class PlainBasis {
 public:
-  explicit PlainBasis(const BasisChoice& choice)
+  explicit PlainBasis(const TriangleBasisChoice& choice)
       : degree_(choice.degree), alpha_(choice.degree == 0 ? 0 : choice.alpha.value().to_double()) {
     expects(degree_ == 0 || degree_ == 1, "degree 0 or 1", named("degree", degree_));
   }
@@ -77,7 +77,7 @@ struct Level {
   Level(const Problem& of, int level)
       : surface(surface_of(of)),
         triangles(triangulate(surface, level).triangles),
-        basis(of.basis),
+        basis(triangle_basis_of(of.method)),
         problem(&of) {
     expects(of.solution.has_value(), "a problem with a solution");
     expects(of.triangulation.pattern.empty() && of.triangulation.grading == Rational(1),

@@ -25,7 +25,7 @@ Problem test_problem(int r) {
   Problem problem;
   problem.surface = {.name = "two_piece", .parameters = {{"p", 2}}};
   problem.triangulation.levels = {0, 1};
-  problem.basis = {.degree = r, .alpha = Rational(1, 10)};
+  problem.method = Collocation{{.degree = r, .alpha = Rational(1, 10)}};
   problem.reflectivity = {.cases = {{"*", parse_expression("1/2 + x/4").value()}}};
   problem.solution = {.cases = {{"*", parse_expression("exp(x/2 + y/3 - z/4)").value()}}};
   return problem;

@@ -30,7 +30,7 @@ double interpolation_error(const Problem& problem, int level) {
   constexpr int parts = 8;
   const Surface surface = surface_of(problem);
   const SurfaceFunction u(problem.solution.value(), surface);
-  const TriangleBasis<double> basis = triangle_basis(problem.basis);
+  const TriangleBasis<double> basis = triangle_basis(triangle_basis_of(problem.method));
   const std::vector<Barycentric<double>> nodes = basis.nodes();
   std::vector<double> values(basis.size());
   double largest = 0;
@@ -51,10 +51,11 @@ double interpolation_error(const Problem& problem, int level) {
 }
 
 double norm_of_interpolation(const Problem& problem) {
-  const int r = problem.basis.degree;
+  const int r = triangle_basis_of(problem.method).degree;
   if (r == 0) return 1;
-  return lebesgue_constant(lagrange_functions(inset_nodes(r, problem.basis.alpha.value())).value(),
-                           Rational(1, 100))
+  return lebesgue_constant(
+             lagrange_functions(inset_nodes(r, triangle_basis_of(problem.method).alpha.value())).value(),
+             Rational(1, 100))
       .upper.to_double();
 }
 
@@ -114,10 +115,11 @@ Finding theorem_4_order(const Bench& bench) {
                            {"ellipsoid_r2", true}}) {
     const Problem problem = problem_named(each.name);
     const Approximation order = last_order(uniform_errors(problem, levels_for(problem, bench.budget), bench));
-    finding.require("order of |u - u_n| over the sample, " + each.name, bound(problem.basis.degree), order);
+    finding.require("order of |u - u_n| over the sample, " + each.name,
+                    bound(triangle_basis_of(problem.method).degree), order);
     if (each.with_control)
       finding.control("the same against the order of the next degree, " + each.name,
-                      bound(problem.basis.degree + 1), order);
+                      bound(triangle_basis_of(problem.method).degree + 1), order);
   }
   return finding;
 }

@@ -47,7 +47,7 @@ constexpr AtMost below_the_error{.value = 0.05, .slack = 0, .why = ""};
 void require_order(Finding& finding, const Bench& bench, const Case& each, int gained) {
   const Problem problem = problem_named(each.name);
   const Errors errors = node_errors(problem, levels_for(problem, bench.budget), bench);
-  const Bound bound{.order = static_cast<double>(problem.basis.degree + gained),
+  const Bound bound{.order = static_cast<double>(triangle_basis_of(problem.method).degree + gained),
                     .slack = each.slack,
                     .why = "the levels are coarse, and |log h| is still seen"};
   finding.require("order of max |u - u_n| over the nodes, " + each.name, bound, last_order(errors));
@@ -57,7 +57,9 @@ void require_order(Finding& finding, const Bench& bench, const Case& each, int g
 
 void control_order(Finding& finding, const Bench& bench, const std::string& name, int gained, double slack) {
   const Problem problem = problem_named(name);
-  const Bound bound{.order = static_cast<double>(problem.basis.degree + gained), .slack = slack, .why = ""};
+  const Bound bound{.order = static_cast<double>(triangle_basis_of(problem.method).degree + gained),
+                    .slack = slack,
+                    .why = ""};
   finding.control("order of max |u - u_n| over the nodes, " + name, bound,
                   last_order(node_errors(problem, levels_for(problem, bench.budget), bench)));
 }
@@ -73,7 +75,7 @@ void require_seams_apart(Finding& finding, const Bench& bench, const std::string
                          double slack) {
   const Problem problem = problem_named(name);
   const Surface surface = surface_of(problem);
-  const Bound bound{.order = static_cast<double>(problem.basis.degree + gained),
+  const Bound bound{.order = static_cast<double>(triangle_basis_of(problem.method).degree + gained),
                     .slack = slack,
                     .why = "two coarse levels, and the place of the largest error moves"};
   for (const bool at_seams : {true, false}) {
@@ -139,7 +141,7 @@ void require_agreement(Finding& finding, const Bench& bench, const std::string& 
   const Problem problem = problem_named(name);
   const Surface surface = surface_of(problem);
   const std::vector<ParameterTriangle> elements = triangulate(surface, level).triangles;
-  const TriangleBasis<double> basis = triangle_basis(problem.basis);
+  const TriangleBasis<double> basis = triangle_basis(triangle_basis_of(problem.method));
   std::vector<double> of_element(elements.size());
   parallel_for(elements.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
@@ -269,7 +271,7 @@ Finding abstract(const Bench& bench) {
   for (const char* name : {"two_piece_r0", "two_piece_r1", "two_piece_r2", "two_piece_r3", "two_piece_r4"}) {
     const Problem problem = problem_named(name);
     const std::vector<int> levels = levels_for(problem, bench.budget);
-    const int r = problem.basis.degree;
+    const int r = triangle_basis_of(problem.method).degree;
     const Bound everywhere{
         .order = static_cast<double>(r + 1), .slack = 0.6, .why = "coarse levels, less than one order"};
     const Bound nodes{

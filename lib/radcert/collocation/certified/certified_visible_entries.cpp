@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "radcert/closed_form/plane_element.h"
+#include "radcert/collocation/certified/exchanged_corners.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/geometry/orientation.h"
 #include "radcert/geometry/plane_polygon.h"
 #include "radcert/scalar/real.h"
 #include "radcert/visibility/point_view.h"
+#include "radcert/visibility/surface_scene.h"
 
 namespace radcert {
 namespace {
@@ -265,6 +267,31 @@ Outcome<CertifiedEntries> certified_visible_entries(const Scene& scene,
     }
   });
   return result;
+}
+
+Outcome<CertifiedEntries> certified_mesh_entries(const Surface& mesh, const Triangulation& triangulation,
+                                                 const LagrangeFunctions& functions) {
+  const SurfaceScene scene(mesh);
+  // The scene has s and t of the charts in the other order then.
+  const bool exchange = mesh.charts.front().facts().orientation == Orientation::against_the_cross_product;
+  const auto places = places_when_exchanged(functions);
+  if (exchange && !places)
+    return because("the nodes are not symmetric to an exchange of two corners, as the mesh's normals ask");
+  std::vector<SceneElement> elements;
+  for (const ParameterTriangle& triangle : triangulation.triangles) {
+    SceneElement element{.triangle = triangle.chart};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const ParameterPoint<double>& v = triangle.vertices[c];
+      const Rational s = Rational::exactly(v.s);
+      const Rational t = Rational::exactly(v.t);
+      element.corners[exchange ? (3 - c) % 3 : c] = exchange ? Point{t, s} : Point{s, t};
+    }
+    elements.push_back(std::move(element));
+  }
+  Outcome<CertifiedEntries> found = certified_visible_entries(
+      scene.scene(), elements, functions, std::vector<double>(elements.size() * functions.size(), 1.0));
+  if (!found || !exchange) return found;
+  return reordered(*found, std::vector<bool>(elements.size(), true), *places);
 }
 
 }  // namespace radcert

@@ -10,6 +10,8 @@
 #include "radcert/geometry/vector.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/scalar/rational.h"
+#include "radcert/surface/surface.h"
+#include "radcert/triangulation/triangulation.h"
 #include "radcert/visibility/scene.h"
 
 namespace radcert {
@@ -41,5 +43,13 @@ Outcome<CertifiedEntries> certified_visible_entries(const Scene& scene,
                                                     std::span<const SceneElement> elements,
                                                     const LagrangeFunctions& functions,
                                                     std::span<const double> reflectivity);
+
+/// The same of a mesh, with the reflectivity 1: the elements of a triangulation, their nodes in the order of
+/// the charts' parameters.
+/// Requires  a mesh, a triangulation of it; functions of degree at most 8, else ContractViolation
+/// Result    as above. Refused too where the inner normals run against the charts' cross products and the
+///           nodes are not symmetric to an exchange of two corners
+Outcome<CertifiedEntries> certified_mesh_entries(const Surface& mesh, const Triangulation& triangulation,
+                                                 const LagrangeFunctions& functions);
 
 }  // namespace radcert

@@ -10,6 +10,7 @@
 
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/collocation/certified/exact_nodes.h"
+#include "radcert/collocation/certified/exchanged_corners.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
@@ -29,35 +30,6 @@ const WorkLimit most_bits("collocation/plane_entries: bits of an entry", 4096, 6
 
 bool is_reversed(const PlaneChart& element) {
   return element.orientation == Orientation::against_the_cross_product;
-}
-
-/// The place of each node when the second and third coordinates change places, if that is a permutation of
-/// the nodes.
-std::optional<std::vector<std::size_t>> places_when_exchanged(const LagrangeFunctions& functions) {
-  const std::vector<Barycentric<Rational>>& nodes = functions.nodes();
-  std::vector<std::size_t> places;
-  for (const Barycentric<Rational>& node : nodes) {
-    const auto found = std::find_if(nodes.begin(), nodes.end(), [&](const Barycentric<Rational>& other) {
-      return other.x[0] == node.x[0] && other.x[1] == node.x[2] && other.x[2] == node.x[1];
-    });
-    if (found == nodes.end()) return std::nullopt;
-    places.push_back(static_cast<std::size_t>(found - nodes.begin()));
-  }
-  return places;
-}
-
-/// Entries of reversed elements, rows and columns, back in the order of the parameters.
-Matrix<double> reordered(const Matrix<double>& from, std::span<const PlaneChart> elements,
-                         const std::vector<std::size_t>& exchanged) {
-  const std::size_t p = exchanged.size();
-  std::vector<std::size_t> place(elements.size() * p);
-  for (std::size_t k = 0; k < elements.size(); ++k)
-    for (std::size_t j = 0; j < p; ++j)
-      place[k * p + j] = k * p + (is_reversed(elements[k]) ? exchanged[j] : j);
-  Matrix<double> to = Matrix<double>::uninitialised(from.rows(), from.columns());
-  for (std::size_t j = 0; j < place.size(); ++j)
-    for (std::size_t i = 0; i < place.size(); ++i) to(i, j) = from(place[i], place[j]);
-  return to;
 }
 
 std::vector<PlaneNode> nodes_of(std::span<const PlaneChart> elements, const LagrangeFunctions& functions) {
@@ -153,8 +125,9 @@ Outcome<CertifiedEntries> certified_plane_entries(std::span<const PlaneChart> el
       certified_entries(triangles, functions, std::vector<double>(elements.size() * functions.size(), 1.0));
   if (!found) return plane_entries_in_balls(elements, functions);
   if (!some_reversed) return found;
-  return CertifiedEntries{.entries = reordered(found->entries, elements, *exchanged),
-                          .radius = reordered(found->radius, elements, *exchanged)};
+  std::vector<bool> reversed;
+  for (const PlaneChart& element : elements) reversed.push_back(is_reversed(element));
+  return reordered(*found, reversed, *exchanged);
 }
 
 std::vector<Ball> plane_operator(std::span<const PlaneChart> charts, std::span<const ChartDomain> domains,

@@ -39,12 +39,6 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string listed(std::span<const std::string> words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
-  return out;
-}
-
 std::string without_quotes(std::string reason) {
   std::erase(reason, '\\');
   std::replace(reason.begin(), reason.end(), '"', '\'');

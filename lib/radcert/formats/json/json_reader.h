@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "radcert/core/errors.h"
+#include "radcert/core/text.h"
 #include "radcert/formats/json/json_value.h"
 #include "radcert/scalar/rational.h"
 
@@ -62,11 +63,6 @@ private:
   const JsonValue* value_;
   std::string pointer_;
 };
-
-/// Words for a message: "a, b, c".
-/// Requires  nothing
-/// Result    the words in their order
-[[nodiscard]] std::string listed(std::span<const std::string> words);
 
 /// A reason from elsewhere as part of a message, which is quoted as a whole where it has quotes of its own.
 /// Requires  nothing

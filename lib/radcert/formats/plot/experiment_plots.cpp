@@ -20,7 +20,8 @@ namespace radcert {
 namespace {
 
 bool has_alpha(const Problem& problem) {
-  return problem.basis.family == BasisFamily::inset && problem.basis.degree > 0 && problem.basis.alpha;
+  const TriangleBasisChoice* basis = find_triangle_basis(problem.method);
+  return basis != nullptr && basis->family == NodeFamily::inset && basis->degree > 0 && basis->alpha;
 }
 
 /// The combinations that differ in alpha alone, three of them at least; in the order of the first of each.
@@ -30,7 +31,7 @@ std::vector<std::vector<std::size_t>> alpha_sweeps(std::span<const Result> resul
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!has_alpha(results[i].problem)) continue;
     Problem without = results[i].problem;
-    without.basis.alpha = std::nullopt;
+    triangle_basis_of(without.method).alpha = std::nullopt;
     const auto [found, is_new] = place.emplace(problem_json(without).compact(), sweeps.size());
     if (is_new) sweeps.emplace_back();
     sweeps[found->second].push_back(i);
@@ -42,7 +43,7 @@ std::vector<std::vector<std::size_t>> alpha_sweeps(std::span<const Result> resul
 /// What the members of a sweep share of what is varied.
 std::string sweep_name(const Experiment& experiment, const Problem& problem) {
   Problem without = problem;
-  without.basis.alpha = std::nullopt;
+  triangle_basis_of(without.method).alpha = std::nullopt;
   std::vector<std::string> words;
   for (const std::string& key : experiment.varied)
     if (const std::string part = listed(part_words(without, key)); !part.empty()) words.push_back(part);
@@ -69,13 +70,13 @@ Plot against_alpha(const Experiment& experiment, std::span<const Result> results
   std::set<int> degrees;
   for (const std::vector<std::size_t>& sweep : sweeps) {
     const Result& first = results[sweep.front()];
-    degrees.insert(first.problem.basis.degree);
+    degrees.insert(triangle_basis_of(first.problem.method).degree);
     for (std::size_t k = 0; k < first.levels.size(); ++k) {
       PlotCurve curve{.name = sweep_name(experiment, first.problem) + ", level " +
                               std::to_string(first.levels[k].level)};
       for (const std::size_t i : sweep)
-        if (const auto at =
-                plot_point(results[i].problem.basis.alpha->to_double(), results[i].levels[k].*kind.figure))
+        if (const auto at = plot_point(triangle_basis_of(results[i].problem.method).alpha->to_double(),
+                                       results[i].levels[k].*kind.figure))
           curve.points.push_back(*at);
       std::sort(curve.points.begin(), curve.points.end());
       plot.curves.push_back(std::move(curve));

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <initializer_list>
 #include <string>
 #include <string_view>
@@ -106,10 +105,10 @@ SiteLevels read_sites(const JsonReader& sites) {
   return apart;
 }
 
-MeshlessBasis read_own(const JsonReader& basis) {
+Meshless read_own(const JsonReader& basis) {
   basis.require_object(
       {"family", "mother", "support", "distance", "radius", "normalise", "sites", "weights", "coefficients"});
-  MeshlessBasis choice;
+  Meshless choice;
   choice.basis = {.mother = read_mother(basis), .normalise = Normalisation::partition_of_unity};
   if (const auto distance = basis.find("distance")) choice.basis.distance = read_choice(*distance, distances);
   if (const auto radius = basis.find("radius")) choice.basis.radius = read_radius(*radius, true);
@@ -118,8 +117,8 @@ MeshlessBasis read_own(const JsonReader& basis) {
   return choice;
 }
 
-MeshlessBasis read_named(const JsonReader& basis, MeshlessFamily family) {
-  MeshlessBasis choice = basis_of(family);
+Meshless read_named(const JsonReader& basis, MeshlessFamily family) {
+  Meshless choice = basis_of(family);
   if (choice.basis.radius.neighbour)
     basis.require_object({"family", "radius", "sites", "weights", "coefficients"});
   else
@@ -158,10 +157,7 @@ std::string sites_words(const SiteLevels& sites) {
 
 }  // namespace
 
-bool is_meshless_family(std::string_view family) {
-  return std::any_of(families.begin(), families.end(), [&](MeshlessFamily f) { return name(f) == family; });
-}
-
+std::vector<std::string> meshless_families() { return words_of(families); }
 std::vector<std::string> named_meshless_families() { return words_of(named_families); }
 std::vector<std::string> site_distance_names() { return words_of(distances); }
 std::vector<std::string> normalisation_names() { return words_of(normalisations); }
@@ -169,25 +165,19 @@ std::vector<std::string> too_few_neighbours_names() { return words_of(too_few_ru
 std::vector<std::string> weight_rule_names() { return words_of(weight_rules); }
 std::vector<std::string> coefficient_rule_names() { return words_of(coefficient_rules); }
 
-BasisChoice read_meshless(const JsonReader& basis) {
-  BasisChoice choice;
-  choice.family = BasisFamily::meshless;
-  if (basis.value().string() != nullptr) {
-    choice.meshless = basis_of(read_choice(basis, named_families));
-    return choice;
-  }
+Meshless read_meshless(const JsonReader& basis) {
+  if (basis.value().string() != nullptr) return basis_of(read_choice(basis, named_families));
   const MeshlessFamily family =
       read_choice(basis.at("family", "one of " + listed(words_of(families))), families);
-  MeshlessBasis meshless = family == MeshlessFamily::meshless ? read_own(basis) : read_named(basis, family);
+  Meshless meshless = family == MeshlessFamily::meshless ? read_own(basis) : read_named(basis, family);
   if (const auto sites = basis.find("sites")) meshless.sites = read_sites(*sites);
   if (const auto weights = basis.find("weights")) meshless.weights = read_choice(*weights, weight_rules);
   if (const auto coefficients = basis.find("coefficients"))
     meshless.coefficients = read_choice(*coefficients, coefficient_rules);
-  choice.meshless = std::move(meshless);
-  return choice;
+  return meshless;
 }
 
-JsonValue meshless_json(const MeshlessBasis& basis) {
+JsonValue meshless_json(const Meshless& basis) {
   JsonValue out = JsonValue::object();
   out.set("family", std::string(name(basis.family)));
   if (basis.family == MeshlessFamily::meshless) {
@@ -207,7 +197,7 @@ JsonValue meshless_json(const MeshlessBasis& basis) {
   return out;
 }
 
-std::vector<std::string> meshless_words(const MeshlessBasis& basis) {
+std::vector<std::string> meshless_words(const Meshless& basis) {
   const RadialBasisChoice& radial = basis.basis;
   std::string kind(name(basis.family));
   if (basis.family == MeshlessFamily::meshless) {

@@ -31,8 +31,8 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   const std::vector<std::string> pieces = pieces_of(problem.surface);
   problem.triangulation = read_triangulation(root.at("triangulation", "an object with levels"), pieces);
   if (const auto geometry = root.find("geometry")) problem.geometry = read_geometry(*geometry);
-  problem.basis =
-      read_basis(root.at("basis", "an object with a family, see radcert list bases, or with a file"), folder);
+  problem.method = read_method(
+      root.at("basis", "an object with a family, see radcert list bases, or with a file"), folder);
   problem.reflectivity = read_piecewise(root.at("reflectivity", "an expression, or one a piece"), pieces);
 
   const auto solution = root.find("solution");
@@ -68,7 +68,7 @@ JsonValue problem_json(const Problem& problem) {
   out.set("surface", surface_json(problem.surface));
   out.set("triangulation", triangulation_json(problem.triangulation));
   out.set("geometry", geometry_json(problem.geometry));
-  out.set("basis", basis_json(problem.basis));
+  out.set("basis", method_json(problem.method));
   out.set("reflectivity", piecewise_json(problem.reflectivity));
   if (problem.solution) out.set("solution", piecewise_json(*problem.solution));
   if (problem.emission) out.set("emission", piecewise_json(*problem.emission));

@@ -21,8 +21,9 @@ namespace radcert {
 SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::path& folder);
 TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces);
 std::optional<InterpolatedGeometry> read_geometry(const JsonReader& geometry);
-BasisChoice read_basis(const JsonReader& basis, const std::filesystem::path& folder);
-BasisChoice read_meshless(const JsonReader& basis);
+Method read_method(const JsonReader& basis, const std::filesystem::path& folder);
+TriangleBasisChoice read_triangle_basis(const JsonReader& basis, const std::filesystem::path& folder);
+Meshless read_meshless(const JsonReader& basis);
 QuadratureChoice read_quadrature(const JsonReader& quadrature);
 SolverChoice read_solver(const JsonReader& solver);
 PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);
@@ -34,8 +35,9 @@ PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const
 JsonValue surface_json(const SurfaceChoice& surface);
 JsonValue triangulation_json(const TriangulationChoice& triangulation);
 JsonValue geometry_json(const std::optional<InterpolatedGeometry>& geometry);
-JsonValue basis_json(const BasisChoice& basis);
-JsonValue meshless_json(const MeshlessBasis& basis);
+JsonValue method_json(const Method& method);
+JsonValue triangle_basis_json(const TriangleBasisChoice& basis);
+JsonValue meshless_json(const Meshless& method);
 JsonValue quadrature_json(const QuadratureChoice& quadrature);
 JsonValue solver_json(const SolverChoice& solver);
 JsonValue piecewise_json(const PiecewiseExpression& expression);
@@ -47,8 +49,9 @@ std::vector<std::string> surface_names();  ///< surfaces of the catalogue withou
 std::vector<std::string> pattern_names();
 std::vector<std::string> diagonal_names();
 std::vector<std::string> data_point_names();
-std::vector<std::string> solver_names();
 std::vector<std::string> solvers_without_tolerance();
+std::vector<std::string> triangle_basis_families();
+std::vector<std::string> meshless_families();
 std::vector<std::string> named_meshless_families();  ///< those that have all defaults
 std::vector<std::string> site_distance_names();
 std::vector<std::string> normalisation_names();
@@ -56,11 +59,10 @@ std::vector<std::string> too_few_neighbours_names();
 std::vector<std::string> weight_rule_names();
 std::vector<std::string> coefficient_rule_names();
 
-/// Whether a family of bases is one of shepard, gaussian, lehtinen, meshless.
-[[nodiscard]] bool is_meshless_family(std::string_view family);
-
-/// A meshless basis in words: what it is, its sites, its weights, its coefficients.
-[[nodiscard]] std::vector<std::string> meshless_words(const MeshlessBasis& basis);
+/// A method in words: what its functions are; of a meshless one its sites, weights and coefficients.
+[[nodiscard]] std::vector<std::string> method_words(const Method& method);
+[[nodiscard]] std::vector<std::string> triangle_basis_words(const TriangleBasisChoice& basis);
+[[nodiscard]] std::vector<std::string> meshless_words(const Meshless& method);
 
 /// Refuses the `digest` of an object, where it is given, unless it is that of the file.
 void require_digest(const JsonReader& object, const std::string& digest);

@@ -38,18 +38,8 @@ Words geometry_words(const std::optional<InterpolatedGeometry>& geometry) {
   return words;
 }
 
-Words basis_words(const BasisChoice& basis) {
-  if (basis.meshless) return meshless_words(*basis.meshless);
-  if (basis.family == BasisFamily::file) return {basis.file};
-  const std::string family = basis.family == BasisFamily::symmetric ? "symmetric" : "inset";
-  Words words{family + " of degree " + std::to_string(basis.degree)};
-  if (basis.alpha)
-    words.push_back("alpha " + (basis.alpha_is_near ? "superconvergent" : basis.alpha->to_text()));
-  return words;
-}
-
 Words solver_words(const SolverChoice& solver) {
-  Words words{solver_name(solver.name)};
+  Words words{solver.name};
   if (solver.tolerance) words.push_back("tolerance " + solver.tolerance->to_text());
   return words;
 }
@@ -65,7 +55,7 @@ std::vector<std::string> part_words(const Problem& problem, std::string_view key
   if (key == "surface") return surface_words(problem.surface);
   if (key == "triangulation") return triangulation_words(problem.triangulation);
   if (key == "geometry") return geometry_words(problem.geometry);
-  if (key == "basis") return basis_words(problem.basis);
+  if (key == "basis") return method_words(problem.method);
   if (key == "reflectivity") return function_words("rho", problem.reflectivity);
   if (key == "solution") return function_words("u", problem.solution);
   if (key == "emission") return function_words("E", problem.emission);

@@ -4,16 +4,13 @@
 
 #include "radcert/core/text.h"
 #include "radcert/formats/problem/problem_parts.h"
-#include "radcert/solve/iteration.h"
+#include "radcert/solve/linear_solver.h"
 
 namespace radcert {
 
 namespace {
 
-constexpr auto solvers = {SolverName::direct, SolverName::gmres, SolverName::neumann, SolverName::verified};
 constexpr const char* as_far_as_double_holds = "rounding";
-
-bool has_tolerance(SolverName solver) { return solver == SolverName::gmres || solver == SolverName::neumann; }
 
 Rational read_tolerance(const JsonReader& tolerance) {
   const std::string allowed =
@@ -28,27 +25,15 @@ Rational read_tolerance(const JsonReader& tolerance) {
 
 }  // namespace
 
-std::vector<std::string> solver_names() {
-  std::vector<std::string> names;
-  for (const SolverName solver : solvers) names.push_back(solver_name(solver));
-  return names;
-}
-
 std::vector<std::string> solvers_without_tolerance() {
-  std::vector<std::string> names;
-  for (const SolverName solver : solvers)
-    if (!has_tolerance(solver)) names.push_back(solver_name(solver));
-  return names;
+  return solver_names([](const LinearSolver& solver) { return !solver.iterates; });
 }
 
 SolverChoice read_solver(const JsonReader& solver) {
   solver.require_object({"name", "tolerance"});
   const std::vector<std::string> names = solver_names();
-  const std::string& chosen = solver.at("name", "one of " + listed(names)).word(names);
-  SolverChoice choice;
-  for (const SolverName each : solvers)
-    if (solver_name(each) == chosen) choice.name = each;
-  if (!has_tolerance(choice.name)) {
+  SolverChoice choice{.name = solver.at("name", "one of " + listed(names)).word(names)};
+  if (!find_linear_solver(choice.name)->iterates) {
     solver.require_object({"name"});
     return choice;
   }
@@ -61,8 +46,8 @@ SolverChoice read_solver(const JsonReader& solver) {
 
 JsonValue solver_json(const SolverChoice& solver) {
   JsonValue out = JsonValue::object();
-  out.set("name", solver_name(solver.name));
-  if (has_tolerance(solver.name))
+  out.set("name", solver.name);
+  if (find_linear_solver(solver.name)->iterates)
     out.set("tolerance",
             solver.tolerance ? exact_json(*solver.tolerance) : JsonValue(as_far_as_double_holds));
   return out;

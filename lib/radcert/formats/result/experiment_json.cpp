@@ -107,13 +107,13 @@ std::string experiment_errors_csv(const Experiment& experiment, std::span<const 
   CsvTable table(columns);
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Problem& problem = results[i].problem;
-    const BasisChoice& basis = problem.basis;
+    const TriangleBasisChoice* basis = find_triangle_basis(problem.method);
     for (const LevelResult& level : results[i].levels) {
       std::vector<JsonValue> row = {i, experiment.combinations[i].name};
       for (const char* part : {"surface", "triangulation", "geometry", "basis"})
         row.emplace_back(words_of(problem, part));
-      row.push_back(basis.meshless ? JsonValue() : JsonValue(basis.degree));
-      row.push_back(basis.alpha ? JsonValue(basis.alpha->to_double()) : JsonValue());
+      row.push_back(basis != nullptr ? JsonValue(basis->degree) : JsonValue());
+      row.push_back(basis != nullptr && basis->alpha ? JsonValue(basis->alpha->to_double()) : JsonValue());
       row.emplace_back(problem.triangulation.grading.to_double());
       row.push_back(function_cell(problem.reflectivity));
       row.push_back(problem.solution ? function_cell(*problem.solution) : JsonValue());

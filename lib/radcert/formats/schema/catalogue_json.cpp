@@ -40,7 +40,7 @@ constexpr std::array<std::pair<std::string_view, Words (*)()>, 14> lists{
      {"rules for too few neighbours", too_few_neighbours_names},
      {"weights", weight_rule_names},
      {"coefficients", coefficient_rule_names},
-     {"solvers", solver_names},
+     {"solvers", [] { return solver_names(); }},
      {"solvers without tolerance", solvers_without_tolerance},
      {"errors", errors}}};
 

@@ -10,17 +10,13 @@
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/contraction.h"
-#include "radcert/solve/direct.h"
-#include "radcert/solve/gmres.h"
-#include "radcert/solve/neumann.h"
-#include "radcert/study/collocation/level_description.h"
+#include "radcert/solve/linear_solver.h"
 #include "radcert/study/collocation/level_geometry.h"
+#include "radcert/study/collocation/nodal_description.h"
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/collocation/operator_norm.h"
 #include "radcert/study/collocation/verified_level.h"
-#include "radcert/study/meshless/meshless_level.h"
 #include "radcert/study/operator_at_nodes.h"
-#include "radcert/study/plan.h"
 #include "radcert/study/stopwatch.h"
 #include "radcert/study/study.h"
 
@@ -56,7 +52,7 @@ double sum_of_largest(const TriangleBasis<double>& basis) {
 }
 
 /// Whether the functions of a basis have the sum 1.
-bool sum_to_one(const BasisChoice& basis) {
+bool sum_to_one(const TriangleBasisChoice& basis) {
   return !basis.functions || basis.functions->reproduced_degree() >= 0;
 }
 
@@ -65,16 +61,12 @@ class Level {
 public:
   Level(const Problem& problem, int level)
       : problem_(problem),
-        basis_(triangle_basis(problem.basis)),
+        choice_(triangle_basis_of(problem.method)),
+        solver_(*find_linear_solver(problem.solver.name)),
+        basis_(triangle_basis(choice_)),
         geometry_(problem, level, basis_),
         rho_(reflectivity_at_nodes(problem.reflectivity, surface_, nodes_)) {
-    outcome_.result.level = level;
-    outcome_.result.elements = triangulation_.triangles.size();
-    outcome_.result.unknowns = nodes_.size();
-    outcome_.result.mesh_size = geometry_.mesh_size();
-    outcome_.result.planned_bytes =
-        level_plan(triangulation_.triangles.size(), basis_.size(), problem.solver.name, problem.geometry)
-            .total();
+    outcome_.result = level_header(problem, level, geometry_, nodes_.size());
   }
 
   Level(const Level&) = delete;
@@ -90,7 +82,7 @@ public:
     find_weights();
     if (problem_.solution) manufacture_emission(route);
     solve();
-    describe_level(
+    describe_collocation(
         problem_, geometry_.data(), basis_,
         {.u_n = u_n_, .radius = {}, .emission = emission_, .u = u_, .solution_radius = solution_radius_},
         outcome_);
@@ -131,7 +123,7 @@ private:
   /// the functions have the sum 1 it is also the sum of a row's integrals, whose radii are known. A row that
   /// tells otherwise is wrong, and so is its radius.
   void require_rows_of_pi() const {
-    if (!surface_.closed || !surface_.unoccluded || problem_.geometry || !sum_to_one(problem_.basis)) return;
+    if (!surface_.closed || !surface_.unoccluded || problem_.geometry || !sum_to_one(choice_)) return;
     const double rounding = unit * static_cast<double>(triangulation_.triangles.size() + 64);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (rho_[i] == 0) continue;
@@ -161,9 +153,8 @@ private:
   }
 
   [[noreturn]] void refuse(const std::string& reason) const {
-    throw AccuracyNotReached(
-        "level " + std::to_string(outcome_.result.level) + ", solver " + solver_name(problem_.solver.name),
-        reason);
+    throw AccuracyNotReached("level " + std::to_string(outcome_.result.level) + ", solver " + solver_.name,
+                             reason);
   }
 
   /// E = u - Ku by the second route; K(I-P_n)u is the difference of the two.
@@ -202,9 +193,9 @@ private:
     Outcome<Contraction, NoContraction> found = find_contraction(matrix_.entries, matrix_.row_radius);
     if (found)
       contraction_ = std::move(found).value();
-    else if (problem_.solver.name != SolverName::direct)
+    else if (solver_.iterates)
       throw InputError({.pointer = "/solver/name",
-                        .value = solver_name(problem_.solver.name),
+                        .value = solver_.name,
                         .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
                                    ": the collocation matrix, known within " +
                                    upper_text(largest(matrix_.row_radius)) + " a row, contracts by " +
@@ -216,72 +207,28 @@ private:
 
   void solve() {
     const Stopwatch watch;
-    const double node_radius = problem_.solver.name == SolverName::direct ? eliminate() : iterate();
-    if (data_are_known_) solution_radius_ = node_radius;
-    if (problem_.solution)
-      outcome_.result.node_error = largest_difference(
-          u_, u_n_, data_are_known_ ? std::optional(node_radius + largest(*data_radius_)) : std::nullopt);
-    outcome_.timing.solve_seconds += watch.seconds();
-  }
-
-  double eliminate() {
-    const DirectSolver solver(matrix_.entries);
-    u_n_ = solver.solve(emission_);
-    const std::vector<double> k_u_n = accurate_product(matrix_.entries, u_n_);
-    std::vector<double> residual(u_n_.size());
-    for (std::size_t i = 0; i < u_n_.size(); ++i)
-      residual[i] =
-          std::abs(emission_[i] - (u_n_[i] - k_u_n[i])) + unit * (std::abs(u_n_[i]) + 4 * std::abs(k_u_n[i]));
-    const std::vector<double> bounds = defects(std::move(residual));
-    if (contraction_) return contraction_->inverse_bound(contraction_->norm(bounds));
-    // (I - K) d = r for every K within the radii: |d| <= N (|r| + row_radius |d|), N the norm of the inverse
-    // of the matrix at hand.
-    const double inverse = solver.inverse_norm();
-    const double moved = inverse * largest(matrix_.row_radius);
-    if (!(moved < 1))
-      refuse("the collocation matrix is known within " + upper_text(largest(matrix_.row_radius)) +
-             " a row, and the inverse of I - K_n has the norm " +
-             nearest_text(inverse, DecimalForm::general(4)) +
-             ": the matrices within the radii are not all regular");
-    return inverse * largest(bounds) / (1 - moved);
-  }
-
-  double iterate() {
     const std::optional<double> tolerance =
         problem_.solver.tolerance ? std::optional(problem_.solver.tolerance->to_double()) : std::nullopt;
-    const auto solve_by = problem_.solver.name == SolverName::gmres ? solve_by_gmres : solve_by_neumann;
-    Outcome<IterativeSolution, NotReached> solution =
-        solve_by(matrix_.entries, *contraction_, emission_, tolerance);
-    if (!solution) refuse_accuracy(solution.reason());
-    outcome_.result.iteration = {.iterations = solution->iterations,
-                                 .contraction = contraction_->theta(),
-                                 .error_bound = solution->error_bound};
-    u_n_ = std::move(solution->values);
-    std::vector<double> residual(u_n_.size());
-    accurate_residual(matrix_.entries, u_n_, emission_, residual);
-    const std::vector<double> bounds = residual_bounds(*contraction_, u_n_, emission_, residual);
-    return contraction_->inverse_bound(contraction_->norm(defects(bounds)));
-  }
-
-  [[noreturn]] void refuse_accuracy(const NotReached& best) const {
-    const std::string demanded = problem_.solver.tolerance
-                                     ? "the tolerance " + shortest(problem_.solver.tolerance->to_double())
-                                     : "an error bound as small as double holds";
-    refuse(demanded + " is not reached: after " + std::to_string(best.iterations) +
-           " iterations the error bound is " + upper_text(best.error_bound) +
-           " where |u_n| <= " + upper_text(best.size));
-  }
-
-  /// Bounds of the sizes of (I - K_n)(u_n - exact u_n): residual, errors of matrix and right-hand side.
-  std::vector<double> defects(std::vector<double> residual_sizes) const {
-    const double u_n_size = max_abs(u_n_);
-    for (std::size_t i = 0; i < u_n_.size(); ++i)
-      residual_sizes[i] = residual_sizes[i] + matrix_.row_radius[i] * u_n_size + emission_radius_[i];
-    return residual_sizes;
+    Outcome<LinearSolution> found = solver_.solve({.k = matrix_.entries,
+                                                   .row_radius = matrix_.row_radius,
+                                                   .e = emission_,
+                                                   .e_radius = emission_radius_,
+                                                   .contraction = contraction_ ? &*contraction_ : nullptr},
+                                                  tolerance);
+    if (!found) refuse(found.reason());
+    u_n_ = std::move(found->values);
+    outcome_.result.iteration = found->iteration;
+    if (data_are_known_) solution_radius_ = found->radius;
+    if (problem_.solution)
+      outcome_.result.node_error = largest_difference(
+          u_, u_n_, data_are_known_ ? std::optional(found->radius + largest(*data_radius_)) : std::nullopt);
+    outcome_.timing.solve_seconds += watch.seconds();
   }
 
   static constexpr double unit = unit_roundoff<double>();
   const Problem& problem_;
+  const TriangleBasisChoice& choice_;
+  const LinearSolver& solver_;
   TriangleBasis<double> basis_;
   double largest_sum_ = sum_of_largest(basis_);
   LevelGeometry geometry_;
@@ -304,9 +251,8 @@ private:
 
 }  // namespace
 
-LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route) {
-  if (problem.basis.meshless) return meshless_level(problem, level, route);
-  if (problem.solver.name == SolverName::verified) return verified_level(problem, level);
+LevelOutcome solve(const Problem& problem, const Collocation&, int level, const OperatorRoute& route) {
+  if (find_linear_solver(problem.solver.name)->proves()) return verified_level(problem, level);
   return Level(problem, level).compute(route);
 }
 

@@ -83,4 +83,15 @@ LevelGeometry::LevelGeometry(const Problem& problem, int level, const TriangleBa
   require_scale(data_.nodes);
 }
 
+LevelResult level_header(const Problem& problem, int level, const LevelGeometry& geometry,
+                         std::size_t unknowns) {
+  LevelResult header;
+  header.level = level;
+  header.elements = geometry.data().triangulation.triangles.size();
+  header.unknowns = unknowns;
+  header.mesh_size = geometry.mesh_size();
+  header.planned_bytes = level_plan(problem, header.elements).total();
+  return header;
+}
+
 }  // namespace radcert

@@ -7,6 +7,7 @@
 #include "radcert/polynomial/triangle_basis.h"
 #include "radcert/quadrature/collocation_point.h"
 #include "radcert/study/problem.h"
+#include "radcert/study/result.h"
 #include "radcert/triangulation/triangulation.h"
 
 namespace radcert {
@@ -39,5 +40,9 @@ private:
   std::optional<NodedSurface> interpolant_;  ///< absent where data and integrals are one
   double mesh_size_;
 };
+
+/// What is known of a level before it is solved: its number, its sizes and the memory that was planned.
+[[nodiscard]] LevelResult level_header(const Problem& problem, int level, const LevelGeometry& geometry,
+                                       std::size_t unknowns);
 
 }  // namespace radcert

@@ -33,10 +33,10 @@ Approximation norm_of_K(const Surface& surface, const PiecewiseExpression& refle
 void refuse_norm_from_one(const Approximation& norm);
 
 /// Whether the reflectivity is below 1 on the whole surface, and with it the norm of K.
-/// Maths     sup rho < 1 over S; ||K|| = sup_P rho(P)/pi Int_S G(P,Q) dS_Q <= sup rho where V = 1: S lies in
-///           the boundary of a convex body then, where Int G <= pi, with equality if S is the whole of it
+/// Maths     sup rho < 1 over S; ||K|| = sup_P rho(P)/pi Int_S G(P,Q) V(P,Q) dS_Q <= sup rho: in each
+///           direction one point is seen at most, and the cosine's integral over a half sphere is pi
 /// Source    [ac98, (3)-(5)]
-/// Requires  an unoccluded surface with charts in balls, an expression for every piece
+/// Requires  a surface with charts in balls, an expression for every piece
 /// Result    proved, constants exactly, others by balls over boxes of parameters that are bisected; or the
 ///           piece where it is not proved
 /// Limits    where rho comes close to 1 the boxes may not be small enough

@@ -14,22 +14,21 @@
 
 #include "radcert/collocation/certified/certified_chart_entries.h"
 #include "radcert/collocation/certified/certified_operator.h"
+#include "radcert/collocation/certified/certified_visible_entries.h"
 #include "radcert/collocation/certified/plane_chart.h"
 #include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/hypotheses/convex_containment.h"
-#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/solve/verified_system.h"
 #include "radcert/study/collocation/exact_interpolant.h"
-#include "radcert/study/collocation/level_description.h"
 #include "radcert/study/collocation/level_geometry.h"
+#include "radcert/study/collocation/nodal_description.h"
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/collocation/operator_norm.h"
-#include "radcert/study/plan.h"
 #include "radcert/study/stopwatch.h"
 
 namespace radcert {
@@ -47,11 +46,6 @@ constexpr double unit = unit_roundoff<double>();
 constexpr double upward = 1 + 8 * unit;
 constexpr double underflow = std::numeric_limits<double>::denorm_min();
 
-LagrangeFunctions exact_functions(const BasisChoice& basis) {
-  if (basis.functions) return *basis.functions;
-  return lagrange_functions(inset_nodes(basis.degree, basis.alpha.value_or(Rational(0)))).value();
-}
-
 [[noreturn]] void refuse(int level, const std::string& reason) {
   throw AccuracyNotReached("level " + std::to_string(level) + ", solver verified", "no guarantee: " + reason);
 }
@@ -63,10 +57,10 @@ void require_provable(const Problem& problem, int level) {
            "the problem is posed on an interpolant, which is not proved to lie in the boundary of a convex "
            "body");
   const Surface surface = surface_of(problem);
-  if (!surface.unoccluded)
+  if (!surface.unoccluded && problem.solution)
     refuse(level,
-           "parts of the surface hide each other, and the collocation integrals over visible parts are not "
-           "enclosed");
+           "parts of the surface hide each other, and Ku over the visible parts is not enclosed; with "
+           "`emission` in place of `solution` the system is proved");
   // That of a mesh has been decided when it was read.
   if (surface.mesh) return;
   const ConvexContainment containment = convex_containment(surface);
@@ -190,17 +184,11 @@ class VerifiedLevel {
 public:
   VerifiedLevel(const Problem& problem, int level)
       : problem_(problem),
-        basis_(triangle_basis(problem.basis)),
-        functions_(exact_functions(problem.basis)),
+        basis_(triangle_basis(triangle_basis_of(problem.method))),
+        functions_(exact_functions(triangle_basis_of(problem.method))),
         geometry_(problem, level, basis_),
         nodes_(exact_collocation_nodes(geometry_.data().triangulation, functions_)) {
-    LevelResult& result = outcome_.result;
-    result.level = level;
-    result.elements = geometry_.data().triangulation.triangles.size();
-    result.unknowns = nodes_.size();
-    result.mesh_size = geometry_.mesh_size();
-    result.planned_bytes =
-        level_plan(result.elements, basis_.size(), problem.solver.name, problem.geometry).total();
+    outcome_.result = level_header(problem, level, geometry_, nodes_.size());
     for (std::size_t j = 0; j < surface_.chart_count(); ++j) planes_.push_back(plane_chart(surface_, j));
     all_plane_ = !problem.geometry && std::all_of(planes_.begin(), planes_.end(),
                                                   [](const auto& plane) { return plane.has_value(); });
@@ -298,7 +286,10 @@ private:
 
   /// The matrix for the reflectivity 1.
   CertifiedEntries entries() const {
-    Outcome<CertifiedEntries> found = all_plane_ ? plane_entries() : chart_entries();
+    Outcome<CertifiedEntries> found =
+        !surface_.unoccluded ? certified_mesh_entries(surface_, geometry_.data().triangulation, functions_)
+        : all_plane_         ? plane_entries()
+                             : chart_entries();
     if (!found) refuse("the entries of the collocation matrix are not enclosed: " + found.reason());
     return std::move(found).value();
   }
@@ -452,13 +443,13 @@ private:
   void describe() {
     const std::vector<double> emission = midpoints(emission_);
     const std::vector<double> u = midpoints(u_);
-    describe_level(problem_, geometry_.data(), basis_,
-                   {.u_n = u_n_,
-                    .radius = radius_,
-                    .emission = emission,
-                    .u = u,
-                    .solution_radius = outcome_.result.verified->solution_radius},
-                   outcome_);
+    describe_collocation(problem_, geometry_.data(), basis_,
+                         {.u_n = u_n_,
+                          .radius = radius_,
+                          .emission = emission,
+                          .u = u,
+                          .solution_radius = outcome_.result.verified->solution_radius},
+                         outcome_);
   }
 
   const BallPrecision precision_{ball_bits.value()};

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/meshless/meshless_level.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -10,21 +7,19 @@
 #include <utility>
 
 #include "radcert/core/errors.h"
-#include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/meshless/interpolation_system.h"
 #include "radcert/meshless/sampling.h"
-#include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/direct.h"
-#include "radcert/study/collocation/level_errors.h"
 #include "radcert/study/collocation/level_geometry.h"
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/collocation/operator_norm.h"
+#include "radcert/study/computed_function.h"
 #include "radcert/study/operator_at_nodes.h"
 #include "radcert/study/stopwatch.h"
-#include "radcert/surface/surface_function.h"
+#include "radcert/study/study.h"
 
 namespace radcert {
 namespace {
@@ -34,17 +29,10 @@ constexpr int mean_order = 4;
 const WorkLimit points_of_weights("study/meshless_level: points of the weights' integrals", 1'000'000, 1000,
                                   "the errors reached go into the radius; refused where none were");
 
-[[noreturn]] void refuse(std::string pointer, std::string value, std::string problem, std::string allowed) {
-  throw InputError({.pointer = std::move(pointer),
-                    .value = std::move(value),
-                    .problem = std::move(problem),
-                    .allowed = std::move(allowed)});
-}
-
 template <class T>
 T admitted(Outcome<T> outcome, const std::string& pointer, const std::string& value,
            const std::string& allowed) {
-  if (!outcome) refuse(pointer, value, "gives no basis: " + outcome.reason(), allowed);
+  if (!outcome) refuse_input(pointer, value, "gives no basis: " + outcome.reason(), allowed);
   return *std::move(outcome);
 }
 
@@ -82,9 +70,9 @@ double effect_of_weights(const Matrix<double>& n, const LightWeights& weights) {
 /// The finished pieces of one level, in the order in which they are computed.
 class MeshlessLevel {
 public:
-  MeshlessLevel(const Problem& problem, int level)
+  MeshlessLevel(const Problem& problem, const Meshless& method, int level)
       : problem_(problem),
-        choice_(*problem.basis.meshless),
+        choice_(method),
         geometry_(problem, level, InsetBasis<double>(0, 0)),
         sites_(sites_of(level)),
         basis_(make_basis(level)) {
@@ -93,14 +81,13 @@ public:
       nodes_.push_back({sites.at[i], sites.points[i], sites.normals[i]});
     rho_ = reflectivity_at_nodes(problem.reflectivity, surface_, nodes_);
     if (const double most = largest(rho_); most >= 1)
-      refuse("/reflectivity", shortest(most), "is not below 1 at a site",
-             "reflectivities in [0, 1): a meshless basis scatters less than arrives");
+      refuse_input("/reflectivity", shortest(most), "is not below 1 at a site",
+                   "reflectivities in [0, 1): a meshless basis scatters less than arrives");
     LevelResult& result = outcome_.result;
     result.level = level;
     result.elements = result.unknowns = sites.size();
     result.mesh_size = site_spacing(choice_.sites, level, surface_area(surface_));
-    result.planned_bytes =
-        meshless_plan(sites.size(), choice_, problem.solver.name == SolverName::direct).total();
+    result.planned_bytes = meshless_plan(sites.size(), choice_, problem.solver.name == "direct").total();
   }
 
   MeshlessLevel(const MeshlessLevel&) = delete;
@@ -122,7 +109,8 @@ private:
   [[nodiscard]] SiteChoice sites_of(int level) const {
     const std::optional<SiteChoice> sites = sites_at_level(choice_.sites, level);
     if (!sites)
-      refuse("/basis/sites", std::to_string(level), "has more than 2^53 sites at this level", "fewer sites");
+      refuse_input("/basis/sites", std::to_string(level), "has more than 2^53 sites at this level",
+                   "fewer sites");
     return *sites;
   }
 
@@ -194,7 +182,7 @@ private:
     const std::vector<double> epsilon = system_ ? system_->solve(emission_) : emission_;
     double growth = 0;        // of errors of values at the sites
     double system_error = 0;  // of the coefficients
-    if (problem_.solver.name == SolverName::direct) {
+    if (problem_.solver.name == "direct") {
       const DirectSolver solver(series.matrix());
       coefficients_ = solver.solve(epsilon);
       growth = solver.inverse_norm();
@@ -241,115 +229,31 @@ private:
   /// u_n at a point of S. InputError where no site is in reach.
   double value_at(const CollocationPoint<double>& p, BasisValues& room) const {
     if (!basis_.evaluate({p.point, p.normal}, room))
-      refuse("/basis", std::string(name(choice_.family)),
-             "has no value at " + text_of(p.point) + " on piece " +
-                 surface_.charts[p.at.chart].facts().piece + ": no site is in reach",
-             "sites so close, or elements so wide, that every point of the surface has one in reach");
+      refuse_input("/basis", std::string(name(choice_.family)),
+                   "has no value at " + text_of(p.point) + " on piece " +
+                       surface_.charts[p.at.chart].facts().piece + ": no site is in reach",
+                   "sites so close, or elements so wide, that every point of the surface has one in reach");
     double value = 0;
     for (std::size_t k = 0; k < room.size(); ++k) value += room.values()[k] * coefficients_[room.sites()[k]];
     return value;
   }
 
   void describe() {
-    describe_sites();
-    const std::size_t count = triangulation_.triangles.size();
-    outcome_.elements.resize(count);
-    std::vector<double> errors(count);
-    std::vector<std::array<double, 2>> areas_and_integrals(count);
-    const std::optional<SurfaceFunction> u =
-        problem_.solution ? std::optional<SurfaceFunction>(std::in_place, *problem_.solution, surface_)
-                          : std::nullopt;
-    const TriangleRule<double> rule = conical_rule<double>(mean_order, Grading::none);
-    const std::vector<Barycentric<double>> sample = error_sample();
-    parallel_for(count, [&](std::size_t begin, std::size_t end) {
-      BasisValues room;
-      for (std::size_t k = begin; k < end; ++k) {
-        outcome_.elements[k] = corners_of(k, room);
-        errors[k] = error_on(k, u, sample, room);
-        areas_and_integrals[k] = integral_over(k, rule, room);
-      }
-    });
-    if (u && std::all_of(errors.begin(), errors.end(), [](double error) { return std::isfinite(error); }))
-      outcome_.result.uniform_error = Approximation::without_radius(largest(errors));
-    find_means(areas_and_integrals);
-  }
-
-  void describe_sites() {
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      outcome_.nodes.push_back({.piece = surface_.charts[nodes_[i].at.chart].facts().piece,
-                                .element = i,
-                                .index_in_element = 0,
-                                .point = nodes_[i].point,
-                                .normal = nodes_[i].normal,
-                                .u_n = u_n_[i],
-                                .radius = std::nullopt,
-                                .emission = emission_[i],
-                                .u = u_.empty() ? std::nullopt : std::optional(u_[i])});
-  }
-
-  [[nodiscard]] CollocationPoint<double> at(std::size_t k, const Barycentric<double>& x) const {
-    const ParameterTriangle& triangle = triangulation_.triangles[k];
-    return collocation_point<double>(surface_, {triangle.chart, triangle.at(x.x)});
-  }
-
-  ElementValue corners_of(std::size_t k, BasisValues& room) const {
-    ElementValue element{.piece = surface_.charts[triangulation_.triangles[k].chart].facts().piece,
-                         .corners = {},
-                         .corner_values = {}};
-    for (std::size_t c = 0; c < 3; ++c) {
-      Barycentric<double> corner{{0, 0, 0}};
-      corner.x[c] = 1;
-      const CollocationPoint<double> p = at(k, corner);
-      element.corners[c] = p.point;
-      element.corner_values[c] = value_at(p, room);
-    }
-    return element;
-  }
-
-  double error_on(std::size_t k, const std::optional<SurfaceFunction>& u,
-                  std::span<const Barycentric<double>> sample, BasisValues& room) const {
-    double most = 0;
-    for (const Barycentric<double>& x : sample) {
-      const CollocationPoint<double> p = at(k, x);
-      const double here = value_at(p, room);
-      if (!u) continue;
-      const double error = std::abs((*u)(p.at.chart, p.point) - here);
-      if (!(error <= most)) most = error;  // keeps what is not a number
-      if (std::isnan(most)) return most;
-    }
-    return most;
-  }
-
-  std::array<double, 2> integral_over(std::size_t k, const TriangleRule<double>& rule,
-                                      BasisValues& room) const {
-    const ParameterTriangle& triangle = triangulation_.triangles[k];
-    const double parallelogram =
-        cross(triangle.vertices[1] - triangle.vertices[0], triangle.vertices[2] - triangle.vertices[0]);
-    const ChartIn<double>& chart = surface_.charts[triangle.chart].in<double>();
-    std::array<double, 2> area_and_integral{};
-    for (std::size_t q = 0; q < rule.weights.size(); ++q) {
-      const double weight =
-          rule.weights[q] * parallelogram * area_element(chart.frame(triangle.at(rule.points[q].x)));
-      area_and_integral[0] += weight;
-      area_and_integral[1] += weight * value_at(at(k, rule.points[q]), room);
-    }
-    return area_and_integral;
-  }
-
-  void find_means(std::span<const std::array<double, 2>> areas_and_integrals) {
-    const std::vector<std::string> names = surface_.piece_names();
-    std::vector<std::array<double, 2>> by_piece(names.size());
-    for (std::size_t k = 0; k < areas_and_integrals.size(); ++k) {
-      std::array<double, 2>& piece = by_piece[surface_.piece_of(triangulation_.triangles[k].chart)];
-      piece[0] += areas_and_integrals[k][0];
-      piece[1] += areas_and_integrals[k][1];
-    }
-    for (std::size_t i = 0; i < names.size(); ++i)
-      outcome_.result.piece_means.emplace_back(names[i], by_piece[i][1] / by_piece[i][0]);
+    const ComputedFunction u_n{
+        surface_, triangulation_, [this] {
+          return [this, room = BasisValues()](std::size_t k, const Barycentric<double>& x) mutable {
+            const ParameterTriangle& triangle = triangulation_.triangles[k];
+            return value_at(collocation_point<double>(surface_, {triangle.chart, triangle.at(x.x)}), room);
+          };
+        }};
+    if (!problem_.solution) require_values(u_n);
+    describe_level(problem_, u_n,
+                   {.nodes = nodes_, .u_n = u_n_, .radius = {}, .emission = emission_, .u = u_}, mean_order,
+                   outcome_);
   }
 
   const Problem& problem_;
-  const MeshlessBasis& choice_;
+  const Meshless& choice_;
   LevelGeometry geometry_;
   const Surface& surface_ = geometry_.data().surface;
   const Triangulation& triangulation_ = geometry_.data().triangulation;
@@ -369,8 +273,8 @@ private:
 
 }  // namespace
 
-LevelOutcome meshless_level(const Problem& problem, int level, const OperatorRoute& route) {
-  return MeshlessLevel(problem, level).compute(route);
+LevelOutcome solve(const Problem& problem, const Meshless& method, int level, const OperatorRoute& route) {
+  return MeshlessLevel(problem, method, level).compute(route);
 }
 
 }  // namespace radcert

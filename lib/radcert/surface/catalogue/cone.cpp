@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "radcert/surface/catalogue/parameters.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {
@@ -35,6 +36,16 @@ Surface cone(const Rational& radius, const Rational& top, const Rational& height
   surface.closed = true;
   surface.pieces_meet_at_angle = true;
   return surface;
+}
+
+SurfaceDescription cone_entry() {
+  return {.name = "cone",
+          .summary = "the boundary of a truncated cone, four charts a piece",
+          .parameters = {positive_length("radius", "1"),
+                         positive_length("top", "1/2", "the radius of the upper end"),
+                         positive_length("height", "1")},
+          .pieces = {"floor", "ceiling", "mantle"},
+          .make = [](std::span<const Rational> v) { return cone(v[0], v[1], v[2]); }};
 }
 
 }  // namespace radcert

@@ -2,6 +2,7 @@
 #include "radcert/surface/catalogue/cylinder.h"
 
 #include "radcert/surface/catalogue/cone.h"
+#include "radcert/surface/catalogue/parameters.h"
 
 namespace radcert {
 
@@ -10,6 +11,14 @@ Surface cylinder(const Rational& radius, const Rational& height) {
   surface.name = "cylinder";
   surface.parameters = {{"radius", radius}, {"height", height}};
   return surface;
+}
+
+SurfaceDescription cylinder_entry() {
+  return {.name = "cylinder",
+          .summary = "the boundary of a circular cylinder, four charts a piece",
+          .parameters = {positive_length("radius", "1"), positive_length("height", "2")},
+          .pieces = {"floor", "ceiling", "mantle"},
+          .make = [](std::span<const Rational> v) { return cylinder(v[0], v[1]); }};
 }
 
 }  // namespace radcert

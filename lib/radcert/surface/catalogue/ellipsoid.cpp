@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/surface/catalogue/parameters.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {
@@ -57,6 +58,14 @@ Surface sphere() {
   surface.diagonals.assign(surface.charts.size(), Diagonal::main);
   surface.closed = true;
   return surface;
+}
+
+SurfaceDescription ellipsoid_entry() {
+  return {.name = "ellipsoid",
+          .summary = "the ellipsoid with half axes a, b, c, eight charts [ac98, section 3]",
+          .parameters = {positive_length("a", "1"), positive_length("b", "2"), positive_length("c", "5")},
+          .pieces = {"ellipsoid"},
+          .make = [](std::span<const Rational> v) { return ellipsoid(v[0], v[1], v[2]); }};
 }
 
 }  // namespace radcert

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "radcert/surface/catalogue.h"
 #include "radcert/surface/catalogue/triangle.h"
 
 namespace radcert {
@@ -22,6 +23,15 @@ Surface octahedron() {
   surface.closed = true;
   surface.pieces_meet_at_angle = true;
   return surface;
+}
+
+SurfaceDescription octahedron_entry() {
+  return {.name = "octahedron",
+          .summary = "the boundary of |x| + |y| + |z| <= 1",
+          .parameters = {},
+          .pieces = {"face_ppp", "face_mpp", "face_pmp", "face_mmp", "face_ppm", "face_mpm", "face_pmm",
+                     "face_mmm"},
+          .make = [](std::span<const Rational>) { return octahedron(); }};
 }
 
 }  // namespace radcert

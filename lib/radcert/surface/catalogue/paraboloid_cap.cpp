@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "radcert/surface/catalogue.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {
@@ -26,6 +27,14 @@ Surface paraboloid_cap() {
   surface.closed = true;
   surface.pieces_meet_at_angle = true;
   return surface;
+}
+
+SurfaceDescription paraboloid_cap_entry() {
+  return {.name = "paraboloid_cap",
+          .summary = "the boundary of 0 <= z <= 1 - x^2 - y^2, four charts a piece",
+          .parameters = {},
+          .pieces = {"floor", "cap"},
+          .make = [](std::span<const Rational>) { return paraboloid_cap(); }};
 }
 
 }  // namespace radcert

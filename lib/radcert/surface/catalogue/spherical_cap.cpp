@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "radcert/surface/catalogue/parameters.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {
@@ -25,6 +26,14 @@ Surface spherical_cap(const Rational& fraction) {
         fraction, quadrant));
   surface.diagonals.assign(surface.charts.size(), Diagonal::main);
   return surface;
+}
+
+SurfaceDescription spherical_cap_entry() {
+  return {.name = "spherical_cap",
+          .summary = "the cap of the unit sphere with a given part of its area, open at its rim, four charts",
+          .parameters = {inner_part("fraction", "1/4", "of the sphere's area")},
+          .pieces = {"cap"},
+          .make = [](std::span<const Rational> v) { return spherical_cap(v[0]); }};
 }
 
 }  // namespace radcert

@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "radcert/surface/catalogue.h"
 #include "radcert/surface/catalogue/triangle.h"
 
 namespace radcert {
@@ -24,6 +25,14 @@ Surface tetrahedron() {
   surface.closed = true;
   surface.pieces_meet_at_angle = true;
   return surface;
+}
+
+SurfaceDescription tetrahedron_entry() {
+  return {.name = "tetrahedron",
+          .summary = "the boundary of the regular tetrahedron with corners in four of those of [-1,1]^3",
+          .parameters = {},
+          .pieces = {"face_mmm", "face_mpp", "face_pmp", "face_ppm"},
+          .make = [](std::span<const Rational>) { return tetrahedron(); }};
 }
 
 }  // namespace radcert

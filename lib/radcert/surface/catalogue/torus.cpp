@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "radcert/surface/catalogue/parameters.h"
+
 namespace radcert {
 
 Surface torus(const Rational& radius, const Rational& ratio) {
@@ -26,6 +28,17 @@ Surface torus(const Rational& radius, const Rational& ratio) {
   surface.closed = true;
   surface.unoccluded = false;
   return surface;
+}
+
+SurfaceDescription torus_entry() {
+  return {
+      .name = "torus",
+      .summary = "the torus of that radius, its tube ratio times as wide; parts hide others: not for solve",
+      .parameters = {positive_length("radius", "1"),
+                     inner_part("ratio", "1/2", "of the tube's radius to the other")},
+      .pieces = {"torus"},
+      .make = [](std::span<const Rational> v) { return torus(v[0], v[1]); },
+      .unoccluded = false};
 }
 
 }  // namespace radcert

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "radcert/surface/catalogue.h"
 #include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/exact_chart.h"
 
@@ -26,6 +27,19 @@ Surface two_piece(const Rational& p) {
   }
   surface.diagonals.assign(2, Diagonal::main);
   return surface;
+}
+
+SurfaceDescription two_piece_entry() {
+  // Beyond it the roof falls within a layer at x = 1 that no rule of the coarse triangulation would see.
+  constexpr long largest_power = 1000;
+  return {.name = "two_piece",
+          .summary = "the unit square below the roof z = 2 - x^p [ac98, (94)]",
+          .parameters = {{.name = "p",
+                          .requirement = "a number in [1, 1000]",
+                          .default_text = "2",
+                          .admits = [](const Rational& p) { return p >= 1 && p <= largest_power; }}},
+          .pieces = {"lower", "upper"},
+          .make = [](std::span<const Rational> v) { return two_piece(v[0]); }};
 }
 
 }  // namespace radcert

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/surface/catalogue/two_squares.h"
 
+#include "radcert/surface/catalogue.h"
 #include "radcert/surface/catalogue/rectangle.h"
 
 namespace radcert {
@@ -19,6 +20,14 @@ Surface two_squares() {
   surface.diagonals.assign(2, Diagonal::main);
   surface.pieces_meet_at_angle = true;
   return surface;
+}
+
+SurfaceDescription two_squares_entry() {
+  return {.name = "two_squares",
+          .summary = "two unit squares at a right angle along an edge [ac98, (20)]",
+          .parameters = {},
+          .pieces = {"xz", "xy"},
+          .make = [](std::span<const Rational>) { return two_squares(); }};
 }
 
 }  // namespace radcert

@@ -14,7 +14,7 @@ Problem constant_emission_on_two_squares(const Rational& reflectivity, const Rat
   Problem problem = linear_problem("two_squares", {}, reflectivity.to_text());
   problem.triangulation.grading = grading;
   problem.emission = on_all_pieces("1");
-  problem.solver = {.name = SolverName::gmres, .tolerance = std::nullopt};
+  problem.solver = {.name = "gmres", .tolerance = std::nullopt};
   return problem;
 }
 

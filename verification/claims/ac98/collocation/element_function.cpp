@@ -10,8 +10,8 @@ namespace radcert::verification::ac98 {
 ElementFunction::ElementFunction(const Problem& problem, const LevelOutcome& level)
     : surface_(surface_of(problem)),
       triangles_(triangulate(surface_, level.result.level).triangles),
-      degree_(problem.basis.degree),
-      inset_(problem.basis.alpha.value_or(Rational(0)).to_double()),
+      degree_(triangle_basis_of(problem.method).degree),
+      inset_(triangle_basis_of(problem.method).alpha.value_or(Rational(0)).to_double()),
       nodes_per_element_(InsetBasis<double>(degree_, inset_).size()),
       values_(level.nodes.size()) {
   expects(!problem.geometry, "exact geometry");

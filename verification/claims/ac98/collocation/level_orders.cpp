@@ -17,7 +17,7 @@ Problem linear_problem(const std::string& surface, std::vector<SurfaceParameter>
   Problem problem;
   problem.surface = {.name = surface, .parameters = std::move(parameters)};
   problem.triangulation.levels = {0};
-  problem.basis = {.degree = 1, .alpha = Rational(1, 6)};
+  problem.method = Collocation{{.degree = 1, .alpha = Rational(1, 6)}};
   problem.reflectivity = on_all_pieces(reflectivity);
   return problem;
 }

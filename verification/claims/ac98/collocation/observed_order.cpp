@@ -31,7 +31,7 @@ Problem known_problem(const std::string& surface, std::vector<SurfaceParameter> 
   Problem problem;
   problem.surface = {.name = surface, .parameters = std::move(parameters)};
   problem.triangulation.levels = {0};
-  problem.basis = {.degree = degree, .alpha = alpha};
+  problem.method = Collocation{{.degree = degree, .alpha = alpha}};
   problem.reflectivity = everywhere(reflectivity);
   problem.solution = everywhere(solution);
   return problem;

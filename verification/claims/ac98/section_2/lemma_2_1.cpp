@@ -83,7 +83,7 @@ Problem constant_problem(const Surface& surface) {
   Problem problem;
   problem.surface = {.name = surface.name, .parameters = surface.parameters};
   problem.triangulation.levels = {0, 1};
-  problem.basis = {.degree = 1, .alpha = Rational(1, 6)};
+  problem.method = Collocation{{.degree = 1, .alpha = Rational(1, 6)}};
   problem.reflectivity = everywhere(Rational(1, 2));
   problem.emission = everywhere(Rational(1, 2));
   return problem;

@@ -35,7 +35,7 @@ Case test_case(const std::string& surface, std::vector<SurfaceParameter> paramet
   Problem problem;
   problem.surface = {.name = surface, .parameters = std::move(parameters)};
   problem.triangulation.levels = {level};
-  problem.basis = {.degree = 1, .alpha = alpha};
+  problem.method = Collocation{{.degree = 1, .alpha = alpha}};
   problem.reflectivity = everywhere(rho);
   problem.solution = everywhere("x^2 + y^2 + z^2");
   return {surface + ", alpha = " + alpha.to_text() + ", level " + std::to_string(level), std::move(problem),

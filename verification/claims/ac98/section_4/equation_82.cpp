@@ -59,7 +59,7 @@ double value_beside_an_edge_of_the_cube(const LevelOutcome& level) {
 Approximation order_on_the_cube(const Bench& bench, int finest) {
   Problem cube = linear_problem("cube", {}, "2/5");
   cube.emission = on_all_pieces("x^2");
-  cube.solver = {.name = SolverName::gmres, .tolerance = std::nullopt};
+  cube.solver = {.name = "gmres", .tolerance = std::nullopt};
   const auto change = [&](int level) {
     return Approximation{
         .value = std::abs(value_beside_an_edge_of_the_cube(bench.levels.level(cube, level)) -
@@ -99,7 +99,7 @@ Finding equation_82(const Bench& bench) {
     if (level == finest) finding.show(order_between(coarse.at_midpoint, fine.at_midpoint));
   }
   Problem constant = linear_problem_with_solution("two_squares", {}, "1/2", "x^2 + y^2 + z^2");
-  constant.basis = {.degree = 0, .alpha = Rational(0)};
+  constant.method = Collocation{{.degree = 0, .alpha = Rational(0)}};
   finding.control("order of u - u_n for u = x^2 + y^2 + z^2 and the centroid rule", two,
                   observed_order(bench.levels, constant, &LevelResult::uniform_error, 3));
   finding.remark(

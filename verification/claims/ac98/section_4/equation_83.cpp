@@ -128,7 +128,7 @@ Finding equation_83(const Bench& bench) {
   finding.require("order of |K(I - P_n)u|, box (1,2,5), u = x^2 + y^2 + z^2", two, on_box);
   finding.require("order of |K(I - P_n)u|, box (1,2,5), u = x^2 + y^2 + z^2", no_more, on_box);
   Problem constant = squares;
-  constant.basis = {.degree = 0, .alpha = Rational(0)};
+  constant.method = Collocation{{.degree = 0, .alpha = Rational(0)}};
   finding.control("order of |K(I - P_n)u|, (20), centroid rule", two, order_of(constant, 3));
   const SurfaceParameter square{"p", 2};
   finding.control(

@@ -56,7 +56,7 @@ Finding section_5_centroid_rule(const Bench& bench) {
   const auto order_of = [&](const std::string& surface, std::vector<SurfaceParameter> parameters,
                             const std::string& rho) {
     Problem problem = linear_problem_with_solution(surface, std::move(parameters), rho, "x^2 + y^2 + z^2");
-    problem.basis = {.degree = 0, .alpha = Rational(0)};
+    problem.method = Collocation{{.degree = 0, .alpha = Rational(0)}};
     return observed_order(bench.levels, problem, &LevelResult::node_error,
                           bench.budget == Budget::quick ? 3 : 4);
   };

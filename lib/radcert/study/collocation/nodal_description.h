@@ -3,17 +3,15 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "radcert/polynomial/triangle_basis.h"
 #include "radcert/study/collocation/level_geometry.h"
-#include "radcert/study/problem.h"
 #include "radcert/study/study.h"
 
 namespace radcert {
 
-/// The values of a level at its nodes, in the order of collocation_nodes.
-struct LevelValues {
+/// What a level of collocation knows at its nodes, in the order of collocation_nodes.
+struct CollocationValues {
   std::span<const double> u_n;
   std::span<const double> radius;  ///< of u_n; empty where nothing is proved
   std::span<const double> emission;
@@ -21,14 +19,13 @@ struct LevelValues {
   std::optional<double> solution_radius = std::nullopt;  ///< of u_n at every node; absent: not known
 };
 
-/// What can be said of u_n once it is known.
-/// Maths     uniform_error, piece_means and means_radius, the values at the nodes, and u_n at the corners of
-///           the elements
-/// Source    level_errors.h
+/// What can be said of u_n once its values at the nodes are known: describe_level, and with solution_radius
+/// the means_radius that follows from it.
 /// Requires  a value a node; `outcome` is of this level
 /// Result    fills these fields of the outcome and no others
 /// Limits    rounded, not enclosed
-void describe_level(const Problem& problem, const NodedSurface& data, const TriangleBasis<double>& basis,
-                    const LevelValues& values, LevelOutcome& outcome);
+void describe_collocation(const Problem& problem, const NodedSurface& data,
+                          const TriangleBasis<double>& basis, const CollocationValues& values,
+                          LevelOutcome& outcome);
 
 }  // namespace radcert

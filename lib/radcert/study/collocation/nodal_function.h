@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
-#include <optional>
+#include <cstddef>
 #include <span>
 #include <utility>
-#include <vector>
 
 #include "radcert/polynomial/triangle_basis.h"
-#include "radcert/study/problem.h"
-#include "radcert/study/result.h"
-#include "radcert/triangulation/triangulation.h"
+#include "radcert/study/computed_function.h"
 
 namespace radcert {
 
@@ -31,6 +27,8 @@ public:
   double value(std::size_t element, std::size_t j) const { return values_[element * basis_.size() + j]; }
   const Surface& surface() const { return surface_; }
   const Triangulation& triangulation() const { return triangulation_; }
+  /// The same, for what is asked of every method. Refers to this.
+  ComputedFunction computed() const;
 
 private:
   const Surface& surface_;
@@ -39,24 +37,10 @@ private:
   std::span<const double> values_;
 };
 
-/// The sample of an element: barycentric coordinates k/8, |k| = 8, 45 points, corners and sides included.
-[[nodiscard]] std::vector<Barycentric<double>> error_sample();
+/// The order of the rule on each element by which means are taken.
+inline constexpr int nodal_mean_order = 12;
 
-/// The largest error of u_n over a sample of S.
-/// Maths     max |u - u_n| over the points with barycentric coordinates k/8, |k| = 8, of every element: 45
-///           points each, corners and sides included
-/// Source    the sample is ours; [ac98, (50)]
-/// Result    nothing if u is not finite at a point of the sample; a lower bound of the supremum
-/// Limits    rounding is not estimated
-std::optional<Approximation> uniform_error(const NodalFunction& u_n, const PiecewiseExpression& solution);
-
-/// The mean of u_n over each piece.
-/// Maths     Int_piece u_n dS / Int_piece dS, by a conical rule of order 12 on each element
-/// Result    pieces in the order of the surface
-/// Limits    means_radius estimates the error
-std::vector<std::pair<std::string, double>> piece_means(const NodalFunction& u_n);
-
-/// A radius of every such mean, for nodal values within `node_radius`.
+/// A radius of the mean over every piece, for nodal values within `node_radius`.
 /// Maths     the mean is sum_kj c_kj u_kj, c_kj = Int_{Delta_k} l_j dS / Int_piece dS: nodal values within r
 ///           move it by r sum |c_kj| at most. What the rule leaves out of the c_kj: on plane charts nothing,
 ///           elsewhere the difference from the rule of order 16; n terms are rounded by (n + 64) u of the sum

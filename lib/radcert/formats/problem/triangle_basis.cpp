@@ -16,13 +16,11 @@ namespace radcert {
 namespace {
 
 constexpr int largest_degree = 8;
-const std::vector<std::string> available_families = {"inset",    "symmetric", "shepard",
-                                                     "gaussian", "lehtinen",  "meshless"};
 constexpr const char* alpha_allowed =
     "a decimal or fraction in a string, or a number, in [0, 1/3); superconvergent at degrees 1 and 3; "
     "at degree 0 it may be left out";
 
-void read_alpha(const JsonReader& alpha, BasisChoice& choice) {
+void read_alpha(const JsonReader& alpha, TriangleBasisChoice& choice) {
   if (const std::string* word = alpha.value().string(); word != nullptr && *word == "superconvergent") {
     if (choice.degree == 0)
       alpha.refuse("names no number at degree 0, where alpha has no effect", alpha_allowed);
@@ -38,10 +36,11 @@ void read_alpha(const JsonReader& alpha, BasisChoice& choice) {
   choice.alpha = value;
 }
 
-BasisChoice read_file(const JsonReader& basis, const JsonReader& file, const std::filesystem::path& folder) {
+TriangleBasisChoice read_file(const JsonReader& basis, const JsonReader& file,
+                              const std::filesystem::path& folder) {
   basis.require_object({"file", "digest"});
-  BasisChoice choice;
-  choice.family = BasisFamily::file;
+  TriangleBasisChoice choice;
+  choice.family = NodeFamily::file;
   choice.file = file.string("the name of a file of nodes, relative to the problem's folder");
   const std::filesystem::path path = folder / choice.file;
   if (!std::filesystem::exists(path))
@@ -56,12 +55,12 @@ BasisChoice read_file(const JsonReader& basis, const JsonReader& file, const std
   return choice;
 }
 
-BasisChoice read_symmetric(const JsonReader& basis) {
+TriangleBasisChoice read_symmetric(const JsonReader& basis) {
   basis.require_object({"family", "degree"});
   const std::string allowed = "a whole number from " + std::to_string(smallest_symmetric_degree) + " to " +
                               std::to_string(largest_symmetric_degree);
-  BasisChoice choice;
-  choice.family = BasisFamily::symmetric;
+  TriangleBasisChoice choice;
+  choice.family = NodeFamily::symmetric;
   choice.degree = static_cast<int>(
       basis.at("degree", allowed).whole(smallest_symmetric_degree, largest_symmetric_degree, allowed));
   choice.functions = std::make_shared<const LagrangeFunctions>(
@@ -69,19 +68,9 @@ BasisChoice read_symmetric(const JsonReader& basis) {
   return choice;
 }
 
-}  // namespace
-
-BasisChoice read_basis(const JsonReader& basis, const std::filesystem::path& folder) {
-  if (basis.value().string() != nullptr) return read_meshless(basis);
-  if (basis.value().members() == nullptr) basis.refuse("is " + basis.value().kind(), "an object");
-  if (const auto file = basis.find("file")) return read_file(basis, *file, folder);
-  const std::string& family =
-      basis.at("family", "one of " + listed(available_families)).word(available_families);
-  if (family == "symmetric") return read_symmetric(basis);
-  if (is_meshless_family(family)) return read_meshless(basis);
+TriangleBasisChoice read_inset(const JsonReader& basis) {
   basis.require_object({"family", "degree", "alpha"});
-
-  BasisChoice choice;
+  TriangleBasisChoice choice;
   const std::string degree_allowed = "a whole number from 0 to 8";
   choice.degree =
       static_cast<int>(basis.at("degree", degree_allowed).whole(0, largest_degree, degree_allowed));
@@ -92,18 +81,37 @@ BasisChoice read_basis(const JsonReader& basis, const std::filesystem::path& fol
   return choice;
 }
 
-JsonValue basis_json(const BasisChoice& basis) {
-  if (basis.meshless) return meshless_json(*basis.meshless);
+}  // namespace
+
+std::vector<std::string> triangle_basis_families() { return {"inset", "symmetric"}; }
+
+TriangleBasisChoice read_triangle_basis(const JsonReader& basis, const std::filesystem::path& folder) {
+  if (const auto file = basis.find("file")) return read_file(basis, *file, folder);
+  const std::vector<std::string> families = triangle_basis_families();
+  const std::string& family = basis.at("family", "one of " + listed(families)).word(families);
+  return family == "symmetric" ? read_symmetric(basis) : read_inset(basis);
+}
+
+JsonValue triangle_basis_json(const TriangleBasisChoice& basis) {
   JsonValue out = JsonValue::object();
-  if (basis.family == BasisFamily::file) {
+  if (basis.family == NodeFamily::file) {
     out.set("file", basis.file);
     out.set("digest", basis.digest);
     return out;
   }
-  out.set("family", basis.family == BasisFamily::symmetric ? "symmetric" : "inset");
+  out.set("family", basis.family == NodeFamily::symmetric ? "symmetric" : "inset");
   out.set("degree", basis.degree);
   if (basis.alpha) out.set("alpha", basis.alpha_is_near ? "superconvergent" : basis.alpha->to_text());
   return out;
+}
+
+std::vector<std::string> triangle_basis_words(const TriangleBasisChoice& basis) {
+  if (basis.family == NodeFamily::file) return {basis.file};
+  const std::string family = basis.family == NodeFamily::symmetric ? "symmetric" : "inset";
+  std::vector<std::string> words{family + " of degree " + std::to_string(basis.degree)};
+  if (basis.alpha)
+    words.push_back("alpha " + (basis.alpha_is_near ? "superconvergent" : basis.alpha->to_text()));
+  return words;
 }
 
 }  // namespace radcert

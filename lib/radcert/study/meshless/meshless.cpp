@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/meshless/meshless_basis.h"
+#include "radcert/study/meshless/meshless.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,12 @@
 
 #include "radcert/core/checked.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/text.h"
 #include "radcert/meshless/surface_cells.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/study/levels_within_memory.h"
+#include "radcert/study/problem.h"
 
 namespace radcert {
 namespace {
@@ -28,6 +32,33 @@ std::optional<std::uint64_t> count_at(const UniformLevels& sites, int level) {
   return count && *count <= most_sites ? count : std::nullopt;
 }
 
+/// What a meshless basis asks of the rest of a problem, and of itself before there are sites.
+void check_choice(const Problem& problem, const Meshless& method) {
+  if (problem.geometry)
+    refuse_input("/geometry/interpolated", std::to_string(problem.geometry->degree),
+                 "asks for interpolated elements, which a meshless basis has none of", "exact");
+  if (problem.solver.name != "direct" && problem.solver.name != "neumann")
+    refuse_input("/solver/name", problem.solver.name, "is not for meshless bases", "direct, neumann");
+  if (const auto* apart = std::get_if<PoissonDiskLevels>(&method.sites);
+      apart != nullptr && apart->separation <= Rational(0))
+    refuse_input("/basis/sites/poisson_disk", apart->separation.to_text(), "is not allowed", "a number > 0");
+  if (const auto* anywhere = std::get_if<UniformLevels>(&method.sites);
+      anywhere != nullptr && anywhere->count == 0)
+    refuse_input("/basis/sites/uniform", "0", "is not allowed", "a whole number >= 1");
+  if (method.basis.radius.neighbour && *method.basis.radius.neighbour == 0)
+    refuse_input("/basis/radius/neighbour", "0", "is not allowed", "a whole number >= 1");
+  if (method.basis.normalise == Normalisation::none && method.basis.mother.kind == MotherKind::shepard)
+    refuse_input("/basis/normalise", "none", "leaves the mother function shepard infinite at the sites",
+                 "partition_of_unity");
+  for (const PiecewiseExpression::Case& part : problem.reflectivity.cases)
+    if (const std::optional<Rational> value = part.expression.is_constant(); value && *value >= Rational(1))
+      refuse_input(problem.reflectivity.cases.size() == 1 && part.piece == "*"
+                       ? "/reflectivity"
+                       : "/reflectivity/" + part.piece,
+                   part.expression.text(), "is not below 1",
+                   "reflectivities in [0, 1): a meshless basis scatters less than arrives");
+}
+
 }  // namespace
 
 std::string_view name(MeshlessFamily family) {
@@ -40,8 +71,8 @@ std::string_view name(MeshlessFamily family) {
   return "meshless";
 }
 
-MeshlessBasis basis_of(MeshlessFamily family) {
-  MeshlessBasis basis{.family = family};
+Meshless basis_of(MeshlessFamily family) {
+  Meshless basis{.family = family};
   switch (family) {
     case MeshlessFamily::shepard: basis.basis = shepard_basis(); return basis;
     case MeshlessFamily::gaussian: basis.basis = gaussian_basis(); return basis;
@@ -83,17 +114,15 @@ double surface_area(const Surface& surface) {
   return area;
 }
 
-MemoryPlan meshless_plan(std::uint64_t sites, const MeshlessBasis& basis, bool is_direct) {
-  constexpr std::uint64_t beyond = std::numeric_limits<std::uint64_t>::max();
+MemoryPlan meshless_plan(std::uint64_t sites, const Meshless& basis, bool is_direct) {
   constexpr std::uint64_t bytes_per_site = 1024;  // arrays, tree, node records, triangles to look at
-  const std::uint64_t squared = checked_multiply(sites, sites).value_or(beyond);
+  const std::uint64_t squared = saturated_product(sites, sites);
   MemoryPlan plan;
   plan.add("transfer matrix", squared, sizeof(double));
-  plan.add("powers of it", checked_multiply(squared, 2).value_or(beyond), sizeof(double));
+  plan.add("powers of it", saturated_product(squared, 2), sizeof(double));
   if (is_direct) plan.add("factors of I - R", squared, sizeof(double));
   if (basis.coefficients == CoefficientRule::interpolated)
-    plan.add("interpolation matrix and its factors", checked_multiply(squared, 2).value_or(beyond),
-             sizeof(double));
+    plan.add("interpolation matrix and its factors", saturated_product(squared, 2), sizeof(double));
   plan.add("sites", sites, bytes_per_site);
   return plan;
 }
@@ -105,6 +134,18 @@ std::uint64_t planned_sites(const SiteLevels& sites, int level, double area) {
   const double separation = site_spacing(sites, level, area);
   const double most = std::ceil(2 / std::numbers::sqrt3 * area / (separation * separation));
   return most < static_cast<double>(most_sites) ? static_cast<std::uint64_t>(most) : most_sites;
+}
+
+void check(const Problem& problem, const Meshless& method, const Surface& surface,
+           std::uint64_t memory_limit) {
+  check_choice(problem, method);
+  const double area = surface_area(surface);
+  check_levels(problem, surface, memory_limit, [&](int level, std::uint64_t) {
+    const std::uint64_t sites = planned_sites(method.sites, level, area);
+    return LevelSize{.count = sites,
+                     .counted = "sites",
+                     .memory = meshless_plan(sites, method, problem.solver.name == "direct")};
+  });
 }
 
 }  // namespace radcert

@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/collocation/level_errors.h"
+#include "radcert/study/collocation/nodal_function.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/rules/conical_rule.h"
-#include "radcert/surface/surface_function.h"
 
 namespace radcert {
 namespace {
 
-constexpr int sample_degree = 8;
-constexpr int mean_order = 12;
-
 constexpr int finer_mean_order = 16;
-
-struct AreaAndIntegral {
-  double area = 0;
-  double integral = 0;
-};
 
 /// Area, and Int l_j of every function over an element.
 struct Moments {
@@ -58,15 +50,6 @@ struct PieceErrors {
 
 }  // namespace
 
-std::vector<Barycentric<double>> error_sample() {
-  std::vector<Barycentric<double>> points;
-  for (int i = sample_degree; i >= 0; --i)
-    for (int j = sample_degree - i; j >= 0; --j)
-      points.push_back({{i / static_cast<double>(sample_degree), j / static_cast<double>(sample_degree),
-                         (sample_degree - i - j) / static_cast<double>(sample_degree)}});
-  return points;
-}
-
 double NodalFunction::at(std::size_t element, const Barycentric<double>& x) const {
   std::array<double, 45> functions;
   basis_.values(x, functions);
@@ -75,68 +58,17 @@ double NodalFunction::at(std::size_t element, const Barycentric<double>& x) cons
   return sum;
 }
 
-std::optional<Approximation> uniform_error(const NodalFunction& u_n, const PiecewiseExpression& solution) {
-  const Surface& surface = u_n.surface();
-  const std::vector<ParameterTriangle>& triangles = u_n.triangulation().triangles;
-  const SurfaceFunction u(solution, surface);
-  const std::vector<Barycentric<double>> points = error_sample();
-  const auto largest_of = [&](std::size_t begin, std::size_t end) {
-    double largest = 0;
-    for (std::size_t k = begin; k < end; ++k) {
-      const ChartIn<double>& chart = surface.charts[triangles[k].chart].in<double>();
-      for (const Barycentric<double>& x : points) {
-        const double error =
-            std::abs(u(triangles[k].chart, chart.frame(triangles[k].at(x.x)).point) - u_n.at(k, x));
-        if (!(error <= largest)) largest = error;  // keeps what is not a number
-        if (std::isnan(largest)) return largest;
-      }
-    }
-    return largest;
-  };
-  const auto larger = [](double a, double b) { return std::isnan(a) || a >= b ? a : b; };
-  const double largest =
-      parallel_reduce_ordered(triangles.size(), default_grain(triangles.size()), 0.0, largest_of, larger);
-  if (!std::isfinite(largest)) return std::nullopt;
-  return Approximation::without_radius(largest);
-}
-
-std::vector<std::pair<std::string, double>> piece_means(const NodalFunction& u_n) {
-  const Surface& surface = u_n.surface();
-  const std::vector<ParameterTriangle>& triangles = u_n.triangulation().triangles;
-  const TriangleRule<double> rule = conical_rule<double>(mean_order, Grading::none);
-  std::vector<AreaAndIntegral> by_element(triangles.size());
-  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const ParameterTriangle& triangle = triangles[k];
-      const double parallelogram =
-          cross(triangle.vertices[1] - triangle.vertices[0], triangle.vertices[2] - triangle.vertices[0]);
-      const ChartIn<double>& chart = surface.charts[triangle.chart].in<double>();
-      for (std::size_t q = 0; q < rule.weights.size(); ++q) {
-        const double weight =
-            rule.weights[q] * parallelogram * area_element(chart.frame(triangle.at(rule.points[q].x)));
-        by_element[k].area += weight;
-        by_element[k].integral += weight * u_n.at(k, rule.points[q]);
-      }
-    }
-  });
-  const std::vector<std::string> names = surface.piece_names();
-  std::vector<AreaAndIntegral> by_piece(names.size());
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    AreaAndIntegral& piece = by_piece[surface.piece_of(triangles[k].chart)];
-    piece.area += by_element[k].area;
-    piece.integral += by_element[k].integral;
-  }
-  std::vector<std::pair<std::string, double>> means;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    means.emplace_back(names[i], by_piece[i].integral / by_piece[i].area);
-  return means;
+ComputedFunction NodalFunction::computed() const {
+  return {surface_, triangulation_, [this] {
+            return [this](std::size_t element, const Barycentric<double>& x) { return at(element, x); };
+          }};
 }
 
 double means_radius(const NodalFunction& u_n, double node_radius) {
   const Surface& surface = u_n.surface();
   const std::vector<ParameterTriangle>& triangles = u_n.triangulation().triangles;
   const std::size_t functions = u_n.basis().size();
-  const TriangleRule<double> rule = conical_rule<double>(mean_order, Grading::none);
+  const TriangleRule<double> rule = conical_rule<double>(nodal_mean_order, Grading::none);
   const TriangleRule<double> finer = conical_rule<double>(finer_mean_order, Grading::none);
   // Roundings of a term, of the sum over a rule, over the functions and over the elements.
   const double roundings =

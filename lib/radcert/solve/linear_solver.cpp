@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/solve/linear_solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "radcert/core/text.h"
+#include "radcert/scalar/enclosing_text.h"
+#include "radcert/solve/accurate_dot.h"
+
+namespace radcert {
+
+const LinearSolver* find_linear_solver(std::string_view name) {
+  for (const LinearSolver& solver : linear_solvers())
+    if (solver.name == name) return &solver;
+  return nullptr;
+}
+
+std::vector<std::string> solver_names(const std::function<bool(const LinearSolver&)>& condition) {
+  std::vector<std::string> names;
+  for (const LinearSolver& solver : linear_solvers())
+    if (condition(solver)) names.push_back(solver.name);
+  return names;
+}
+
+std::vector<double> defects(const LinearSystem& system, std::span<const double> v,
+                            std::vector<double> residual_sizes) {
+  double size = 0;
+  for (const double value : v) size = std::max(size, std::abs(value));
+  for (std::size_t i = 0; i < v.size(); ++i)
+    residual_sizes[i] = residual_sizes[i] + system.row_radius[i] * size + system.e_radius[i];
+  return residual_sizes;
+}
+
+Outcome<LinearSolution> iterated(const LinearSystem& system, Outcome<IterativeSolution, NotReached> solution,
+                                 std::optional<double> tolerance) {
+  if (!solution) {
+    const NotReached& best = solution.reason();
+    const std::string demanded =
+        tolerance ? "the tolerance " + shortest(*tolerance) : "an error bound as small as double holds";
+    return because(demanded + " is not reached: after " + std::to_string(best.iterations) +
+                   " iterations the error bound is " + upper_text(best.error_bound) +
+                   " where |u_n| <= " + upper_text(best.size));
+  }
+  const Contraction& contraction = *system.contraction;
+  LinearSolution result{.values = std::move(solution->values),
+                        .iteration = IterationReport{.iterations = solution->iterations,
+                                                     .contraction = contraction.theta(),
+                                                     .error_bound = solution->error_bound}};
+  std::vector<double> residual(result.values.size());
+  accurate_residual(system.k, result.values, system.e, residual);
+  std::vector<double> bounds = residual_bounds(contraction, result.values, system.e, residual);
+  result.radius =
+      contraction.inverse_bound(contraction.norm(defects(system, result.values, std::move(bounds))));
+  return result;
+}
+
+}  // namespace radcert

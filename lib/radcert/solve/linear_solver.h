@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "radcert/core/matrix.h"
+#include "radcert/core/memory_plan.h"
+#include "radcert/core/outcome.h"
+#include "radcert/solve/contraction.h"
+#include "radcert/solve/iteration.h"
+
+namespace radcert {
+
+/// A linear system (I - K) u = e whose matrix and right-hand side are known within radii.
+struct LinearSystem {
+  const Matrix<double>& k;
+  std::span<const double> row_radius;  ///< for each row, of the sum of its entries' errors
+  std::span<const double> e;
+  std::span<const double> e_radius;
+  const Contraction* contraction;  ///< of all matrices within the radii; null where none was found
+};
+
+/// How an iterative solver came to its solution.
+struct IterationReport {
+  std::uint64_t iterations = 0;  ///< reflections of `neumann`, Krylov vectors of `gmres`
+  double contraction = 0;        ///< theta < 1 of the weighted norm in which K contracts
+  double error_bound = 0;        ///< of max |u - values|, u the solution of the system as stored, proved
+};
+
+/// A vector near the solutions of all systems within the radii.
+struct LinearSolution {
+  std::vector<double> values;
+  double radius = 0;  ///< bounds max |u - values| over all of these systems
+  std::optional<IterationReport> iteration = std::nullopt;
+};
+
+/// How the linear system of a level may be solved.
+struct LinearSolver {
+  std::string name;
+  /// Whether it stops at a tolerance, by an error bound; such a solver asks for a contraction.
+  bool iterates = false;
+  /// What it holds in memory beside the matrix.
+  std::function<void(MemoryPlan& plan, std::uint64_t unknowns)> plan = {};
+  /// Solves a system of finite numbers; a reason in words where the system has no solution within bounds.
+  /// None: the solver proves, and needs a matrix whose entries are enclosed (verified_system).
+  std::function<Outcome<LinearSolution>(const LinearSystem& system, std::optional<double> tolerance)> solve =
+      {};
+
+  [[nodiscard]] bool proves() const { return !solve; }
+};
+
+/// The solvers that radcert knows by name.
+/// Source    the list `linear_solvers` in lib/CMakeLists.txt: <name>.cpp defines <name>_entry()
+/// Result    in a fixed order
+[[nodiscard]] const std::vector<LinearSolver>& linear_solvers();
+
+/// The solver of that name, or null.
+[[nodiscard]] const LinearSolver* find_linear_solver(std::string_view name);
+
+/// The names of the solvers that a condition holds for, in the order of the list.
+[[nodiscard]] std::vector<std::string> solver_names(
+    const std::function<bool(const LinearSolver&)>& condition = [](const LinearSolver&) { return true; });
+
+/// Bounds of |(I - K)(u - v)|, entry by entry, over all systems within the radii.
+/// Maths     |e - (I - K) v| + |K's errors| |v| + |e's errors|, v's residual bounded by `residual_sizes`
+[[nodiscard]] std::vector<double> defects(const LinearSystem& system, std::span<const double> v,
+                                          std::vector<double> residual_sizes);
+
+/// What an iteration leaves of a system: its solution with the radius over all systems within the radii, or
+/// in words how far it came.
+[[nodiscard]] Outcome<LinearSolution> iterated(const LinearSystem& system,
+                                               Outcome<IterativeSolution, NotReached> solution,
+                                               std::optional<double> tolerance);
+
+}  // namespace radcert

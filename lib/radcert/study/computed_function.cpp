@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/study/computed_function.h"
+
+#include <array>
+#include <cmath>
+
+#include "radcert/core/parallel.h"
+#include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/surface/surface_function.h"
+
+namespace radcert {
+namespace {
+
+constexpr int sample_degree = 8;
+
+struct AreaAndIntegral {
+  double area = 0;
+  double integral = 0;
+};
+
+std::vector<Barycentric<double>> error_sample() {
+  constexpr double whole = sample_degree;
+  std::vector<Barycentric<double>> points;
+  for (int i = sample_degree; i >= 0; --i)
+    for (int j = sample_degree - i; j >= 0; --j)
+      points.push_back({{i / whole, j / whole, (sample_degree - i - j) / whole}});
+  return points;
+}
+
+/// The largest value over the sample of all elements of what `look` makes of an element, a point of it and
+/// u_n there; not a number where that is not one.
+template <class Look>
+double largest_over_sample(const ComputedFunction& u_n, const Look& look) {
+  const std::size_t count = u_n.triangulation.triangles.size();
+  const std::vector<Barycentric<double>> points = error_sample();
+  const auto largest_of = [&](std::size_t begin, std::size_t end) {
+    const auto value = u_n.evaluator();
+    double largest = 0;
+    for (std::size_t k = begin; k < end; ++k)
+      for (const Barycentric<double>& x : points) {
+        const double seen = look(k, x, value(k, x));
+        if (!(seen <= largest)) largest = seen;  // keeps what is not a number
+        if (std::isnan(largest)) return largest;
+      }
+    return largest;
+  };
+  const auto larger = [](double a, double b) { return std::isnan(a) || a >= b ? a : b; };
+  return parallel_reduce_ordered(count, default_grain(count), 0.0, largest_of, larger);
+}
+
+AreaAndIntegral over_element(const ComputedFunction& u_n, std::size_t k, const TriangleRule<double>& rule,
+                             const std::function<double(std::size_t, const Barycentric<double>&)>& value) {
+  const ParameterTriangle& triangle = u_n.triangulation.triangles[k];
+  const double parallelogram =
+      cross(triangle.vertices[1] - triangle.vertices[0], triangle.vertices[2] - triangle.vertices[0]);
+  const ChartIn<double>& chart = u_n.surface.charts[triangle.chart].in<double>();
+  AreaAndIntegral found;
+  for (std::size_t q = 0; q < rule.weights.size(); ++q) {
+    const double weight =
+        rule.weights[q] * parallelogram * area_element(chart.frame(triangle.at(rule.points[q].x)));
+    found.area += weight;
+    found.integral += weight * value(k, rule.points[q]);
+  }
+  return found;
+}
+
+std::vector<ElementValue> element_values(const ComputedFunction& u_n) {
+  const std::vector<ParameterTriangle>& triangles = u_n.triangulation.triangles;
+  std::vector<ElementValue> elements(triangles.size());
+  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    const auto value = u_n.evaluator();
+    for (std::size_t k = begin; k < end; ++k) {
+      const Chart& chart = u_n.surface.charts[triangles[k].chart];
+      elements[k].piece = chart.facts().piece;
+      for (std::size_t c = 0; c < 3; ++c) {
+        Barycentric<double> corner{{0, 0, 0}};
+        corner.x[c] = 1;
+        elements[k].corners[c] = chart.in<double>().frame(triangles[k].vertices[c]).point;
+        elements[k].corner_values[c] = value(k, corner);
+      }
+    }
+  });
+  return elements;
+}
+
+std::optional<double> value_at(std::span<const double> values, std::size_t i) {
+  return values.empty() ? std::nullopt : std::optional(values[i]);
+}
+
+}  // namespace
+
+std::optional<Approximation> uniform_error(const ComputedFunction& u_n, const PiecewiseExpression& solution) {
+  const SurfaceFunction u(solution, u_n.surface);
+  const double largest =
+      largest_over_sample(u_n, [&](std::size_t k, const Barycentric<double>& x, double value) {
+        const ParameterTriangle& triangle = u_n.triangulation.triangles[k];
+        const ChartIn<double>& chart = u_n.surface.charts[triangle.chart].in<double>();
+        return std::abs(u(triangle.chart, chart.frame(triangle.at(x.x)).point) - value);
+      });
+  if (!std::isfinite(largest)) return std::nullopt;
+  return Approximation::without_radius(largest);
+}
+
+void require_values(const ComputedFunction& u_n) {
+  static_cast<void>(
+      largest_over_sample(u_n, [](std::size_t, const Barycentric<double>&, double) { return 0.0; }));
+}
+
+std::vector<std::pair<std::string, double>> piece_means(const ComputedFunction& u_n, int order) {
+  const std::vector<ParameterTriangle>& triangles = u_n.triangulation.triangles;
+  const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
+  std::vector<AreaAndIntegral> by_element(triangles.size());
+  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    const auto value = u_n.evaluator();
+    for (std::size_t k = begin; k < end; ++k) by_element[k] = over_element(u_n, k, rule, value);
+  });
+  const std::vector<std::string> names = u_n.surface.piece_names();
+  std::vector<AreaAndIntegral> by_piece(names.size());
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    AreaAndIntegral& piece = by_piece[u_n.surface.piece_of(triangles[k].chart)];
+    piece.area += by_element[k].area;
+    piece.integral += by_element[k].integral;
+  }
+  std::vector<std::pair<std::string, double>> means;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    means.emplace_back(names[i], by_piece[i].integral / by_piece[i].area);
+  return means;
+}
+
+void describe_level(const Problem& problem, const ComputedFunction& u_n, const NodalValues& values,
+                    int mean_order, LevelOutcome& outcome) {
+  if (problem.solution) outcome.result.uniform_error = uniform_error(u_n, *problem.solution);
+  outcome.result.piece_means = piece_means(u_n, mean_order);
+  outcome.elements = element_values(u_n);
+  for (std::size_t i = 0; i < values.nodes.size(); ++i)
+    outcome.nodes.push_back({.piece = u_n.surface.charts[values.nodes[i].at.chart].facts().piece,
+                             .element = i / values.nodes_per_element,
+                             .index_in_element = i % values.nodes_per_element,
+                             .point = values.nodes[i].point,
+                             .normal = values.nodes[i].normal,
+                             .u_n = values.u_n[i],
+                             .radius = value_at(values.radius, i),
+                             .emission = values.emission[i],
+                             .u = value_at(values.u, i)});
+}
+
+}  // namespace radcert

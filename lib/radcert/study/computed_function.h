@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/quadrature/collocation_point.h"
+#include "radcert/study/study.h"
+#include "radcert/triangulation/triangulation.h"
+
+namespace radcert {
+
+/// The computed function u_n on a surface, whatever the method, element by element of a triangulation.
+/// Maths     (k, x) -> u_n(m_k(x)), x barycentric in the element k
+/// Requires  what an evaluator gives refers to what its maker refers to
+/// Limits    may have two values on the sides of triangles
+struct ComputedFunction {
+  const Surface& surface;
+  const Triangulation& triangulation;
+  /// Makes a function for the use of one thread.
+  std::function<std::function<double(std::size_t element, const Barycentric<double>& x)>()> evaluator;
+};
+
+/// Looks at u_n at the points of every element with barycentric coordinates k/8, |k| = 8: 45 points each,
+/// corners and sides included.
+/// Maths     max |u(p) - u_n(p)| over the sample
+/// Source    the sample is ours; [ac98, (50)]
+/// Result    nothing if u is not finite at a point of the sample; a lower bound of the supremum
+/// Limits    rounding is not estimated
+[[nodiscard]] std::optional<Approximation> uniform_error(const ComputedFunction& u_n,
+                                                         const PiecewiseExpression& solution);
+
+/// Evaluates u_n over the same sample, for a method whose functions may refuse to have a value somewhere.
+void require_values(const ComputedFunction& u_n);
+
+/// The mean of u_n over each piece.
+/// Maths     Int_piece u_n dS / Int_piece dS, by a conical rule of that order on each element
+/// Result    pieces in the order of the surface
+/// Limits    the error is not estimated
+[[nodiscard]] std::vector<std::pair<std::string, double>> piece_means(const ComputedFunction& u_n, int order);
+
+/// The values of a level at its nodes.
+struct NodalValues {
+  std::span<const CollocationPoint<double>> nodes;
+  std::size_t nodes_per_element = 1;
+  std::span<const double> u_n;
+  std::span<const double> radius;  ///< of u_n; empty where nothing is proved
+  std::span<const double> emission;
+  std::span<const double> u;  ///< empty without `solution`
+};
+
+/// What every method says of u_n once it is known.
+/// Maths     uniform_error and piece_means, the values at the nodes, and u_n at the corners of the elements
+/// Requires  a value a node; `outcome` is of this level
+/// Result    fills these fields of the outcome and no others
+/// Limits    rounded, not enclosed
+void describe_level(const Problem& problem, const ComputedFunction& u_n, const NodalValues& values,
+                    int mean_order, LevelOutcome& outcome);
+
+}  // namespace radcert
