@@ -276,6 +276,44 @@ TEST(FaceTriangulation, CutsWithoutChangingTheArea) {
     }
 }
 
+TEST(FaceTriangulation, TakesTheDiagonalsThatKeepAnglesLarge) {
+  // An L: two squares beside a third are cut without an obtuse angle, wherever the face begins.
+  sample::Polyhedron floor{{{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 2, 0}, {2, 4, 0}, {0, 4, 0}},
+                           {{0, 1, 2, 3, 4, 5}}};
+  for (std::size_t turn = 0; turn < 6; ++turn) {
+    const TriangleMesh mesh = sample::mesh_of(floor);
+    ASSERT_EQ(mesh.triangles.size(), 4U);
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto corners = mesh.corners(k);
+        const Vector<double>& at = corners[i];
+        EXPECT_GE(dot(corners[(i + 1) % 3] - at, corners[(i + 2) % 3] - at), 0) << turn;
+      }
+    std::rotate(floor.faces[0].begin(), floor.faces[0].begin() + 1, floor.faces[0].end());
+  }
+}
+
+TEST(FaceTriangulation, CutsFacesOfManyCorners) {
+  // A comb: half of the teeth's corners on y = 0, half on y = 1, over a beam of height 1.
+  constexpr std::size_t teeth = 10000;
+  sample::Polyhedron comb{{}, {{}}};
+  comb.vertices.push_back({2.0 * teeth, -1, 0});
+  for (std::size_t k = 2 * teeth + 1; k-- > 0;)
+    comb.vertices.push_back({static_cast<double>(k), static_cast<double>(k % 2), 0});
+  comb.vertices.push_back({0, -1, 0});
+  for (std::size_t k = 0; k < comb.vertices.size(); ++k) comb.faces[0].push_back(k);
+  const TriangleMesh mesh = sample::mesh_of(comb);
+  EXPECT_EQ(mesh.triangles.size(), comb.vertices.size() - 2);
+  double doubled = 0;
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const auto [a, b, c] = mesh.corners(k);
+    const double area = cross(b - a, c - a).z;
+    ASSERT_GT(area, 0);
+    doubled += area;
+  }
+  EXPECT_EQ(doubled, 2.0 * (2 * teeth + teeth));
+}
+
 // Words that are no decimal number, or none that a double holds; in every text format the line and the word
 // are named.
 TEST(MeshFile, RefusesWordsThatAreNoNumbers) {

@@ -2,56 +2,90 @@
 #include "radcert/geometry/polygon_triangulation.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Gmpq.h>
+#include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <optional>
 #include <queue>
 
 namespace radcert {
+namespace {
 
-PlaneTriangulation triangulate(const PlanePolygon& polygon) {
-  using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
+/// Counterclockwise triangles; the points are numbered through all loops.
+template <class Kernel>
+std::vector<VertexTriple> delaunay_triangles(
+    const std::vector<std::vector<typename Kernel::Point_2>>& loops) {
   using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
   using PlainFace = CGAL::Constrained_triangulation_face_base_2<Kernel>;
   using FaceBase = CGAL::Triangulation_face_base_with_info_2<std::optional<bool>, Kernel, PlainFace>;
   using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
   using Delaunay =
       CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
+  using Face = typename Delaunay::Face_handle;
 
-  PlaneTriangulation result;
   Delaunay delaunay;
-  const auto gmpq = [](const Rational& x) { return CGAL::Gmpq(static_cast<mpq_srcptr>(x.gmp())); };
-  for (const PolygonLoop& loop : polygon.loops()) {
-    std::vector<Delaunay::Vertex_handle> handles;
-    for (const ParameterPoint<Rational>& at : loop) {
-      handles.push_back(delaunay.insert(Kernel::Point_2(gmpq(at.s), gmpq(at.t))));
-      handles.back()->info() = result.vertices.size();
-      result.vertices.push_back(at);
+  std::size_t number = 0;
+  for (const auto& loop : loops) {
+    std::vector<typename Delaunay::Vertex_handle> handles;
+    Face near;
+    for (const auto& point : loop) {
+      handles.push_back(delaunay.insert(point, near));
+      handles.back()->info() = number++;
+      near = handles.back()->face();
     }
     for (std::size_t i = 0; i < handles.size(); ++i)
       delaunay.insert_constraint(handles[i], handles[(i + 1) % handles.size()]);
   }
   // Outside is what is reached from infinity; each side of a loop changes that.
-  std::queue<Delaunay::Face_handle> reached;
+  std::queue<Face> reached;
   delaunay.infinite_face()->info() = false;
   reached.push(delaunay.infinite_face());
   while (!reached.empty()) {
-    const Delaunay::Face_handle face = reached.front();
+    const Face face = reached.front();
     reached.pop();
     for (int i = 0; i < 3; ++i) {
-      const Delaunay::Face_handle next = face->neighbor(i);
+      const Face next = face->neighbor(i);
       if (next->info()) continue;
       next->info() = *face->info() != face->is_constrained(i);
       reached.push(next);
     }
   }
-  for (const Delaunay::Face_handle face : delaunay.finite_face_handles())
+  std::vector<VertexTriple> triangles;
+  for (const Face face : delaunay.finite_face_handles())
     if (*face->info())
-      result.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+      triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+  return triangles;
+}
+
+}  // namespace
+
+PlaneTriangulation triangulate(const PlanePolygon& polygon) {
+  using Kernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
+  const auto gmpq = [](const Rational& x) { return CGAL::Gmpq(static_cast<mpq_srcptr>(x.gmp())); };
+  PlaneTriangulation result;
+  std::vector<std::vector<Kernel::Point_2>> loops;
+  for (const PolygonLoop& loop : polygon.loops()) {
+    loops.emplace_back();
+    for (const ParameterPoint<Rational>& at : loop) loops.back().emplace_back(gmpq(at.s), gmpq(at.t));
+    result.vertices.insert(result.vertices.end(), loop.begin(), loop.end());
+  }
+  result.triangles = delaunay_triangles<Kernel>(loops);
   return result;
+}
+
+std::optional<std::vector<VertexTriple>> polygon_triangles(std::span<const ParameterPoint<double>> corners) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  std::vector<std::vector<Kernel::Point_2>> loops(1);
+  std::vector<Kernel::Point_2>& points = loops.front();
+  for (const ParameterPoint<double>& at : corners) points.emplace_back(at.s, at.t);
+  if (!CGAL::is_simple_2(points.begin(), points.end(), Kernel())) return std::nullopt;
+  std::vector<VertexTriple> triangles = delaunay_triangles<Kernel>(loops);
+  if (CGAL::orientation_2(points.begin(), points.end(), Kernel()) == CGAL::CLOCKWISE)
+    for (VertexTriple& triangle : triangles) std::swap(triangle[1], triangle[2]);
+  return triangles;
 }
 
 }  // namespace radcert

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -31,6 +32,15 @@ struct PolygonSide {
 /// Result    conforming, as [m06, T1-T3] ask, and exact; the vertices are those of the loops, in their order
 /// Limits    as sharp as the polygon makes it: no vertex is added
 [[nodiscard]] PlaneTriangulation triangulate(const PlanePolygon& polygon);
+
+/// The same for one loop of doubles.
+/// Maths     constrained Delaunay, as above
+/// Source    CGAL, exact predicates
+/// Requires  finite coordinates
+/// Result    places of the corners; the triangles run the way round that the loop does. Nothing where sides
+///           meet but neighbours at their corner, or where fewer than three corners are given
+[[nodiscard]] std::optional<std::vector<VertexTriple>> polygon_triangles(
+    std::span<const ParameterPoint<double>> corners);
 
 /// The same triangulation, finer toward chosen sides.
 /// Maths     `times` times every triangle with a vertex on a chosen side is bisected; a triangle is bisected

@@ -10,17 +10,13 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/geometry/orientation.h"
+#include "radcert/geometry/polygon_triangulation.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {
 namespace {
-
-using PlanePoint = ParameterPoint<double>;
-
-// Cutting off ears takes a number of steps between the square and the cube of it.
-constexpr std::size_t most_corners = 10000;
 
 // So many bent faces are told of, one by one.
 constexpr std::size_t most_told = 100;
@@ -30,87 +26,21 @@ constexpr std::size_t most_told = 100;
   throw InputError({.pointer = face, .problem = problem, .allowed = allowed});
 }
 
-/// The corners on a coordinate plane, the coordinate `left_out`; the order keeps the sense of rotation, or
-/// `turned` reverses it.
-std::vector<PlanePoint> projection(const std::vector<Vector<double>>& corners, std::size_t left_out,
-                                   bool turned) {
-  std::vector<PlanePoint> points;
+/// The corners on a coordinate plane, without the coordinate `left_out`; the order keeps the sense of
+/// rotation.
+std::vector<ParameterPoint<double>> projection(const std::vector<Vector<double>>& corners,
+                                               std::size_t left_out) {
+  std::vector<ParameterPoint<double>> points;
   for (const Vector<double>& p : corners) {
-    const PlanePoint on = left_out == 2   ? PlanePoint{p.x, p.y}
-                          : left_out == 0 ? PlanePoint{p.y, p.z}
-                                          : PlanePoint{p.z, p.x};
-    points.push_back(turned ? PlanePoint{on.t, on.s} : on);
+    const std::array<double, 3> x{p.x, p.y, p.z};
+    points.push_back({x[(left_out + 1) % 3], x[(left_out + 2) % 3]});
   }
   return points;
 }
 
-bool segments_meet(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c, const PlanePoint& d) {
-  const int abc = orientation(a, b, c);
-  const int abd = orientation(a, b, d);
-  const int cda = orientation(c, d, a);
-  const int cdb = orientation(c, d, b);
-  if (abc * abd < 0 && cda * cdb < 0) return true;
-  const auto within = [](const PlanePoint& p, const PlanePoint& q, const PlanePoint& r) {
-    return std::min(p.s, q.s) <= r.s && r.s <= std::max(p.s, q.s) && std::min(p.t, q.t) <= r.t &&
-           r.t <= std::max(p.t, q.t);
-  };
-  return (abc == 0 && within(a, b, c)) || (abd == 0 && within(a, b, d)) || (cda == 0 && within(c, d, a)) ||
-         (cdb == 0 && within(c, d, b));
-}
-
-/// No two edges meet but neighbours at their corner, and neighbours do not run back over each other.
-bool is_simple(const std::vector<PlanePoint>& p) {
-  const std::size_t n = p.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const PlanePoint& next = p[(i + 1) % n];
-    const PlanePoint& after = p[(i + 2) % n];
-    const PlanePoint back = p[i] - next;
-    const PlanePoint on = after - next;
-    if (orientation(p[i], next, after) == 0 && back.s * on.s + back.t * on.t >= 0) return false;
-    for (std::size_t j = i + 2; j < n; ++j)
-      if ((j + 1) % n != i && segments_meet(p[i], next, p[j], p[(j + 1) % n])) return false;
-  }
-  return true;
-}
-
-/// Ears of a simple polygon that runs counterclockwise: triples of places.
-std::optional<std::vector<VertexTriple>> ears(const std::vector<PlanePoint>& points) {
-  if (!is_simple(points)) return std::nullopt;
-  std::vector<std::size_t> left(points.size());
-  for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
-  std::vector<VertexTriple> triangles;
-  const auto is_ear = [&](std::size_t i) {
-    const std::size_t n = left.size();
-    const std::size_t before = left[(i + n - 1) % n];
-    const std::size_t here = left[i];
-    const std::size_t after = left[(i + 1) % n];
-    if (orientation(points[before], points[here], points[after]) <= 0) return false;
-    for (const std::size_t other : left) {
-      if (other == before || other == here || other == after) continue;
-      if (orientation(points[before], points[here], points[other]) >= 0 &&
-          orientation(points[here], points[after], points[other]) >= 0 &&
-          orientation(points[after], points[before], points[other]) >= 0)
-        return false;
-    }
-    return true;
-  };
-  while (left.size() > 3) {
-    std::size_t i = 0;
-    while (i < left.size() && !is_ear(i)) ++i;
-    if (i == left.size()) return std::nullopt;
-    const std::size_t n = left.size();
-    triangles.push_back({left[(i + n - 1) % n], left[i], left[(i + 1) % n]});
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
-  }
-  if (orientation(points[left[0]], points[left[1]], points[left[2]]) <= 0) return std::nullopt;
-  triangles.push_back({left[0], left[1], left[2]});
-  return triangles;
-}
-
-/// Triangles of a face: ears in the coordinate plane in which it is largest, or in another where rounding
-/// misled about that. In the plane of the face a polygon is simple and runs one way round if its image is and
-/// does.
-std::optional<std::vector<VertexTriple>> face_ears(const std::vector<Vector<double>>& corners) {
+/// Triangles of a face, in the coordinate plane in which it is largest, or in another where rounding misled
+/// about that. In the plane of the face a polygon is simple if its image is.
+std::optional<std::vector<VertexTriple>> face_triangles(const std::vector<Vector<double>>& corners) {
   double largest = 0;
   for (const Vector<double>& p : corners)
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -127,8 +57,7 @@ std::optional<std::vector<VertexTriple>> face_ears(const std::vector<Vector<doub
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return std::abs(normal[a]) > std::abs(normal[b]); });
   for (const std::size_t axis : order)
-    for (const bool other : {false, true})
-      if (auto triangles = ears(projection(corners, axis, (normal[axis] < 0) != other))) return triangles;
+    if (auto triangles = polygon_triangles(projection(corners, axis))) return triangles;
   return std::nullopt;
 }
 
@@ -228,13 +157,10 @@ TriangulatedFaces triangulate_faces(const MeshFile& file, BentFaces bent) {
       add({file.corner[begin], file.corner[begin + 1], file.corner[begin + 2]}, face);
       continue;
     }
-    if (count > most_corners)
-      refuse_face(file.face_text(face), "has " + std::to_string(count) + " corners",
-                  "faces of at most " + std::to_string(most_corners) + " corners");
     ++result.cut_faces;
     std::vector<Vector<double>> corners;
     for (std::size_t i = 0; i < count; ++i) corners.push_back(file.vertices[file.corner[begin + i]]);
-    const auto triangles = face_ears(corners);
+    const auto triangles = face_triangles(corners);
     const bool is_bent = !is_plane(corners);
     if (is_bent && bent == BentFaces::refused) refuse_bent(file, face, count, corners);
     if (!triangles)
