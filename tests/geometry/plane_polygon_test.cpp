@@ -33,6 +33,30 @@ std::string refusal(std::vector<PolygonLoop> loops) {
   return polygon ? "accepted" : polygon.reason();
 }
 
+TEST(Contains, CountsTheBorderAndNothingBeyond) {
+  // An L; what is off it by any rational number is off it.
+  const PolygonLoop corner{{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}};
+  const Rational little = 1 / power(Rational(10), 40);
+  for (const PolygonLoop& loop : {corner, reversed(corner)}) {
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      EXPECT_TRUE(contains(loop, loop[k]));
+      EXPECT_TRUE(contains(loop, Rational(1, 3) * (Rational(2) * loop[k] + loop[(k + 1) % loop.size()])));
+    }
+    for (const ParameterPoint<Rational>& inside : {ParameterPoint<Rational>{2 - little, 2 + little},
+                                                   {1, 1},
+                                                   {4 - little, 2 - little},
+                                                   {little, 4 - little}})
+      EXPECT_TRUE(contains(loop, inside));
+    for (const ParameterPoint<Rational>& outside : {ParameterPoint<Rational>{2 + little, 2 + little},
+                                                    {3, 3},
+                                                    {4 + little, 1},
+                                                    {-little, 4},
+                                                    {-1, 0},
+                                                    {5, 2}})
+      EXPECT_FALSE(contains(loop, outside));
+  }
+}
+
 TEST(PlanePolygon, LiesToTheLeftOfAllItsLoops) {
   for (const PolygonLoop& outer : {square(0, 4), reversed(square(0, 4))})
     for (const PolygonLoop& hole : {square(1, 2), reversed(square(1, 2))}) {

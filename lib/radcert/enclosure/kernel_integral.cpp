@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
+#include "radcert/geometry/plane_polygon.h"
 #include "radcert/kernel/geometric_kernel.h"
 
 namespace radcert {
@@ -41,19 +42,6 @@ struct Integrand {
     return map.jacobian(x) * kernel * q({.chart = index, .at = at, .point = frame.point});
   }
 };
-
-/// Whether a point is in a convex polygon, its border included.
-bool contains(const ParameterPolygon& polygon, const ParameterPoint<Rational>& p) {
-  int sense = 0;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const ParameterPoint<Rational>& corner = polygon[k];
-    const int sign = cross(polygon[(k + 1) % polygon.size()] - corner, p - corner).sign();
-    if (sign == 0) continue;
-    if (sense != 0 && sign != sense) return false;
-    sense = sign;
-  }
-  return true;
-}
 
 double distance(const Vector<double>& a, const Vector<double>& b) { return norm(a - b); }
 

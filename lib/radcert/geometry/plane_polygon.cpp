@@ -18,10 +18,12 @@ using Points = std::vector<Kernel::Point_2>;
 
 CGAL::Gmpq gmpq(const Rational& x) { return CGAL::Gmpq(static_cast<mpq_srcptr>(x.gmp())); }
 
-Points points_of(const PolygonLoop& loop) {
+Kernel::Point_2 point_of(const ParameterPoint<Rational>& at) { return {gmpq(at.s), gmpq(at.t)}; }
+
+Points points_of(std::span<const ParameterPoint<Rational>> loop) {
   Points points;
   points.reserve(loop.size());
-  for (const ParameterPoint<Rational>& at : loop) points.emplace_back(gmpq(at.s), gmpq(at.t));
+  for (const ParameterPoint<Rational>& at : loop) points.push_back(point_of(at));
   return points;
 }
 
@@ -79,10 +81,12 @@ bool touch(const Points& a, const Points& b) {
   return false;
 }
 
-/// Whether `inner`, whose boundary does not touch that of `outer`, lies inside it.
-bool inside(const Points& inner, const Points& outer) {
-  return CGAL::bounded_side_2(outer.begin(), outer.end(), inner.front(), Kernel()) == CGAL::ON_BOUNDED_SIDE;
+bool in_closed(const Points& polygon, const Kernel::Point_2& point) {
+  return CGAL::bounded_side_2(polygon.begin(), polygon.end(), point, Kernel()) != CGAL::ON_UNBOUNDED_SIDE;
 }
+
+/// Whether `inner`, whose boundary does not touch that of `outer`, lies inside it.
+bool inside(const Points& inner, const Points& outer) { return in_closed(outer, inner.front()); }
 
 std::optional<std::string> fault(const std::vector<PolygonLoop>& loops) {
   if (loops.empty()) return "no loop";
@@ -113,6 +117,10 @@ ParameterPoint<Rational> coordinates(const Vector<Rational>& p, const Vector<Rat
 }
 
 }  // namespace
+
+bool contains(std::span<const ParameterPoint<Rational>> polygon, const ParameterPoint<Rational>& point) {
+  return in_closed(points_of(polygon), point_of(point));
+}
 
 Rational PlanePolygon::parameter_area() const {
   Rational sum = 0;

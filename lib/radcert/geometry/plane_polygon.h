@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "radcert/core/outcome.h"
@@ -11,6 +12,13 @@ namespace radcert {
 
 /// The vertices of a closed polygonal line of the parameter plane, the first not repeated.
 using PolygonLoop = std::vector<ParameterPoint<Rational>>;
+
+/// Whether a point lies in a simple polygon of the parameter plane, its border included.
+/// Source    CGAL, exact arithmetic
+/// Requires  at least three vertices, not all on one line
+/// Result    exact, whichever way the polygon runs
+[[nodiscard]] bool contains(std::span<const ParameterPoint<Rational>> polygon,
+                            const ParameterPoint<Rational>& point);
 
 /// A plane polygon in space, convex or not, with holes or without, exactly.
 /// Maths     { origin + s first + t second : (s,t) inside loops[0] and outside of the others };

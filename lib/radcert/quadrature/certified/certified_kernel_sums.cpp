@@ -11,6 +11,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/work_limit.h"
+#include "radcert/geometry/plane_polygon.h"
 #include "radcert/quadrature/certified/integral_from_within.h"
 #include "radcert/quadrature/certified/kernel_rule.h"
 
@@ -139,18 +140,6 @@ struct Points {
 
 Vector<BoundedDouble> bounded_vector(const Vector<Ball>& v) {
   return {bounded(v.x), bounded(v.y), bounded(v.z)};
-}
-
-/// Whether a point is in a triangle, its border included.
-bool contains(const ElementCorners& triangle, const ParameterPoint<Rational>& p) {
-  int sense = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const int sign = cross(triangle[(k + 1) % 3] - triangle[k], p - triangle[k]).sign();
-    if (sign == 0) continue;
-    if (sense != 0 && sign != sense) return false;
-    sense = sign;
-  }
-  return true;
 }
 
 /// False where a point is so far outside a triangle that rounding cannot matter.
