@@ -287,16 +287,13 @@ FacetScene::FacetScene(TriangleMesh mesh) : scene_(std::move(mesh)) {
   find_solids();
   find_neighbours();
   find_contained();
-  TriangleMesh boxes;
+  std::vector<BoundingBox> boxes;
   for (const ConvexOccluder& occluder : occluders_) {
-    // Three points whose box is the occluder's.
     BoundingBox box{occluder.corners[0], occluder.corners[0]};
     for (const Point& p : occluder.corners) box = box_about(std::array<Point, 3>{box.low, box.high, p});
-    const std::size_t first = boxes.vertices.size();
-    boxes.vertices.insert(boxes.vertices.end(), {box.low, box.high, occluder.corners[0]});
-    boxes.triangles.push_back({first, first + 1, first + 2});
+    boxes.push_back(box);
   }
-  if (!occluders_.empty()) tree_.emplace(boxes);
+  tree_ = BoxTree(std::move(boxes));
 }
 
 FacetCorners FacetScene::facet(std::size_t triangle) const {
@@ -546,17 +543,15 @@ FacetPair FacetScene::pair(std::size_t first, std::size_t second) const {
     out.sight = PairSight::hidden;
     return out;
   }
-  if (tree_) {
-    const BoundingBox box = hull_box(a, b);
-    tree_->visit(
-        [&](const BoundingBox& other) { return !apart(box, other); },
-        [&](std::size_t k) {
-          if (!lies_within(first, occluders_[k].solid) && may_stand_between(occluders_[k], first, second))
-            out.occluders.push_back(k);
-          return true;
-        });
-    std::sort(out.occluders.begin(), out.occluders.end());
-  }
+  const BoundingBox box = hull_box(a, b);
+  tree_.visit(
+      [&](const BoundingBox& other) { return !apart(box, other); },
+      [&](std::size_t k) {
+        if (!lies_within(first, occluders_[k].solid) && may_stand_between(occluders_[k], first, second))
+          out.occluders.push_back(k);
+        return true;
+      });
+  std::sort(out.occluders.begin(), out.occluders.end());
   out.sight = out.occluders.empty() ? PairSight::whole : PairSight::mixed;
   for (const std::size_t k : out.occluders)
     if (hides(occluders_[k], first, second)) {

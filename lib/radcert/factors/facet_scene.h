@@ -121,7 +121,7 @@ private:
   std::vector<std::size_t> occluder_triangle_;  ///< a triangle of each
   std::vector<bool> is_body_;
   std::vector<std::vector<std::size_t>> bodies_of_;  ///< for each triangle the bodies that it lies within
-  std::optional<BoxTree> tree_;                      ///< of the occluders' boxes
+  BoxTree tree_;                                     ///< of the occluders' boxes
 };
 
 }  // namespace radcert

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "radcert/geometry/triangle_mesh.h"
@@ -28,52 +30,108 @@ template <std::size_t count>
   return box;
 }
 
-/// A tree of boxes about the triangles of a mesh, for questions that most boxes answer.
-/// Maths     each node's box holds those below it; halves at the median of the widest side
-/// Source    in place of CGAL's AABB_tree, which tests closed segments: it hides what ends on a triangle, or
-///           must list all that is met
-/// Requires  finite coordinates
-/// Result    visit() shows every triangle whose box and all boxes above it `accept` lets pass, always in the
-///           same order: the boxes are exact, so nothing is lost where accept refuses only what it may
-/// Limits    decides nothing about the triangles themselves
+/// The smallest box about two; exact.
+[[nodiscard]] inline BoundingBox hull(const BoundingBox& a, const BoundingBox& b) {
+  return box_about(std::array{a.low, a.high, b.low, b.high});
+}
+
+/// The box of each triangle of a mesh; exact.
+[[nodiscard]] std::vector<BoundingBox> triangle_boxes(const TriangleMesh& mesh);
+
+/// A tree of boxes, for questions that most boxes answer.
+/// Maths     each node's box holds those below it; what is below is parted at the median of the points along
+///           the widest side of the box about them
+/// Source    ours; why not CGAL's: see CONTRIBUTING.md
+/// Requires  finite points, as many as boxes; leaf_size >= 1
+/// Result    leaves hold leaf_size numbers of boxes, the last one maybe fewer; order() has these numbers leaf
+///           by leaf. Walks go through the leaves in this order. Boxes are exact, so nothing is lost where
+///           accept refuses only what it may
+/// Limits    decides nothing about what is in the boxes; immutable, shared by threads
 class BoxTree {
 public:
-  explicit BoxTree(const TriangleMesh& mesh);
+  static constexpr std::size_t usual_leaf_size = 4;
 
-  /// accept(box) -> whether to look into it; found(triangle) -> whether to go on. Whether found never said
-  /// no.
-  template <class Accept, class Found>
-  bool visit(Accept&& accept, Found&& found) const {
+  BoxTree() = default;
+  /// Boxes, and a point of each to part them by.
+  BoxTree(std::vector<BoundingBox> boxes, std::span<const Vector<double>> points,
+          std::size_t leaf_size = usual_leaf_size);
+  /// Boxes, parted by their middles.
+  explicit BoxTree(std::vector<BoundingBox> boxes);
+
+  [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+  /// About all boxes; ContractViolation where there are none.
+  [[nodiscard]] const BoundingBox& box() const;
+
+  /// accept(box) -> whether to look into it; leaf(begin, end) -> whether to go on, with places in order().
+  /// Whether no leaf said no.
+  template <class Accept, class Leaf>
+  bool visit_leaves(Accept&& accept, Leaf&& leaf) const {
     for (std::size_t k = 0; k < nodes_.size();) {
       const Node& node = nodes_[k];
       if (!accept(node.box)) {
         k = node.next;
         continue;
       }
-      for (std::size_t i = node.begin; i < node.end; ++i)
-        if (accept(boxes_[i]) && !found(triangles_[i])) return false;
+      if (node.begin < node.end && !leaf(node.begin, node.end)) return false;
       ++k;
     }
     return true;
   }
 
-  /// About all triangles; ContractViolation where there are none.
-  [[nodiscard]] const BoundingBox& box() const;
+  /// accept(box) -> whether to look into it; found(number) -> whether to go on, for each box that accept lets
+  /// pass with all above it. Whether found never said no.
+  template <class Accept, class Found>
+  bool visit(Accept&& accept, Found&& found) const {
+    return visit_leaves(accept, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (accept(boxes_[i]) && !found(order_[i])) return false;
+      return true;
+    });
+  }
+
+  /// Looks for the number of the greatest value: upper(box) bounds the values in a box, look(number) returns
+  /// the greatest value so far. Of two halves the one that promises more is looked into first, and none that
+  /// promises no more than was found.
+  template <class Upper, class Look>
+  void search(double least, Upper&& upper, Look&& look) const {
+    struct Pending {
+      std::size_t node;
+      double upper;
+    };
+    std::vector<Pending> pending;
+    if (!nodes_.empty()) pending.push_back({0, upper(nodes_[0].box)});
+    while (!pending.empty()) {
+      const Pending next = pending.back();
+      pending.pop_back();
+      if (next.upper <= least) continue;
+      const Node& node = nodes_[next.node];
+      if (node.begin == node.end) {
+        const std::size_t first = next.node + 1;
+        const std::size_t second = nodes_[first].next;
+        std::array<Pending, 2> halves{
+            {{first, upper(nodes_[first].box)}, {second, upper(nodes_[second].box)}}};
+        if (halves[0].upper > halves[1].upper) std::swap(halves[0], halves[1]);
+        pending.insert(pending.end(), halves.begin(), halves.end());
+      }
+      for (std::size_t i = node.begin; i < node.end; ++i) least = look(order_[i]);
+    }
+  }
 
 private:
   /// In the order of a walk, the first child behind its parent; `next` skips what is below. Leaves alone have
-  /// triangles.
+  /// numbers, order_[begin], ..., order_[end - 1].
   struct Node {
     BoundingBox box;
     std::size_t next = 0;
     std::size_t begin = 0;
     std::size_t end = 0;
   };
-  void build(std::size_t begin, std::size_t end);
+  void build(std::span<const Vector<double>> points, std::size_t leaf_size, std::size_t begin,
+             std::size_t end);
 
   std::vector<Node> nodes_;
-  std::vector<BoundingBox> boxes_;      ///< of triangles_[i]
-  std::vector<std::size_t> triangles_;  ///< in the order of the leaves
+  std::vector<BoundingBox> boxes_;  ///< of order_[i]
+  std::vector<std::size_t> order_;
 };
 
 }  // namespace radcert

@@ -17,10 +17,6 @@ constexpr std::size_t leaf_size = 8;
 // What underflow may take from a product of two differences is below 2^-1074, and coordinates are below 1e61.
 constexpr double underflow = 1e-250;
 
-double coordinate(const Vector<double>& v, std::size_t axis) {
-  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
-}
-
 /// The distance beyond a plane, times the length of its normal, with a bound of what rounding does to it.
 class PlaneFunction {
 public:
@@ -70,36 +66,15 @@ private:
 
 }  // namespace
 
-VertexTree::VertexTree(const std::vector<Vector<double>>& points, std::vector<std::size_t> numbers)
+VertexTree::VertexTree(std::span<const Vector<double>> points, std::vector<std::size_t> numbers)
     : numbers_(std::move(numbers)) {
   expects(!numbers_.empty(), "at least one vertex");
-  points_ = points;
-  build(0, numbers_.size());
-}
-
-std::size_t VertexTree::build(std::size_t begin, std::size_t end) {
-  const std::size_t here = nodes_.size();
-  nodes_.emplace_back();
-  Node node{.low = points_[numbers_[begin]], .high = points_[numbers_[begin]], .begin = begin, .end = end};
-  for (std::size_t i = begin; i < end; ++i) {
-    const Vector<double>& v = points_[numbers_[i]];
-    node.low = {std::min(node.low.x, v.x), std::min(node.low.y, v.y), std::min(node.low.z, v.z)};
-    node.high = {std::max(node.high.x, v.x), std::max(node.high.y, v.y), std::max(node.high.z, v.z)};
+  std::vector<BoundingBox> boxes;
+  for (const std::size_t k : numbers_) {
+    points_.push_back(points[k]);
+    boxes.push_back({points[k], points[k]});
   }
-  if (end - begin > leaf_size) {
-    const Vector<double> size = node.high - node.low;
-    const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto first = numbers_.begin();
-    std::nth_element(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(middle),
-                     first + static_cast<std::ptrdiff_t>(end), [&](std::size_t i, std::size_t j) {
-                       return coordinate(points_[i], axis) < coordinate(points_[j], axis);
-                     });
-    node.child[0] = build(begin, middle);
-    node.child[1] = build(middle, end);
-  }
-  nodes_[here] = node;
-  return here;
+  tree_ = BoxTree(std::move(boxes), points_, leaf_size);
 }
 
 std::optional<std::size_t> VertexTree::farthest_beyond(const Vector<double>& a, const Vector<double>& b,
@@ -107,34 +82,17 @@ std::optional<std::size_t> VertexTree::farthest_beyond(const Vector<double>& a, 
   const PlaneFunction plane(a, b, c);
   std::optional<std::size_t> farthest;
   double best = 0;
-  struct Pending {
-    std::size_t node;
-    double upper;
-  };
-  std::vector<Pending> pending{{0, plane.upper(nodes_[0].low, nodes_[0].high)}};
-  while (!pending.empty()) {
-    const Pending next = pending.back();
-    pending.pop_back();
-    if (next.upper <= best) continue;
-    const Node& node = nodes_[next.node];
-    if (node.child[0] != 0) {
-      std::array<Pending, 2> halves;
-      for (std::size_t i = 0; i < 2; ++i)
-        halves[i] = {node.child[i], plane.upper(nodes_[node.child[i]].low, nodes_[node.child[i]].high)};
-      if (halves[0].upper > halves[1].upper) std::swap(halves[0], halves[1]);
-      pending.insert(pending.end(), halves.begin(), halves.end());
-      continue;
-    }
-    for (std::size_t i = node.begin; i < node.end; ++i) {
-      const Vector<double>& v = points_[numbers_[i]];
-      const auto range = plane.at(v);
-      if (farthest ? range.value > best : range.value + range.error > 0) {
-        if (!plane.beyond(v, range)) continue;
-        farthest = numbers_[i];
-        best = std::max(best, range.value);
-      }
-    }
-  }
+  tree_.search(
+      best, [&](const BoundingBox& box) { return plane.upper(box.low, box.high); },
+      [&](std::size_t k) {
+        const auto range = plane.at(points_[k]);
+        if ((farthest ? range.value > best : range.value + range.error > 0) &&
+            plane.beyond(points_[k], range)) {
+          farthest = numbers_[k];
+          best = std::max(best, range.value);
+        }
+        return best;
+      });
   return farthest;
 }
 

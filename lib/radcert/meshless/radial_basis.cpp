@@ -10,15 +10,13 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/expression/batch.h"
+#include "radcert/geometry/box_tree.h"
 #include "radcert/geometry/neighbour_tree.h"
 #include "radcert/meshless/radial_element.h"
-#include "radcert/meshless/support_tree.h"
 #include "radcert/scalar/pack.h"
 
 namespace radcert {
 namespace {
-
-static_assert(SupportTree::leaf_size == Pack::lanes, "a leaf is looked at in one pack");
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -35,6 +33,15 @@ std::optional<std::pair<std::size_t, std::size_t>> coincident(const SiteSet& sit
       return false;
     });
   return found;
+}
+
+/// About the ball, so much wider that no rounding of a distance, or of a normal's length, puts what is in the
+/// ball outside.
+BoundingBox box_about_ball(const Vector<double>& centre, double radius) {
+  const double size = std::max({std::abs(centre.x), std::abs(centre.y), std::abs(centre.z)});
+  const double width = radius * (1 + 0x1p-40) + size * 0x1p-50;
+  const Vector<double> half{width, width, width};
+  return {centre - half, centre + half};
 }
 
 /// Numbers of the sites in the order of the tree, padded to whole packs.
@@ -79,7 +86,7 @@ struct RadialBasis::Parts {
   std::vector<double> radii;
   double support = infinite;                     ///< in relative distance
   std::optional<CompiledExpression> expression;  ///< the mother function, where it is one
-  SupportTree tree;                              ///< leaves alone matter where there is no support
+  BoxTree tree;                                  ///< of the supports; a leaf is looked at in one pack
   SiteArrays arrays;
 
   void gather(const Site<double>& p, BasisValues& out) const;
@@ -103,7 +110,7 @@ void RadialBasis::Parts::look_at_leaf(std::size_t begin, const Site<double>& p, 
   const Pack cosine = dot({Pack(p.normal.x), Pack(p.normal.y), Pack(p.normal.z)}, normal);
   const Pack relative =
       distance == SiteDistance::normal_sensitive ? length / (radius * cosine) : length / radius;
-  const std::size_t end = std::min(begin + SupportTree::leaf_size, sites.size());
+  const std::size_t end = std::min(begin + Pack::lanes, sites.size());
   for (std::size_t i = begin; i < end; ++i) {
     const double c = cosine.lane(i - begin);
     const double r = relative.lane(i - begin);
@@ -119,9 +126,18 @@ void RadialBasis::Parts::look_at_leaf(std::size_t begin, const Site<double>& p, 
 template <SiteDistance distance>
 void RadialBasis::Parts::gather_by(const Site<double>& p, BasisValues& out) const {
   if (support < infinite) {
-    tree.visit_leaves(p.point, [&](std::size_t begin) { look_at_leaf<distance>(begin, p, out); });
+    const Vector<double>& at = p.point;
+    tree.visit_leaves(
+        [&](const BoundingBox& box) {
+          return box.low.x <= at.x && at.x <= box.high.x && box.low.y <= at.y && at.y <= box.high.y &&
+                 box.low.z <= at.z && at.z <= box.high.z;
+        },
+        [&](std::size_t begin, std::size_t) {
+          look_at_leaf<distance>(begin, p, out);
+          return true;
+        });
   } else {
-    for (std::size_t begin = 0; begin < sites.size(); begin += SupportTree::leaf_size)
+    for (std::size_t begin = 0; begin < sites.size(); begin += Pack::lanes)
       look_at_leaf<distance>(begin, p, out);
   }
 }
@@ -182,9 +198,10 @@ Outcome<RadialBasis> RadialBasis::make(SiteSet sites, RadialBasisChoice choice) 
   if (choice.mother.support) parts->support = choice.mother.support->to_double();
   if (choice.mother.kind == MotherKind::expression) parts->expression.emplace(choice.mother.expression);
 
-  std::vector<double> supports = parts->radii;
-  for (double& radius : supports) radius *= parts->support;
-  parts->tree = SupportTree(sites.points, supports);
+  std::vector<BoundingBox> supports;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    supports.push_back(box_about_ball(sites.points[i], parts->radii[i] * parts->support));
+  parts->tree = BoxTree(std::move(supports), sites.points, Pack::lanes);
   for (const std::size_t i : parts->tree.order())
     parts->arrays.add(sites.points[i], sites.normals[i], parts->radii[i]);
   while (parts->arrays.x.size() < padded<double>(sites.size())) parts->arrays.add({}, {}, 1);

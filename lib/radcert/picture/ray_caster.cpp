@@ -119,7 +119,7 @@ std::optional<double> distance_to(const DiskBlocker& disk, const Vector<double>&
 
 struct RayCaster::Parts {
   std::vector<LitTriangle> triangles;  ///< of a mesh, in its order
-  std::optional<BoxTree> tree;
+  BoxTree tree;
   std::vector<RoundBody> bodies;
 };
 
@@ -138,7 +138,7 @@ Outcome<RayCaster> RayCaster::make(const Surface& surface, std::span<const Round
       triangle.normal = lit_point(surface, {.chart = k, .at = {0.25, 0.25}}).site.normal;
       parts->triangles.push_back(triangle);
     }
-    if (!parts->triangles.empty()) parts->tree.emplace(*surface.mesh);
+    parts->tree = BoxTree(triangle_boxes(*surface.mesh));
   }
   std::vector<std::string> without_body = surface.mesh ? std::vector<std::string>() : surface.piece_names();
   for (const RoundBlocker& blocker : bodies) {
@@ -167,19 +167,18 @@ std::optional<RayHit> RayCaster::first(const Vector<double>& eye, const Vector<d
     if (distance < best.distance)
       best = {.at = {.site = site, .chart = chart}, .distance = distance, .face = face};
   };
-  if (parts_->tree)
-    (void)parts_->tree->visit(
-        [&](const BoundingBox& box) { return may_meet(box, eye, step, best.distance); },
-        [&](std::size_t k) {
-          const LitTriangle& triangle = parts_->triangles[k];
-          if (!meets(triangle, eye, through)) return true;
-          const auto part = weights(triangle, eye, step);
-          if (!part) return true;
-          const Vector<double> point = (*part)[0] * triangle.corners[0] + (*part)[1] * triangle.corners[1] +
-                                       (*part)[2] * triangle.corners[2];
-          take({point, triangle.normal}, k, dot(point - eye, step) / dot(step, step), triangle.face);
-          return true;
-        });
+  (void)parts_->tree.visit(
+      [&](const BoundingBox& box) { return may_meet(box, eye, step, best.distance); },
+      [&](std::size_t k) {
+        const LitTriangle& triangle = parts_->triangles[k];
+        if (!meets(triangle, eye, through)) return true;
+        const auto part = weights(triangle, eye, step);
+        if (!part) return true;
+        const Vector<double> point = (*part)[0] * triangle.corners[0] + (*part)[1] * triangle.corners[1] +
+                                     (*part)[2] * triangle.corners[2];
+        take({point, triangle.normal}, k, dot(point - eye, step) / dot(step, step), triangle.face);
+        return true;
+      });
   for (const RoundBody& body : parts_->bodies) {
     if (const auto* ball = std::get_if<BallBlocker>(&body.shape)) {
       if (const auto t = distance_to(*ball, eye, step)) {

@@ -98,7 +98,7 @@ Scene::Scene(TriangleMesh mesh)
     : mesh_(checked(std::move(mesh))),
       vertices_(joined(mesh_)),
       plane_(planes_of(mesh_)),
-      tree_(mesh_),
+      tree_(triangle_boxes(mesh_)),
       lowest_exponent_(exponent_of(mesh_)) {}
 
 std::vector<SceneFault> scene_faults(const TriangleMesh& mesh) {
