@@ -78,14 +78,15 @@ Case gauss(int points, IntervalWeight weight, const std::string& about) {
 }
 
 Case enclosed_gauss(int points) {
-  return {.limit = "polynomial/gauss: doublings of an enclosed zero's digits",
-          .answer =
-              [points] { return numbers(nodes_and_weights(gauss_rule<Ball>(points, IntervalWeight::one))); },
-          .truth =
-              [points] {
-                const BallPrecision precision(600);
-                return nodes_and_weights(gauss_rule<Ball>(points, IntervalWeight::one));
-              }};
+  return {
+      .limit = "polynomial/gauss: doublings of an enclosed zero's digits",
+      .answer =
+          [points] { return numbers(nodes_and_weights(gauss_rule<Ball>(points, IntervalWeight::variable))); },
+      .truth =
+          [points] {
+            const BallPrecision precision(600);
+            return nodes_and_weights(gauss_rule<Ball>(points, IntervalWeight::variable));
+          }};
 }
 
 /// Of nodes on an inset lattice.

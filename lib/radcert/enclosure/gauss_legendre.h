@@ -2,25 +2,15 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
+#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/scalar/ball.h"
 
 namespace radcert {
 
-/// The Gauss-Legendre rule on [-1, 1], enclosed.
-/// Maths     the zeros x_k of the Legendre polynomial P_n, ascending, and w_k = 2 / ((1 - x_k^2) P_n'(x_k)^2)
-/// Source    Arb's arb_hypgeom_legendre_p_ui_root: F. Johansson, M. Mezzarobba, "Fast and rigorous
-///           arbitrary-precision computation of Gauss-Legendre quadrature nodes and weights", 2018
-/// Requires  n >= 1, else ContractViolation
-/// Result    enclosed at BallPrecision::current(); made once for each n and precision, safe to ask for from
-///           several threads
+/// legendre_rule, made once for each n and BallPrecision::current(); safe to ask for from several threads.
 /// Limits    kept until the program ends
-struct EnclosedGaussRule {
-  std::vector<Ball> nodes;
-  std::vector<Ball> weights;
-};
-[[nodiscard]] std::shared_ptr<const EnclosedGaussRule> enclosed_gauss_rule(int n);
+[[nodiscard]] std::shared_ptr<const IntervalRule<Ball>> enclosed_gauss_rule(int n);
 
 /// The error of the n-point Gauss-Legendre rule for an analytic function.
 /// Maths     f analytic and |f| <= M in the closed ellipse E_rho with foci -1, 1 and half axes (rho +

@@ -134,8 +134,8 @@ private:
 
   bool by_rule(const RuleChoice& x, const RuleChoice& y) {
     if (!take(static_cast<long>(x.nodes) * y.nodes)) return false;
-    const std::shared_ptr<const EnclosedGaussRule> in_x = enclosed_gauss_rule(x.nodes);
-    const std::shared_ptr<const EnclosedGaussRule> in_y = enclosed_gauss_rule(y.nodes);
+    const std::shared_ptr<const IntervalRule<Ball>> in_x = enclosed_gauss_rule(x.nodes);
+    const std::shared_ptr<const IntervalRule<Ball>> in_y = enclosed_gauss_rule(y.nodes);
     const Ball middle_x = (Ball(cell_.sides.x_low) + Ball(cell_.sides.x_high)) / 2;
     const Ball middle_y = (Ball(cell_.sides.y_low) + Ball(cell_.sides.y_high)) / 2;
     std::vector<Ball> abscissae_y;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/polynomial/rules/gauss.h"
 
+#include <arb.h>
+#include <arb_hypgeom.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -89,46 +92,73 @@ IntervalRule<R> compute(int points, int b) {
   return rule;
 }
 
-/// A ball around the zero of P near z and nowhere else: Newton's method on exact midpoints, then Newton's
-/// operator.
-Ball enclosed_zero(int points, int b, double z) {
+/// A ball around the zero of P^(0,1) near z and nowhere else: Newton's method on exact midpoints, then
+/// Newton's operator.
+Ball enclosed_zero(int points, double z) {
   Ball middle(z);
   Ball step(1);
   // Each step doubles the digits: from those of a double to those of the largest precision there is.
   for (long k = 0;
        k < doublings.value() && !certainly_less(abs(step), power(Ball(2), -BallPrecision::current())); ++k) {
-    const ValueAndSlope<Ball> p = jacobi(points, b, middle);
+    const ValueAndSlope<Ball> p = jacobi(points, 1, middle);
     step = (p.value / p.slope).midpoint();
     middle = (middle - step).midpoint();
   }
-  const ValueAndSlope<Ball> p = jacobi(points, b, middle);
+  const ValueAndSlope<Ball> p = jacobi(points, 1, middle);
   const Ball around = widened(middle, Ball(2) * (p.value / p.slope));
-  const Ball zero = middle - p.value / jacobi(points, b, around).slope;
+  const Ball zero = middle - p.value / jacobi(points, 1, around).slope;
   // N(X) in X: P has exactly one zero in X, and it lies in N(X).
   return around.contains(zero) ? zero : Ball::failed("a Gauss rule's zero was not isolated");
 }
 
-IntervalRule<Ball> enclosed(int points, IntervalWeight weight) {
-  const int b = weight == IntervalWeight::variable ? 1 : 0;
+/// The rule for the weight x.
+IntervalRule<Ball> enclosed_variable(int points) {
   IntervalRule<Ball> rule;
   // Newer and older term of the recurrence have factors below 2 and 1: a radius grows by less than two bits a
   // step.
   const BallPrecision guarded(BallPrecision::current() + 2 * points + 40);
   std::vector<Ball> zeros;
-  for (const double node : gauss_rule<double>(points, weight).nodes) {
-    zeros.push_back(enclosed_zero(points, b, 2 * node - 1));
+  for (const double node : gauss_rule<double>(points, IntervalWeight::variable).nodes) {
+    zeros.push_back(enclosed_zero(points, 2 * node - 1));
     if (zeros.size() > 1 && !certainly_less(zeros[zeros.size() - 2], zeros.back()))
       zeros.back() = Ball::failed("two zeros of a Gauss rule were not told apart");
   }
   for (const Ball& z : zeros) {
-    const Ball slope = jacobi(points, b, z).slope;
+    const Ball slope = jacobi(points, 1, z).slope;
     rule.nodes.push_back((Ball(1) + z) / Ball(2));
     rule.weights.push_back(Ball(1) / ((Ball(1) - z) * (Ball(1) + z) * slope * slope));
   }
   return rule;
 }
 
+/// The rule for the weight 1.
+IntervalRule<Ball> enclosed_one(int points) {
+  IntervalRule<Ball> rule = legendre_rule(points);
+  for (Ball& node : rule.nodes) node = (1 + node) / 2;
+  for (Ball& weight : rule.weights) weight = weight / 2;
+  return rule;
+}
+
 }  // namespace
+
+IntervalRule<Ball> legendre_rule(int points) {
+  expects(points >= 1, "points >= 1", named("points", points));
+  IntervalRule<Ball> rule;
+  arb_t node;
+  arb_t weight;
+  arb_init(node);
+  arb_init(weight);
+  // Arb's zeros descend.
+  for (int k = points - 1; k >= 0; --k) {
+    arb_hypgeom_legendre_p_ui_root(node, weight, static_cast<ulong>(points), static_cast<ulong>(k),
+                                   BallPrecision::current());
+    rule.nodes.push_back(Ball::from_arb(node, "a Gauss node without a bound"));
+    rule.weights.push_back(Ball::from_arb(weight, "a Gauss weight without a bound"));
+  }
+  arb_clear(node);
+  arb_clear(weight);
+  return rule;
+}
 
 template <Real R>
 IntervalRule<R> gauss_rule(int points, IntervalWeight weight) {
@@ -141,7 +171,7 @@ IntervalRule<R> gauss_rule(int points, IntervalWeight weight) {
     for (const long double w : exact.weights) rule.weights.push_back(static_cast<double>(w));
     return rule;
   } else if constexpr (std::is_same_v<R, Ball>) {
-    return enclosed(points, weight);
+    return weight == IntervalWeight::one ? enclosed_one(points) : enclosed_variable(points);
   } else {
     return compute<R>(points, b);
   }

@@ -9,7 +9,7 @@
 
 namespace radcert {
 
-/// Nodes and weights of a rule on [0,1].
+/// Nodes and weights of a rule on an interval.
 template <Field R>
 struct IntervalRule {
   std::vector<R> nodes;  ///< ascending
@@ -29,8 +29,9 @@ enum class IntervalWeight {
 /// Requires  1 <= points <= 192, else ContractViolation
 /// Result    double: computed in long double and rounded once, so nodes and weights are within one unit in
 ///           the last place; long double, Mpfr<50>: within 4 points^2 units, as the node next to 0 is a
-///           difference; Ball: enclosed, at BallPrecision::current() and narrow: a zero of P for each node,
-///           proved by Newton's operator N(X) = z - P(z)/P'(X) in X, and no zero for two of them
+///           difference; Ball: enclosed, at BallPrecision::current() and narrow: for the weight 1 from
+///           legendre_rule; for x a zero of P for each node, proved by Newton's operator N(X) = z -
+///           P(z)/P'(X) in X, and no zero for two of them
 /// Limits    arithmetics: double, long double, Mpfr<50>, Ball
 template <Real R>
 IntervalRule<R> gauss_rule(int points, IntervalWeight weight);
@@ -39,5 +40,13 @@ extern template IntervalRule<double> gauss_rule<double>(int, IntervalWeight);
 extern template IntervalRule<long double> gauss_rule<long double>(int, IntervalWeight);
 extern template IntervalRule<Mpfr<50>> gauss_rule<Mpfr<50>>(int, IntervalWeight);
 extern template IntervalRule<Ball> gauss_rule<Ball>(int, IntervalWeight);
+
+/// The Gauss-Legendre rule on [-1, 1], enclosed.
+/// Maths     the zeros x_k of the Legendre polynomial P_n, ascending, and w_k = 2 / ((1 - x_k^2) P_n'(x_k)^2)
+/// Source    Arb's arb_hypgeom_legendre_p_ui_root: F. Johansson, M. Mezzarobba, "Fast and rigorous
+///           arbitrary-precision computation of Gauss-Legendre quadrature nodes and weights", 2018
+/// Requires  points >= 1, else ContractViolation
+/// Result    enclosed at BallPrecision::current()
+[[nodiscard]] IntervalRule<Ball> legendre_rule(int points);
 
 }  // namespace radcert
