@@ -65,6 +65,8 @@ std::optional<int> winding_number(const std::vector<PolygonLoop>& loops) {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Corner& from = loop[k];
       const Corner& to = loop[(k + 1) % loop.size()];
+      // Above or below the origin a side neither holds it nor crosses the half-line to its right.
+      if (from.t.sign() * to.t.sign() > 0) continue;
       const int side = cross(from, to).sign();
       if (side == 0 && (from.s * to.s + from.t * to.t).sign() <= 0) return std::nullopt;
       const bool from_above = from.t.sign() > 0;
