@@ -56,12 +56,8 @@ TEST(InterpolationSystem, HasTheValuesThatItWasGiven) {
     ASSERT_TRUE(system) << system.reason();
     const std::vector<double> c = system->solve(f);
     const double tolerance = 1e-15 * system->condition();
-    const std::vector<double> back = system->values_at_sites(c);
     const auto by_basis = basis.at(points, c);
-    for (std::size_t i = 0; i < f.size(); ++i) {
-      EXPECT_NEAR(back[i], f[i], 1e-13 + tolerance);
-      EXPECT_NEAR(by_basis[i].value(), f[i], 1e-13 + tolerance);
-    }
+    for (std::size_t i = 0; i < f.size(); ++i) EXPECT_NEAR(by_basis[i].value(), f[i], 1e-13 + tolerance);
   }
 }
 
@@ -70,7 +66,6 @@ TEST(InterpolationSystem, OfAnInterpolationBasisIsTheUnitMatrix) {
   const auto system = InterpolationSystem::make(RadialBasis::make(sites, shepard_basis()).value());
   ASSERT_TRUE(system);
   EXPECT_EQ(system->condition(), 1);
-  EXPECT_DOUBLE_EQ(system->density(), 1.0 / static_cast<double>(sites.size()));
   const std::vector<double> f(sites.size(), 0.25);
   EXPECT_EQ(system->solve(f), f);
 }
@@ -80,12 +75,15 @@ TEST(InterpolationSystem, EstimatesTheConditionFromBelow) {
   const std::size_t n = sites.size();
   for (const RadialBasisChoice& choice : choices()) {
     SCOPED_TRACE(choice.mother.to_text());
-    const auto system = InterpolationSystem::make(RadialBasis::make(sites, choice).value());
+    const RadialBasis basis = RadialBasis::make(sites, choice).value();
+    const auto system = InterpolationSystem::make(basis);
     ASSERT_TRUE(system) << system.reason();
     double norm = 0;
     double inverse_norm = 0;
     for (std::size_t j = 0; j < n; ++j) {
-      norm = std::max(norm, one_norm(system->values_at_sites(unit(n, j))));
+      double column = 0;
+      for (std::size_t i = 0; i < n; ++i) column += std::abs(basis.at(sites[i], unit(n, j)).value());
+      norm = std::max(norm, column);
       inverse_norm = std::max(inverse_norm, one_norm(system->solve(unit(n, j))));
     }
     EXPECT_LE(system->condition(), norm * inverse_norm * (1 + 1e-10));
@@ -110,7 +108,6 @@ TEST(InterpolationSystem, RefusesVectorsOfAnotherSize) {
   const auto system = InterpolationSystem::make(RadialBasis::make(sites, lehtinen_basis()).value());
   ASSERT_TRUE(system) << system.reason();
   EXPECT_THROW(static_cast<void>(system->solve(std::vector<double>(3))), ContractViolation);
-  EXPECT_THROW(static_cast<void>(system->values_at_sites(std::vector<double>(3))), ContractViolation);
 }
 
 }  // namespace

@@ -102,17 +102,6 @@ void InterpolationSystem::solve_columns(Matrix<double>& matrix) const {
   });
 }
 
-std::vector<double> InterpolationSystem::values_at_sites(std::span<const double> c) const {
-  expects(static_cast<Eigen::Index>(c.size()) == parts_->matrix.cols(), "a coefficient for each site",
-          named("coefficients", c.size()));
-  return numbers(parts_->matrix * vector(c));
-}
-
-double InterpolationSystem::density() const {
-  const auto n = static_cast<double>(parts_->matrix.rows());
-  return static_cast<double>(parts_->matrix.nonZeros()) / (n * n);
-}
-
 // The 1-norm of the inverse: |A^-1 x|_1 is convex, so its maximum over the unit ball is at a corner e_j; the
 // gradient shows which.
 double InterpolationSystem::condition() const {

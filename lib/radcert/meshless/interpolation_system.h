@@ -29,12 +29,8 @@ public:
   /// A^-1 M in place of M, on all threads; the bits do not depend on their number. ContractViolation unless M
   /// has n rows.
   void solve_columns(Matrix<double>& matrix) const;
-  /// A c: the values at the sites. ContractViolation unless there are n coefficients.
-  [[nodiscard]] std::vector<double> values_at_sites(std::span<const double> c) const;
   /// An estimate, from below, of the condition in the 1-norm, |A| |A^-1|: Hager (1984), Higham (1988).
   [[nodiscard]] double condition() const;
-  /// The part of the matrix that is not zero.
-  [[nodiscard]] double density() const;
 
 private:
   struct Parts;
