@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -15,11 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/parallel.h"
-#include "radcert/core/version.h"
 #include "radcert/expression/parse.h"
 #include "radcert/meshless/sampling.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
@@ -73,13 +70,11 @@ TEST(TransferMatrix, HasOneValueInAUnitSphere) {
   std::vector<double> weights(sites.size());
   for (std::size_t j = 0; j < weights.size(); ++j) weights[j] = 1 + static_cast<double>(j);
   const LightScene scene = LightScene::make(sphere(), {0.75}).value();
-  const Matrix<double> physical = point_light_transfer(scene, sites, weights);
-  const Matrix<double> printed = point_light_transfer(scene, sites, weights, TransferFactor::as_printed);
+  const Matrix<double> matrix = point_light_transfer(scene, sites, weights);
   for (std::size_t j = 0; j < sites.size(); ++j)
     for (std::size_t i = 0; i < sites.size(); ++i) {
       const double expected = i == j ? 0 : 0.75 / (4 * pi) * weights[j];
-      ASSERT_NEAR(physical(i, j), expected, 1e-11 * weights[j]) << i << " " << j;
-      ASSERT_EQ(printed(i, j), physical(i, j) / 2) << i << " " << j;
+      ASSERT_NEAR(matrix(i, j), expected, 1e-11 * weights[j]) << i << " " << j;
     }
 }
 
@@ -385,86 +380,6 @@ TEST(LightTransfer, RefusesWhatSitesAndBasesRefuse) {
   choice = on_sphere(shepard_basis(), CoefficientRule::as_values);
   choice.weights = WeightRule::plane;
   EXPECT_FALSE(LightTransfer::make(scene, choice));
-}
-
-class TransferFile : public ::testing::Test {
-protected:
-  TransferFile() {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  ~TransferFile() override { std::filesystem::remove_all(folder_); }
-  TransferFile(const TransferFile&) = delete;
-  TransferFile& operator=(const TransferFile&) = delete;
-
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      (std::string("radcert_transfer_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
-  std::filesystem::path path_ = folder_ / "r.transfer";
-  LightScene scene_ = LightScene::make(sphere(), {0.5}).value();
-  TransferChoice choice_ = on_sphere(narrow_basis(), CoefficientRule::interpolated);
-
-  [[nodiscard]] std::string refusal(const LightScene& scene, const TransferChoice& choice) const {
-    return input_error([&] { static_cast<void>(LightTransfer::read(scene, choice, path_)); });
-  }
-};
-
-TEST_F(TransferFile, GivesBackTheSameBits) {
-  const LightTransfer made = LightTransfer::make(scene_, choice_).value();
-  made.write(path_);
-  const LightTransfer back = LightTransfer::read(scene_, choice_, path_).value();
-  for (std::size_t j = 0; j < made.matrix().columns(); ++j)
-    ASSERT_TRUE(std::ranges::equal(made.matrix().column(j), back.matrix().column(j)));
-  const Light light = ParallelLight{.towards = {0, 0, 1}, .power = 1};
-  EXPECT_EQ(made.solve(light)->total, back.solve(light)->total);
-}
-
-TEST_F(TransferFile, OfAnotherSceneIsRefusedByName) {
-  LightTransfer::make(scene_, choice_)->write(path_);
-  EXPECT_THAT(refusal(LightScene::make(sphere(), {0.25}).value(), choice_), HasSubstr("another scene"));
-  EXPECT_THAT(refusal(LightScene::make(ellipsoid(1, 1, 2), {0.5}).value(), choice_),
-              HasSubstr("another scene"));
-  EXPECT_THAT(refusal(LightScene::make(sphere(), {0.5},
-                                       {{.shape = BallBlocker{.centre = {}, .radius = 0.25}, .piece = ""}})
-                          .value(),
-                      choice_),
-              HasSubstr("another scene"));
-  TransferChoice other = choice_;
-  other.meshless.sites = PoissonDiskSites{.separation = 0.4, .seed = 3};
-  EXPECT_THAT(refusal(scene_, other), HasSubstr("other sites"));
-  other = choice_;
-  other.factor = TransferFactor::as_printed;
-  EXPECT_THAT(refusal(scene_, other), HasSubstr("another choice"));
-  other = choice_;
-  other.coefficients = CoefficientRule::as_values;
-  EXPECT_THAT(refusal(scene_, other), HasSubstr("another choice"));
-}
-
-TEST_F(TransferFile, ThatIsDamagedIsRefusedByName) {
-  EXPECT_THAT(refusal(scene_, choice_), HasSubstr("r.transfer"));
-  LightTransfer::make(scene_, choice_)->write(path_);
-  const std::string whole = read_file(path_);
-  const auto changed = [&](const std::string& from, const std::string& to) {
-    std::string text = whole;
-    text.replace(text.find(from), from.size(), to);
-    write_atomically(path_, text);
-    return refusal(scene_, choice_);
-  };
-  EXPECT_THAT(changed("matrix 1", "matrix 2"), HasSubstr("another format"));
-  EXPECT_THAT(changed("version " + std::string(version()), "version 0.0.0"), HasSubstr("another version"));
-  EXPECT_THAT(changed("radcert transfer", "radcert solution"), HasSubstr("no transfer matrix"));
-  EXPECT_THAT(changed("size ", "size x"), HasSubstr("damaged"));
-  EXPECT_THAT(changed("\n\n", "\n "), HasSubstr("damaged"));
-  write_atomically(path_, whole.substr(0, whole.size() - 1));
-  EXPECT_THAT(refusal(scene_, choice_), HasSubstr("damaged"));
-  write_atomically(path_, whole.substr(0, 40));
-  EXPECT_THAT(refusal(scene_, choice_), HasSubstr("damaged"));
-  std::string altered = whole;
-  altered[whole.size() - 5] = static_cast<char>(altered[whole.size() - 5] ^ 1);
-  write_atomically(path_, altered);
-  EXPECT_THAT(refusal(scene_, choice_), HasSubstr("altered"));
-  path_ = folder_ / "missing" / "r.transfer";
-  EXPECT_THROW(LightTransfer::make(scene_, choice_)->write(path_), EnvironmentError);
 }
 
 }  // namespace

@@ -31,7 +31,6 @@ READS_BACK = {
     "lib/radcert/hypotheses/mesh_survey.cpp": "coordinates of the input",
     "lib/radcert/visibility/scene.cpp": "coordinates of the input",
     "lib/radcert/meshless/sampling.cpp": "a parameter of the input",
-    "lib/radcert/meshless/light_solution.cpp": "parameters of the input, as the key of a store",
     "lib/radcert/meshless/light_scene.cpp": "a parameter of the input",
     "lib/radcert/collocation/certified/certified_operator.cpp": "the demand of the caller",
     "lib/radcert/collocation/certified/certified_chart_entries.cpp": "the demand of the caller",

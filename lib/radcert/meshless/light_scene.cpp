@@ -3,12 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <utility>
 
 #include "radcert/core/contract.h"
-#include "radcert/core/digest.h"
 #include "radcert/core/text.h"
 #include "radcert/meshless/surface_cells.h"
 #include "radcert/visibility/surface_scene.h"
@@ -16,53 +14,6 @@
 
 namespace radcert {
 namespace {
-
-void append_bytes(std::string& text, double x) {
-  char bytes[sizeof x];
-  std::memcpy(bytes, &x, sizeof x);
-  text.append(bytes, sizeof x);
-}
-
-void append_bytes(std::string& text, const Vector<double>& v) {
-  for (const double x : {v.x, v.y, v.z}) append_bytes(text, x);
-}
-
-void append_words(std::string& text, const std::string& words) {
-  text.append(std::to_string(words.size())).append(":").append(words);
-}
-
-/// Everything that the digest is of, byte after byte.
-std::string description(const Surface& surface, const std::vector<double>& albedo,
-                        const std::vector<RoundBlocker>& blockers) {
-  std::string text;
-  append_words(text, surface.name);
-  for (const SurfaceParameter& parameter : surface.parameters) {
-    append_words(text, parameter.name);
-    append_words(text, parameter.value.to_text());
-  }
-  for (std::size_t k = 0; k < surface.chart_count(); ++k) {
-    append_words(text, surface.charts[k].facts().name);
-    append_bytes(text, albedo[k]);
-    // A chart is told by its image: the corners of its domain and its middle.
-    const ChartIn<double>& chart = surface.charts[k].in<double>();
-    for (const ParameterPoint<double>& at : {ParameterPoint<double>{0, 0}, {1, 0}, {0, 1}, {0.25, 0.25}})
-      append_bytes(text, chart.frame(at).point);
-    append_bytes(text, chart.frame({0.25, 0.25}).area_normal);
-  }
-  append_words(text, surface.unoccluded ? "unoccluded" : "occluded");
-  for (const RoundBlocker& blocker : blockers) {
-    append_words(text, blocker.piece);
-    if (const auto* ball = std::get_if<BallBlocker>(&blocker.shape)) {
-      append_words(text, "ball");
-      append_bytes(text, ball->centre), append_bytes(text, ball->radius);
-    } else {
-      const auto& disk = *std::get_if<DiskBlocker>(&blocker.shape);
-      append_words(text, "disk");
-      append_bytes(text, disk.centre), append_bytes(text, disk.normal), append_bytes(text, disk.radius);
-    }
-  }
-  return text;
-}
 
 bool fits(const Vector<double>& v) {
   return std::abs(v.x) <= Scene::largest_coordinate && std::abs(v.y) <= Scene::largest_coordinate &&
@@ -105,7 +56,6 @@ struct LightScene::Parts {
   std::vector<std::vector<bool>> owns;  ///< of each blocker, which charts are its skin
   std::unique_ptr<const SurfaceScene> mesh;
   double reach = 0;
-  std::string digest;
 
   [[nodiscard]] std::optional<std::size_t> triangle(std::size_t chart) const {
     return mesh ? std::optional(chart) : std::nullopt;
@@ -144,7 +94,6 @@ Outcome<LightScene> LightScene::make(Surface surface, std::vector<double> albedo
       return because("the surface has no piece " + quotation(blocker.piece) + " to be the skin of a blocker");
     parts->owns.push_back(std::move(owns));
   }
-  parts->digest = digest_of(description(surface, albedo, blockers));
   parts->reach = sampled_reach(surface);
   if (is_mesh && !surface.unoccluded) parts->mesh = std::make_unique<const SurfaceScene>(surface);
   parts->surface = std::move(surface);
@@ -156,7 +105,6 @@ Outcome<LightScene> LightScene::make(Surface surface, std::vector<double> albedo
 const Surface& LightScene::surface() const { return parts_->surface; }
 double LightScene::albedo(std::size_t chart) const { return parts_->albedo[chart]; }
 double LightScene::reach() const { return parts_->reach; }
-const std::string& LightScene::digest() const { return parts_->digest; }
 
 bool LightScene::visible(const LitPoint& p, const LitPoint& q) const {
   for (std::size_t k = 0; k < parts_->blockers.size(); ++k)

@@ -57,9 +57,6 @@ public:
   [[nodiscard]] bool visible(const LitPoint& p, const Vector<double>& from) const;
   /// A length above every distance within the scene, up to the cells on which curved charts are looked at.
   [[nodiscard]] double reach() const;
-  /// A short name of all that a transfer matrix depends on but the sites: surface, parameters, mesh, albedos,
-  /// blockers.
-  [[nodiscard]] const std::string& digest() const;
 
 private:
   struct Parts;

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "radcert/core/parallel.h"
-#include "radcert/core/text.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/meshless/interpolation_system.h"
 #include "radcert/meshless/sampling.h"
@@ -26,13 +24,6 @@ bool is_finite(const Matrix<double>& matrix) {
     for (const double entry : matrix.column(j))
       if (!std::isfinite(entry)) return false;
   return true;
-}
-
-std::string text_of(const SiteChoice& sites) {
-  if (const auto* poisson = std::get_if<PoissonDiskSites>(&sites))
-    return "poisson_disk " + shortest(poisson->separation) + " seed " + std::to_string(poisson->seed);
-  const auto& uniform = *std::get_if<UniformSites>(&sites);
-  return "uniform " + std::to_string(uniform.count) + " seed " + std::to_string(uniform.seed);
 }
 
 }  // namespace
@@ -92,58 +83,13 @@ std::string_view name(CoefficientRule rule) {
   return rule == CoefficientRule::as_values ? "as_values" : "interpolated";
 }
 
-std::string to_text(const TransferChoice& choice) {
-  const RadialBasisChoice& basis = choice.meshless.basis;
-  std::string text = "mother " + quotation(basis.mother.to_text(), basis.mother.to_text().size());
-  if (basis.mother.support) text += " support " + basis.mother.support->to_text();
-  text.append(", ").append(name(basis.distance));
-  if (basis.radius.neighbour)
-    text.append(", neighbour ")
-        .append(std::to_string(*basis.radius.neighbour))
-        .append(" ")
-        .append(name(basis.radius.too_few));
-  text.append(", ").append(name(basis.normalise));
-  text.append(", sites ").append(text_of(choice.meshless.sites));
-  text.append(", weights ").append(name(choice.weights));
-  if (choice.weights == WeightRule::integrated)
-    text.append(" ")
-        .append(shortest(choice.integration.relative_error))
-        .append(" ")
-        .append(std::to_string(choice.integration.most_points));
-  text.append(", coefficients ").append(name(choice.coefficients));
-  text.append(", factor ").append(name(choice.factor));
-  return text;
-}
-
 struct LightTransfer::Parts {
-  Parts(LightScene lit, RadialBasis of, TransferChoice made_by)
-      : scene(std::move(lit)), basis(std::move(of)), choice(std::move(made_by)) {}
-
   LightScene scene;
   RadialBasis basis;
-  TransferChoice choice;
   std::optional<InterpolationSystem> system;  ///< where coefficients are not the values
   std::vector<double> weights;
   TransferSums sums;
-  std::optional<NeumannSeries> series;  ///< of R
-
-  static Outcome<std::shared_ptr<Parts>> make(const LightScene& scene, const TransferChoice& choice) {
-    Outcome<SiteSet> sites = make_sites(scene.surface(), choice.meshless.sites);
-    if (!sites) return because(sites.reason());
-    Outcome<RadialBasis> basis = RadialBasis::make(std::move(*sites), choice.meshless.basis);
-    if (!basis) return because(basis.reason());
-    auto parts = std::make_shared<Parts>(scene, *std::move(basis), choice);
-    if (choice.coefficients == CoefficientRule::interpolated && !parts->basis.interpolates()) {
-      Outcome<InterpolationSystem> system = InterpolationSystem::make(parts->basis);
-      if (!system) return because(system.reason());
-      parts->system = std::move(system).value();
-    }
-    return parts;
-  }
-
-  [[nodiscard]] TransferKey key() const {
-    return {.scene = scene.digest(), .sites = digest(basis.sites()), .choice = to_text(choice)};
-  }
+  NeumannSeries series;  ///< of R
 
   [[nodiscard]] std::vector<double> coefficients(std::span<const double> values) const {
     return system ? system->solve(values) : std::vector<double>(values.begin(), values.end());
@@ -152,46 +98,38 @@ struct LightTransfer::Parts {
 
 LightTransfer::LightTransfer(std::shared_ptr<const Parts> parts) : parts_(std::move(parts)) {}
 
-Outcome<LightTransfer> LightTransfer::complete(std::shared_ptr<Parts> parts, Matrix<double> matrix) {
-  Outcome<TransferSeries> made = transfer_series(std::move(matrix));
-  if (!made) return because(made.reason());
-  parts->series = std::move(made->series);
-  parts->sums = made->sums;
-  return LightTransfer(std::move(parts));
-}
-
 Outcome<LightTransfer> LightTransfer::make(const LightScene& scene, const TransferChoice& choice) {
-  Outcome<std::shared_ptr<Parts>> made = Parts::make(scene, choice);
-  if (!made) return because(made.reason());
-  const std::shared_ptr<Parts> parts = *std::move(made);
-  transfer_memory(parts->basis.size(), 1).require(available_memory());
-  Outcome<LightWeights> weights =
-      light_weights(parts->basis, scene.surface(), choice.weights, choice.integration);
+  Outcome<SiteSet> sites = make_sites(scene.surface(), choice.meshless.sites);
+  if (!sites) return because(sites.reason());
+  Outcome<RadialBasis> basis = RadialBasis::make(std::move(*sites), choice.meshless.basis);
+  if (!basis) return because(basis.reason());
+  std::optional<InterpolationSystem> system;
+  if (choice.coefficients == CoefficientRule::interpolated && !basis->interpolates()) {
+    Outcome<InterpolationSystem> made = InterpolationSystem::make(*basis);
+    if (!made) return because(made.reason());
+    system = std::move(made).value();
+  }
+  transfer_memory(basis->size(), 1).require(available_memory());
+  Outcome<LightWeights> weights = light_weights(*basis, scene.surface(), choice.weights, choice.integration);
   if (!weights) return because(weights.reason());
-  parts->weights = std::move(weights->weights);
-  Matrix<double> matrix = point_light_transfer(scene, parts->basis.sites(), parts->weights, choice.factor);
-  if (parts->system) parts->system->solve_columns(matrix);
-  return complete(parts, std::move(matrix));
-}
-
-Outcome<LightTransfer> LightTransfer::read(const LightScene& scene, const TransferChoice& choice,
-                                           const std::filesystem::path& path) {
-  Outcome<std::shared_ptr<Parts>> made = Parts::make(scene, choice);
-  if (!made) return because(made.reason());
-  const std::shared_ptr<Parts> parts = *std::move(made);
-  return complete(parts, read_transfer(path, parts->key()));
-}
-
-void LightTransfer::write(const std::filesystem::path& path) const {
-  write_transfer(path, parts_->key(), matrix());
+  Matrix<double> matrix = point_light_transfer(scene, basis->sites(), weights->weights);
+  if (system) system->solve_columns(matrix);
+  Outcome<TransferSeries> series = transfer_series(std::move(matrix));
+  if (!series) return because(series.reason());
+  return LightTransfer(std::make_shared<const Parts>(Parts{.scene = scene,
+                                                           .basis = *std::move(basis),
+                                                           .system = std::move(system),
+                                                           .weights = std::move(weights->weights),
+                                                           .sums = series->sums,
+                                                           .series = std::move(series->series)}));
 }
 
 const LightScene& LightTransfer::scene() const { return parts_->scene; }
 const RadialBasis& LightTransfer::basis() const { return parts_->basis; }
-const Matrix<double>& LightTransfer::matrix() const { return parts_->series->matrix(); }
+const Matrix<double>& LightTransfer::matrix() const { return parts_->series.matrix(); }
 std::span<const double> LightTransfer::weights() const { return parts_->weights; }
 const TransferSums& LightTransfer::sums() const { return parts_->sums; }
-const NeumannSeries& LightTransfer::series() const { return *parts_->series; }
+const NeumannSeries& LightTransfer::series() const { return parts_->series; }
 double LightTransfer::condition() const { return parts_->system ? parts_->system->condition() : 1; }
 
 std::vector<double> LightTransfer::emission_at_sites(const Light& light) const {
@@ -218,7 +156,7 @@ std::optional<double> LightTransfer::radiance(const LightSolution& solution, con
 Outcome<LightSolution> LightTransfer::solve(const Light& light, std::optional<double> tolerance) const {
   LightSolution solution;
   solution.emission = parts_->coefficients(emission_at_sites(light));
-  Outcome<IterativeSolution, NotReached> series = parts_->series->solve(solution.emission, tolerance);
+  Outcome<IterativeSolution, NotReached> series = parts_->series.solve(solution.emission, tolerance);
   if (!series)
     return because("the Neumann series came within " + upper_text(series.reason().error_bound) + " after " +
                    std::to_string(series.reason().iterations) + " reflections, no further");

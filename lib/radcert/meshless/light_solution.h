@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,7 +15,6 @@
 #include "radcert/meshless/light_scene.h"
 #include "radcert/meshless/light_source.h"
 #include "radcert/meshless/radial_basis.h"
-#include "radcert/meshless/transfer_file.h"
 #include "radcert/meshless/transfer_matrix.h"
 #include "radcert/meshless/weights.h"
 #include "radcert/solve/power_series.h"
@@ -70,12 +68,8 @@ struct TransferChoice {
   MeshlessChoice meshless{};
   WeightRule weights = WeightRule::integrated;
   CoefficientRule coefficients = CoefficientRule::as_values;
-  TransferFactor factor = TransferFactor::physical;
   IntegrationDemand integration{};  ///< of integrated weights
 };
-
-/// One line of text that says all of it.
-[[nodiscard]] std::string to_text(const TransferChoice& choice);
 
 /// The coefficients of the radiance in the basis.
 struct LightSolution {
@@ -97,16 +91,11 @@ public:
   /// Refused: sites, a basis or weights that are (see there); an R of which no power up to the sixteenth
   /// contracts. InputError where memory does not do.
   [[nodiscard]] static Outcome<LightTransfer> make(const LightScene& scene, const TransferChoice& choice);
-  /// The same with R from a file that write() made of the same scene and choice; InputError, by name, where
-  /// it is not.
-  [[nodiscard]] static Outcome<LightTransfer> read(const LightScene& scene, const TransferChoice& choice,
-                                                   const std::filesystem::path& path);
-  void write(const std::filesystem::path& path) const;
 
   [[nodiscard]] const LightScene& scene() const;
   [[nodiscard]] const RadialBasis& basis() const;
   [[nodiscard]] const Matrix<double>& matrix() const;
-  /// w_j; empty where the matrix was read.
+  /// w_j.
   [[nodiscard]] std::span<const double> weights() const;
   [[nodiscard]] const TransferSums& sums() const;
   /// R with what bounds its spectral radius.
@@ -129,7 +118,6 @@ public:
 private:
   struct Parts;
   explicit LightTransfer(std::shared_ptr<const Parts> parts);
-  static Outcome<LightTransfer> complete(std::shared_ptr<Parts> parts, Matrix<double> matrix);
   std::shared_ptr<const Parts> parts_;
 };
 

@@ -18,10 +18,6 @@ namespace {
 /// A square of 64 by 64 entries and its mirror image stay in the first-level cache: 64 KiB together.
 constexpr std::size_t tile = 64;
 
-double constant_of(TransferFactor factor) {
-  return factor == TransferFactor::physical ? std::numbers::inv_pi : std::numbers::inv_pi / 2;
-}
-
 double largest(std::span<const double> x) {
   double size = 0;
   for (const double value : x) size = std::max(size, std::abs(value));
@@ -29,10 +25,6 @@ double largest(std::span<const double> x) {
 }
 
 }  // namespace
-
-std::string_view name(TransferFactor factor) {
-  return factor == TransferFactor::physical ? "physical" : "as_printed";
-}
 
 double site_kernel(const Site<double>& p, const Site<double>& q) {
   const KernelTerms<double> g = kernel_terms<double>(p.point - q.point, -p.normal, q.normal);
@@ -47,19 +39,18 @@ MemoryPlan transfer_memory(std::size_t sites, std::size_t matrices) {
 }
 
 Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& sites,
-                                    std::span<const double> weights, TransferFactor factor) {
+                                    std::span<const double> weights) {
   std::vector<double> albedos;
   for (const SurfacePoint<double>& at : sites.at) {
     expects(at.chart < scene.surface().chart_count(), "sites of the scene's surface",
             named("chart", at.chart));
     albedos.push_back(scene.albedo(at.chart));
   }
-  return point_light_transfer(scene, sites, albedos, weights, factor);
+  return point_light_transfer(scene, sites, albedos, weights);
 }
 
 Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& sites,
-                                    std::span<const double> albedos, std::span<const double> weights,
-                                    TransferFactor factor) {
+                                    std::span<const double> albedos, std::span<const double> weights) {
   const std::size_t n = sites.size();
   expects(weights.size() == n && albedos.size() == n, "a weight and an albedo for each site",
           named("weights", weights.size()), named("albedos", albedos.size()), named("sites", n));
@@ -68,7 +59,7 @@ Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& site
             named("chart", at.chart));
   transfer_memory(n, 1).require(available_memory());
   Matrix<double> matrix = Matrix<double>::uninitialised(n, n);
-  const double constant = constant_of(factor);
+  constexpr double constant = std::numbers::inv_pi;
 
   const auto fill = [&](std::size_t rows, std::size_t columns) {
     const std::size_t last_row = std::min(n, (rows + 1) * tile);

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
-#include <string_view>
 
 #include "radcert/core/matrix.h"
 #include "radcert/core/memory_plan.h"
@@ -12,16 +10,6 @@
 #include "radcert/meshless/site.h"
 
 namespace radcert {
-
-/// The constant of the transfer operator.
-/// Maths     physical: beta/pi, a surface of albedo beta scatters beta of what arrives; as_printed: rho times
-///           the 1/(4 pi) of K is 2 beta/(4 pi) = beta/(2 pi)
-/// Source    [psg10, (4)-(5) and rho = 2 beta after them]
-/// Limits    as_printed scatters half of what it should
-enum class TransferFactor : std::uint8_t { physical, as_printed };
-
-/// The words of the file formats.
-[[nodiscard]] std::string_view name(TransferFactor factor);
 
 /// What a surface element at one site sends to another, with visibility left out.
 /// Maths     max(0, n_p.(q-p)) max(0, n_q.(p-q)) / |p-q|^4
@@ -32,8 +20,9 @@ enum class TransferFactor : std::uint8_t { physical, as_printed };
 [[nodiscard]] double site_kernel(const Site<double>& p, const Site<double>& q);
 
 /// The radiance of the sites by light scattered once from point lights at the sites.
-/// Maths     N_ij = c beta_i site_kernel(p_i, p_j) V(p_i, p_j) w_j, c = 1/pi or 1/(2 pi)
-/// Source    [psg10, section VII]
+/// Maths     N_ij = beta_i/pi site_kernel(p_i, p_j) V(p_i, p_j) w_j
+/// Source    [psg10, section VII]; a surface of albedo beta scatters beta of what arrives, with the print, rho = 2 beta
+///           times the 1/(4 pi) of K, half of that
 /// Requires  sites of the scene's surface, as many weights
 /// Result    n by n, rounded; each pair is looked at once, V is exact for the sites' doubles. The same bits
 ///           for any number of threads; Interrupted when asked to stop; InputError if n^2 numbers exceed the
@@ -41,15 +30,13 @@ enum class TransferFactor : std::uint8_t { physical, as_printed };
 /// Limits    point lights: entries grow without bound where sites come together in a corner; see
 ///           transfer_sums
 [[nodiscard]] Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& sites,
-                                                  std::span<const double> weights,
-                                                  TransferFactor factor = TransferFactor::physical);
+                                                  std::span<const double> weights);
 
 /// The same with an albedo for each site in place of the scene's; as many albedos as sites, else
 /// ContractViolation.
 [[nodiscard]] Matrix<double> point_light_transfer(const LightScene& scene, const SiteSet& sites,
                                                   std::span<const double> albedos,
-                                                  std::span<const double> weights,
-                                                  TransferFactor factor = TransferFactor::physical);
+                                                  std::span<const double> weights);
 
 /// What `matrices` matrices of n sites take, in bytes.
 [[nodiscard]] MemoryPlan transfer_memory(std::size_t sites, std::size_t matrices);
