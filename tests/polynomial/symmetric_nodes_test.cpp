@@ -14,44 +14,6 @@ namespace {
 
 Rational ten_to_minus(int digits) { return 1 / power(Rational(10), digits); }
 
-// A set with these orbits at fractions k/97 from a fixed stream, none of them on a median where it should not
-// be.
-SymmetricNodes drawn(int degree, const OrbitCounts& counts, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  SymmetricNodes set{.degree = degree, .precision = degree, .orbits = {}};
-  for (int k = 0; k < counts.of_one; ++k) set.orbits.push_back({.size = 1});
-  for (int k = 0; k < counts.of_three; ++k)
-    set.orbits.push_back({.size = 3, .a = Rational(1 + static_cast<long>(random() % 47), 97)});
-  for (int k = 0; k < counts.of_six; ++k) {
-    long a = 1;
-    long b = 1;
-    while (a == b || a == 97 - a - b || b == 97 - a - b || a + b >= 97) {
-      a = 1 + static_cast<long>(random() % 95);
-      b = 1 + static_cast<long>(random() % 95);
-    }
-    set.orbits.push_back({.size = 6, .a = Rational(a, 97), .b = Rational(b, 97)});
-  }
-  return set;
-}
-
-TEST(OrbitCounts, AreTheOnlyUnisolventOnes) {
-  for (int degree = 1; degree <= 5; ++degree) {
-    const int nodes = static_cast<int>(polynomial_dimension(degree));
-    const OrbitCounts right = orbit_counts(degree);
-    EXPECT_EQ(right.of_one + 3 * right.of_three + 6 * right.of_six, nodes) << degree;
-    for (int six = 0; 6 * six <= nodes; ++six)
-      for (int one = 0; one <= 1; ++one) {
-        const int left = nodes - 6 * six - one;
-        if (left < 0 || left % 3 != 0) continue;
-        const OrbitCounts counts{.of_one = one, .of_three = left / 3, .of_six = six};
-        bool unisolvent = false;
-        for (std::uint64_t seed = 1; seed <= 3; ++seed)
-          unisolvent = unisolvent || lagrange_functions(drawn(degree, counts, seed).nodes()).has_value();
-        EXPECT_EQ(unisolvent, counts == right) << degree << ": " << one << " " << left / 3 << " " << six;
-      }
-  }
-}
-
 const std::map<int, std::pair<int, int>> precisions = {{1, {2, 3}}, {2, {4, 5}}, {3, {5, 5}},
                                                        {4, {7, 7}}, {5, {9, 9}}, {6, {10, 11}}};
 
@@ -147,7 +109,13 @@ TEST(Certify, RefusesWhatIsNotSo) {
   // Held at the coordinate that has precision 4, of which 3 is claimed: not where the precision ends.
   held.precision = 3;
   refused(held, "no monomial of degree 4 is certainly missed");
-  SymmetricNodes wrong = drawn(3, {.of_one = 1, .of_three = 3, .of_six = 0}, 5);
+  // One orbit of six and none of three would do.
+  SymmetricNodes wrong{.degree = 3,
+                       .precision = 3,
+                       .orbits = {{.size = 1},
+                                  {.size = 3, .a = Rational(5, 97)},
+                                  {.size = 3, .a = Rational(17, 97)},
+                                  {.size = 3, .a = Rational(41, 97)}}};
   EXPECT_FALSE(certify(wrong, radius));
   wrong.orbits.pop_back();
   refused(wrong, "7 nodes in place of 10");

@@ -146,20 +146,4 @@ Enclosure maximum(const CubeFunction& f, const Demand& demand) {
   return Search(f, demand).run();
 }
 
-Enclosure minimum(const CubeFunction& f, const Demand& demand) {
-  const CubeFunction negative{.dimension = f.dimension,
-                              .value = [&f](std::span<const Ball> x) { return -f.value(x); },
-                              .gradient =
-                                  [&f](std::span<const Ball> x) {
-                                    std::vector<Ball> gradient = f.gradient(x);
-                                    for (Ball& slope : gradient) slope = -slope;
-                                    return gradient;
-                                  }};
-  Enclosure largest = maximum(negative, demand);
-  if (largest) return Enclosed{.value = -largest->value, .evaluations = largest->evaluations};
-  Undecided reason = largest.reason();
-  reason.reached = -reason.reached;
-  return because(std::move(reason));
-}
-
 }  // namespace radcert

@@ -56,7 +56,5 @@ CubeFunction cube_function(std::size_t dimension, Formula formula) {
 /// Limits    work grows exponentially with n, and where f is constant along a curve of maxima with the
 ///           reciprocal of the radius. Domains other than a cube enter by a map onto them
 [[nodiscard]] Enclosure maximum(const CubeFunction& f, const Demand& demand);
-/// min f, as -max(-f).
-[[nodiscard]] Enclosure minimum(const CubeFunction& f, const Demand& demand);
 
 }  // namespace radcert

@@ -4,16 +4,9 @@
 #include <string_view>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/nodes/lattice.h"
 
 namespace radcert {
 namespace {
-
-int invariant_dimension(int degree) {
-  int count = 0;
-  for (int three = 0; 3 * three <= degree; ++three) count += (degree - 3 * three) / 2 + 1;
-  return count;
-}
 
 Rational digits(std::string_view text) { return Rational::parse(text).value(); }
 
@@ -66,15 +59,6 @@ std::vector<SymmetricNodes> make_sets() {
 }
 
 }  // namespace
-
-OrbitCounts orbit_counts(int degree) {
-  const int nodes = static_cast<int>(polynomial_dimension(degree));
-  const int all = invariant_dimension(degree);
-  const int of_six = degree < 3 ? 0 : invariant_dimension(degree - 3);
-  // ones + threes = all - of_six, ones + 3 threes = nodes - 6 of_six.
-  const int of_three = (nodes - 6 * of_six - (all - of_six)) / 2;
-  return {.of_one = all - of_six - of_three, .of_three = of_three, .of_six = of_six};
-}
 
 std::span<const std::array<std::size_t, 3>> symmetric_places(int size) {
   using Permutation = std::array<std::size_t, 3>;

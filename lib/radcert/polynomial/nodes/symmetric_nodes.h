@@ -11,24 +11,6 @@
 
 namespace radcert {
 
-/// How many orbits of points under the permutations of the vertices a symmetric unisolvent set has.
-/// Maths     with E(d) = #{(i,j) : 2i + 3j <= d}, the dimension of the invariant polynomials of degree <= d:
-///           all orbits: E(r); of six points: E(r - 3); then of one and of three by the number of nodes (r +
-///           1)(r + 2)/2. Interpolation at the nodes is an isomorphism of representations of S3 between P_r
-///           and the functions on the nodes: the trivial one occurs once an orbit and E(r) times in P_r, the
-///           sign once an orbit of six and E(r - 3) times, being the invariants times (x_1 - x_2)(x_2 -
-///           x_3)(x_3 - x_1)
-/// Requires  degree as polynomial_dimension
-/// Result    exact: no other numbers of orbits are unisolvent
-/// Limits    necessary, not sufficient
-struct OrbitCounts {
-  int of_one = 0;
-  int of_three = 0;
-  int of_six = 0;
-  friend bool operator==(const OrbitCounts&, const OrbitCounts&) = default;
-};
-[[nodiscard]] OrbitCounts orbit_counts(int degree);
-
 /// The points that the permutations of the vertices make of one.
 /// Maths     size 1: the centroid; 3: (1 - 2a, a, a) and its permutations; 6: (a, b, 1 - a - b) and its
 ///           permutations
