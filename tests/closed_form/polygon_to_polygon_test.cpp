@@ -343,7 +343,6 @@ TEST(PolygonToPolygon, IsExactlyZeroWhereNothingIsInFront) {
   const PlanePolygon floor = polygon(square);
   const auto expect_zero = [](const PlanePolygon& from, const PlanePolygon& to) {
     EXPECT_TRUE(certainly_zero(polygon_to_polygon(from, to))) << text(from) << " to " << text(to);
-    EXPECT_EQ(polygon_to_polygon_in_double(from, to), 0);
   };
   EXPECT_FALSE(plane_polygon(above).has_value());
   expect_zero(floor, polygon(level));                // turned away
@@ -391,34 +390,6 @@ TEST(PolygonToPolygon, ReachesTheRadiusDemanded) {
   EXPECT_THROW((void)polygon_to_polygon_within(pair.from, pair.to, 0), ContractViolation);
   const std::vector<PlanePolygon> cube = box_faces(1, 1, 1);
   EXPECT_FALSE(polygon_to_polygon_within(cube[0], cube[1], power(Rational(1, 2), 40000)).has_value());
-}
-
-TEST(PolygonToPolygon, KeepsItsBoundInDouble) {
-  Stream stream(10);
-  const auto check = [](const PlanePolygon& from, const PlanePolygon& to) {
-    const double value = polygon_to_polygon_in_double(from, to);
-    const BallPrecision scope(1024);
-    const Ball ratio = area(to) / area(from);
-    const Ball bound = power(Ball(2), -52) * min(Ball(1), ratio);
-    EXPECT_TRUE(certainly_at_most(abs(Ball(value) - polygon_to_polygon(from, to)), bound))
-        << text(from) << " to " << text(to) << ": " << value;
-  };
-  for (int k = 0; k < 4; ++k) {
-    const Pair pair = random_pair(stream);
-    check(pair.from, pair.to);
-  }
-  const std::vector<PlanePolygon> thin = box_faces(1, Rational::exactly(1e-12), 1000);
-  check(thin[0], thin[1]);
-  check(thin[0], thin[2]);
-  check(thin[4], thin[0]);
-  check(thin[2], thin[3]);
-  // A target of 1e-60 times the area.
-  const Rational tiny = power(Rational(1, 10), 30);
-  check(thin[0], polygon({{tiny, 0, tiny}, {0, 0, 2 * tiny}, {tiny, tiny, 3 * tiny}}));
-  // Almost parallel edges.
-  const Rational little = Rational::exactly(1e-10);
-  check(polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}),
-        polygon({{0, 0, 1}, {little, 1, 1}, {1, little, 1 + little}}));
 }
 
 }  // namespace

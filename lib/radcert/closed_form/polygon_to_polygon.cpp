@@ -249,17 +249,4 @@ Outcome<Ball> polygon_to_polygon_within(const PlanePolygon& from, const PlanePol
       [&](const Ball& factor) { return certainly_at_most(factor.radius_ball(), Ball(radius)); });
 }
 
-double polygon_to_polygon_in_double(const PlanePolygon& from, const PlanePolygon& to) {
-  // A_2/A_1 from below, to two digits: A^2 is rational.
-  const auto squared_area = [](const PlanePolygon& polygon) {
-    return dot(polygon.normal(), polygon.normal()) * polygon.parameter_area() * polygon.parameter_area();
-  };
-  const Rational squared_ratio = std::min(Rational(1), squared_area(to) / squared_area(from));
-  Rational bound = 1;
-  while (bound * bound > squared_ratio) bound /= 2;
-  // 2^-53 for the rounding of the result, of which F_12 is at most min(1, A_2/A_1), and less than 2^-53 for
-  // the ball.
-  return polygon_to_polygon_within(from, to, bound * power(Rational(2), -53)).value().to_double();
-}
-
 }  // namespace radcert

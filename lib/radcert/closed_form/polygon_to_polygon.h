@@ -35,12 +35,4 @@ namespace radcert {
 [[nodiscard]] Outcome<Ball> polygon_to_polygon_within(const PlanePolygon& from, const PlanePolygon& to,
                                                       const Rational& radius);
 
-/// The same as a double.
-/// Maths     |result - F_12| <= 2^-52 min(1, A_2 / A_1)
-/// Source    at_raised_precision
-/// Requires  most_raised_bits suffice, else ContractViolation
-/// Result    as said, F_12 itself being at most min(1, A_2 / A_1); 0 where it is exactly 0
-/// Limits    costs what the ball costs. The error relative to F_12 is not bounded
-[[nodiscard]] double polygon_to_polygon_in_double(const PlanePolygon& from, const PlanePolygon& to);
-
 }  // namespace radcert
