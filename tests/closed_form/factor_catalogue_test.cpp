@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
-#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radcert/closed_form/polygon_to_polygon.h"
@@ -50,9 +51,8 @@ TEST(FactorCatalogue, HasTheKnownValues) {
   EXPECT_TRUE(same_number(corner_tetrahedron(), (3 - sqrt(Ball(3))) / 6, narrow));
   EXPECT_TRUE(same_number(coaxial_disks(1, 1, 1), (3 - sqrt(Ball(5))) / 2, narrow));
   EXPECT_TRUE(has_digits(sphere_to_coaxial_disk(1, Rational(1, 2)), "0.27639320225002103036"));
-  EXPECT_TRUE(same_number(outer_sphere_to_itself(1, 2), Ball(Rational(3, 4)), narrow));
+  EXPECT_TRUE(same_number(outer_sphere_to_inner(1, 2), Ball(Rational(1, 4)), narrow));
   EXPECT_TRUE(same_number(inclined_strips(3, 3, 0), 1 - sqrt(Ball(2)) / 2, narrow));
-  EXPECT_TRUE(same_number(parallel_cylinders(1, 0), Ball(Rational(1, 2)) - 1 / Ball::pi(), narrow));
 }
 
 TEST(OpposedRectangles, AgreeWithPolygons) {
@@ -104,7 +104,6 @@ TEST(FactorCatalogue, IsReciprocal) {
       EXPECT_TRUE(same_number(Ball(a) * inclined_strips(a, b, Rational(1, 4)),
                               Ball(b) * inclined_strips(b, a, Rational(1, 4)), 1e-30));
     }
-  EXPECT_TRUE(same_number(outer_sphere_to_inner(1, 3) + outer_sphere_to_itself(1, 3), 1, narrow));
 }
 
 // The mean over `from` of what arrives, by the double integral itself.
@@ -169,13 +168,11 @@ TEST(CoaxialCylinders, AreTheDoubleIntegral) {
 TEST(CoaxialCylinders, HaveTheirLimits) {
   // A thin inner cylinder takes nothing away; long ones lose nothing through the rings.
   const Rational thin(1, 1000000);
-  EXPECT_NEAR(factor_in<double>(outer_cylinder_to_itself, thin, Rational(2), Rational(3)),
-              factor_in<double>(cylinder_to_itself, Rational(2), Rational(3)), 2e-6);
+  EXPECT_NEAR(outer_cylinder_to_itself(thin, 2, 3).to_double(), cylinder_to_itself(2, 3).to_double(), 2e-6);
   const Rational length(1000000);
-  EXPECT_NEAR(factor_in<double>(outer_cylinder_to_inner, Rational(2), Rational(3), length) +
-                  factor_in<double>(outer_cylinder_to_itself, Rational(2), Rational(3), length),
-              1, 5e-6);
-  EXPECT_NEAR(factor_in<double>(outer_cylinder_to_inner, Rational(2), Rational(3), length), 2.0 / 3, 5e-6);
+  const double inwards = outer_cylinder_to_inner(2, 3, length).to_double();
+  EXPECT_NEAR(inwards + outer_cylinder_to_itself(2, 3, length).to_double(), 1, 5e-6);
+  EXPECT_NEAR(inwards, 2.0 / 3, 5e-6);
 }
 
 TEST(CylinderToItself, ClosesWithTheDisks) {
@@ -226,49 +223,15 @@ TEST(Strips, AreTheMeanOverTheFirst) {
 
 TEST(Strips, AreTheLimitOfLongRectangles) {
   const Rational edge(100000);
-  EXPECT_NEAR(factor_in<double>(opposed_rectangles, edge, Rational(2), Rational(3)),
-              factor_in<double>(opposed_strips, Rational(2), Rational(3)), 2e-5);
-  EXPECT_NEAR(factor_in<double>(inclined_rectangles, edge, Rational(2), Rational(3), Rational(1, 3)),
-              factor_in<double>(inclined_strips, Rational(2), Rational(3), Rational(1, 3)), 2e-5);
-}
-
-TEST(ParallelCylinders, AreTheMeanOverTheFirst) {
-  const auto rule = gauss_legendre(40);
-  for (const auto& [radius, gap] : {std::pair{1, 1}, {2, 1}, {1, 5}}) {
-    const double r = radius;
-    const double between = gap + 2 * r;
-    // At the angle alpha from the line of centres an element sees the other cylinder between two tangents, as
-    // far as it lies above its own horizon.
-    const auto seen = [&](double alpha) {
-      const double x = between - r * std::cos(alpha);
-      const double y = -r * std::sin(alpha);
-      const double direction = std::atan2(y, x) - alpha;
-      const double half = std::asin(std::min(1.0, r / std::hypot(x, y)));
-      const double low = std::max(direction - half, -pi / 2);
-      const double high = std::min(direction + half, pi / 2);
-      return low < high ? (std::sin(high) - std::sin(low)) / 2 : 0;
-    };
-    // The horizon cuts the other cylinder from the angle of the inner to that of the outer common tangent.
-    const double first = std::acos(2 * r / between);
-    const double sum = integral(rule, 0, first, seen) + integral(rule, first, pi / 2, seen);
-    EXPECT_NEAR(parallel_cylinders(radius, gap).to_double(), sum / pi, 1e-10);
-  }
+  EXPECT_NEAR(opposed_rectangles(edge, 2, 3).to_double(), opposed_strips(2, 3).to_double(), 2e-5);
+  EXPECT_NEAR(inclined_rectangles(edge, 2, 3, Rational(1, 3)).to_double(),
+              inclined_strips(2, 3, Rational(1, 3)).to_double(), 2e-5);
 }
 
 TEST(Elements, AreTheIntegralOverTheTarget) {
   const auto rule = gauss_legendre(40);
-  for (const auto& [p, q, h] : {std::array{1, 1, 1}, std::array{2, 1, 3}, std::array{1, 3, 2}}) {
+  for (const auto& [p, h] : {std::pair{1, 1}, {2, 3}, {1, 2}}) {
     const double c = h;
-    const double parallel = integral(rule, 0, p, [&](double x) {
-      return integral(rule, 0, q,
-                      [&](double y) { return c * c / (pi * std::pow(x * x + y * y + c * c, 2)); });
-    });
-    EXPECT_NEAR(element_to_parallel_rectangle(p, q, h).to_double(), parallel, 1e-12);
-    const double upright = integral(rule, 0, p, [&](double z) {
-      return integral(rule, 0, q,
-                      [&](double y) { return z * c / (pi * std::pow(y * y + z * z + c * c, 2)); });
-    });
-    EXPECT_NEAR(element_to_perpendicular_rectangle(p, q, h).to_double(), upright, 1e-12);
     const double disk =
         integral(rule, 0, p, [&](double s) { return 2 * s * c * c / std::pow(s * s + c * c, 2); });
     EXPECT_NEAR(element_to_parallel_disk(p, h).to_double(), disk, 1e-12);
@@ -298,113 +261,97 @@ private:
   std::mt19937_64 bits_;
 };
 
-// Values that an entry admits, chosen by what it says of each parameter.
-std::vector<Rational> random_values(const FactorEntry& entry, Stream& stream) {
+enum class Takes { length, length_above_first, length_from_first, cosine, half_turns };
+
+struct Factor {
+  std::string name;
+  std::vector<Takes> takes;
+  std::function<Ball(const std::vector<Rational>&)> value;
+};
+
+template <class... Parameters>
+Factor factor(const std::string& name, Ball (*function)(Parameters...), std::vector<Takes> takes = {}) {
+  takes.resize(sizeof...(Parameters), Takes::length);
+  return {name, std::move(takes), [function](const std::vector<Rational>& values) {
+            return [&]<std::size_t... place>(std::index_sequence<place...>) {
+              return function(values[place]...);
+            }
+            (std::index_sequence_for<Parameters...>{});
+          }};
+}
+
+std::vector<Factor> all_factors() {
+  using enum Takes;
+  return {factor("opposed_rectangles", opposed_rectangles),
+          factor("perpendicular_rectangles", perpendicular_rectangles),
+          factor("inclined_rectangles", inclined_rectangles, {length, length, length, cosine}),
+          factor("inclined_rectangles_at_angle", inclined_rectangles_at_angle,
+                 {length, length, length, half_turns}),
+          factor("coaxial_disks", coaxial_disks),
+          factor("cylinder_to_itself", cylinder_to_itself),
+          factor("outer_cylinder_to_inner", outer_cylinder_to_inner, {length, length_above_first}),
+          factor("outer_cylinder_to_itself", outer_cylinder_to_itself, {length, length_above_first}),
+          factor("sphere_to_coaxial_disk", sphere_to_coaxial_disk),
+          factor("outer_sphere_to_inner", outer_sphere_to_inner, {length, length_above_first}),
+          factor("opposed_strips", opposed_strips),
+          factor("inclined_strips", inclined_strips, {length, length, cosine}),
+          factor("element_to_parallel_disk", element_to_parallel_disk),
+          factor("element_to_sphere", element_to_sphere, {length, length_from_first})};
+}
+
+std::vector<Rational> random_values(const Factor& of, Stream& stream) {
   std::vector<Rational> values;
-  for (const FactorParameter& parameter : entry.parameters) {
-    const std::string_view needs = parameter.requirement;
-    if (needs == "a length > 0") {
-      values.push_back(stream.length());
-    } else if (needs == "a length >= 0") {
-      values.push_back(stream.below(4) == 0 ? Rational(0) : stream.length());
-    } else if (needs == "a length > inner") {
-      values.push_back(values.front() + stream.length());
-    } else if (needs == "a length >= radius") {
-      values.push_back(values.front() + (stream.below(4) == 0 ? Rational(0) : stream.length()));
-    } else if (needs == "-1 < cosine < 1") {
-      values.push_back(stream.between(-1, 1));
-    } else if (needs == "0 < half_turns < 1") {
-      values.push_back(stream.between(0, 1));
-    } else {
-      ADD_FAILURE() << "an unknown requirement: " << needs;
+  for (const Takes takes : of.takes) switch (takes) {
+      case Takes::length: values.push_back(stream.length()); break;
+      case Takes::length_above_first: values.push_back(values.front() + stream.length()); break;
+      case Takes::length_from_first:
+        values.push_back(values.front() + (stream.below(4) == 0 ? Rational(0) : stream.length()));
+        break;
+      case Takes::cosine: values.push_back(stream.between(-1, 1)); break;
+      case Takes::half_turns: values.push_back(stream.between(0, 1)); break;
     }
-  }
   return values;
 }
 
-std::string text(const FactorEntry& entry, const std::vector<Rational>& values) {
-  std::string all(entry.name);
+std::string text(const Factor& of, const std::vector<Rational>& values) {
+  std::string all = of.name;
   for (const Rational& value : values) all += " " + shortest(value.to_double());
   return all;
-}
-
-TEST(FactorIn, IsWithinARoundingOfTheValue) {
-  Stream stream(3);
-  for (const FactorEntry& entry : factor_catalogue())
-    for (int k = 0; k < 10; ++k) {
-      const std::vector<Rational> values = random_values(entry, stream);
-      const std::span<const Rational> given(values);
-      const auto in_double = factor_in<double>(*entry.evaluate, given);
-      const auto in_mpfr = factor_in<Mpfr<50>>(*entry.evaluate, given);
-      const BallPrecision scope(2048);
-      const Ball exact = entry.evaluate(values);
-      const auto bound = [&](const Rational& rounding) {
-        return Ball(Rational(101, 100) * rounding) * exact;
-      };
-      EXPECT_TRUE(certainly_at_most(abs(Ball(in_double) - exact), bound(power(Rational(2), -53))))
-          << text(entry, values) << ": " << in_double << " for " << exact.to_text();
-      EXPECT_TRUE(certainly_at_most(abs(Ball(in_mpfr.to_rational()) - exact),
-                                    bound(2 * Mpfr<50>::unit_roundoff().to_rational())))
-          << text(entry, values) << ": " << in_mpfr.to_text() << " for " << exact.to_text(60);
-    }
 }
 
 TEST(FactorCatalogue, StaysBetweenZeroAndOne) {
   Stream stream(4);
   const BallPrecision scope(1024);
-  for (const FactorEntry& entry : factor_catalogue())
+  for (const Factor& of : all_factors())
     for (int k = 0; k < 20; ++k) {
-      const std::vector<Rational> values = random_values(entry, stream);
-      const Ball factor = entry.evaluate(values);
-      EXPECT_TRUE(certainly_positive(factor)) << text(entry, values) << ": " << factor.to_text();
-      EXPECT_TRUE(certainly_at_most(factor, Ball(1))) << text(entry, values) << ": " << factor.to_text();
+      const std::vector<Rational> values = random_values(of, stream);
+      const Ball value = of.value(values);
+      EXPECT_TRUE(certainly_positive(value)) << text(of, values) << ": " << value.to_text();
+      EXPECT_TRUE(certainly_at_most(value, Ball(1))) << text(of, values) << ": " << value.to_text();
       // Lengths alone: another unit changes nothing.
       std::vector<Rational> scaled = values;
       for (std::size_t n = 0; n < scaled.size(); ++n)
-        if (entry.parameters[n].requirement.starts_with("a length")) scaled[n] *= Rational(22, 7);
-      EXPECT_TRUE(overlaps(entry.evaluate(scaled), factor)) << text(entry, values);
+        if (of.takes[n] != Takes::cosine && of.takes[n] != Takes::half_turns) scaled[n] *= Rational(22, 7);
+      EXPECT_TRUE(overlaps(of.value(scaled), value)) << text(of, values);
     }
-}
-
-TEST(FactorCatalogue, HasNamesAndDefaults) {
-  std::set<std::string_view> names;
-  for (const FactorEntry& entry : factor_catalogue()) {
-    EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
-    EXPECT_EQ(find_factor(entry.name), &entry);
-    EXPECT_FALSE(entry.summary.empty());
-    EXPECT_FALSE(entry.source.empty());
-    std::vector<Rational> values;
-    for (const FactorParameter& parameter : entry.parameters)
-      values.push_back(Rational::parse(parameter.default_text).value());
-    const Ball factor = entry.evaluate(values);
-    EXPECT_LE(factor.radius(), narrow) << entry.name << ": " << factor.to_text();
-    EXPECT_TRUE(certainly_positive(factor) && certainly_less(factor, 1))
-        << entry.name << ": " << factor.to_text();
-  }
-  EXPECT_EQ(names.size(), 20U);
-  EXPECT_EQ(find_factor("opposed_rectangle"), nullptr);
 }
 
 TEST(FactorCatalogue, RefusesWhatItDoesNotAdmit) {
-  for (const FactorEntry& entry : factor_catalogue()) {
-    std::vector<Rational> values;
-    for (const FactorParameter& parameter : entry.parameters)
-      values.push_back(Rational::parse(parameter.default_text).value());
-    const auto refuses = [&](const std::vector<Rational>& list) {
-      EXPECT_THROW((void)entry.evaluate(list), ContractViolation) << text(entry, list);
-    };
+  Stream stream(5);
+  for (const Factor& of : all_factors()) {
+    const std::vector<Rational> values = random_values(of, stream);
     for (std::size_t k = 0; k < values.size(); ++k) {
-      std::vector<Rational> changed = values;
-      const std::string_view needs = entry.parameters[k].requirement;
-      changed[k] = -1;
-      refuses(changed);
-      changed[k] = needs.ends_with("inner") ? changed[0] : Rational(needs.starts_with("-1") ? 1 : 0);
-      if (needs != "a length >= 0") refuses(changed);
+      const Takes takes = of.takes[k];
+      const Rational border = takes == Takes::length_above_first  ? values[0]
+                              : takes == Takes::length_from_first ? values[0] / 2
+                              : takes == Takes::cosine            ? Rational(1)
+                                                                  : Rational(0);
+      for (const Rational& wrong : {Rational(-1), border}) {
+        std::vector<Rational> changed = values;
+        changed[k] = wrong;
+        EXPECT_THROW((void)of.value(changed), ContractViolation) << text(of, changed);
+      }
     }
-    std::vector<Rational> too_many = values;
-    too_many.push_back(1);
-    refuses(too_many);
-    if (!values.empty()) refuses({values.begin(), values.end() - 1});
   }
 }
 

@@ -100,7 +100,7 @@ TEST(FactorMatrix, OfMeshesOfConcentricSpheresIsTheRoundOnes) {
   EXPECT_NEAR(between(matrix, 0, 1), 1, 1e-13);
   EXPECT_EQ(between(matrix, 0, 0), 0);
   EXPECT_NEAR(between(matrix, 1, 0), outer_sphere_to_inner(1, 2).to_double(), 1e-13);
-  const double self = outer_sphere_to_itself(1, 2).to_double();
+  const double self = 1 - outer_sphere_to_inner(1, 2).to_double();
   EXPECT_NEAR(between(matrix, 1, 1), self, 1e-3);
   EXPECT_LE(std::abs(between(matrix, 1, 1) - self), matrix.rows[1].sum.radius);
 }

@@ -59,9 +59,6 @@ OTHER_TEXT = {
     "lib/radcert/factors/factor_matrix.cpp": "the bits of a double in base 16, for a store",
 }
 
-# Files that may take the midpoint of a ball's decimal alone.
-MIDPOINTS = {"lib/radcert/closed_form/factor_catalogue.h": "a value in an arithmetic without radii, not a text"}
-
 SPECIFICATION = re.compile(r"\{\w*:(?:[^{}\"]?[<>^])?[-+ ]?#?0?\d*(?:\.(?:\d+|\{\w*\})[aAeEfFgG]?|[aAeEfFgG])\}")
 PRINTF = re.compile(r"\"[^\"]*%[-+ #0]*(?:\d+|\*)?(?:\.(?:\d+|\*))?l?[aAeEfFgG](?![a-zA-Z])")
 # The radius of a transfer matrix's spectrum, and members of a structure of that name, are no bounds.
@@ -114,9 +111,8 @@ def faults_of(name, text):
     for match in re.finditer(r"\b(nearest_text|std::to_string)\(", code):
         if re.search(BOUND, call(code, match.end() - 1)):
             add(match.start(), "a radius or bound by " + match.group(1))
-    if name not in MIDPOINTS:
-        for match in re.finditer(r"\bdecimal\([^;]*?\)\s*\.midpoint", code):
-            add(match.start(), "the midpoint of a ball without its radius")
+    for match in re.finditer(r"\bdecimal\([^;]*?\)\s*\.midpoint", code):
+        add(match.start(), "the midpoint of a ball without its radius")
     for match in PRINTF.finditer(code):
         if re.search(r"printf\s*\([^;]*$", code[max(0, match.start() - 200):match.start()]):
             add(match.start(), "a double by printf")
@@ -169,7 +165,7 @@ def main():
                 faults.append(f"{name} is listed for shortest(), and does not use it")
             if name in OTHER_TEXT and not re.search(r"to_chars\(|stringstream", code):
                 faults.append(f"{name} is listed for other text, and has none")
-    for name in sorted((ONE_PLACE | READS_BACK.keys() | OTHER_TEXT.keys() | MIDPOINTS.keys()) - seen):
+    for name in sorted((ONE_PLACE | READS_BACK.keys() | OTHER_TEXT.keys()) - seen):
         faults.append(f"{name} is listed, and is not there")
     print("\n".join(faults) or f"{len(seen)} sources print through one function")
     return 1 if faults else 0

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/closed_form/factor_catalogue.h"
 
-#include <algorithm>
-#include <array>
-#include <utility>
+#include <string_view>
 
 #include "radcert/core/contract.h"
 #include "radcert/scalar/functions/dilogarithm.h"
@@ -191,12 +189,6 @@ Ball outer_sphere_to_inner(const Rational& inner, const Rational& outer) {
   return ball(inner * inner / (outer * outer));
 }
 
-Ball outer_sphere_to_itself(const Rational& inner, const Rational& outer) {
-  positive("inner", inner);
-  expects(inner < outer, "inner < outer", named("inner", inner), named("outer", outer));
-  return ball(1 - inner * inner / (outer * outer));
-}
-
 Ball opposed_strips(const Rational& width, const Rational& distance) {
   positive("width", width);
   positive("distance", distance);
@@ -214,190 +206,16 @@ Ball inclined_strips(const Rational& from_width, const Rational& to_width, const
   return ball(b * (1 + cosine)) / (ball(a + b) + sqrt(ball(a * a + b * b - 2 * a * b * cosine)));
 }
 
-Ball parallel_cylinders(const Rational& radius, const Rational& gap) {
-  positive("radius", radius);
-  expects(gap.sign() >= 0, "gap >= 0", named("gap", gap));
-  const Rational x = 1 + gap / (2 * radius);
-  const Ball root = sqrt(ball(x * x - 1));
-  // asin(1/x) = 2 atan(1/(x + root)), also where x = 1.
-  return (root + 2 * atan(1 / (ball(x) + root)) - ball(x)) / Ball::pi();
-}
-
 Ball element_to_parallel_disk(const Rational& radius, const Rational& distance) {
   positive("radius", radius);
   positive("distance", distance);
   return ball(radius * radius / (radius * radius + distance * distance));
 }
 
-Ball element_to_parallel_rectangle(const Rational& width, const Rational& depth, const Rational& distance) {
-  positive("width", width);
-  positive("depth", depth);
-  positive("distance", distance);
-  const Rational x = width / distance;
-  const Rational y = depth / distance;
-  const Ball root_x = sqrt(ball(1 + x * x));
-  const Ball root_y = sqrt(ball(1 + y * y));
-  return (ball(x) / root_x * atan(ball(y) / root_x) + ball(y) / root_y * atan(ball(x) / root_y)) /
-         (2 * Ball::pi());
-}
-
-Ball element_to_perpendicular_rectangle(const Rational& height, const Rational& width,
-                                        const Rational& distance) {
-  positive("height", height);
-  positive("width", width);
-  positive("distance", distance);
-  const Ball far = sqrt(ball(height * height + distance * distance));
-  return (atan(ball(width / distance)) - ball(distance) / far * atan(ball(width) / far)) / (2 * Ball::pi());
-}
-
 Ball element_to_sphere(const Rational& radius, const Rational& distance) {
   positive("radius", radius);
   expects(radius <= distance, "radius <= distance", named("radius", radius), named("distance", distance));
   return ball(radius * radius / (distance * distance));
-}
-
-namespace {
-
-template <class... Parameters, std::size_t... Place>
-Ball spread(Ball (&factor)(Parameters...), std::span<const Rational> values, std::index_sequence<Place...>) {
-  expects(values.size() == sizeof...(Place), "as many values as the factor has parameters",
-          named("given", values.size()), named("parameters", sizeof...(Place)));
-  return factor(values[Place]...);
-}
-
-template <class... Parameters>
-constexpr std::make_index_sequence<sizeof...(Parameters)> places_of(Ball (&)(Parameters...)) {
-  return {};
-}
-
-template <auto& factor>
-Ball from_list(std::span<const Rational> values) {
-  return spread(factor, values, places_of(factor));
-}
-
-std::vector<FactorEntry> entries() {
-  const auto length = [](std::string_view name, std::string_view standard) {
-    return FactorParameter{name, "a length > 0", standard};
-  };
-  const FactorParameter cosine{"cosine", "-1 < cosine < 1", "1/2"};
-  const FactorParameter half_turns{"half_turns", "0 < half_turns < 1", "1/3"};
-  const FactorParameter outer{"outer", "a length > inner", "2"};
-  const std::vector<FactorParameter> rectangles{length("edge", "1"), length("from_width", "1"),
-                                                length("to_width", "1")};
-  const auto with = [](std::vector<FactorParameter> list, const FactorParameter& last) {
-    list.push_back(last);
-    return list;
-  };
-  return {
-      {"opposed_rectangles",
-       "two equal rectangles, directly opposed",
-       "Howell C-11",
-       {length("width", "1"), length("depth", "1"), length("distance", "1")},
-       from_list<opposed_rectangles>},
-      {"perpendicular_rectangles", "two rectangles at right angles with an edge in common", "Howell C-14",
-       rectangles, from_list<perpendicular_rectangles>},
-      {"inclined_rectangles",
-       "two rectangles with an edge in common, by the cosine of the angle between them",
-       "Howell C-16, its integral in closed form", with(rectangles, cosine), from_list<inclined_rectangles>},
-      {"inclined_rectangles_at_angle",
-       "two rectangles with an edge in common, by the angle between them in half turns",
-       "Howell C-16, its integral in closed form", with(rectangles, half_turns),
-       from_list<inclined_rectangles_at_angle>},
-      {"regular_tetrahedron",
-       "two faces of the regular tetrahedron",
-       "closure and symmetry",
-       {},
-       from_list<regular_tetrahedron>},
-      {"corner_tetrahedron",
-       "two right-angled faces of the tetrahedron 0, e1, e2, e3",
-       "closure, symmetry and reciprocity",
-       {},
-       from_list<corner_tetrahedron>},
-      {"coaxial_disks",
-       "two parallel disks on one axis",
-       "Howell C-41",
-       {length("from_radius", "1"), length("to_radius", "1"), length("distance", "1")},
-       from_list<coaxial_disks>},
-      {"cylinder_to_itself",
-       "the inside of an open circular cylinder, to itself",
-       "closure and reciprocity with coaxial disks",
-       {length("radius", "1"), length("length", "1")},
-       from_list<cylinder_to_itself>},
-      {"outer_cylinder_to_inner",
-       "coaxial cylinders of equal length, the inside of the outer to the outside of the inner",
-       "Howell C-91",
-       {length("inner", "1"), outer, length("length", "1")},
-       from_list<outer_cylinder_to_inner>},
-      {"outer_cylinder_to_itself",
-       "coaxial cylinders of equal length, the inside of the outer to itself",
-       "Howell, section C, concentric cylinders",
-       {length("inner", "1"), outer, length("length", "1")},
-       from_list<outer_cylinder_to_itself>},
-      {"sphere_to_coaxial_disk",
-       "a sphere to a disk whose axis runs through its centre",
-       "Howell C-121",
-       {length("disk_radius", "1"), length("distance", "1/2")},
-       from_list<sphere_to_coaxial_disk>},
-      {"outer_sphere_to_inner",
-       "concentric spheres, the inside of the outer to the outside of the inner",
-       "reciprocity",
-       {length("inner", "1"), outer},
-       from_list<outer_sphere_to_inner>},
-      {"outer_sphere_to_itself",
-       "concentric spheres, the inside of the outer to itself",
-       "closure and reciprocity",
-       {length("inner", "1"), outer},
-       from_list<outer_sphere_to_itself>},
-      {"opposed_strips",
-       "two infinitely long strips of equal width, directly opposed",
-       "Howell C-1",
-       {length("width", "1"), length("distance", "1")},
-       from_list<opposed_strips>},
-      {"inclined_strips",
-       "two infinitely long strips with an edge in common: a groove",
-       "crossed strings; Howell C-2, C-3",
-       {length("from_width", "1"), length("to_width", "1"), cosine},
-       from_list<inclined_strips>},
-      {"parallel_cylinders",
-       "two infinitely long cylinders of equal radius, side by side",
-       "crossed strings",
-       {length("radius", "1"), {"gap", "a length >= 0", "1"}},
-       from_list<parallel_cylinders>},
-      {"element_to_parallel_disk",
-       "a plane element to a parallel disk, on its axis",
-       "Howell, section B",
-       {length("radius", "1"), length("distance", "1")},
-       from_list<element_to_parallel_disk>},
-      {"element_to_parallel_rectangle",
-       "a plane element to a parallel rectangle, below one of its corners",
-       "Howell, section B",
-       {length("width", "1"), length("depth", "1"), length("distance", "1")},
-       from_list<element_to_parallel_rectangle>},
-      {"element_to_perpendicular_rectangle",
-       "a plane element to a rectangle that stands on its plane, before one of the lower corners",
-       "Howell, section B",
-       {length("height", "1"), length("width", "1"), length("distance", "1")},
-       from_list<element_to_perpendicular_rectangle>},
-      {"element_to_sphere",
-       "a plane element to a sphere straight above it",
-       "Howell, section B",
-       {length("radius", "1"), {"distance", "a length >= radius", "2"}},
-       from_list<element_to_sphere>},
-  };
-}
-
-}  // namespace
-
-std::span<const FactorEntry> factor_catalogue() {
-  static const std::vector<FactorEntry> catalogue = entries();
-  return catalogue;
-}
-
-const FactorEntry* find_factor(std::string_view name) {
-  const std::span<const FactorEntry> all = factor_catalogue();
-  const auto entry =
-      std::find_if(all.begin(), all.end(), [&](const FactorEntry& e) { return e.name == name; });
-  return entry == all.end() ? nullptr : &*entry;
 }
 
 }  // namespace radcert

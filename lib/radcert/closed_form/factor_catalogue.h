@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <concepts>
-#include <cstddef>
-#include <limits>
-#include <span>
-#include <string_view>
-#include <type_traits>
-#include <vector>
-
 #include "radcert/scalar/ball.h"
-#include "radcert/scalar/mpfr_real.h"
-#include "radcert/scalar/raised_precision.h"
 #include "radcert/scalar/rational.h"
-#include "radcert/scalar/real.h"
 
 namespace radcert {
 
 // The classical configuration factors F_12: the part of what surface 1 emits, everywhere alike and in all
 // directions as Lambert's law has it, that arrives at surface 2. Each function encloses the exact value at
-// the current precision; lengths are in any unit. For digits of another arithmetic see factor_in. [Howell] is
-// J. R. Howell, A Catalog of Radiation Heat Transfer Configuration Factors; its numbers are given where the
-// configuration has one.
+// the current precision; lengths are in any unit. [Howell] is J. R. Howell, A Catalog of
+// Radiation Heat Transfer Configuration Factors; its numbers are given where the configuration has one.
 
 /// Two equal rectangles, directly opposed.
 /// Maths     with X = width/distance, Y = depth/distance:  F = 2/(pi X Y) ( log((1+X^2)(1+Y^2)/(1+X^2+Y^2))/2
@@ -109,13 +97,12 @@ namespace radcert {
 /// Limits    holds for every radius of the sphere up to the distance
 [[nodiscard]] Ball sphere_to_coaxial_disk(const Rational& disk_radius, const Rational& distance);
 
-/// Two concentric spheres: the outer to the inner, and to itself past the inner.
-/// Maths     (inner/outer)^2;  1 - (inner/outer)^2
+/// Two concentric spheres: the outer to the inner.
+/// Maths     (inner/outer)^2
 /// Source    closure and reciprocity: the inner sphere sees nothing but the outer
 /// Requires  0 < inner < outer, else ContractViolation
 /// Result    an enclosure
 [[nodiscard]] Ball outer_sphere_to_inner(const Rational& inner, const Rational& outer);
-[[nodiscard]] Ball outer_sphere_to_itself(const Rational& inner, const Rational& outer);
 
 /// Two infinitely long strips of equal width, directly opposed.
 /// Maths     with H = distance/width:  F = sqrt(1+H^2) - H
@@ -132,14 +119,6 @@ namespace radcert {
 [[nodiscard]] Ball inclined_strips(const Rational& from_width, const Rational& to_width,
                                    const Rational& cosine);
 
-/// Two infinitely long cylinders of equal radius, side by side.
-/// Maths     with X = 1 + gap/(2 radius):  F = (sqrt(X^2-1) + asin(1/X) - X)/pi
-/// Source    Hottel's crossed strings
-/// Requires  radius > 0, gap >= 0, else ContractViolation
-/// Result    an enclosure, 0 < F < 1/2
-/// Limits    a difference of large terms where the gap is large against the radius
-[[nodiscard]] Ball parallel_cylinders(const Rational& radius, const Rational& gap);
-
 /// A plane element to a disk parallel to it, on the axis of the disk.
 /// Maths     r^2/(r^2 + h^2)
 /// Source    [Howell, section B]: the sine squared of the half angle
@@ -147,105 +126,11 @@ namespace radcert {
 /// Result    an enclosure
 [[nodiscard]] Ball element_to_parallel_disk(const Rational& radius, const Rational& distance);
 
-/// A plane element to a rectangle parallel to it, one corner of which lies straight above it.
-/// Maths     with X = width/distance, Y = depth/distance:
-///           F = 1/(2 pi) ( X/sqrt(1+X^2) atan(Y/sqrt(1+X^2)) + Y/sqrt(1+Y^2) atan(X/sqrt(1+Y^2)) )
-/// Source    [Howell, section B]
-/// Requires  width, depth, distance > 0, else ContractViolation
-/// Result    an enclosure, 0 < F < 1/4, without cancellation
-[[nodiscard]] Ball element_to_parallel_rectangle(const Rational& width, const Rational& depth,
-                                                 const Rational& distance);
-
-/// A plane element to a rectangle at right angles to it that stands on the element's plane, one lower corner
-/// at the foot of the perpendicular from the element.
-/// Maths     with a = height, b = width, c = distance:
-///           F = 1/(2 pi) ( atan(b/c) - c/sqrt(a^2+c^2) atan(b/sqrt(a^2+c^2)) )
-/// Source    [Howell, section B]
-/// Requires  height, width, distance > 0, else ContractViolation
-/// Result    an enclosure, 0 < F < 1/4
-[[nodiscard]] Ball element_to_perpendicular_rectangle(const Rational& height, const Rational& width,
-                                                      const Rational& distance);
-
 /// A plane element to a sphere straight above it.
 /// Maths     (radius/distance)^2
 /// Source    [Howell, section B]: the sine squared of the half angle
 /// Requires  0 < radius <= distance, distance from the sphere's centre, else ContractViolation
 /// Result    an enclosure
 [[nodiscard]] Ball element_to_sphere(const Rational& radius, const Rational& distance);
-
-/// A configuration factor in the arithmetic R.
-/// Maths     F to the digits of R
-/// Source    at_raised_precision: the ball is made again until its relative radius is below 2^-10 of a
-///           rounding of R
-/// Requires  as the factor; most_raised_bits suffice for that radius, else ContractViolation
-/// Result    Ball: the factor at the current precision. double, Mpfr: a relative error of at most 1.01
-///           unit_roundoff<R>() (Mpfr: twice that) for all parameters, however degenerate; below the least
-///           normal double as to_double
-/// Limits    costs what the ball costs
-template <class R, class... Declared, class... Given>
-  requires(std::constructible_from<Declared, const Given&>&&...)
-[[nodiscard]] R factor_in(Ball (&factor)(Declared...), const Given&... parameters);
-
-/// A parameter of an entry.
-struct FactorParameter {
-  std::string_view name;
-  std::string_view requirement;  ///< what is allowed, in words: "> 0"
-  std::string_view default_text;
-};
-
-/// An entry of the catalogue: what it is called, what it takes, how it is evaluated.
-struct FactorEntry {
-  std::string_view name;  ///< that of the function
-  std::string_view summary;
-  std::string_view source;
-  std::vector<FactorParameter> parameters;
-  Ball (*evaluate)(
-      std::span<const Rational> values);  ///< in the order of `parameters`, as many, else ContractViolation
-};
-
-/// The configuration factors that radcert knows by name.
-/// Maths     see the functions above
-/// Result    every function above, in that order
-[[nodiscard]] std::span<const FactorEntry> factor_catalogue();
-
-/// The entry of that name, or null.
-[[nodiscard]] const FactorEntry* find_factor(std::string_view name);
-
-namespace detail {
-
-template <class R>
-R nearest(const Ball& value) {
-  if constexpr (std::same_as<R, double>) {
-    return value.to_double();
-  } else {
-    return R::parse(value.decimal(R::round_trip_digits + 4).midpoint).value();
-  }
-}
-
-template <class R>
-constexpr long significant_bits() {
-  if constexpr (std::same_as<R, double>) {
-    return std::numeric_limits<double>::digits;
-  } else {
-    return R::bits;
-  }
-}
-
-}  // namespace detail
-
-template <class R, class... Declared, class... Given>
-  requires(std::constructible_from<Declared, const Given&>&&...)
-R factor_in(Ball (&factor)(Declared...), const Given&... parameters) {
-  if constexpr (std::same_as<R, Ball>) {
-    return factor(parameters...);
-  } else {
-    constexpr long bits = detail::significant_bits<R>() + 10;
-    const Ball value = at_raised_precision(
-                           bits + 10, most_raised_bits.value(), [&] { return factor(parameters...); },
-                           [](const Ball& ball) { return ball.accurate_bits() >= bits; })
-                           .value();
-    return detail::nearest<R>(value);
-  }
-}
 
 }  // namespace radcert
