@@ -6,6 +6,7 @@
 #include <exception>
 #include <string>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 
 namespace radcert {
@@ -64,20 +65,16 @@ Enclosure integral_on_interval(const LineFunction& f, const Ball& a, const Ball&
   acb_calc_integrate_opt_t options;
   acb_calc_integrate_opt_init(options);
   options->eval_limit = demand.work_limit;
-  mag_t tolerance;
-  mag_init(tolerance);
+  CValue<mag_struct, mag_init, mag_clear> tolerance;
   // The demand is for the whole, Arb's tolerance for each interval: the rest is for the sum of these, and for
   // rounding.
   mag_set_d_lower(tolerance, demand.radius / 1024);
-  acb_t integral;
-  acb_init(integral);
+  CValue<acb_struct, acb_init, acb_clear> integral;
   // Relative accuracy is not wanted: more bits than any double's radius can ask for.
   const slong no_relative_goal = 4 * bits + 4096;
   acb_calc_integrate(integral, evaluate, &call, static_cast<acb_srcptr>(from.acb()),
                      static_cast<acb_srcptr>(to.acb()), no_relative_goal, tolerance, options, bits);
   const Ball value = Ball::from_arb(acb_realref(integral), "an integral without a bound");
-  acb_clear(integral);
-  mag_clear(tolerance);
   if (call.thrown) std::rethrow_exception(call.thrown);
   if (value.is_finite() && value.radius() <= demand.radius) {
     return Enclosed{.value = value, .evaluations = call.evaluations};

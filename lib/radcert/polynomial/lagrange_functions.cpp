@@ -6,23 +6,14 @@
 
 #include <algorithm>
 
+#include "radcert/core/c_value.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {
 namespace {
 
-class Integer {
-public:
-  Integer() { fmpz_init(value_); }
-  Integer(const Integer&) = delete;
-  Integer& operator=(const Integer&) = delete;
-  ~Integer() { fmpz_clear(value_); }
-  operator fmpz*() { return value_; }
-
-private:
-  fmpz_t value_;
-};
+using Integer = CValue<fmpz, fmpz_init, fmpz_clear>;
 
 class IntegerMatrix {
 public:
@@ -46,14 +37,11 @@ void set(fmpz* target, const Rational& whole) {
 }
 
 Rational quotient(const fmpz* numerator, const fmpz* denominator) {
-  mpq_t value;
-  mpq_init(value);
+  CValue<__mpq_struct, mpq_init, mpq_clear> value;
   fmpz_get_mpz(mpq_numref(value), numerator);
   fmpz_get_mpz(mpq_denref(value), denominator);
   mpq_canonicalize(value);
-  const Rational result = Rational::from_gmp(value);
-  mpq_clear(value);
-  return result;
+  return Rational::from_gmp(value);
 }
 
 Rational whole(const fmpz* value) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/real_zeros.h"
@@ -27,11 +28,11 @@ Rational rational(Whole value) {
 
 // The largest whole number that is not above x 2^scale; below 2^126 in absolute value.
 Whole floor_scaled(const Rational& x, long scale) {
-  mpz_t numerator;
-  mpz_t denominator;
+  CValue<__mpz_struct, mpz_init, mpz_clear> numerator;
+  CValue<__mpz_struct, mpz_init, mpz_clear> denominator;
   const auto* value = static_cast<mpq_srcptr>(x.gmp());
-  mpz_init_set(numerator, mpq_numref(value));
-  mpz_init_set(denominator, mpq_denref(value));
+  mpz_set(numerator, mpq_numref(value));
+  mpz_set(denominator, mpq_denref(value));
   if (scale >= 0) {
     mpz_mul_2exp(numerator, numerator, static_cast<mp_bitcnt_t>(scale));
   } else {
@@ -42,8 +43,6 @@ Whole floor_scaled(const Rational& x, long scale) {
   mpz_abs(numerator, numerator);
   Whole result = static_cast<Whole>(mpz_getlimbn(numerator, 1)) << 64;
   result += static_cast<Whole>(mpz_getlimbn(numerator, 0));
-  mpz_clear(numerator);
-  mpz_clear(denominator);
   return negative ? -result : result;
 }
 

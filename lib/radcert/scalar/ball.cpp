@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/ball_access.h"
 
@@ -21,35 +22,11 @@ const char* failure_of(const Ball& ball) { return BallAccess::failure(ball); }
 
 slong bits() { return BallPrecision::current(); }
 
-/// A rational of FLINT that frees itself.
-class Quotient {
-public:
-  explicit Quotient(const Rational& q) {
-    fmpq_init(value_);
-    fmpq_set_mpq(value_, static_cast<mpq_srcptr>(q.gmp()));
-  }
-  ~Quotient() { fmpq_clear(value_); }
-  Quotient(const Quotient&) = delete;
-  Quotient& operator=(const Quotient&) = delete;
-  operator const fmpq*() const { return value_; }
-
-private:
-  fmpq_t value_;
+struct Quotient : CValue<fmpq, fmpq_init, fmpq_clear> {
+  explicit Quotient(const Rational& q) { fmpq_set_mpq(*this, static_cast<mpq_srcptr>(q.gmp())); }
 };
 
-/// A binary number of Arb that frees itself.
-class Float {
-public:
-  Float() { arf_init(value_); }
-  ~Float() { arf_clear(value_); }
-  Float(const Float&) = delete;
-  Float& operator=(const Float&) = delete;
-  operator arf_ptr() { return value_; }
-  operator arf_srcptr() const { return value_; }
-
-private:
-  arf_t value_;
-};
+using Float = CValue<arf_struct, arf_init, arf_clear>;
 
 /// The least radius that is not below |x|: exact for 30 bits, which arf_get_mag is not.
 void set_radius(mag_ptr radius, arf_srcptr x) {
@@ -353,15 +330,13 @@ Ball widened(const Ball& x, const Ball& by) {
   Ball result(x);
   Float largest;
   arb_get_abs_ubound_arf(largest, in(by), bits());
-  mag_t error;
-  mag_init(error);
+  CValue<mag_struct, mag_init, mag_clear> error;
   set_radius(error, largest);
   if (x.is_exact()) {
     mag_swap(arb_radref(in(result)), error);
   } else {
     mag_add(arb_radref(in(result)), arb_radref(in(result)), error);
   }
-  mag_clear(error);
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/ball_access.h"
@@ -17,31 +18,20 @@ namespace {
 arb_ptr in(Ball& ball) { return static_cast<arb_ptr>(BallAccess::storage(ball)); }
 arb_srcptr in(const Ball& ball) { return static_cast<arb_srcptr>(BallAccess::storage(ball)); }
 
-/// An integer of FLINT that frees itself.
-class Integer {
-public:
-  Integer() { fmpz_init(value_); }
-  ~Integer() { fmpz_clear(value_); }
-  Integer(const Integer&) = delete;
-  Integer& operator=(const Integer&) = delete;
-  operator fmpz*() { return value_; }
+using Integer = CValue<fmpz, fmpz_init, fmpz_clear>;
 
-  std::string text() const {
-    char* letters = fmpz_get_str(nullptr, 10, value_);
-    std::string result(letters);
-    flint_free(letters);
-    return result;
-  }
-
-private:
-  fmpz_t value_;
-};
+std::string text_of(const Integer& value) {
+  char* letters = fmpz_get_str(nullptr, 10, value);
+  std::string result(letters);
+  flint_free(letters);
+  return result;
+}
 
 BinaryNumber binary(arf_srcptr value) {
   Integer mantissa;
   Integer exponent;
   arf_get_fmpz_2exp(mantissa, exponent, value);
-  return {mantissa.text(), exponent.text()};
+  return {text_of(mantissa), text_of(exponent)};
 }
 
 constexpr std::size_t longest_mantissa = 1000000;

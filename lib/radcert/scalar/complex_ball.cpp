@@ -5,6 +5,7 @@
 #include <arb.h>
 #include <cmath>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 
 namespace radcert {
@@ -127,14 +128,11 @@ Ball ComplexBall::magnitude() const {
 
 double ComplexBall::magnitude_bound() const {
   if (!is_finite()) return HUGE_VAL;
-  mag_t bound;
-  mag_init(bound);
+  CValue<mag_struct, mag_init, mag_clear> bound;
   acb_get_mag(bound, in(*this));
   // mag_get_d is exact within the range of double and infinite beyond; below it would be rounded.
-  const double result = mag_cmp_2exp_si(bound, -1000) < 0 ? 0x1p-1000 : mag_get_d(bound);
-  const bool zero = mag_is_zero(bound) != 0;
-  mag_clear(bound);
-  return zero ? 0 : result;
+  if (mag_is_zero(bound) != 0) return 0;
+  return mag_cmp_2exp_si(bound, -1000) < 0 ? 0x1p-1000 : mag_get_d(bound);
 }
 
 std::string ComplexBall::to_text(int digits) const {

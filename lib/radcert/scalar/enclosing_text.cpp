@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/real.h"
 
@@ -30,28 +31,14 @@ struct Decimal {
   /// Of the first digit.
   [[nodiscard]] long leading() const { return exponent + static_cast<long>(digits.size()) - 1; }
   [[nodiscard]] Rational value() const {
-    mpq_t whole;
-    mpq_init(whole);
+    CValue<__mpq_struct, mpq_init, mpq_clear> whole;
     mpz_set_str(mpq_numref(whole), digits.c_str(), 10);
     const Rational size = Rational::from_gmp(whole) * power(Rational(10), exponent);
-    mpq_clear(whole);
     return negative ? -size : size;
   }
 };
 
-/// A natural number of GMP that frees itself.
-class Natural {
-public:
-  Natural() { mpz_init(value_); }
-  ~Natural() { mpz_clear(value_); }
-  Natural(const Natural&) = delete;
-  Natural& operator=(const Natural&) = delete;
-  operator mpz_ptr() { return value_; }
-  operator mpz_srcptr() const { return value_; }
-
-private:
-  mpz_t value_;
-};
+using Natural = CValue<__mpz_struct, mpz_init, mpz_clear>;
 
 /// |q| 10^places as a whole number.
 void whole_part(mpz_ptr result, const Rational& q, long places, Rounding rounding) {

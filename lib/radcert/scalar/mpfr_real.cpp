@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 
 namespace radcert {
@@ -124,13 +125,10 @@ template <int Digits>
 Rational Mpfr<Digits>::to_rational() const {
   expects(is_finite(), "a finite number", named("value", *this));
   const View x(*this);
-  mpq_t quotient;
-  mpq_init(quotient);
+  CValue<__mpq_struct, mpq_init, mpq_clear> quotient;
   mpfr_get_q(quotient, x.value);
   mpq_canonicalize(quotient);
-  Rational result = Rational::from_gmp(quotient);
-  mpq_clear(quotient);
-  return result;
+  return Rational::from_gmp(quotient);
 }
 
 template <int Digits>

@@ -10,6 +10,8 @@
 #include <system_error>
 #include <vector>
 
+#include "radcert/core/c_value.h"
+
 namespace radcert {
 
 namespace {
@@ -21,19 +23,7 @@ mpq_ptr in(std::byte* storage) { return std::launder(reinterpret_cast<mpq_ptr>(s
 
 mpq_srcptr in(const Rational& value) { return static_cast<mpq_srcptr>(value.gmp()); }
 
-/// An integer of GMP that frees itself.
-class Integer {
-public:
-  Integer() { mpz_init(value_); }
-  ~Integer() { mpz_clear(value_); }
-  Integer(const Integer&) = delete;
-  Integer& operator=(const Integer&) = delete;
-  operator mpz_ptr() { return value_; }
-  operator mpz_srcptr() const { return value_; }
-
-private:
-  mpz_t value_;
-};
+using Integer = CValue<__mpz_struct, mpz_init, mpz_clear>;
 
 std::string text_of(mpz_srcptr value) {
   std::vector<char> digits(mpz_sizeinbase(value, 10) + 2);

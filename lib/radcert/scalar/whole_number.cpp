@@ -8,6 +8,7 @@
 #include <limits>
 #include <new>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 
 namespace radcert {
@@ -115,12 +116,9 @@ long double WholeNumber::shifted_down(std::size_t bits) const {
 }
 
 Rational WholeNumber::to_rational() const {
-  mpq_t q;
-  mpq_init(q);
+  CValue<__mpq_struct, mpq_init, mpq_clear> q;
   mpq_set_z(q, in(storage_));
-  Rational result = Rational::from_gmp(q);
-  mpq_clear(q);
-  return result;
+  return Rational::from_gmp(q);
 }
 
 long double quotient(const WholeNumber& a, const WholeNumber& b) {

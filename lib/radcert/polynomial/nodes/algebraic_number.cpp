@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/real.h"
 
@@ -23,13 +24,10 @@ Rational common_denominator(std::span<const Rational> values) {
 
 // The largest whole number that divides all of these whole numbers.
 Rational common_factor(std::span<const Rational> whole) {
-  mpq_t factor;
-  mpq_init(factor);
+  CValue<__mpq_struct, mpq_init, mpq_clear> factor;
   for (const Rational& value : whole)
     mpz_gcd(mpq_numref(factor), mpq_numref(factor), mpq_numref(static_cast<mpq_srcptr>(value.gmp())));
-  Rational result = Rational::from_gmp(factor);
-  mpq_clear(factor);
-  return result;
+  return Rational::from_gmp(factor);
 }
 
 // The square-free part, with whole coefficients that have no factor in common.

@@ -3,17 +3,16 @@
 
 #include <arb.h>
 
+#include "radcert/core/c_value.h"
+
 namespace radcert {
 namespace {
 
 Ball with(void (*function)(arb_t, const arb_t, slong), const Ball& x, const char* reason) {
   if (!x.is_finite()) return x;
-  arb_t result;
-  arb_init(result);
+  CValue<arb_struct, arb_init, arb_clear> result;
   function(result, static_cast<arb_srcptr>(x.arb()), BallPrecision::current());
-  Ball value = Ball::from_arb(result, reason);
-  arb_clear(result);
-  return value;
+  return Ball::from_arb(result, reason);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <arb.h>
 #include <gmp.h>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/scalar/ball_access.h"
@@ -127,14 +128,11 @@ Ball modulus_of_continuity(const Ball& distance) {
 
 /// Im Li_2(w) of w = x + iy with x <= 1/2, within the unit disk.
 Ball imaginary_part(const Ball& x, const Ball& y) {
-  acb_t z;
-  acb_init(z);
+  CValue<acb_struct, acb_init, acb_clear> z;
   arb_set(acb_realref(z), in(x));
   arb_set(acb_imagref(z), in(y));
   acb_hypgeom_dilog(z, z, BallPrecision::current());
-  Ball result = Ball::from_arb(acb_imagref(z), "dilogarithm without a bound");
-  acb_clear(z);
-  return result;
+  return Ball::from_arb(acb_imagref(z), "dilogarithm without a bound");
 }
 
 /// f at one point: radius and angle are exact.
@@ -179,16 +177,11 @@ Mpfr<Digits> rounded(const Mpfr<Digits>& radius, const Mpfr<Digits>& angle) {
     value = dilogarithm_imaginary(Ball(exact_radius), Ball(exact_angle));
     enough = value.is_finite() && (value.is_exact() || value.accurate_bits() >= Mpfr<Digits>::bits + 16);
   }
-  fmpq_t quotient;
-  mpq_t copy;
-  fmpq_init(quotient);
-  mpq_init(copy);
+  CValue<fmpq, fmpq_init, fmpq_clear> quotient;
+  CValue<__mpq_struct, mpq_init, mpq_clear> copy;
   arf_get_fmpq(quotient, arb_midref(in(value)));
   fmpq_get_mpq(copy, quotient);
-  const Rational midpoint = Rational::from_gmp(copy);
-  mpq_clear(copy);
-  fmpq_clear(quotient);
-  return Mpfr<Digits>(midpoint);
+  return Mpfr<Digits>(Rational::from_gmp(copy));
 }
 
 }  // namespace
