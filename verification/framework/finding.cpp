@@ -56,6 +56,24 @@ std::string with_slack(std::string text, double slack, const std::string& why) {
   return text;
 }
 
+/// Proved: a ball as midpoint and radius, or why it has failed.
+Evidence line(const std::string& what, const Ball& observed, int digits, std::string allowed,
+              Standing standing, bool control) {
+  Evidence evidence{.what = what,
+                    .value = observed.to_text(digits),
+                    .radius = std::nullopt,
+                    .allowed = std::move(allowed),
+                    .standing = standing,
+                    .control = control,
+                    .proved = true};
+  if (observed.is_finite()) {
+    const BallDecimal text = observed.decimal(digits);
+    evidence.value = text.midpoint;
+    evidence.radius = text.radius;
+  }
+  return evidence;
+}
+
 // A decimal where the number is one of at most so many places, else a fraction.
 std::string decimal_or_fraction(const Rational& q) {
   constexpr std::size_t most_places = 60;
@@ -179,20 +197,10 @@ void Finding::add(const std::string& what, const IsExactly& statement, const Rat
 void Finding::add(const std::string& what, const AgreesWith& statement, const Ball& observed, bool control) {
   // Enough to see agreement to within 1e-30 of a number near 1.
   constexpr int digits = 34;
-  Evidence evidence{
-      .what = what,
-      .value = observed.to_text(digits),
-      .radius = std::nullopt,
-      .allowed = "= " + statement.value.to_text(digits) + " to within " + shortest(statement.within),
-      .standing = judge(statement, observed),
-      .control = control,
-      .proved = true};
-  if (observed.is_finite()) {
-    const BallDecimal text = observed.decimal(digits);
-    evidence.value = text.midpoint;
-    evidence.radius = text.radius;
-  }
-  evidence_.push_back(std::move(evidence));
+  evidence_.push_back(
+      line(what, observed, digits,
+           "= " + statement.value.to_text(digits) + " to within " + shortest(statement.within),
+           judge(statement, observed), control));
 }
 
 void Finding::add(const std::string& what, const LiesIn& statement, const Approximation& observed,
@@ -201,20 +209,8 @@ void Finding::add(const std::string& what, const LiesIn& statement, const Approx
 }
 
 void Finding::add(const std::string& what, const LiesIn& statement, const Ball& observed, bool control) {
-  constexpr int digits = 20;
-  Evidence evidence{.what = what,
-                    .value = observed.to_text(digits),
-                    .radius = std::nullopt,
-                    .allowed = interval_text(statement),
-                    .standing = judge(statement, observed),
-                    .control = control,
-                    .proved = true};
-  if (observed.is_finite()) {
-    const BallDecimal text = observed.decimal(digits);
-    evidence.value = text.midpoint;
-    evidence.radius = text.radius;
-  }
-  evidence_.push_back(std::move(evidence));
+  evidence_.push_back(
+      line(what, observed, 20, interval_text(statement), judge(statement, observed), control));
 }
 
 void Finding::remark(std::string what, const Approximation& observed) {

@@ -58,4 +58,8 @@ std::vector<PlanarPoint> placed(const std::vector<PlanarPoint>& points, const Ra
   return result;
 }
 
+std::string placed_at(const Rational& h, const PlanarPoint& by) {
+  return ", h = " + h.to_text() + ", corner (" + by.x.to_text() + "," + by.y.to_text() + ")";
+}
+
 }  // namespace radcert::verification::ac98

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "verification/claims/ac98/surfaces/exact_plane.h"
@@ -37,5 +38,7 @@ struct BoundedError {
 /// The points moved and stretched: `by` + h p.
 [[nodiscard]] std::vector<PlanarPoint> placed(const std::vector<PlanarPoint>& points, const Rational& h,
                                               const PlanarPoint& by);
+/// ", h = ..., corner (...)", where that is.
+[[nodiscard]] std::string placed_at(const Rational& h, const PlanarPoint& by);
 
 }  // namespace radcert::verification::ac98

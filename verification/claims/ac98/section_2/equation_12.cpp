@@ -14,6 +14,7 @@
 #include "radcert/kernel/geometric_kernel.h"
 #include "verification/claims/ac98/surfaces/excluded_ball.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/ac98/surfaces/sample_points.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -27,10 +28,7 @@ Rational differing_on_the_sphere_around(long exponent) {
   for (const Rational& radius : {Rational(1, 50), Rational(2, 3), Rational(4)})
     for (long i = -4; i <= 4; ++i)
       for (long j = -4; j <= 4; ++j) {
-        const Rational u(i, 3);
-        const Rational v(j, 5);
-        const Rational inverse = 1 / (1 + u * u + v * v);
-        const Vector<Rational> w{2 * u * inverse, 2 * v * inverse, (1 - u * u - v * v) * inverse};
+        const Vector<Rational> w = sphere_point(Rational(i, 3), Rational(j, 5));
         Rational printed = dot(n_p, radius * w);
         for (long k = 0; k < exponent; ++k) printed /= radius;
         if (geometric_kernel<Rational>({0, 0, 0}, n_p, radius * w, -w) != printed) ++count;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "radcert/kernel/geometric_kernel.h"
+#include "verification/claims/ac98/surfaces/sample_points.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -44,10 +45,7 @@ std::vector<SolidPoint> sphere_points() {
   std::vector<SolidPoint> points;
   for (long i = -2; i <= 2; ++i)
     for (long j = -2; j <= 2; ++j) {
-      const Rational u(i, 2);
-      const Rational v(j, 3);
-      const Rational inverse = 1 / (1 + u * u + v * v);
-      const Vector<Rational> p{2 * u * inverse, 2 * v * inverse, (1 - u * u - v * v) * inverse};
+      const Vector<Rational> p = sphere_point(Rational(i, 2), Rational(j, 3));
       points.push_back({p, -p});
     }
   return points;

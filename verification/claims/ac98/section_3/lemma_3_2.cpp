@@ -144,8 +144,7 @@ Finding lemma_3_2(const Bench&) {
   Rational largest = 0;
   for (const Rational& h : lengths())
     for (const PlanarPoint& by : {PlanarPoint{0, 0}, PlanarPoint{1, 2}}) {
-      const std::string at =
-          ", h = " + h.to_text() + ", corner (" + by.x.to_text() + "," + by.y.to_text() + ")";
+      const std::string at = placed_at(h, by);
       const std::vector<BoundedError> errors = errors_on(placed(right_triangle(), h, by));
       finding.require("products beyond (60) with c = 5/3" + at, IsExactly{0},
                       exceeding(errors, c * power(h, 3)));
@@ -192,8 +191,7 @@ Finding equation_61(const Bench&) {
       for (const Rational& h : lengths()) {
         const std::vector<PlanarPoint> points = placed(right_triangle(), h, by);
         const PlanarPoint middle{by.x + h / 2, by.y + h / 2};
-        const std::string at =
-            ", h = " + h.to_text() + ", corner (" + by.x.to_text() + "," + by.y.to_text() + ")";
+        const std::string at = placed_at(h, by);
         finding.require(
             "points where f - p_" + std::to_string(k) + " is beyond its bound, c = " + c.to_text() + at,
             IsExactly{0}, points_beyond_taylor(k, c, points, middle));

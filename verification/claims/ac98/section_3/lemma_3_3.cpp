@@ -65,10 +65,6 @@ const std::vector<Rational>& lengths() {
   return all;
 }
 
-std::string placed_at(const Rational& h, const PlanarPoint& by) {
-  return ", h = " + h.to_text() + ", corner (" + by.x.to_text() + "," + by.y.to_text() + ")";
-}
-
 // phi_0 and phi_1 of the introduction.
 std::array<ExactPolynomial, 2> means(const ExactPolynomial& phi, const std::vector<PlanarPoint>& region) {
   const Rational area = ExactPolynomial(1).integral_over(region);

@@ -41,4 +41,9 @@ std::vector<SurfacePoint<double>> random_points(const Surface& surface, std::siz
   return points;
 }
 
+Vector<Rational> sphere_point(const Rational& u, const Rational& v) {
+  const Rational inverse = 1 / (1 + u * u + v * v);
+  return {2 * u * inverse, 2 * v * inverse, (1 - u * u - v * v) * inverse};
+}
+
 }  // namespace radcert::verification::ac98

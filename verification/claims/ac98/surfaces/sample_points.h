@@ -29,4 +29,10 @@ namespace radcert::verification::ac98 {
 [[nodiscard]] std::vector<SurfacePoint<double>> random_points(const Surface& surface, std::size_t per_chart,
                                                               std::uint64_t seed);
 
+/// A point of the unit sphere with rational coordinates.
+/// Maths     (2u, 2v, 1 - u^2 - v^2)/(1 + u^2 + v^2)
+/// Source    stereographic projection from (0,0,-1)
+/// Result    exact
+[[nodiscard]] Vector<Rational> sphere_point(const Rational& u, const Rational& v);
+
 }  // namespace radcert::verification::ac98

@@ -12,6 +12,7 @@
 #include "radcert/surface/catalogue/two_piece.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/roof_pair.h"
+#include "verification/claims/ac98/surfaces/sample_points.h"
 
 namespace radcert::verification::ac98 {
 namespace {
@@ -140,12 +141,7 @@ SmoothBounds ellipsoid_bounds(const Rational& a, const Rational& b, const Ration
 SphereCounts differing_on_the_sphere(const Rational& cosine, const Rational& kernel) {
   std::vector<Vector<Rational>> points;
   for (long i = -3; i <= 3; ++i)
-    for (long j = -3; j <= 3; ++j) {
-      const Rational u(i, 2);
-      const Rational v(j, 5);
-      const Rational inverse = 1 / (1 + u * u + v * v);
-      points.push_back({2 * u * inverse, 2 * v * inverse, (1 - u * u - v * v) * inverse});
-    }
+    for (long j = -3; j <= 3; ++j) points.push_back(sphere_point(Rational(i, 2), Rational(j, 5)));
   SphereCounts counts{.cosine = 0, .kernel = 0};
   for (const Vector<Rational>& p : points)
     for (const Vector<Rational>& q : points) {
