@@ -131,13 +131,11 @@ JsonValue paper_json(const Report& report, const std::string& key) {
   const PaperText texts =
       found == report.papers.end() ? PaperText{.key = key, .folder = {}, .readme = {}, .errata = {}} : *found;
   const PaperHead head = head_of(texts.readme);
-  JsonValue out = JsonValue::object();
-  out.set("key", key);
-  out.set("title", head.title.empty() ? key : head.title);
-  out.set("reference", head.reference);
-  out.set("folder", texts.folder);
-  out.set("errata", texts.errata);
-  return out;
+  return JsonValue::object({{"key", key},
+                            {"title", head.title.empty() ? key : head.title},
+                            {"reference", head.reference},
+                            {"folder", texts.folder},
+                            {"errata", texts.errata}});
 }
 
 // A plot's name: the error, the problems that it is of, and what it is against.
@@ -186,13 +184,12 @@ JsonValue json_of(const std::map<std::string, std::string>& plots) {
 }
 
 JsonValue page_data(const Report& report, const std::string& command) {
-  JsonValue out = JsonValue::object();
-  out.set("report", report_json(report, command));
-  out.set("papers",
-          json_array(papers_of(report), [&](const std::string& key) { return paper_json(report, key); }));
-  out.set("pictures", json_array(report.problems, picture_json));
-  out.set("plots", json_of(plots_of(report)));
-  return out;
+  return JsonValue::object(
+      {{"report", report_json(report, command)},
+       {"papers",
+        json_array(papers_of(report), [&](const std::string& key) { return paper_json(report, key); })},
+       {"pictures", json_array(report.problems, picture_json)},
+       {"plots", json_of(plots_of(report))}});
 }
 
 // Inside a script element no "<" may begin a tag or a comment.

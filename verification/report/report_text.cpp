@@ -71,58 +71,50 @@ JsonValue figure_json(const std::optional<Approximation>& figure) {
 }
 
 JsonValue evidence_json(const Evidence& evidence) {
-  JsonValue out = JsonValue::object();
-  out.set("what", evidence.what);
-  out.set("value", evidence.value);
-  out.set("radius", evidence.radius);
-  out.set("allowed", evidence.allowed);
-  out.set("standing", name(evidence.standing));
-  out.set("control", evidence.control);
-  out.set("proved", evidence.proved);
-  return out;
+  return JsonValue::object({{"what", evidence.what},
+                            {"value", evidence.value},
+                            {"radius", evidence.radius},
+                            {"allowed", evidence.allowed},
+                            {"standing", name(evidence.standing)},
+                            {"control", evidence.control},
+                            {"proved", evidence.proved}});
 }
 
 JsonValue order_json(const OrderFit& fit) {
-  JsonValue out = JsonValue::object();
-  out.set("quantity", fit.quantity);
-  out.set("order", fit.order);
-  out.set("halfwidth", fit.halfwidth);
-  out.set("levels", json_array(fit.levels));
-  return out;
+  return JsonValue::object({{"quantity", fit.quantity},
+                            {"order", fit.order},
+                            {"halfwidth", fit.halfwidth},
+                            {"levels", json_array(fit.levels)}});
 }
 
 JsonValue problem_trace_json(const ProblemTrace& problem) {
-  JsonValue out = JsonValue::object();
-  out.set("name", problem.name);
-  out.set("problem", problem.text);
-  out.set("levels", json_array(problem.levels, radcert::level_json));
-  out.set("orders", json_array(problem.orders, order_json));
-  return out;
+  return JsonValue::object({{"name", problem.name},
+                            {"problem", problem.text},
+                            {"levels", json_array(problem.levels, radcert::level_json)},
+                            {"orders", json_array(problem.orders, order_json)}});
 }
 
 JsonValue claim_json(const ClaimReport& claim) {
-  JsonValue out = JsonValue::object();
-  out.set("paper", claim.paper);
-  out.set("label", claim.label);
-  out.set("says", claim.says);
-  out.set("covers", json_array(claim.covers));
-  out.set("page", claim.page);
-  out.set("needs", json_array(claim.needs));
-  out.set("verdict", name(claim.found));
-  out.set("recorded", name(claim.recorded));
-  out.set("as_recorded", claim.as_recorded());
-  out.set("printed", claim.printed);
-  out.set("ours", figure_json(claim.ours));
-  out.set("note", claim.note);
-  out.set("failure", claim.failure);
-  out.set("evidence", json_array(claim.evidence, evidence_json));
-  out.set("remarks", json_array(claim.remarks));
-  out.set("formula", claim.account.formula);
-  out.set("met", json_array(claim.account.met));
-  out.set("unchecked", claim.account.unchecked);
-  out.set("erratum", claim.account.erratum);
-  out.set("problems", json_array(claim.problems));
-  return out;
+  return JsonValue::object({{"paper", claim.paper},
+                            {"label", claim.label},
+                            {"says", claim.says},
+                            {"covers", json_array(claim.covers)},
+                            {"page", claim.page},
+                            {"needs", json_array(claim.needs)},
+                            {"verdict", name(claim.found)},
+                            {"recorded", name(claim.recorded)},
+                            {"as_recorded", claim.as_recorded()},
+                            {"printed", claim.printed},
+                            {"ours", figure_json(claim.ours)},
+                            {"note", claim.note},
+                            {"failure", claim.failure},
+                            {"evidence", json_array(claim.evidence, evidence_json)},
+                            {"remarks", json_array(claim.remarks)},
+                            {"formula", claim.account.formula},
+                            {"met", json_array(claim.account.met)},
+                            {"unchecked", claim.account.unchecked},
+                            {"erratum", claim.account.erratum},
+                            {"problems", json_array(claim.problems)}});
 }
 
 double total_seconds(const Report& report) {
@@ -226,16 +218,12 @@ JsonValue report_json(const Report& report, const std::string& command) {
   out.set("as_recorded", report.as_recorded());
   out.set("claims", json_array(report.claims, claim_json));
   out.set("problems", json_array(report.problems, problem_trace_json));
-  JsonValue timing = JsonValue::object();
-  timing.set("total_seconds", total_seconds(report));
-  timing.set("claims", json_array(report.claims, [](const ClaimReport& claim) {
-               JsonValue each = JsonValue::object();
-               each.set("paper", claim.paper);
-               each.set("label", claim.label);
-               each.set("seconds", claim.seconds);
-               return each;
-             }));
-  out.set("timing", std::move(timing));
+  out.set("timing", JsonValue::object({{"total_seconds", total_seconds(report)},
+                                       {"claims", json_array(report.claims, [](const ClaimReport& claim) {
+                                          return JsonValue::object({{"paper", claim.paper},
+                                                                    {"label", claim.label},
+                                                                    {"seconds", claim.seconds}});
+                                        })}}));
   return out;
 }
 

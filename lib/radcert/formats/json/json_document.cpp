@@ -136,11 +136,8 @@ JsonValue read_json(const std::filesystem::path& path) {
 }
 
 JsonValue document_head(const std::string& type, const std::string& command) {
-  JsonValue out = JsonValue::object();
-  out.set("schema", "radcert/" + type + "/1");
-  out.set("radcert", version());
-  out.set("command", command);
-  return out;
+  return JsonValue::object(
+      {{"schema", "radcert/" + type + "/1"}, {"radcert", version()}, {"command", command}});
 }
 
 std::string pointer_below(const std::string& pointer, std::string_view key) {

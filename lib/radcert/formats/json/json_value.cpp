@@ -174,11 +174,9 @@ JsonValue finite_or_null(const std::optional<double>& value) {
 
 JsonValue approximation_json(const std::optional<Approximation>& number) {
   if (!number) return {};
-  JsonValue out = JsonValue::object();
-  out.set("value", number->value);
-  out.set("radius", finite_or_null(number->radius));
-  out.set("guaranteed", number->guaranteed);
-  return out;
+  return JsonValue::object({{"value", number->value},
+                            {"radius", finite_or_null(number->radius)},
+                            {"guaranteed", number->guaranteed}});
 }
 
 }  // namespace radcert

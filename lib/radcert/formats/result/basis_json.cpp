@@ -40,13 +40,11 @@ std::string norm_word(const LebesgueConstant& norm) {
 
 JsonValue precision_json(const EnclosedPrecision& precision, PrecisionProof proof) {
   const BallDecimal defect = precision.defect.decimal(20);
-  JsonValue out = JsonValue::object();
-  out.set("degree", precision.degree);
-  out.set("first_failure", precision.first_failure.to_text());
-  out.set("defect", defect.midpoint);
-  out.set("defect_radius", defect.radius);
-  out.set("proof", proof_name(proof));
-  return out;
+  return JsonValue::object({{"degree", precision.degree},
+                            {"first_failure", precision.first_failure.to_text()},
+                            {"defect", defect.midpoint},
+                            {"defect_radius", defect.radius},
+                            {"proof", proof_name(proof)}});
 }
 
 JsonValue record_json(const BasisRecord& record) {
@@ -60,44 +58,33 @@ JsonValue record_json(const BasisRecord& record) {
   out.set("space", record.space ? json_array(*record.space) : JsonValue());
   JsonValue nodes = JsonValue::array();
   for (std::size_t j = 0; j < facts.nodes.size(); ++j) {
-    JsonValue node = JsonValue::object();
-    node.set("barycentric", json_array(facts.nodes[j].x, [](const Rational& x) {
-               return JsonValue(readable(x, long_digits));
-             }));
-    node.set("weight", readable(facts.weights[j], long_digits));
-    nodes.push(std::move(node));
+    nodes.push(JsonValue::object(
+        {{"barycentric", json_array(facts.nodes[j].x,
+                                    [](const Rational& x) { return JsonValue(readable(x, long_digits)); })},
+         {"weight", readable(facts.weights[j], long_digits)}}));
   }
   out.set("nodes", std::move(nodes));
-  JsonValue signs = JsonValue::object();
-  signs.set("positive", count_with_sign(facts, 1));
-  signs.set("zero", count_with_sign(facts, 0));
-  signs.set("negative", count_with_sign(facts, -1));
-  out.set("weight_signs", std::move(signs));
+  out.set("weight_signs", JsonValue::object({{"positive", count_with_sign(facts, 1)},
+                                             {"zero", count_with_sign(facts, 0)},
+                                             {"negative", count_with_sign(facts, -1)}}));
   out.set("unisolvent", true);
   out.set("determinant", readable(facts.determinant, 20));
-  JsonValue precision = JsonValue::object();
-  precision.set("triangle", precision_json(facts.triangle, facts.proof));
-  precision.set("parallelogram", precision_json(facts.parallelogram, facts.proof));
-  out.set("precision", std::move(precision));
+  out.set("precision",
+          JsonValue::object({{"triangle", precision_json(facts.triangle, facts.proof)},
+                             {"parallelogram", precision_json(facts.parallelogram, facts.proof)}}));
   const ProductPrecision of_products = product_precision(facts);
-  JsonValue products = JsonValue::object();
-  products.set("triangle", of_products.triangle);
-  products.set("parallelogram", of_products.parallelogram);
-  out.set("product_precision", std::move(products));
-  JsonValue norm = JsonValue::object();
-  norm.set("lower", Ball(facts.norm.lower).lower_double());
-  norm.set("upper", Ball(facts.norm.upper).upper_double());
-  norm.set("near", json_array(facts.norm.near.x));
-  out.set("norm", std::move(norm));
+  out.set("product_precision", JsonValue::object({{"triangle", of_products.triangle},
+                                                  {"parallelogram", of_products.parallelogram}}));
+  out.set("norm", JsonValue::object({{"lower", Ball(facts.norm.lower).lower_double()},
+                                     {"upper", Ball(facts.norm.upper).upper_double()},
+                                     {"near", json_array(facts.norm.near.x)}}));
   out.set("condition", Ball(facts.condition).upper_double());
   const PredictedOrders predicted = record.orders();
-  JsonValue orders = JsonValue::object();
-  orders.set("everywhere", predicted.everywhere);
-  orders.set("nodes_smooth", predicted.curved);
-  orders.set("nodes_smooth_logarithm", predicted.curved_has_logarithm);
-  orders.set("nodes_smooth_kernel", predicted.smooth_kernel);
-  orders.set("nodes_at_edges", predicted.at_edges);
-  out.set("orders", std::move(orders));
+  out.set("orders", JsonValue::object({{"everywhere", predicted.everywhere},
+                                       {"nodes_smooth", predicted.curved},
+                                       {"nodes_smooth_logarithm", predicted.curved_has_logarithm},
+                                       {"nodes_smooth_kernel", predicted.smooth_kernel},
+                                       {"nodes_at_edges", predicted.at_edges}}));
   return out;
 }
 

@@ -30,16 +30,14 @@ JsonValue equal_cost_json(const Experiment& experiment, std::span<const Result> 
       std::vector<std::vector<CostPoint>> methods;
       for (const std::size_t i : question) methods.push_back(points(results[i], kind));
       const auto equal = at_equal_cost(methods);
-      JsonValue entry = JsonValue::object();
-      entry.set(cost_name, equal ? JsonValue(equal->cost) : JsonValue());
-      entry.set("ranking",
-                json_array(equal ? equal->order : std::vector<std::size_t>{}, [&](std::size_t method) {
-                  JsonValue place = JsonValue::object();
-                  place.set("combination", question[method]);
-                  place.set("error", equal->errors[method]);
-                  return place;
-                }));
-      out.set(kind.name, std::move(entry));
+      out.set(kind.name,
+              JsonValue::object(
+                  {{cost_name, equal ? JsonValue(equal->cost) : JsonValue()},
+                   {"ranking",
+                    json_array(equal ? equal->order : std::vector<std::size_t>{}, [&](std::size_t method) {
+                      return JsonValue::object(
+                          {{"combination", question[method]}, {"error", equal->errors[method]}});
+                    })}}));
     }
     return out;
   });
@@ -78,10 +76,7 @@ JsonValue experiment_json(const Experiment& experiment, std::span<const Result> 
     for (const char* key : {"problem", "levels", "orders"}) entry.set(key, *result.find(key));
     entry.set("orders_in_unknowns", orders_json(orders_in_unknowns(results[i])));
     combinations.push(std::move(entry));
-    JsonValue timing = JsonValue::object();
-    timing.set("combination", i);
-    timing.set("levels", *result.find("timing")->find("levels"));
-    seconds.push(std::move(timing));
+    seconds.push(JsonValue::object({{"combination", i}, {"levels", *result.find("timing")->find("levels")}}));
   }
   JsonValue timing = JsonValue::object();
   timing.set("at_equal_seconds", equal_cost_json(experiment, results, "seconds", error_against_seconds));

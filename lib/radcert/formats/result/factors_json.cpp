@@ -21,15 +21,13 @@ JsonValue comparison_json(const std::vector<FactorComparison>& pairs) {
   JsonValue worst = JsonValue::array();
   for (std::size_t k = 0; k < std::min(pairs.size(), factors_json_worst); ++k) {
     const FactorComparison& pair = pairs[k];
-    JsonValue line = JsonValue::object();
-    line.set("from", pair.from);
-    line.set("to", pair.to);
-    line.set("ours", pair.ours.value);
-    line.set("radius", pair.ours.radius);
-    line.set("theirs", pair.theirs.value);
-    line.set("halfwidth", pair.theirs.halfwidth);
-    line.set("verdict", agreement_word(pair.agreement));
-    worst.push(std::move(line));
+    worst.push(JsonValue::object({{"from", pair.from},
+                                  {"to", pair.to},
+                                  {"ours", pair.ours.value},
+                                  {"radius", pair.ours.radius},
+                                  {"theirs", pair.theirs.value},
+                                  {"halfwidth", pair.theirs.halfwidth},
+                                  {"verdict", agreement_word(pair.agreement)}}));
   }
   out.set("worst", std::move(worst));
   return out;
@@ -52,36 +50,31 @@ JsonValue factors_report(const FactorReport& report) {
   out.set("open", report.open);
   out.set("facets_only", report.facets_only);
   out.set("guaranteed", matrix.guaranteed);
-  JsonValue pairs = JsonValue::object();
-  pairs.set("whole", matrix.whole_pairs);
-  pairs.set("hidden", matrix.hidden_pairs);
-  pairs.set("mixed", matrix.mixed_pairs);
-  out.set("pairs", std::move(pairs));
+  out.set("pairs", JsonValue::object({{"whole", matrix.whole_pairs},
+                                      {"hidden", matrix.hidden_pairs},
+                                      {"mixed", matrix.mixed_pairs}}));
   out.set("largest_radius", matrix.largest_radius());
   out.set("reciprocity_defect", matrix.largest_reciprocity_defect);
   out.set("closure_defect", report.open ? JsonValue() : JsonValue(closure_bound(matrix)));
   JsonValue surfaces = JsonValue::array();
   for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
     const FactorRow& row = matrix.rows[i];
-    JsonValue line = JsonValue::object();
-    line.set("name", report.names[i]);
-    line.set("area", row.area.value);
-    line.set("row_sum", row.sum.value);
-    line.set("row_radius", row.sum.radius);
-    line.set("to_space", row.to_space ? JsonValue(row.to_space->value) : JsonValue());
-    line.set("area_radius", row.area.radius);
-    line.set("to_space_radius", row.to_space ? JsonValue(row.to_space->radius) : JsonValue());
-    surfaces.push(std::move(line));
+    surfaces.push(JsonValue::object(
+        {{"name", report.names[i]},
+         {"area", row.area.value},
+         {"row_sum", row.sum.value},
+         {"row_radius", row.sum.radius},
+         {"to_space", row.to_space ? JsonValue(row.to_space->value) : JsonValue()},
+         {"area_radius", row.area.radius},
+         {"to_space_radius", row.to_space ? JsonValue(row.to_space->radius) : JsonValue()}}));
   }
   out.set("surfaces", std::move(surfaces));
   out.set("factors", json_array(matrix.entries, [&](const ConfigurationFactor& entry) {
-            JsonValue line = JsonValue::object();
-            line.set("from", report.names[entry.from]);
-            line.set("to", report.names[entry.to]);
-            line.set("factor", entry.factor.value);
-            line.set("radius", entry.factor.radius);
-            line.set("guaranteed", entry.factor.guaranteed);
-            return line;
+            return JsonValue::object({{"from", report.names[entry.from]},
+                                      {"to", report.names[entry.to]},
+                                      {"factor", entry.factor.value},
+                                      {"radius", entry.factor.radius},
+                                      {"guaranteed", entry.factor.guaranteed}});
           }));
   out.set("warnings", json_array(report.warnings));
   out.set("comparison", report.comparison ? comparison_json(*report.comparison) : JsonValue());

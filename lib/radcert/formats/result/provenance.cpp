@@ -18,18 +18,12 @@ std::string provenance_text(const Provenance& provenance) {
   out.set("sources", source_digest());
   out.set("command", provenance.command);
   out.set("inputs", json_array(provenance.inputs, [](const InputDigest& input) {
-            JsonValue entry = JsonValue::object();
-            entry.set("name", input.name);
-            entry.set("digest", input.digest);
-            return entry;
+            return JsonValue::object({{"name", input.name}, {"digest", input.digest}});
           }));
   out.set("compiler", provenance.compiler);
   out.set("architecture", provenance.architecture);
   out.set("libraries", json_array(provenance.libraries, [](const LibraryVersion& library) {
-            JsonValue entry = JsonValue::object();
-            entry.set("name", library.name);
-            entry.set("version", library.version);
-            return entry;
+            return JsonValue::object({{"name", library.name}, {"version", library.version}});
           }));
   out.set("machine", std::move(machine));
   out.set("seed", provenance.seed);

@@ -20,10 +20,7 @@ int whole_digits(const Ball& value) {
 }
 
 JsonValue binary_json(const BinaryNumber& number) {
-  JsonValue out = JsonValue::object();
-  out.set("mantissa", number.mantissa);
-  out.set("exponent", number.exponent);
-  return out;
+  return JsonValue::object({{"mantissa", number.mantissa}, {"exponent", number.exponent}});
 }
 
 /// Mantissa and exponent as one cell, "m*2^e".
@@ -64,11 +61,8 @@ JsonValue reference_json(const ReferenceRecord& record, const std::string& comma
   out.set("radius_binary", binary_json(value.radius_binary()));
   out.set("route_values", json_array(record.routes, [&record](const ReferenceRoute& route) {
             const BallDecimal found = reference_decimal(route.value, record.digits);
-            JsonValue entry = JsonValue::object();
-            entry.set("route", route.how);
-            entry.set("midpoint", found.midpoint);
-            entry.set("radius", found.radius);
-            return entry;
+            return JsonValue::object(
+                {{"route", route.how}, {"midpoint", found.midpoint}, {"radius", found.radius}});
           }));
   return out;
 }

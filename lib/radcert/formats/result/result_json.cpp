@@ -14,19 +14,14 @@ namespace {
 
 JsonValue iteration_json(const std::optional<IterationReport>& iteration) {
   if (!iteration) return {};
-  JsonValue out = JsonValue::object();
-  out.set("iterations", iteration->iterations);
-  out.set("contraction", iteration->contraction);
-  out.set("error_bound", iteration->error_bound);
-  return out;
+  return JsonValue::object({{"iterations", iteration->iterations},
+                            {"contraction", iteration->contraction},
+                            {"error_bound", iteration->error_bound}});
 }
 
 JsonValue verified_json(const std::optional<VerifiedReport>& verified) {
   if (!verified) return {};
-  JsonValue out = JsonValue::object();
-  out.set("theta", verified->theta);
-  out.set("solution_radius", verified->solution_radius);
-  return out;
+  return JsonValue::object({{"theta", verified->theta}, {"solution_radius", verified->solution_radius}});
 }
 
 }  // namespace
@@ -34,23 +29,19 @@ JsonValue verified_json(const std::optional<VerifiedReport>& verified) {
 JsonValue orders_json(std::span<const OrderFit> orders) {
   JsonValue out = JsonValue::object();
   for (const OrderFit& fit : orders) {
-    JsonValue entry = JsonValue::object();
-    entry.set("order", finite_or_null(fit.order));
-    entry.set("halfwidth", finite_or_null(fit.halfwidth));
-    entry.set("levels", json_array(fit.levels));
-    entry.set("left_out", json_array(fit.left_out));
-    entry.set("model", fit.model);
-    out.set(fit.quantity, std::move(entry));
+    out.set(fit.quantity, JsonValue::object({{"order", finite_or_null(fit.order)},
+                                             {"halfwidth", finite_or_null(fit.halfwidth)},
+                                             {"levels", json_array(fit.levels)},
+                                             {"left_out", json_array(fit.left_out)},
+                                             {"model", fit.model}}));
   }
   return out;
 }
 
 JsonValue timing_json(const LevelTiming& timing) {
-  JsonValue out = JsonValue::object();
-  out.set("assembly_seconds", timing.assembly_seconds);
-  out.set("operator_seconds", timing.operator_seconds);
-  out.set("solve_seconds", timing.solve_seconds);
-  return out;
+  return JsonValue::object({{"assembly_seconds", timing.assembly_seconds},
+                            {"operator_seconds", timing.operator_seconds},
+                            {"solve_seconds", timing.solve_seconds}});
 }
 
 JsonValue level_json(const LevelResult& level) {
@@ -83,9 +74,7 @@ JsonValue result_json(const Result& result, const std::string& command) {
   out.set("problem", problem_json(result.problem));
   out.set("levels", json_array(result.levels, level_json));
   out.set("orders", orders_json(result.orders));
-  JsonValue timing = JsonValue::object();
-  timing.set("levels", json_array(result.timing, timing_json));
-  out.set("timing", std::move(timing));
+  out.set("timing", JsonValue::object({{"levels", json_array(result.timing, timing_json)}}));
   return out;
 }
 

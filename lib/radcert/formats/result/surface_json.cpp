@@ -25,10 +25,7 @@ template <class List, class Make>
 JsonValue counted_json(const List& list, const Make& make) {
   JsonValue first = JsonValue::array();
   for (std::size_t i = 0; i < std::min(list.size(), surface_json_places); ++i) first.push(make(list[i]));
-  JsonValue out = JsonValue::object();
-  out.set("count", list.size());
-  out.set("first", std::move(first));
-  return out;
+  return JsonValue::object({{"count", list.size()}, {"first", std::move(first)}});
 }
 
 JsonValue exact_parameters_json(const ParameterPoint<Rational>& at) {
@@ -36,16 +33,14 @@ JsonValue exact_parameters_json(const ParameterPoint<Rational>& at) {
 }
 
 JsonValue chart_witness_json(const Surface& surface, const ChartWitness& witness) {
-  JsonValue out = JsonValue::object();
-  out.set("chart_p", surface.charts.at(witness.chart_p).facts().name);
-  out.set("parameters_p", exact_parameters_json(witness.at_p));
-  out.set("chart_q", surface.charts.at(witness.chart_q).facts().name);
-  out.set("parameters_q", exact_parameters_json(witness.at_q));
-  out.set("p", point_text_json(witness.p));
-  out.set("q", point_text_json(witness.q));
-  out.set("inner_normal", point_text_json(witness.inner_normal));
-  out.set("product", witness.product.to_text());
-  return out;
+  return JsonValue::object({{"chart_p", surface.charts.at(witness.chart_p).facts().name},
+                            {"parameters_p", exact_parameters_json(witness.at_p)},
+                            {"chart_q", surface.charts.at(witness.chart_q).facts().name},
+                            {"parameters_q", exact_parameters_json(witness.at_q)},
+                            {"p", point_text_json(witness.p)},
+                            {"q", point_text_json(witness.q)},
+                            {"inner_normal", point_text_json(witness.inner_normal)},
+                            {"product", witness.product.to_text()}});
 }
 
 /// surface: null for a mesh.
@@ -73,34 +68,27 @@ JsonValue containment_json(const ConvexContainment& containment, const Surface* 
   }
   out.set("witness", std::move(witness));
   out.set("steps", json_array(containment.steps, [](const ContainmentStep& step) {
-            JsonValue each = JsonValue::object();
-            each.set("of", step.says);
-            each.set("proof", step.proof);
-            return each;
+            return JsonValue::object({{"of", step.says}, {"proof", step.proof}});
           }));
   out.set("open", json_array(containment.open, [surface](const OpenPair& pair) {
-            JsonValue each = JsonValue::object();
-            each.set("chart_p", surface->charts.at(pair.chart_p).facts().name);
-            each.set("chart_q", surface->charts.at(pair.chart_q).facts().name);
-            each.set("boxes", pair.boxes);
-            return each;
+            return JsonValue::object({{"chart_p", surface->charts.at(pair.chart_p).facts().name},
+                                      {"chart_q", surface->charts.at(pair.chart_q).facts().name},
+                                      {"boxes", pair.boxes}});
           }));
   return out;
 }
 
 JsonValue file_json(const MeshSurvey& survey) {
-  JsonValue out = JsonValue::object();
-  out.set("format", survey.format);
-  out.set("digest", survey.digest);
-  out.set("vertices", survey.file_vertices);
-  out.set("faces", survey.file_faces);
-  out.set("joined_corners", survey.joined_corners);
-  out.set("cut_faces", survey.cut_faces);
-  out.set("bent_faces", survey.bent_faces.size());
-  out.set("precision", survey.precision.words);
-  out.set("precision_unit", survey.precision.unit);
-  out.set("mended", json_array(survey.mended));
-  return out;
+  return JsonValue::object({{"format", survey.format},
+                            {"digest", survey.digest},
+                            {"vertices", survey.file_vertices},
+                            {"faces", survey.file_faces},
+                            {"joined_corners", survey.joined_corners},
+                            {"cut_faces", survey.cut_faces},
+                            {"bent_faces", survey.bent_faces.size()},
+                            {"precision", survey.precision.words},
+                            {"precision_unit", survey.precision.unit},
+                            {"mended", json_array(survey.mended)}});
 }
 
 /// Where an edge begins and ends.
@@ -117,28 +105,25 @@ JsonValue defects_json(const MeshSurvey& survey) {
   const auto pair = [](const std::pair<std::size_t, std::size_t>& p) {
     return JsonValue::array({JsonValue(p.first), JsonValue(p.second)});
   };
-  JsonValue out = JsonValue::object();
-  out.set("duplicate_vertices", counted_json(survey.defects.duplicate_vertices, pair));
-  out.set("unreferenced_vertices", counted_json(survey.defects.unreferenced_vertices, at));
-  out.set("degenerate_triangles", counted_json(survey.defects.degenerate_triangles, number));
-  out.set("crossing_triangles", counted_json(survey.defects.crossing, pair));
-  out.set("disagreeing_edges", counted_json(survey.topology.disagreeing_edges, edge_at));
-  out.set("crowded_edges", counted_json(survey.topology.crowded_edges, edge_at));
-  out.set("pinched_vertices", counted_json(survey.topology.pinched_vertices, at));
-  out.set("misoriented_components", counted_json(survey.misoriented, number));
-  return out;
+  return JsonValue::object(
+      {{"duplicate_vertices", counted_json(survey.defects.duplicate_vertices, pair)},
+       {"unreferenced_vertices", counted_json(survey.defects.unreferenced_vertices, at)},
+       {"degenerate_triangles", counted_json(survey.defects.degenerate_triangles, number)},
+       {"crossing_triangles", counted_json(survey.defects.crossing, pair)},
+       {"disagreeing_edges", counted_json(survey.topology.disagreeing_edges, edge_at)},
+       {"crowded_edges", counted_json(survey.topology.crowded_edges, edge_at)},
+       {"pinched_vertices", counted_json(survey.topology.pinched_vertices, at)},
+       {"misoriented_components", counted_json(survey.misoriented, number)}});
 }
 
 JsonValue quality_json(const MeshQuality& quality) {
-  JsonValue out = JsonValue::object();
-  out.set("area", quality.area);
-  out.set("shortest_side", quality.shortest_side);
-  out.set("longest_side", quality.longest_side);
-  out.set("smallest_angle", quality.smallest_angle);
-  out.set("largest_angle", quality.largest_angle);
-  out.set("largest_aspect", quality.largest_aspect);
-  out.set("worst_triangle", quality.worst_triangle);
-  return out;
+  return JsonValue::object({{"area", quality.area},
+                            {"shortest_side", quality.shortest_side},
+                            {"longest_side", quality.longest_side},
+                            {"smallest_angle", quality.smallest_angle},
+                            {"largest_angle", quality.largest_angle},
+                            {"largest_aspect", quality.largest_aspect},
+                            {"worst_triangle", quality.worst_triangle}});
 }
 
 std::string inner_side_word(InnerSide side) {
@@ -151,11 +136,7 @@ std::string inner_side_word(InnerSide side) {
 }
 
 JsonValue piece_json(const std::string& name, std::size_t charts, std::size_t component) {
-  JsonValue out = JsonValue::object();
-  out.set("name", name);
-  out.set("charts", charts);
-  out.set("smooth_component", component);
-  return out;
+  return JsonValue::object({{"name", name}, {"charts", charts}, {"smooth_component", component}});
 }
 
 JsonValue pieces_json(const MeshSurvey& survey) {
@@ -195,12 +176,12 @@ JsonValue surface_report(const std::string& file, const MeshSurvey& survey, cons
   out.set("open_lines", survey.topology.open_loops.size());
   out.set("connected_components", survey.topology.component_count);
   out.set("euler_characteristic", survey.topology.characteristic);
-  JsonValue orientation = JsonValue::object();
-  orientation.set("consistent", survey.topology.disagreeing_edges.empty());
-  orientation.set("counterclockwise_from",
-                  survey.orientation == Orientation::against_the_cross_product ? "outside" : "inside");
-  orientation.set("known_by", inner_side_word(survey.inner_side));
-  out.set("orientation", std::move(orientation));
+  out.set("orientation",
+          JsonValue::object(
+              {{"consistent", survey.topology.disagreeing_edges.empty()},
+               {"counterclockwise_from",
+                survey.orientation == Orientation::against_the_cross_product ? "outside" : "inside"},
+               {"known_by", inner_side_word(survey.inner_side)}}));
   out.set("defects", defects_json(survey));
   out.set("containment", containment_json(survey.containment, nullptr));
   out.set("unoccluded", survey.containment.verdict == Containment::certified ? JsonValue(true) : JsonValue());

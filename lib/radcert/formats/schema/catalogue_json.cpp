@@ -44,11 +44,7 @@ constexpr std::array<std::pair<std::string_view, Words (*)()>, 14> lists{
      {"solvers without tolerance", solvers_without_tolerance},
      {"errors", errors}}};
 
-JsonValue object_of(const char* key, JsonValue value) {
-  JsonValue out = JsonValue::object();
-  out.set(key, std::move(value));
-  return out;
-}
+JsonValue object_of(const char* key, JsonValue value) { return JsonValue::object({{key, std::move(value)}}); }
 
 /// The keys of a surface in a problem file: its name, and its parameters.
 JsonValue surface_keys(const SurfaceDescription& surface) {
