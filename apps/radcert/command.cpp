@@ -65,22 +65,20 @@ void require_command(const CLI::App& program, const std::string& word) {
     if (command->get_name() == word) return;
     names.push_back(command->get_name());
   }
-  const auto near = nearest_word(word, names);
-  throw InputError({.value = word,
-                    .problem = "is no command" + (near ? "; did you mean " + *near + "?" : std::string()),
-                    .allowed = listed(names)});
+  throw InputError(
+      {.value = word, .problem = with_nearest_word("is no command", word, names), .allowed = listed(names)});
 }
 
 }  // namespace
 
-std::optional<std::size_t> Common::thread_limit() const {
+std::optional<ThreadLimit> Common::limit_threads() const {
   if (threads.empty()) return std::nullopt;
   constexpr std::uint64_t most = 4096;
   std::string_view rest;
   const auto number = positive(threads, rest);
   if (!number || !rest.empty() || *number > most)
     throw InputError({.source = "--threads", .value = threads, .allowed = "a whole number from 1 to 4096"});
-  return static_cast<std::size_t>(*number);
+  return std::optional<ThreadLimit>(std::in_place, static_cast<std::size_t>(*number));
 }
 
 std::uint64_t Common::memory_limit() const {

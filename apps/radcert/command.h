@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "radcert/core/errors.h"
+#include "radcert/core/parallel.h"
 
 namespace CLI {
 class App;
@@ -28,8 +29,9 @@ struct Common {
   bool quiet = false;        ///< --quiet
 
   [[nodiscard]] bool json_to_stdout() const { return json == "-"; }
-  /// The number of --threads, if there is one; InputError where it is no positive whole number.
-  [[nodiscard]] std::optional<std::size_t> thread_limit() const;
+  [[nodiscard]] bool json_to_file() const { return !json.empty() && !json_to_stdout(); }
+  /// Holds --threads, if there is one, while it lives; InputError where it is no positive whole number.
+  [[nodiscard]] std::optional<ThreadLimit> limit_threads() const;
   /// Bytes that may be used: what is there, or --max-memory where that is less.
   [[nodiscard]] std::uint64_t memory_limit() const;
 };

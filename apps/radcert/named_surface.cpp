@@ -14,10 +14,9 @@ const SurfaceDescription& surface_named(const std::string& name) {
   if (const SurfaceDescription* found = find_surface(name)) return *found;
   std::vector<std::string> names;
   for (const SurfaceDescription& known : surface_catalogue()) names.push_back(known.name);
-  const auto near = nearest_word(name, names);
   throw InputError({.source = "surface",
                     .value = name,
-                    .problem = "is no surface" + (near ? "; did you mean " + *near + "?" : std::string()),
+                    .problem = with_nearest_word("is no surface", name, names),
                     .allowed = listed(names) + ", or a file in .off, .obj, .ply, .stl"});
 }
 

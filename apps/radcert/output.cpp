@@ -167,7 +167,12 @@ ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore&
   return ExitCode::interrupted;
 }
 
+Outputs::Outputs(const Common& common) {
+  if (common.json_to_file()) file("--json", common.json);
+}
+
 void Outputs::file(const std::string& option, const std::filesystem::path& path) {
+  if (path.empty()) return;
   std::error_code error;
   const std::filesystem::path folder =
       path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
@@ -179,6 +184,7 @@ void Outputs::file(const std::string& option, const std::filesystem::path& path)
 }
 
 void Outputs::folder(const std::string& option, const std::filesystem::path& path) {
+  if (path.empty()) return;
   std::error_code error;
   for (std::filesystem::path part = path; !part.empty(); part = part.parent_path()) {
     const auto status = std::filesystem::status(part, error);
@@ -201,11 +207,7 @@ void Outputs::write(const std::vector<std::pair<std::filesystem::path, std::stri
 }
 
 void print_result(const Common& common, std::string_view text, std::string_view json) {
-  if (!common.json.empty() && !common.json_to_stdout()) {
-    Outputs outputs;
-    outputs.file("--json", common.json);
-    outputs.write({{common.json, std::string(json)}});
-  }
+  if (common.json_to_file()) Outputs(common).write({{common.json, std::string(json)}});
   // A text that is the JSON itself stays JSON.
   print(common.json_to_stdout() || text == json ? std::string(json) : fitted(text));
 }

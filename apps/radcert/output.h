@@ -47,9 +47,12 @@ ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore&
 /// Files that are written together, once all of their contents are there.
 class Outputs {
 public:
-  /// A file that the user named; InputError at once if its folder does not exist.
+  /// With the file of --json, if there is one.
+  explicit Outputs(const Common& common);
+  /// A file that the user named, if any; InputError at once if its folder does not exist.
   void file(const std::string& option, const std::filesystem::path& path);
-  /// A folder that the user named, made if need be; InputError at once if that is impossible by its name.
+  /// A folder that the user named, if any, made if need be; InputError at once if that is impossible by its
+  /// name.
   void folder(const std::string& option, const std::filesystem::path& path);
   /// Writes one file after the other, each as a whole or not at all.
   void write(const std::vector<std::pair<std::filesystem::path, std::string>>& files) const;

@@ -188,10 +188,9 @@ std::vector<BasisRecord> records_of(const BasisOptions& options) {
   }
   const std::vector<std::string> families = {"inset", "symmetric"};
   if (std::find(families.begin(), families.end(), options.name) == families.end()) {
-    const auto near = nearest_word(options.name, families);
     throw InputError({.source = "basis",
                       .value = options.name,
-                      .problem = "is unknown" + (near ? "; did you mean " + *near + "?" : std::string()),
+                      .problem = with_nearest_word("is unknown", options.name, families),
                       .allowed = listed(families) + ", or a file of nodes (.json)"});
   }
   const bool is_inset = options.name == "inset";
@@ -324,11 +323,10 @@ std::string node_file(const Common& common, const BasisRecord& record) {
 }
 
 ExitCode give_basis(const Common& common, const BasisOptions& options) {
-  Outputs outputs;
-  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
-  if (!options.csv.empty()) outputs.file("--csv", options.csv);
-  if (!options.latex.empty()) outputs.file("--latex", options.latex);
-  if (!options.nodes.empty()) outputs.file("--nodes", options.nodes);
+  Outputs outputs(common);
+  outputs.file("--csv", options.csv);
+  outputs.file("--latex", options.latex);
+  outputs.file("--nodes", options.nodes);
   const std::vector<BasisRecord> records = records_of(options);
   if (!options.nodes.empty() && records.size() != 1)
     throw InputError({.source = "--nodes", .value = options.nodes, .problem = "is for one degree"});

@@ -37,12 +37,10 @@ ExitCode print_example(const Common& common, const std::string& name) {
     return ExitCode::done;
   }
   const bool output = name == "solution" || name == "verification" || name == "experiment_result";
-  const auto near = nearest_word(name, names());
-  const std::string hint = near ? "; did you mean " + *near + "?" : std::string();
   throw InputError({.source = "example",
                     .value = name,
                     .problem = output ? "is what radcert writes, not reads: see radcert schema " + name
-                                      : "is no example" + hint,
+                                      : with_nearest_word("is no example", name, names()),
                     .allowed = listed(names())});
 }
 

@@ -15,7 +15,6 @@
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
-#include "radcert/core/parallel.h"
 #include "radcert/core/result_store.h"
 #include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/plot/latex_plot.h"
@@ -126,10 +125,9 @@ Files paper_files(const Common& common, const ExperimentOptions& options, const 
 }
 
 ExitCode run_experiment(const Common& common, const ExperimentOptions& options) {
-  Outputs outputs;
-  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
-  if (!options.out.empty()) outputs.folder("--out", options.out);
-  const auto threads = common.thread_limit();
+  Outputs outputs(common);
+  outputs.folder("--out", options.out);
+  const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
   const Experiment experiment = read_experiment(options.experiment);
   for (const Combination& combination : experiment.combinations)
@@ -138,8 +136,6 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   std::vector<Problem> problems;
   for (const Combination& combination : experiment.combinations) problems.push_back(combination.problem);
   say(mended_text(problems));
-  const std::optional<ThreadLimit> limit =
-      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
   ResultStore store;
   StoredLevels levels(store, solve_with(reference::applied_operator, memory));
   const Finished finished = solve_all(experiment, options.experiment, levels, common.quiet);
@@ -151,7 +147,7 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   const std::string json = document.pretty() + "\n";
   Files files;
   if (!options.out.empty()) files = paper_files(common, options, experiment, results);
-  if (!common.json.empty() && !common.json_to_stdout()) files.emplace_back(common.json, json);
+  if (common.json_to_file()) files.emplace_back(common.json, json);
   if (!options.out.empty()) {
     const std::filesystem::path folder = options.out;
     files.emplace_back(folder / "experiment.json", json);

@@ -17,7 +17,6 @@
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/interrupt.h"
-#include "radcert/core/parallel.h"
 #include "radcert/core/result_store.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
@@ -238,12 +237,9 @@ FactorMatrix computed(const Common& common, const FacetScene& scene, const Facto
 }
 
 ExitCode factors(const Common& common, const FactorsOptions& options) {
-  const auto threads = common.thread_limit();
-  const std::optional<ThreadLimit> limit =
-      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
-  Outputs outputs;
-  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
-  if (!options.out.empty()) outputs.file("--out", options.out);
+  const auto limit = common.limit_threads();
+  Outputs outputs(common);
+  outputs.file("--out", options.out);
   const FactorUnit unit = unit_of(options.by);
   FactorDemand demand{.certified = options.certified,
                       .accuracy = accuracy_of(options.accuracy, options.certified)};

@@ -163,18 +163,16 @@ std::string json(const Common& common, const std::string& what, const std::vecto
   JsonValue out = document_head("list", common.command);
   out.set("list", what);
   out.set("entries", json_array(lines, [](const Entry& line) {
-            JsonValue entry = JsonValue::object();
-            entry.set("name", line.name);
-            entry.set("summary", line.summary);
-            entry.set("parameters", json_array(line.parameters, [](const EntryParameter& parameter) {
-                        JsonValue p = JsonValue::object();
-                        p.set("name", parameter.name);
-                        p.set("allowed", parameter.allowed);
-                        p.set("default", parameter.default_text.empty() ? JsonValue()
-                                                                        : JsonValue(parameter.default_text));
-                        return p;
-                      }));
-            return entry;
+            return JsonValue::object(
+                {{"name", line.name},
+                 {"summary", line.summary},
+                 {"parameters", json_array(line.parameters, [](const EntryParameter& parameter) {
+                    return JsonValue::object(
+                        {{"name", parameter.name},
+                         {"allowed", parameter.allowed},
+                         {"default",
+                          parameter.default_text.empty() ? JsonValue() : JsonValue(parameter.default_text)}});
+                  })}});
           }));
   return out.pretty() + "\n";
 }
@@ -192,10 +190,9 @@ ExitCode print_list(const Common& common, const std::string& what) {
     print_result(common, text(what, lines), json(common, what, lines));
     return ExitCode::done;
   }
-  const auto near = nearest_word(what, names());
   throw InputError({.source = "list",
                     .value = what,
-                    .problem = "is unknown" + (near ? "; did you mean " + *near + "?" : std::string()),
+                    .problem = with_nearest_word("is unknown", what, names()),
                     .allowed = listed(names())});
 }
 

@@ -12,7 +12,6 @@
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/errors.h"
-#include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/json/json_document.h"
@@ -58,10 +57,9 @@ const FigureKind& kind_of(const std::string& name) {
     if (kind.name == name) return kind;
     names.emplace_back(kind.name);
   }
-  const auto near = nearest_word(name, names);
   throw InputError({.source = "picture",
                     .value = name,
-                    .problem = "is no picture" + (near ? "; did you mean " + *near + "?" : std::string()),
+                    .problem = with_nearest_word("is no picture", name, names),
                     .allowed = listed(names)});
 }
 
@@ -164,10 +162,7 @@ JsonValue picture_json(const Common& common, const PictureOptions& options, cons
     out.set("height", wish.height);
   }
   out.set("facts", json_array(picture.facts, [](const auto& fact) {
-            JsonValue entry = JsonValue::object();
-            entry.set("name", fact.first);
-            entry.set("value", fact.second);
-            return entry;
+            return JsonValue::object({{"name", fact.first}, {"value", fact.second}});
           }));
   return out;
 }
@@ -192,12 +187,9 @@ ExitCode make_picture(const Common& common, const PictureOptions& options) {
   require_meaning(options, kind);
   const FigureWish wish = wish_of(common, options, kind);
   require_format(options, kind);
-  Outputs outputs;
+  Outputs outputs(common);
   outputs.file("--out", options.out);
-  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
-  const auto threads = common.thread_limit();
-  const std::optional<ThreadLimit> limit =
-      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
+  const auto limit = common.limit_threads();
   const Figure picture = [&] {
     ProgressDisplay progress(common.quiet);
     Figure made = kind.make(wish, [&](double part, const std::string& begins) { progress.at(part, begins); });

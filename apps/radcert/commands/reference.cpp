@@ -15,7 +15,6 @@
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/interrupt.h"
-#include "radcert/core/parallel.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/result/reference_json.h"
@@ -96,10 +95,9 @@ Wanted member(const reference::NamedValue& value) {
   for (const reference::NamedValue& value : reference::named_values()) names.push_back(value.name);
   for (const reference::ValueFamily& family : reference::value_families()) names.push_back(family.name);
   names.emplace_back(psg10::sphere_over_disk_name);
-  const auto near = nearest_word(name, names);
   throw InputError({.source = "reference",
                     .value = name,
-                    .problem = "is unknown" + (near ? "; did you mean " + *near + "?" : std::string()),
+                    .problem = with_nearest_word("is unknown", name, names),
                     .allowed = "the names of radcert list references"});
 }
 
@@ -163,7 +161,7 @@ std::string file_name(const std::string& name) {
 }
 
 ExitCode print_one(const Common& common, const ReferenceOptions& options, int digits) {
-  if (!common.json.empty() && !common.json_to_stdout()) Outputs().file("--json", common.json);
+  const Outputs checked(common);
   const ReferenceRecord record = record_of(wanted(options), digits);
   print_result(common, text_of(record), reference_json(record, common.command).pretty() + "\n");
   return ExitCode::done;
@@ -180,11 +178,10 @@ ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& opt
     throw InputError({.source = "reference",
                       .problem = std::string(psg10::sphere_over_disk_name) + " without a point",
                       .allowed = "--at B:LATITUDE, --at D:DISTANCE, --curve FILE.csv"});
-  Outputs outputs;
-  if (!wish.curve.empty()) outputs.file("--curve", wish.curve);
   if (!common.json.empty() && wish.at.empty())
     throw InputError({.source = "--json", .problem = "without --at", .allowed = "--at with it"});
-  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
+  Outputs outputs(common);
+  outputs.file("--curve", wish.curve);
   // Before anything is written: a point that is not allowed leaves no file behind.
   std::vector<ReferenceRecord> records;
   if (!wish.at.empty()) records = psg10::sphere_over_disk_records(wish);
@@ -203,18 +200,14 @@ JsonValue manifest(const Common& common, const std::vector<ReferenceRecord>& rec
   out.set("digits", digits);
   out.set("table", "references.csv");
   out.set("values", json_array(records, [](const ReferenceRecord& record) {
-            JsonValue entry = JsonValue::object();
-            entry.set("name", record.name);
-            entry.set("file", file_name(record.name) + ".json");
-            return entry;
+            return JsonValue::object({{"name", record.name}, {"file", file_name(record.name) + ".json"}});
           }));
   return out;
 }
 
 ExitCode write_all(const Common& common, const ReferenceOptions& options, int digits) {
-  Outputs outputs;
+  Outputs outputs(common);
   outputs.folder("--out", options.out);
-  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
   const auto named = reference::named_values();
   ProgressDisplay progress(common.quiet);
   std::vector<ReferenceRecord> records;
@@ -251,9 +244,7 @@ ExitCode give_reference(const Common& common, const ReferenceOptions& options) {
     throw InputError({.source = "reference", .problem = "--out without --all", .allowed = "--json FILE"});
   if (options.all && !options.settings.empty())
     throw InputError({.source = "--set", .value = options.settings.front(), .problem = "is for one family"});
-  const auto threads = common.thread_limit();
-  const std::optional<ThreadLimit> limit =
-      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
+  const auto limit = common.limit_threads();
   if (options.name == psg10::sphere_over_disk_name) return give_sphere_over_disk(common, options, digits);
   if (!options.at.empty() || !options.curve.empty())
     throw InputError({.source = options.at.empty() ? "--curve" : "--at",

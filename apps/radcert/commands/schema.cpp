@@ -18,10 +18,9 @@ namespace {
 ExitCode print_schema(const Common& common, const std::string& name) {
   const std::vector<std::string> names = schema_names();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
-    const auto near = nearest_word(name, names);
     throw InputError({.source = "schema",
                       .value = name,
-                      .problem = "is no file type" + (near ? "; did you mean " + *near + "?" : std::string()),
+                      .problem = with_nearest_word("is no file type", name, names),
                       .allowed = listed(names)});
   }
   const std::string text = schema_text(name);

@@ -13,7 +13,6 @@
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
-#include "radcert/core/parallel.h"
 #include "radcert/core/result_store.h"
 #include "radcert/formats/field/element_errors.h"
 #include "radcert/formats/field/ply.h"
@@ -42,12 +41,11 @@ struct SolveOptions {
 };
 
 Outputs checked_outputs(const Common& common, const SolveOptions& options) {
-  Outputs outputs;
-  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
-  if (!options.nodes.empty()) outputs.file("--nodes", options.nodes);
-  if (!options.vtu.empty()) outputs.file("--vtu", options.vtu);
-  if (!options.ply.empty()) outputs.file("--ply", options.ply);
-  if (!options.out.empty()) outputs.folder("--out", options.out);
+  Outputs outputs(common);
+  outputs.file("--nodes", options.nodes);
+  outputs.file("--vtu", options.vtu);
+  outputs.file("--ply", options.ply);
+  outputs.folder("--out", options.out);
   return outputs;
 }
 
@@ -113,13 +111,11 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
 
 ExitCode solve(const Common& common, const SolveOptions& options) {
   const Outputs outputs = checked_outputs(common, options);
-  const auto threads = common.thread_limit();
+  const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
   const Problem problem = read_problem(options.problem);
   with_source(options.problem, [&] { check(problem, memory); });
 
-  const std::optional<ThreadLimit> limit =
-      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
   ResultStore store;
   StoredLevels levels(store, solve_with(reference::applied_operator, memory));
   const std::vector<LevelOutcome> finished =
@@ -138,7 +134,7 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   const std::string json = result_text(result, common.command);
   Files files;
   if (!options.out.empty()) files = files_of(common, options, result, finished, json);
-  if (!common.json.empty() && !common.json_to_stdout()) files.emplace_back(common.json, json);
+  if (common.json_to_file()) files.emplace_back(common.json, json);
   if (!options.nodes.empty()) files.emplace_back(options.nodes, nodes_csv(finished));
   const auto& elements = finished.back().elements;
   if (!options.vtu.empty())

@@ -13,7 +13,6 @@
 #include "command.h"
 #include "named_surface.h"
 #include "output.h"
-#include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/result/surface_json.h"
@@ -265,9 +264,8 @@ std::string off_text(const TriangleMesh& mesh) {
 }
 
 ExitCode show_mesh(const Common& common, const SurfaceOptions& options) {
-  Outputs outputs;
-  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
-  if (!options.write.empty()) outputs.file("--write", options.write);
+  Outputs outputs(common);
+  outputs.file("--write", options.write);
   const MeshSurvey survey = survey_mesh(options.name, degrees_of(options.angle), repair_of(options.repair));
   if (!options.write.empty()) outputs.write({{options.write, off_text(survey.mesh)}});
   print_result(common, mesh_text(options.name, survey),
@@ -291,9 +289,7 @@ ExitCode show_catalogue(const Common& common, const SurfaceOptions& options) {
 }
 
 ExitCode show(const Common& common, const SurfaceOptions& options) {
-  const auto threads = common.thread_limit();
-  const std::optional<ThreadLimit> limit =
-      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
+  const auto limit = common.limit_threads();
   return is_mesh_file_name(options.name) ? show_mesh(common, options) : show_catalogue(common, options);
 }
 

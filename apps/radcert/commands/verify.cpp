@@ -15,7 +15,6 @@
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
-#include "radcert/core/parallel.h"
 #include "radcert/core/result_store.h"
 #include "radcert/reference/operator_integral.h"
 #include "verification/framework/embedded.h"
@@ -88,12 +87,9 @@ std::string with_alarms(const std::string& table) {
 
 ExitCode verify(const Common& common, const VerifyOptions& options) {
   const verification::Budget budget = budget_of(options.budget);
-  Outputs outputs;
-  if (!common.json.empty() && !common.json_to_stdout()) outputs.file("--json", common.json);
-  if (!options.out.empty()) outputs.folder("--out", options.out);
-  const auto threads = common.thread_limit();
-  const std::optional<ThreadLimit> limit =
-      threads ? std::optional<ThreadLimit>(std::in_place, *threads) : std::nullopt;
+  Outputs outputs(common);
+  outputs.folder("--out", options.out);
+  const auto limit = common.limit_threads();
 
   ResultStore store;
   verification::Report report;

@@ -60,6 +60,12 @@ std::optional<std::string> nearest_word(std::string_view word, std::span<const s
   return nearest;
 }
 
+std::string with_nearest_word(const std::string& problem, std::string_view word,
+                              std::span<const std::string> words) {
+  const std::optional<std::string> near = nearest_word(word, words);
+  return near ? problem + "; did you mean " + *near + "?" : problem;
+}
+
 void JsonReader::refuse(const std::string& problem, const std::string& allowed) const {
   throw InputError({.pointer = pointer_, .value = shown(*value_), .problem = problem, .allowed = allowed});
 }
@@ -76,9 +82,8 @@ void JsonReader::require_object(std::span<const std::string> allowed_keys) const
   if (members == nullptr) refuse_kind("an object");
   for (const auto& [key, value] : *members) {
     if (std::find(allowed_keys.begin(), allowed_keys.end(), key) != allowed_keys.end()) continue;
-    const auto near = nearest_word(key, allowed_keys);
     const JsonReader there(value, pointer_below(pointer_, key));
-    there.refuse("belongs to an unknown key" + (near ? "; did you mean " + *near + "?" : std::string()),
+    there.refuse(with_nearest_word("belongs to an unknown key", key, allowed_keys),
                  "the keys " + listed(allowed_keys));
   }
 }
@@ -168,8 +173,7 @@ const std::string& JsonReader::word(std::span<const std::string> available,
   };
   if (among(available)) return text;
   if (among(planned)) refuse("is not available in this version", listed(available));
-  const auto near = nearest_word(text, available);
-  refuse("is unknown" + (near ? "; did you mean " + *near + "?" : std::string()), listed(available));
+  refuse(with_nearest_word("is unknown", text, available), listed(available));
 }
 
 }  // namespace radcert

@@ -79,4 +79,10 @@ private:
 [[nodiscard]] std::optional<std::string> nearest_word(std::string_view word,
                                                       std::span<const std::string> words);
 
+/// A problem with a word that is none of a list, and what somebody may have meant.
+/// Requires  nothing
+/// Result    "<problem>; did you mean <nearest_word>?", or the problem alone where no word is near enough
+[[nodiscard]] std::string with_nearest_word(const std::string& problem, std::string_view word,
+                                            std::span<const std::string> words);
+
 }  // namespace radcert
