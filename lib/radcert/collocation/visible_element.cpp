@@ -5,46 +5,15 @@
 #include <array>
 #include <cmath>
 
-#include "radcert/geometry/vector.h"
+#include "radcert/collocation/convex_polygon.h"
 
 namespace radcert {
 namespace {
 
 using Point = ParameterPoint<double>;
-using Corners = std::vector<Point>;
-
-/// A convex polygon's part to the left of the line from a to b.
-Corners left_of(const Point& a, const Point& b, const Corners& polygon) {
-  const Point along = b - a;
-  Corners left;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point& p = polygon[k];
-    const Point& q = polygon[(k + 1) % polygon.size()];
-    const double at_p = cross(along, p - a);
-    const double at_q = cross(along, q - a);
-    if (at_p >= 0) left.push_back(p);
-    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) left.push_back(p + at_p / (at_p - at_q) * (q - p));
-  }
-  return left;
-}
-
-/// What a part that is seen has in common with an element. The part is what is cut: of two of its corners
-/// that are almost one the rounded doubles say nothing about the line through them.
-Corners common(const Corners& part, const Corners& element) {
-  Corners rest = part;
-  for (std::size_t k = 0; k < element.size() && rest.size() >= 3; ++k)
-    rest = left_of(element[k], element[(k + 1) % element.size()], rest);
-  return rest;
-}
+using Corners = ConvexPolygon<double>;
 
 double extent(const Point& along) { return std::abs(along.s) + std::abs(along.t); }
-
-double doubled_area(const Corners& polygon) {
-  double area = 0;
-  for (std::size_t k = 2; k < polygon.size(); ++k)
-    area += cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
-  return area;
-}
 
 /// What the corners of a part are off by at most, once cut.
 constexpr double corner_error = 0x1p-50;
@@ -100,7 +69,8 @@ public:
       add(element_.integrate(p), 0);
       return;
     }
-    const Corners polygon = common(part, corners);
+    // The part is what is cut: its sides may be too short to cut along.
+    const Corners polygon = clipped(part, std::span<const Point>(corners));
     if (polygon.size() < 3) return;
     double beside = strip_bound(p.point, chart_.in<double>(), polygon);
     if (is_all_of(polygon, corners)) {

@@ -143,12 +143,6 @@ Outcome<void> rows_within(const CertifiedEntries& found, std::span<const double>
   return {};
 }
 
-/// The integrals of u over a chunk of elements.
-struct Part {
-  CertifiedSums sums;
-  Outcome<void> found;
-};
-
 }  // namespace
 
 std::vector<SurfacePoint<Rational>> exact_collocation_nodes(const Triangulation& triangulation,
@@ -211,34 +205,21 @@ Outcome<CertifiedCollocation> certified_collocation(const Surface& surface,
   const CertifiedKernelSums sums(surface, triangulation, on_elements, nodes, demand);
 
   CertifiedEntries matrix = entries_to_be(n);
-  Part total = parallel_reduce_ordered(
-      elements, default_grain(elements), Part{CertifiedSums(n), {}},
-      [&](std::size_t begin, std::size_t end) {
-        Part part{CertifiedSums(n), {}};
-        std::vector<double> values((p + 1) * n);
-        std::vector<double> radius((p + 1) * n);
-        for (std::size_t k = begin; k < end && part.found; ++k) {
-          part.found = sums.element(k, values, radius);
-          for (std::size_t j = 0; j < p; ++j)
-            for (std::size_t i = 0; i < n; ++i) {
-              double& value = matrix.entries(i, k * p + j) = values[j * n + i];
-              double& r = matrix.radius(i, k * p + j) = radius[j * n + i];
-              scale_by_reflectivity(1, value, r);
-            }
-          part.sums.add(std::span(values).last(n), std::span(radius).last(n));
-        }
-        return part;
-      },
-      [](Part all, const Part& part) {
-        if (all.found) all.found = part.found;
-        all.sums.add(part.sums);
-        return all;
+  Outcome<CertifiedSums> total = CertifiedSums::over_elements(
+      sums, elements, p + 1, n,
+      [&](std::size_t k, std::span<const double> values, std::span<const double> radius) {
+        for (std::size_t j = 0; j < p; ++j)
+          for (std::size_t i = 0; i < n; ++i) {
+            double& value = matrix.entries(i, k * p + j) = values[j * n + i];
+            double& r = matrix.radius(i, k * p + j) = radius[j * n + i];
+            scale_by_reflectivity(1, value, r);
+          }
       });
-  if (!total.found) return because(total.found.reason());
+  if (!total) return because(total.reason());
   if (const Outcome<void> narrow = rows_within(matrix, ones, demand); !narrow)
     return because(narrow.reason());
   Outcome<CertifiedValues> integrals =
-      std::move(total.sums).within(std::numbers::pi * (size / scale) * demand, elements);
+      (*std::move(total)).within(std::numbers::pi * (size / scale) * demand, elements);
   if (!integrals) return because(integrals.reason());
   for (double& value : integrals->values) value *= scale;
   for (double& radius : integrals->radius) radius *= scale;

@@ -34,13 +34,36 @@ private:
   const DensityFormula& u_;
 };
 
-/// The sums over a chunk of elements.
-struct Part {
-  CertifiedSums sums;
-  Outcome<void> found;
-};
-
 }  // namespace
+
+Outcome<CertifiedSums> CertifiedSums::over_elements(
+    const CertifiedKernelSums& sums, std::size_t elements, std::size_t functions, std::size_t points,
+    const std::function<void(std::size_t, std::span<const double>, std::span<const double>)>& use) {
+  struct Part {
+    CertifiedSums sums;
+    Outcome<void> found;
+  };
+  Part total = parallel_reduce_ordered(
+      elements, default_grain(elements), Part{CertifiedSums(points), {}},
+      [&](std::size_t begin, std::size_t end) {
+        Part part{CertifiedSums(points), {}};
+        std::vector<double> values(functions * points);
+        std::vector<double> radius(functions * points);
+        for (std::size_t k = begin; k < end && part.found; ++k) {
+          part.found = sums.element(k, values, radius);
+          if (use) use(k, values, radius);
+          part.sums.add(std::span(values).last(points), std::span(radius).last(points));
+        }
+        return part;
+      },
+      [](Part all, const Part& part) {
+        if (all.found) all.found = part.found;
+        all.sums.add(part.sums);
+        return all;
+      });
+  if (!total.found) return because(total.found.reason());
+  return std::move(total.sums);
+}
 
 void CertifiedSums::add(std::span<const double> values, std::span<const double> radius) {
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -66,27 +89,10 @@ Outcome<CertifiedValues> certified_operator(const Surface& surface, const Triang
                                             std::span<const SurfacePoint<Rational>> points, double demand) {
   const DensityOnElements density(u);
   const CertifiedKernelSums sums(surface, triangulation, density, points, demand);
-  const std::size_t n = points.size();
   const std::size_t elements = triangulation.triangles.size();
-  Part total = parallel_reduce_ordered(
-      elements, default_grain(elements), Part{CertifiedSums(n), {}},
-      [&](std::size_t begin, std::size_t end) {
-        Part part{CertifiedSums(n), {}};
-        std::vector<double> values(n);
-        std::vector<double> radius(n);
-        for (std::size_t k = begin; k < end && part.found; ++k) {
-          part.found = sums.element(k, values, radius);
-          part.sums.add(values, radius);
-        }
-        return part;
-      },
-      [](Part all, const Part& part) {
-        if (all.found) all.found = part.found;
-        all.sums.add(part.sums);
-        return all;
-      });
-  if (!total.found) return because(total.found.reason());
-  return std::move(total.sums).within(demand, elements);
+  Outcome<CertifiedSums> total = CertifiedSums::over_elements(sums, elements, 1, points.size());
+  if (!total) return because(total.reason());
+  return (*std::move(total)).within(demand, elements);
 }
 
 }  // namespace radcert

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -18,9 +19,18 @@ struct CertifiedValues {
   std::vector<double> radius;
 };
 
+class CertifiedKernelSums;
+
 /// Such numbers as sums over elements, in a fixed order.
 class CertifiedSums {
 public:
+  /// The integrals of the last of so many functions, over so many elements, at so many points. `use`, if any,
+  /// is shown the integrals of all functions over each element. Refused: what CertifiedKernelSums::element
+  /// refuses.
+  [[nodiscard]] static Outcome<CertifiedSums> over_elements(
+      const CertifiedKernelSums& sums, std::size_t elements, std::size_t functions, std::size_t points,
+      const std::function<void(std::size_t element, std::span<const double> values,
+                               std::span<const double> radius)>& use = {});
   explicit CertifiedSums(std::size_t points)
       : sums_{std::vector<double>(points), std::vector<double>(points)} {}
   void add(std::span<const double> values, std::span<const double> radius);

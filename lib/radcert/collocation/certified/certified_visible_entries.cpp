@@ -8,6 +8,7 @@
 
 #include "radcert/closed_form/plane_element.h"
 #include "radcert/collocation/certified/exchanged_corners.h"
+#include "radcert/collocation/convex_polygon.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/geometry/orientation.h"
@@ -20,30 +21,8 @@ namespace radcert {
 namespace {
 
 using Point = ParameterPoint<Rational>;
-using Polygon = std::vector<Point>;
+using Polygon = ConvexPolygon<Rational>;
 using Polynomials = std::vector<PlanePolynomial<Rational>>;
-
-Rational doubled_area(const Polygon& polygon) {
-  Rational area = 0;
-  for (std::size_t k = 2; k < polygon.size(); ++k)
-    area += cross(polygon[k - 1] - polygon[0], polygon[k] - polygon[0]);
-  return area;
-}
-
-/// A convex polygon's part to the left of the line from a to b.
-Polygon left_of(const Point& a, const Point& b, const Polygon& polygon) {
-  const Point along = b - a;
-  Polygon left;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point& p = polygon[k];
-    const Point& q = polygon[(k + 1) % polygon.size()];
-    const Rational at_p = cross(along, p - a);
-    const Rational at_q = cross(along, q - a);
-    if (at_p.sign() >= 0) left.push_back(p);
-    if (at_p.sign() * at_q.sign() < 0) left.push_back(p + (at_p / (at_p - at_q)) * (q - p));
-  }
-  return left;
-}
 
 const Polygon& unit_triangle() {
   static const Polygon corners{{0, 0}, {1, 0}, {0, 1}};
@@ -128,10 +107,7 @@ public:
       const Point from = corner - place_[0];
       rest.push_back({cross(from, v) / area, cross(u, from) / area});
     }
-    const Polygon& triangle = unit_triangle();
-    for (std::size_t k = 0; k < 3 && rest.size() >= 3; ++k)
-      rest = left_of(triangle[k], triangle[(k + 1) % 3], rest);
-    return rest;
+    return clipped(std::move(rest), std::span<const Point>(unit_triangle()));
   }
   [[nodiscard]] PlaneElement of(const Polygon& part) const {
     return {plane_polygon(origin_, first_, second_, {part}).value(), functions_, PlaneElement::usual_accuracy,
