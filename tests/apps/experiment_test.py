@@ -5,14 +5,12 @@ import csv
 import json
 import math
 import os
-import signal
-import subprocess
 import unittest
 import xml.etree.ElementTree as xml
 
 import jsonschema
 
-from program import EXAMPLES, RADCERT, SMALL, ProgramTest
+from program import EXAMPLES, SMALL, ProgramTest
 
 INSET = [{"family": "inset", "degree": 0}, {"family": "inset", "degree": 1, "alpha": "0.1"},
          {"family": "inset", "degree": 1, "alpha": "1/6"}, {"family": "inset", "degree": 1, "alpha": "0.2"}]
@@ -148,16 +146,7 @@ class Experiment(ProgramTest):
         slow = trial(base={"basis": {"family": "inset", "degree": 2, "alpha": "0.1"}},
                      triangulation=[{"levels": [0]}, {"levels": [4]}])
         self.write("slow.json", slow)
-        with subprocess.Popen([RADCERT, "experiment", "slow.json", "--out", "out"], cwd=self.folder,
-                              env=self.environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE) as program:
-            said = b""
-            while b"levels 0: 1 level" not in said:
-                said = program.stderr.readline()
-                self.assertTrue(said)
-            program.send_signal(signal.SIGINT)
-            output, said = program.communicate(timeout=300)
-        self.assertEqual(program.returncode, 130, said)
-        self.assertEqual(output, b"")
+        said = self.interrupted_after(b"levels 0: 1 level", "experiment", "slow.json", "--out", "out")
         self.assertIn(b"interrupted; 1 of 2 levels are finished and kept", said)
         self.assertEqual(self.entries(), ["slow.json"])
         self.assertEqual(len(os.listdir(self.store)), 1)

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A run that is stopped keeps what it finished."""
 import os
-import signal
-import subprocess
 import unittest
 
-from program import RADCERT, ProgramTest, small
+from program import ProgramTest, small
 
 
 class Interruption(ProgramTest):
@@ -13,17 +11,7 @@ class Interruption(ProgramTest):
         # Level 4 of degree 2 has 6144 unknowns: the signal, sent when level 0 is reported, comes long before its end.
         self.write("problem.json", small(triangulation={"levels": [0, 4]},
                                          basis={"family": "inset", "degree": 2, "alpha": "0.1"}))
-        with subprocess.Popen([RADCERT, "solve", "problem.json", "--out", "out", "--json", "result.json"],
-                              cwd=self.folder, env=self.environment(), stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE) as program:
-            said = b""
-            while b"level 0: " not in said:
-                said = program.stderr.readline()
-                self.assertTrue(said)
-            program.send_signal(signal.SIGINT)
-            output, said = program.communicate(timeout=300)
-        self.assertEqual(program.returncode, 130, said)
-        self.assertEqual(output, b"")
+        said = self.interrupted_after(b"level 0: ", "solve", "problem.json", "--out", "out", "--json", "result.json")
         self.assertIn(b"interrupted; 1 of 2 levels are finished and kept", said)
         self.assertEqual(self.entries(), ["problem.json"])
         self.assertEqual(len(os.listdir(self.store)), 1)

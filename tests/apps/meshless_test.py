@@ -2,7 +2,6 @@
 """Problems with meshless bases: the page of the example, what is refused, what is written."""
 import json
 import os
-import re
 import shutil
 import unittest
 
@@ -37,12 +36,7 @@ class Meshless(ProgramTest):
         self.assertNotIn("nan", done.stdout.decode().lower())
 
     def test_every_command_of_the_page_works(self):
-        with open(os.path.join(PAGE, "README.md"), encoding="utf-8") as file:
-            commands = re.findall(r"^    radcert (.*)$", file.read(), re.MULTILINE)
-        self.assertEqual(len(commands), 5)
-        for command in commands:
-            with self.subTest(command=command):
-                self.expect(0, *command.split())
+        self.expect_commands_of(PAGE, 5)
 
     def test_errors_fall_from_level_to_level(self):
         result = self.result_of("problem.json")

@@ -2,7 +2,6 @@
 """The page "Try your own basis", followed as it is written."""
 import json
 import os
-import re
 import shutil
 import unittest
 
@@ -33,12 +32,7 @@ class OwnBasis(ProgramTest):
         return orders["node_error"]["order"]
 
     def test_every_command_of_the_page_works(self):
-        with open(os.path.join(PAGE, "README.md"), encoding="utf-8") as file:
-            commands = re.findall(r"^    radcert (.*)$", file.read(), re.MULTILINE)
-        self.assertEqual(len(commands), 8)
-        for command in commands:
-            with self.subTest(command=command):
-                self.expect(0, *command.split())
+        self.expect_commands_of(PAGE, 8)
 
     def test_the_bubble_has_the_predicted_order_and_the_linear_functions_have_theirs(self):
         self.assertGreater(self.orders("problem.json"), 3.5)

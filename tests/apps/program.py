@@ -3,7 +3,9 @@
 import copy
 import json
 import os
+import re
 import shutil
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -47,6 +49,29 @@ class ProgramTest(unittest.TestCase):
         done = self.run_program(*words, **options)
         self.assertEqual(done.returncode, code, done.stderr.decode(errors="replace"))
         return done.stdout.decode()
+
+    def interrupted_after(self, report, *words):
+        """Stops the program as soon as it has reported this: exit code 130, and no result; gives what else it said."""
+        with subprocess.Popen([RADCERT, *words], cwd=self.folder, env=self.environment(), stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as program:
+            said = b""
+            while report not in said:
+                said = program.stderr.readline()
+                self.assertTrue(said)
+            program.send_signal(signal.SIGINT)
+            output, said = program.communicate(timeout=300)
+        self.assertEqual(program.returncode, 130, said)
+        self.assertEqual(output, b"")
+        return said
+
+    def expect_commands_of(self, page, count):
+        """Runs the commands of a page's README.md, so many, each of which must succeed."""
+        with open(os.path.join(page, "README.md"), encoding="utf-8") as file:
+            commands = re.findall(r"^    radcert (.*)$", file.read(), re.MULTILINE)
+        self.assertEqual(len(commands), count)
+        for command in commands:
+            with self.subTest(command=command):
+                self.expect(0, *command.split())
 
     def path(self, name):
         return os.path.join(self.folder, name)
