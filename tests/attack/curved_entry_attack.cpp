@@ -21,23 +21,10 @@
 #include "radcert/triangulation/interpolated_surface.h"
 #include "tests/attack/attack.h"
 #include "tests/attack/curved_judge.h"
+#include "tests/quadrature/one_and_coordinate.h"
 
 namespace radcert::attack {
 namespace {
-
-/// 1 and the second barycentric coordinate.
-class OneAndCoordinate final : public ElementFunctions {
-public:
-  std::size_t size() const override { return 2; }
-  void values(const ElementPoint<BoundedDouble>& at, std::span<BoundedDouble> out) const override {
-    out[0] = 1;
-    out[1] = at.in_element.x[1];
-  }
-  double bound(const ElementPoint<TaylorModel>& at) const override {
-    return std::max(1.0, at.in_element.x[1].magnitude_bound());
-  }
-  static std::vector<ElementPolynomial> exactly() { return {{{{1, 0, 0}}}, {{{1, 0, 1}}}}; }
-};
 
 /// Chebyshev's polynomial of degree 4 over an element: the rule of order 2 is off by about as much as its
 /// bound allows.
@@ -241,7 +228,7 @@ Judgement judged_at(const Entry& e, const ElementFunctions& functions,
 Judgement judge(const Entry& e) {
   switch (e.beside) {
     case Beside::one_and_coordinate:
-      return judged_at(e, OneAndCoordinate(), OneAndCoordinate::exactly(), std::array{e.demand});
+      return judged_at(e, sample::OneAndCoordinate(), {{{{1, 0, 0}}}, {{{1, 0, 1}}}}, std::array{e.demand});
     case Beside::displaced:
       return judged_at(e, Displaced(e.demand), Displaced::exactly(), std::array{std::abs(e.demand)});
     case Beside::oscillating: {

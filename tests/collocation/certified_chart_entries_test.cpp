@@ -24,24 +24,13 @@
 #include "radcert/surface/catalogue/torus.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/triangulation/interpolated_surface.h"
+#include "tests/collocation/certified_samples.h"
+#include "tests/quadrature/one_and_coordinate.h"
 
 namespace radcert {
 namespace {
 
 constexpr double demand = 1e-11;
-
-/// 1 and the second barycentric coordinate.
-class OneAndCoordinate final : public ElementFunctions {
-public:
-  std::size_t size() const override { return 2; }
-  void values(const ElementPoint<BoundedDouble>& at, std::span<BoundedDouble> out) const override {
-    out[0] = 1;
-    out[1] = at.in_element.x[1];
-  }
-  double bound(const ElementPoint<TaylorModel>& at) const override {
-    return std::max(1.0, at.in_element.x[1].magnitude_bound());
-  }
-};
 
 /// The same as densities on one element.
 std::array<DensityFormula, 2> densities(const ParameterTriangle& element) {
@@ -74,7 +63,7 @@ struct Enclosures {
 
 Enclosures sums_over(const Surface& surface, const ParameterTriangle& element,
                      const std::vector<SurfacePoint<Rational>>& points, double demanded = demand) {
-  const OneAndCoordinate functions;
+  const sample::OneAndCoordinate functions;
   const Triangulation triangulation{{element}};
   const CertifiedKernelSums sums(surface, triangulation, functions, points, demanded);
   Enclosures found{std::vector<double>(2 * points.size()), std::vector<double>(2 * points.size())};
@@ -309,10 +298,6 @@ TEST(CertifiedKernelSums, ContainTheClosedFormOfPlaneElements) {
     }
   }
   EXPECT_LT(widest, 1e-13);
-}
-
-LagrangeFunctions inset_functions(int degree, const Rational& inset) {
-  return lagrange_functions(inset_nodes(degree, inset)).value();
 }
 
 TEST(CertifiedChartEntries, AreWithinTheDemandAndHoldTheReflectivity) {

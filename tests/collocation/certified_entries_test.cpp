@@ -18,15 +18,12 @@
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/ball.h"
+#include "tests/collocation/certified_samples.h"
 
 namespace radcert {
 namespace {
 
 using Triangles = std::vector<ExactTriangle>;
-
-LagrangeFunctions inset_functions(int degree, const Rational& inset) {
-  return lagrange_functions(inset_nodes(degree, inset)).value();
-}
 
 /// The sides of [0, edge]^3, each cut into 2 parts^2 triangles, normals inwards.
 Triangles cube(const Rational& edge, int parts) {
@@ -178,15 +175,7 @@ TEST(CertifiedEntries, AreTheSameForEveryNumberOfThreads) {
   const Triangles triangles = cube(1, 1);
   const auto with_threads = [&](std::size_t threads) {
     const ThreadLimit limit(threads);
-    const CertifiedEntries matrix =
-        certified_entries(triangles, functions, ones(triangles, functions)).value();
-    std::vector<double> numbers;
-    for (std::size_t j = 0; j < matrix.entries.columns(); ++j)
-      for (std::size_t i = 0; i < matrix.entries.rows(); ++i) {
-        numbers.push_back(matrix.entries(i, j));
-        numbers.push_back(matrix.radius(i, j));
-      }
-    return numbers;
+    return numbers_of(certified_entries(triangles, functions, ones(triangles, functions)).value());
   };
   EXPECT_EQ(with_threads(1), with_threads(2));
 }

@@ -22,6 +22,7 @@
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/surface/mesh_surface.h"
+#include "tests/collocation/certified_samples.h"
 #include "tests/geometry/sample_meshes.h"
 #include "tests/visibility/sample_scenes.h"
 
@@ -30,10 +31,6 @@ namespace {
 
 using Elements = std::vector<SceneElement>;
 using Corners = std::array<ParameterPoint<Rational>, 3>;
-
-LagrangeFunctions inset_functions(int degree, const Rational& inset) {
-  return lagrange_functions(inset_nodes(degree, inset)).value();
-}
 
 /// Every triangle of the scene, as it is or cut into four.
 Elements elements_of(const Scene& scene, bool in_four = false) {
@@ -245,14 +242,7 @@ TEST(CertifiedVisibleEntries, AreTheSameForEveryNumberOfThreads) {
   const LagrangeFunctions functions = inset_functions(0, 0);
   const auto with_threads = [&](std::size_t threads) {
     const ThreadLimit limit(threads);
-    const CertifiedEntries matrix = entries_of(scene, elements_of(scene), functions);
-    std::vector<double> numbers;
-    for (std::size_t i = 0; i < matrix.entries.rows(); ++i)
-      for (std::size_t j = 0; j < matrix.entries.columns(); ++j) {
-        numbers.push_back(matrix.entries(i, j));
-        numbers.push_back(matrix.radius(i, j));
-      }
-    return numbers;
+    return numbers_of(entries_of(scene, elements_of(scene), functions));
   };
   EXPECT_EQ(with_threads(1), with_threads(3));
 }
