@@ -9,9 +9,14 @@
 #include "radcert/formats/problem/polynomial_expression.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
+#include "tests/core/refusal.h"
 
 namespace radcert {
 namespace {
+
+std::string refusal(const std::string& text) {
+  return test::refusal_of([&] { return parse_nodes(text, "own.json"); });
+}
 
 using testing::HasSubstr;
 
@@ -120,12 +125,7 @@ TEST(NodeFile, RefusesSpacesWithTheReason) {
             "does not contain the constants: the interpolant of 1"},
            {R"({"schema": "radcert/nodes/1", "degree": 1, "space": ["1"], "nodes": []})",
             "stands beside a space"}}) {
-    std::string message;
-    try {
-      static_cast<void>(parse_nodes(text, "own.json"));
-    } catch (const InputError& error) {
-      message = error.what();
-    }
+    const std::string message = refusal(text);
     EXPECT_EQ(message.empty(), said.empty()) << text << message;
     EXPECT_THAT(message, HasSubstr(said)) << text;
   }
@@ -207,12 +207,7 @@ TEST(NodeFile, DecidesAboutIrrationalCoordinatesExactly) {
            {one_node("2 - x*x - " + tiny, "1", "0"), "outside the triangle"},
            {one_node("1/(x*x - 2)", "1", "0"), "divides by zero"},
            {one_node("x^2", "1", "0"), "another operation"}}) {
-    std::string message;
-    try {
-      static_cast<void>(parse_nodes(text, "own.json"));
-    } catch (const InputError& error) {
-      message = error.what();
-    }
+    const std::string message = refusal(text);
     EXPECT_THAT(message, HasSubstr(said)) << text;
   }
 }
@@ -229,12 +224,7 @@ TEST(NodeFile, RefusesIntervalsThatDoNotIsolate) {
           {R"({"schema": "radcert/nodes/1", "degree": 0, "numbers": {"x": {"polynomial": [0, 1], "between": [0, 1]}},
                 "nodes": [["y", "1/3", "1/3"]]})",
            "does not define"}}) {
-    std::string message;
-    try {
-      static_cast<void>(parse_nodes(text, "own.json"));
-    } catch (const InputError& error) {
-      message = error.what();
-    }
+    const std::string message = refusal(text);
     EXPECT_THAT(message, HasSubstr(said)) << text;
   }
 }

@@ -21,6 +21,7 @@
 #include "radcert/meshless/sampling.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/torus.h"
+#include "tests/core/refusal.h"
 #include "tests/meshless/lit_scenes.h"
 
 namespace radcert {
@@ -30,17 +31,6 @@ using std::numbers::pi;
 using ::testing::HasSubstr;
 
 std::vector<double> ones(std::size_t n) { return std::vector<double>(n, 1.0); }
-
-/// A message of an InputError, or why there is none.
-template <class Action>
-std::string input_error(Action&& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no InputError";
-}
 
 TEST(PointLightTransfer, TakesAnAlbedoForEachSite) {
   const LightScene scene = LightScene::make(test::room_with_block(), {0.25}).value();
@@ -144,7 +134,8 @@ TEST(TransferMatrix, StopsWhenAskedTo) {
 
 TEST(TransferMatrix, SaysWhatMemoryItTakes) {
   EXPECT_EQ(transfer_memory(4000, 1).total(), 128'000'000U);
-  EXPECT_THAT(input_error([] { transfer_memory(4000, 2).require(200'000'000); }), HasSubstr("4000 sites"));
+  EXPECT_THAT(test::refusal_of([] { transfer_memory(4000, 2).require(200'000'000); }),
+              HasSubstr("4000 sites"));
 }
 
 TEST(TransferMatrix, WantsAWeightForEachSite) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "radcert/core/errors.h"
+#include "tests/core/refusal.h"
 #include "verification/framework/claim.h"
 
 namespace radcert::verification {
@@ -12,12 +13,7 @@ using testing::HasSubstr;
 
 // The message of the InputError that reading gives.
 std::string refusal(const std::string& text) {
-  try {
-    static_cast<void>(read_claims(text, "claims.toml"));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "(none)";
+  return test::refusal_of([&] { return read_claims(text, "claims.toml"); });
 }
 
 constexpr const char* good = R"([theorem_1]

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <unistd.h>
-
-#include <atomic>
 #include <cmath>
-#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "radcert/expression/parse.h"
 #include "radcert/study/study.h"
+#include "tests/core/temporary_folder.h"
 #include "verification/framework/finding.h"
 
 namespace radcert::verification {
@@ -19,27 +16,6 @@ namespace radcert::verification {
 // How a failed expectation shows a verdict or a standing.
 inline void PrintTo(Verdict verdict, std::ostream* out) { *out << name(verdict); }
 inline void PrintTo(Standing standing, std::ostream* out) { *out << name(standing); }
-
-/// A folder that vanishes with the object.
-class Folder {
-public:
-  Folder() {
-    static std::atomic<int> count{0};
-    path_ = std::filesystem::temp_directory_path() /
-            ("radcert_verification_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-  std::filesystem::path path_;
-};
 
 inline PiecewiseExpression everywhere(const std::string& text) {
   return {.cases = {{"*", parse_expression(text).value()}}};

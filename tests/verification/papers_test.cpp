@@ -10,6 +10,7 @@
 #include <set>
 
 #include "radcert/core/errors.h"
+#include "tests/core/refusal.h"
 #include "tests/verification/fixtures.h"
 #include "verification/framework/check.h"
 #include "verification/framework/paper.h"
@@ -36,12 +37,7 @@ const std::map<std::string, Extent>& extents() {
 }
 
 std::string refusal(const std::vector<std::string>& words) {
-  try {
-    static_cast<void>(select(words));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "(none)";
+  return test::refusal_of([&] { return select(words); });
 }
 
 TEST(Papers, CoverEquationsThatExist) {
@@ -187,7 +183,7 @@ TEST(Selection, FindsPapersClaimsAndCells) {
 }
 
 TEST(Selection, FindsAFolderOfTheUsersOwn) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   std::ofstream(folder.path() / "claims.toml") << "[a]\nsays = \"a\"\nverdict = \"unchecked\"\n";
   const std::vector<std::string> words{folder.path().string() + "/"};
   const std::vector<Selected> selected = select(words);
@@ -200,7 +196,7 @@ TEST(Selection, RefusesWhatThereIsNot) {
   EXPECT_THAT(refusal({"ac99"}), HasSubstr("ac98"));
   EXPECT_THAT(refusal({"ac98/table_99"}), HasSubstr("table_4"));
   EXPECT_THAT(refusal({"ac98/table"}), HasSubstr("is not a statement"));
-  const Folder empty;
+  const test::TemporaryFolder empty;
   EXPECT_THAT(refusal({empty.path().string()}), HasSubstr("claims.toml"));
 }
 

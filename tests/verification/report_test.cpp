@@ -77,7 +77,7 @@ TEST(Report, AsJsonHasNullForWhatIsNotFinite) {
 }
 
 TEST(Report, IsWrittenIntoAFolderThatIsMade) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   const std::filesystem::path out = folder.path() / "a" / "b";
   write_report(two_claims(), out, "radcert verify --out a/b");
   EXPECT_EQ(content(out / "report.json"), report_json_text(two_claims(), "radcert verify --out a/b"));

@@ -14,7 +14,7 @@ namespace radcert::verification {
 namespace {
 
 TEST(StoredLevels, AreComputedOnceAcrossRuns) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   const Problem problem = flat_problem({0, 1, 2});
   {
     ResultStore store(folder.path());
@@ -35,7 +35,7 @@ TEST(StoredLevels, AreComputedOnceAcrossRuns) {
 }
 
 TEST(StoredLevels, KeepWhatWasDoneBeforeAnInterruption) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   const Problem problem = flat_problem({0, 1, 2});
   {
     ResultStore store(folder.path());
@@ -54,7 +54,7 @@ TEST(StoredLevels, KeepWhatWasDoneBeforeAnInterruption) {
 }
 
 TEST(StoredLevels, TellProblemsApart) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   ResultStore store(folder.path());
   StoredLevels levels(store, made_up_level);
   static_cast<void>(levels.level(flat_problem({0}), 0));
@@ -68,7 +68,7 @@ TEST(StoredLevels, TellProblemsApart) {
 }
 
 TEST(StoredNumber, ComesBackToTheBit) {
-  const Folder folder;
+  const test::TemporaryFolder folder;
   ResultStore store(folder.path());
   const Approximation number{.value = 0.1, .radius = 3e-17, .guaranteed = true};
   int computed = 0;

@@ -8,6 +8,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/core/result_store.h"
+#include "tests/core/refusal.h"
 #include "tests/verification/fixtures.h"
 #include "verification/framework/run_verification.h"
 
@@ -66,12 +67,7 @@ protected:
     return check_table(paper, paper.claims.at(0), bench_, route, [](const std::string&) { return true; });
   }
   std::string refusal(const Paper& paper) {
-    try {
-      static_cast<void>(check(paper));
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "(none)";
+    return test::refusal_of([&] { return check(paper); });
   }
   ResultStore store_ = ResultStore::none("a test");
   StoredLevels levels_{store_, made_up_level};
