@@ -11,6 +11,7 @@
 #include "radcert/scalar/real.h"
 #include "radcert/surface/catalogue.h"
 #include "radcert/triangulation/triangulation.h"
+#include "tests/surface/default_surface.h"
 
 namespace radcert {
 namespace {
@@ -88,10 +89,7 @@ TEST(Conforming, HoldsOfEveryTriangulationOfTheCatalogue) {
   const PolygonLoop square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const PolygonLoop triangle{{0, 0}, {1, 0}, {0, 1}};
   for (const SurfaceDescription& entry : surface_catalogue()) {
-    std::vector<Rational> values;
-    for (const ParameterDescription& p : entry.parameters)
-      values.push_back(Rational::parse(p.default_text).value());
-    const Surface surface = entry.make(values);
+    const Surface surface = sample::default_surface(entry);
     for (const int level : {0, 1, 3})
       for (const double grading : {1.0, 2.0, 3.7}) {
         const Triangulation t = triangulate(surface, level, {.diagonals = std::nullopt, .grading = grading});

@@ -14,6 +14,8 @@
 #include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/torus.h"
 #include "radcert/surface/exact_chart.h"
+#include "tests/hypotheses/dome.h"
+#include "tests/surface/default_surface.h"
 
 namespace radcert {
 namespace {
@@ -95,10 +97,7 @@ TEST(CurvedContainment, CertifiesTheConvexSurfacesOfTheCatalogue) {
 
 TEST(CurvedContainment, CoversTheCatalogue) {
   for (const SurfaceDescription& entry : surface_catalogue()) {
-    Values values;
-    for (const ParameterDescription& parameter : entry.parameters)
-      values.push_back(*Rational::parse(parameter.default_text));
-    EXPECT_EQ(convex_containment(entry.make(values)).verdict,
+    EXPECT_EQ(convex_containment(sample::default_surface(entry)).verdict,
               entry.unoccluded ? Containment::certified : Containment::refuted)
         << entry.name;
   }
@@ -203,43 +202,16 @@ TEST(CurvedContainment, NoticesAChartBentByAMillionth) {
   EXPECT_TRUE(checks(stepped, convex_containment(stepped, little)));
 }
 
-/// z = 1 - (x^2 + 2 y^2) / 4 + dent x^3 over the unit square.
-template <Field R>
-class Dome {
-public:
-  explicit Dome(const Rational& dent) : dent_(from_rational<R>(dent)) {}
-
-  template <Field T>
-  Vector<T> operator()(const T& s, const T& t) const {
-    const R quarter = from_rational<R>(Rational(1, 4));
-    return {s, t, R(1) - quarter * (s * s + R(2) * (t * t)) + dent_ * (s * s * s)};
-  }
-
-private:
-  R dent_;
-};
-
-/// A dome that states nothing of itself, above a floor that it does not meet.
-Surface dome_over_floor(const Rational& dent) {
-  Surface surface;
-  surface.name = "dome";
-  surface.charts.push_back(
-      make_rectangle({.name = "floor", .piece = "floor"}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
-  surface.charts.push_back(make_chart<Dome>(
-      {.name = "dome", .piece = "dome", .orientation = Orientation::against_the_cross_product}, dent));
-  surface.diagonals.assign(2, Diagonal::main);
-  return surface;
-}
-
 TEST(CurvedContainment, CertifiesAStrictlyConvexPatchThatStatesNothing) {
-  const ConvexContainment found = convex_containment(dome_over_floor(0));
+  const ConvexContainment found = convex_containment(sample::dome_over_floor(0));
   EXPECT_EQ(found.verdict, Containment::certified) << found.reason;
   EXPECT_TRUE(says(found, "the second fundamental form"));
   EXPECT_GT(found.boxes, 0U);
   // z'' = -1/2 + 6 dent x: convex as long as dent <= 1/12.
-  EXPECT_EQ(convex_containment(dome_over_floor(Rational(8, 100))).verdict, Containment::certified);
+  EXPECT_EQ(convex_containment(sample::dome_over_floor(Rational(8, 100))).verdict, Containment::certified);
   for (const Rational& dent : {Rational(1, 4), Rational(9, 100)})
-    EXPECT_TRUE(checks(dome_over_floor(dent), convex_containment(dome_over_floor(dent)))) << dent.to_text();
+    EXPECT_TRUE(checks(sample::dome_over_floor(dent), convex_containment(sample::dome_over_floor(dent))))
+        << dent.to_text();
 }
 
 /// z = 1 - x^2 / 4 + y^2 / 4.
@@ -264,7 +236,7 @@ TEST(SearchPairs, ProvesWhatIsInFrontAndNothingElse) {
   constexpr std::size_t limit = 5000;
   const ChartFacts downwards{
       .name = "roof", .piece = "roof", .orientation = Orientation::against_the_cross_product};
-  const Chart dome = make_chart<Dome>(downwards, Rational(0));
+  const Chart dome = make_chart<sample::Dome>(downwards, Rational(0));
   const Chart saddle = make_chart<Saddle>(downwards);
   EXPECT_TRUE(is_proved(dome, dome, limit));
   EXPECT_FALSE(is_proved(saddle, saddle, limit)) << "convex along s alone";
@@ -283,7 +255,7 @@ TEST(SearchPairs, ProvesWhatIsInFrontAndNothingElse) {
 }
 
 TEST(CurvedContainment, DoesTheSameWorkEachTime) {
-  const Surface dome = dome_over_floor(0);
+  const Surface dome = sample::dome_over_floor(0);
   EXPECT_EQ(convex_containment(dome).boxes, convex_containment(dome).boxes);
 }
 
@@ -300,7 +272,7 @@ TEST(CurvedContainment, NeverRefutesAConvexSurfaceWithoutItsStructure) {
 }
 
 TEST(CurvedContainment, SaysWhatIsLeft) {
-  const Surface dome = dome_over_floor(0);
+  const Surface dome = sample::dome_over_floor(0);
   const ConvexContainment found = convex_containment(dome, {.boxes_a_pair = 2, .boxes = 3});
   EXPECT_EQ(found.verdict, Containment::undecided);
   ASSERT_FALSE(found.open.empty());

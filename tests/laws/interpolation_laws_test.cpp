@@ -3,6 +3,7 @@
 
 #include "radcert/surface/catalogue.h"
 #include "radcert/surface/catalogue/two_piece.h"
+#include "tests/surface/default_surface.h"
 
 namespace radcert::laws {
 namespace {
@@ -10,13 +11,7 @@ namespace {
 constexpr int largest_degree = 6;
 
 std::vector<Surface> surfaces() {
-  std::vector<Surface> all;
-  for (const SurfaceDescription& entry : surface_catalogue()) {
-    std::vector<Rational> values;
-    for (const ParameterDescription& parameter : entry.parameters)
-      values.push_back(*Rational::parse(parameter.default_text));
-    all.push_back(entry.make(values));
-  }
+  std::vector<Surface> all = sample::default_surfaces();
   all.push_back(two_piece(Rational(3, 2)));  // not analytic on s = 0
   return all;
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <functional>
+#include <vector>
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/rules/conical_rule.h"
@@ -19,12 +20,13 @@ struct RuleSum {
   R absolute{};
 };
 
-template <class R>
-RuleSum<R> sum(const IntervalRule<R>& rule, const std::function<R(const R&)>& f) {
+template <class R, class Place>
+RuleSum<R> sum(const std::vector<Place>& places, const std::vector<R>& weights,
+               const std::function<R(const Place&)>& f) {
   using std::abs;
   RuleSum<R> total;
-  for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-    const R term = rule.weights[k] * f(rule.nodes[k]);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const R term = weights[k] * f(places[k]);
     total.value += term;
     total.absolute += abs(term);
   }
@@ -32,15 +34,13 @@ RuleSum<R> sum(const IntervalRule<R>& rule, const std::function<R(const R&)>& f)
 }
 
 template <class R>
+RuleSum<R> sum(const IntervalRule<R>& rule, const std::function<R(const R&)>& f) {
+  return sum<R, R>(rule.nodes, rule.weights, f);
+}
+
+template <class R>
 RuleSum<R> sum(const TriangleRule<R>& rule, const std::function<R(const Barycentric<R>&)>& f) {
-  using std::abs;
-  RuleSum<R> total;
-  for (std::size_t k = 0; k < rule.points.size(); ++k) {
-    const R term = rule.weights[k] * f(rule.points[k]);
-    total.value += term;
-    total.absolute += abs(term);
-  }
-  return total;
+  return sum<R, Barycentric<R>>(rule.points, rule.weights, f);
 }
 
 /// As many nodes as weights, nodes ascending and strictly inside (0,1), weights positive with the sum

@@ -12,6 +12,7 @@
 #include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/torus.h"
 #include "radcert/surface/exact_chart.h"
+#include "tests/hypotheses/dome.h"
 #include "tests/limits/limits.h"
 
 namespace radcert::limits {
@@ -129,35 +130,9 @@ Case convexity(const std::string& limit, const std::function<Surface()>& surface
           .about = about};
 }
 
-/// z = 1 - (x^2 + 2 y^2) / 4 + dent x^3 over the unit square, convex up to dent = 1/12.
-template <Field R>
-class Dome {
-public:
-  explicit Dome(const Rational& dent) : dent_(from_rational<R>(dent)) {}
-  template <Field T>
-  Vector<T> operator()(const T& s, const T& t) const {
-    const R quarter = from_rational<R>(Rational(1, 4));
-    return {s, t, R(1) - quarter * (s * s + R(2) * (t * t)) + dent_ * (s * s * s)};
-  }
-
-private:
-  R dent_;
-};
-
-Surface dome_over_floor(const Rational& dent) {
-  Surface surface;
-  surface.name = "dome";
-  surface.charts.push_back(
-      make_rectangle({.name = "floor", .piece = "floor"}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
-  surface.charts.push_back(make_chart<Dome>(
-      {.name = "dome", .piece = "dome", .orientation = Orientation::against_the_cross_product}, dent));
-  surface.diagonals.assign(2, Diagonal::main);
-  return surface;
-}
-
 /// A dome hardly above its floor, its formula not one that is known exactly.
 Surface low_dome() {
-  Surface surface = dome_over_floor(Rational(8, 100));
+  Surface surface = sample::dome_over_floor(Rational(8, 100));
   surface.charts.front() =
       make_rectangle({.name = "floor", .piece = "floor"}, {0, 0, Rational(249, 1000)}, {1, 0, 0}, {0, 1, 0});
   return surface;
@@ -199,7 +174,7 @@ Surface named_surface(const std::string& name, const std::vector<Rational>& valu
 
 std::vector<Case> enclosure_cases() {
   const auto torus_of = [] { return torus(1, half); };
-  const auto dome = [] { return dome_over_floor(0); };
+  const auto dome = [] { return sample::dome_over_floor(0); };
   const auto floor_and_dome = [] { return low_dome(); };
   std::vector<Case> cases;
   cases.push_back(opposite_square("enclosure/demand: evaluations"));
@@ -221,7 +196,7 @@ std::vector<Case> enclosure_cases() {
       convexity("hypotheses/chart_witness: bits of a witness", torus_of, "a torus", little),
       convexity(
           "hypotheses/chart_witness: points of the lattices",
-          [] { return dome_over_floor(Rational(9, 100)); }, "a dome with a dent"),
+          [] { return sample::dome_over_floor(Rational(9, 100)); }, "a dome with a dent"),
       crease(),
   };
   cases.insert(cases.end(), others.begin(), others.end());

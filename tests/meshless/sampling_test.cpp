@@ -20,6 +20,7 @@
 #include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/torus.h"
 #include "radcert/surface/mesh_surface.h"
+#include "tests/surface/default_surface.h"
 
 namespace radcert {
 namespace {
@@ -207,10 +208,7 @@ TEST(PoissonDiskSites, RefuseASeparationThatIsNoneOrTooSmall) {
 TEST(Sampling, TakesEverySurfaceOfTheCatalogue) {
   for (const SurfaceDescription& description : surface_catalogue()) {
     SCOPED_TRACE(description.name);
-    std::vector<Rational> values;
-    for (const ParameterDescription& parameter : description.parameters)
-      values.push_back(Rational::parse(parameter.default_text).value());
-    const Surface surface = description.make(values);
+    const Surface surface = sample::default_surface(description);
     expect_sites_of(surface, uniform_sites(surface, {.count = 50, .seed = 1}).value());
     const SiteSet sites = poisson_disk_sites(surface, {0.5, 1}).value();
     EXPECT_GE(sites.size(), 2U);

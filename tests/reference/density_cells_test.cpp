@@ -21,6 +21,7 @@
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/surface/mesh_surface.h"
+#include "tests/surface/default_surface.h"
 
 namespace radcert::reference {
 namespace {
@@ -165,10 +166,7 @@ TEST(DensityCells, HasNoBoundWhereTheFormulaHasNoValue) {
 /// On the whole catalogue a smooth density has small bounds: each chart's images are enclosed.
 TEST(DensityCells, KnowsTheCatalogue) {
   for (const SurfaceDescription& description : surface_catalogue()) {
-    std::vector<Rational> values;
-    for (const ParameterDescription& parameter : description.parameters)
-      values.push_back(*Rational::parse(parameter.default_text));
-    const Surface surface = description.make(values);
+    const Surface surface = sample::default_surface(description);
     double left = 0;
     const std::vector<DensityCell> cells = cells_of(surface, "exp(x/2 + y/3 - z/4)");
     for (const DensityCell& cell : cells) left += cell.deviation * cell.area;

@@ -5,6 +5,7 @@
 
 #include "radcert/surface/catalogue.h"
 #include "radcert/surface/exact_chart.h"
+#include "tests/surface/default_surface.h"
 
 namespace radcert {
 namespace {
@@ -73,10 +74,7 @@ TEST(ExactFunction, ShowsSignsUpToTouching) {
 
 TEST(ExactImage, IsKnownOfEveryChartThatStatesItsShape) {
   for (const SurfaceDescription& entry : surface_catalogue()) {
-    std::vector<Rational> values;
-    for (const ParameterDescription& parameter : entry.parameters)
-      values.push_back(*Rational::parse(parameter.default_text));
-    for (const Chart& chart : entry.make(values).charts) {
+    for (const Chart& chart : sample::default_surface(entry).charts) {
       const ChartFacts& facts = chart.facts();
       if (!facts.flat_in() && !facts.structure.quadric && !facts.structure.ruling) continue;
       const ExactImage* exact = exact_image(chart.in<Ball>());

@@ -16,6 +16,7 @@
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
+#include "tests/surface/default_surface.h"
 
 namespace radcert {
 namespace {
@@ -35,18 +36,6 @@ double parallelogram(const ParameterTriangle& triangle) {
   return cross(v[1] - v[0], v[2] - v[0]);
 }
 
-/// Every surface of the catalogue with its default parameters.
-std::vector<Surface> surfaces() {
-  std::vector<Surface> all;
-  for (const SurfaceDescription& entry : surface_catalogue()) {
-    std::vector<Rational> values;
-    for (const ParameterDescription& parameter : entry.parameters)
-      values.push_back(*Rational::parse(parameter.default_text));
-    all.push_back(entry.make(values));
-  }
-  return all;
-}
-
 std::uint64_t coarse_count(const Surface& surface) {
   std::uint64_t count = 0;
   for (const Chart& chart : surface.charts)
@@ -55,7 +44,7 @@ std::uint64_t coarse_count(const Surface& surface) {
 }
 
 TEST(Triangulation, HasFourTimesAsManyTrianglesALevel) {
-  for (const Surface& surface : surfaces())
+  for (const Surface& surface : sample::default_surfaces())
     for (int level = 0; level <= 4; ++level) {
       const std::uint64_t expected = coarse_count(surface) << (2U * static_cast<unsigned>(level));
       EXPECT_EQ(triangulate(surface, level).triangles.size(), expected) << surface.name;
@@ -160,14 +149,14 @@ void expect_conforming(const Surface& surface, const Triangulation& triangulatio
 }
 
 TEST(Triangulation, HasEveryInnerSideInTwoTrianglesOfItsChart) {
-  for (const Surface& surface : surfaces())
+  for (const Surface& surface : sample::default_surfaces())
     for (int level = 0; level <= 4; ++level) expect_conforming(surface, triangulate(surface, level));
 }
 
 TEST(Triangulation, HasEverySideInTwoTrianglesOfAClosedSurfaceInSpace) {
   // Across seams too; the end points are the same doubles from both sides.
   using Point = std::array<double, 3>;
-  for (const Surface& surface : surfaces()) {
+  for (const Surface& surface : sample::default_surfaces()) {
     if (!surface.closed) continue;
     const bool of_one_kind =
         std::all_of(surface.charts.begin(), surface.charts.end(), [&surface](const Chart& chart) {
@@ -197,7 +186,7 @@ TEST(Triangulation, HasEverySideInTwoTrianglesOfAClosedSurfaceInSpace) {
 }
 
 TEST(Triangulation, CoversEachDomainExactly) {
-  for (const Surface& surface : surfaces())
+  for (const Surface& surface : sample::default_surfaces())
     for (int level = 0; level <= 5; ++level) {
       std::vector<double> twice(surface.chart_count());
       for (const ParameterTriangle& triangle : triangulate(surface, level).triangles)
@@ -208,7 +197,7 @@ TEST(Triangulation, CoversEachDomainExactly) {
 }
 
 TEST(Triangulation, IsCounterClockwise) {
-  for (const Surface& surface : surfaces())
+  for (const Surface& surface : sample::default_surfaces())
     for (const double grading : {1.0, 1.5, 3.0})
       for (int level = 0; level <= 4; ++level)
         for (const ParameterTriangle& triangle :
@@ -217,7 +206,7 @@ TEST(Triangulation, IsCounterClockwise) {
 }
 
 TEST(Triangulation, HasChildrenThatDivideTheirParent) {
-  for (const Surface& surface : surfaces()) {
+  for (const Surface& surface : sample::default_surfaces()) {
     const std::vector<ParameterTriangle> parents = triangulate(surface, 2).triangles;
     const std::vector<ParameterTriangle> children = triangulate(surface, 3).triangles;
     ASSERT_EQ(children.size(), 4 * parents.size());
@@ -242,7 +231,7 @@ TEST(Triangulation, HasChildrenThatDivideTheirParent) {
 }
 
 TEST(Triangulation, HasAMeshSizeThatHalvesExactly) {
-  for (const Surface& surface : surfaces()) {
+  for (const Surface& surface : sample::default_surfaces()) {
     EXPECT_EQ(mesh_size(triangulate(surface, 0)), std::numbers::sqrt2) << surface.name;
     for (int level = 1; level <= 5; ++level)
       EXPECT_EQ(mesh_size(triangulate(surface, level)), std::ldexp(std::numbers::sqrt2, -level))
@@ -267,7 +256,7 @@ TEST(Triangulation, PutsBarycentricPointsWhereTheyBelong) {
 }
 
 TEST(GradedTriangulation, StaysConformingAndCoversEachDomain) {
-  for (const Surface& surface : surfaces())
+  for (const Surface& surface : sample::default_surfaces())
     for (const double grading : {1.25, 2.0, 3.0})
       for (int level = 0; level <= 4; ++level) {
         const Triangulation graded = triangulate(surface, level, {.diagonals = {}, .grading = grading});
