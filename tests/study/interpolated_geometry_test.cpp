@@ -13,15 +13,11 @@ namespace {
 
 using testing::everywhere;
 using testing::fault_of;
+using testing::no_route;
 using testing::sample_problem;
 using testing::with_basis;
 using testing::with_emission;
 using testing::with_solution;
-
-AppliedOperator no_route(const Surface&, const SurfaceFunction&) {
-  ADD_FAILURE() << "the second route was called";
-  return {};
-}
 
 Problem interpolated(Problem problem, int degree, DataPoints data = DataPoints::surface) {
   problem.geometry = InterpolatedGeometry{.degree = degree, .data = data};

@@ -20,15 +20,11 @@ namespace radcert {
 namespace {
 
 using testing::everywhere;
+using testing::no_route;
 using testing::sample_problem;
 using testing::with_basis;
 using testing::with_emission;
 using testing::with_solution;
-
-AppliedOperator no_route(const Surface&, const SurfaceFunction&) {
-  ADD_FAILURE() << "E is given: nobody needs Ku";
-  return [](const SurfacePoint<double>&) { return Approximation{}; };
-}
 
 Problem problem_on(const SurfaceDescription& entry) {
   std::vector<SurfaceParameter> parameters;

@@ -24,6 +24,7 @@ using testing::by_piece;
 using testing::everywhere;
 using testing::fault_of;
 using ::testing::HasSubstr;
+using testing::no_route;
 using testing::sample_problem;
 using testing::with_basis;
 using testing::with_emission;
@@ -34,12 +35,6 @@ OperatorRoute constant_route(double value) {
   return [value](const Surface&, const SurfaceFunction&) {
     return [value](const SurfacePoint<double>&) { return Approximation{value, 4e-16 * std::abs(value)}; };
   };
-}
-
-/// Nobody asks for Ku where E is given.
-AppliedOperator no_route(const Surface&, const SurfaceFunction&) {
-  ADD_FAILURE() << "the second route was called";
-  return [](const SurfacePoint<double>&) { return Approximation{}; };
 }
 
 Problem box125() { return sample_problem("box", {{"a", 1}, {"b", 2}, {"c", 5}}); }

@@ -17,15 +17,11 @@ namespace {
 using testing::everywhere;
 using testing::fault_of;
 using ::testing::HasSubstr;
+using testing::no_route;
 using testing::sample_problem;
 using testing::with_emission;
 
 constexpr std::uint64_t plenty = std::uint64_t{1} << 32U;
-
-AppliedOperator no_route(const Surface&, const SurfaceFunction&) {
-  ADD_FAILURE() << "the second route was called";
-  return [](const SurfacePoint<double>&) { return Approximation{}; };
-}
 
 /// Int G u of the unit sphere, G = 1/4: a constant for a u whose mean is known.
 OperatorRoute sphere_route(double mean) {

@@ -12,6 +12,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/expression/parse.h"
 #include "radcert/study/problem.h"
+#include "radcert/study/study.h"
 
 namespace radcert::testing {
 
@@ -52,6 +53,12 @@ inline Problem with_solution(Problem problem, const std::string& solution) {
 inline Problem with_basis(Problem problem, int degree, std::optional<Rational> alpha) {
   problem.method = Collocation{{.degree = degree, .alpha = std::move(alpha)}};
   return problem;
+}
+
+/// The second route of a problem that gives E: nobody asks for Ku.
+inline AppliedOperator no_route(const Surface&, const SurfaceFunction&) {
+  ADD_FAILURE() << "E is given, and Ku was asked for";
+  return [](const SurfacePoint<double>&) { return Approximation{}; };
 }
 
 /// The fault of the InputError that an action throws; an empty one, and a failure, if it throws none.
