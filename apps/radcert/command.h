@@ -20,7 +20,7 @@ class App;
 
 namespace radcert::app {
 
-/// What every subcommand is told.
+/// The options that every subcommand takes.
 struct Common {
   std::string command;       ///< the command line, as a shell takes it
   std::string json{};        ///< --json: a file, "-" for stdout, empty: not asked for

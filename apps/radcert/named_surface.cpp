@@ -20,13 +20,6 @@ const SurfaceDescription& surface_named(const std::string& name) {
                     .allowed = listed(names) + ", or a file in .off, .obj, .ply, .stl"});
 }
 
-Surface default_surface(const SurfaceDescription& description) {
-  std::vector<Rational> values;
-  for (const ParameterDescription& parameter : description.parameters)
-    values.push_back(Rational::parse(parameter.default_text).value());
-  return description.make(values);
-}
-
 MeshRepair repair_of(const std::vector<std::string>& words) {
   const std::vector<std::string> known(repair_words.begin(), repair_words.end());
   for (const std::string& word : words)

@@ -14,7 +14,6 @@ namespace radcert::app {
 const SurfaceDescription& surface_named(const std::string& name);
 
 /// It, with the default values of its parameters.
-Surface default_surface(const SurfaceDescription& description);
 
 /// The repairs of these words; InputError for any other.
 MeshRepair repair_of(const std::vector<std::string>& words);

@@ -89,7 +89,7 @@ TEST(Conforming, HoldsOfEveryTriangulationOfTheCatalogue) {
   const PolygonLoop square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const PolygonLoop triangle{{0, 0}, {1, 0}, {0, 1}};
   for (const SurfaceDescription& entry : surface_catalogue()) {
-    const Surface surface = sample::default_surface(entry);
+    const Surface surface = default_surface(entry);
     for (const int level : {0, 1, 3})
       for (const double grading : {1.0, 2.0, 3.7}) {
         const Triangulation t = triangulate(surface, level, {.diagonals = std::nullopt, .grading = grading});

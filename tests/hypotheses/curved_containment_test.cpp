@@ -97,7 +97,7 @@ TEST(CurvedContainment, CertifiesTheConvexSurfacesOfTheCatalogue) {
 
 TEST(CurvedContainment, CoversTheCatalogue) {
   for (const SurfaceDescription& entry : surface_catalogue()) {
-    EXPECT_EQ(convex_containment(sample::default_surface(entry)).verdict,
+    EXPECT_EQ(convex_containment(default_surface(entry)).verdict,
               entry.unoccluded ? Containment::certified : Containment::refuted)
         << entry.name;
   }

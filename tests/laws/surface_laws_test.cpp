@@ -51,7 +51,7 @@ private:
 
 TEST(SurfaceLaws, HoldForEverySurfaceOfTheCatalogue) {
   for (const SurfaceDescription& entry : surface_catalogue()) {
-    EXPECT_TRUE(obeys_the_surface_laws(sample::default_surface(entry))) << entry.name;
+    EXPECT_TRUE(obeys_the_surface_laws(default_surface(entry))) << entry.name;
   }
 }
 

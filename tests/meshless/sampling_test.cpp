@@ -208,7 +208,7 @@ TEST(PoissonDiskSites, RefuseASeparationThatIsNoneOrTooSmall) {
 TEST(Sampling, TakesEverySurfaceOfTheCatalogue) {
   for (const SurfaceDescription& description : surface_catalogue()) {
     SCOPED_TRACE(description.name);
-    const Surface surface = sample::default_surface(description);
+    const Surface surface = default_surface(description);
     expect_sites_of(surface, uniform_sites(surface, {.count = 50, .seed = 1}).value());
     const SiteSet sites = poisson_disk_sites(surface, {0.5, 1}).value();
     EXPECT_GE(sites.size(), 2U);

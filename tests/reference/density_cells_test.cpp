@@ -166,7 +166,7 @@ TEST(DensityCells, HasNoBoundWhereTheFormulaHasNoValue) {
 /// On the whole catalogue a smooth density has small bounds: each chart's images are enclosed.
 TEST(DensityCells, KnowsTheCatalogue) {
   for (const SurfaceDescription& description : surface_catalogue()) {
-    const Surface surface = sample::default_surface(description);
+    const Surface surface = default_surface(description);
     double left = 0;
     const std::vector<DensityCell> cells = cells_of(surface, "exp(x/2 + y/3 - z/4)");
     for (const DensityCell& cell : cells) left += cell.deviation * cell.area;

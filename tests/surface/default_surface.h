@@ -7,15 +7,7 @@
 
 namespace radcert::sample {
 
-/// An entry of the catalogue with its default parameters.
-inline Surface default_surface(const SurfaceDescription& entry) {
-  std::vector<Rational> values;
-  for (const ParameterDescription& parameter : entry.parameters)
-    values.push_back(Rational::parse(parameter.default_text).value());
-  return entry.make(values);
-}
-
-/// The whole catalogue, likewise.
+/// The whole catalogue, with its default parameters.
 inline std::vector<Surface> default_surfaces() {
   std::vector<Surface> all;
   for (const SurfaceDescription& entry : surface_catalogue()) all.push_back(default_surface(entry));

@@ -74,7 +74,7 @@ TEST(ExactFunction, ShowsSignsUpToTouching) {
 
 TEST(ExactImage, IsKnownOfEveryChartThatStatesItsShape) {
   for (const SurfaceDescription& entry : surface_catalogue()) {
-    for (const Chart& chart : sample::default_surface(entry).charts) {
+    for (const Chart& chart : default_surface(entry).charts) {
       const ChartFacts& facts = chart.facts();
       if (!facts.flat_in() && !facts.structure.quadric && !facts.structure.ruling) continue;
       const ExactImage* exact = exact_image(chart.in<Ball>());

@@ -227,7 +227,7 @@ std::vector<std::string> with_common(std::initializer_list<std::string> own) {
   return keys;
 }
 
-// What the reader of a report is told of a statement.
+// The lines of a report on a statement.
 void read_account(const Place& place, Claim& claim) {
   claim.says = text_at(place.at("says", "the statement in words"), "the statement in words");
   if (const auto formula = place.find("formula")) claim.formula = text_at(*formula, "the statement in TeX");

@@ -63,7 +63,7 @@ std::size_t level_count(const Experiment& experiment) {
   return count;
 }
 
-/// The results of the combinations, level by level from the store or computed; fewer where somebody asked to
+/// The results of the combinations, level by level from the store or computed; fewer where the user asked to
 /// stop.
 Finished solve_all(const Experiment& experiment, const std::string& source, StoredLevels& levels,
                    bool quiet) {

@@ -53,7 +53,7 @@ Outputs checked_outputs(const Common& common, const SolveOptions& options) {
 /// level.
 double work(int level) { return std::pow(16.0, level); }
 
-/// The levels of a problem, each from the store or computed; fewer than asked for where somebody asked to
+/// The levels of a problem, each from the store or computed; fewer than asked for where the user asked to
 /// stop.
 std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& levels, bool quiet) {
   ProgressDisplay progress(quiet);

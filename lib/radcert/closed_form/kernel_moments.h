@@ -53,7 +53,7 @@ struct FootView {
   bool foot_outside = false;
 };
 
-/// What is not algebraic in an edge's integrals.
+/// The transcendental values in an edge's integrals.
 /// Maths     w = t^2 + slant^2; angle = slant Int dt / w; lambert: the edge's part of 2 h^2 M_00, and
 ///           logarithm that of N_00, up to parts whose sums over the edges vanish; rise = Int t / w dt
 /// Source    KernelMoments

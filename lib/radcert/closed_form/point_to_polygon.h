@@ -18,7 +18,7 @@ namespace radcert {
 /// Of point_to_polygon_within, unless a caller says otherwise.
 extern const WorkLimit most_bits_of_a_point;
 
-/// What becomes of the part of a polygon that lies behind the tangent plane of P.
+/// How the part of a polygon behind the tangent plane of P is counted.
 enum class BehindTangentPlane {
   left_out,  ///< as in the radiosity equation: P does not see it
   counted,   ///< with the negative sign that the kernel has there

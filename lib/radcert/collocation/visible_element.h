@@ -13,7 +13,7 @@
 
 namespace radcert {
 
-/// What the nodes see of one chart after the other.
+/// The parts that the nodes see, of one chart after the other.
 /// Maths     node i -> the parts of the chart that are seen from v_i
 /// Source    [ac98, (1)]
 /// Requires  scene and nodes outlive this

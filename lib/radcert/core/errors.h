@@ -8,7 +8,7 @@
 
 namespace radcert {
 
-/// What the program says to the shell.
+/// The exit codes of the program.
 /// Source    apps/radcert/README.md
 /// Requires  nothing
 /// Result    done: every verdict as recorded; differs: a verdict differs, or a demanded accuracy was not

@@ -11,7 +11,7 @@ namespace radcert {
 /// Limits    a computation stops only where it looks at the flag; parallel loops look between chunks
 void install_interrupt_handler();
 
-/// Whether somebody asked to stop.
+/// Whether the user asked to stop.
 /// Requires  nothing
 /// Result    exact; may be called from any thread and from a signal handler
 [[nodiscard]] bool interruption_requested() noexcept;
@@ -22,7 +22,7 @@ void request_interruption() noexcept;
 /// Takes the request back, for a program that goes on after an interrupted computation.
 void clear_interruption() noexcept;
 
-/// Throws Interrupted if somebody asked to stop.
+/// Throws Interrupted if the user asked to stop.
 void throw_if_interrupted();
 
 }  // namespace radcert

@@ -8,7 +8,7 @@
 
 namespace radcert {
 
-/// What a computation is going to hold in memory, counted before it starts.
+/// The memory that a computation will need, counted before it starts.
 /// Maths     total = sum of count * bytes_each in the integers; 2^64 - 1 stands for "that or more"
 /// Requires  nothing
 /// Result    exact below 2^64 - 1, never wraps round

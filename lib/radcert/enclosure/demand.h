@@ -12,7 +12,7 @@ namespace radcert {
 /// Of an enclosure, where the demand says nothing else.
 extern const WorkLimit most_evaluations;
 
-/// What is asked of an enclosure.
+/// The accuracy demanded of an enclosure, and the work allowed.
 /// Maths     a ball of at most this radius around the number, with at most so many evaluations of the
 ///           function
 /// Requires  radius > 0 and work_limit >= 1, else ContractViolation where it is used

@@ -36,7 +36,7 @@ struct Variables {
   R x, y, z;
 };
 
-/// What a node of an expression's tree does with its operands.
+/// The operation of a node of an expression's tree.
 enum class ExpressionKind : std::uint8_t {
   literal,
   variable,

@@ -9,7 +9,7 @@ namespace radcert {
 
 extern const WorkLimit most_evaluations_of_a_shadow;
 
-/// What a guaranteed exchange area may cost.
+/// The work allowed for a guaranteed exchange area.
 struct CertifiedDemand {
   double radius = 1e-10;  ///< wanted of each shadow's integral, relative to the receiver's area
   long work_limit = most_evaluations_of_a_shadow.value();  ///< evaluations for each shadow: some seconds

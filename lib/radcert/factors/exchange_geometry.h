@@ -55,7 +55,7 @@ struct OrientedPolygon {
 [[nodiscard]] double polygon_flux(const FacetCorners& polygon, const Vector<double>& at,
                                   const Vector<double>& unit_normal);
 
-/// What points see of a source past screens, with room that is used again from point to point.
+/// The parts of a source that points see past screens; its memory is used again from point to point.
 /// Maths     f(P): polygon_flux of what is left of the source when for each screen the part in the pyramid
 ///           from P over it is taken away, convex piece by convex piece
 /// Source    polygon_flux

@@ -26,7 +26,7 @@ struct ConvexOccluder {
   std::vector<std::vector<std::size_t>> around_corner{};
 };
 
-/// What two triangles see of each other.
+/// How two triangles see each other.
 enum class PairSight {
   nothing,  ///< in one plane, behind each other, back to back
   whole,    ///< nothing stands between what lies in front of each other's planes

@@ -20,7 +20,7 @@ struct FactorUnits {
   std::vector<std::string> names;
 };
 
-/// What is asked of a matrix of configuration factors.
+/// The accuracy demanded of a matrix of configuration factors, and how it is to be computed.
 struct FactorDemand {
   bool certified = false;      ///< each radius proved
   double accuracy = 1e-5;      ///< of each row's sum, for what occlusion leaves to adaptive integration
@@ -68,7 +68,7 @@ struct FactorMatrix {
   [[nodiscard]] double closure_defect(std::size_t row) const;
 };
 
-/// What a computation of a matrix tells on its way, and where it keeps finished rows.
+/// Where a computation of a matrix reports its progress and keeps finished rows.
 struct FactorProgress {
   /// Called between blocks of rows with the fraction of pairs done.
   std::function<void(double)> at = [](double) {};
@@ -76,7 +76,7 @@ struct FactorProgress {
   ResultStore* store = nullptr;  ///< finished blocks of rows are kept there and not computed again
 };
 
-/// What a matrix will take, found by computing some of its pairs.
+/// An estimate of the time that a matrix will take, found by computing some of its pairs.
 struct FactorPlan {
   MemoryPlan memory;
   double seconds = 0;  ///< on the threads there are
@@ -103,7 +103,7 @@ struct FactorPlan {
 /// Requires  of_triangle has a unit below names.size() for each triangle, each unit a triangle, else
 ///           ContractViolation
 /// Result    the same bits for any number of threads, and whether rows came from the store or not;
-///           Interrupted where somebody asked to stop: finished blocks of rows are in the store
+///           Interrupted where the user asked to stop: finished blocks of rows are in the store
 /// Limits    holds two doubles for each pair of units
 [[nodiscard]] FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units,
                                          const FactorDemand& demand, const FactorProgress& progress);

@@ -35,7 +35,7 @@ struct FactorMesh {
 /// Requires components, else ContractViolation.
 [[nodiscard]] FactorMesh factor_mesh(const MeshSurvey& survey);
 
-/// What one row and one column of a matrix stand for.
+/// The part of the scene that one row and one column of a matrix stand for.
 enum class FactorUnit { triangle, piece, group };
 
 /// Triangles "piece/1", "piece/2", ..., pieces by their names, or groups; a group without a name is

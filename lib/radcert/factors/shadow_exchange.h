@@ -19,7 +19,7 @@ enum class OccludingSide { both, front };
 
 extern const WorkLimit most_shadow_evaluations;
 
-/// What is asked of the enclosure of a shadow.
+/// The accuracy demanded of the enclosure of a shadow, and the work allowed.
 struct ShadowDemand {
   double radius = 1e-12;  ///< of the exchange area
   long work_limit = most_shadow_evaluations.value();

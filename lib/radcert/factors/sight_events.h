@@ -19,7 +19,7 @@ struct EventLine {
   double change = 0;  ///< see CellSight
 };
 
-/// What is known of all points of a cell together.
+/// Facts that hold at all points of a cell.
 struct CellSight {
   std::vector<std::size_t> screens;  ///< all that may hide something
   bool hidden = false;               ///< nothing is seen: one screen or body hides the source from each point

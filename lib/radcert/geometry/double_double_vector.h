@@ -57,7 +57,7 @@ inline DoubleDouble product_in_double_double(const DoubleDoubleVector& direction
   return exact_sum(sum, tail);
 }
 
-/// What product_in_double_double, as two doubles, is off by.
+/// The error bound of product_in_double_double, as two doubles.
 /// Maths     Let m bound the sum of the largest coordinates whose difference was taken, and |direction| <= 1.
 ///           What is added up in `tail` is at most (2 + 1 + 2 + 1) sqrt(3) 2^-53 m: the roundings of two sums
 ///           and of three products, and the products with either tail. Each part of it suffers at most five

@@ -10,7 +10,7 @@
 
 namespace radcert {
 
-/// What is wrong with a mesh beside what its topology shows.
+/// Defects of a mesh that its topology does not show.
 /// Maths     crossing: pairs of triangles that have more in common than a shared side or vertex, overlapping
 ///           and equal ones included
 /// Source    CGAL, exact predicates, boxes sorted in space

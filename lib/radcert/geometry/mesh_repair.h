@@ -12,7 +12,7 @@
 
 namespace radcert {
 
-/// What may be mended in a mesh, each only where it is asked for.
+/// The repairs of a mesh, each made only where it is asked for.
 struct MeshRepair {
   bool triangulate = false;  ///< cut faces of the file whose corners do not lie in one plane: see BentFaces
   bool vertices = false;     ///< join vertices with equal coordinates, leave out those that no triangle uses

@@ -9,7 +9,7 @@
 
 namespace radcert {
 
-/// What a search over pairs of boxes found.
+/// The result of a search over pairs of boxes.
 struct PairSearch {
   std::size_t boxes_left =
       0;  ///< pairs of boxes not decided: with none and no witness the statement is proved

@@ -12,7 +12,7 @@
 
 namespace radcert {
 
-/// What was proved of the shape of a chart's image, of what its facts state.
+/// Which of a chart's stated facts about the shape of its image are proved.
 /// Maths     inner: l(F) = 0, and grad l has the direction of the inner normals. quadric: q(F) = 0, nappe(F)
 ///           > 0, the inner normals have the direction of -grad q, and the inside is convex.
 ///           profile_is_convex: F is ruled, and (F(w) - F(p)) . N(p) >= 0 for all p and w of its domain

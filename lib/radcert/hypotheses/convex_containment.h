@@ -12,7 +12,7 @@
 
 namespace radcert {
 
-/// What is known of the statement that S lies in the boundary of a convex body.
+/// The verdict on the statement that S lies in the boundary of a convex body, with its reason.
 enum class Containment {
   certified,  ///< proved
   refuted,    ///< disproved, by a witness
@@ -61,7 +61,8 @@ struct ContainmentStep {
   std::string proof;
 };
 
-/// What is left of a statement that was not decided: P on one chart, Q on another or on the same.
+/// Two charts for whose pairs of points, P on one and Q on the other, a statement was not decided. The charts
+/// may be the same.
 struct OpenPair {
   std::size_t chart_p = 0;
   std::size_t chart_q = 0;

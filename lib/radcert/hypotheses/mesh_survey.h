@@ -53,7 +53,7 @@ struct MeshSurvey {
   std::optional<PlaneClasses> planes;
   ConvexContainment containment;
 
-  /// What keeps the mesh from being a surface that light can be followed on; empty: nothing.
+  /// The defect that keeps the mesh from being a surface for radiosity, if there is one.
   [[nodiscard]] std::optional<std::string> obstacle() const;
   /// The mesh as a surface. Requires components, else ContractViolation.
   [[nodiscard]] Surface surface(const std::string& name) const;

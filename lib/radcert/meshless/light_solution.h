@@ -103,7 +103,7 @@ public:
   /// An estimate of the condition of A; 1 where the values are the coefficients.
   [[nodiscard]] double condition() const;
 
-  /// Coefficients for a light. Tolerance: of error_bound against max |lambda|, absent: as far as doubles go.
+  /// Coefficients for a light. Tolerance: of error_bound against max |lambda|, absent: to machine precision.
   /// Refused: not reached.
   [[nodiscard]] Outcome<LightSolution> solve(const Light& light,
                                              std::optional<double> tolerance = 1e-8) const;

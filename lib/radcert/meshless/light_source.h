@@ -21,7 +21,7 @@ struct PointLight {
   double intensity = 1;  ///< power per area across the light at the distance 1
 };
 
-/// What the surface itself sends out, by place and normal.
+/// The emission of the surface, by place and normal.
 struct SurfaceEmission {
   std::function<double(const LitPoint&)> radiance;
 };

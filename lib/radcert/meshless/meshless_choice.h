@@ -20,7 +20,7 @@ namespace radcert {
 /// Limits    normal_sensitive is no metric: see tests/laws/meshless_laws.h
 enum class SiteDistance : std::uint8_t { normal_sensitive, euclidean_with_normal_factor, euclidean };
 
-/// What to do where fewer than m others are at a finite distance from a site.
+/// The rule for a site from which fewer than m others are at a finite distance.
 enum class TooFewNeighbours : std::uint8_t {
   refuse,
   farthest,  ///< take the farthest of those there are; refuse where there is none
@@ -40,7 +40,7 @@ struct RadiusRule {
   TooFewNeighbours too_few = TooFewNeighbours::refuse;
 };
 
-/// What is done to the raw elements.
+/// How the raw elements are normalised.
 /// Maths     none: phi_i = psi_i;  partition_of_unity: phi_i = psi_i / sum_j psi_j
 /// Source    [psg10, (11)]
 enum class Normalisation : std::uint8_t { none, partition_of_unity };

@@ -54,7 +54,7 @@ R inverse_square(const R& r) {
 /// Which mother function.
 enum class MotherKind : std::uint8_t { gaussian, spline, shepard, expression, own };
 
-/// A mother function that is somebody's own type, its type forgotten.
+/// A mother function of a user's own type, its type erased.
 /// Maths     Phi(r)
 /// Requires  functions that threads may call at the same time; a name that tells one such function from
 ///           another
@@ -88,7 +88,7 @@ struct MotherFunction {
 
   /// Whether Phi >= 0 and Phi decreases: known of those that have a name.
   [[nodiscard]] bool is_monotone() const { return kind != MotherKind::expression && kind != MotherKind::own; }
-  /// "gaussian", "spline", "shepard", the expression as written, or the name of somebody's own.
+  /// "gaussian", "spline", "shepard", the expression as written, or the name of a user's own.
   [[nodiscard]] std::string to_text() const;
 
 private:

@@ -11,7 +11,7 @@
 
 namespace radcert {
 
-/// What a surface element at one site sends to another, with visibility left out.
+/// The light that a surface element at one site sends to another, with V = 1.
 /// Maths     max(0, n_p.(q-p)) max(0, n_q.(p-q)) / |p-q|^4
 /// Source    [psg10, (3)-(5)]: cos cos' / d^2
 /// Requires  unit normals

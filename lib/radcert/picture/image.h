@@ -29,7 +29,7 @@ struct Colour {
 /// The same amount of the three parts.
 [[nodiscard]] constexpr Colour grey(double light) { return {light, light, light}; }
 
-/// What a screen is told for an amount of light.
+/// The pixel value of an amount of light.
 /// Maths     12.92 x for x <= 0.0031308, else 1.055 x^(1/2.4) - 0.055
 /// Source    IEC 61966-2-1, sRGB
 /// Requires  not NaN, else ContractViolation

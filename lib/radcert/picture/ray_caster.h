@@ -12,7 +12,7 @@
 
 namespace radcert {
 
-/// What a ray meets first.
+/// The first intersection of a ray with a scene.
 struct RayHit {
   LitPoint at;
   double distance = 0;   ///< from the eye, in lengths of the step from the eye to `through`

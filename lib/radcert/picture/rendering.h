@@ -50,7 +50,7 @@ struct Paint {
   Colour outline_colour = grey(0);
 };
 
-/// What was seen.
+/// Counts of what the rays of a picture met, and the range of its values.
 struct Seen {
   std::size_t nothing = 0;        ///< rays that meet no face
   std::size_t values = 0;         ///< values that were looked up

@@ -25,7 +25,7 @@ struct ProductPrecision {
   int parallelogram = -1;
 };
 
-/// What there is to know of interpolation at nodes on a triangle.
+/// The facts of interpolation at nodes on a triangle.
 /// Maths     w_j = Int l_j;  determinant det (B_k(q_j)), or det (f_m(q_j)) in a space of one's own;  norm of
 ///           P_n: max sum_j |l_j|; condition: max_k sum_j |c_kj|, the norm of the values' map to Bernstein
 ///           coefficients; for all polynomials of a degree that is (B_k(q_j))^-1, whose inverse has the norm

@@ -11,7 +11,7 @@
 
 namespace radcert {
 
-/// The one basis that the collocation pipeline knows.
+/// The type of all bases in the collocation pipeline.
 /// Maths     nodes q_j and functions l_j of degree r on the reference triangle, l_j(q_i) = delta_ij
 /// Source    [m06, (13)-(15)]
 /// Requires  made of an InsetBasis, which keeps its product formula, or of exact Lagrange functions

@@ -83,7 +83,7 @@ private:
     int depth;
     int failures;  ///< how often two rules differed on a piece that contains this one
   };
-  /// What becomes of a piece on which two rules of the highest order differ.
+  /// How a piece on which two rules of the highest order differ is treated.
   enum class Insistence {
     none,      ///< it is bisected
     rounding,  ///< it counts, with the difference as its error
@@ -93,7 +93,7 @@ private:
   BoundingBall ball_about(const ElementPart<R>& cell) const;
   double unevenness_of(const ElementPart<R>& cell) const;
   bool is_near(const Vector<R>& p) const;
-  /// What stands for the largest coordinate in the bounds of rounding, for points within `reach` of P.
+  /// The largest coordinate in the bounds of rounding, for points within `reach` of P.
   R extent_for(const R& coordinate, std::size_t chart_of_p, const R& reach) const;
   const Samples<R>& kept(int order);
   const Samples<R>& samples(const ElementPart<R>& cell, bool whole, int order);

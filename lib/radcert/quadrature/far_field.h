@@ -10,7 +10,7 @@
 
 namespace radcert {
 
-/// What a rule sums up over one far element for a block of collocation points, one a lane.
+/// The sums of a rule over one far element for a block of collocation points, one a lane.
 /// Maths     value_j = sum_q g_q l_j(x_q),  size = sum_q |g_q|,  g_q = G(P,Q_q) times area element and weight
 /// Source    [ac98, (40)]
 /// Result    rounded lane by lane
@@ -31,7 +31,7 @@ template <Real R>
 void far_sums(const CollocationPointBlock<R>& observers, const Samples<R>& samples,
               std::vector<typename Block<R>::Type>& g, FarSums<R>& sums);
 
-/// What bounds G over an element as a whole, seen from afar.
+/// Bounds of G over a whole element, seen from afar.
 /// Maths     area = Int dS, normal = Int n_Q dS / area, spread_i = max |n_Q - normal|_i by components,
 ///           rise = max |(Q-c).n_Q|, height = max |(Q-c).normal|, c the centre;  share[j] = Int |l_j| dS
 /// Result    from the points of one rule: the maxima are those of its points

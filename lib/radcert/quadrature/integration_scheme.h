@@ -18,7 +18,7 @@ struct FarRule {
   std::optional<int> compared_with;
 };
 
-/// What all elements of one assembly share: surface, basis, tolerance, and what follows from them.
+/// The data that all elements of one assembly share: surface, basis, tolerance, and what follows from them.
 /// Maths     largest_value(j) >= max |l_j|: see largest_values;
 ///           flat_truncation() = Tolerance::converged min_j (mean |l_j|) / (max |l_j|), both over a lattice
 ///           of the element: what a rule may leave out, relative to largest_value(j) times a solid angle, and

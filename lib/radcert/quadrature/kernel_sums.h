@@ -10,7 +10,7 @@
 
 namespace radcert {
 
-/// What a rule sums up for one collocation point over one cell.
+/// The sums of a rule for one collocation point over one cell.
 /// Maths     value_j = sum g_q l_j(x_q),  size_j = sum |g_q| |l_j(x_q)|,  total = sum g_q,  size = sum |g_q|,
 ///           tilt_j: e tilt_j is what a change of all coordinates by e X does to the product of the two
 ///           scalar products at most, e = 8 u: sum of X (|(Q-P).n_P| + |(P-Q).n_Q| + e X) |l_j| / |P-Q|^4

@@ -8,7 +8,7 @@
 
 namespace radcert {
 
-/// What is asked of the entries of a collocation matrix.
+/// The accuracy demanded of the entries of a collocation matrix.
 /// Maths     |entry - exact| <= entry() max|l_j| times the row's Int |G| dS, as far as rounding allows
 /// Requires  0 < entry <= coarsest, and finest_of<R>() <= entry where it is used in the arithmetic R, else
 ///           ContractViolation
@@ -23,7 +23,7 @@ public:
   static constexpr double finest = 1e-13;  ///< of double
   static constexpr double coarsest = 1e-2;
 
-  /// What R can hold: about a thousand roundings.
+  /// The finest tolerance that R can hold: about a thousand roundings.
   template <Real R>
   static double finest_of() {
     if constexpr (std::is_same_v<R, double>)

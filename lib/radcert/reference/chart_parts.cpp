@@ -75,7 +75,7 @@ Point accurate_difference(const Frame<double>& f_q, const Parameters& q, const F
 }
 
 /// About the largest |G u| near P on a smooth piece, with a margin: sampled in eight directions.
-double bound_near(const Collocation& at) {
+double bound_near(const OperatorPoint& at) {
   const ChartIn<double>& chart = at.surface->charts[at.p.chart].in<double>();
   constexpr double step = 1e-4;
   double greatest = 0;
@@ -90,7 +90,7 @@ double bound_near(const Collocation& at) {
   return 4 * greatest * std::abs((*at.density)(at.p, at.frame.point));
 }
 
-void add_own_chart(AdaptiveCubature& cubature, const Collocation& at, const Polygon& polygon) {
+void add_own_chart(AdaptiveCubature& cubature, const OperatorPoint& at, const Polygon& polygon) {
   const Chart& chart = at.surface->charts[at.p.chart];
   const Parameters p = at.p.at;
   const TangentPlane plane(at.frame.tangent_s, at.frame.tangent_t);
@@ -143,7 +143,7 @@ void add_own_chart(AdaptiveCubature& cubature, const Collocation& at, const Poly
 }
 
 /// F_index(q) - P.
-Point difference(const Collocation& at, std::size_t index, const Parameters& q) {
+Point difference(const OperatorPoint& at, std::size_t index, const Parameters& q) {
   const Chart& own = at.surface->charts[at.p.chart];
   const Chart& chart = at.surface->charts[index];
   if (!own.facts().plane || !chart.facts().plane) return chart.in<double>().frame(q).point - at.frame.point;
@@ -153,7 +153,7 @@ Point difference(const Collocation& at, std::size_t index, const Parameters& q) 
 /// Whether the surface goes on smoothly from P to the disk of a chart about the point nearest to P: n_Q is
 /// about n_P all over it. The far sheet of a flat body is no such disk, nor is one about a rim that bends
 /// within it.
-bool goes_on_smoothly(const Collocation& at, const ChartIn<double>& chart, ChartDomain domain,
+bool goes_on_smoothly(const OperatorPoint& at, const ChartIn<double>& chart, ChartDomain domain,
                       const Parameters& nearest, double radius) {
   constexpr double least_cosine = 0.9;
   const Frame<double> frame = chart.frame(nearest);
@@ -168,7 +168,7 @@ bool goes_on_smoothly(const Collocation& at, const ChartIn<double>& chart, Chart
   return true;
 }
 
-void add_other_chart(AdaptiveCubature& cubature, const Collocation& at, std::size_t index,
+void add_other_chart(AdaptiveCubature& cubature, const OperatorPoint& at, std::size_t index,
                      const Polygon& polygon) {
   const Chart& own = at.surface->charts[at.p.chart];
   const Chart& chart = at.surface->charts[index];
@@ -229,7 +229,7 @@ void add_other_chart(AdaptiveCubature& cubature, const Collocation& at, std::siz
 
 }  // namespace
 
-Integrand other_integrand(const Collocation& at, std::size_t index, const Parameters& apex) {
+Integrand other_integrand(const OperatorPoint& at, std::size_t index, const Parameters& apex) {
   const Chart& chart = at.surface->charts[index];
   const Target target{index, apex};
   if (!chart.facts().plane)
@@ -254,7 +254,8 @@ Integrand other_integrand(const Collocation& at, std::size_t index, const Parame
                        .offset_error = exact ? 2 * roundoff * norm(offset) : 4 * roundoff * extent};
 }
 
-void add_part(AdaptiveCubature& cubature, const Collocation& at, std::size_t index, const Polygon& polygon) {
+void add_part(AdaptiveCubature& cubature, const OperatorPoint& at, std::size_t index,
+              const Polygon& polygon) {
   const Chart& own = at.surface->charts[at.p.chart];
   if (index == at.p.chart) {
     if (!own.facts().flat_in()) add_own_chart(cubature, at, polygon);

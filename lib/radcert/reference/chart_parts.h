@@ -13,12 +13,12 @@
 
 namespace radcert::reference {
 
-/// What P brings along.
+/// The point P at which the operator is applied, and the density that it is applied to.
 /// Maths     P = F_j(p.at), its frame and n_P; the density u
 /// Source    [ac98, (2)]
 /// Requires  a surface and a density that outlive this
 /// Result    holds what it is given
-struct Collocation {
+struct OperatorPoint {
   const Surface* surface;
   SurfacePoint<double> p;
   Frame<double> frame;
@@ -37,13 +37,13 @@ struct Collocation {
 ///           singular line
 /// Limits    across a smooth seam a disk of radius 3e-9 of the extent about P is bounded instead of
 ///           integrated
-void add_part(AdaptiveCubature& cubature, const Collocation& at, std::size_t index, const Polygon& polygon);
+void add_part(AdaptiveCubature& cubature, const OperatorPoint& at, std::size_t index, const Polygon& polygon);
 
 /// G J on another chart than P's, its parameters counted from an apex.
 /// Maths     w -> G(P, F_index(apex + w)) J
 /// Source    [ac98, (2)]
 /// Requires  index != p.chart
 /// Result    of the chart's own kind; between flat charts the offset F(apex) - P is rounded once
-Integrand other_integrand(const Collocation& at, std::size_t index, const Parameters& apex);
+Integrand other_integrand(const OperatorPoint& at, std::size_t index, const Parameters& apex);
 
 }  // namespace radcert::reference

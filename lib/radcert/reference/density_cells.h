@@ -46,7 +46,7 @@ struct DensityCell {
 ///           that is not proved to have values on a cell, have infinite ones
 std::vector<DensityCell> density_cells(const Surface& surface, std::span<const Expression> formulas);
 
-/// What the deviation of a cell may change of the integral of G u over it.
+/// A bound of the error that the deviation on a cell causes in the integral of G u over it.
 /// Maths     (2 deviation + rounding) min(pi, area / d^2), where min(pi, area / d^2) >= Int_cell G(P,Q) dS_Q,
 ///           d the distance of the cell's box from P: once for the integral, once for what a rule of positive
 ///           weights gives in its place

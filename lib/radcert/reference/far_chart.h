@@ -35,7 +35,7 @@ private:
   std::vector<double> numbers_;  // seven arrays: points, normals, sizes of the normals
 };
 
-/// What does not depend on P of a chart that P does not lie on.
+/// The quantities of a chart that do not depend on P, for P off the chart.
 /// Maths     a ball about F(centre of the domain) with the chart's corners and the middles of its sides in
 ///           it; the extents of the chart across and along the lines of its map; how much its normal turns
 /// Result    rounded; what the ball leaves out costs points, no digits. Samples of several sizes, in `bytes`

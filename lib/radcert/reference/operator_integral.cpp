@@ -27,7 +27,7 @@ bool in_domain(const Parameters& x, ChartDomain domain) {
   return domain == ChartDomain::unit_triangle ? x.s + x.t <= 1 + slack : x.s <= 1 + slack && x.t <= 1 + slack;
 }
 
-Collocation collocation(const Surface& surface, const SurfacePoint<double>& p, const Density& u) {
+OperatorPoint operator_point(const Surface& surface, const SurfacePoint<double>& p, const Density& u) {
   expects(p.chart < surface.chart_count(), "a chart of the surface", named("chart", p.chart));
   const Chart& chart = surface.charts[p.chart];
   expects(in_domain(p.at, chart.facts().domain), "P in the domain of its chart", named("s", p.at.s),
@@ -41,7 +41,7 @@ Collocation collocation(const Surface& surface, const SurfacePoint<double>& p, c
 
 /// Adds what P sees of a chart, if that may be less than all of it; false: all of it is seen, and nothing was
 /// added.
-bool add_if_hidden(AdaptiveCubature& cubature, const Collocation& at, std::size_t chart,
+bool add_if_hidden(AdaptiveCubature& cubature, const OperatorPoint& at, std::size_t chart,
                    const SurfaceScene& scene, std::optional<PointView>& view,
                    std::span<const DensityCell> cells) {
   if (!view) view = scene.view(at.p.chart, at.frame.point, at.normal);
@@ -70,7 +70,7 @@ std::vector<DensityCell> whole_charts(const Surface& surface) {
 
 /// What the deviations of a chart's cells may change of the integral over it, P not in one plane with it but
 /// on it.
-double deviation_bound(std::span<const DensityCell> cells, const Collocation& at) {
+double deviation_bound(std::span<const DensityCell> cells, const OperatorPoint& at) {
   if (at.surface->charts[at.p.chart].facts().flat_in() && cells.front().chart == at.p.chart) return 0;
   double sum = 0;
   for (const DensityCell& cell : cells)
@@ -152,7 +152,7 @@ AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::vector<
 
 Approximation AppliedOperator::operator()(const SurfacePoint<double>& p) const {
   const Surface& surface = *prepared_->surface;
-  const Collocation at = collocation(surface, p, prepared_->u);
+  const OperatorPoint at = operator_point(surface, p, prepared_->u);
   if (prepared_->of_one) {
     const Approximation whole = (*prepared_->of_one)(p);
     constexpr double slack = 1e-12;
@@ -188,7 +188,7 @@ Approximation AppliedOperator::operator()(const SurfacePoint<double>& p) const {
 }
 
 Approximation operator_integral(const Surface& surface, const SurfacePoint<double>& p, const Density& u) {
-  const Collocation at = collocation(surface, p, u);
+  const OperatorPoint at = operator_point(surface, p, u);
   const std::optional<SurfaceScene> scene = scene_of(surface);
   std::optional<PointView> view;
   AdaptiveCubature cubature(u);
@@ -201,7 +201,7 @@ Approximation operator_integral(const Surface& surface, const SurfacePoint<doubl
 
 Approximation operator_integral(const Surface& surface, const SurfacePoint<double>& p, std::size_t chart,
                                 const std::array<ParameterPoint<double>, 3>& triangle, const Density& u) {
-  const Collocation at = collocation(surface, p, u);
+  const OperatorPoint at = operator_point(surface, p, u);
   expects(surface.unoccluded, "an unoccluded surface", named("surface", surface.name));
   expects(chart < surface.chart_count(), "a chart of the surface", named("chart", chart));
   for (const Parameters& corner : triangle)

@@ -61,7 +61,7 @@ struct NamedValue {
   Arguments arguments;
 };
 
-/// What one route found.
+/// The value that one route found.
 struct RouteValue {
   std::string how;
   Ball value;

@@ -15,7 +15,7 @@ namespace {
 using Corners = std::vector<Parameters>;
 
 /// The largest |u| at the corners of a part.
-double largest_density(const Collocation& at, std::size_t index, const Corners& part) {
+double largest_density(const OperatorPoint& at, std::size_t index, const Corners& part) {
   const ChartIn<double>& chart = at.surface->charts[index].in<double>();
   double largest = 0;
   for (const Parameters& corner : part)
@@ -46,7 +46,7 @@ Corners intersection(Corners part, const DensityCell& cell) {
 
 /// Adds a convex part. A Polygon holds so many vertices: a part of more is cut into some that share its first
 /// corner.
-void add_convex_part(AdaptiveCubature& cubature, const Collocation& at, std::size_t index,
+void add_convex_part(AdaptiveCubature& cubature, const OperatorPoint& at, std::size_t index,
                      const Corners& part) {
   const ChartIn<double>& chart = at.surface->charts[index].in<double>();
   cubature.add_unseen(strip_bound(at.frame.point, chart, part) * largest_density(at, index, part));
@@ -61,7 +61,7 @@ void add_convex_part(AdaptiveCubature& cubature, const Collocation& at, std::siz
 
 }  // namespace
 
-void add_visible_parts(AdaptiveCubature& cubature, const Collocation& at, std::size_t index,
+void add_visible_parts(AdaptiveCubature& cubature, const OperatorPoint& at, std::size_t index,
                        const ChartView& view, std::span<const DensityCell> cells) {
   for (const Corners& part : view.parts)
     for (const DensityCell& cell : cells)

@@ -16,7 +16,7 @@ namespace radcert::reference {
 /// Requires  as add_part; view.sight is part, and the view that from P; cells that cover the chart
 /// Result    what the rounding of corners may change, strip_bound times the largest |u| at them, counts as an
 ///           integral that is left out
-void add_visible_parts(AdaptiveCubature& cubature, const Collocation& at, std::size_t index,
+void add_visible_parts(AdaptiveCubature& cubature, const OperatorPoint& at, std::size_t index,
                        const ChartView& view, std::span<const DensityCell> cells);
 
 }  // namespace radcert::reference

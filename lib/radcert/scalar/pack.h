@@ -155,7 +155,8 @@ struct Constants<Pack> {
   static Pack pi() { return Constants<double>::pi(); }
 };
 
-/// What a hot loop over numbers of type R runs in: several at a time where there is such a type, else one.
+/// The type in which an inner loop over numbers of type R runs: several side by side where there is such a
+/// type, else R itself.
 /// Maths     Block<R>::Type has Block<R>::lanes places
 /// Result    double: Pack; any other arithmetic: itself, one lane
 template <class R>

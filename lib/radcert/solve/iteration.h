@@ -58,7 +58,7 @@ Outcome<IterativeSolution, NotReached> iterate(const Matrix<double>& k, const Co
                                                std::span<const double> e, std::optional<double> tolerance,
                                                const Correction& correction);
 
-/// What |r_i| can be at most, given the computed residual of v.
+/// Bounds of |r_i|, given the computed residual of v.
 /// Maths     |r_i| + u |r_i| + ((n + 4) u)^2 (|e_i| + |v_i| + theta w_i ||v||_w), which bounds (|K| |v|)_i
 ///           too
 /// Source    accurate_residual

@@ -45,7 +45,7 @@ struct LinearSolver {
   std::string name;
   /// Whether it stops at a tolerance, by an error bound; such a solver asks for a contraction.
   bool iterates = false;
-  /// What it holds in memory beside the matrix.
+  /// Adds its memory beside the matrix.
   std::function<void(MemoryPlan& plan, std::uint64_t unknowns)> plan = {};
   /// Solves a system of finite numbers; a reason in words where the system has no solution within bounds.
   /// None: the solver proves, and needs a matrix whose entries are enclosed (verified_system).
@@ -72,7 +72,7 @@ struct LinearSolver {
 [[nodiscard]] std::vector<double> defects(const LinearSystem& system, std::span<const double> v,
                                           std::vector<double> residual_sizes);
 
-/// What an iteration leaves of a system: its solution with the radius over all systems within the radii, or
+/// The outcome of an iteration: the solution with the radius over all systems within the radii, or
 /// in words how far it came.
 [[nodiscard]] Outcome<LinearSolution> iterated(const LinearSystem& system,
                                                Outcome<IterativeSolution, NotReached> solution,

@@ -54,7 +54,7 @@ struct NodalValues {
   std::span<const double> u;  ///< empty without `solution`
 };
 
-/// What every method says of u_n once it is known.
+/// The description of u_n that every method gives once it is known.
 /// Maths     uniform_error and piece_means, the values at the nodes, and u_n at the corners of the elements
 /// Requires  a value a node; `outcome` is of this level
 /// Result    fills these fields of the outcome and no others

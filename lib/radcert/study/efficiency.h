@@ -8,7 +8,7 @@
 
 namespace radcert {
 
-/// What a method pays at a level, in unknowns, seconds or 1/h, and the error that is left.
+/// The cost of a level, in unknowns, seconds or 1/h, and its error.
 struct CostPoint {
   double cost = 0;
   double error = 0;

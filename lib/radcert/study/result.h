@@ -13,7 +13,7 @@
 
 namespace radcert {
 
-/// What `verified` has proved of u_n.
+/// The proof of `verified`.
 struct VerifiedReport {
   double theta =
       0;  ///< < 1: bounds a norm of I - R (I - K_n) with an approximate inverse R, so that I - K_n is regular

@@ -14,7 +14,7 @@
 
 namespace radcert {
 
-/// What a level computed at one node.
+/// The numbers of one node of a level.
 struct NodeValue {
   std::string piece;
   std::size_t element = 0;

@@ -31,4 +31,11 @@ const SurfaceDescription* find_surface(std::string_view name) {
   return nullptr;
 }
 
+Surface default_surface(const SurfaceDescription& description) {
+  std::vector<Rational> values;
+  for (const ParameterDescription& parameter : description.parameters)
+    values.push_back(Rational::parse(parameter.default_text).value());
+  return description.make(values);
+}
+
 }  // namespace radcert

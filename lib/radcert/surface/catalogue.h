@@ -40,4 +40,7 @@ const std::vector<SurfaceDescription>& surface_catalogue();
 /// The entry of that name, or null.
 const SurfaceDescription* find_surface(std::string_view name);
 
+/// The surface of an entry with its default parameters.
+Surface default_surface(const SurfaceDescription& description);
+
 }  // namespace radcert

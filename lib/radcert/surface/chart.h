@@ -27,7 +27,7 @@ namespace radcert {
 /// The side of the surface that the inner normal takes, relative to D_s F x D_t F.
 enum class Orientation { along_the_cross_product = 1, against_the_cross_product = -1 };
 
-/// What a chart knows at one parameter point.
+/// The point of a chart at one parameter point, and its tangents.
 /// Maths     point = F(s,t);  area_normal = +-(D_s F x D_t F), the inner normal with the length of the area
 ///           element
 /// Source    [ac98, (14), (30)]
@@ -126,7 +126,7 @@ enum class ChartDomain {
 /// A line of the parameter plane on which a chart is not analytic.
 enum class SingularLine { none, s_zero };
 
-/// What is known of a chart beside its formula.
+/// The facts of a chart beside its formula.
 struct ChartFacts {
   std::string name;  ///< unique in its surface
   /// The smooth piece it belongs to; charts of one piece join smoothly unless the surface says otherwise

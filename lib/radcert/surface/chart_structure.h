@@ -62,7 +62,7 @@ struct Axis {
   Vector<Rational> direction;  ///< not zero
 };
 
-/// What is known exactly of the shape of a chart's image, beside its plane where it is flat.
+/// The exact facts about the shape of a chart's image, beside its plane where it is flat.
 /// Maths     quadric: q(F(s,t)) = 0, and the inner normal is the direction of -grad q, so that the second
 ///           fundamental form of a quadric with a convex inside has one sign. ruling: F(s,t) = F(s,0) + t
 ///           ruling, so that the tangent planes are those along the profile F(s,0), and the surface is convex

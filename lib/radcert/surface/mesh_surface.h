@@ -10,7 +10,7 @@
 
 namespace radcert {
 
-/// What is known of a mesh as a surface.
+/// The facts of a mesh as a surface.
 struct MeshFacts {
   Orientation orientation = Orientation::against_the_cross_product;  ///< where inner normals point
   bool closed = false;

@@ -46,7 +46,7 @@ struct VisiblePart {
   std::vector<SightPlane> planes;
 };
 
-/// What is seen of a triangle.
+/// The part of a triangle that a point sees.
 /// Maths     the union of the parts, whose interiors have no point in common, is the closure of what is seen
 /// Result    whole: one part, the triangle; nothing: none. The parts are those of the exact geometry
 /// Limits    cut into parts as the search went: no two scenes' parts need compare
@@ -55,7 +55,7 @@ struct VisibleRegion {
   std::vector<VisiblePart> parts;
 };
 
-/// What one point sees of the triangles of a scene, exactly.
+/// The visible parts of a scene's triangles from one point, exactly.
 /// Maths     Q of a triangle T is seen from P where P lies in front of T, n . (Q - P) >= 0 and V(P,Q) = 1, up
 ///           to sets without area. On the sphere of directions about P every border is a plane through P and
 ///           a side of a triangle, or the horizon; a corner is the direction in which two of them meet, and

@@ -14,7 +14,7 @@ namespace {
 bool fits(double x) { return std::abs(x) <= Scene::largest_coordinate; }
 bool fits(const Vector<double>& v) { return fits(v.x) && fits(v.y) && fits(v.z); }
 
-/// A sign, where the arithmetic knows it.
+/// A sign, where the arithmetic decides it.
 struct Sign {
   int value = 0;
   bool certain = false;
@@ -83,7 +83,7 @@ private:
   R square_;
 };
 
-/// The answer, if this arithmetic knows it; `rim` is whether f = 0 counts.
+/// The answer, if this arithmetic decides it; `rim` is whether f = 0 counts.
 template <class R>
 Sign enters(const Vector<double>& centre, double radius, const Vector<double>& p, const Vector<double>& q,
             bool rim) {

@@ -11,7 +11,7 @@
 
 namespace radcert {
 
-/// What makes a mesh no scene.
+/// The faults for which a mesh is refused as a scene.
 enum class SceneFaultKind {
   not_finite,   ///< a coordinate is not finite or beyond Scene::largest_coordinate
   degenerate,   ///< a triangle's corners lie on one line

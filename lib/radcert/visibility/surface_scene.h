@@ -13,7 +13,7 @@
 
 namespace radcert {
 
-/// What is seen of a chart, in its parameters.
+/// The part of a chart that a point sees, in the chart's parameters.
 /// Maths     the union of the parts, convex polygons of the parameter plane whose interiors have no point in
 ///           common
 /// Result    each part counterclockwise; its coordinates within 2^-51 of the exact ones and in the chart's
@@ -45,7 +45,7 @@ private:
   Scene scene_;
 };
 
-/// What the rounding of a part's corners may do to an integral of G over it.
+/// A bound of the error that the rounding of a part's corners causes in the integral of G over it.
 /// Maths     sum over the sides of  w |side| h / distance^3,  w = 2^-50 (|D_s F| + |D_t F|) the width of a
 ///           strip beside a side of which no corner is off by more than that, h the height of P over the
 ///           chart's plane, at most the distance of P from the side: |G| <= h / |P-Q|^3

@@ -342,7 +342,7 @@ System system_of(const Problem& problem, int level, bool with_matrix) {
   return system;
 }
 
-// x = b + A x by repetition, as far as double goes; nothing where it does not converge.
+// x = b + A x by repetition, to machine precision; nothing where it does not converge.
 std::optional<std::vector<double>> fixed_point(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> x = b;
   for (int step = 0; step < 2000; ++step) {

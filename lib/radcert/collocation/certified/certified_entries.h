@@ -22,7 +22,7 @@ struct CertifiedEntries {
   Matrix<double> radius;
 };
 
-/// What the functions that fill such a matrix require.
+/// The requirements of the functions that fill such a matrix.
 /// Requires  functions of degree at most 8; a reflectivity a node, finite, else ContractViolation
 void expects_collocation_data(const LagrangeFunctions& functions, std::size_t nodes,
                               std::span<const double> reflectivity);

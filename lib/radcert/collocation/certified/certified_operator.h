@@ -35,7 +35,7 @@ public:
       : sums_{std::vector<double>(points), std::vector<double>(points)} {}
   void add(std::span<const double> values, std::span<const double> radius);
   void add(const CertifiedSums& other) { add(other.sums_.values, other.sums_.radius); }
-  /// What was added over so many elements. Refused where a radius exceeds the demand.
+  /// The sums over so many elements. Refused where a radius exceeds the demand.
   [[nodiscard]] Outcome<CertifiedValues> within(double demand, std::size_t elements) &&;
 
 private:

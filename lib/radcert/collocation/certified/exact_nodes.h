@@ -42,7 +42,7 @@ struct ExactNodes {
 /// Lagrange functions by their monomials in s = x_2, t = x_3; exact.
 [[nodiscard]] std::vector<PlanePolynomial<Rational>> by_monomials(const LagrangeFunctions& functions);
 
-/// What the integrals of Lagrange functions by PlaneElement are off by.
+/// Error bounds of the integrals of Lagrange functions by PlaneElement.
 /// Maths     accuracy Int |G| max |l_j|. Int |G| = |Int G| where G has one sign, and Int G is the sum of the
 ///           integrals, as the l_j have the sum 1: it is at most the size of that sum and what the integrals
 ///           and the sum are off by

@@ -69,7 +69,7 @@ private:
 /// Result    double quotes have become single ones, backslashes are left out
 [[nodiscard]] std::string without_quotes(std::string reason);
 
-/// The word of a list that somebody may have meant.
+/// The word of a list that is nearest to a misspelt one.
 /// Maths     least edit distance (insertions, deletions, substitutions, exchanges of neighbours), at most a
 ///           third of the longer word
 /// Source    Damerau and Levenshtein, optimal string alignment

@@ -14,7 +14,7 @@
 
 namespace radcert {
 
-/// What errors are drawn against: the largest diameter h, or the number N of unknowns.
+/// The horizontal axis of a convergence plot: the largest diameter h, or the number N of unknowns.
 enum class ErrorAgainst : std::uint8_t { mesh_size, unknowns };
 
 /// An error in words: "max |u - u_n| over the nodes".

@@ -102,7 +102,7 @@ struct NamedPlot {
 /// A tick's number: "0.05", "2000", "5e-7".
 [[nodiscard]] std::string tick_text(double value);
 
-/// What the two axes of a plot show.
+/// The ranges of a plot's two axes.
 /// Maths     an axis without a range of its own: from the least to the largest of points, marks and slope
 ///           triangles, and a twentieth of that on either side; a single value lies in the middle
 /// Requires  finite points, y and x not below the smallest normal double where their axis is logarithmic,

@@ -73,7 +73,7 @@ void require_digest(const JsonReader& object, const std::string& digest);
 /// Result    a whole number up to 2^53 as a number, everything else as a string: 2, "1/6"
 JsonValue exact_json(const Rational& value);
 
-/// Whether somebody named each piece, or "*"; refuses other names.
+/// Requires that each piece, or "*", is named; refuses other names.
 /// Requires  an object
 /// Result    returns, or throws InputError
 void require_pieces(const JsonReader& by_piece, std::span<const std::string> pieces);

@@ -14,7 +14,7 @@ namespace radcert {
 
 namespace {
 
-/// Names that the file format knows of surfaces parts of which hide others.
+/// Names, in the file format, of surfaces whose parts hide each other.
 const std::vector<std::string> occluded_surfaces = {"torus", "sphere_over_disk", "concentric_spheres"};
 
 /// What a problem with a mesh may state beside the file.

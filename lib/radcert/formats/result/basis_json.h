@@ -22,7 +22,7 @@ struct BasisRecord {
   [[nodiscard]] PredictedOrders orders() const { return predicted_orders(facts); }
 };
 
-/// What is known of bases, as JSON.
+/// The facts of bases as JSON.
 /// Source    the file format radcert/basis/1
 /// Requires  nothing
 /// Result    exact numbers as strings, rounded to the nearest of 60 digits where they are long; the norm

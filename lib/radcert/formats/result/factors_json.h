@@ -11,7 +11,7 @@
 
 namespace radcert {
 
-/// What radcert factors found, with what a report needs beside the matrix.
+/// The result of `radcert factors`: the matrix and what a report shows beside it.
 struct FactorReport {
   std::string command;
   std::string name;

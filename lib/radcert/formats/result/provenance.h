@@ -22,7 +22,7 @@ struct LibraryVersion {
   std::string version;
 };
 
-/// What somebody needs to know to make files again.
+/// The inputs, programs and machine from which files were made, so that they can be made again.
 /// Result    plain data
 struct Provenance {
   std::string command;

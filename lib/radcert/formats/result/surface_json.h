@@ -9,7 +9,7 @@
 
 namespace radcert {
 
-/// What radcert surface writes, as JSON.
+/// The survey of `radcert surface` as JSON.
 /// Source    the file format radcert/surface/1
 /// Result    the same keys for a mesh and for a surface of the catalogue, null where something is not known
 ///           of it. Lists of places show the first surface_json_places, beside the count of all

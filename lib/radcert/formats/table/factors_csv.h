@@ -25,7 +25,7 @@ namespace radcert {
 /// unless asked for, and the radius is that of both, the wider.
 [[nodiscard]] std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std::string> names);
 
-/// A factor that somebody else found.
+/// A factor from another source, to be compared.
 /// Maths     what is claimed: value +- halfwidth
 /// Result    halfwidth: the radius given, else half a unit of the last printed digit
 struct ClaimedFactor {
@@ -50,7 +50,7 @@ using ClaimedFactors = std::map<std::pair<std::string, std::string>, ClaimedFact
 [[nodiscard]] ClaimedFactors parse_factors(std::string_view text, const std::string& source,
                                            std::span<const std::string> names);
 
-/// What a claim is against a number with a radius.
+/// How a claimed value compares with a number with a radius.
 enum class Agreement {
   agrees,     ///< all that our factor may be lies within the claim
   differs,    ///< none of it does

@@ -11,7 +11,7 @@
 
 namespace radcert {
 
-/// What the readers of mesh files build: a MeshFile, checked as it grows.
+/// A MeshFile under construction by a reader, checked as it grows.
 /// Result    place: "line 12" or "byte 84"; every refusal is an InputError without a source
 class MeshBuilder {
 public:
@@ -49,7 +49,7 @@ public:
   /// The words of the next line that has any; no value at the end.
   std::optional<std::vector<std::string_view>> next();
   [[nodiscard]] std::string place() const { return "line " + std::to_string(number_); }
-  /// What is left of the text after the lines read.
+  /// The text after the lines read.
   [[nodiscard]] std::string_view rest() const { return rest_; }
   /// The last line read, as it stands.
   [[nodiscard]] std::string_view line() const { return line_; }

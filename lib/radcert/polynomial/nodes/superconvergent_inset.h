@@ -23,7 +23,7 @@ struct SuperconvergentInset {
   std::optional<std::string> closed_form;
 };
 
-/// What the rule at the inset lattice misses in one monomial.
+/// The error of the rule at the inset lattice for one monomial.
 struct InsetDefect {
   Monomial monomial;
   InsetFunction defect;

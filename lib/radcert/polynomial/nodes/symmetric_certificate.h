@@ -21,7 +21,7 @@ struct EnclosedPrecision {
   Ball defect;
 };
 
-/// What is proved of symmetric nodes.
+/// The proved facts of symmetric nodes.
 /// Maths     within `radius` of every coordinate that is not held there is exactly one choice of them, with
 ///           one of the weights within `radius` of those of the interpolatory rule, for which the rule is
 ///           exact of the degree that was claimed; these true nodes are unisolvent, so that the rule is their

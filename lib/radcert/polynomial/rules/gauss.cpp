@@ -9,6 +9,7 @@
 #include <string>
 #include <type_traits>
 
+#include "radcert/core/c_value.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/work_limit.h"
@@ -144,10 +145,8 @@ IntervalRule<Ball> enclosed_one(int points) {
 IntervalRule<Ball> legendre_rule(int points) {
   expects(points >= 1, "points >= 1", named("points", points));
   IntervalRule<Ball> rule;
-  arb_t node;
-  arb_t weight;
-  arb_init(node);
-  arb_init(weight);
+  CValue<arb_struct, arb_init, arb_clear> node;
+  CValue<arb_struct, arb_init, arb_clear> weight;
   // Arb's zeros descend.
   for (int k = points - 1; k >= 0; --k) {
     arb_hypgeom_legendre_p_ui_root(node, weight, static_cast<ulong>(points), static_cast<ulong>(k),
@@ -155,8 +154,6 @@ IntervalRule<Ball> legendre_rule(int points) {
     rule.nodes.push_back(Ball::from_arb(node, "a Gauss node without a bound"));
     rule.weights.push_back(Ball::from_arb(weight, "a Gauss weight without a bound"));
   }
-  arb_clear(node);
-  arb_clear(weight);
   return rule;
 }
 

@@ -40,7 +40,7 @@ public:
     Pack cosine_p;  ///< largest computed ((Q - P).n_P)^2 / |Q - P|^2
     Pack cosine_q;
   };
-  /// What the points are off by.
+  /// The error bound of the points.
   struct PointErrors {
     double position = 0;
     double normal = 0;

@@ -74,7 +74,7 @@ struct FlatIntegrand {
   double area;            // J
   double offset_error;    // of `offset`
 
-  /// What does not change along a line.
+  /// The terms that are constant along a line.
   class OnLine {
   public:
     OnLine(const FlatIntegrand& f, const Line<double>& line)

@@ -41,7 +41,7 @@ private:
   double mesh_size_;
 };
 
-/// What is known of a level before it is solved: its number, its sizes and the memory that was planned.
+/// The number of a level, its sizes and the memory that was planned: all that is known before it is solved.
 [[nodiscard]] LevelResult level_header(const Problem& problem, int level, const LevelGeometry& geometry,
                                        std::size_t unknowns);
 

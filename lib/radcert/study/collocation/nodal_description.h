@@ -10,7 +10,7 @@
 
 namespace radcert {
 
-/// What a level of collocation knows at its nodes, in the order of collocation_nodes.
+/// The values of a level of collocation at its nodes, in the order of collocation_nodes.
 struct CollocationValues {
   std::span<const double> u_n;
   std::span<const double> radius;  ///< of u_n; empty where nothing is proved
@@ -19,7 +19,7 @@ struct CollocationValues {
   std::optional<double> solution_radius = std::nullopt;  ///< of u_n at every node; absent: not known
 };
 
-/// What can be said of u_n once its values at the nodes are known: describe_level, and with solution_radius
+/// The description of u_n once its values at the nodes are known: describe_level, and with solution_radius
 /// the means_radius that follows from it.
 /// Requires  a value a node; `outcome` is of this level
 /// Result    fills these fields of the outcome and no others

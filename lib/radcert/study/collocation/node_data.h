@@ -20,7 +20,7 @@ namespace radcert {
 std::vector<double> values_at_nodes(const PiecewiseExpression& function, const std::string& pointer,
                                     const Surface& surface, std::span<const CollocationPoint<double>> nodes);
 
-/// What rounding may have done to the values of a piecewise expression at the collocation nodes.
+/// Bounds of the rounding errors of a piecewise expression at the collocation nodes.
 /// Maths     |f(v_i) - values_i|, v_i the node of exact parameters, whose coordinates are off by no more than
 ///           8 u of the largest, on plane charts by 8 u of the numbers that they are summed up from
 /// Source    interval arithmetic: the expression in balls about the rounded coordinates

@@ -87,7 +87,7 @@ struct Meshless {
 [[nodiscard]] MemoryPlan meshless_plan(std::uint64_t sites, const Meshless& basis, bool is_direct);
 [[nodiscard]] std::uint64_t planned_sites(const SiteLevels& sites, int level, double area);
 
-/// What is to be refused of a problem with a meshless basis; see check(problem).
+/// Refuses what a meshless basis does not allow in a problem; see check(problem).
 void check(const Problem& problem, const Meshless& method, const Surface& surface,
            std::uint64_t memory_limit);
 
