@@ -35,10 +35,14 @@ TEST(ParseProblem, ReadsTheExampleOfTheFormat) {
   EXPECT_FALSE(problem.emission);
 }
 
+/// The basis on triangles of a problem with this basis.
+TriangleBasisChoice triangle_basis_choice(const std::string& text) {
+  return triangle_basis_of(parse_problem(with("basis", text), "").method);
+}
+
 TEST(ParseProblem, KeepsDecimalsAndFractionsExact) {
   const auto alpha = [](const std::string& text) {
-    return parse_problem(with("basis", R"({"family": "inset", "degree": 1, "alpha": )" + text + "}"), "")
-        .basis.alpha;
+    return triangle_basis_choice(R"({"family": "inset", "degree": 1, "alpha": )" + text + "}").alpha;
   };
   EXPECT_EQ(alpha("\"0.1\""), Rational(1, 10));
   EXPECT_EQ(alpha("0.1"), Rational::exactly(0.1));
@@ -134,19 +138,18 @@ TEST(ParseProblem, ReadsTheGeometry) {
 }
 
 TEST(ParseProblem, LeavesAlphaOutAtDegreeZeroOnly) {
-  EXPECT_EQ(parse_problem(with("basis", R"({"family": "inset", "degree": 0})"), "").basis.alpha,
-            std::nullopt);
-  EXPECT_EQ(
-      parse_problem(with("basis", R"({"family": "inset", "degree": 0, "alpha": "0.2"})"), "").basis.alpha,
-      Rational(1, 5));
+  EXPECT_EQ(triangle_basis_choice(R"({"family": "inset", "degree": 0})").alpha, std::nullopt);
+  EXPECT_EQ(triangle_basis_choice(R"({"family": "inset", "degree": 0, "alpha": "0.2"})").alpha,
+            Rational(1, 5));
 }
 
 TEST(ParseProblem, FindsTheSuperconvergentAlpha) {
-  const auto basis = [](const std::string& text) { return parse_problem(with("basis", text), "").basis; };
-  const TriangleBasisChoice one = basis(R"({"family": "inset", "degree": 1, "alpha": "superconvergent"})");
+  const TriangleBasisChoice one =
+      triangle_basis_choice(R"({"family": "inset", "degree": 1, "alpha": "superconvergent"})");
   EXPECT_EQ(one.alpha, Rational(1, 6));
   EXPECT_FALSE(one.alpha_is_near);
-  const TriangleBasisChoice three = basis(R"({"family": "inset", "degree": 3, "alpha": "superconvergent"})");
+  const TriangleBasisChoice three =
+      triangle_basis_choice(R"({"family": "inset", "degree": 3, "alpha": "superconvergent"})");
   EXPECT_TRUE(three.alpha_is_near);
   // (7 - sqrt 34)/15
   EXPECT_EQ(three.alpha->to_double(), 0.07793654034364664);

@@ -46,7 +46,8 @@ TEST(NodalFunction, TakesItsValuesAtTheNodes) {
 
 TEST(UniformError, VanishesForWhatTheBasisReproduces) {
   const Interpolated u(box(1, 2, 5), 1, 2, 0.125, quadratic);
-  const std::optional<Approximation> error = uniform_error(u.function(), everywhere("x^2 - 2*x*y + z"));
+  const std::optional<Approximation> error =
+      uniform_error(u.function().computed(), everywhere("x^2 - 2*x*y + z"));
   ASSERT_TRUE(error);
   EXPECT_LT(error->value, 1e-13);
   EXPECT_FALSE(error->guaranteed);
@@ -57,9 +58,10 @@ TEST(UniformError, IsTheLargestDifferenceCornersIncluded) {
   // A constant on each triangle, the value of z at the centroid: on a wall of the unit cube the farthest
   // corner is 2/3 away.
   const Interpolated u(cube(), 0, 0, 0, z);
-  EXPECT_NEAR(uniform_error(u.function(), everywhere("z"))->value, 2.0 / 3, 1e-15);
+  EXPECT_NEAR(uniform_error(u.function().computed(), everywhere("z"))->value, 2.0 / 3, 1e-15);
   // On one piece alone, 5 too much.
-  EXPECT_NEAR(uniform_error(u.function(), by_piece({{"*", "z"}, {"floor", "z + 5"}}))->value, 5, 1e-15);
+  EXPECT_NEAR(uniform_error(u.function().computed(), by_piece({{"*", "z"}, {"floor", "z + 5"}}))->value, 5,
+              1e-15);
 }
 
 TEST(UniformError, SeesEveryCornerOfTheDomain) {
@@ -68,21 +70,22 @@ TEST(UniformError, SeesEveryCornerOfTheDomain) {
   const Interpolated u(two_piece(2), 0, 1, 0.125, one);
   for (const char* bump : {"1 + x*y", "1 + (1-x)*y", "1 + x*(1-y)", "1 + (1-x)*(1-y)"})
     for (const char* piece : {"lower", "upper"})
-      EXPECT_NEAR(uniform_error(u.function(), by_piece({{piece, bump}, {"*", "1"}}))->value, 1, 1e-14)
+      EXPECT_NEAR(uniform_error(u.function().computed(), by_piece({{piece, bump}, {"*", "1"}}))->value, 1,
+                  1e-14)
           << bump;
 }
 
 TEST(UniformError, IsNothingWhereTheSolutionIsNotFinite) {
   // 1/x is finite at every node and not on the side x = 0 that the sample includes.
   const Interpolated u(two_piece(2), 0, 1, 0.125, one);
-  EXPECT_EQ(uniform_error(u.function(), everywhere("1/x")), std::nullopt);
-  EXPECT_EQ(uniform_error(u.function(), everywhere("sqrt(x - 1/16)")), std::nullopt);
+  EXPECT_EQ(uniform_error(u.function().computed(), everywhere("1/x")), std::nullopt);
+  EXPECT_EQ(uniform_error(u.function().computed(), everywhere("sqrt(x - 1/16)")), std::nullopt);
 }
 
 TEST(PieceMeans, OfOneAreOneAndNameThePiecesInOrder) {
   for (const Surface& surface : {cube(), sphere(), two_piece(Rational(3, 2))}) {
     const Interpolated u(surface, 1, 2, 0.1, one);
-    const auto means = piece_means(u.function());
+    const auto means = piece_means(u.function().computed(), nodal_mean_order);
     ASSERT_EQ(means.size(), surface.piece_names().size());
     for (std::size_t i = 0; i < means.size(); ++i) {
       EXPECT_EQ(means[i].first, surface.piece_names()[i]);
@@ -93,7 +96,7 @@ TEST(PieceMeans, OfOneAreOneAndNameThePiecesInOrder) {
 
 TEST(PieceMeans, AreTheCentroidsOfTheFacesForACoordinate) {
   const Interpolated u(box(1, 2, 5), 1, 1, 0.1, z);
-  for (const auto& [piece, mean] : piece_means(u.function()))
+  for (const auto& [piece, mean] : piece_means(u.function().computed(), nodal_mean_order))
     EXPECT_NEAR(mean, piece == "floor" ? 0 : piece == "ceiling" ? 5 : 2.5, 1e-14) << piece;
 }
 
@@ -103,7 +106,7 @@ TEST(PieceMeans, WeighByAreaAndNotByParameters) {
   octant.charts = {Chart(octant.charts.front())};
   octant.diagonals.resize(1);
   const Interpolated u(octant, 2, 8, 0.05, z);
-  EXPECT_NEAR(piece_means(u.function())[0].second, 0.5, 1e-9);
+  EXPECT_NEAR(piece_means(u.function().computed(), nodal_mean_order)[0].second, 0.5, 1e-9);
 }
 
 }  // namespace

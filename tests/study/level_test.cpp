@@ -269,7 +269,7 @@ TEST(SolveLevel, ThrowsWhereTheToleranceIsOutOfReach) {
       solve_level(problem, 0, no_route);
       ADD_FAILURE() << "no exception";
     } catch (const AccuracyNotReached& error) {
-      EXPECT_THAT(error.what(), HasSubstr("level 0, solver " + name));
+      EXPECT_THAT(error.what(), HasSubstr(std::string("level 0, solver ") + name));
       EXPECT_THAT(error.what(), HasSubstr("4.440892098500626e-16"));
     }
     problem.solver.tolerance = std::nullopt;
