@@ -87,13 +87,15 @@ function(radcert_catalogue layer function)
   set(declarations)
   set(entries)
   foreach(name IN LISTS arg_NAMES)
-    target_sources(radcert_${layer} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/radcert/${layer}/${arg_FOLDER}/${name}.cpp")
+    cmake_path(APPEND CMAKE_CURRENT_SOURCE_DIR radcert ${layer} ${arg_FOLDER} ${name}.cpp OUTPUT_VARIABLE source)
+    target_sources(radcert_${layer} PRIVATE "${source}")
     string(APPEND declarations "${arg_TYPE} ${name}_entry();\n")
     string(APPEND entries "${name}_entry(), ")
   endforeach()
   set(source "${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp")
   file(CONFIGURE OUTPUT "${source}" @ONLY CONTENT [[
 #include "radcert/@layer@/@arg_HEADER@"
+// An "undefined reference" to one of these: its source defines no function of this name in the namespace radcert.
 
 namespace radcert {
 @declarations@

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 #include <tuple>
 
@@ -15,6 +16,8 @@
 #include "radcert/study/collocation/nodal_function.h"
 #include "radcert/study/study.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/mesh_surface.h"
+#include "tests/geometry/sample_meshes.h"
 #include "tests/study/problems.h"
 
 namespace radcert {
@@ -184,14 +187,37 @@ TEST(SolveLevel, HasTheSameErrorsWhenTheSolutionIsStated) {
   EXPECT_EQ(result.orders[1].levels, (std::vector<int>{0, 1}));
 }
 
-constexpr const char* iterations[] = {"gmres", "neumann"};
+TEST(SolveLevel, RefusesAClosedSurfaceWithANormalThatPointsOutwards) {
+  TriangleMesh mesh = sample::mesh_of(sample::cube());
+  const std::vector<std::size_t> pieces(mesh.triangles.size(), 0);
+  const auto problem = [&] {
+    Problem cube = with_emission(with_basis(sample_problem("cube"), 1, Rational(1, 6)), "1 + x");
+    cube.surface = {.name = "cube", .parameters = {}, .mesh = MeshChoice{}};
+    cube.surface.mesh->surface = std::make_shared<const Surface>(mesh_surface(
+        "cube", mesh, pieces, std::vector<std::string>{"wall"},
+        {.orientation = Orientation::against_the_cross_product, .closed = true, .unoccluded = true}));
+    return cube;
+  };
+  EXPECT_NO_THROW(solve_level(problem(), 0, no_route));
+  std::swap(mesh.triangles[5][1], mesh.triangles[5][2]);
+  try {
+    solve_level(problem(), 0, no_route);
+    ADD_FAILURE() << "no exception";
+  } catch (const AccuracyNotReached& error) {
+    EXPECT_THAT(error.what(), HasSubstr("not pi"));
+  }
+}
+
+/// The solvers that stop at a tolerance.
+const std::vector<std::string> iterations =
+    solver_names([](const LinearSolver& each) { return each.iterates; });
 
 TEST(SolveLevel, HasTheSameSolutionByEverySolver) {
   for (const Problem& surface : {sample_problem("cube"), sample_problem("two_piece", {{"p", 2}})}) {
     Problem problem = with_solution(surface, "exp(x)*cos(y) + z");
     const LevelOutcome direct = solve_level(problem, 0, reference::applied_operator);
     EXPECT_FALSE(direct.result.iteration);
-    for (const char* name : iterations) {
+    for (const std::string& name : iterations) {
       problem.solver.name = name;
       const LevelOutcome outcome = solve_level(problem, 0, reference::applied_operator);
       const LevelResult& result = outcome.result;
@@ -213,7 +239,7 @@ TEST(SolveLevel, HasTheSameSolutionByEverySolver) {
 
 TEST(SolveLevel, PutsTheToleranceOfAnIterationIntoTheRadius) {
   Problem problem = with_solution(sample_problem("cube"), "1");
-  for (const char* name : iterations) {
+  for (const std::string& name : iterations) {
     problem.solver = {.name = name, .tolerance = Rational(1, 1000)};
     const LevelResult result = solve_level(problem, 0, constant_route(std::numbers::pi)).result;
     EXPECT_LE(result.iteration->error_bound, 1e-3);
@@ -236,7 +262,7 @@ TEST(SolveLevel, CoversTheErrorsOfTheRouteByEverySolver) {
     return [](const SurfacePoint<double>&) { return Approximation{std::numbers::pi + e, 2 * e}; };
   };
   Problem problem = sample_problem("cube");
-  for (const char* name : iterations) {
+  for (const std::string& name : iterations) {
     problem.solver.name = name;
     const double radius = solve_level(problem, 0, route).result.node_error->radius;
     EXPECT_GE(radius, 2 * e / std::numbers::pi * 0.999);
@@ -250,7 +276,7 @@ TEST(SolveLevel, RefusesAnIterationWithoutAContraction) {
   Problem problem = with_emission(with_basis(sample_problem("cube"), 2, Rational(1, 6)), "1");
   problem.reflectivity = everywhere("19/20");
   EXPECT_NO_THROW(solve_level(problem, 0, no_route));
-  for (const char* name : iterations) {
+  for (const std::string& name : iterations) {
     problem.solver.name = name;
     const InputFault fault = fault_of([&] { solve_level(problem, 0, no_route); });
     EXPECT_EQ(fault.pointer, "/solver/name");
@@ -263,13 +289,13 @@ TEST(SolveLevel, RefusesAnIterationWithoutAContraction) {
 TEST(SolveLevel, ThrowsWhereTheToleranceIsOutOfReach) {
   Problem problem = with_emission(sample_problem("cube"), "1 + x");
   problem.reflectivity = everywhere("99/100");
-  for (const char* name : iterations) {
+  for (const std::string& name : iterations) {
     problem.solver = {.name = name, .tolerance = Rational::exactly(0x1p-51)};
     try {
       solve_level(problem, 0, no_route);
       ADD_FAILURE() << "no exception";
     } catch (const AccuracyNotReached& error) {
-      EXPECT_THAT(error.what(), HasSubstr(std::string("level 0, solver ") + name));
+      EXPECT_THAT(error.what(), HasSubstr("level 0, solver " + name));
       EXPECT_THAT(error.what(), HasSubstr("4.440892098500626e-16"));
     }
     problem.solver.tolerance = std::nullopt;

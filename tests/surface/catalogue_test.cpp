@@ -42,7 +42,11 @@ std::vector<Visit> visits(const Surface& surface) {
 TEST(Catalogue, IsCoveredByTheSamples) {
   // An entry without a sample here is an entry whose laws nobody checks.
   std::set<std::string> sampled;
-  for (const SampleSurface& sample : sample_surfaces()) sampled.insert(sample.entry);
+  for (const SampleSurface& sample : sample_surfaces()) {
+    sampled.insert(sample.entry);
+    ASSERT_EQ(sample.charts.size(), sample.make().chart_count())
+        << sample.entry << ": a sample has each chart once more, in long double and in the same order";
+  }
   std::set<std::string> known;
   for (const SurfaceDescription& entry : surface_catalogue()) known.insert(entry.name);
   EXPECT_EQ(sampled, known);

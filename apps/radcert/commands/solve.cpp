@@ -166,9 +166,12 @@ void add_solve(Program& program) {
       "(SVG) of the errors, cite.bib, provenance.json",
       "DIR");
   command.footer(
-      "In a problem, `emission` is E, the power emitted per area, not the material constant 1 - rho; with "
-      "`solution`\n"
-      "u given instead, E = u - Ku. `solver` is direct, gmres, neumann or verified;\n"
+      std::string("In a problem, `emission` is E, the power emitted per area, not the material constant 1 - "
+                  "rho; with "
+                  "`solution`\n"
+                  "u given instead, E = u - Ku. `solver` is one of ") +
+      listed(solver_names()) +
+      ";\n"
       "verified proves its radii, or ends with exit code 1 and the reason why it cannot.\n"
       "With a meshless basis `elements` are its functions, one a site; at level k the sites of "
       "{\"poisson_disk\": s} are\n"

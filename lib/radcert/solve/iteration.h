@@ -31,6 +31,8 @@ struct NotReached {
 };
 
 /// How residuals become corrections.
+/// Requires  one application shrinks ||r||_w by the contraction's theta at least, but for rounding, as
+///           v <- v + r does: the number of steps is planned from it
 struct Correction {
   /// A residual becomes a correction, in place; gives the number of iterations that took. `goal`: a size
   /// ||r||_w of the residual that is small enough.

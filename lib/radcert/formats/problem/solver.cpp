@@ -34,7 +34,10 @@ SolverChoice read_solver(const JsonReader& solver) {
   const std::vector<std::string> names = solver_names();
   SolverChoice choice{.name = solver.at("name", "one of " + listed(names)).word(names)};
   if (!find_linear_solver(choice.name)->iterates) {
-    solver.require_object({"name"});
+    if (const auto tolerance = solver.find("tolerance"))
+      tolerance->refuse(
+          "is not for " + choice.name,
+          listed(solver_names([](const LinearSolver& each) { return each.iterates; })) + " with a tolerance");
     return choice;
   }
   if (const auto tolerance = solver.find("tolerance")) {

@@ -147,12 +147,15 @@ IntervalRule<Ball> legendre_rule(int points) {
   IntervalRule<Ball> rule;
   CValue<arb_struct, arb_init, arb_clear> node;
   CValue<arb_struct, arb_init, arb_clear> weight;
+  // Weights are 1/points^2 at the ends, and their radii are about those of numbers near 1.
+  constexpr long guard_bits = 32;
   // Arb's zeros descend.
   for (int k = points - 1; k >= 0; --k) {
     arb_hypgeom_legendre_p_ui_root(node, weight, static_cast<ulong>(points), static_cast<ulong>(k),
-                                   BallPrecision::current());
-    rule.nodes.push_back(Ball::from_arb(node, "a Gauss node without a bound"));
-    rule.weights.push_back(Ball::from_arb(weight, "a Gauss weight without a bound"));
+                                   BallPrecision::current() + guard_bits);
+    // A product is rounded to the current precision.
+    rule.nodes.push_back(Ball(1) * Ball::from_arb(node, "a Gauss node without a bound"));
+    rule.weights.push_back(Ball(1) * Ball::from_arb(weight, "a Gauss weight without a bound"));
   }
   return rule;
 }

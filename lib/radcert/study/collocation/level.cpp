@@ -121,17 +121,19 @@ private:
 
   /// Int_S G dS = pi at every point of a closed surface that hides nothing of itself [ac98, section 2]; where
   /// the functions have the sum 1 it is also the sum of a row's integrals, whose radii are known. A row that
-  /// tells otherwise is wrong, and so is its radius.
+  /// tells otherwise is wrong, or a normal points outwards.
   void require_rows_of_pi() const {
     if (!surface_.closed || !surface_.unoccluded || problem_.geometry || !sum_to_one(choice_)) return;
+    const std::vector<double> sums =
+        accurate_product(matrix_.entries, std::vector<double>(nodes_.size(), 1.0));
     const double rounding = unit * static_cast<double>(triangulation_.triangles.size() + 64);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (rho_[i] == 0) continue;
+      const double integral_of_g = pi<double>() * sums[i] / rho_[i];
       const double radius = pi<double>() * (matrix_.row_radius[i] / rho_[i] + rounding);
-      if (std::abs(matrix_.kernel_integral[i] - pi<double>()) <= radius) continue;
+      if (std::abs(integral_of_g - pi<double>()) <= radius) continue;
       const Vector<double>& at = nodes_[i].point;
-      const EnclosingText integral =
-          enclosing_text(matrix_.kernel_integral[i], radius, DecimalForm::general(17));
+      const EnclosingText integral = enclosing_text(integral_of_g, radius, DecimalForm::general(17));
       refuse("the integral of G over the closed surface is " + integral.value + " +- " + integral.radius +
              " at node " + std::to_string(i) + " (" + shortest(at.x) + ", " + shortest(at.y) + ", " +
              shortest(at.z) + "), and not pi");
