@@ -33,7 +33,7 @@ PROBLEMS = {
     "a tolerance beyond double": (small(solver={"name": "gmres", "tolerance": "1e-16"}), "/solver/tolerance", "double"),
     "a tolerance of a word": (small(solver={"name": "gmres", "tolerance": "small"}), "/solver/tolerance", "rounding"),
     "a tolerance for elimination": (small(solver={"name": "direct", "tolerance": 1e-9}), "/solver/tolerance",
-                                    "unknown key"),
+                                    "is not for direct"),
     "a quadrature tolerance of 0": (small(quadrature={"tolerance": 0}), "/quadrature/tolerance", "from 1e-13"),
     "a negative quadrature tolerance": (small(quadrature={"tolerance": "-1e-9"}), "/quadrature/tolerance", "outside"),
     "a quadrature finer than double": (small(quadrature={"tolerance": "1e-14"}), "/quadrature/tolerance",

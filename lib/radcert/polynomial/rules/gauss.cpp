@@ -134,6 +134,9 @@ IntervalRule<Ball> enclosed_variable(int points) {
 
 /// The rule for the weight 1.
 IntervalRule<Ball> enclosed_one(int points) {
+  // The least node is about 1/points^2, and 1 + z loses as many digits of z.
+  constexpr long guard_bits = 32;
+  const BallPrecision guarded(BallPrecision::current() + guard_bits);
   IntervalRule<Ball> rule = legendre_rule(points);
   for (Ball& node : rule.nodes) node = (1 + node) / 2;
   for (Ball& weight : rule.weights) weight = weight / 2;
@@ -147,15 +150,12 @@ IntervalRule<Ball> legendre_rule(int points) {
   IntervalRule<Ball> rule;
   CValue<arb_struct, arb_init, arb_clear> node;
   CValue<arb_struct, arb_init, arb_clear> weight;
-  // Weights are 1/points^2 at the ends, and their radii are about those of numbers near 1.
-  constexpr long guard_bits = 32;
   // Arb's zeros descend.
   for (int k = points - 1; k >= 0; --k) {
     arb_hypgeom_legendre_p_ui_root(node, weight, static_cast<ulong>(points), static_cast<ulong>(k),
-                                   BallPrecision::current() + guard_bits);
-    // A product is rounded to the current precision.
-    rule.nodes.push_back(Ball(1) * Ball::from_arb(node, "a Gauss node without a bound"));
-    rule.weights.push_back(Ball(1) * Ball::from_arb(weight, "a Gauss weight without a bound"));
+                                   BallPrecision::current());
+    rule.nodes.push_back(Ball::from_arb(node, "a Gauss node without a bound"));
+    rule.weights.push_back(Ball::from_arb(weight, "a Gauss weight without a bound"));
   }
   return rule;
 }
