@@ -19,21 +19,23 @@ std::string refusal(const std::string& text) {
 constexpr const char* good = R"([theorem_1]
 says = "one is one"
 verdict = "supported"
+scope = "all"
 )";
 
 TEST(ClaimsFile, KeepsTheOrderOfTheFile) {
   const auto claims =
-      read_claims(std::string("[zeta]\nsays = \"a\"\nverdict = \"supported\"\n\n") + good, "claims.toml");
+      read_claims(std::string("[zeta]\nsays = \"a\"\nverdict = \"supported\"\nscope = \"all\"\n\n") + good,
+                  "claims.toml");
   ASSERT_EQ(claims.size(), 2U);
   EXPECT_EQ(claims[0].label, "zeta");
   EXPECT_EQ(claims[1].label, "theorem_1");
-  EXPECT_EQ(claims[1].line, 5);
+  EXPECT_EQ(claims[1].line, 6);
 }
 
 TEST(ClaimsFile, TakesAVerdictForEachBudget) {
   const auto claims = read_claims(
       "[a]\nsays = \"a\"\nverdict = {quick = \"supported\", standard = \"certified\", full = "
-      "\"certified\"}\n",
+      "\"certified\"}\nscope = \"all\"\n",
       "claims.toml");
   EXPECT_EQ(claims[0].verdict->at(Budget::quick), Verdict::supported);
   EXPECT_EQ(claims[0].verdict->at(Budget::full), Verdict::certified);
@@ -41,7 +43,7 @@ TEST(ClaimsFile, TakesAVerdictForEachBudget) {
 
 TEST(ClaimsFile, RefusesWithLineAndPlace) {
   EXPECT_THAT(refusal(std::string(good) + "colour = \"red\"\n"),
-              HasSubstr("claims.toml, line 4: /theorem_1/colour"));
+              HasSubstr("claims.toml, line 5: /theorem_1/colour"));
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"true\"\n"),
               HasSubstr("claims.toml, line 3: /a/verdict: \"true\""));
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"failed\"\n"), HasSubstr("cannot be recorded"));
@@ -61,6 +63,22 @@ TEST(ClaimsFile, RefusesWithLineAndPlace) {
   EXPECT_THAT(refusal("a = 1\n"), HasSubstr("line 1: /a: \"1\" is a number"));
   EXPECT_THAT(refusal("[a]\n\nsays = 1979-05-27\n"), HasSubstr("line 3: /a/says: is a date or time"));
   EXPECT_THAT(refusal("[a]\nslack = [1,\n inf]\n"), HasSubstr("line 3: /a/slack/1: is not finite"));
+}
+
+TEST(ClaimsFile, SaysHowFarAVerdictReaches) {
+  const std::string claim = "[a]\nsays = \"a\"\nverdict = \"supported\"\n";
+  const auto read = [](const std::string& text) { return read_claims(text, "claims.toml").front(); };
+  EXPECT_THAT(refusal(claim), HasSubstr("/a/scope: is missing"));
+  EXPECT_THAT(refusal(claim + "scope = \"some\"\n"), HasSubstr("all, family or instances"));
+  EXPECT_THAT(refusal(claim + "scope = \"instances\"\n"), HasSubstr("/a/tried: is missing"));
+  EXPECT_THAT(refusal(claim + "scope = \"family\"\ntried = []\n"), HasSubstr("/a/tried"));
+  EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"definition\"\nsymbol = \"s\"\nscope = \"all\"\n"),
+              HasSubstr("/a/scope: "));
+  const Claim at_two = read(claim + "scope = \"instances\"\ntried = [\"cube\", \"sphere\"]\n");
+  EXPECT_EQ(at_two.scope, Scope::instances);
+  EXPECT_EQ(reach_text(*at_two.scope, at_two.tried.size()), "at 2 instances");
+  EXPECT_EQ(reach_text(Scope::instances, 1), "at 1 instance");
+  EXPECT_EQ(reach_text(Scope::all, 0), "for all");
 }
 
 TEST(ClaimsFile, RefusesWhatIsNoToml) {

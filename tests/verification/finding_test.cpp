@@ -87,6 +87,57 @@ TEST(Finding, FailsWhereAControlIsNotRejected) {
   EXPECT_EQ(one_of_two.verdict(), Verdict::failed);
 }
 
+TEST(Finding, FailsWhereItRejectsEverything) {
+  const auto contradicted = [] {
+    Finding finding;
+    finding.require("printed", one, Approximation{3, 0});
+    finding.control("c", one, Approximation{2, 0});
+    return finding;
+  };
+  EXPECT_EQ(contradicted().verdict(), Verdict::failed);
+  EXPECT_NE(contradicted().fault().value().find("what holds instead"), std::string::npos);
+  Finding corrected = contradicted();
+  corrected.instead("corrected", Equals{.value = 3, .slack = 0, .why = ""}, Approximation{3, 0});
+  EXPECT_EQ(corrected.verdict(), Verdict::contradicted);
+  Finding of_another_kind = contradicted();
+  of_another_kind.instead("corrected", AtMost{.value = 3, .slack = 0, .why = ""}, Approximation{3, 0});
+  EXPECT_EQ(of_another_kind.verdict(), Verdict::failed);
+  Finding wrong = contradicted();
+  wrong.instead("corrected", Equals{.value = 4, .slack = 0, .why = ""}, Approximation{3, 0});
+  EXPECT_EQ(wrong.verdict(), Verdict::failed);
+  Finding elsewhere = contradicted();
+  elsewhere.require("at another place", one, Approximation{1, 0});
+  EXPECT_EQ(elsewhere.verdict(), Verdict::contradicted);
+  // What is shown to hold instead does not make up for a requirement.
+  Finding nothing_required;
+  nothing_required.instead("a", one, Approximation{1, 0});
+  nothing_required.control("c", one, Approximation{2, 0});
+  EXPECT_EQ(nothing_required.verdict(), Verdict::failed);
+  Finding of_data = Finding::of_data();
+  of_data.require("printed", one, Approximation{3, 0});
+  of_data.control("c", one, Approximation{2, 0});
+  EXPECT_EQ(of_data.verdict(), Verdict::contradicted);
+}
+
+TEST(Finding, FailsWhereAControlIsMadeOfARequirement) {
+  const double rate = 15.7321;
+  const AtMost small{.value = 20, .slack = 0, .why = ""};
+  const auto with_control = [&](double number) {
+    Finding finding;
+    finding.require("rate", small, Approximation{rate, 0});
+    finding.control("c", AtMost{.value = -30, .slack = 0, .why = ""}, Approximation{number, 0});
+    return finding.verdict();
+  };
+  for (const double number : {rate, -rate, 1 / rate, -1 / rate})
+    EXPECT_EQ(with_control(number), Verdict::failed);
+  EXPECT_EQ(with_control(1.001 * rate), Verdict::supported);
+  // Short numbers meet by chance.
+  Finding short_number;
+  short_number.require("a", one, Approximation{1, 0});
+  short_number.control("b", one, Approximation{-1, 0});
+  EXPECT_EQ(short_number.verdict(), Verdict::supported);
+}
+
 TEST(Finding, FailsWithoutAControlAndWithoutARequirement) {
   Finding no_control;
   no_control.require("a", one, Approximation{1, 0});

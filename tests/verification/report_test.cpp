@@ -30,7 +30,6 @@ Report two_claims() {
                            .radius = "1e-16",
                            .allowed = "1.04E-4",
                            .standing = Standing::violated,
-                           .control = false,
                            .proved = false});
   ClaimReport lemma;
   lemma.paper = "ac98";

@@ -105,8 +105,8 @@ void read_cells(const Place& place, const std::string& label, const TomlDocument
 }
 
 // What every statement may have, whichever way it is checked.
-const std::vector<std::string> common_keys = {"covers", "page",      "says",    "formula", "needs",
-                                              "met",    "unchecked", "erratum", "check",   "note"};
+const std::vector<std::string> common_keys = {"covers", "page",  "says",      "formula", "needs", "met",
+                                              "scope",  "tried", "unchecked", "erratum", "check", "note"};
 const std::vector<std::string> table_only_keys = {"table", "rows", "series"};
 
 TableClaim read_table(const Place& place, const std::string& label, const TomlDocument& document) {
@@ -221,6 +221,38 @@ CheckKind read_check(const Place& place, const std::optional<PerBudget<Verdict>>
   return CheckKind::function;
 }
 
+// How far the verdict reaches: said by whoever wrote the check. A table is looked at cell by cell, an
+// enclosure is of the one number that it speaks of, an order is that of one problem.
+void read_scope(const Place& place, Claim& claim) {
+  const auto scope = place.find("scope");
+  const auto tried = place.find("tried");
+  if (claim.check == CheckKind::none) {
+    if (scope) scope->refuse("is not allowed", "a scope of what is checked");
+    if (tried) tried->refuse("is not allowed", "instances of what is checked");
+    return;
+  }
+  if (tried)
+    for (const Place& each : tried->elements("an array of instances, or the family"))
+      claim.tried.push_back(text_at(each, "an instance, or a family"));
+  if (scope) {
+    const std::string allowed = "all, family or instances";
+    claim.scope = scope_named(text_at(*scope, allowed));
+    if (!claim.scope) scope->refuse("is not known", allowed);
+  } else if (claim.order) {
+    claim.scope = Scope::instances;
+    if (claim.tried.empty()) claim.tried.push_back(claim.order->problem);
+  } else if (claim.table || claim.enclosure) {
+    claim.scope = Scope::all;
+  } else {
+    static_cast<void>(place.at("scope", "all, family or instances: how far the verdict reaches"));
+  }
+  if (claim.scope != Scope::all && claim.tried.empty()) {
+    const std::string allowed = "an array of the instances, or of the family";
+    if (tried) tried->refuse("is empty", allowed);
+    static_cast<void>(place.at("tried", allowed));
+  }
+}
+
 std::vector<std::string> with_common(std::initializer_list<std::string> own) {
   std::vector<std::string> keys = common_keys;
   keys.insert(keys.end(), own);
@@ -279,6 +311,7 @@ Claim read_claim(const std::string& label, const Place& place, const TomlDocumen
       claim.covers.push_back(whole_at(equation, 1, "the number of an equation"));
   if (const auto page = place.find("page")) claim.page = whole_at(*page, 1, "a page number");
   read_account(place, claim);
+  read_scope(place, claim);
   if (const auto symbol = place.find("symbol")) claim.symbol = text_at(*symbol, "a public symbol");
   const bool defines = claim.verdict && claim.verdict->at(Budget::quick) == Verdict::definition;
   if (defines && claim.symbol.empty())

@@ -98,9 +98,11 @@ struct Claim {
   std::string says;
   std::string formula;  ///< the statement in TeX, as in a displayed formula; empty: words alone
   std::vector<std::string> needs;
-  std::vector<std::string> met;  ///< how each hypothesis is met where it was checked; empty: not said
-  std::string unchecked;         ///< what the evidence does not reach; empty: nothing is left
-  std::string erratum;           ///< the place of its line in errata.md
+  std::vector<std::string> met;    ///< how each hypothesis is met where it was checked; empty: not said
+  std::optional<Scope> scope;      ///< of the verdict; absent where nothing is checked
+  std::vector<std::string> tried;  ///< the instances, or the family; empty where the scope is all
+  std::string unchecked;           ///< what the evidence does not reach; empty: nothing is left
+  std::string erratum;             ///< the place of its line in errata.md
   std::optional<PerBudget<Verdict>> verdict;  ///< absent for a table
   CheckKind check = CheckKind::function;
   std::string note;

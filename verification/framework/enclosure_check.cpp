@@ -219,7 +219,7 @@ void check_names(const Paper& paper, const Claim& claim) {
 }
 
 Finding check_enclosure(const Paper& paper, const Claim& claim, const Bench& bench) {
-  Finding finding;
+  Finding finding = Finding::of_data();
   observe(paper, claim, bench, finding, false);
   observe(paper, claim, bench, finding, true);
   return finding;

@@ -32,13 +32,13 @@ Ends ends_of(const Approximation& observed) {
 void require_slack(double slack) { expects(slack >= 0, "slack >= 0", named("slack", slack)); }
 
 Evidence line(const std::string& what, const Approximation& observed, std::string allowed, Standing standing,
-              bool control, double slack) {
+              double slack) {
   Evidence evidence{.what = what,
                     .value = "",
                     .radius = std::nullopt,
                     .allowed = std::move(allowed),
                     .standing = standing,
-                    .control = control,
+                    .number = observed.value,
                     .proved = observed.guaranteed && slack == 0};
   if (settles(observed)) {
     const EnclosingText text = enclosing_text(observed.value, observed.radius, DecimalForm::scientific(12));
@@ -58,13 +58,13 @@ std::string with_slack(std::string text, double slack, const std::string& why) {
 
 /// Proved: a ball as midpoint and radius, or why it has failed.
 Evidence line(const std::string& what, const Ball& observed, int digits, std::string allowed,
-              Standing standing, bool control) {
+              Standing standing) {
   Evidence evidence{.what = what,
                     .value = observed.to_text(digits),
                     .radius = std::nullopt,
                     .allowed = std::move(allowed),
                     .standing = standing,
-                    .control = control,
+                    .number = observed.to_double(),
                     .proved = true};
   if (observed.is_finite()) {
     const BallDecimal text = observed.decimal(digits);
@@ -93,7 +93,26 @@ std::string interval_text(const LiesIn& statement) {
   return "in [" + decimal_or_fraction(statement.least) + ", " + decimal_or_fraction(statement.largest) + "]";
 }
 
+/// Whether a number is another one, its opposite or its reciprocal, to rounding. Numbers of up to three digits
+/// meet by chance.
+bool follows_from(double number, double other) {
+  constexpr double near = 0x1p-48;
+  const auto is = [&](double candidate) {
+    return std::isfinite(candidate) && std::abs(number - candidate) <= near * std::abs(candidate);
+  };
+  // At most eleven bits, or four characters.
+  const double bits = number == 0 ? 0 : std::abs(std::ldexp(number, 10 - std::ilogb(number)));
+  const bool is_short = bits == std::floor(bits) || shortest(number).size() <= 4;
+  return std::isfinite(number) && !is_short && other != 0 &&
+         (is(other) || is(-other) || is(1 / other) || is(-1 / other));
+}
+
 }  // namespace
+
+std::string_view name(Role role) {
+  constexpr std::array<std::string_view, 3> names{"requirement", "control", "instead"};
+  return names.at(static_cast<std::size_t>(role));
+}
 
 std::string_view name(Standing standing) {
   constexpr std::array<std::string_view, 3> names{"holds", "violated", "open"};
@@ -162,55 +181,60 @@ Standing judge(const AgreesWith& statement, const Ball& observed) {
   return certainly_less(Ball(statement.within), distance) ? Standing::violated : Standing::open;
 }
 
-void Finding::add(const std::string& what, const Bound& statement, const Approximation& observed,
-                  bool control) {
-  evidence_.push_back(line(
-      what, observed, with_slack("order >= " + shortest(statement.order), statement.slack, statement.why),
-      judge(statement, observed), control, statement.slack));
+void Finding::add(Role role, std::string_view kind, Evidence evidence) {
+  evidence.role = role;
+  evidence.kind = kind;
+  evidence_.push_back(std::move(evidence));
+}
+
+void Finding::add(const std::string& what, const Bound& statement, const Approximation& observed, Role role) {
+  add(role, "order",
+      line(what, observed,
+           with_slack("order >= " + shortest(statement.order), statement.slack, statement.why),
+           judge(statement, observed), statement.slack));
 }
 
 void Finding::add(const std::string& what, const Equals& statement, const Approximation& observed,
-                  bool control) {
-  evidence_.push_back(line(what, observed,
-                           with_slack("= " + shortest(statement.value), statement.slack, statement.why),
-                           judge(statement, observed), control, statement.slack));
+                  Role role) {
+  add(role, "equals",
+      line(what, observed, with_slack("= " + shortest(statement.value), statement.slack, statement.why),
+           judge(statement, observed), statement.slack));
 }
 
 void Finding::add(const std::string& what, const AtMost& statement, const Approximation& observed,
-                  bool control) {
-  evidence_.push_back(line(what, observed,
-                           with_slack("<= " + shortest(statement.value), statement.slack, statement.why),
-                           judge(statement, observed), control, statement.slack));
+                  Role role) {
+  add(role, "at most",
+      line(what, observed, with_slack("<= " + shortest(statement.value), statement.slack, statement.why),
+           judge(statement, observed), statement.slack));
 }
 
-void Finding::add(const std::string& what, const IsExactly& statement, const Rational& observed,
-                  bool control) {
-  evidence_.push_back({.what = what,
-                       .value = observed.to_text(),
-                       .radius = std::nullopt,
-                       .allowed = "= " + statement.value.to_text() + " exactly",
-                       .standing = judge(statement, observed),
-                       .control = control,
-                       .proved = true});
+void Finding::add(const std::string& what, const IsExactly& statement, const Rational& observed, Role role) {
+  add(role, "exactly",
+      {.what = what,
+       .value = observed.to_text(),
+       .radius = std::nullopt,
+       .allowed = "= " + statement.value.to_text() + " exactly",
+       .standing = judge(statement, observed),
+       .number = observed.to_double(),
+       .proved = true});
 }
 
-void Finding::add(const std::string& what, const AgreesWith& statement, const Ball& observed, bool control) {
+void Finding::add(const std::string& what, const AgreesWith& statement, const Ball& observed, Role role) {
   // Enough to see agreement to within 1e-30 of a number near 1.
   constexpr int digits = 34;
-  evidence_.push_back(
+  add(role, "agrees",
       line(what, observed, digits,
            "= " + statement.value.to_text(digits) + " to within " + shortest(statement.within),
-           judge(statement, observed), control));
+           judge(statement, observed)));
 }
 
 void Finding::add(const std::string& what, const LiesIn& statement, const Approximation& observed,
-                  bool control) {
-  evidence_.push_back(line(what, observed, interval_text(statement), judge(statement, observed), control, 0));
+                  Role role) {
+  add(role, "lies in", line(what, observed, interval_text(statement), judge(statement, observed), 0));
 }
 
-void Finding::add(const std::string& what, const LiesIn& statement, const Ball& observed, bool control) {
-  evidence_.push_back(
-      line(what, observed, 20, interval_text(statement), judge(statement, observed), control));
+void Finding::add(const std::string& what, const LiesIn& statement, const Ball& observed, Role role) {
+  add(role, "lies in", line(what, observed, 20, interval_text(statement), judge(statement, observed)));
 }
 
 void Finding::remark(std::string what, const Approximation& observed) {
@@ -223,22 +247,43 @@ void Finding::remark(std::string what, const Approximation& observed) {
   remarks_.push_back(std::move(what));
 }
 
+std::optional<std::string> Finding::fault() const {
+  const auto any = [&](auto&& which) { return std::any_of(evidence_.begin(), evidence_.end(), which); };
+  const auto of = [](Role role) { return [role](const Evidence& e) { return e.role == role; }; };
+  if (!any(of(Role::requirement))) return "nothing is required";
+  if (!any(of(Role::control))) return "there is no control";
+  for (const Evidence& e : evidence_) {
+    if (e.role == Role::control && e.standing != Standing::violated)
+      return "the control is not rejected: " + e.what;
+    if (e.role == Role::instead && e.standing != Standing::holds)
+      return "what is said to hold instead does not: " + e.what;
+    if (e.role == Role::control)
+      for (const Evidence& required : evidence_)
+        if (required.role == Role::requirement && follows_from(e.number, required.number))
+          return "the control \"" + e.what + "\" is made of the number of \"" + required.what + "\"";
+    if (of_data_ || e.role != Role::requirement || e.standing != Standing::violated) continue;
+    const bool can_hold = any([&](const Evidence& other) {
+      return other.role != Role::control && other.kind == e.kind && other.standing == Standing::holds;
+    });
+    if (!can_hold)
+      return "\"" + e.what +
+             "\" is rejected, and nothing of its kind is shown to be accepted: what holds instead?";
+  }
+  return std::nullopt;
+}
+
 Verdict Finding::verdict() const {
-  const auto count = [&](bool control, auto&& which) {
-    return std::count_if(evidence_.begin(), evidence_.end(),
-                         [&](const Evidence& e) { return e.control == control && which(e); });
+  if (fault()) return Verdict::failed;
+  const auto any_requirement = [&](auto&& which) {
+    return std::any_of(evidence_.begin(), evidence_.end(),
+                       [&](const Evidence& e) { return e.role == Role::requirement && which(e); });
   };
-  const auto standing = [](Standing wanted) {
-    return [wanted](const Evidence& e) { return e.standing == wanted; };
-  };
-  const auto all = [](const Evidence&) { return true; };
-  const auto controls = count(true, all);
-  if (count(false, all) == 0 || controls == 0 || count(true, standing(Standing::violated)) != controls)
-    return Verdict::failed;
-  if (count(false, standing(Standing::violated)) > 0) return Verdict::contradicted;
-  if (count(false, standing(Standing::open)) > 0) return Verdict::undecided;
-  const bool proved = count(false, [](const Evidence& e) { return e.proved; }) == count(false, all);
-  return proved ? Verdict::certified : Verdict::supported;
+  if (any_requirement([](const Evidence& e) { return e.standing == Standing::violated; }))
+    return Verdict::contradicted;
+  if (any_requirement([](const Evidence& e) { return e.standing == Standing::open; }))
+    return Verdict::undecided;
+  return any_requirement([](const Evidence& e) { return !e.proved; }) ? Verdict::supported
+                                                                      : Verdict::certified;
 }
 
 }  // namespace radcert::verification

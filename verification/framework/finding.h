@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "radcert/scalar/approximation.h"
@@ -78,6 +79,15 @@ enum class Standing { holds, violated, open };
 [[nodiscard]] Standing judge(const LiesIn& statement, const Approximation& observed);
 [[nodiscard]] Standing judge(const LiesIn& statement, const Ball& observed);
 
+/// What an observation is in a check.
+/// Maths     requirement: the statement must fit it; control: a computation of its own in which something that
+///           the statement needs is false, so that the statement must not fit it; instead: of a statement that
+///           is contradicted, what holds in its place
+enum class Role { requirement, control, instead };
+
+/// "requirement", "control", "instead".
+[[nodiscard]] std::string_view name(Role role);
+
 /// One line of evidence.
 struct Evidence {
   std::string what;                   ///< what was observed, and where
@@ -85,14 +95,19 @@ struct Evidence {
   std::optional<std::string> radius;  ///< null: exact, or not estimated
   std::string allowed;                ///< what the statement allows
   Standing standing = Standing::open;
-  bool control = false;  ///< an observation that the statement must not fit
-  bool proved = false;   ///< exact, or with a guaranteed radius
+  double number = 0;      ///< the observed number, rounded
+  std::string kind = {};  ///< of the statement: "order", "equals", "at most", "exactly", "agrees", "lies in"
+  Role role = Role::requirement;
+  bool proved = false;  ///< exact, or with a guaranteed radius
 };
 
 /// What a check found: the evidence, and the verdict that follows from it.
-/// Maths     a control that is not violated, no control, or nothing required: failed; a requirement violated:
-///           contradicted; one open: undecided; else certified if every requirement is proved and without
-///           slack, supported if not. AgreesWith is proved: `within` is part of the statement, no slack in it
+/// Maths     failed, if nothing is required, there is no control or one that is not violated, a control's
+///           number is that of a requirement, its opposite or its reciprocal, or a requirement is violated
+///           and neither another one of its kind nor an `instead` holds: a check that rejects everything
+///           contradicts nothing. Else a requirement violated: contradicted; one open: undecided; else
+///           certified if every requirement is proved and without slack, supported if not. AgreesWith is
+///           proved: `within` is part of the statement, no slack in it
 /// Source    ours
 /// Requires  each kind of statement is required and controlled by the same check: what is rejected is what
 ///           was believed
@@ -100,14 +115,28 @@ struct Evidence {
 /// Limits    cannot know whether a control is a good one
 class Finding {
 public:
+  Finding() = default;
+  /// For a check that the framework makes of data alone, an order or an enclosure: one check for all of them,
+  /// which accepts others, so that a contradiction needs no counterpart of its own.
+  [[nodiscard]] static Finding of_data() {
+    Finding finding;
+    finding.of_data_ = true;
+    return finding;
+  }
+
   template <class Statement, class Observation>
   void require(const std::string& what, const Statement& statement, const Observation& observed) {
-    add(what, statement, observed, false);
+    add(what, statement, observed, Role::requirement);
   }
   /// The same for something that the statement must reject.
   template <class Statement, class Observation>
   void control(const std::string& what, const Statement& statement, const Observation& observed) {
-    add(what, statement, observed, true);
+    add(what, statement, observed, Role::control);
+  }
+  /// The same for the corrected statement, where the printed one is contradicted: it must hold.
+  template <class Statement, class Observation>
+  void instead(const std::string& what, const Statement& statement, const Observation& observed) {
+    add(what, statement, observed, Role::instead);
   }
   /// A line for the reader that decides nothing.
   void remark(std::string what, const Approximation& observed);
@@ -115,19 +144,23 @@ public:
   void show(const Approximation& figure) { figure_ = figure; }
 
   [[nodiscard]] Verdict verdict() const;
+  /// Why the verdict is `failed`, in words; nothing where it is not.
+  [[nodiscard]] std::optional<std::string> fault() const;
   [[nodiscard]] const std::vector<Evidence>& evidence() const { return evidence_; }
   [[nodiscard]] const std::vector<std::string>& remarks() const { return remarks_; }
   [[nodiscard]] const std::optional<Approximation>& figure() const { return figure_; }
 
 private:
-  void add(const std::string& what, const Bound& statement, const Approximation& observed, bool control);
-  void add(const std::string& what, const Equals& statement, const Approximation& observed, bool control);
-  void add(const std::string& what, const AtMost& statement, const Approximation& observed, bool control);
-  void add(const std::string& what, const IsExactly& statement, const Rational& observed, bool control);
-  void add(const std::string& what, const AgreesWith& statement, const Ball& observed, bool control);
-  void add(const std::string& what, const LiesIn& statement, const Approximation& observed, bool control);
-  void add(const std::string& what, const LiesIn& statement, const Ball& observed, bool control);
+  void add(Role role, std::string_view kind, Evidence evidence);
+  void add(const std::string& what, const Bound& statement, const Approximation& observed, Role role);
+  void add(const std::string& what, const Equals& statement, const Approximation& observed, Role role);
+  void add(const std::string& what, const AtMost& statement, const Approximation& observed, Role role);
+  void add(const std::string& what, const IsExactly& statement, const Rational& observed, Role role);
+  void add(const std::string& what, const AgreesWith& statement, const Ball& observed, Role role);
+  void add(const std::string& what, const LiesIn& statement, const Approximation& observed, Role role);
+  void add(const std::string& what, const LiesIn& statement, const Ball& observed, Role role);
 
+  bool of_data_ = false;
   std::vector<Evidence> evidence_;
   std::vector<std::string> remarks_;
   std::optional<Approximation> figure_;

@@ -14,10 +14,12 @@ namespace radcert::verification {
 
 /// What claims.toml tells the reader of a statement beside its words.
 struct Account {
-  std::string formula;           ///< in TeX
-  std::vector<std::string> met;  ///< how each hypothesis is met where it was checked; empty: not said
-  std::string unchecked;         ///< what the evidence does not reach
-  std::string erratum;           ///< the place of its line in errata.md
+  std::string formula;             ///< in TeX
+  std::vector<std::string> met;    ///< how each hypothesis is met where it was checked; empty: not said
+  std::optional<Scope> scope;      ///< how far the verdict reaches; absent where nothing is checked
+  std::vector<std::string> tried;  ///< the instances, or the family
+  std::string unchecked;           ///< what the evidence does not reach
+  std::string erratum;             ///< the place of its line in errata.md
 };
 
 /// What a run found of one statement, or of one cell of a table.

@@ -43,7 +43,7 @@ Finding check_order(const Paper& paper, const OrderClaim& claim, const Bench& be
   const auto observed = [&](const std::string& file) {
     return fitted_order(parse_problem(paper.file(file), paper.source(file)), claim.quantity, bench.levels);
   };
-  Finding finding;
+  Finding finding = Finding::of_data();
   const Approximation order = observed(claim.problem);
   finding.require("order of " + claim.quantity + ", " + claim.problem, bound, order);
   finding.control("order of " + claim.quantity + ", " + claim.control, bound, observed(claim.control));
@@ -104,7 +104,7 @@ ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& ben
     report.evidence = finding.evidence();
     report.remarks = finding.remarks();
     report.ours = finding.figure();
-    if (report.found == Verdict::failed) report.failure = "a control was not rejected, or there is none";
+    report.failure = finding.fault();
   } catch (const InputError&) {
     throw;
   } catch (const EnvironmentError&) {
@@ -120,7 +120,12 @@ ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& ben
 }
 
 Account account_of(const Claim& claim) {
-  return {.formula = claim.formula, .met = claim.met, .unchecked = claim.unchecked, .erratum = claim.erratum};
+  return {.formula = claim.formula,
+          .met = claim.met,
+          .scope = claim.scope,
+          .tried = claim.tried,
+          .unchecked = claim.unchecked,
+          .erratum = claim.erratum};
 }
 
 std::vector<std::string> labels_of(const Paper& paper, const Claim& claim) {

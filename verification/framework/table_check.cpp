@@ -222,7 +222,7 @@ Evidence control_evidence(const Series& series, const Bench& bench) {
                     .radius = std::nullopt,
                     .allowed = "at least one contradicted",
                     .standing = Standing::holds,
-                    .control = true,
+                    .role = Role::control,
                     .proved = false};
   for (const Cell& cell : series.cells) {
     const int level = series.levels[cell.row];
@@ -254,7 +254,7 @@ Evidence second_evidence(const Approximation& ours, const Approximation& other, 
                     .radius = std::nullopt,
                     .allowed = "",
                     .standing = Standing::open,
-                    .control = false,
+                    .role = Role::requirement,
                     .proved = false};
   if (!std::isfinite(other.value) || !std::isfinite(other.radius) || !std::isfinite(ours.value) ||
       !std::isfinite(ours.radius))
@@ -338,7 +338,7 @@ std::vector<ClaimReport> check_table(const Paper& paper, const Claim& claim, con
                    .radius = std::nullopt,
                    .allowed = allowed_text(cell.printed),
                    .standing = standing_of(report.found),
-                   .control = false,
+                   .role = Role::requirement,
                    .proved = ours.guaranteed};
       if (std::isfinite(ours.value) && std::isfinite(ours.radius)) {
         report.ours = ours;

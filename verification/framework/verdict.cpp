@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::array<std::string_view, 8> verdict_names{
     "certified", "reproduced", "supported", "contradicted", "undecided", "definition", "unchecked", "failed"};
+constexpr std::array<std::string_view, 3> scope_names{"all", "family", "instances"};
 constexpr std::array<std::string_view, 3> budget_names{"quick", "standard", "full"};
 
 template <class T, std::size_t count>
@@ -26,6 +27,18 @@ std::optional<Verdict> verdict_named(std::string_view name) { return named_in<Ve
 std::span<const std::string> recordable_verdicts() {
   static const std::vector<std::string> names(verdict_names.begin(), verdict_names.end() - 1);
   return names;
+}
+
+std::string_view name(Scope scope) { return scope_names.at(static_cast<std::size_t>(scope)); }
+std::optional<Scope> scope_named(std::string_view name) { return named_in<Scope>(scope_names, name); }
+
+std::string reach_text(Scope scope, std::size_t instances) {
+  switch (scope) {
+    case Scope::all: return "for all";
+    case Scope::family: return "for a family";
+    case Scope::instances: break;
+  }
+  return "at " + std::to_string(instances) + (instances == 1 ? " instance" : " instances");
 }
 
 std::string_view name(Budget budget) { return budget_names.at(static_cast<std::size_t>(budget)); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,6 +37,18 @@ enum class Verdict {
 [[nodiscard]] std::optional<Verdict> verdict_named(std::string_view name);
 /// The names of the verdicts that a record may hold: all but `failed`.
 [[nodiscard]] std::span<const std::string> recordable_verdicts();
+
+/// How far a verdict reaches.
+/// Maths     all: everything that the statement quantifies over; family: a named family with free parameters;
+///           instances: the listed ones
+/// Source    verification/README.md
+enum class Scope { all, family, instances };
+
+/// "all", "family", "instances".
+[[nodiscard]] std::string_view name(Scope scope);
+[[nodiscard]] std::optional<Scope> scope_named(std::string_view name);
+/// The reach of a verdict as part of a sentence: "for all", "for a family", "at 5 instances".
+[[nodiscard]] std::string reach_text(Scope scope, std::size_t instances);
 
 /// How much work a verification may do.
 /// Source    apps/radcert/README.md

@@ -254,9 +254,11 @@ std::string plain_page(const Report& report, const std::string& command) {
       if (claim.evidence.empty()) continue;
       out += "<table><tr><th>observed</th><th>value</th><th>allowed</th><th>so it</th></tr>\n";
       for (const Evidence& line : claim.evidence)
-        out += "<tr><td>" + in_html((line.control ? "control: " : "") + line.what) + "</td><td>" +
-               in_html(line.value + (line.radius ? " ± " + *line.radius : "")) + "</td><td>" +
-               in_html(line.allowed) + "</td><td>" + std::string(name(line.standing)) + "</td></tr>\n";
+        out +=
+            "<tr><td>" +
+            in_html((line.role == Role::requirement ? "" : std::string(name(line.role)) + ": ") + line.what) +
+            "</td><td>" + in_html(line.value + (line.radius ? " ± " + *line.radius : "")) + "</td><td>" +
+            in_html(line.allowed) + "</td><td>" + std::string(name(line.standing)) + "</td></tr>\n";
       out += "</table>\n";
     }
   }

@@ -12,6 +12,7 @@
 
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/text.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/result/result_json.h"
@@ -39,18 +40,42 @@ std::string ours_text(const std::optional<Approximation>& ours) {
   return text.value + " ± " + text.radius;
 }
 
+/// "certified, at 5 instances". A cell of a table is one number.
+std::string verdict_text(const ClaimReport& claim) {
+  std::string out(name(claim.found));
+  if (!claim.printed && claim.account.scope && claim.found != Verdict::failed)
+    out += ", " + reach_text(*claim.account.scope, claim.account.tried.size());
+  return out;
+}
+
+/// "12 certified (3 for all, 4 for a family, 5 at instances), 2 undecided".
 std::string counts_text(const Report& report) {
   std::map<Verdict, std::size_t> counts;
-  for (const ClaimReport& claim : report.claims) ++counts[claim.found];
+  std::map<std::pair<Verdict, Scope>, std::size_t> reaching;
+  for (const ClaimReport& claim : report.claims) {
+    ++counts[claim.found];
+    if (!claim.printed && claim.account.scope) ++reaching[{claim.found, *claim.account.scope}];
+  }
   std::string out;
-  for (const auto& [verdict, count] : counts)
+  for (const auto& [verdict, count] : counts) {
+    std::string reach;
+    const auto add = [&](Scope scope, const std::string& words) {
+      const auto found = reaching.find({verdict, scope});
+      if (found != reaching.end())
+        reach += (reach.empty() ? "" : ", ") + std::to_string(found->second) + " " + words;
+    };
+    add(Scope::all, "for all");
+    add(Scope::family, "for a family");
+    add(Scope::instances, "at instances");
     out += (out.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(name(verdict));
+    if (!reach.empty()) out += " (" + reach + ")";
+  }
   return out;
 }
 
 std::string evidence_text(const Evidence& evidence) {
-  std::string out = evidence.control ? "control: " : "";
-  if (evidence.control && evidence.what.starts_with("control: ")) out.clear();
+  std::string out = evidence.role == Role::requirement ? "" : std::string(name(evidence.role)) + ": ";
+  if (evidence.what.starts_with(out)) out.clear();
   out += evidence.what + ": " + evidence.value;
   if (evidence.radius) out += " ± " + *evidence.radius;
   return out + "; allowed " + evidence.allowed + "; " + std::string(name(evidence.standing));
@@ -76,7 +101,8 @@ JsonValue evidence_json(const Evidence& evidence) {
                             {"radius", evidence.radius},
                             {"allowed", evidence.allowed},
                             {"standing", name(evidence.standing)},
-                            {"control", evidence.control},
+                            {"role", name(evidence.role)},
+                            {"control", evidence.role == Role::control},
                             {"proved", evidence.proved}});
 }
 
@@ -95,26 +121,29 @@ JsonValue problem_trace_json(const ProblemTrace& problem) {
 }
 
 JsonValue claim_json(const ClaimReport& claim) {
-  return JsonValue::object({{"paper", claim.paper},
-                            {"label", claim.label},
-                            {"says", claim.says},
-                            {"covers", json_array(claim.covers)},
-                            {"page", claim.page},
-                            {"needs", json_array(claim.needs)},
-                            {"verdict", name(claim.found)},
-                            {"recorded", name(claim.recorded)},
-                            {"as_recorded", claim.as_recorded()},
-                            {"printed", claim.printed},
-                            {"ours", figure_json(claim.ours)},
-                            {"note", claim.note},
-                            {"failure", claim.failure},
-                            {"evidence", json_array(claim.evidence, evidence_json)},
-                            {"remarks", json_array(claim.remarks)},
-                            {"formula", claim.account.formula},
-                            {"met", json_array(claim.account.met)},
-                            {"unchecked", claim.account.unchecked},
-                            {"erratum", claim.account.erratum},
-                            {"problems", json_array(claim.problems)}});
+  return JsonValue::object(
+      {{"paper", claim.paper},
+       {"label", claim.label},
+       {"says", claim.says},
+       {"covers", json_array(claim.covers)},
+       {"page", claim.page},
+       {"needs", json_array(claim.needs)},
+       {"verdict", name(claim.found)},
+       {"recorded", name(claim.recorded)},
+       {"as_recorded", claim.as_recorded()},
+       {"printed", claim.printed},
+       {"ours", figure_json(claim.ours)},
+       {"note", claim.note},
+       {"failure", claim.failure},
+       {"evidence", json_array(claim.evidence, evidence_json)},
+       {"remarks", json_array(claim.remarks)},
+       {"formula", claim.account.formula},
+       {"met", json_array(claim.account.met)},
+       {"scope", claim.account.scope ? JsonValue(name(*claim.account.scope)) : JsonValue()},
+       {"tried", json_array(claim.account.tried)},
+       {"unchecked", claim.account.unchecked},
+       {"erratum", claim.account.erratum},
+       {"problems", json_array(claim.problems)}});
 }
 
 double total_seconds(const Report& report) {
@@ -163,7 +192,7 @@ std::string report_table(const Report& report, std::size_t most_columns) {
   std::vector<Row> rows{{"  statement", "verdict", "recorded", "ours", "printed", "seconds"}};
   for (const ClaimReport& claim : report.claims)
     rows.push_back({(claim.as_recorded() ? "  " : "! ") + claim.paper + "/" + claim.label,
-                    std::string(name(claim.found)), std::string(name(claim.recorded)), ours_text(claim.ours),
+                    verdict_text(claim), std::string(name(claim.recorded)), ours_text(claim.ours),
                     claim.printed.value_or(""), seconds_text(claim.seconds)});
   std::string out = rows_text(rows, most_columns);
   for (const ClaimReport& claim : report.claims) {
@@ -193,7 +222,7 @@ std::string report_markdown(const Report& report, const std::string& command) {
         "\n## " + paper + "\n\n| statement | verdict | recorded | ours | printed |\n|---|---|---|---|---|\n";
     for (const ClaimReport& each : report.claims) {
       if (each.paper != paper) continue;
-      out += "| " + each.label + " | " + (each.as_recorded() ? "" : "**") + std::string(name(each.found)) +
+      out += "| " + each.label + " | " + (each.as_recorded() ? "" : "**") + verdict_text(each) +
              (each.as_recorded() ? "" : "**") + " | " + std::string(name(each.recorded)) + " | " +
              ours_text(each.ours) + " | " + each.printed.value_or("") + " |\n";
     }
@@ -203,6 +232,8 @@ std::string report_markdown(const Report& report, const std::string& command) {
       if (each.paper != paper || !speaks) continue;
       out += "\n### " + each.label + "\n\n" + each.says + "\n\n";
       if (!each.note.empty()) out += each.note + "\n\n";
+      if (!each.printed && !each.account.tried.empty())
+        out += "Tried: " + listed(each.account.tried) + ".\n\n";
       if (each.failure) out += "Failed: " + *each.failure + "\n\n";
       for (const Evidence& evidence : each.evidence)
         out += "* " + in_markdown_cell(evidence_text(evidence)) + "\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { chip, element, figure, meaning, prose, seconds, table } from "./dom.js";
+import { chip, element, figure, meaning, prose, reach, seconds, table } from "./dom.js";
 import { paper, pictures, report, spoken, statements } from "./data.js";
 import { errataRows } from "./errata_view.js";
 import { formula } from "./formula.js";
@@ -23,11 +23,19 @@ function hypotheses(claim) {
       claim.needs.map((need, i) => [need, claim.met[i] ?? "not said"])));
 }
 
+function tried(claim) {
+  if (claim.tried.length === 0) return null;
+  return element("section", {}, element("h2", {}, claim.scope === "family" ? "Family" : "Tried"),
+    element("ul", {}, claim.tried.map((each) => element("li", {}, prose(each)))));
+}
+
 function evidence(claim) {
-  const observed = claim.evidence.filter((line) => !line.control);
-  const controls = claim.evidence.filter((line) => line.control);
+  const of = (role) => claim.evidence.filter((line) => line.role === role);
+  const [observed, instead, controls] = [of("requirement"), of("instead"), of("control")];
   return [
     observed.length > 0 ? element("section", {}, element("h2", {}, "Evidence"), evidenceTable("What was observed", observed)) : null,
+    instead.length > 0 ? element("section", {}, element("h2", {}, "What holds instead"),
+      evidenceTable("The corrected statement: each must hold", instead)) : null,
     controls.length > 0 ? element("section", {}, element("h2", {}, "Control"),
       element("p", {}, "What the statement must reject. A control that it fits would make the check worthless."),
       evidenceTable("Controls: each must be violated", controls)) : null,
@@ -89,7 +97,8 @@ export function claimView(entry) {
       claim.covers.length > 0 ? ` · equations ${claim.covers.map((number) => `(${number})`).join(", ")}` : ""),
     element("p", { class: "says" }, claim.says),
     claim.formula ? formula(claim.formula) : null,
-    entry.cells ? null : element("p", { class: "verdict-line" }, chip(claim.verdict), " ", element("span", { class: "quiet" }, meaning[claim.verdict]),
+    entry.cells ? null : element("p", { class: "verdict-line" }, chip(claim.verdict), " ", reach(claim) ? element("strong", {}, reach(claim), " ") : "",
+      element("span", { class: "quiet" }, meaning[claim.verdict]),
       claim.as_recorded ? "" : element("strong", {}, ` The record says ${claim.recorded}.`),
       claim.ours ? element("span", { class: "ours" }, " Ours: ", element("strong", {}, figure(claim.ours)), claim.ours.guaranteed ? " (proved)" : "") : ""),
     claim.note && !entry.cells ? element("p", { class: "note" }, prose(claim.note)) : null,
@@ -97,6 +106,7 @@ export function claimView(entry) {
     found.length > 0 ? element("section", { class: "erratum" }, element("h2", {}, "Erratum"), found,
       element("p", {}, element("a", { href: `#/${claim.paper}/errata` }, "All errata of this paper"))) : null,
     hypotheses(claim),
+    entry.cells ? null : tried(claim),
     entry.cells ? tableParts(entry) : [evidence(claim), plots(claim)],
     claim.unchecked ? element("section", {}, element("h2", {}, "Not checked"), element("p", {}, prose(claim.unchecked))) : null,
     views(claim),

@@ -49,6 +49,14 @@ export function chip(verdict) {
     element("span", { "aria-hidden": "true" }, signs[verdict]), ` ${verdict}`);
 }
 
+/** How far a verdict reaches: "for all", "for a family", "at 5 instances". */
+export function reach(claim) {
+  if (claim.scope === null || claim.printed !== null) return "";
+  if (claim.scope === "all") return "for all";
+  if (claim.scope === "family") return "for a family";
+  return `at ${claim.tried.length} instance${claim.tried.length === 1 ? "" : "s"}`;
+}
+
 /** Text in which `code` stands between backquotes. */
 export function prose(text) {
   return text.split(/(`[^`]+`)/).map((part) =>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { chip, element, figure, meaning, seconds, verdicts } from "./dom.js";
+import { chip, element, figure, meaning, reach, seconds, verdicts } from "./dom.js";
 import { claimsOf, counts, paper, report, spoken, statements } from "./data.js";
 
 // What is shown survives going to a statement and back.
@@ -12,7 +12,8 @@ const matches = (entry) =>
     `${entry.key} ${spoken(entry.label)} ${entry.claim.says} ${entry.claim.note}`.toLowerCase().includes(word));
 
 function verdictCell(entry) {
-  if (!entry.cells) return chip(entry.claim.verdict);
+  if (!entry.cells)
+    return element("span", {}, chip(entry.claim.verdict), " ", element("span", { class: "quiet" }, reach(entry.claim)));
   const found = counts(entry.cells);
   return element("span", { class: "chips" }, verdicts.filter((verdict) => found.has(verdict)).map((verdict) =>
     element("span", {}, `${found.get(verdict)} × `, chip(verdict))));
