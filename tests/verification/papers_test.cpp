@@ -10,11 +10,13 @@
 #include <set>
 
 #include "radcert/core/errors.h"
+#include "radcert/formats/json/json_reader.h"
 #include "tests/core/refusal.h"
 #include "tests/verification/fixtures.h"
 #include "verification/framework/check.h"
 #include "verification/framework/paper.h"
 #include "verification/framework/run_verification.h"
+#include "verification/framework/toml_document.h"
 
 namespace radcert::verification {
 namespace {
@@ -71,6 +73,46 @@ const std::map<std::string, std::vector<std::string>>& named_statements() {
        {"figure_3", "figure_5", "figure_6", "figure_7", "figure_8", "figure_9", "figure_10", "figure_11",
         "figure_12", "figure_13", "conclusion"}}};
   return all;
+}
+
+// Every sentence that asserts something has an entry, a reason why it has none, or the entry that is wanted; every
+// entry answers for a sentence, or is said to be our own.
+TEST(Papers, HoldTheirSentencesAndTheirEntriesTogether) {
+  for (const Paper& paper : embedded_paper_list()) {
+    std::set<std::string> labels;
+    for (const Claim& claim : paper.claims) labels.insert(claim.label);
+    const std::string file = std::string(RADCERT_SOURCE_DIR) + "/papers/" + paper.key + "/sentences.toml";
+    std::ifstream in(file);
+    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    const TomlDocument document = parse_toml(text, file);
+    const JsonReader root(document.value);
+    std::set<std::string> used;
+    const auto take_entries = [&](const JsonReader& place) {
+      for (const JsonReader& entry : place.elements("labels")) {
+        const std::string& label = entry.string("a label");
+        EXPECT_TRUE(labels.contains(label)) << file << ", " << entry.pointer() << ": " << label;
+        used.insert(label);
+      }
+    };
+    for (const JsonReader& sentence : root.at("sentence", "sentences").elements("sentences")) {
+      sentence.require_object({"section", "page", "says", "entry", "reason", "wanted", "how"});
+      EXPECT_FALSE(sentence.at("section", "a section").string("a section").empty());
+      EXPECT_FALSE(sentence.at("says", "what it asserts").string("a text").empty());
+      const auto entry = sentence.find("entry");
+      const auto wanted = sentence.find("wanted");
+      EXPECT_EQ(entry.has_value() + sentence.find("reason").has_value() + wanted.has_value(), 1)
+          << file << ", " << sentence.pointer();
+      EXPECT_EQ(wanted.has_value(), sentence.find("how").has_value()) << sentence.pointer();
+      if (entry) take_entries(*entry);
+      if (wanted) {
+        EXPECT_FALSE(labels.contains(wanted->string("a label"))) << "there is one: " << sentence.pointer();
+      }
+    }
+    if (const auto own = root.find("own"))
+      for (const JsonReader& statement : own->elements("statements of our own"))
+        take_entries(statement.at("entry", "labels"));
+    for (const std::string& label : labels) EXPECT_TRUE(used.contains(label)) << paper.key << "/" << label;
+  }
 }
 
 TEST(Papers, HaveAnEntryForEachNumberedStatement) {
