@@ -12,8 +12,8 @@
 // Checked      equation_26: for all r and z at once the antiderivative, as an identity of rational functions
 //              of degree 4 at most, with (log g)' = g'/g; the formula and the library's against enclosures by
 //              Gauss rules, at points and on boxes. equation_26_dominating_term: Ku/(-pi z log z) between the
-//              two half-disks, at z = 2^-1000000 and for x in a ball; the coefficient of z log z from Ku at z
-//              and z/2. equation_26_not_c1: the growth of Ku/z, and the leading coefficient, for x in balls
+//              two half-disks, at z = 2^-1000000, and the coefficient of z log z from Ku at z and z/2; instead of
+//              it -(pi/2) z log z, and -pi z log z for the last integral of (24) by itself. equation_26_not_c1: the growth of Ku/z, and the leading coefficient, for x in balls
 //              that cover 1/16 <= x <= 15/16.
 // Not checked  that Ku is continuous up to the edge, which the first bounds show as well.
 
@@ -118,10 +118,16 @@ Finding equation_26_dominating_term(const Bench&) {
   finding.require("coefficient of z log z, u = eta, x = 1/3", minus_pi, coefficient(of_distance, z));
   finding.control("Ku/(-pi z log z), u = xi - x" + place, whole, TwoSquares<Ball>(x, tiny).offset() / said);
   finding.control("coefficient of z log z, u = xi - x, x = 1/3", minus_pi, coefficient(of_offset, z));
+  // What -pi z log z dominates is the last integral of (24), which stands in Ku with the factor 1/2.
   const auto of_last = [&](const Ball& at) { return TwoSquares<Ball>(x, at).inverse_square(); };
-  finding.remark(
-      "coefficient of z log z of the last integral of (24) by itself, over pi",
-      {.value = (coefficient(of_last, z) / Ball::pi()).to_double(), .radius = 1e-15, .guaranteed = true});
+  finding.instead("coefficient of z log z of the last integral of (24) by itself, x = 1/3", minus_pi,
+                  coefficient(of_last, z));
+  finding.instead("the last integral of (24)/(-pi z log z)" + place, whole, of_last(tiny) / said);
+  const Ball half = said / Ball(2);
+  finding.instead("Ku/(-(pi/2) z log z), u = eta, between two half-disks" + place, whole,
+                  between_half_disks(x, tiny) / half);
+  finding.instead("Ku/(-(pi/2) z log z), u = eta, by the closed form" + place, whole,
+                  TwoSquares<Ball>(x, tiny).distance() / half);
   const Ball found = coefficient(of_distance, z);
   finding.show({.value = found.to_double(), .radius = 0x1p-50, .guaranteed = true});
   return finding;
