@@ -6,15 +6,18 @@
 // the whole sphere = pi.
 //
 // Checked      for all P at once: on two_piece (p = 2, 3) the largest integral, enclosed by branch and bound,
-//              which is far below pi; on two_squares, where (22) is pi/2 less two parts that are shown to be
-//              positive for all x and all z down to 2^-1000, and comes as close to pi/2 as z is small.
+//              which is far below pi; on two_squares, where (22) is pi/2 less four angles that are positive
+//              for all x and z > 0, with a lower bound by identities of rational functions of degree 8 at
+//              most, and comes as close to pi/2 as z is small.
 //              Equality on the cube, at points. The enclosures on two_piece against double integrals over the
 //              library's charts.
 // Not checked  other surfaces.
 
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/enclosure/kernel_integral.h"
+#include "radcert/scalar/dual.h"
 #include "radcert/surface/catalogue/two_piece.h"
+#include "verification/claims/ac98/surfaces/exact_identity.h"
 #include "verification/claims/ac98/surfaces/polyhedra.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/two_piece_total.h"
@@ -23,16 +26,17 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-// A lower bound of pi/2 - (22) = (atan(z/x) + atan(z/(1-x)))/2 + z/(2w) (atan(x/w) + atan((1-x)/w)) for all 0
-// < x < 1 and all z of a ball: x and 1-x are less than 1, and the second part is positive.
-Ball short_of_half_pi(const Ball& z) { return atan(z); }
+// pi/2 - (22) = (atan(z/x) + atan(z/(1-x)))/2 + z/(2w) (atan(x/w) + atan((1-x)/w)), w^2 = 1 + z^2. For 0 < x <
+// 1 and z > 0 all four angles are positive. More exactly: atan(t) - t/(1 + t^2) is 0 at t = 0 and has the
+// derivative 2t^2/(1 + t^2)^2 >= 0, so that the first two parts are at least z/2 {x/(x^2 + z^2) + (1-x)/((1-x)^2
+// + z^2)} > 0. The supremum over z is pi/2, as all four tend to 0 with z.
 
-// Ranges 2^-(k+1) <= z <= 2^-k, of so many, in which the integral is not shown to be below pi/2 for all x.
-Rational ranges_not_below(int ranges) {
-  long count = 0;
-  for (int k = 0; k < ranges; ++k)
-    if (!certainly_positive(short_of_half_pi(hull(power(Ball(2), -k - 1), power(Ball(2), -k))))) ++count;
-  return {count};
+// 1/(1 + t^2) less the derivative of t/(1 + t^2)^power.
+Rational slope_of_difference(const Rational& at, int denominators) {
+  const Dual<Rational> t(at, 1, 0);
+  const Dual<Rational> square = Dual<Rational>(Rational(1)) + t * t;
+  const Dual<Rational> quotient = denominators == 1 ? t / square : t / (square * square);
+  return 1 / (1 + at * at) - quotient.by_s;
 }
 
 // A shelf in the cube that looks down at the floor: no part of the boundary of a convex body.
@@ -73,9 +77,28 @@ Finding equation_15(const Bench& bench) {
                     AgreesWith{.value = over_two_piece(p, 1, x, 1e-7), .within = 1e-6},
                     total_of_roof(p, Rational(1, 2), 1e-10));
   }
-  finding.require(
-      "two_squares: ranges of z, of 1000 down to 2^-1000, where the integral is not below pi/2 for all x",
-      IsExactly{0}, ranges_not_below(1000));
+  const auto printed_slope = [](const Rational&, const Rational& at, const Rational&) {
+    const Rational square = 1 + at * at;
+    return 2 * at * at / (square * square);
+  };
+  const auto slope_with = [](int denominators) {
+    return [denominators](const Rational&, const Rational& at, const Rational&) {
+      return slope_of_difference(at, denominators);
+    };
+  };
+  finding.require("points where the derivative of atan t - t/(1 + t^2) differs from 2t^2/(1 + t^2)^2",
+                  IsExactly{0}, differing_points(slope_with(1), printed_slope));
+  finding.control("points where that of atan t - t/(1 + t^2)^2 does", IsExactly{0},
+                  differing_points(slope_with(2), printed_slope));
+  finding.require("points where t/(1 + t^2) at t = z/x differs from zx/(x^2 + z^2)", IsExactly{0},
+                  differing_points(
+                      [](const Rational&, const Rational& at, const Rational& height) {
+                        const Rational t = height / at;
+                        return t / (1 + t * t);
+                      },
+                      [](const Rational&, const Rational& at, const Rational& height) {
+                        return height * at / (at * at + height * height);
+                      }));
   const Ball z(Rational(1, 5));
   const Ball x(Rational(1, 3));
   const Ball w = sqrt(Ball(1) + z * z);

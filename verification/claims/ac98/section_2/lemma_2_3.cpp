@@ -16,7 +16,7 @@
 //              lemma_2_3_inside: for u = max(xi - 1/2, 0)^(m+1), m = 0, 1, 2, p = 2, 3, the order of the
 //              differences of Ku across xi = 1/2 and the jump, by enclosed integrals; (20) and u = eta must
 //              be rejected. theorem_2_4_b_sphere: the equation on the sphere for E, or rho, that are in C^m
-//              and not in C^(m+1), with the solution that is no smoother.
+//              and not in C^(m+1), with the solution that is no smoother, as where E = 1 - rho it is.
 // Not checked  surfaces that are not analytic; derivatives in other directions.
 
 #include <array>
@@ -135,6 +135,16 @@ struct PowerIntegrals {
   Ball of_kink;
 };
 
+// The jump of the derivative of u = E + c rho of order m + 1 by z at z = 0.
+Ball jump_at_the_equator(int m, const HalfSmooth& e, const HalfSmooth& rho, const Rational& c) {
+  const auto u = [&](const Rational& x) {
+    const Rational z = x - Rational(1, 2);
+    const Rational kink = z.sign() > 0 ? power(z, m + 1) : Rational(0);
+    return Ball(e.constant + e.upper * kink + c * (rho.constant + rho.upper * kink));
+  };
+  return jump(u, m + 1, Rational(1, 1024));
+}
+
 Ball residual_on_the_sphere(int m, const HalfSmooth& e, const HalfSmooth& rho, const Rational& c,
                             const PowerIntegrals& integrals) {
   const Rational s(1, 5);
@@ -202,6 +212,8 @@ Finding theorem_2_4_b_sphere(const Bench& bench) {
   const BallPrecision precision(128);
   Finding finding;
   const AgreesWith zero{.value = Ball(0), .within = 1e-5};
+  // The derivative of u of order m + 1 by z jumps at z = 0, and those below do not.
+  const AtMost in_c_m_alone{.value = -0x1p-20, .slack = 0, .why = "a jump of order m + 1, and not before"};
   const int largest = bench.budget == Budget::quick ? 1 : 2;
   const Ball of_one = power_integral(0);
   for (int m = 0; m <= largest; ++m) {
@@ -219,13 +231,17 @@ Finding theorem_2_4_b_sphere(const Bench& bench) {
                       residual_on_the_sphere(m, e, rho, c, integrals));
       finding.control("the same with u larger by rho/10, " + name + with, zero,
                       residual_on_the_sphere(m, e, rho, c + Rational(1, 10), integrals));
-      // The derivative of u of order m + 1 by z jumps at z = 0, and those below do not.
-      const AtMost in_c_m_alone{
-          .value = -0x1p-20, .slack = 0, .why = "a jump of order m + 1, and not before"};
-      finding.require("-(jump of the derivative of u of order m + 1 by z)/(m + 1)!, " + name + with,
-                      in_c_m_alone, proved(Ball(-(e.upper + c * rho.upper))));
-      finding.control("the same for E = rho = 1/2", in_c_m_alone, proved(Ball(0)));
+      finding.require("-(jump of the derivative of u of order m + 1 by z) at z = 0, " + name + with,
+                      in_c_m_alone, proved(-abs(jump_at_the_equator(m, e, rho, c))));
     }
+    // In general only: E = 1 - rho has u = 1, however rough rho is.
+    const HalfSmooth closing{.constant = 1 - varying.constant, .upper = -varying.upper};
+    const Rational c = closing.mean(m) / (1 - varying.mean(m));
+    const std::string name = "E = 1 - rho, rho = (1 + max(z,0)^(m+1))/4";
+    finding.require("u - rho/pi Int G u - E at a point of the sphere, " + name + with, zero,
+                    residual_on_the_sphere(m, closing, varying, c, integrals));
+    finding.control("-(jump of the derivative of u of order m + 1 by z) at z = 0, " + name + with,
+                    in_c_m_alone, proved(-abs(jump_at_the_equator(m, closing, varying, c))));
   }
   return finding;
 }

@@ -13,15 +13,17 @@
 // 2^(-Mk) no two of the functions K^j f_(e_k), all bounded by 1, are nearer than c^j - lambda^j 2^(-M/2) > 0
 // for M large: no subsequence converges. For rho > 0 constant both sides carry rho^j.
 //
-// Checked      lambda(1/2) and c by balls, c for all z of the strip at once and L/e = 16; the distances for j
-//              = 1 to 4, with M = 16 j; and that between two parallel squares at the distance 1 the same
+// Checked      lambda(1/2) and c by balls, c for all z of the strip at once and L/e = 16; the distances for all
+//              j at once, with M = 16 j, as c > lambda/256; and that between two parallel squares at the distance 1 the same
 //              strips do give what tends to 0, as where K is compact.
 // Not checked  closed surfaces: beside an edge their K has this part.
 
 #include <string>
 
 #include "radcert/closed_form/two_squares.h"
+#include "radcert/kernel/geometric_kernel.h"
 #include "radcert/scalar/functions/beta_function.h"
+#include "verification/claims/ac98/surfaces/exact_identity.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/framework/check.h"
 
@@ -80,14 +82,12 @@ Finding section_4_not_compact(const Bench&) {
   finding.require("lambda(1/2) - 1", AtMost{}, proved(lambda - Ball(1)));
   finding.control("lambda(9/10) - 1", AtMost{},
                   proved(beta_function(Ball(Rational(29, 20)), Ball(Rational(1, 20))) / Ball(4) - Ball(1)));
-  for (int j = 1; j <= 4; ++j) {
-    const Ball distance = power(c, j) - power(lambda, j) * power(Ball(2), -8 * j);
-    finding.require(
-        "-(distance of K^j f_e and K^j f_d in the maximum norm), d = e 2^(-16 j), j = " + std::to_string(j),
-        apart, proved(-distance));
+  // c > lambda 2^-8 >= 0 gives c^j > (lambda 2^-8)^j for every power j.
+  finding.require("-(c - lambda(1/2) 2^-8), the distance of K^j f_e and K^j f_d for d = e 2^(-16 j), j = 1",
+                  apart, proved(-(c - lambda * power(Ball(2), -8))));
+  for (int j = 1; j <= 4; ++j)
     finding.remark("the lower bound c^j of K^j f_e on its strip, j = " + std::to_string(j),
                    proved(power(c, j)));
-  }
   // Between parallel squares the strip of width e has the value e c at most: nothing is left as e -> 0.
   const Ball thin = power(Ball(2), -60);
   finding.control("-(the value on the strip for parallel squares), e = 2^-60", apart,
@@ -98,23 +98,43 @@ Finding section_4_not_compact(const Bench&) {
 
 Finding section_2_2_unbounded_kernel(const Bench&) {
   Finding finding;
-  const Rational half(1, 2);
-  Rational differing = 0;
-  Rational differing_fraction = 0;
-  for (long k = 1; k <= 60; k += 7) {
-    const Rational z = 1 / power(Rational(2), k);
-    const Rational g = two_squares_kernel<Rational>(half, z, half, z);
-    if (g != 1 / (4 * z * z)) differing += 1;
-    if (z * z / (z * z + z * z) != half) differing_fraction += 1;
-  }
-  finding.require("z = eta for which G is not 1/(4 z^2)", IsExactly{0}, differing);
-  finding.require("z = eta for which z eta/(eta^2 + z^2) is not 1/2", IsExactly{0}, differing_fraction);
-  Rational elsewhere = 0;
-  for (long k = 1; k <= 60; k += 7) {
-    const Rational z = 1 / power(Rational(2), k);
-    if (two_squares_kernel<Rational>(half, z, half, half) != 1 / (4 * z * z)) elsewhere += 1;
-  }
-  finding.control("z for which G at eta = 1/2 is not 1/(4 z^2)", IsExactly{0}, elsewhere);
+  const Vector<Rational> up_y{0, 1, 0};
+  const Vector<Rational> up_z{0, 0, 1};
+  // G by (2) at P = (1/2,0,z), Q = (1/2,eta,0), and times |P-Q|^2, which leaves the first fraction.
+  const auto kernel = [&](const Rational& eta, const Rational& z) {
+    const Rational half(1, 2);
+    return geometric_kernel<Rational>({half, 0, z}, up_y, {half, eta, 0}, up_z);
+  };
+  const auto first_fraction = [&](const Rational& eta, const Rational& z) {
+    return kernel(eta, z) * (eta * eta + z * z);
+  };
+  const auto quarter = [](const Rational&, const Rational&, const Rational& z) { return 1 / (4 * z * z); };
+  const auto half = [](const Rational&, const Rational&, const Rational&) { return Rational(1, 2); };
+  finding.require(
+      "points z = eta where G differs from 1/(4 z^2)", IsExactly{0},
+      differing_points([&](const Rational&, const Rational&, const Rational& z) { return kernel(z, z); },
+                       quarter));
+  finding.require(
+      "points z = eta where the first fraction differs from 1/2", IsExactly{0},
+      differing_points(
+          [&](const Rational&, const Rational&, const Rational& z) { return first_fraction(z, z); }, half));
+  // 1/(4 z^2) exceeds M at z = 1/(2M + 1), as (2M + 1)^2 - 4M = 4M^2 + 1.
+  finding.require(
+      "points where 1/(4 z^2) - M at z = 1/(2M + 1) differs from M^2 + 1/4", IsExactly{0},
+      differing_points(
+          [&](const Rational&, const Rational& m, const Rational&) {
+            const Rational z = 1 / (2 * m + 1);
+            return kernel(z, z) - m;
+          },
+          [](const Rational&, const Rational& m, const Rational&) { return m * m + Rational(1, 4); }));
+  finding.control(
+      "points where G at eta = 2z differs from 1/(4 z^2)", IsExactly{0},
+      differing_points([&](const Rational&, const Rational&, const Rational& z) { return kernel(2 * z, z); },
+                       quarter));
+  finding.control("points where the first fraction at eta = 2z differs from 1/2", IsExactly{0},
+                  differing_points([&](const Rational&, const Rational&,
+                                       const Rational& z) { return first_fraction(2 * z, z); },
+                                   half));
   return finding;
 }
 

@@ -42,17 +42,25 @@ T from_the_square(int p, const T& x, const T& xi) {
 }
 
 template <class T>
-T from_the_roof(int p, const T& x, const T& t) {
+T from_roof_to_square(int p, const T& x, const T& t) {
   const T z = T(2) - power(x, p);
   const T d = t - x;
-  const T to_square =
-      z * (z - T(p) * power(x, p - 1) * d) / RoofPair<T>::stretch(p, x) * across(d * d + z * z);
+  return z * (z - T(p) * power(x, p - 1) * d) / RoofPair<T>::stretch(p, x) * across(d * d + z * z);
+}
+
+template <class T>
+T from_roof_to_roof(int p, const T& x, const T& t) {
   const auto to_roof = [&](const T& xi, const T& distance) {
     const RoofPair<T> pair(p, x, xi);
     return pair.bend_p * pair.bend_q / pair.stretch_p * across_on_the_roof(distance, pair.chord);
   };
   const T rest = T(1) - x;
-  return to_square + x * to_roof(x * t, x * (T(1) - t)) + rest * to_roof(x + rest * t, rest * t);
+  return x * to_roof(x * t, x * (T(1) - t)) + rest * to_roof(x + rest * t, rest * t);
+}
+
+template <class T>
+T from_the_roof(int p, const T& x, const T& t) {
+  return from_roof_to_square(p, x, t) + from_roof_to_roof(p, x, t);
 }
 
 // The integral over 0 <= t <= 1 of f(x, t): by Gauss rules at a point x, by the values on panels for a range
@@ -97,7 +105,25 @@ auto roof_integral(int p, double radius) {
   return OverUnitInterval<decltype(f)>{f, radius};
 }
 
+template <class Integrand>
+Ball largest_over_x(const Integrand& f, double radius) {
+  return known(maximum(OverUnitInterval<Integrand>{f, radius / 16}.function(), {.radius = radius}));
+}
+
 }  // namespace
+
+Ball largest_roof_to_roof(int p, double radius) {
+  return largest_over_x([p]<class T>(const T& x, const T& t) -> T { return from_roof_to_roof(p, x, t); },
+                        radius);
+}
+
+Ball least_total_in_the_middle(int p, double radius) {
+  const Ball of_square = -largest_over_x(
+      [p]<class T>(const T& x, const T& t) -> T { return -from_the_square(p, x, t); }, radius);
+  const Ball of_roof =
+      -largest_over_x([p]<class T>(const T& x, const T& t) -> T { return -from_the_roof(p, x, t); }, radius);
+  return min(of_square, of_roof);
+}
 
 Ball largest_total_of_square(int p, double radius) {
   return known(maximum(square_integral(p, radius / 16).function(), {.radius = radius}));

@@ -24,6 +24,11 @@ namespace radcert::verification::ac98 {
 [[nodiscard]] Ball total_of_square(int p, const Rational& x, double radius);
 [[nodiscard]] Ball total_of_roof(int p, const Rational& x, double radius);
 
+/// max over the roof of the integral over the roof alone, and the least over both pieces of the integral over
+/// S from the points with y = 1/2, of which half, as N/(A + v^2)^2 falls with |v|, bounds it for all y.
+[[nodiscard]] Ball largest_roof_to_roof(int p, double radius);
+[[nodiscard]] Ball least_total_in_the_middle(int p, double radius);
+
 /// sup_P Int_S G = pi times the norm of K for rho = 1.
 [[nodiscard]] Ball largest_total(int p, double radius);
 
