@@ -90,8 +90,11 @@ Finding equation_8(const Bench&) {
       finding.require("(9): Int_T G + Int_U G" + at, pi, cap + sphere);
       finding.require("Int_(S-T) G, against Int_U G: nothing flows through S_epsilon" + at,
                       AgreesWith{.value = sphere, .within = within}, rest);
-      finding.control("Int_(S-T) G alone" + at, pi, rest);
-      finding.control("Int_T G against Int_U G" + at, AgreesWith{.value = sphere, .within = within}, cap);
+      // Parts that do not fit together: T_epsilon with U of half the radius, which leaves a gap.
+      finding.control("Int_T G + Int_U G, U of the radius epsilon/2" + at, pi,
+                      cap + tip.over_sphere(radius / 2, error));
+      finding.control("Int_(S-T) G, T of the radius epsilon/2, against Int_U G" + at,
+                      AgreesWith{.value = sphere, .within = within}, tip.over_rest(radius / 2, error));
     }
   return finding;
 }

@@ -99,8 +99,8 @@ Finding equation_37(const Bench& bench) {
                   norm_at_vertices(Rational(1, 6)));
   finding.require("the norm that the paper prints for alpha = 0", IsExactly{1}, norm_at_vertices(0));
   const Rational tenth(1, 10);
-  finding.control("(1 + alpha)/(1 - 2 alpha) in its place, alpha = 1/10",
-                  IsExactly{(1 + tenth) / (1 - 2 * tenth)}, norm_at_vertices(tenth));
+  finding.control("the norm for nodes with alpha = 1/7, against (37) for alpha = 1/10",
+                  IsExactly{(1 + tenth) / (1 - 3 * tenth)}, norm_at_vertices(Rational(1, 7)));
   finding.show(
       {.value = norm_at_vertices(Rational(1, 6)).to_double(), .radius = 0x1p-51, .guaranteed = true});
   return finding;

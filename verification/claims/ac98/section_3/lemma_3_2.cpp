@@ -186,7 +186,7 @@ Finding equation_61(const Bench&) {
     const std::string what = "||f - p_" + std::to_string(k) + "||/(h^" + std::to_string(k + 1) + " ||D^" +
                              std::to_string(k + 1) + " f||)";
     finding.require(what + ", f = (d_x + d_y)^" + std::to_string(k + 1), IsExactly{c}, reached_by_taylor(k));
-    finding.control(what + ", the same with the next order for this", IsExactly{c}, reached_by_taylor(k + 1));
+    finding.control(what + ", the same with p_3 and D^4", IsExactly{c}, reached_by_taylor(3));
     for (const PlanarPoint& by : {PlanarPoint{0, 0}, PlanarPoint{1, 2}})
       for (const Rational& h : lengths()) {
         const std::vector<PlanarPoint> points = placed(right_triangle(), h, by);

@@ -273,7 +273,6 @@ Finding section_4_2_averaged_normals(const Bench& bench) {
     if (degree == 2) {
       finding.require("order of the largest |Int G - pi| over the nodes" + with, bound_of(2 * degree),
                       order_between(figure(coarse.of_pi), figure(fine.of_pi)));
-      finding.control("order of the node error against 3" + with, bound_of(3), order);
       finding.show(order);
     }
     finding.remark(

@@ -53,7 +53,7 @@ Ball corner_integral(const Rational& h, const PlacePair& at) {
   }));
 }
 
-// The linear interpolant of x^2 at the inset nodes of the triangle with the vertices (0,0), (h,0), (h,h),
+// The linear interpolant of x^power at the inset nodes of the triangle with the vertices (0,0), (h,0), (h,h),
 // below the diagonal, or (0,0), (h,h), (0,h), above it: the plane through the three values, by exact
 // elimination.
 struct Plane3 {
@@ -61,7 +61,7 @@ struct Plane3 {
   Rational by_x;
   Rational by_y;
 };
-Plane3 interpolant_of_square(const Rational& h, bool below) {
+Plane3 interpolant_of_power(int exponent, const Rational& h, bool below) {
   const Rational alpha(1, 6);
   using Point = std::array<Rational, 2>;
   const std::array<Point, 3> v =
@@ -74,32 +74,33 @@ Plane3 interpolant_of_square(const Rational& h, bool below) {
   const Rational y1 = q[1][1] - q[0][1];
   const Rational x2 = q[2][0] - q[0][0];
   const Rational y2 = q[2][1] - q[0][1];
-  const Rational f1 = q[1][0] * q[1][0] - q[0][0] * q[0][0];
-  const Rational f2 = q[2][0] * q[2][0] - q[0][0] * q[0][0];
+  const Rational f0 = power(q[0][0], exponent);
+  const Rational f1 = power(q[1][0], exponent) - f0;
+  const Rational f2 = power(q[2][0], exponent) - f0;
   const Rational determinant = x1 * y2 - x2 * y1;
   const Rational by_x = (f1 * y2 - f2 * y1) / determinant;
   const Rational by_y = (x1 * f2 - x2 * f1) / determinant;
-  return {.constant = q[0][0] * q[0][0] - by_x * q[0][0] - by_y * q[0][1], .by_x = by_x, .by_y = by_y};
+  return {.constant = f0 - by_x * q[0][0] - by_y * q[0][1], .by_x = by_x, .by_y = by_y};
 }
 
-Rational error_at(const Rational& h, bool below, const Rational& x, const Rational& y) {
-  const Plane3 plane = interpolant_of_square(h, below);
-  return x * x - plane.constant - plane.by_x * x - plane.by_y * y;
+Rational error_at(int exponent, const Rational& h, bool below, const Rational& x, const Rational& y) {
+  const Plane3 plane = interpolant_of_power(exponent, h, below);
+  return power(x, exponent) - plane.constant - plane.by_x * x - plane.by_y * y;
 }
 
-// e_h(ah,0,bh) over [0,h]^2: the triangle below the diagonal in (xi, eta) = (h p, h p w), the one above in (h
+// e_h(ah,0,bh) over [0,h]^2 for u = xi^exponent: the triangle below the diagonal in (xi, eta) = (h p, h p w), the one above in (h
 // p w, h p).
-Ball corner_error(const Rational& h, const PlacePair& at) {
+Ball corner_error(int exponent, const Rational& h, const PlacePair& at) {
   const auto part = [&](bool below) {
-    const Plane3 plane = interpolant_of_square(h, below);
-    return square_function([h, at, plane, below]<class R>(const R& p, const R& w) -> R {
+    const Plane3 plane = interpolant_of_power(exponent, h, below);
+    return square_function([exponent, h, at, plane, below]<class R>(const R& p, const R& w) -> R {
       const R size = from_rational<R>(h);
       const R far = size * p;
       const R near = far * w;
       const R xi = below ? far : near;
       const R eta = below ? near : far;
-      const R error = xi * xi - from_rational<R>(plane.constant) - from_rational<R>(plane.by_x) * xi -
-                      from_rational<R>(plane.by_y) * eta;
+      const R error = power(xi, exponent) - from_rational<R>(plane.constant) -
+                      from_rational<R>(plane.by_x) * xi - from_rational<R>(plane.by_y) * eta;
       return size * far * error *
              two_squares_kernel<R>(from_rational<R>(at.a * h), from_rational<R>(at.b * h), xi, eta);
     });
@@ -162,37 +163,40 @@ Finding equation_86(const Bench&) {
   const BallPrecision precision(96);
   Finding finding;
   Rational differing = 0;
-  Rational with_first_power = 0;
+  Rational differing_for_the_cube = 0;
   for (const bool below : {true, false})
     for (const Rational& h : {Rational(1, 2), Rational(1, 7), Rational(3, 1000)})
       for (long i = 0; i <= 4; ++i)
         for (long j = 0; j <= 4; ++j) {
           const Rational s(i, 4);
           const Rational t(j, 4);
-          const Rational scaled = error_at(h, below, s * h, t * h);
-          if (scaled != h * h * error_at(1, below, s, t)) differing += 1;
-          if (scaled != h * error_at(1, below, s, t)) with_first_power += 1;
+          const auto scales = [&](int exponent) {
+            return error_at(exponent, h, below, s * h, t * h) == h * h * error_at(exponent, 1, below, s, t);
+          };
+          if (!scales(2)) differing += 1;
+          if (!scales(3)) differing_for_the_cube += 1;
         }
   finding.require("points where u - P_n u at (sh,th) is not h^2 q_i(s,t), u = xi^2", IsExactly{0}, differing);
-  finding.control("points where it is not h q_i(s,t)", IsExactly{0}, with_first_power);
+  finding.control("the same for u = xi^3, no quadratic one", IsExactly{0}, differing_for_the_cube);
   const AtMost not_zero{
       .value = -1e-6, .slack = 0, .why = "a number c != 0, far beyond the enclosure, makes h^2 the order"};
   for (const PlacePair& at : places()) {
-    const Ball one = corner_error(1, at);
+    const Ball one = corner_error(2, 1, at);
     const std::string where = ", a = " + at.a.to_text() + ", b = " + at.b.to_text();
     const AgreesWith number{.value = one, .within = 1e-11};
     for (const Rational& h : {Rational(1, 2), Rational(1, 16)}) {
-      const Ball scaled = corner_error(h, at) / Ball(h * h);
       finding.require("e_h(ah,0,bh)/h^2 against its value for h = 1, h = " + h.to_text() + where, number,
-                      scaled);
-      finding.control("e_h(ah,0,bh)/h^3 against it, h = " + h.to_text() + where, number, scaled / Ball(h));
+                      corner_error(2, h, at) / Ball(h * h));
+      finding.control("the same for u = xi^3 against it, h = " + h.to_text() + where, number,
+                      corner_error(3, h, at) / Ball(h * h));
     }
     finding.require("-|e_h(ah,0,bh)|/h^2" + where, not_zero, proved(-abs(one)));
     finding.remark("e_h(ah,0,bh)/h^2" + where, proved(one));
   }
   // xi is linear, and interpolated exactly.
-  finding.control("the same for a linear u", not_zero, proved(Ball(0)));
-  finding.show(proved(corner_error(1, places().front())));
+  finding.control("-|e_h(ah,0,bh)| for u = xi, h = 1, a = 1/3, b = 1/6", not_zero,
+                  proved(-abs(corner_error(1, 1, places().front()))));
+  finding.show(proved(corner_error(2, 1, places().front())));
   return finding;
 }
 
