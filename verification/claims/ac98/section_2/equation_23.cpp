@@ -122,8 +122,8 @@ Finding equation_23_near_edge(const Bench&) {
       const Ball exact = Ball(4) / z * TwoSquares<Ball>(x, z).offset();
       finding.require("4 Ku/z against the logarithm of the text" + place,
                       AgreesWith{.value = near, .within = bound.upper_double()}, exact);
-      finding.control("8 Ku/z + 1/1000" + place, AgreesWith{.value = near, .within = bound.upper_double()},
-                      Ball(2) * exact + Ball(Rational(1, 1000)));
+      finding.control("4 Ku/z for u = eta" + place, AgreesWith{.value = near, .within = bound.upper_double()},
+                      Ball(4) / z * TwoSquares<Ball>(x, z).distance());
     }
   return finding;
 }
