@@ -2,15 +2,23 @@
 
 // Light that falls parallel to the axis onto the sphere over the disk.
 //
-// Checked      Exactly, at 400 points each. Disk: the vertical through a point at the distance u meets the
-//              sphere where r^2 - u^2 > 0, touches it at u = r, and passes elsewhere: the point is lit if u
-//              >= r, as (20) has it. Sphere: the vertical upwards from a point leaves the sphere if its
-//              latitude is not below the equator, and the plane there stands to the light at the cosine sin
-//              zeta. A surface of albedo beta gives back beta of what arrives, and B*, D* are in the unit in
-//              which a white surface across the light has mu. What the sphere catches is what the shadow
-//              lacks: Int B*/(beta mu) over the sphere, 2 pi r^2 Int_0^1 t dt, is pi r^2.
+// Checked      Exactly. The ray p + s e meets the sphere where a s^2 + 2 b s + c = 0, a = e.e, b = e.(p - C),
+//              c = |p - C|^2 - r^2. For all scenes and points, e = e_z, as identities of polynomials of
+//              degree 2 in each variable, which three values of each prove. Disk, p = (x,y,0): b^2 - a c =
+//              r^2 - u^2, u^2 = x^2 + y^2: the ray enters the sphere if u < r, touches it at u = r and passes
+//              elsewhere; c = u^2 + (h^2 - r^2) > 0 and b = -h < 0 for h > r > 0: where it meets it, it does
+//              so above the disk. Lit if u >= r, as (20) has it. Sphere, p = C + r n: c = r^2 (n.n - 1) = 0
+//              and b = r n_z: the other end is at s = -2 r n_z, in the way of the light if n_z < 0. Else the
+//              plane there stands to the light at the cosine n_z = sin zeta. At 400 points of either, the
+//              same by that equation in numbers, whether or not they are lit: rejected for light that falls
+//              in along (3/5, 0, 4/5). What the sphere catches is what the shadow lacks: the enclosed
+//              integral of max(0, sin zeta) over the sphere is pi r^2.
 // Not checked  that radiance in this unit is what the figures show.
 
+#include <array>
+
+#include "radcert/enclosure/interval_integral.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/psg10/exact_scene.h"
 #include "verification/framework/check.h"
 
@@ -19,52 +27,109 @@ namespace {
 
 constexpr int points = 400;
 
-/// How many points of the disk are lit and not in [from, R], or in it and not lit.
-long disagreeing_on_disk(const Rational& from) {
+using Point = Vector<Rational>;
+
+/// a s^2 + 2 b s + c, zero where the ray p + s e meets the sphere.
+struct RayOnSphere {
+  Rational a;
+  Rational b;
+  Rational c;
+  RayOnSphere(const Point& p, const Point& e, const Point& centre, const Rational& radius)
+      : a(dot(e, e)), b(dot(e, p - centre)), c(dot(p - centre, p - centre) - radius * radius) {}
+
+  [[nodiscard]] Rational discriminant() const { return b * b - a * c; }
+  /// Whether it is inside the sphere at some s > 0, for c >= 0: p is not inside.
+  [[nodiscard]] bool enters() const { return discriminant().sign() > 0 && b.sign() < 0; }
+};
+
+/// Towards the light.
+Point upwards() { return {0, 0, 1}; }
+Point aslant() { return {Rational(3, 5), 0, Rational(4, 5)}; }
+
+/// How many of the scenes and points x, y, h, r in {1,2,3}, and of their normals, fail one of the identities.
+Rational failing_identities() {
+  const std::array<Rational, 3> values{1, 2, 3};
+  long total = 0;
+  const auto count = [&](const Rational& left, const Rational& right) {
+    if (left != right) ++total;
+  };
+  for (const Rational& x : values)
+    for (const Rational& y : values)
+      for (const Rational& h : values)
+        for (const Rational& r : values) {
+          const Point centre{0, 0, h};
+          const RayOnSphere from_disk({x, y, 0}, upwards(), centre, r);
+          const Rational square = x * x + y * y;
+          count(from_disk.discriminant(), r * r - square);
+          count(from_disk.c, square + (h * h - r * r));
+          count(from_disk.b, -h);
+          for (const Rational& z : values) {
+            const Point n{x, y, z};
+            const RayOnSphere from_sphere(centre + r * n, upwards(), centre, r);
+            count(from_sphere.c, r * r * (dot(n, n) - Rational(1)));
+            count(from_sphere.b, r * z);
+          }
+        }
+  return total;
+}
+
+/// How many points of the disk are lit and not in [r, R], or in it and not lit.
+Rational disagreeing_on_disk(const Point& to_light) {
   ExactScene scene(8);
   const Rational& r = scene.numbers().radius;
   long count = 0;
   for (int i = 0; i < points; ++i) {
-    const Vector<Rational> q = ExactScene::on_disk(scene.distance(), scene.direction(false));
-    // The sphere's chord on the vertical has the square 4 (r^2 - x^2 - y^2).
-    const bool shadowed = q.x * q.x + q.y * q.y < r * r;
-    if (shadowed == (from * from <= q.x * q.x + q.y * q.y)) ++count;
+    const Point q = ExactScene::on_disk(scene.distance(), scene.direction(false));
+    const bool is_lit = !RayOnSphere(q, to_light, scene.centre(), r).enters();
+    if (is_lit != (r * r <= q.x * q.x + q.y * q.y)) ++count;
   }
   return count;
 }
 
-/// How many points of the sphere receive other than max(0, sin zeta + shift) per area.
-long disagreeing_on_sphere(const Rational& shift) {
+/// How many points of the sphere receive other than max(0, sin zeta) per area.
+Rational disagreeing_on_sphere(const Point& to_light) {
   ExactScene scene(9);
   long count = 0;
   for (int i = 0; i < points; ++i) {
     const Direction latitude = scene.direction(true);
-    const Vector<Rational> normal = ExactScene::normal(latitude, scene.direction(false));
-    const Vector<Rational> from_centre = scene.on_sphere(normal) - scene.centre();
-    // p + s e_z is on the sphere again for s = -2 (p - c).e_z: in the way of the light if s > 0.
-    const bool shadowed = Rational(0) < -Rational(2) * from_centre.z;
-    const Rational received = shadowed ? Rational(0) : normal.z;
-    const Rational stated = latitude.sine + shift;
-    if (received != (stated.sign() > 0 ? stated : Rational(0))) ++count;
+    const Point normal = ExactScene::normal(latitude, scene.direction(false));
+    const Point p = scene.on_sphere(normal);
+    const bool shadowed = RayOnSphere(p, to_light, scene.centre(), scene.numbers().radius).enters();
+    const Rational received = shadowed ? Rational(0) : dot(normal, to_light);
+    if (received != (latitude.sine.sign() > 0 ? latitude.sine : Rational(0))) ++count;
   }
   return count;
+}
+
+/// 2 pi r^2 Int sin zeta cos zeta dzeta from the latitude 0 to 90 degrees, where sin zeta > 0; or without the
+/// plane's slope, sin zeta.
+Ball caught(const Ball& radius, bool with_slope) {
+  const auto integrand = [with_slope](const auto& zeta) {
+    const auto ring = cos(zeta);
+    return with_slope ? sin(zeta) * ring : ring;
+  };
+  return Ball(2) * Ball::pi() * radius * radius *
+         ac98::known(integral_on_interval(line_function(integrand), Ball(0), Ball::pi() / Ball(2),
+                                          {.radius = 1e-24}));
 }
 
 }  // namespace
 
 Finding equation_20(const Bench&) {
+  const BallPrecision precision(160);
   Finding finding;
-  const Rational r = SphereOverDiskScene{}.radius;
+  finding.require("scenes and points at which an identity of the ray's equation fails", IsExactly{0},
+                  failing_identities());
   finding.require("points of the disk that are lit, or not, against (20)", IsExactly{0},
-                  Rational(disagreeing_on_disk(r)));
-  finding.control("the same with a shadow of radius 6", IsExactly{0}, Rational(disagreeing_on_disk(6)));
+                  disagreeing_on_disk(upwards()));
+  finding.control("the same, light along (3/5, 0, 4/5)", IsExactly{0}, disagreeing_on_disk(aslant()));
   finding.require("points of the sphere that receive other than max(0, sin zeta)", IsExactly{0},
-                  Rational(disagreeing_on_sphere(0)));
-  finding.control("the same with sin zeta + 1/100", IsExactly{0},
-                  Rational(disagreeing_on_sphere(Rational(1, 100))));
-  // Int_0^1 t dt = 1/2.
-  finding.require("light on the sphere over light missing in the shadow", IsExactly{1},
-                  Rational(2) * r * r * Rational(1, 2) / (r * r));
+                  disagreeing_on_sphere(upwards()));
+  finding.control("the same, light along (3/5, 0, 4/5)", IsExactly{0}, disagreeing_on_sphere(aslant()));
+  const Ball radius(SphereOverDiskScene{}.radius);
+  const AgreesWith shadow{.value = Ball::pi() * radius * radius, .within = 1e-18};
+  finding.require("light on the sphere, against what the shadow lacks, pi r^2", shadow, caught(radius, true));
+  finding.control("the same without the slope of the sphere to the light", shadow, caught(radius, false));
   return finding;
 }
 
