@@ -7,8 +7,8 @@
 //              - q| where the normals agree, at 2000 pairs. No metric: three sites on a line, normals turned
 //              by the angle with the cosine 4/5 from one to the next: 5/4 and 5/4 against 50/7. Infinite
 //              where the angle of the normals is 90 degrees or more and the points differ. "centroids with
-//              the same orientation get more weight than centroids that are closer": not where the angle is
-//              small. Figure 5 in a room of our own, a box: on the wall with the X both distances give the
+//              the same orientation get more weight than centroids that are closer": always, or mostly? Not
+//              where the cosine is at least the quotient of the distances, exactly. Figure 5 in a room of our own, a box: on the wall with the X both distances give the
 //              colour 1/(1+d) of |p - q|; on the five other walls, floor and ceiling among them, the
 //              normal-sensitive one gives 0 and the Euclidean one does not.
 // Not checked  figure 5 itself. Where both points are one and the angle is 90 degrees or more (15) is 0/0.
@@ -142,11 +142,17 @@ Rational not_euclidean(const Vector<Rational>& normal) {
 }  // namespace
 
 Finding equation_15(const Bench&) {
-  const auto always_zero = [](const ExactSite&, const ExactSite&) { return Fraction{0, 1}; };
+  const auto of_one_coordinate = [](const ExactSite& p, const ExactSite& q) {
+    const Rational step = p.point.x - q.point.x;
+    return Fraction{step * step, 1};
+  };
   Finding finding;
   finding.require("pairs of different points of a plane at distance zero, (15) as printed", IsExactly{0},
                   apart_by_nothing(as_printed));
-  finding.control("the same for a distance that is always zero", IsExactly{0}, apart_by_nothing(always_zero));
+  finding.instead("the same, (15) with the points in the numerator", IsExactly{0},
+                  apart_by_nothing(with_points));
+  finding.control("the same, one coordinate of the points in the numerator", IsExactly{0},
+                  apart_by_nothing(of_one_coordinate));
   return finding;
 }
 
@@ -226,13 +232,39 @@ Finding section_5_orientation(const Bench&) {
     }
     return Rational(total);
   };
+  // The same sites: how often r, at a with the cosine c, is not farther than q, or is, other than by 2 c >= a.
+  const auto decided_otherwise = [] {
+    ExactSites random(19);
+    const ExactSite p{{0, 0, 0}, {0, 0, 1}};
+    const ExactSite q{{2, 0, 0}, {0, 0, 1}};
+    long total = 0;
+    for (int k = 0; k < 1000; ++k) {
+      const ExactSite r{{Rational(1 + random.below(15), 8), 0, 0}, random.normal(3)};
+      const Fraction to_q = with_points(p, q);
+      const Fraction to_r = with_points(p, r);
+      const bool as_near = to_r.above * to_q.below <= to_q.above * to_r.below;
+      if (as_near != (r.point.x <= Rational(2) * normal_factor(p, r))) ++total;
+    }
+    return Rational(total);
+  };
   Finding finding;
-  finding.require("nearer sites of another orientation that get as much weight or more, (15), of 1000",
-                  IsExactly{0}, preferred(with_points));
-  finding.control("the same by the Euclidean distance", IsExactly{0},
-                  preferred([](const ExactSite& a, const ExactSite& b) {
-                    return Fraction{squared_length(a.point - b.point), 1};
-                  }));
+  finding.instead("the same sites that get as much weight or more other than where a/2 <= c, (15)",
+                  IsExactly{0}, decided_otherwise());
+  // The sentence fails if a single nearer site gets as much weight, or, for a tendency, if half of them do.
+  const auto fails = [](const Rational& as_near) {
+    const double always = as_near.sign() > 0 ? 1 : 0;
+    const double mostly = Rational(2) * as_near >= Rational(1000) ? 1 : 0;
+    return Approximation::proved((always + mostly) / 2, (always - mostly) / 2);
+  };
+  const Equals no{.value = 0, .slack = 0, .why = "from always to mostly"};
+  const auto euclidean = [](const ExactSite& a, const ExactSite& b) {
+    return Fraction{squared_length(a.point - b.point), 1};
+  };
+  finding.require("whether nearer sites of another orientation get as much weight or more, (15)", no,
+                  fails(preferred(with_points)));
+  finding.remark("nearer sites of another orientation that get as much weight or more, (15), of 1000",
+                 Approximation::exact(preferred(with_points).to_double()));
+  finding.control("the same by the Euclidean distance", no, fails(preferred(euclidean)));
   return finding;
 }
 

@@ -4,17 +4,21 @@
 //
 // Checked      (16), exactly, sites in space with rational points and normals, no two at one point: near a
 //              site 1 - phi_j <= |p,p_j|^2 sum_i 1/|p,p_i|^2, so that phi_j tends to 1 and the others to 0
-//              there; the closed form without a division by zero is the formula elsewhere and is delta_ij at
-//              sites; elements sum to 1. Two sites at one point with normals of cosine 4/5, as on an edge: on
-//              the way to it along one normal phi is 25/41, at any distance. (17): 1 at the centroid; on a
-//              line the sum of the elements there exceeds 1 by more than 1/2. (18), exactly, on a line: as
-//              printed, with the normals in the place of the points, all elements of a plane are one
-//              constant; with the points they are different. Figure 6: four sites on a line in a plane, at 0,
+//              there; the closed form without a division by zero is the formula elsewhere, rejected for 1/r, and is
+//              delta_ij at sites; elements sum to 1. Two sites at one point with normals of cosine 4/5, as on an edge: on
+//              the way to it along one normal phi is 25/41, 1/(1 + c^2), at any distance. (17): 1 at the
+//              centroid; on a line the sum of the elements there exceeds 1 by more than 1/2, that of
+//              Lehtinen's does not. (18), exactly, on a line: as printed, with the normals in the place of
+//              the points, all elements of a plane are one constant; with the points they are different, and
+//              those of the library. Figure 6: four sites on a line in a plane, at 0,
 //              1, 2, 3, values 1, 3, 2, 4, radii 2: the matrix phi_j(p_i) is regular for all three, by its
-//              determinant. With the values as coefficients f interpolates for Shepard's basis alone.
+//              determinant. With the values as coefficients f interpolates for Shepard's basis alone,
+//              and for Lehtinen's where no support reaches the next site; beside the sites not for Shepard's.
 // Not checked  figure 6 itself, nor where its sites and radii are.
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "radcert/meshless/radial_element.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
@@ -44,6 +48,27 @@ Rational not_delta() {
       for (std::size_t i = 0; i < values.size(); ++i)
         if (values[i] != Rational(i == own ? 1 : 0)) ++total;
     }
+  }
+  return total;
+}
+
+/// Elements at points in space that are not psi_i / sum_j psi_j, psi = d^-2, or, to be rejected, d^-4.
+Rational not_the_formula(int exponent) {
+  ExactSites random(164);
+  long total = 0;
+  for (int k = 0; k < 40; ++k) {
+    const Sites sites = random.several_in_space(6);
+    Site<Rational> p = random.in_space();
+    p.point.x += Rational(1, 16);  // at no site
+    std::vector<Rational> raw;
+    for (const Site<Rational>& site : sites)
+      raw.push_back(normal_factor(p, site).sign() == 0 ? Rational(0)
+                                                       : power(squared_site_distance(p, site), -exponent));
+    const std::vector<Rational> stated = normalised(std::move(raw));
+    const std::vector<Rational> values = shepard_elements(sites, p);
+    if (stated.size() != values.size()) ++total;
+    for (std::size_t i = 0; i < std::min(stated.size(), values.size()); ++i)
+      if (values[i] != stated[i]) ++total;
   }
   return total;
 }
@@ -130,20 +155,23 @@ R determinant(const std::array<std::array<R, 4>, 4>& a) {
          a[0][3] * minor3(0, 1, 2);
 }
 
-Matrix4 shepard_matrix() {
+/// phi_j at the sites, or at places beside them.
+Matrix4 shepard_matrix(const Rational& beside = 0) {
   const Sites sites = four_on_a_line();
   Matrix4 a;
   for (std::size_t i = 0; i < four; ++i) {
-    const std::vector<Rational> row = shepard_elements(sites, sites[i]);
+    Site<Rational> p = sites[i];
+    p.point.x += beside;
+    const std::vector<Rational> row = shepard_elements(sites, p);
     for (std::size_t j = 0; j < four; ++j) a[i][j] = row[j];
   }
   return a;
 }
-Matrix4 lehtinen_matrix() {
+Matrix4 lehtinen_matrix(const Rational& alpha = 2) {
   const Sites sites = four_on_a_line();
   Matrix4 a;
   for (std::size_t i = 0; i < four; ++i) {
-    const std::vector<Rational> row = normalised(raw_lehtinen(sites, 2, sites[i]));
+    const std::vector<Rational> row = normalised(raw_lehtinen(sites, alpha, sites[i]));
     for (std::size_t j = 0; j < four; ++j) a[i][j] = row[j];
   }
   return a;
@@ -164,6 +192,11 @@ BallMatrix4 in_balls(const std::array<std::array<R, 4>, 4>& a) {
   return b;
 }
 
+Site<Ball> in_balls(const Site<Rational>& site) {
+  const auto of = [](const Vector<Rational>& v) { return Vector<Ball>{Ball(v.x), Ball(v.y), Ball(v.z)}; };
+  return {of(site.point), of(site.normal)};
+}
+
 /// |f - value| at the sites, largest, with the values as coefficients.
 Ball largest_miss(const BallMatrix4& a) {
   const std::array<long, four> values{1, 3, 2, 4};
@@ -181,6 +214,9 @@ Ball largest_miss(const BallMatrix4& a) {
 Finding equation_16(const Bench&) {
   Finding finding;
   finding.require("elements that are not delta_ij at a site", IsExactly{0}, not_delta());
+  finding.require("elements in space that are not psi_i over the sum of psi_j", IsExactly{0},
+                  not_the_formula(1));
+  finding.control("the same, psi the fourth power of the inverse distance", IsExactly{0}, not_the_formula(2));
   finding.require("points near a site where 1 - phi_j exceeds its bound", IsExactly{0},
                   not_tending_to_one(0));
   finding.control("the same with 1/(1/100 + r^2) for 1/r^2", IsExactly{0},
@@ -195,6 +231,11 @@ Finding equation_16_always(const Bench&) {
   for (const int k : {1, 20, 40})
     finding.require("phi_1 at 2^-" + std::to_string(k) + " from two sites at one point", IsExactly{1},
                     beside_two_at_one_point(Rational(4, 5), Rational(3, 5), power(Rational(1, 2), k)));
+  for (const auto& [cosine, sine] :
+       {std::pair(Rational(4, 5), Rational(3, 5)), {Rational(5, 13), Rational(12, 13)}, {0, 1}})
+    finding.instead(
+        "1 + c^2 times phi_1 at 2^-40, c = " + cosine.to_text(), IsExactly{1},
+        (Rational(1) + cosine * cosine) * beside_two_at_one_point(cosine, sine, power(Rational(1, 2), 40)));
   finding.control("the same, both normals equal", IsExactly{1},
                   beside_two_at_one_point(1, 0, Rational(1, 2)));
   finding.remark(
@@ -214,24 +255,42 @@ Finding equation_17(const Bench&) {
   finding.control("phi_i at the distance alpha/2", one, gaussian_element(Rational(1, 2)));
   finding.require("1 less the sum of the elements at a site, neighbours at the distance alpha", half_less,
                   ac98::proved(Ball(1) - sum));
-  finding.control("the same, normalised", half_less, ac98::proved(Ball(1) - sum / sum));
+  const Sites three{{{-1, 0, 0}, {0, 0, 1}}, {{0, 0, 0}, {0, 0, 1}}, {{1, 0, 0}, {0, 0, 1}}};
+  Rational of_lehtinen(0);
+  for (const Rational& value : normalised(raw_lehtinen(three, 2, three[1]))) of_lehtinen += value;
+  finding.control("the same, Lehtinen's elements of twice that radius", half_less,
+                  ac98::proved(Ball(1) - Ball(of_lehtinen)));
   return finding;
 }
 
 Finding equation_18(const Bench&) {
-  // K(|p-> - p_i->| / alpha) of sites of a plane less K(|p^ - p_i^| / alpha), at p = p_1.
+  // At p = p_1, radius 2: those of the library against (18) as printed, K(|p-> - p_i->| / alpha) max{0,
+  // p->.p_i->}, |p-> - p_i->| given, and against (18) with the points.
+  constexpr long alpha = 2;
   const Sites sites = four_on_a_line();
-  const auto differing = [&](const Rational& alpha) {
+  const auto of_library = [&](std::size_t i) {
+    return raw_element(lehtinen_basis(), in_balls(sites.front()), in_balls(sites[i]), Ball(alpha));
+  };
+  const auto differing = [&](const std::vector<Rational>& elements) {
     long total = 0;
-    const std::vector<Rational> meant = raw_lehtinen(sites, alpha, sites.front());
-    for (const Rational& value : meant)
-      if (value != spline_bell(Rational(0))) ++total;
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      if (!overlaps(of_library(i), Ball(elements[i]))) ++total;
     return Rational(total);
+  };
+  const auto printed = [&](const Rational& between_normals, const Rational& cosine) {
+    std::vector<Rational> elements(1, spline_bell(Rational(0)));
+    while (elements.size() < sites.size())
+      elements.push_back(spline_bell(Rational(between_normals / Rational(alpha))) * cosine);
+    return elements;
   };
   Finding finding;
   finding.require("elements of four sites of a plane that the print, with normals for points, has otherwise",
-                  IsExactly{0}, differing(2));
-  finding.control("the same, radius 1/2", IsExactly{0}, differing(Rational(1, 2)));
+                  IsExactly{0}, differing(printed(0, 1)));
+  finding.instead("elements of four sites of a plane that (18) with the points has otherwise", IsExactly{0},
+                  differing(raw_lehtinen(sites, alpha, sites.front())));
+  // Half of the angle has the sine 3/5.
+  finding.control("elements of the plane that the print has otherwise, the other normals turned",
+                  IsExactly{0}, differing(printed(Rational(6, 5), Rational(7, 25))));
   return finding;
 }
 
@@ -261,7 +320,10 @@ Finding figure_6_values(const Bench&) {
   finding.require("largest miss at a site, Lehtinen", seen,
                   ac98::proved(largest_miss(in_balls(lehtinen_matrix()))));
   finding.require("largest miss at a site, Gauss", seen, ac98::proved(largest_miss(gaussian_matrix())));
-  finding.control("largest miss of f = 0", seen, ac98::proved(largest_miss({})));
+  finding.instead("largest miss at a site, Lehtinen, radii 1/2", seen,
+                  ac98::proved(largest_miss(in_balls(lehtinen_matrix(Rational(1, 2))))));
+  finding.control("largest miss beside the sites by 1/4, Shepard", seen,
+                  ac98::proved(largest_miss(in_balls(shepard_matrix(Rational(1, 4))))));
   return finding;
 }
 

@@ -148,6 +148,10 @@ Finding section_8_angle(const Bench&) {
                   Rational(count_over_pairs(11, [](const ExactScene& scene, const Pair& pair) {
                     return is_hidden(scene, pair) && dot(-pair.to_disk, pair.normal).sign() >= 0;
                   })));
+  finding.instead("hidden pairs whose angle between n and p -> q is not obtuse", IsExactly{0},
+                  Rational(count_over_pairs(11, [](const ExactScene& scene, const Pair& pair) {
+                    return is_hidden(scene, pair) && dot(pair.to_disk, pair.normal).sign() >= 0;
+                  })));
   finding.control("pairs that see each other whose angle between n and p -> q is not obtuse", IsExactly{0},
                   Rational(count_over_pairs(11, [](const ExactScene& scene, const Pair& pair) {
                     return !is_hidden(scene, pair) && dot(pair.to_disk, pair.normal).sign() >= 0;

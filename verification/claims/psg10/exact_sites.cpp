@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "radcert/meshless/radial_element.h"
+
 namespace radcert::verification::psg10 {
 
 std::vector<Site<Rational>> ExactSites::several_in_space(std::size_t count) {
@@ -52,19 +54,18 @@ std::vector<Rational> normalised(std::vector<Rational> raw) {
 }
 
 std::vector<Rational> shepard_elements(std::span<const Site<Rational>> sites, const Site<Rational>& p) {
-  std::vector<Rational> raw;
-  for (const Site<Rational>& site : sites) {
-    const Vector<Rational> step = p.point - site.point;
-    const Rational factor = normal_factor(p, site);
-    const Rational square = dot(step, step);
-    if (square.sign() == 0 && factor.sign() > 0) {
-      std::vector<Rational> at_site(sites.size(), Rational(0));
-      at_site[raw.size()] = 1;
-      return at_site;
-    }
-    raw.push_back(factor.sign() == 0 ? Rational(0) : factor * factor / square);
+  std::vector<std::size_t> near;
+  std::vector<Rational> squares;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (normal_factor(p, sites[i]).sign() == 0) continue;
+    near.push_back(i);
+    squares.push_back(squared_site_distance(p, sites[i]));
   }
-  return normalised(std::move(raw));
+  if (near.empty()) return {};
+  const std::vector<Rational> of_near = shepard_values<Rational>(squares);
+  std::vector<Rational> values(sites.size(), Rational(0));
+  for (std::size_t k = 0; k < near.size(); ++k) values[near[k]] = of_near[k];
+  return values;
 }
 
 }  // namespace radcert::verification::psg10

@@ -57,9 +57,9 @@ private:
 /// (11). Empty where the sum is zero.
 [[nodiscard]] std::vector<Rational> normalised(std::vector<Rational> raw);
 
-/// (16), by its limit where a distance is zero. Empty where every distance is infinite.
-/// Maths     psi_i = (max{0, p->.p_i->})^2 / |p^ - p_i^|^2; at a centroid, where one psi is infinite, phi is
-///           1 for it and 0 for others
+/// (16) in a form that divides by no distance. Empty where every distance is infinite.
+/// Maths     phi_i = prod_{j != i} d_j^2 / sum_k prod_{j != k} d_j^2 over the sites at a finite distance, 0
+///           for others, d_j = |p^ - p_j^| / max{0, p->.p_j->}: (16) times the product of all d_j^2
 /// Source    [psg10, (15), (16)]
 /// Requires  no two sites of `sites` at p within 90 degrees of its normal
 /// Result    exact

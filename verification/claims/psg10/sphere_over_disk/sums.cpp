@@ -81,6 +81,8 @@ SumSolution sum_solution(const SphereOverDiskScene& scene, const SumReading& rea
         from_disk *= turn * numbers.disk_radius / reading.rings * out.distances[j];
         from_sphere *=
             turn * pi / reading.parallels * numbers.radius * numbers.radius * std::cos(out.latitudes[i]);
+      } else if (reading.weights == SumWeights::with_the_radii) {
+        from_disk *= out.distances[j];
       }
       to_sphere[i * n + j] = from_disk;
       to_disk[j * m + i] = from_sphere;

@@ -18,6 +18,7 @@ enum class SumWeights {
   /// That of (22)-(23): R/n u_j 2 pi/k from the disk, pi/m r^2 cos zeta_i 2 pi/k from the sphere
   of_the_sums,
   as_in_the_text,  ///< (25) to the letter: beta and the sum over the azimuths, no other factor
+  with_the_radii,  ///< (25) with the factor u_j in M alone
 };
 
 /// How the paper's sums are read.
