@@ -14,17 +14,18 @@ struct PlanePoint {
 Ball monomial(const PlanePoint& at, int a, int b) { return power(at.x, a) * power(at.y, b); }
 
 // Both halves, or the one triangle.
-std::vector<PlanePoint> places(const Barycentric<Ball>& q, Region region) {
+std::vector<PlanePoint> places(const Barycentric<Ball>& q, Region region, Halves halves) {
   const Ball s = q.x[2];
   const Ball t = q.x[1];
   if (region == Region::triangle) return {{s, t}};
+  if (halves == Halves::mirrored) return {{s, t}, {-s, t}};
   const Ball half = Ball(1) / Ball(2);
   return {{s - half, t - half}, {half - s, half - t}};
 }
 
 }  // namespace
 
-Ball largest_defect(const TriangleBasis<Ball>& basis, Region region, int total_degree) {
+Ball largest_defect(const TriangleBasis<Ball>& basis, Region region, int total_degree, Halves halves) {
   const std::vector<Barycentric<Ball>> nodes = basis.nodes();
   // Phi L g has the degree total_degree + r at most; the rule is exact up to 2 order - 1.
   const TriangleRule<Ball> rule = conical_rule<Ball>((total_degree + basis.degree()) / 2 + 1, Grading::none);
@@ -40,11 +41,11 @@ Ball largest_defect(const TriangleBasis<Ball>& basis, Region region, int total_d
       std::vector<std::vector<Ball>> left_over;
       for (std::size_t p = 0; p < rule.points.size(); ++p) {
         left_over.emplace_back();
-        const std::vector<PlanePoint> here = places(rule.points[p], region);
+        const std::vector<PlanePoint> here = places(rule.points[p], region, halves);
         for (std::size_t half = 0; half < here.size(); ++half) {
           Ball rest = monomial(here[half], of_g - d, d);
           for (std::size_t j = 0; j < nodes.size(); ++j)
-            rest -= monomial(places(nodes[j], region)[half], of_g - d, d) * values[p][j];
+            rest -= monomial(places(nodes[j], region, halves)[half], of_g - d, d) * values[p][j];
           left_over.back().push_back(rest);
         }
       }
@@ -52,7 +53,7 @@ Ball largest_defect(const TriangleBasis<Ball>& basis, Region region, int total_d
       for (int b = 0; b <= of_phi; ++b) {
         Ball sum = 0;
         for (std::size_t p = 0; p < rule.points.size(); ++p) {
-          const std::vector<PlanePoint> here = places(rule.points[p], region);
+          const std::vector<PlanePoint> here = places(rule.points[p], region, halves);
           for (std::size_t half = 0; half < here.size(); ++half)
             sum += rule.weights[p] * monomial(here[half], of_phi - b, b) * left_over[p][half];
         }
