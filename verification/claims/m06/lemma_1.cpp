@@ -115,6 +115,8 @@ Finding lemma_1_b(const Bench&) {
                   minus_kernel({three_halves, 0, 0}, {-1, 0, 0}, {-half, 0, 0}, {-1, 0, 0}));
   finding.require("pairs of a grid of the unit sphere with G < 0", IsExactly{0},
                   negative_pairs_on_the_sphere());
+  finding.instead("-G between floor and ceiling of the unit cube, a convex body", never_negative,
+                  minus_kernel({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, -1}));
   finding.control("-G between floor and ceiling of the unit cube, one of the normals outwards",
                   never_negative, minus_kernel({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}));
   return finding;
