@@ -60,8 +60,11 @@ class Terminal(ProgramTest):
             _, shown = self.at_terminal(*what, columns=columns)
             self.assertEqual([line for line in shown.splitlines() if len(line) > columns], [])
             self.assertRegex(shown, r"(?m)^  ac98/table_4.n48.discretisation_error\n    contradicted +1.035[0-9e±. -]+1.04E-4 ")
-            self.assertEqual({word for word in whole.split() if not re.match(r"^[0-9]+\.[0-9]$", word)},
-                             {word for word in shown.split() if not re.match(r"^[0-9]+\.[0-9]$", word)} | {"recorded"})
+            self.assertEqual(self.words_of(whole), self.words_of(shown) | {"recorded"})
+
+    def words_of(self, text):
+        """The words of a table but for the seconds, which differ, and commas, which stand elsewhere in a narrow one."""
+        return {word.rstrip(",") for word in text.split() if not re.match(r"^[0-9]+\.[0-9]$", word)}
 
     def test_json_stays_json_at_a_terminal(self):
         _, shown = self.at_terminal("schema", "problem", columns=40)

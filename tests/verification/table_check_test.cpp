@@ -164,10 +164,10 @@ TEST(RunVerification, RunsOnAfterACheckThatThrows) {
   ResultStore store = ResultStore::none("a test");
   StoredLevels levels(store, made_up_level);
   const Bench bench{.budget = Budget::quick, .route = {}, .levels = levels, .store = store};
-  Selected own{
-      paper_of("[a]\nsays = \"a\"\nverdict = \"certified\"\n[b]\nsays = \"b\"\nverdict = \"certified\"\n"
-               "[c]\nsays = \"c\"\nverdict = \"unchecked\"\n"),
-      {}};
+  Selected own{paper_of("[a]\nsays = \"a\"\nverdict = \"certified\"\nscope = \"all\"\n[b]\nsays = "
+                        "\"b\"\nverdict = \"certified\"\nscope = \"all\"\n"
+                        "[c]\nsays = \"c\"\nverdict = \"unchecked\"\n"),
+               {}};
   const std::vector<PaperChecks> checks{
       {.key = "own",
        .checks = {{"a", [](const Bench&) -> Finding { throw std::runtime_error("out of luck"); }},
@@ -195,7 +195,7 @@ TEST(RunVerification, RefusesAClaimWithoutACheck) {
   StoredLevels levels(store, made_up_level);
   const Bench bench{.budget = Budget::quick, .route = {}, .levels = levels, .store = store};
   std::vector<Selected> selected;
-  selected.push_back({paper_of("[a]\nsays = \"a\"\nverdict = \"certified\"\n"), {}});
+  selected.push_back({paper_of("[a]\nsays = \"a\"\nverdict = \"certified\"\nscope = \"all\"\n"), {}});
   EXPECT_THROW(static_cast<void>(run_verification(selected, bench, {})), InputError);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "radcert/core/contract.h"
 #include "radcert/core/text.h"
@@ -59,13 +60,14 @@ std::string with_slack(std::string text, double slack, const std::string& why) {
 /// Proved: a ball as midpoint and radius, or why it has failed.
 Evidence line(const std::string& what, const Ball& observed, int digits, std::string allowed,
               Standing standing) {
-  Evidence evidence{.what = what,
-                    .value = observed.to_text(digits),
-                    .radius = std::nullopt,
-                    .allowed = std::move(allowed),
-                    .standing = standing,
-                    .number = observed.to_double(),
-                    .proved = true};
+  Evidence evidence{
+      .what = what,
+      .value = observed.to_text(digits),
+      .radius = std::nullopt,
+      .allowed = std::move(allowed),
+      .standing = standing,
+      .number = observed.is_finite() ? observed.to_double() : std::numeric_limits<double>::quiet_NaN(),
+      .proved = true};
   if (observed.is_finite()) {
     const BallDecimal text = observed.decimal(digits);
     evidence.value = text.midpoint;

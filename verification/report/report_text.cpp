@@ -167,14 +167,28 @@ std::string cells_text(const Row& row, const std::array<std::size_t, 6>& widths,
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
+// The statement with the reach of its verdict, which leaves the column of verdicts.
+Row with_reach_beside_statement(Row row) {
+  if (const std::size_t comma = row[1].find(", "); comma != std::string::npos) {
+    row[0] += ", " + row[1].substr(comma + 2);
+    row[1].resize(comma);
+  }
+  return row;
+}
+
 // A line a row; where that is too wide the statement on a line of its own, and what is known of it below, but
 // for the recorded verdict, which is told apart where it is another.
-std::string rows_text(const std::vector<Row>& rows, std::size_t most_columns) {
+std::string rows_text(std::vector<Row> rows, std::size_t most_columns) {
   std::array<std::size_t, 6> widths{};
   for (const Row& row : rows)
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
   std::size_t needed = between_columns.size() * (widths.size() - 1);
   for (const std::size_t each : widths) needed += each;
+  if (needed > most_columns) {
+    for (Row& row : rows) row = with_reach_beside_statement(std::move(row));
+    widths[1] = 0;
+    for (const Row& row : rows) widths[1] = std::max(widths[1], width(row[1]));
+  }
   constexpr std::array<std::size_t, 6> all{0, 1, 2, 3, 4, 5};
   constexpr std::array<std::size_t, 4> below{1, 3, 4, 5};
   std::string out;
@@ -194,7 +208,7 @@ std::string report_table(const Report& report, std::size_t most_columns) {
     rows.push_back({(claim.as_recorded() ? "  " : "! ") + claim.paper + "/" + claim.label,
                     verdict_text(claim), std::string(name(claim.recorded)), ours_text(claim.ours),
                     claim.printed.value_or(""), seconds_text(claim.seconds)});
-  std::string out = rows_text(rows, most_columns);
+  std::string out = rows_text(std::move(rows), most_columns);
   for (const ClaimReport& claim : report.claims) {
     if (claim.as_recorded()) continue;
     out += "\n! " + claim.paper + "/" + claim.label + ": " + std::string(name(claim.found)) +
