@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "radcert/surface/catalogue/parameters.h"
+#include "radcert/surface/catalogue_parameters.h"
 
 namespace radcert {
 

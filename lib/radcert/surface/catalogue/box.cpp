@@ -3,8 +3,8 @@
 
 #include <array>
 
-#include "radcert/surface/catalogue/parameters.h"
 #include "radcert/surface/catalogue/rectangle.h"
+#include "radcert/surface/catalogue_parameters.h"
 
 namespace radcert {
 

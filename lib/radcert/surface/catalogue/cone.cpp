@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "radcert/surface/catalogue/parameters.h"
+#include "radcert/surface/catalogue_parameters.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {

@@ -2,7 +2,7 @@
 #include "radcert/surface/catalogue/cylinder.h"
 
 #include "radcert/surface/catalogue/cone.h"
-#include "radcert/surface/catalogue/parameters.h"
+#include "radcert/surface/catalogue_parameters.h"
 
 namespace radcert {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/surface/catalogue/parameters.h"
+#include "radcert/surface/catalogue_parameters.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {

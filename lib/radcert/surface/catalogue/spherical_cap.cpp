@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "radcert/surface/catalogue/parameters.h"
+#include "radcert/surface/catalogue_parameters.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {
