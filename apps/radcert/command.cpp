@@ -92,6 +92,12 @@ std::uint64_t Common::memory_limit() const {
   return std::min(available, *limit);
 }
 
+ResultStore Common::store() const {
+  ResultStore store;
+  if (fresh) store.ignore_earlier();
+  return store;
+}
+
 void Subcommand::word(const std::string& name, std::string& value, const std::string& help,
                       const std::string& type) {
   CLI::Option* option = app_->add_option(name, value, help)->required();
@@ -120,6 +126,10 @@ void Subcommand::list(const std::string& name, std::vector<std::string>& values,
 }
 void Subcommand::flag(const std::string& name, bool& value, const std::string& help) {
   app_->add_flag(name, value, help);
+}
+
+void Subcommand::fresh_flag(Common& common) {
+  flag("--fresh", common.fresh, "Compute anew what earlier runs have kept");
 }
 void Subcommand::footer(const std::string& text) { app_->footer(text); }
 void Subcommand::runs(Action action) {

@@ -13,6 +13,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
+#include "radcert/core/result_store.h"
 
 namespace CLI {
 class App;
@@ -27,6 +28,7 @@ struct Common {
   std::string threads{};     ///< --threads, as written
   std::string max_memory{};  ///< --max-memory, as written
   bool quiet = false;        ///< --quiet
+  bool fresh = false;        ///< --fresh, of the commands that keep finished work
 
   [[nodiscard]] bool json_to_stdout() const { return json == "-"; }
   [[nodiscard]] bool json_to_file() const { return !json.empty() && !json_to_stdout(); }
@@ -34,6 +36,8 @@ struct Common {
   [[nodiscard]] std::optional<ThreadLimit> limit_threads() const;
   /// Bytes that may be used: what is there, or --max-memory where that is less.
   [[nodiscard]] std::uint64_t memory_limit() const;
+  /// Where finished work is kept; with --fresh that of this run alone is taken from there.
+  [[nodiscard]] ResultStore store() const;
 };
 
 /// What to do once the whole command line has been understood.
@@ -61,6 +65,8 @@ public:
   void list(const std::string& name, std::vector<std::string>& values, const std::string& help,
             const std::string& type);
   void flag(const std::string& name, bool& value, const std::string& help);
+  /// --fresh, of a command that takes its store from `common`.
+  void fresh_flag(Common& common);
 
   /// What help says below the options.
   void footer(const std::string& text);

@@ -30,6 +30,18 @@ TEST(ResultStore, GivesBackWhatWasPut) {
   EXPECT_EQ(ResultStore(folder / "made/when/needed").get("key"), "");
 }
 
+TEST(ResultStore, CanIgnoreWhatWasPutEarlier) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(ResultStore(folder.path()).put("one", "earlier").has_value());
+  ResultStore store(folder.path());
+  store.ignore_earlier();
+  EXPECT_FALSE(store.get("one").has_value());
+  ASSERT_TRUE(store.put("one", "now").has_value());
+  store.ignore_earlier();
+  EXPECT_EQ(store.get("one"), "now");
+  EXPECT_EQ(ResultStore(folder.path()).get("one"), "now");
+}
+
 TEST(ResultStore, ReadsAFileOfAnotherKeyAsAbsent) {
   const TemporaryFolder folder;
   ResultStore store(folder.path());

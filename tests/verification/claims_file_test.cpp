@@ -65,6 +65,22 @@ TEST(ClaimsFile, RefusesWithLineAndPlace) {
   EXPECT_THAT(refusal("[a]\nslack = [1,\n inf]\n"), HasSubstr("line 3: /a/slack/1: is not finite"));
 }
 
+TEST(ClaimsFile, RefusesADefinitionThatAsserts) {
+  const auto definition = [](const std::string& rest) {
+    return "[a]\nverdict = \"definition\"\nsymbol = \"s\"\n" + rest + "\n";
+  };
+  const std::string plain = definition("says = \"the union of the pieces\"");
+  EXPECT_EQ(read_claims(plain, "claims.toml").size(), 1U);
+  EXPECT_EQ(read_claims(plain + "formula = 'S=\\bigcup S_j'\n", "claims.toml").size(), 1U);
+  for (const char* const says :
+       {"u = 1", "an error of O(h)", "m is one-to-one", "F maps R onto S", "every piece"})
+    EXPECT_THAT(refusal(definition("says = \"" + std::string(says) + "\"")), HasSubstr("asserts something"))
+        << says;
+  for (const char* const formula : {R"(e=O(h^2))", R"(F:R\xrightarrow[\text{onto}]{1-1}S)", R"(h\to 0)"})
+    EXPECT_THAT(refusal(plain + "formula = '" + formula + "'\n"), HasSubstr("/a/formula")) << formula;
+  EXPECT_THAT(refusal(plain + "needs = [\"x\"]\nmet = [\"y\"]\n"), HasSubstr("hypotheses of a definition"));
+}
+
 TEST(ClaimsFile, SaysHowFarAVerdictReaches) {
   const std::string claim = "[a]\nsays = \"a\"\nverdict = \"supported\"\n";
   const auto read = [](const std::string& text) { return read_claims(text, "claims.toml").front(); };

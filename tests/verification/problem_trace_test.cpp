@@ -50,6 +50,32 @@ TEST(RecordedLevels, TakeTheLevelsOfOneProblemTogetherWhicheverAreAskedFor) {
   EXPECT_EQ(levels.problems().size(), 1U);
 }
 
+TEST(RecordedLevels, TakeTheLevelsOfSeveralSolversTogether) {
+  class BySolver final : public LevelSource {
+  public:
+    LevelOutcome level(const Problem& problem, int level) override {
+      LevelOutcome outcome = made_up_level(problem, level);
+      if (problem.solver.name == "verified") outcome.result.verified.emplace();
+      return outcome;
+    }
+  };
+  BySolver source;
+  RecordedLevels levels(source);
+  const Problem direct = flat_problem({0});
+  Problem verified = direct;
+  verified.solver.name = "verified";
+  for (const int level : {0, 1, 2}) static_cast<void>(levels.level(direct, level));
+  for (const int level : {0, 1}) static_cast<void>(levels.level(verified, level));
+  const std::vector<ProblemTrace> traces = levels.problems();
+  ASSERT_EQ(traces.size(), 1U);
+  ASSERT_EQ(traces[0].levels.size(), 3U);
+  EXPECT_TRUE(traces[0].levels[0].verified.has_value());
+  EXPECT_TRUE(traces[0].levels[1].verified.has_value());
+  EXPECT_FALSE(traces[0].levels[2].verified.has_value());
+  EXPECT_EQ(traces[0].problem.solver.name, "direct");
+  EXPECT_EQ(levels.asked().size(), 5U);
+}
+
 TEST(RecordedLevels, DrawTheFinestLevelThatIsClear) {
   CountedLevels source;
   RecordedLevels levels(source);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <regex>
 
 #include "radcert/core/errors.h"
 #include "radcert/formats/json/json_reader.h"
@@ -278,6 +279,25 @@ void read_account(const Place& place, Claim& claim) {
   if (const auto note = place.find("note")) claim.note = text_at(*note, "a text");
 }
 
+// A definition stands for a symbol and asserts nothing that could be checked.
+void require_definition(const Place& place, const Claim& claim) {
+  if (claim.symbol.empty())
+    static_cast<void>(place.at("symbol", "the public symbol that stands for the definition"));
+  if (!claim.needs.empty())
+    place.at("needs", "").refuse("are hypotheses of a definition", "a claim with a check");
+  static const std::regex in_words(R"([=<>]|O\(|\b(at most|at least|order|one-to-one|onto|unique|every)\b)");
+  static const std::regex in_tex(R"(O\(|\bonto\b|1-1|\\forall|\\to\s*0)");
+  const auto require_nothing = [&](const char* key, const std::string& text, const std::regex& assertion) {
+    std::smatch found;
+    if (std::regex_search(text, found, assertion))
+      place.at(key, "").refuse(
+          "asserts something, with \"" + found.str() + "\", and is recorded as a definition",
+          "a claim with a check");
+  };
+  require_nothing("says", claim.says, in_words);
+  require_nothing("formula", claim.formula, in_tex);
+}
+
 Claim read_claim(const std::string& label, const Place& place, const TomlDocument& document) {
   if (!is_name(label)) place.refuse("is no label", "a name of a-z, 0-9 and _");
   if (!is_table(place)) place.refuse("is " + place.value().kind(), "a table, [" + label + "]");
@@ -313,9 +333,8 @@ Claim read_claim(const std::string& label, const Place& place, const TomlDocumen
   read_account(place, claim);
   read_scope(place, claim);
   if (const auto symbol = place.find("symbol")) claim.symbol = text_at(*symbol, "a public symbol");
-  const bool defines = claim.verdict && claim.verdict->at(Budget::quick) == Verdict::definition;
-  if (defines && claim.symbol.empty())
-    static_cast<void>(place.at("symbol", "the public symbol that stands for the definition"));
+  if (claim.verdict && claim.verdict->at(Budget::quick) == Verdict::definition)
+    require_definition(place, claim);
   return claim;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "radcert/scalar/approximation.h"
@@ -121,6 +122,16 @@ public:
   [[nodiscard]] static Finding of_data() {
     Finding finding;
     finding.of_data_ = true;
+    return finding;
+  }
+
+  /// What an earlier check of code has found, as its parts say.
+  [[nodiscard]] static Finding restored(std::vector<Evidence> evidence, std::vector<std::string> remarks,
+                                        const std::optional<Approximation>& figure) {
+    Finding finding;
+    finding.evidence_ = std::move(evidence);
+    finding.remarks_ = std::move(remarks);
+    finding.figure_ = figure;
     return finding;
   }
 

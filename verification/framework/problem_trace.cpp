@@ -51,12 +51,17 @@ std::string problem_title(const Problem& problem) {
 
 LevelOutcome RecordedLevels::level(const Problem& problem, int level) {
   LevelOutcome outcome = source_->level(problem, level);
+  asked_.push_back({.problem = problem, .level = level});
   const std::size_t index = index_of(problem);
   if (std::find(used_.begin(), used_.end(), index) == used_.end()) used_.push_back(index);
   ProblemTrace& trace = problems_[index];
   const auto place = std::lower_bound(trace.levels.begin(), trace.levels.end(), level,
                                       [](const LevelResult& a, int b) { return a.level < b; });
-  if (place != trace.levels.end() && place->level == level) return outcome;
+  if (place == trace.levels.end()) trace.problem.solver = problem.solver;
+  if (place != trace.levels.end() && place->level == level) {
+    if (outcome.result.verified && !place->verified) *place = outcome.result;
+    return outcome;
+  }
   trace.levels.insert(place, outcome.result);
   draw(trace, outcome);
   return outcome;
@@ -73,16 +78,17 @@ std::vector<ProblemTrace> RecordedLevels::problems() const {
   return finished;
 }
 
-// A problem is the same whichever of its levels are asked for.
-std::size_t RecordedLevels::index_of(Problem problem) {
-  problem.triangulation.levels = {0};
-  std::string text = problem_text(problem);
+// A problem is the same whichever of its levels are asked for, and by whichever solver.
+std::size_t RecordedLevels::index_of(const Problem& problem) {
+  Problem same = problem;
+  same.triangulation.levels = {0};
+  same.solver = {};
+  std::string text = problem_text(same);
   const auto known = std::find_if(problems_.begin(), problems_.end(),
                                   [&](const ProblemTrace& trace) { return trace.text == text; });
   if (known != problems_.end()) return static_cast<std::size_t>(known - problems_.begin());
-  std::string name = problem_title(problem);
-  problems_.push_back({.problem = std::move(problem),
-                       .name = std::move(name),
+  problems_.push_back({.problem = problem,
+                       .name = problem_title(problem),
                        .text = std::move(text),
                        .levels = {},
                        .orders = {},

@@ -11,6 +11,7 @@
 #include "radcert/formats/problem/problem_json.h"
 #include "verification/framework/check.h"
 #include "verification/framework/enclosure_check.h"
+#include "verification/framework/stored_finding.h"
 #include "verification/framework/table_check.h"
 
 namespace radcert::verification {
@@ -64,7 +65,7 @@ void check_files(const Selected& selected) {
   }
 }
 
-ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& bench,
+ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& bench, RecordedLevels& levels,
                         const PaperChecks* checks) {
   ClaimReport report{.paper = paper.key,
                      .label = claim.label,
@@ -98,7 +99,7 @@ ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& ben
                           .problem = "has no check of that name in the program",
                           .allowed = "check = \"table\", \"order\" or \"enclosure\", or the label of a check "
                                      "that is compiled in"});
-      finding = (*check)(bench);
+      finding = stored_finding(*check, paper.key + "/" + claim.label, bench, levels);
     }
     report.found = finding.verdict();
     report.evidence = finding.evidence();
@@ -179,7 +180,7 @@ Report run_verification(std::span<const Selected> selected, const Bench& given,
         for (ClaimReport& cell : cells) add(std::move(cell), claim);
       } else if (each.wants(claim.label)) {
         starting(claim.label);
-        add(check_claim(each.paper, claim, bench, of_paper), claim);
+        add(check_claim(each.paper, claim, bench, levels, of_paper), claim);
       }
     }
   }

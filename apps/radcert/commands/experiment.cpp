@@ -136,7 +136,7 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   std::vector<Problem> problems;
   for (const Combination& combination : experiment.combinations) problems.push_back(combination.problem);
   say(mended_text(problems));
-  ResultStore store;
+  ResultStore store = common.store();
   StoredLevels levels(store, solve_with(reference::applied_operator, memory));
   const Finished finished = solve_all(experiment, options.experiment, levels, common.quiet);
   const std::size_t asked = level_count(experiment);
@@ -174,6 +174,7 @@ void add_experiment(Program& program) {
       "Write to DIR: experiment.json, experiment.html, errors.csv, timing.csv, plots (SVG), table.tex, "
       "plot.tex, cite.bib, provenance.json",
       "DIR");
+  command.fresh_flag(program.common());
   command.footer(
       "Every combination of the lists of `vary` with `base` is a problem, as radcert solve takes it.\n"
       "Finished levels are kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted experiment goes "

@@ -264,7 +264,7 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
                       .matrix = {},
                       .warnings = {},
                       .comparison = std::nullopt};
-  ResultStore store;
+  ResultStore store = common.store();
   try {
     report.matrix = computed(common, scene, units, demand, named.identity, store);
   } catch (const Interrupted&) {
@@ -325,6 +325,7 @@ void add_factors(Program& program) {
   command.option("--compare", options->compare,
                  "Hold the factors against those of a file: columns from,to,factor, or View3D's output",
                  "OTHER.csv");
+  command.fresh_flag(program.common());
   command.footer(
       "A factor is what part of the light that leaves `from`, everywhere alike, arrives at `to`. Exact zeros "
       "are left out.\n"

@@ -116,7 +116,7 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   const Problem problem = read_problem(options.problem);
   with_source(options.problem, [&] { check(problem, memory); });
 
-  ResultStore store;
+  ResultStore store = common.store();
   StoredLevels levels(store, solve_with(reference::applied_operator, memory));
   const std::vector<LevelOutcome> finished =
       with_source(options.problem, [&] { return solve_levels(problem, levels, common.quiet); });
@@ -165,6 +165,7 @@ void add_solve(Program& program) {
       "Write to DIR: solution.json, .vtu and .ply, errors.csv, nodes.csv; table.tex, plot.tex and plots "
       "(SVG) of the errors, cite.bib, provenance.json",
       "DIR");
+  command.fresh_flag(program.common());
   command.footer(
       std::string("In a problem, `emission` is E, the power emitted per area, not the material constant 1 - "
                   "rho; with "

@@ -91,7 +91,7 @@ ExitCode verify(const Common& common, const VerifyOptions& options) {
   outputs.folder("--out", options.out);
   const auto limit = common.limit_threads();
 
-  ResultStore store;
+  ResultStore store = common.store();
   verification::Report report;
   try {
     report = run(common, options, budget, store);
@@ -127,6 +127,7 @@ void add_verify(Program& program) {
       "Write to DIR: report.html, report.json, report.md; errors.csv, table.tex, plot.tex, plots (SVG), "
       "cite.bib, provenance.json",
       "DIR");
+  command.fresh_flag(program.common());
   command.footer(
       "Finished work is kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted run goes on there.");
   command.runs([&common = program.common(), options] { return verify(common, *options); });

@@ -77,7 +77,12 @@ ResultStore ResultStore::none(std::string reason) {
 }
 
 ResultStore::ResultStore(ResultStore&& other) noexcept
-    : folder_(std::move(other.folder_)), off_(std::move(other.off_)) {}
+    : folder_(std::move(other.folder_)), off_(std::move(other.off_)), own_(std::move(other.own_)) {}
+
+void ResultStore::ignore_earlier() {
+  const std::scoped_lock lock(mutex_);
+  if (!own_) own_.emplace();
+}
 
 std::filesystem::path ResultStore::file(std::string_view key) const {
   return folder_ / (sha256(key) + ".radcert");
@@ -87,6 +92,10 @@ std::optional<std::string> ResultStore::get(std::string_view key) const {
   if (folder_.empty()) return std::nullopt;
   try {
     const std::filesystem::path path = file(key);
+    {
+      const std::scoped_lock lock(mutex_);
+      if (own_ && !own_->contains(path)) return std::nullopt;
+    }
     if (!std::filesystem::is_regular_file(path)) return std::nullopt;
     return content_of(read_file(path, largest_record), key);
   } catch (const InputError&) {
@@ -108,7 +117,10 @@ Outcome<void> ResultStore::put(std::string_view key, std::string_view content) {
   std::string reason;
   try {
     std::filesystem::create_directories(folder_);
-    write_atomically(file(key), text);
+    const std::filesystem::path path = file(key);
+    write_atomically(path, text);
+    const std::scoped_lock lock(mutex_);
+    if (own_) own_->insert(path);
     return {};
   } catch (const EnvironmentError& error) {
     reason = error.what();

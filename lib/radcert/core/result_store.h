@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,9 @@ public:
   /// A store that keeps nothing.
   [[nodiscard]] static ResultStore none(std::string reason);
 
+  /// From now on get() gives only what this object has put().
+  void ignore_earlier();
+
   ResultStore(ResultStore&& other) noexcept;
   ResultStore& operator=(ResultStore&&) = delete;
 
@@ -45,6 +49,8 @@ private:
   std::filesystem::path folder_;
   mutable std::mutex mutex_;
   std::optional<std::string> off_;
+  std::optional<std::set<std::filesystem::path>>
+      own_;  ///< the files of put(), where earlier ones are ignored
 };
 
 /// $RADCERT_STORE, else $XDG_CACHE_HOME/radcert, else $HOME/.cache/radcert; no value where none of the three
