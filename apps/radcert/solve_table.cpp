@@ -84,7 +84,8 @@ std::string means_table(const Result& result) {
     for (const auto& [piece, mean] : result.levels.front().piece_means) rows.front().push_back(piece);
   rows.front().emplace_back("+-");
   const bool known = std::all_of(result.levels.begin(), result.levels.end(), [](const LevelResult& level) {
-    return level.means_radius && std::isfinite(*level.means_radius);
+    return std::all_of(level.piece_means.begin(), level.piece_means.end(),
+                       [](const auto& mean) { return mean.second.has_radius(); });
   });
   for (const LevelResult& level : result.levels) {
     std::vector<std::string> row = {std::to_string(level.level)};
@@ -92,10 +93,10 @@ std::string means_table(const Result& result) {
     Rational largest = -1;
     for (const auto& [piece, mean] : level.piece_means) {
       if (!known) {
-        row.push_back(nearest_text(mean, DecimalForm::general(8)));
+        row.push_back(nearest_text(mean.value, DecimalForm::general(8)));
         continue;
       }
-      const EnclosingText text = enclosing_text(mean, *level.means_radius, DecimalForm::general(8));
+      const EnclosingText text = enclosing_text(mean.value, mean.radius, DecimalForm::general(8));
       row.push_back(text.value);
       const Rational shown = Rational::parse(text.radius).value();
       if (largest < shown) {
@@ -160,7 +161,7 @@ std::string guarantee_text(const Result& result) {
       "Guaranteed: at every level the collocation equations have one solution, and u_n at the nodes is known "
       "within\n  ";
   for (std::size_t i = 0; i < result.levels.size(); ++i)
-    out += (i == 0 ? "" : ", ") + upper_text(result.levels[i].verified->solution_radius) + " (level " +
+    out += (i == 0 ? "" : ", ") + upper_text(result.levels[i].solution_radius.value()) + " (level " +
            std::to_string(result.levels[i].level) + ")";
   out += ".\n";
   if (result.problem.solution)

@@ -107,13 +107,12 @@ Judgement judge(const Known& x) {
   const std::vector<SurfacePoint<Rational>> nodes =
       exact_collocation_nodes(triangulation, functions_of(problem));
   if (nodes.size() != level->nodes.size()) return Judgement::violated("other nodes");
-  if (!result.means_radius) return Judgement::violated("no radius of the means");
   std::size_t values = 0;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const std::string& piece = surface.charts[nodes[i].chart].facts().piece;
     if (piece != level->nodes[i].piece) return Judgement::violated("other pieces");
     const Ball truth = value_at(u.on(piece), plane_chart(surface, nodes[i].chart), nodes[i].at);
-    const double off = distance(level->nodes[i].u_n, truth);
+    const double off = distance(level->nodes[i].u_n.value, truth);
     if (!(off <= *result.solution_radius))
       return Judgement::violated(
           off_text("u_n at node " + std::to_string(i) + " on " + piece, off, *result.solution_radius));
@@ -121,9 +120,9 @@ Judgement judge(const Known& x) {
   }
   const std::map<std::string, Ball> means = true_means(surface, triangulation, u);
   for (const auto& [piece, mean] : result.piece_means) {
-    const double off = distance(mean, means.at(piece));
-    if (!(off <= *result.means_radius))
-      return Judgement::violated(off_text("mean over " + piece, off, *result.means_radius));
+    const double off = distance(mean.value, means.at(piece));
+    if (!mean.has_radius()) return Judgement::violated("no radius of the mean over " + piece);
+    if (!(off <= mean.radius)) return Judgement::violated(off_text("mean over " + piece, off, mean.radius));
     ++values;
   }
   for (const auto& [name, figure] :

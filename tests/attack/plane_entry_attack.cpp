@@ -232,10 +232,10 @@ Judgement judge_solution(const Pair& pair) {
   for (std::size_t i = 0; i < 2; ++i) {
     const auto e = [&](std::size_t j) { return Ball(Rational::parse(shortest(pair.emission[j])).value()); };
     const Ball truth = (e(i) + k[i] * e(1 - i)) / (1 - k[0] * k[1]);
-    const Ball value = widened(Ball(nodes[i].u_n), Ball(nodes[i].radius.value()));
+    const Ball value = widened(Ball(nodes[i].u_n.value), Ball(nodes[i].u_n.radius));
     if (overlaps(value, truth)) continue;
-    return Judgement::violated("node " + std::to_string(i) + ": " + shortest(nodes[i].u_n) + " +- " +
-                               shortest(nodes[i].radius.value()) + ", the judge has " + truth.to_text(25));
+    return Judgement::violated("node " + std::to_string(i) + ": " + shortest(nodes[i].u_n.value) + " +- " +
+                               shortest(nodes[i].u_n.radius) + ", the judge has " + truth.to_text(25));
   }
   return Judgement::held();
 }

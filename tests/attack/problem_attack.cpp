@@ -37,11 +37,11 @@ Judgement judge_by_proof(const ProblemInstance& x) {
   if (!truth) return Judgement::refused();
   std::size_t values = 0;
   for (std::size_t i = 0; i < level->nodes.size(); ++i) {
-    const double off = std::abs(level->nodes[i].u_n - truth->nodes[i].u_n);
-    if (!(off <= *level->result.solution_radius + *truth->nodes[i].radius))
+    const double off = std::abs(level->nodes[i].u_n.value - truth->nodes[i].u_n.value);
+    if (!(off <= *level->result.solution_radius + truth->nodes[i].u_n.radius))
       return Judgement::violated(
           off_text("u_n at node " + std::to_string(i), off, *level->result.solution_radius) +
-          ", proved radius " + shortest(*truth->nodes[i].radius));
+          ", proved radius " + shortest(truth->nodes[i].u_n.radius));
     ++values;
   }
   for (const auto& [name, figure, exact] :

@@ -77,7 +77,7 @@ Judgement judge_level(const ProblemInstance& x, const Problem& problem, const Le
   const std::vector<SurfacePoint<Rational>> nodes =
       exact_collocation_nodes(triangulation, functions_of(problem));
   std::vector<double> u_n;
-  for (const NodeValue& node : level.nodes) u_n.push_back(node.u_n);
+  for (const NodeValue& node : level.nodes) u_n.push_back(node.u_n.value);
 
   InterpolatedSurface integrals{.surface = surface, .triangulation = triangulation};
   if (x.interpolated > 0) integrals = interpolate(surface, triangulation, x.interpolated);

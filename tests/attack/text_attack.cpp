@@ -266,14 +266,15 @@ Result some_result(Draw& draw) {
     level.norm_K = {.value = norm, .radius = std::numeric_limits<double>::infinity(), .guaranteed = false};
     if (draw.below(2) == 0)
       level.norm_K = {.value = norm, .radius = radius_like(draw, norm), .guaranteed = true};
-    level.piece_means = {{"a piece", value_like(draw)}};
+    level.piece_means = {{"a piece", Approximation::without_radius(value_like(draw))}};
     if (verified) {
       for (auto* figure : {&level.discretisation_error, &level.node_error})
         if (*figure) {
           (*figure)->guaranteed = true;
           if (!(*figure)->radius) (*figure)->radius = size(draw);
         }
-      level.verified = VerifiedReport{.theta = draw.unit(), .solution_radius = size(draw)};
+      level.verified = VerifiedReport{.theta = draw.unit()};
+      level.solution_radius = size(draw);
     }
     if (iterated)
       level.iteration = IterationReport{

@@ -28,22 +28,21 @@ inline LevelOutcome sample_level() {
   level.result.discretisation_error = Approximation{.value = 1.0 / 3, .radius = 5e-324, .guaranteed = false};
   level.result.node_error = Approximation{
       .value = 0x1.fffffffffffffp-1, .radius = std::numeric_limits<double>::infinity(), .guaranteed = true};
-  level.result.piece_means = {{"upper", 0.30000000000000004}, {"lower", -1e300}};
+  level.result.piece_means = {{"upper", Approximation::estimated(0.30000000000000004, 1.0 / 7)},
+                              {"lower", Approximation::without_radius(-1e300)}};
   level.result.solution_radius = 1.0 / 7;
-  level.result.means_radius = std::nullopt;
   level.result.norm_K = {.value = 0.7, .radius = 0x1p-55, .guaranteed = true};
   level.result.planned_bytes = 0xffffffffffffffffU;
   level.result.iteration = {
       .iterations = 0xffffffffffffffffU, .contraction = 0.1 + 0.2, .error_bound = 5e-324};
-  level.result.verified = {.theta = 0.1 + 0.7, .solution_radius = 5e-324};
+  level.result.verified = {.theta = 0.1 + 0.7};
   level.timing = {.assembly_seconds = 0.1, .operator_seconds = 0.2, .solve_seconds = 0.30000000000000004};
   level.nodes = {{.piece = "upper",
                   .element = 1,
                   .index_in_element = 2,
                   .point = {0.1, -0.0, 3},
                   .normal = {0, 0, 1},
-                  .u_n = 1.0 / 7,
-                  .radius = 0.1 + 0.2,
+                  .u_n = Approximation::proved(1.0 / 7, 0.1 + 0.2),
                   .emission = 2.0 / 7,
                   .u = 3.0 / 7},
                  {.piece = "lower, \"left\"",
@@ -51,7 +50,7 @@ inline LevelOutcome sample_level() {
                   .index_in_element = 0,
                   .point = {1, 2, 3},
                   .normal = {0, 1, 0},
-                  .u_n = 1e-310,
+                  .u_n = Approximation::without_radius(1e-310),
                   .emission = -5,
                   .u = std::nullopt}};
   level.elements = {{.piece = "upper",

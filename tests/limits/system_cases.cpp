@@ -226,11 +226,11 @@ Case level(const std::string& limit, const Problem& problem, int number_of_level
                 const LevelOutcome outcome = solve_level(problem, number_of_level, no_route);
                 std::vector<Ball> all;
                 const std::optional<Approximation>& error = outcome.result.node_error;
-                const double radius = outcome.result.verified ? outcome.result.verified->solution_radius
+                const double radius = outcome.result.verified        ? outcome.result.solution_radius.value()
                                       : error && error->has_radius() ? error->radius
                                                                      : 0;
                 for (std::size_t i = 0; i < outcome.nodes.size(); i += 5)
-                  all.push_back(number(outcome.nodes[i].u_n, radius + 1e-15));
+                  all.push_back(number(outcome.nodes[i].u_n.value, radius + 1e-15));
                 return numbers(all);
               },
           .truth = [] { return std::vector<Ball>(); },

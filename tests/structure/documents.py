@@ -15,7 +15,7 @@ ANY_WIDTH = {"CHANGELOG.md"}
 # Folders of documents and sources; what is built is not looked at.
 PARTS = ["apps", "lib", "papers", "tests", "verification"]
 # What would send a reader to a page outside the repository.
-ELSEWHERE = re.compile(r"\bdesign: |\bcontract of the command line\b|(?<![\w/])shared/\w")
+ELSEWHERE = re.compile(r"\bdesign: |(?<![\w/])(?:cli|design|style)\.md\b|\bcontract of the command line\b|(?<![\w/])shared/\w")
 
 
 def headings(text):

@@ -89,7 +89,7 @@ TEST(PieceMeans, OfOneAreOneAndNameThePiecesInOrder) {
     ASSERT_EQ(means.size(), surface.piece_names().size());
     for (std::size_t i = 0; i < means.size(); ++i) {
       EXPECT_EQ(means[i].first, surface.piece_names()[i]);
-      EXPECT_NEAR(means[i].second, 1, 1e-14);
+      EXPECT_NEAR(means[i].second.value, 1, 1e-14);
     }
   }
 }
@@ -97,7 +97,7 @@ TEST(PieceMeans, OfOneAreOneAndNameThePiecesInOrder) {
 TEST(PieceMeans, AreTheCentroidsOfTheFacesForACoordinate) {
   const Interpolated u(box(1, 2, 5), 1, 1, 0.1, z);
   for (const auto& [piece, mean] : piece_means(u.function().computed(), nodal_mean_order))
-    EXPECT_NEAR(mean, piece == "floor" ? 0 : piece == "ceiling" ? 5 : 2.5, 1e-14) << piece;
+    EXPECT_NEAR(mean.value, piece == "floor" ? 0 : piece == "ceiling" ? 5 : 2.5, 1e-14) << piece;
 }
 
 TEST(PieceMeans, WeighByAreaAndNotByParameters) {
@@ -106,7 +106,7 @@ TEST(PieceMeans, WeighByAreaAndNotByParameters) {
   octant.charts = {Chart(octant.charts.front())};
   octant.diagonals.resize(1);
   const Interpolated u(octant, 2, 8, 0.05, z);
-  EXPECT_NEAR(piece_means(u.function().computed(), nodal_mean_order)[0].second, 0.5, 1e-9);
+  EXPECT_NEAR(piece_means(u.function().computed(), nodal_mean_order)[0].second.value, 0.5, 1e-9);
 }
 
 }  // namespace

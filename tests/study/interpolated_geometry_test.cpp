@@ -40,7 +40,7 @@ TEST(InterpolatedGeometry, IsTheExactOneWhereTheSurfaceIsPolynomial) {
           solve_level(interpolated(problem, degree, data), 1, reference::applied_operator);
       ASSERT_EQ(other.nodes.size(), exact.nodes.size());
       for (std::size_t i = 0; i < exact.nodes.size(); ++i) {
-        EXPECT_NEAR(other.nodes[i].u_n, exact.nodes[i].u_n, 1e-6) << p << " " << degree;
+        EXPECT_NEAR(other.nodes[i].u_n.value, exact.nodes[i].u_n.value, 1e-6) << p << " " << degree;
         EXPECT_NEAR(norm(other.nodes[i].point - exact.nodes[i].point), 0, 1e-14);
         EXPECT_NEAR(norm(other.nodes[i].normal - exact.nodes[i].normal), 0, 1e-13);
       }
@@ -74,7 +74,7 @@ TEST(InterpolatedGeometry, IsAFurnaceWhereTheInterpolantIsAConvexPolyhedron) {
         const Problem problem =
             with_emission(with_basis(sample_problem("sphere"), degree, Rational(1, 8)), "1/2");
         const LevelOutcome outcome = solve_level(interpolated(problem, 1, data), level, no_route);
-        for (const NodeValue& node : outcome.nodes) EXPECT_NEAR(node.u_n, 1, 1e-12);
+        for (const NodeValue& node : outcome.nodes) EXPECT_NEAR(node.u_n.value, 1, 1e-12);
         EXPECT_NEAR(outcome.result.norm_K.value, 0.5, 1e-12);
         EXPECT_FALSE(outcome.result.norm_K.guaranteed);
       }

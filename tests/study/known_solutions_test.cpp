@@ -56,7 +56,8 @@ std::string title(const Problem& problem, int level) {
 /// max |u_n - u| over the nodes.
 double largest_error(const LevelOutcome& outcome, const std::function<double(const Vector<double>&)>& u) {
   double largest = 0;
-  for (const NodeValue& node : outcome.nodes) largest = std::max(largest, std::abs(node.u_n - u(node.point)));
+  for (const NodeValue& node : outcome.nodes)
+    largest = std::max(largest, std::abs(node.u_n.value - u(node.point)));
   return largest;
 }
 

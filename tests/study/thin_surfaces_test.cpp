@@ -39,11 +39,11 @@ std::optional<LevelOutcome> solved(const Problem& problem, int level = 0) {
 /// Whether u = 1 lies within what a level says of itself.
 void expect_one(const LevelOutcome& level, const std::string& what) {
   const LevelResult& result = level.result;
-  ASSERT_TRUE(result.solution_radius && result.means_radius) << what;
+  ASSERT_TRUE(result.solution_radius.has_value()) << what;
   for (const NodeValue& node : level.nodes)
-    EXPECT_LE(std::abs(node.u_n - 1), *result.solution_radius) << what;
+    EXPECT_LE(std::abs(node.u_n.value - 1), *result.solution_radius) << what;
   for (const auto& [piece, mean] : result.piece_means)
-    EXPECT_LE(std::abs(mean - 1), *result.means_radius) << what << ", " << piece;
+    EXPECT_LE(std::abs(mean.value - 1), mean.radius) << what << ", " << piece;
   if (result.node_error) {
     EXPECT_LE(result.node_error->value, result.node_error->radius) << what;
   }
@@ -214,8 +214,8 @@ TEST(Solutions, AreKnownAsFarAsTheirExpressionIs) {
     const std::optional<LevelOutcome> truth = solved(proved);
     if (!level || !truth || !level->result.solution_radius) continue;
     for (std::size_t i = 0; i < level->nodes.size(); ++i)
-      EXPECT_LE(std::abs(level->nodes[i].u_n - truth->nodes[i].u_n),
-                *level->result.solution_radius + *truth->nodes[i].radius)
+      EXPECT_LE(std::abs(level->nodes[i].u_n.value - truth->nodes[i].u_n.value),
+                *level->result.solution_radius + truth->nodes[i].u_n.radius)
           << u << " " << i;
   }
 }

@@ -294,11 +294,11 @@ TEST(VerifiedLevel, EnclosesTheSolutionInHundredDigitsAndLittleElse) {
     std::vector<Ball> errors;
     for (std::size_t i = 0; i < u_n.size(); ++i) {
       EXPECT_LT(u_n[i].radius(), 1e-100 * (1 + size_of_u_n)) << "the truth has its digits";
-      const double radius = level.nodes[i].radius.value();
-      EXPECT_TRUE(certainly_at_most(abs(u_n[i] - Ball(level.nodes[i].u_n)), Ball(radius)))
-          << what << ", node " << i << ": " << u_n[i].to_text() << " is not in " << level.nodes[i].u_n
+      const double radius = level.nodes[i].u_n.radius;
+      EXPECT_TRUE(certainly_at_most(abs(u_n[i] - Ball(level.nodes[i].u_n.value)), Ball(radius)))
+          << what << ", node " << i << ": " << u_n[i].to_text() << " is not in " << level.nodes[i].u_n.value
           << " +- " << radius;
-      EXPECT_LE(radius, level.result.verified->solution_radius);
+      EXPECT_LE(radius, level.result.solution_radius);
       if (size_of_u_n > 0) widths.push_back(radius / (epsilon * cond * size_of_u_n));
       if (t.has_solution) errors.push_back(truth.u[i] - u_n[i]);
     }
@@ -379,8 +379,8 @@ TEST(VerifiedLevel, HasTheSameBitsForEveryNumberOfThreads) {
     const ThreadLimit limit(threads);
     std::vector<double> numbers;
     for (const NodeValue& node : verified_level(problem, 0).nodes) {
-      numbers.push_back(node.u_n);
-      numbers.push_back(node.radius.value());
+      numbers.push_back(node.u_n.value);
+      numbers.push_back(node.u_n.radius);
     }
     return numbers;
   };
@@ -457,8 +457,8 @@ TEST(VerifiedLevel, HoldsWherePartsHideEachOther) {
     // Int G V = pi in a closed room: u = 1 for E = 1 - rho.
     const LevelOutcome one = verified_level(verified(with_emission(room, "1/2")), 0);
     for (const NodeValue& node : one.nodes) {
-      EXPECT_LE(std::abs(node.u_n - 1), *node.radius);
-      EXPECT_LE(*node.radius, 1e-11);
+      EXPECT_LE(std::abs(node.u_n.value - 1), node.u_n.radius);
+      EXPECT_LE(node.u_n.radius, 1e-11);
     }
     // The other matrix is integrated otherwise: point by point, over parts with rounded corners.
     const Problem lit = with_emission(room, "1 + x*y + z^2");
@@ -466,9 +466,9 @@ TEST(VerifiedLevel, HoldsWherePartsHideEachOther) {
     const LevelOutcome estimated = solve_level(lit, 0, no_route);
     double largest = 0;
     for (std::size_t i = 0; i < proved.nodes.size(); ++i) {
-      EXPECT_LE(std::abs(proved.nodes[i].u_n - estimated.nodes[i].u_n),
-                *proved.nodes[i].radius + estimated.result.solution_radius.value());
-      largest = std::max(largest, std::abs(proved.nodes[i].u_n));
+      EXPECT_LE(std::abs(proved.nodes[i].u_n.value - estimated.nodes[i].u_n.value),
+                proved.nodes[i].u_n.radius + estimated.result.solution_radius.value());
+      largest = std::max(largest, std::abs(proved.nodes[i].u_n.value));
     }
     EXPECT_GT(largest, 2);
   }

@@ -27,7 +27,7 @@ public:
       NodeValue node;
       node.piece = piece;
       node.u = 1;
-      node.u_n = piece == "a" ? 1 + error : 1 - error;
+      node.u_n.value = piece == "a" ? 1 + error : 1 - error;
       outcome.nodes.push_back(node);
     }
     return outcome;

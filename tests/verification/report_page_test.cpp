@@ -53,7 +53,7 @@ TEST(ReportPage, PaintsElementsWithTheErrorAtTheirNodes) {
   NodeValue node;
   node.point = {0.25, 0.25, 0};
   node.normal = {0, 0, 1};
-  node.u_n = 1;
+  node.u_n = Approximation::exact(1);
   node.u = 1.5;
   problem.nodes = {node};
   report.problems = {problem};

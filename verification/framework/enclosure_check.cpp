@@ -108,9 +108,9 @@ Approximation enclosing(const Rational& low, const Rational& high) {
 Approximation extreme_node(const std::vector<NodeValue>& nodes, bool least) {
   std::optional<std::pair<Rational, Rational>> extreme;
   for (const NodeValue& node : nodes) {
-    if (!node.radius || !std::isfinite(node.u_n) || !std::isfinite(*node.radius)) return unknown();
-    const Rational value = Rational::exactly(node.u_n);
-    const Rational radius = Rational::exactly(*node.radius);
+    if (!node.u_n.guaranteed || !std::isfinite(node.u_n.value) || !node.u_n.has_radius()) return unknown();
+    const Rational value = Rational::exactly(node.u_n.value);
+    const Rational radius = Rational::exactly(node.u_n.radius);
     const Rational low = value - radius;
     const Rational high = value + radius;
     if (!extreme) extreme = {low, high};

@@ -69,9 +69,9 @@ JsonValue picture_json(const ProblemTrace& problem) {
   std::map<std::size_t, double> element_error;
   for (const NodeValue& node : problem.nodes) {
     append(nodes, node.point);
-    node_values.push_back(node.u_n);
+    node_values.push_back(node.u_n.value);
     if (!node.u) continue;
-    const double error = std::abs(*node.u - node.u_n);
+    const double error = std::abs(*node.u - node.u_n.value);
     node_errors.push_back(error);
     element_error[node.element] = std::max(element_error[node.element], error);
   }

@@ -32,7 +32,7 @@ Problem room(const std::string& walls) {
 
 double mean_on(const LevelResult& result, const std::string& name) {
   for (const auto& [piece, mean] : result.piece_means)
-    if (piece == name) return mean;
+    if (piece == name) return mean.value;
   return 0;
 }
 

@@ -106,7 +106,7 @@ void require_values(const ComputedFunction& u_n) {
       largest_over_sample(u_n, [](std::size_t, const Barycentric<double>&, double) { return 0.0; }));
 }
 
-std::vector<std::pair<std::string, double>> piece_means(const ComputedFunction& u_n, int order) {
+std::vector<std::pair<std::string, Approximation>> piece_means(const ComputedFunction& u_n, int order) {
   const std::vector<ParameterTriangle>& triangles = u_n.triangulation.triangles;
   const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
   std::vector<AreaAndIntegral> by_element(triangles.size());
@@ -121,10 +121,18 @@ std::vector<std::pair<std::string, double>> piece_means(const ComputedFunction& 
     piece.area += by_element[k].area;
     piece.integral += by_element[k].integral;
   }
-  std::vector<std::pair<std::string, double>> means;
+  std::vector<std::pair<std::string, Approximation>> means;
   for (std::size_t i = 0; i < names.size(); ++i)
-    means.emplace_back(names[i], by_piece[i].integral / by_piece[i].area);
+    means.emplace_back(names[i], Approximation::without_radius(by_piece[i].integral / by_piece[i].area));
   return means;
+}
+
+std::vector<Approximation> with_radius(std::span<const double> values, std::optional<double> radius) {
+  std::vector<Approximation> out;
+  out.reserve(values.size());
+  for (const double value : values)
+    out.push_back(radius ? Approximation::estimated(value, *radius) : Approximation::without_radius(value));
+  return out;
 }
 
 void describe_level(const Problem& problem, const ComputedFunction& u_n, const NodalValues& values,
@@ -139,7 +147,6 @@ void describe_level(const Problem& problem, const ComputedFunction& u_n, const N
                              .point = values.nodes[i].point,
                              .normal = values.nodes[i].normal,
                              .u_n = values.u_n[i],
-                             .radius = value_at(values.radius, i),
                              .emission = values.emission[i],
                              .u = value_at(values.u, i)});
 }

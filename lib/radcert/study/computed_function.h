@@ -40,16 +40,19 @@ void require_values(const ComputedFunction& u_n);
 
 /// The mean of u_n over each piece.
 /// Maths     Int_piece u_n dS / Int_piece dS, by a conical rule of that order on each element
-/// Result    pieces in the order of the surface
-/// Limits    the error is not estimated
-[[nodiscard]] std::vector<std::pair<std::string, double>> piece_means(const ComputedFunction& u_n, int order);
+/// Result    pieces in the order of the surface, without radius
+[[nodiscard]] std::vector<std::pair<std::string, Approximation>> piece_means(const ComputedFunction& u_n,
+                                                                             int order);
+
+/// Numbers with one estimated radius for all of them, or with none.
+[[nodiscard]] std::vector<Approximation> with_radius(std::span<const double> values,
+                                                     std::optional<double> radius);
 
 /// The values of a level at its nodes.
 struct NodalValues {
   std::span<const CollocationPoint<double>> nodes;
   std::size_t nodes_per_element = 1;
-  std::span<const double> u_n;
-  std::span<const double> radius;  ///< of u_n; empty where nothing is proved
+  std::span<const Approximation> u_n;
   std::span<const double> emission;
   std::span<const double> u;  ///< empty without `solution`
 };

@@ -17,7 +17,6 @@ namespace radcert {
 struct VerifiedReport {
   double theta =
       0;  ///< < 1: bounds a norm of I - R (I - K_n) with an approximate inverse R, so that I - K_n is regular
-  double solution_radius = 0;  ///< max over the nodes of the proved radius of u_n
 };
 
 /// One level of a study.
@@ -39,11 +38,10 @@ struct LevelResult {
   std::optional<double> node_ratio;
   std::optional<double> discretisation_order;  ///< log of the ratio over log of the mesh sizes' ratio
   std::optional<double> node_order;
-  std::vector<std::pair<std::string, double>> piece_means;  ///< mean of u_n over each piece
-  /// Bounds, for each node, what quadrature, rounding and the solution of the system may have changed u_n;
-  /// for each mean, the same. Proved for the nodes with `verified`, an estimate else; absent: not known.
+  std::vector<std::pair<std::string, Approximation>> piece_means;  ///< mean of u_n over each piece
+  /// The largest radius of u_n at a node: what quadrature, rounding and the solution of the system may have
+  /// changed. Proved with `verified`, an estimate else; absent: not known.
   std::optional<double> solution_radius = std::nullopt;
-  std::optional<double> means_radius = std::nullopt;
   Approximation norm_K;
   std::optional<IterationReport> iteration;  ///< of `gmres` and `neumann`
   std::optional<VerifiedReport> verified;    ///< of `verified`

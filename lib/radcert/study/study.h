@@ -21,8 +21,7 @@ struct NodeValue {
   std::size_t index_in_element = 0;
   Vector<double> point;
   Vector<double> normal;
-  double u_n = 0;
-  std::optional<double> radius = std::nullopt;  ///< of u_n, proved; with `verified` only
+  Approximation u_n = Approximation::without_radius(0);  ///< guaranteed with `verified`
   double emission = 0;
   std::optional<double> u;  ///< with `solution` only
 };

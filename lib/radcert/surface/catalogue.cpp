@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "radcert/core/contract.h"
 #include "radcert/surface/catalogue_parameters.h"
 
 namespace radcert {
@@ -29,6 +30,14 @@ const SurfaceDescription* find_surface(std::string_view name) {
   for (const SurfaceDescription& surface : surface_catalogue())
     if (surface.name == name) return &surface;
   return nullptr;
+}
+
+Surface SurfaceDescription::make(std::span<const Rational> values) const {
+  Surface surface = build(values);
+  expects(surface.diagonals.size() == surface.charts.size(),
+          "the surface " + name + " has a diagonal for each of its charts",
+          named("charts", surface.charts.size()), named("diagonals", surface.diagonals.size()));
+  return surface;
 }
 
 Surface default_surface(const SurfaceDescription& description) {

@@ -26,8 +26,12 @@ struct SurfaceDescription {
   std::string summary;  ///< one line
   std::vector<ParameterDescription> parameters;
   std::vector<std::string> pieces;
-  std::function<Surface(std::span<const Rational>)> make;  ///< values in the order of `parameters`
+  std::function<Surface(std::span<const Rational>)> build;  ///< values in the order of `parameters`
   bool unoccluded = true;  ///< as of every surface made: what is not needs visibility to be solved on
+
+  /// The surface for values in the order of `parameters`; ContractViolation, with the surface's name, where
+  /// `build` leaves out the diagonal of a chart.
+  [[nodiscard]] Surface make(std::span<const Rational> values) const;
 };
 
 /// The surfaces that radcert knows by name.

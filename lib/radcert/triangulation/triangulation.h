@@ -35,8 +35,7 @@ struct TriangulationOptions {
 /// A triangulation of a surface's parameter domains.
 /// Maths     level 0 cuts each unit square along a diagonal and takes a unit triangle as it is; each level
 ///           divides every triangle into four by the midpoints of its sides (symmetric refinement)
-/// Source    [ac98, section 3.2, before Theorem 3.7]; the diagonals: cli.md, recovered from the printed
-///           tables
+/// Source    [ac98, section 3.2, before Theorem 3.7]; the diagonals: recovered from the printed tables
 /// Requires  0 <= level, grading >= 1; triangle_count(surface, level) fits, else ContractViolation
 /// Result    triangles chart by chart; the four children of a triangle follow each other: those at v_1, v_2,
 ///           v_3, the middle

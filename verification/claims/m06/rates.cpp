@@ -50,7 +50,7 @@ Errors node_errors(const Problem& problem, const std::vector<int>& levels, const
     if (!choice) return error;
     error.value = 0;
     for (const NodeValue& node : level.nodes)
-      if (choice(node)) error.value = std::max(error.value, std::abs(node.u.value() - node.u_n));
+      if (choice(node)) error.value = std::max(error.value, std::abs(node.u.value() - node.u_n.value));
     return error;
   });
 }

@@ -17,13 +17,28 @@ namespace radcert {
 
 namespace {
 
-constexpr std::size_t node_columns = 13;
+constexpr std::size_t node_columns = 14;
 constexpr std::size_t element_columns = 13;
+constexpr std::size_t mean_columns = 4;
 
 void push(JsonValue& row, const Vector<double>& v) {
   row.push(v.x);
   row.push(v.y);
   row.push(v.z);
+}
+
+// An infinite radius is null.
+void push(JsonValue& row, const Approximation& number) {
+  row.push(number.value);
+  row.push(finite_or_null(number.radius));
+  row.push(number.guaranteed);
+}
+
+JsonValue mean_row(const std::pair<std::string, Approximation>& mean) {
+  JsonValue row = JsonValue::array();
+  row.push(mean.first);
+  push(row, mean.second);
+  return row;
 }
 
 JsonValue node_row(const NodeValue& node) {
@@ -33,8 +48,7 @@ JsonValue node_row(const NodeValue& node) {
   row.push(node.index_in_element);
   push(row, node.point);
   push(row, node.normal);
-  row.push(node.u_n);
-  row.push(node.radius);
+  push(row, node.u_n);
   row.push(node.emission);
   row.push(node.u);
   return row;
@@ -67,6 +81,11 @@ public:
     const double y = number();
     return {x, y, number()};
   }
+  Approximation approximation() {
+    const double value = number();
+    const double radius = number_or_null().value_or(std::numeric_limits<double>::infinity());
+    return {.value = value, .radius = radius, .guaranteed = next().boolean("a truth value")};
+  }
 
 private:
   JsonReader next() { return cells_[place_++]; }
@@ -83,8 +102,7 @@ NodeValue read_node(const JsonReader& reader) {
   node.index_in_element = row.index();
   node.point = row.vector();
   node.normal = row.vector();
-  node.u_n = row.number();
-  node.radius = row.number_or_null();
+  node.u_n = row.approximation();
   node.emission = row.number();
   node.u = row.number_or_null();
   return node;
@@ -127,10 +145,15 @@ std::optional<IterationReport> read_iteration(const JsonReader& iteration) {
                          .error_bound = number_at(iteration, "error_bound")};
 }
 
+std::pair<std::string, Approximation> read_mean(const JsonReader& reader) {
+  Row row(reader, mean_columns);
+  std::string piece = row.text();
+  return {std::move(piece), row.approximation()};
+}
+
 std::optional<VerifiedReport> read_verified(const JsonReader& verified) {
   if (verified.value().is_null()) return std::nullopt;
-  return VerifiedReport{.theta = number_at(verified, "theta"),
-                        .solution_radius = number_at(verified, "solution_radius")};
+  return VerifiedReport{.theta = number_at(verified, "theta")};
 }
 
 LevelResult read_level_result(const JsonReader& level) {
@@ -146,14 +169,11 @@ LevelResult read_level_result(const JsonReader& level) {
   out.node_ratio = number_or_null_at(level, "node_ratio");
   out.discretisation_order = number_or_null_at(level, "discretisation_order");
   out.node_order = number_or_null_at(level, "node_order");
-  for (const auto& [piece, mean] : level.at("piece_means", "means by piece").members("an object"))
-    out.piece_means.emplace_back(piece, mean.number("a number"));
   out.norm_K = read_approximation(level.at("norm_K", "a norm"));
   out.planned_bytes = level.at("planned_bytes", "a number").unsigned_whole("a number");
   out.iteration = read_iteration(level.at("iteration", "a report or null"));
   out.verified = read_verified(level.at("verified", "a report or null"));
   out.solution_radius = number_or_null_at(level, "solution_radius");
-  out.means_radius = number_or_null_at(level, "means_radius");
   return out;
 }
 
@@ -164,6 +184,8 @@ LevelOutcome read(const JsonReader& record) {
   out.timing.assembly_seconds = number_at(timing, "assembly_seconds");
   out.timing.operator_seconds = number_at(timing, "operator_seconds");
   out.timing.solve_seconds = number_at(timing, "solve_seconds");
+  for (const JsonReader& row : record.at("means", "rows").elements("rows"))
+    out.result.piece_means.push_back(read_mean(row));
   for (const JsonReader& row : record.at("nodes", "rows").elements("rows"))
     out.nodes.push_back(read_node(row));
   for (const JsonReader& row : record.at("elements", "rows").elements("rows"))
@@ -177,6 +199,7 @@ std::string level_record(const LevelOutcome& level) {
   JsonValue out = JsonValue::object();
   out.set("result", level_json(level.result));
   out.set("timing", timing_json(level.timing));
+  out.set("means", json_array(level.result.piece_means, mean_row));
   out.set("nodes", json_array(level.nodes, node_row));
   out.set("elements", json_array(level.elements, element_row));
   return out.compact();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/formats/result/result_json.h"
 
+#include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -19,9 +21,11 @@ JsonValue iteration_json(const std::optional<IterationReport>& iteration) {
                             {"error_bound", iteration->error_bound}});
 }
 
-JsonValue verified_json(const std::optional<VerifiedReport>& verified) {
+JsonValue verified_json(const std::optional<VerifiedReport>& verified,
+                        const std::optional<double>& solution_radius) {
   if (!verified) return {};
-  return JsonValue::object({{"theta", verified->theta}, {"solution_radius", verified->solution_radius}});
+  return JsonValue::object(
+      {{"theta", verified->theta}, {"solution_radius", finite_or_null(solution_radius)}});
 }
 
 }  // namespace
@@ -58,14 +62,18 @@ JsonValue level_json(const LevelResult& level) {
   out.set("discretisation_order", finite_or_null(level.discretisation_order));
   out.set("node_order", finite_or_null(level.node_order));
   JsonValue means = JsonValue::object();
-  for (const auto& [piece, mean] : level.piece_means) means.set(piece, mean);
+  double means_radius = level.piece_means.empty() ? std::numeric_limits<double>::infinity() : 0;
+  for (const auto& [piece, mean] : level.piece_means) {
+    means.set(piece, mean.value);
+    means_radius = std::max(means_radius, mean.radius);
+  }
   out.set("piece_means", std::move(means));
   out.set("norm_K", approximation_json(level.norm_K));
   out.set("planned_bytes", level.planned_bytes);
   out.set("iteration", iteration_json(level.iteration));
-  out.set("verified", verified_json(level.verified));
+  out.set("verified", verified_json(level.verified, level.solution_radius));
   out.set("solution_radius", finite_or_null(level.solution_radius));
-  out.set("means_radius", finite_or_null(level.means_radius));
+  out.set("means_radius", finite_or_null(means_radius));
   return out;
 }
 

@@ -63,10 +63,11 @@ std::string nodes_csv(std::span<const LevelOutcome> levels) {
   CsvTable table(columns);
   for (const LevelOutcome& level : levels)
     for (const NodeValue& node : level.nodes) {
+      const JsonValue proved_radius = node.u_n.guaranteed ? JsonValue(node.u_n.radius) : JsonValue();
       const std::array<JsonValue, columns.size()> row = {
-          level.result.level, node.piece,   node.element,  node.index_in_element, node.point.x,
-          node.point.y,       node.point.z, node.normal.x, node.normal.y,         node.normal.z,
-          node.u_n,           node.radius,  node.u,        node.emission};
+          level.result.level, node.piece,    node.element,  node.index_in_element, node.point.x,
+          node.point.y,       node.point.z,  node.normal.x, node.normal.y,         node.normal.z,
+          node.u_n.value,     proved_radius, node.u,        node.emission};
       table.add(row);
     }
   return table.text();

@@ -78,7 +78,7 @@ std::string means_latex(const Result& result) {
     std::vector<std::string> row = {std::to_string(level.level), std::to_string(level.elements),
                                     std::to_string(level.unknowns), fixed(level.mesh_size, 4)};
     for (const auto& [piece, mean] : level.piece_means)
-      row.push_back(latex_number(mean, std::nullopt, 2 * error_digits));
+      row.push_back(latex_number(mean.value, std::nullopt, 2 * error_digits));
     table.add(row);
   }
   table.add_rule();

@@ -16,6 +16,7 @@
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/collocation/operator_norm.h"
 #include "radcert/study/collocation/verified_level.h"
+#include "radcert/study/computed_function.h"
 #include "radcert/study/operator_at_nodes.h"
 #include "radcert/study/stopwatch.h"
 #include "radcert/study/study.h"
@@ -82,10 +83,9 @@ public:
     find_weights();
     if (problem_.solution) manufacture_emission(route);
     solve();
-    describe_collocation(
-        problem_, geometry_.data(), basis_,
-        {.u_n = u_n_, .radius = {}, .emission = emission_, .u = u_, .solution_radius = solution_radius_},
-        outcome_);
+    describe_collocation(problem_, geometry_.data(), basis_,
+                         {.u_n = with_radius(u_n_, solution_radius_), .emission = emission_, .u = u_},
+                         outcome_);
     require_finite();
     return std::move(outcome_);
   }
@@ -147,9 +147,9 @@ private:
     const LevelResult& result = outcome_.result;
     if (all_finite(u_n_) && all_finite(emission_) && is_finite(result.discretisation_error) &&
         is_finite(result.node_error) && std::isfinite(result.solution_radius.value_or(0)) &&
-        std::isfinite(result.means_radius.value_or(0)) &&
-        std::all_of(result.piece_means.begin(), result.piece_means.end(),
-                    [](const auto& mean) { return std::isfinite(mean.second); }))
+        std::all_of(result.piece_means.begin(), result.piece_means.end(), [&](const auto& mean) {
+          return std::isfinite(mean.second.value) && (mean.second.has_radius() || !result.solution_radius);
+        }))
       return;
     refuse("u_n or its radius runs over the range of double");
   }

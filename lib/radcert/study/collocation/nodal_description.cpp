@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/study/collocation/nodal_description.h"
 
+#include <algorithm>
+#include <limits>
+#include <vector>
+
 #include "radcert/study/collocation/nodal_function.h"
 #include "radcert/study/computed_function.h"
 
@@ -9,17 +13,25 @@ namespace radcert {
 void describe_collocation(const Problem& problem, const NodedSurface& data,
                           const TriangleBasis<double>& basis, const CollocationValues& values,
                           LevelOutcome& outcome) {
-  const NodalFunction u_n(data.surface, data.triangulation, basis, values.u_n);
+  std::vector<double> at_nodes;
+  double radius = 0;
+  for (const Approximation& value : values.u_n) {
+    at_nodes.push_back(value.value);
+    radius = std::max(radius, value.radius);
+  }
+  const NodalFunction u_n(data.surface, data.triangulation, basis, at_nodes);
   describe_level(problem, u_n.computed(),
                  {.nodes = data.nodes,
                   .nodes_per_element = basis.size(),
                   .u_n = values.u_n,
-                  .radius = values.radius,
                   .emission = values.emission,
                   .u = values.u},
                  nodal_mean_order, outcome);
-  outcome.result.solution_radius = values.solution_radius;
-  if (values.solution_radius) outcome.result.means_radius = means_radius(u_n, *values.solution_radius);
+  if (radius == std::numeric_limits<double>::infinity()) return;
+  outcome.result.solution_radius = radius;
+  const double of_means = radius_of_means(u_n, radius);
+  for (auto& [piece, mean] : outcome.result.piece_means)
+    mean = Approximation::estimated(mean.value, of_means);
 }
 
 }  // namespace radcert

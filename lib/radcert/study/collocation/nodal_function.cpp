@@ -64,7 +64,7 @@ ComputedFunction NodalFunction::computed() const {
           }};
 }
 
-double means_radius(const NodalFunction& u_n, double node_radius) {
+double radius_of_means(const NodalFunction& u_n, double node_radius) {
   const Surface& surface = u_n.surface();
   const std::vector<ParameterTriangle>& triangles = u_n.triangulation().triangles;
   const std::size_t functions = u_n.basis().size();

@@ -48,6 +48,6 @@ inline constexpr int nodal_mean_order = 12;
 /// Requires  node_radius >= 0
 /// Result    the largest over the pieces; an estimate where charts are not plane
 /// Limits    two rules that are wrong in the same way are not seen
-double means_radius(const NodalFunction& u_n, double node_radius);
+double radius_of_means(const NodalFunction& u_n, double node_radius);
 
 }  // namespace radcert

@@ -431,24 +431,14 @@ private:
       outcome_.result.node_error = max_abs(found);
       for (std::size_t i = 0; i < nodes_.size(); ++i) found[i] = enclosing(u_[i] - ball_of(found[i]));
     }
-    double largest = 0;
-    for (const Approximation& number : found) {
-      u_n_.push_back(number.value);
-      radius_.push_back(number.radius);
-      largest = std::max(largest, number.radius);
-    }
-    outcome_.result.verified = {.theta = system->theta(), .solution_radius = largest};
+    u_n_ = std::move(found);
+    outcome_.result.verified = {.theta = system->theta()};
   }
 
   void describe() {
     const std::vector<double> emission = midpoints(emission_);
     const std::vector<double> u = midpoints(u_);
-    describe_collocation(problem_, geometry_.data(), basis_,
-                         {.u_n = u_n_,
-                          .radius = radius_,
-                          .emission = emission,
-                          .u = u,
-                          .solution_radius = outcome_.result.verified->solution_radius},
+    describe_collocation(problem_, geometry_.data(), basis_, {.u_n = u_n_, .emission = emission, .u = u},
                          outcome_);
   }
 
@@ -465,8 +455,7 @@ private:
   std::vector<Ball> u_;
   std::vector<Ball> emission_;
   std::optional<std::vector<Ball>> integrals_;  ///< Int_S G u dS, where it was found with the matrix
-  std::vector<double> u_n_;
-  std::vector<double> radius_;
+  std::vector<Approximation> u_n_;
   LevelOutcome outcome_;
 };
 

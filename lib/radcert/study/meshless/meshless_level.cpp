@@ -248,8 +248,8 @@ private:
         }};
     if (!problem_.solution) require_values(u_n);
     describe_level(problem_, u_n,
-                   {.nodes = nodes_, .u_n = u_n_, .radius = {}, .emission = emission_, .u = u_}, mean_order,
-                   outcome_);
+                   {.nodes = nodes_, .u_n = with_radius(u_n_, std::nullopt), .emission = emission_, .u = u_},
+                   mean_order, outcome_);
   }
 
   const Problem& problem_;

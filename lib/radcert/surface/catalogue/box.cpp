@@ -49,7 +49,7 @@ SurfaceDescription box_entry() {
           .summary = "the boundary of [0,a] x [0,b] x [0,c] [ac98, section 2.2]",
           .parameters = {positive_length("a", "1"), positive_length("b", "2"), positive_length("c", "5")},
           .pieces = {"west", "east", "south", "north", "floor", "ceiling"},
-          .make = [](std::span<const Rational> v) { return box(v[0], v[1], v[2]); }};
+          .build = [](std::span<const Rational> v) { return box(v[0], v[1], v[2]); }};
 }
 
 }  // namespace radcert

@@ -45,7 +45,7 @@ SurfaceDescription cone_entry() {
                          positive_length("top", "1/2", "the radius of the upper end"),
                          positive_length("height", "1")},
           .pieces = {"floor", "ceiling", "mantle"},
-          .make = [](std::span<const Rational> v) { return cone(v[0], v[1], v[2]); }};
+          .build = [](std::span<const Rational> v) { return cone(v[0], v[1], v[2]); }};
 }
 
 }  // namespace radcert

@@ -9,7 +9,7 @@ SurfaceDescription cube_entry() {
           .summary = "the boundary of the unit cube [ac98, section 5]",
           .parameters = {},
           .pieces = {"west", "east", "south", "north", "floor", "ceiling"},
-          .make = [](std::span<const Rational>) { return cube(); }};
+          .build = [](std::span<const Rational>) { return cube(); }};
 }
 
 }  // namespace radcert

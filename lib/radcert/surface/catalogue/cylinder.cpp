@@ -18,7 +18,7 @@ SurfaceDescription cylinder_entry() {
           .summary = "the boundary of a circular cylinder, four charts a piece",
           .parameters = {positive_length("radius", "1"), positive_length("height", "2")},
           .pieces = {"floor", "ceiling", "mantle"},
-          .make = [](std::span<const Rational> v) { return cylinder(v[0], v[1]); }};
+          .build = [](std::span<const Rational> v) { return cylinder(v[0], v[1]); }};
 }
 
 }  // namespace radcert

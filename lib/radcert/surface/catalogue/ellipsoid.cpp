@@ -65,7 +65,7 @@ SurfaceDescription ellipsoid_entry() {
           .summary = "the ellipsoid with half axes a, b, c, eight charts [ac98, section 3]",
           .parameters = {positive_length("a", "1"), positive_length("b", "2"), positive_length("c", "5")},
           .pieces = {"ellipsoid"},
-          .make = [](std::span<const Rational> v) { return ellipsoid(v[0], v[1], v[2]); }};
+          .build = [](std::span<const Rational> v) { return ellipsoid(v[0], v[1], v[2]); }};
 }
 
 }  // namespace radcert

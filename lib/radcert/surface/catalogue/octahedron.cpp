@@ -31,7 +31,7 @@ SurfaceDescription octahedron_entry() {
           .parameters = {},
           .pieces = {"face_ppp", "face_mpp", "face_pmp", "face_mmp", "face_ppm", "face_mpm", "face_pmm",
                      "face_mmm"},
-          .make = [](std::span<const Rational>) { return octahedron(); }};
+          .build = [](std::span<const Rational>) { return octahedron(); }};
 }
 
 }  // namespace radcert

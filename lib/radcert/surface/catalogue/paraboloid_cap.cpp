@@ -34,7 +34,7 @@ SurfaceDescription paraboloid_cap_entry() {
           .summary = "the boundary of 0 <= z <= 1 - x^2 - y^2, four charts a piece",
           .parameters = {},
           .pieces = {"floor", "cap"},
-          .make = [](std::span<const Rational>) { return paraboloid_cap(); }};
+          .build = [](std::span<const Rational>) { return paraboloid_cap(); }};
 }
 
 }  // namespace radcert

@@ -9,7 +9,7 @@ SurfaceDescription sphere_entry() {
           .summary = "the unit sphere, eight charts",
           .parameters = {},
           .pieces = {"sphere"},
-          .make = [](std::span<const Rational>) { return sphere(); }};
+          .build = [](std::span<const Rational>) { return sphere(); }};
 }
 
 }  // namespace radcert

@@ -33,7 +33,7 @@ SurfaceDescription spherical_cap_entry() {
           .summary = "the cap of the unit sphere with a given part of its area, open at its rim, four charts",
           .parameters = {inner_part("fraction", "1/4", "of the sphere's area")},
           .pieces = {"cap"},
-          .make = [](std::span<const Rational> v) { return spherical_cap(v[0]); }};
+          .build = [](std::span<const Rational> v) { return spherical_cap(v[0]); }};
 }
 
 }  // namespace radcert

@@ -32,7 +32,7 @@ SurfaceDescription tetrahedron_entry() {
           .summary = "the boundary of the regular tetrahedron with corners in four of those of [-1,1]^3",
           .parameters = {},
           .pieces = {"face_mmm", "face_mpp", "face_pmp", "face_ppm"},
-          .make = [](std::span<const Rational>) { return tetrahedron(); }};
+          .build = [](std::span<const Rational>) { return tetrahedron(); }};
 }
 
 }  // namespace radcert

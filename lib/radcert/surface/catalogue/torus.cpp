@@ -37,7 +37,7 @@ SurfaceDescription torus_entry() {
       .parameters = {positive_length("radius", "1"),
                      inner_part("ratio", "1/2", "of the tube's radius to the other")},
       .pieces = {"torus"},
-      .make = [](std::span<const Rational> v) { return torus(v[0], v[1]); },
+      .build = [](std::span<const Rational> v) { return torus(v[0], v[1]); },
       .unoccluded = false};
 }
 

@@ -39,7 +39,7 @@ SurfaceDescription two_piece_entry() {
                           .default_text = "2",
                           .admits = [](const Rational& p) { return p >= 1 && p <= largest_power; }}},
           .pieces = {"lower", "upper"},
-          .make = [](std::span<const Rational> v) { return two_piece(v[0]); }};
+          .build = [](std::span<const Rational> v) { return two_piece(v[0]); }};
 }
 
 }  // namespace radcert

@@ -27,7 +27,7 @@ SurfaceDescription two_squares_entry() {
           .summary = "two unit squares at a right angle along an edge [ac98, (20)]",
           .parameters = {},
           .pieces = {"xz", "xy"},
-          .make = [](std::span<const Rational>) { return two_squares(); }};
+          .build = [](std::span<const Rational>) { return two_squares(); }};
 }
 
 }  // namespace radcert

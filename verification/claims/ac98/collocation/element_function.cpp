@@ -18,7 +18,7 @@ ElementFunction::ElementFunction(const Problem& problem, const LevelOutcome& lev
   expects(level.nodes.size() == triangles_.size() * nodes_per_element_, "a value for each node",
           named("nodes", level.nodes.size()));
   for (const NodeValue& node : level.nodes)
-    values_.at(node.element * nodes_per_element_ + node.index_in_element) = node.u_n;
+    values_.at(node.element * nodes_per_element_ + node.index_in_element) = node.u_n.value;
 }
 
 SurfacePoint<double> ElementFunction::node(std::size_t element, std::size_t index) const {

@@ -56,7 +56,7 @@ NodeErrors node_errors(const Bench& bench, const Problem& problem, int level) {
   const std::vector<ParameterTriangle> triangles = triangulate(surface, level).triangles;
   NodeErrors errors;
   for (const NodeValue& node : outcome.nodes) {
-    const double error = std::abs(node.u_n - node.u.value());
+    const double error = std::abs(node.u_n.value - node.u.value());
     Approximation& part =
         at_the_border(surface, triangles.at(node.element)) ? errors.at_seams : errors.inside;
     errors.all.value = std::max(errors.all.value, error);

@@ -93,7 +93,7 @@ Problem constant_problem(const Surface& surface) {
 Approximation furthest_from_one(const LevelOutcome& level) {
   Approximation worst{.value = 0, .radius = 0};
   for (const NodeValue& node : level.nodes)
-    if (std::abs(node.u_n - 1) > std::abs(worst.value)) worst.value = node.u_n - 1;
+    if (std::abs(node.u_n.value - 1) > std::abs(worst.value)) worst.value = node.u_n.value - 1;
   return worst;
 }
 
