@@ -87,12 +87,12 @@ template <Field R>
           named("degree", degree), named("gained", gained));
   std::vector<R> taylor;
   for (int j = 0; j <= gained; ++j)
-    taylor.push_back(from_rational<R>(taylor_factor(degree + j)) * power(reach, degree + 1 + j));
+    taylor.push_back(R(taylor_factor(degree + j)) * power(reach, degree + 1 + j));
   std::vector<R> of_phi;
   Rational sum = 0;
   for (const Rational& c : mean_value_factors(gained - 1)) sum += c;
-  of_phi.push_back(from_rational<R>(sum) * power(side, gained));
-  if (gained == 2) of_phi.push_back(from_rational<R>(mean_slope_factor()) * side);
+  of_phi.push_back(R(sum) * power(side, gained));
+  if (gained == 2) of_phi.push_back(R(mean_slope_factor()) * side);
   of_phi.push_back(R(1));
   for (std::size_t j = 0; j < taylor.size(); ++j) taylor[j] = taylor[j] * of_phi[j];
   return taylor;
