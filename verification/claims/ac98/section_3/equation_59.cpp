@@ -3,12 +3,13 @@
 // An affine map takes the unit square of (55) to every parallelogram and its two triangles to those of the
 // parallelogram, so the degree of precision of (59) is that of (55).
 //
-// Checked      In exact arithmetic, that the rules are exact for degree 3 on all parallelograms, as an identity
-//              of polynomials in their sides; on a square, a rectangle, an oblique and a very thin parallelogram, cut
-//              along either diagonal: the integrals by Green's theorem along the sides, the rules of the
-//              triangles typed in as printed. The degree is 3 and no more on each. Two triangles whose union
-//              is a quadrilateral but no parallelogram are rejected.
-// Not checked  that the degree is no more on other parallelograms: the argument above speaks for them.
+// Checked      In exact arithmetic, that the rules are exact for degree 3 on all parallelograms, as an
+//              identity of polynomials in their sides; on a square, a rectangle, an oblique and a very thin
+//              parallelogram, cut along either diagonal: the integrals by Green's theorem along the sides,
+//              the rules of the triangles typed in as printed. The degree is 3 and no more on each, so by the
+//              affine map on all. Two triangles whose union is a quadrilateral but no parallelogram are
+//              rejected.
+// Not checked  two triangles that share no side.
 
 #include "verification/claims/ac98/surfaces/planar_rule.h"
 #include "verification/framework/check.h"
@@ -47,10 +48,10 @@ std::vector<NamedParallelogram> parallelograms() {
           {"a very thin one", parallelogram({1, 1}, {1000000, 1}, {1000000, 2})}};
 }
 
-// Parallelograms of a grid on which some x^a y^b, a + b <= 3, is not integrated exactly. With a corner at 0 and
-// the sides a and b rule and integral are polynomials of degree 4 at most in each of their coordinates: area
-// times a cubic polynomial. Five values of each prove an identity; moving the corner keeps the space of cubic
-// polynomials.
+// Parallelograms of a grid on which some x^a y^b, a + b <= 3, is not integrated exactly. With a corner at 0
+// and the sides a and b rule and integral are polynomials of degree 4 at most in each of their coordinates:
+// area times a cubic polynomial. Five values of each prove an identity; moving the corner keeps the space of
+// cubic polynomials.
 Rational parallelograms_missed(std::size_t from, const Rational& alpha) {
   constexpr long values = 5;
   constexpr long apart = 10;  // so that none of the grid is turned over

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lemma 3.3 with a constant: phi_0 the mean of phi, phi_1 - phi_0 = g.(distance from the centre), g the mean
-// of grad phi, p_k Taylor polynomials about the centre, where |d_x| + |d_y| <= h. As Int phi_1 L'p_2 = 0 =
-// Int phi_0 L'p_3, Int phi L'f = Int (phi - phi_1) L'(f - p_1) + Int (phi_1 - phi_0) L'(f - p_2) + phi_0 Int
-// L'(f - p_3), and the inequality of Acosta and Duran, used twice, gives ||phi - phi_1||_1 <= 2^(1/2) h^2 Int
-// |D^2 phi|: (65) with c = (10/3) 2^(1/2)/2 < 12/5, for every h. On any parallelogram of two triangles of
-// diameter h, whose own diameter is at most 2h, c = (10/3) 2 2^(1/2) < 19/2: no shape enters.
+// Lemma 3.3 with a constant, for all functions: phi_0 the mean of Phi, phi_1 - phi_0 = g.(distance from the
+// centre), g the mean of grad Phi, p_k Taylor polynomials of f about the centre. As L'p_1 = 0, Int phi_1
+// L'p_2 = 0 and Int phi_0 L'p_3 = 0, L' = I - L, Int Phi L'f = Int (Phi - phi_1) L'(f - p_1) + Int (phi_1 -
+// phi_0) L'(f - p_2) + phi_0 Int L'(f - p_3). |d_x| + |d_y| <= h on the square, so that |f - p_k| <=
+// h^(k+1)/(k+1)! |D^(k+1) f|; ||Phi - phi_1||_1 <= h^2 Int |D^2 Phi| and ||phi_1 - phi_0||_1 <= (h/2) Int |D
+// Phi|; ||L'|| <= 1 + 7/3. So (65) holds with c = (10/3) max (1/2!, (1/2)/3!, 1/4!) = 5/3, for every h. On
+// any parallelogram of two triangles of diameter h the sides and half the diagonals are no longer than h, so
+// that 2^(1/2) h stands for h in these bounds and c = (10/3) 2 = 20/3: no shape enters. The inequalities are
+// those of verification/claims/mean_value_bounds.h. Interpolation and nodes are carried by affine maps, so
+// that what vanishes on the unit square vanishes on all parallelograms.
 //
 // (71) stands, but not for the reason given. L'p_2 is one polynomial on tau_1 and another on tau_2, so that
 // (phi_1 - phi_0) L'p_2 is no polynomial on R, and the degree of precision of (59), which is one of
@@ -13,18 +17,22 @@
 // rule of precision 2 there integrates it exactly, and has the same values as for phi_i p_2, which is cubic
 // on R and integrated exactly by (59).
 //
-// Checked      lemma_3_3: for all polynomials at once and both diagonals of the square, the error has no
-//              power of h below h^6, which is h^4 times the area. (65) with c = 12/5 for products of
-//              monomials. corollary_3_4_b: (75) with c = 19/2 for parallelograms down to an angle of 1e-8.
-//              equation_66, equation_68: with c = 1/(k+1)!, and with c = 1 and 3/2. equation_69 to
-//              equation_71: the identities, for products of monomials. The counterexample to the reason for
-//              (71).
-// Not checked  functions that are no polynomials; the inequality of Acosta and Duran itself.
+// Checked      lemma_3_3, corollary_3_4_b: each step, exactly, on both diagonals, and the constants from
+//              them; that the error of polynomials has no power of h below h^6, which is h^4 times the area,
+//              and that h^6 is there. Both sides for products of monomials, down to an angle of 1e-8, which
+//              no step uses. equation_66, equation_68: (66) and (67) with c = 1/(k+1)! and 1/k!, (68) with c
+//              = 1. equation_69: the identity, B(Phi, f) = Int Phi L'f being bilinear. equation_70: L needs
+//              the values at the nodes alone, where L p has those of p, for every alpha. equation_71: on the
+//              unit square, both diagonals. The counterexample to the reason for (71).
+// Not checked  that smooth functions are dense in W^(1,1) and W^(2,1).
 
 #include <algorithm>
 
+#include "radcert/polynomial/rational_polynomial.h"
 #include "radcert/scalar/real.h"
 #include "verification/claims/ac98/collocation/interpolation_bounds.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/mean_value_bounds.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -85,6 +93,86 @@ Halves example() { return halves(square(Rational(3, 4), {Rational(1, 3), 1}), tr
 
 std::vector<BoundedError> errors_on(const Halves& r) { return bounded_errors(r.triangles, r.region, 2); }
 
+// Products of phi_i and p with Int phi L'p != 0 over the unit square.
+Rational not_integrated(int degree_of_phi, int degree_of_p, bool from_the_first, const Rational& alpha) {
+  const Halves unit = halves(square(1, {0, 0}), from_the_first);
+  long count = 0;
+  for (const ExactPolynomial& phi : monomials(degree_of_phi))
+    for (const ExactPolynomial& p : monomials(degree_of_p))
+      if (interpolation_error(phi, p, unit.triangles, alpha) != 0) ++count;
+  return {count};
+}
+
+// B(Phi, f) less the right side of the introduction.
+BilinearSum rest_of_the_introduction() {
+  BilinearSum sum;
+  sum.add({{"Phi", 1}}, {{"f", 1}});
+  sum.add({{"Phi", 1}, {"phi_1", -1}}, {{"f", 1}, {"p_1", -1}}, -1);
+  sum.add({{"phi_1", 1}, {"phi_0", -1}}, {{"f", 1}, {"p_2", -1}}, -1);
+  sum.add({{"phi_0", 1}}, {{"f", 1}, {"p_3", -1}}, -1);
+  return sum;
+}
+
+// What both bounds rest on: what L' annihilates, alone and under an integral, and the identity.
+void require_steps(Finding& finding) {
+  const IsExactly zero{0};
+  for (const bool first : {true, false}) {
+    const std::string cut = first ? ", cut from (0,0)" : ", cut from (1,0)";
+    finding.require("products with Int phi_1 L'p_2 != 0" + cut, zero, not_integrated(1, 2, first, sixth()));
+    finding.require("monomials p_3 with Int L'p_3 != 0" + cut, zero, not_integrated(0, 3, first, sixth()));
+    finding.control("products with Int phi_1 L'p_3 != 0" + cut, zero, not_integrated(1, 3, first, sixth()));
+    finding.control("monomials p_3 with Int L'p_3 != 0, alpha = 1/10" + cut, zero,
+                    not_integrated(0, 3, first, Rational(1, 10)));
+  }
+  long not_reproduced = 0;
+  for (const ExactPolynomial& p : monomials(1))
+    if ((p - interpolant(example().triangles[0], sixth(), p)).size() != 0) ++not_reproduced;
+  finding.require("monomials p_1 with L'p_1 != 0", zero, Rational(not_reproduced));
+  BilinearSum rest = rest_of_the_introduction();
+  rest.vanish("p_1");
+  rest.vanish("p_3", "phi_0");
+  finding.control("terms of Int Phi L'f less those three, where Int phi_1 L'p_2 is kept", zero, rest.size());
+  rest.vanish("p_2", "phi_1");
+  rest.vanish("p_2", "phi_0");
+  finding.require(
+      "terms of Int Phi L'f less Int (Phi - phi_1) L'(f - p_1) + Int (phi_1 - phi_0) L'(f - p_2) + "
+      "phi_0 Int L'(f - p_3)",
+      zero, rest.size());
+  require_mean_values(finding, 1);
+}
+
+// The constant of parallelograms where the Taylor polynomials are about a corner, at most twice as far away.
+Ball constant_about_a_corner() {
+  const Ball side = sqrt(Ball(2));
+  return Ball(bound_of_the_remainder()) * interpolation_factors<Ball>(1, 2, side, 2 * side).at(0);
+}
+
+// B(Phi, f) less the right side of (69), where the term of phi_1 - phi_0 may be left out.
+BilinearSum rest_of_69(bool with_the_last) {
+  BilinearSum sum;
+  sum.add({{"Phi", 1}}, {{"f", 1}});
+  sum.add({{"Phi", 1}}, {{"f", 1}, {"p_3", -1}}, -1);
+  sum.add({{"Phi", 1}, {"phi_0", -1}}, {{"p_3", 1}, {"p_2", -1}}, -1);
+  sum.add({{"Phi", 1}, {"phi_1", -1}}, {{"p_2", 1}, {"p_1", -1}}, -1);
+  if (with_the_last) sum.add({{"phi_1", 1}, {"phi_0", -1}}, {{"p_2", 1}}, -1);
+  sum.vanish("p_1");
+  sum.vanish("p_3", "phi_0");
+  return sum;
+}
+
+// Pairs i, j for which the numerator of l_i at q_j is not (1 - shrinkage alpha) delta_ij, as polynomials of
+// alpha: l_1 = (u - alpha)/(1 - 3 alpha) and so on, (s,t,u) = (alpha, alpha, 1 - 2 alpha) and so on.
+Rational wrong_at_the_nodes(int shrinkage) {
+  const RationalPolynomial alpha = RationalPolynomial::variable();
+  long count = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const RationalPolynomial coordinate = i == j ? 1 - 2 * alpha : alpha;
+      if (coordinate - alpha != (i == j ? 1 - shrinkage * alpha : RationalPolynomial())) ++count;
+    }
+  return {count};
+}
+
 }  // namespace
 
 Finding lemma_3_3(const Bench&) {
@@ -101,12 +189,17 @@ Finding lemma_3_3(const Bench&) {
     finding.control("products phi f of degree up to 3 that are missed, alpha = 1/10" + cut, IsExactly{0},
                     products_missed(3, unit.triangles, Rational(1, 10)));
   }
-  const Rational c(12, 5);
+  require_steps(finding);
+  const std::vector<PlanarPoint> unit = square(1, {0, 0});
+  finding.require("largest |d_x| + |d_y| about the centre, over h", IsExactly{1}, reach(unit, centre(unit)));
+  finding.control("largest |d_x| + |d_y| about a corner, over h", IsExactly{1}, reach(unit, unit[0]));
+  const Rational c(5, 3);
+  finding.require("c = (1 + 7/3) max (1/2!, (1/2)/3!, 1/4!)", IsExactly{c}, constant_on_squares());
   Rational largest = 0;
   for (const Rational& h : lengths())
     for (const PlanarPoint& by : corners()) {
       const std::vector<BoundedError> errors = errors_on(halves(square(h, by), true));
-      finding.require("products beyond (65) with c = 12/5" + placed_at(h, by), IsExactly{0},
+      finding.require("products beyond (65) with this c" + placed_at(h, by), IsExactly{0},
                       exceeding(errors, c * power(h, 4)));
       largest = std::max(largest, largest_ratio(errors) / power(h, 4));
     }
@@ -114,12 +207,19 @@ Finding lemma_3_3(const Bench&) {
   finding.control("products beyond (65) with h^5 for h^4" + placed_at(tiny, corners()[0]), IsExactly{0},
                   exceeding(errors_on(halves(square(tiny, corners()[0]), true)), c * power(tiny, 5)));
   finding.remark("largest error over h^4 and the bracket", {.value = largest.to_double(), .radius = 0});
+  finding.show({.value = c.to_double(), .radius = 0x1p-52, .guaranteed = true});
   return finding;
 }
 
 Finding corollary_3_4_b(const Bench&) {
   Finding finding;
-  const Rational c(19, 2);
+  require_steps(finding);
+  require_lengths(finding);
+  const Rational c(20, 3);
+  const Ball constant = constant_on_parallelograms();
+  finding.require("c for every parallelogram", AgreesWith{Ball(c), 1e-15}, constant);
+  finding.control("c by Taylor polynomials about a corner", AgreesWith{Ball(c), 1e-15},
+                  constant_about_a_corner());
   for (const long thinness : {1L, 100L, 100000000L})
     for (const Rational& h : {Rational(1), Rational(1, 1000)}) {
       // Each half has the sides 1, at most 3/5 and at most 5/6: the diameter is h.
@@ -128,7 +228,7 @@ Finding corollary_3_4_b(const Bench&) {
       for (const PlanarPoint& by : corners()) {
         const std::string at = ", height " + tip.y.to_text() + " of the diameter" + placed_at(h, by);
         const std::vector<BoundedError> errors = errors_on(halves(placed(shape, h, by), false));
-        finding.require("products beyond (75) with c = 19/2" + at, IsExactly{0},
+        finding.require("products beyond (75) with c = 20/3" + at, IsExactly{0},
                         exceeding(errors, c * power(h, 4)));
       }
     }
@@ -136,6 +236,7 @@ Finding corollary_3_4_b(const Bench&) {
   finding.control("products beyond (75) with h^5 for h^4, squares" + placed_at(tiny, corners()[0]),
                   IsExactly{0},
                   exceeding(errors_on(halves(square(tiny, corners()[0]), true)), c * power(tiny, 5)));
+  finding.show(proved(constant));
   return finding;
 }
 
@@ -165,7 +266,18 @@ Finding equation_66(const Bench&) {
     }
     return Rational(count);
   };
-  for (const Rational& h : lengths())
+  const std::vector<PlanarPoint> unit = square(1, {0, 0});
+  finding.require("largest |d_x| + |d_y| about the centre, over h", IsExactly{1}, reach(unit, centre(unit)));
+  finding.control("largest |d_x| + |d_y| about a corner, over h", IsExactly{1}, reach(unit, unit[0]));
+  const std::vector<Rational> constants{Rational(1, 2), Rational(1, 6), Rational(1, 24)};
+  for (const int k : {1, 2, 3})
+    finding.require("c in (66), and over h ||D^(k+1) f|| in (67), k = " + std::to_string(k),
+                    IsExactly{constants.at(static_cast<std::size_t>(k - 1))}, taylor_factor(k));
+  // p_k - p_(k-1) = (f - p_(k-1)) - (f - p_k): c = 1/k! by (66) for k - 1 and k.
+  for (const int k : {2, 3})
+    finding.require("c over ||D^k f|| in (67), k = " + std::to_string(k),
+                    IsExactly{constants.at(static_cast<std::size_t>(k - 2))}, taylor_factor(k - 1));
+  for (const Rational& h : {Rational(1), Rational(1, 1000)})
     for (const PlanarPoint& by : corners()) {
       for (const int k : {1, 2, 3}) {
         const std::string of = std::to_string(k);
@@ -207,43 +319,32 @@ Finding equation_68(const Bench&) {
       }
     return Rational(count);
   };
+  require_mean_values(finding, 1);
   finding.require("monomials, h = 1000, 1, 1/1000, with ||phi - phi_0||_1 > h ||D phi||_1", IsExactly{0},
                   beyond(0, 1, 1));
   finding.control("the same with h^2 for h", IsExactly{0}, beyond(0, 1, 2));
-  finding.require("monomials with ||phi - phi_1||_1 > (3/2) h^2 ||D^2 phi||_1", IsExactly{0},
-                  beyond(1, Rational(3, 2), 2));
-  finding.control("the same with h^3 for h^2", IsExactly{0}, beyond(1, Rational(3, 2), 3));
+  finding.require("monomials with ||phi - phi_1||_1 > h^2 ||D^2 phi||_1", IsExactly{0}, beyond(1, 1, 2));
+  finding.control("the same with h^3 for h^2", IsExactly{0}, beyond(1, 1, 3));
   return finding;
 }
 
 Finding equation_69(const Bench&) {
   Finding finding;
-  const Halves r = example();
-  const PlanarPoint middle = centre(r.region);
-  long failing = 0;
-  long first = 0;
-  long second = 0;
-  long without = 0;
-  for (const ExactPolynomial& f : monomials(4)) {
-    const ExactPolynomial p_1 = taylor(f, middle, 1);
-    const ExactPolynomial p_2 = taylor(f, middle, 2);
-    const ExactPolynomial p_3 = taylor(f, middle, 3);
-    for (const ExactPolynomial& phi : monomials(2)) {
-      const auto [phi_0, phi_1] = means(phi, r.region);
-      const Rational three =
-          error(phi, f - p_3, r) + error(phi - phi_0, p_3 - p_2, r) + error(phi - phi_1, p_2 - p_1, r);
-      const Rational left = error(phi, f, r);
-      if (three + error(phi_1 - phi_0, p_2, r) != left) ++failing;
-      if (error(phi, p_1, r) != 0) ++first;
-      if (error(phi_0, p_3, r) != 0) ++second;
-      if (error(phi, f - p_3, r) + error(phi - phi_0, p_3 - p_2, r) != left) ++without;
-    }
+  const IsExactly zero{0};
+  finding.require("terms of Int Phi L'f less those of (69), where L'p_1 = 0 = Int phi_0 L'p_3", zero,
+                  rest_of_69(true).size());
+  finding.control("the same without the fourth term", zero, rest_of_69(false).size());
+  long not_reproduced = 0;
+  for (const ExactPolynomial& p : monomials(1))
+    for (const PlanarTriangle& tau : example().triangles)
+      if ((p - interpolant(tau, sixth(), p)).size() != 0) ++not_reproduced;
+  finding.require("monomials p_1 and triangles with L'p_1 != 0", zero, Rational(not_reproduced));
+  for (const bool first : {true, false}) {
+    const std::string cut = first ? ", cut from (0,0)" : ", cut from (1,0)";
+    finding.require("monomials p_3 with Int L'p_3 != 0" + cut, zero, not_integrated(0, 3, first, sixth()));
+    finding.control("monomials p_3 with Int L'p_3 != 0, alpha = 1/10" + cut, zero,
+                    not_integrated(0, 3, first, Rational(1, 10)));
   }
-  finding.require("products for which (69) fails", IsExactly{0}, Rational(failing));
-  finding.require("products with Int phi L'p_1 != 0", IsExactly{0}, Rational(first));
-  finding.require("products with Int phi_0 L'p_3 != 0", IsExactly{0}, Rational(second));
-  finding.control("products for which (69) fails without its third and fourth term", IsExactly{0},
-                  Rational(without));
   return finding;
 }
 
@@ -261,6 +362,10 @@ Finding equation_70(const Bench&) {
         }
     return Rational(count);
   };
+  // Both sides are L of functions with the same values at the nodes.
+  finding.require("pairs i, j with l_i(q_j) != delta_ij, as identities in alpha", IsExactly{0},
+                  wrong_at_the_nodes(3));
+  finding.control("the same with the denominator 1 - 2 alpha", IsExactly{0}, wrong_at_the_nodes(2));
   finding.require("products and triangles with L(phi_i L p_2) != L(phi_i p_2)", IsExactly{0},
                   differing(1, sixth()));
   finding.control("the same with other nodes, alpha = 1/10, for the inner L", IsExactly{0},
