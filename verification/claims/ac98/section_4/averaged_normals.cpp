@@ -23,76 +23,22 @@
 
 #include "radcert/core/matrix.h"
 #include "radcert/core/parallel.h"
-#include "radcert/kernel/geometric_kernel.h"
-#include "radcert/polynomial/rules/conical_rule.h"
-#include "radcert/polynomial/rules/gauss.h"
 #include "radcert/solve/direct.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/triangulation/interpolated_surface.h"
+#include "verification/claims/ac98/collocation/curved_element.h"
 #include "verification/claims/ac98/collocation/observed_order.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
 namespace {
 
-/// A point of an element, with what a rule needs of it.
-struct Sample {
-  std::array<double, 3> x{};  ///< barycentric coordinates in the element: the values of the linear functions
-  Vector<double> point;
-  Vector<double> normal;  ///< inner, with the length of the rule's weight times the area element
-};
+double exponential(const Vector<double>& point) { return std::exp(point.x); }
 
-using Corners =
-    std::array<std::array<double, 3>, 3>;  ///< of a triangle, in barycentric coordinates of an element
-constexpr Corners whole{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-
-/// An element of the interpolant.
-class Element {
-public:
-  Element(const ChartIn<double>& chart, const std::array<ParameterPoint<double>, 3>& triangle,
-          const std::array<std::size_t, 3>& vertices)
-      : vertex(vertices), chart_(&chart), triangle_(triangle) {
-    samples = by(whole, plain_rule());
-    for (std::size_t i = 0; i < 3; ++i)
-      diameter = std::max(diameter, norm(at(whole.at(i)).point - at(whole.at((i + 1) % 3)).point));
-  }
-
-  Frame<double> at(const std::array<double, 3>& x) const {
-    return chart_->frame(x[0] * triangle_[0] + x[1] * triangle_[1] + x[2] * triangle_[2]);
-  }
-
-  /// The samples of a rule on a part of it.
-  std::vector<Sample> by(const Corners& corners, const TriangleRule<double>& rule) const {
-    const auto& [a, b, c] = corners;
-    const double part = std::abs(a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-                                 a[2] * (b[0] * c[1] - b[1] * c[0]));
-    const double jacobian = part * std::abs(cross(triangle_[1] - triangle_[0], triangle_[2] - triangle_[0]));
-    std::vector<Sample> all;
-    all.reserve(rule.points.size());
-    for (std::size_t i = 0; i < rule.points.size(); ++i) {
-      Sample sample;
-      for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t k = 0; k < 3; ++k) sample.x.at(k) += rule.points[i].x.at(j) * corners.at(j).at(k);
-      const Frame<double> frame = at(sample.x);
-      sample.point = frame.point;
-      sample.normal = jacobian * rule.weights[i] * frame.area_normal;
-      all.push_back(sample);
-    }
-    return all;
-  }
-
-  static const TriangleRule<double>& plain_rule() {
-    static const TriangleRule<double> rule = conical_rule<double>(6, Grading::none);
-    return rule;
-  }
-
-  std::array<std::size_t, 3> vertex;  ///< numbers
-  double diameter = 0;
-  std::vector<Sample> samples;  ///< of the plain rule on all of it
-
-private:
-  const ChartIn<double>* chart_;
-  std::array<ParameterPoint<double>, 3> triangle_;
+/// An element of the interpolant, with the numbers of its vertices.
+struct Element {
+  CurvedElement surface;
+  std::array<std::size_t, 3> vertex;
 };
 
 struct Vertex {
@@ -122,7 +68,8 @@ private:
       Vertex& vertex = vertices[numbers.at(i)];
       vertex.mean_normal = vertex.mean_normal + unit_normal(frame);
     }
-    elements.emplace_back(chart, triangle.vertices, numbers);
+    constexpr int order_of_rules = 6;
+    elements.push_back({{chart, triangle.vertices, exponential, order_of_rules}, numbers});
   }
 
   // Keys are coordinates in units far below the distance of vertices and far above rounding.
@@ -140,76 +87,16 @@ private:
   std::map<std::tuple<long, long, long>, std::size_t> numbers_;
 };
 
-using Sums = std::array<double, 3>;  ///< Int G x_i over an element, x_i the linear functions of its vertices
-
-/// Int G x_i dS over elements from one point with a given normal there.
-class FromPoint {
-public:
-  FromPoint(const Vector<double>& point, const Vector<double>& normal) : point_(point), normal_(normal) {}
-
-  Sums over(const Element& element, std::size_t node) const {
-    for (std::size_t apex = 0; apex < 3; ++apex)
-      if (element.vertex.at(apex) == node) {
-        const Corners corners{whole.at(apex), whole.at((apex + 1) % 3), whole.at((apex + 2) % 3)};
-        return sum(element.by(corners, collapsed_at_first()));
-      }
-    const double distance = norm(element.at({1.0 / 3, 1.0 / 3, 1.0 / 3}).point - point_);
-    return distance >= element.diameter ? sum(element.samples) : divided(element, whole, element.diameter);
-  }
-
-private:
-  // In (l, t) with x = (1 - l, l (1 - t), l t) the product of G and the Jacobian's factor l is analytic up to
-  // l = 0; G alone is not, so that l belongs to the integrand and not to the weight.
-  static const TriangleRule<double>& collapsed_at_first() {
-    static const TriangleRule<double> rule = [] {
-      const IntervalRule<double> gauss = gauss_rule<double>(12, IntervalWeight::one);
-      TriangleRule<double> product;
-      for (std::size_t i = 0; i < gauss.nodes.size(); ++i)
-        for (std::size_t j = 0; j < gauss.nodes.size(); ++j) {
-          const double l = gauss.nodes[i];
-          const double t = gauss.nodes[j];
-          product.points.push_back({{1 - l, l * (1 - t), l * t}});
-          product.weights.push_back(gauss.weights[i] * gauss.weights[j] * l);
-        }
-      return product;
-    }();
-    return rule;
-  }
-
-  // Divided until a triangle is no larger than its distance.
-  Sums divided(const Element& element, const Corners& corners, double diameter) const {
-    const auto middle = [](const std::array<double, 3>& a, const std::array<double, 3>& b) {
-      return std::array<double, 3>{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
-    };
-    std::array<double, 3> centre{};
-    for (const auto& corner : corners)
-      for (std::size_t i = 0; i < 3; ++i) centre.at(i) += corner.at(i) / 3;
-    if (norm(element.at(centre).point - point_) >= diameter)
-      return sum(element.by(corners, Element::plain_rule()));
-    const std::array<double, 3> a = middle(corners[1], corners[2]);
-    const std::array<double, 3> b = middle(corners[2], corners[0]);
-    const std::array<double, 3> c = middle(corners[0], corners[1]);
-    Sums sums{};
-    for (const Corners& part : {Corners{corners[0], c, b}, Corners{c, corners[1], a},
-                                Corners{b, a, corners[2]}, Corners{a, b, c}}) {
-      const Sums of_part = divided(element, part, diameter / 2);
-      for (std::size_t i = 0; i < 3; ++i) sums.at(i) += of_part.at(i);
+/// The integrals over an element from a vertex, around it where it is one of the element's own.
+ElementSums sums_from(const FromPoint& from, std::size_t node, const Element& element) {
+  for (std::size_t apex = 0; apex < 3; ++apex)
+    if (element.vertex.at(apex) == node) {
+      std::array<double, 3> x{};
+      x.at(apex) = 1;
+      return from.around(element.surface, x);
     }
-    return sums;
-  }
-
-  Sums sum(const std::vector<Sample>& samples) const {
-    Sums sums{};
-    for (const Sample& each : samples) {
-      const double value = geometric_kernel(point_, normal_, each.point, each.normal);
-      for (std::size_t k = 0; k < 3; ++k) sums[k] += value * each.x[k];
-    }
-    return sums;
-  }
-
-  Vector<double> point_;
-  Vector<double> normal_;
-};
+  return from.over(element.surface);
+}
 
 /// Whose normals stand at the nodes.
 enum class NodeNormals { means, of_the_sphere };
@@ -230,7 +117,7 @@ VertexErrors vertex_errors(int level, int degree, NodeNormals normals) {
     const FromPoint from(
         node.point, normals == NodeNormals::means ? node.mean_normal : -1.0 / norm(node.point) * node.point);
     for (const Element& element : mesh.elements) {
-      const Sums sums = from.over(element, i);
+      const ElementSums sums = sums_from(from, i, element);
       for (std::size_t j = 0; j < 3; ++j) k(i, element.vertex.at(j)) += rho * sums.at(j) / std::numbers::pi;
     }
   };
