@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (82) asks for E in C^2(S) alone. On the surface (20), which is two faces of the cube, E = 1, rho = 1/2 and
-// alpha = 1/6 meet every hypothesis of Theorem 4.1: norm of K <= (rho/pi) (pi/2) = 1/4, so that (80) holds
-// with gamma = 7/12. But u is not continuous at the ends of the common edge. On the edge u = 1/(1 - rho/2) =
-// 4/3. On the diagonal x = z of a square, from 1 <= u <= 4/3,
-//     u(t,0,t) <= 1 + (1/2)/pi (4/3) (22)(t,t) -> 1 + (2/3)(3/8) = 5/4 as t -> 0,
-// and an element with a vertex at the end of the edge has points of both kinds next to that vertex, where u_n
-// is continuous. Hence norm of (u - u_n) >= (4/3 - 5/4)/2 = 1/24 for every triangulation whose elements have
-// a side on the edge and reach the diagonal there. Away from the ends u is continuous and behaves like r^b
-// beside the edge, and so does the error like h^b. What (81) gives is O(h^2) if u is in C^2 of each closed
-// face.
+// (82) asks for E in C^2(S) alone. On the surface (20), which is two faces of the cube, E = 1, alpha = 1/6
+// and any constant 0 < rho < 6/7 meet every hypothesis of Theorem 4.1: norm of K <= (rho/pi) (pi/2) = rho/2,
+// so that (80) holds with gamma = 7 rho/6. But u is not continuous at the ends of the common edge. On the
+// edge u = 1/(1 - rho/2), the largest value of u. On the diagonal x = z of a square u(t,0,t) <= 1 + (rho/pi)
+// (22)(t,t)/(1 - rho/2) <= 1 + (3 rho/8)/(1 - rho/2), as (22)(t,t) = [pi/4 + atan((1-t)/t) - ...]/2 with
+// terms that are not negative left out is at most (pi/4 + pi/2)/2 for every t, and an element with a vertex
+// at the end of the edge has points of both kinds next to that vertex, where u_n is continuous. Hence norm of
+// (u - u_n) is at least half of what they differ by, rho/(16 - 8 rho), for every triangulation whose elements
+// have a side on the edge and reach the diagonal there: 1/24 for rho = 1/2. Away from the ends u is
+// continuous and behaves like r^b beside the edge, and so does the error like h^b. What (81) gives is O(h^2)
+// if u is in C^2 of each closed face.
 //
-// Checked      that the hypotheses hold; the lower bound, by balls; |u_n - 4/3| on the edge as h is halved,
-//              at its middle and anywhere on it; and, as a remark, the order of what u_n changes by beside an
-//              edge of the closed cube, where r^b has b = 0.81.
+// Checked      that the hypotheses hold; the lower bound, as an identity in rho, and (22)(t,t) by balls; |u_n
+//              - 4/3| on the edge as h is halved, at its middle and anywhere on it, rho = 1/2; and, as a
+//              remark, the order of what u_n changes by beside an edge of the closed cube, where r^b has b =
+//              0.81.
 // Not checked  E for which u happens to be smooth; there (82) holds, as Table 4 shows.
 
 #include <cmath>
@@ -23,6 +25,7 @@
 
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/core/contract.h"
+#include "radcert/polynomial/rational_polynomial.h"
 #include "verification/claims/ac98/collocation/edge_value.h"
 #include "verification/claims/ac98/collocation/level_orders.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
@@ -36,6 +39,19 @@ Ball half_the_jump(const Rational& reflectivity, const Ball& t) {
   const Ball edge(solution_on_the_edge(reflectivity));
   const Ball factor = Ball(reflectivity) / Ball::pi();
   return (edge - (Ball(1) + factor * edge * TwoSquares<Ball>(t, t).one())) / Ball(2);
+}
+
+// Coefficients of [1/(1 - rho/2) - 1 - (3 rho/8)/(1 - rho/2)]/2 less rho/(16 - 8 rho), over their common
+// denominator; `part` for 3/8.
+Rational jumps_unlike_the_formula(const Rational& part) {
+  const RationalPolynomial rho = RationalPolynomial::variable();
+  const RationalPolynomial denominator = 1 - Rational(1, 2) * rho;
+  const RationalPolynomial twice = 1 - denominator - part * rho;
+  const RationalPolynomial difference = twice * (16 - 8 * rho) - 2 * rho * denominator;
+  long count = 0;
+  for (int k = 0; k <= difference.degree(); ++k)
+    if (difference.coefficient(static_cast<std::size_t>(k)).sign() != 0) ++count;
+  return {count};
 }
 
 // The mean of u_n at the vertex (1, 1/2, 0) of the cube over the elements of the face x = 1.
@@ -79,9 +95,21 @@ Finding equation_82(const Bench& bench) {
   const AtMost vanishing{
       .value = 0.01, .slack = 0, .why = "what tends to 0 with h falls below any number, such as 1/100"};
 
-  finding.remark("gamma of (80): 7/3 times the bound rho/2 of norm of K", proved(Ball(Rational(7, 12))));
+  finding.remark("gamma of (80): 7/3 times the bound rho/2 of norm of K, rho = 1/2",
+                 proved(Ball(Rational(7, 12))));
+  finding.require("half the jump at the end of the edge: coefficients other than those of rho/(16 - 8 rho)",
+                  IsExactly{0}, jumps_unlike_the_formula(Rational(3, 8)));
+  finding.control("the same along the edge, where (22) is pi/2", IsExactly{0},
+                  jumps_unlike_the_formula(Rational(1, 2)));
+  for (const int exponent : {1, 10, 40}) {
+    const Ball t = power(Ball(2), -exponent);
+    finding.require("(22)(t,t)/pi, t = 2^-" + std::to_string(exponent), LiesIn{0, Rational(3, 8)},
+                    TwoSquares<Ball>(t, t).one() / Ball::pi());
+  }
   const Ball tiny = power(Ball(2), -40);
-  finding.require("a lower bound of norm of (u - u_n), whatever h", vanishing,
+  finding.control("(22)/pi beside the middle of the edge", LiesIn{0, Rational(3, 8)},
+                  TwoSquares<Ball>(Ball(Rational(1, 2)), tiny).one() / Ball::pi());
+  finding.require("a lower bound of norm of (u - u_n), whatever h, rho = 1/2", vanishing,
                   proved(half_the_jump(half, tiny)));
 
   const Problem problem = constant_emission_on_two_squares(half, 1);

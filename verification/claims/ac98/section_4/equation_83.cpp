@@ -6,10 +6,12 @@
 //
 // Checked      equation_83: the order of max |K(I - P_n)u| over the nodes is 2 and no more, on (20) and on a
 //              box, alpha = 1/6, and what E_n/h^2 tends to: the rest of the integral is O(h^2) too.
-//              equation_84: I_h(a,b) for several h, by enclosed double integrals, against (22). equation_86:
-//              u - P_n u at (sh,th) over h^2, exactly; e_h over h^2 by enclosed double integrals; and that it
-//              is not zero at the nodes, which is what takes the superconvergence.
-// Not checked  other u than quadratic ones.
+//              equation_84: that identity, of polynomials in h, a, b, s and t, which the change of variables
+//              (84) makes one of integrals; I_h(a,b) for several h, by enclosed double integrals, against
+//              (22). equation_86: u - P_n u at (sh,th) over h^2, as an identity in s, t and h for every
+//              quadratic u; e_h over h^2 by enclosed double integrals; and that it is not zero at the nodes,
+//              which is what takes the superconvergence.
+// Not checked  other u than quadratic ones; that the number is not zero, but at four points.
 
 #include <array>
 #include <string>
@@ -17,6 +19,7 @@
 
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/enclosure/square_integral.h"
+#include "radcert/polynomial/rational_polynomial.h"
 #include "verification/claims/ac98/collocation/level_orders.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/framework/check.h"
@@ -61,7 +64,18 @@ struct Plane3 {
   Rational by_x;
   Rational by_y;
 };
-Plane3 interpolant_of_power(int exponent, const Rational& h, bool below) {
+
+// xi^i eta^j.
+struct Power {
+  int i;
+  int j;
+  template <class R>
+  [[nodiscard]] R operator()(const R& xi, const R& eta) const {
+    return power(xi, i) * power(eta, j);
+  }
+};
+
+Plane3 interpolant_of(const Power& u, const Rational& h, bool below) {
   const Rational alpha(1, 6);
   using Point = std::array<Rational, 2>;
   const std::array<Point, 3> v =
@@ -74,33 +88,87 @@ Plane3 interpolant_of_power(int exponent, const Rational& h, bool below) {
   const Rational y1 = q[1][1] - q[0][1];
   const Rational x2 = q[2][0] - q[0][0];
   const Rational y2 = q[2][1] - q[0][1];
-  const Rational f0 = power(q[0][0], exponent);
-  const Rational f1 = power(q[1][0], exponent) - f0;
-  const Rational f2 = power(q[2][0], exponent) - f0;
+  const Rational f0 = u(q[0][0], q[0][1]);
+  const Rational f1 = u(q[1][0], q[1][1]) - f0;
+  const Rational f2 = u(q[2][0], q[2][1]) - f0;
   const Rational determinant = x1 * y2 - x2 * y1;
   const Rational by_x = (f1 * y2 - f2 * y1) / determinant;
   const Rational by_y = (x1 * f2 - x2 * f1) / determinant;
   return {.constant = f0 - by_x * q[0][0] - by_y * q[0][1], .by_x = by_x, .by_y = by_y};
 }
 
-Rational error_at(int exponent, const Rational& h, bool below, const Rational& x, const Rational& y) {
-  const Plane3 plane = interpolant_of_power(exponent, h, below);
-  return power(x, exponent) - plane.constant - plane.by_x * x - plane.by_y * y;
+Rational error_at(const Power& u, const Rational& h, bool below, const Rational& x, const Rational& y) {
+  const Plane3 plane = interpolant_of(u, h, below);
+  return u(x, y) - plane.constant - plane.by_x * x - plane.by_y * y;
 }
 
-// e_h(ah,0,bh) over [0,h]^2 for u = xi^exponent: the triangle below the diagonal in (xi, eta) = (h p, h p w), the one above in (h
+// Points of a grid where u - P_n u at (sh,th) is not h^2 times the same for h = 1. By Cramer's rule both
+// sides are polynomials over h^2 of degree 4 in h, and of degree 2 in s and t, for a quadratic u: five values
+// of h and three of s and t prove an identity.
+Rational points_out_of_scale(const Power& u) {
+  long count = 0;
+  for (const bool below : {true, false})
+    for (const Rational& h : {Rational(1, 2), Rational(1, 7), Rational(3, 1000), Rational(2), Rational(5, 3)})
+      for (long i = 0; i <= 4; ++i)
+        for (long j = 0; j <= 4; ++j) {
+          const Rational s(i, 4);
+          const Rational t(j, 4);
+          if (error_at(u, h, below, s * h, t * h) != h * h * error_at(u, 1, below, s, t)) ++count;
+        }
+  return {count};
+}
+
+// Points of a grid in a, b, s and t where G(hP,hQ) h^exponent is not G(P,Q), both over the common
+// denominator, as polynomials in h. These have degree 6 at most in each of a, b, s and t, so that seven
+// values of each prove an identity: with exponent 2, and in all five.
+Rational points_not_homogeneous(int exponent) {
+  constexpr long values = 7;
+  const RationalPolynomial h = RationalPolynomial::variable();
+  const auto to_the = [&](int n) {
+    RationalPolynomial result = 1;
+    for (int k = 0; k < n; ++k) result *= h;
+    return result;
+  };
+  // z eta and the square of the distance, x, z, xi and eta being a, b, s and t times a length.
+  struct Parts {
+    RationalPolynomial numerator;
+    RationalPolynomial square;
+  };
+  const auto parts = [](const RationalPolynomial& length, const std::array<Rational, 4>& at) {
+    const auto& [a, b, s, t] = at;
+    const RationalPolynomial offset = (a - s) * length;
+    const RationalPolynomial z = b * length;
+    const RationalPolynomial eta = t * length;
+    return Parts{z * eta, offset * offset + eta * eta + z * z};
+  };
+  long count = 0;
+  for (long i = 0; i < values; ++i)
+    for (long j = 1; j <= values; ++j)
+      for (long k = 0; k < values; ++k)
+        for (long l = 1; l <= values; ++l) {
+          const std::array<Rational, 4> at{Rational(i, 3), Rational(j, 5), Rational(k, 7), Rational(l, 2)};
+          const Parts scaled = parts(h, at);
+          const Parts whole = parts(1, at);
+          if (scaled.numerator * to_the(exponent) * whole.square * whole.square !=
+              whole.numerator * scaled.square * scaled.square)
+            ++count;
+        }
+  return {count};
+}
+
+// e_h(ah,0,bh) over [0,h]^2: the triangle below the diagonal in (xi, eta) = (h p, h p w), the one above in (h
 // p w, h p).
-Ball corner_error(int exponent, const Rational& h, const PlacePair& at) {
+Ball corner_error(const Power& u, const Rational& h, const PlacePair& at) {
   const auto part = [&](bool below) {
-    const Plane3 plane = interpolant_of_power(exponent, h, below);
-    return square_function([exponent, h, at, plane, below]<class R>(const R& p, const R& w) -> R {
+    const Plane3 plane = interpolant_of(u, h, below);
+    return square_function([u, h, at, plane, below]<class R>(const R& p, const R& w) -> R {
       const R size = from_rational<R>(h);
       const R far = size * p;
       const R near = far * w;
       const R xi = below ? far : near;
       const R eta = below ? near : far;
-      const R error = power(xi, exponent) - from_rational<R>(plane.constant) -
-                      from_rational<R>(plane.by_x) * xi - from_rational<R>(plane.by_y) * eta;
+      const R error = u(xi, eta) - from_rational<R>(plane.constant) - from_rational<R>(plane.by_x) * xi -
+                      from_rational<R>(plane.by_y) * eta;
       return size * far * error *
              two_squares_kernel<R>(from_rational<R>(at.a * h), from_rational<R>(at.b * h), xi, eta);
     });
@@ -148,6 +216,9 @@ Finding equation_83(const Bench& bench) {
 Finding equation_84(const Bench&) {
   const BallPrecision precision(96);
   Finding finding;
+  finding.require("points of a grid in a, b, s, t where G(hP,hQ) h^2 is not G(P,Q) for all h", IsExactly{0},
+                  points_not_homogeneous(2));
+  finding.control("the same with h for h^2", IsExactly{0}, points_not_homogeneous(1));
   for (const PlacePair& at : places()) {
     const AgreesWith printed{.value = TwoSquares<Ball>(Ball(at.a), Ball(at.b)).one(), .within = 1e-12};
     const std::string where = ", a = " + at.a.to_text() + ", b = " + at.b.to_text();
@@ -162,41 +233,33 @@ Finding equation_84(const Bench&) {
 Finding equation_86(const Bench&) {
   const BallPrecision precision(96);
   Finding finding;
-  Rational differing = 0;
-  Rational differing_for_the_cube = 0;
-  for (const bool below : {true, false})
-    for (const Rational& h : {Rational(1, 2), Rational(1, 7), Rational(3, 1000)})
-      for (long i = 0; i <= 4; ++i)
-        for (long j = 0; j <= 4; ++j) {
-          const Rational s(i, 4);
-          const Rational t(j, 4);
-          const auto scales = [&](int exponent) {
-            return error_at(exponent, h, below, s * h, t * h) == h * h * error_at(exponent, 1, below, s, t);
-          };
-          if (!scales(2)) differing += 1;
-          if (!scales(3)) differing_for_the_cube += 1;
-        }
-  finding.require("points where u - P_n u at (sh,th) is not h^2 q_i(s,t), u = xi^2", IsExactly{0}, differing);
-  finding.control("the same for u = xi^3, no quadratic one", IsExactly{0}, differing_for_the_cube);
+  for (const auto& [name, u] :
+       {std::pair<std::string, Power>{"xi^2", {2, 0}}, {"xi eta", {1, 1}}, {"eta^2", {0, 2}}})
+    finding.require("points where u - P_n u at (sh,th) is not h^2 q_i(s,t), u = " + name, IsExactly{0},
+                    points_out_of_scale(u));
+  finding.control("the same for u = xi^3, no quadratic one", IsExactly{0}, points_out_of_scale({3, 0}));
+  finding.require("points of a grid in a, b, s, t where G(hP,hQ) h^2 is not G(P,Q) for all h", IsExactly{0},
+                  points_not_homogeneous(2));
+  const Power square{2, 0};
   const AtMost not_zero{
       .value = -1e-6, .slack = 0, .why = "a number c != 0, far beyond the enclosure, makes h^2 the order"};
   for (const PlacePair& at : places()) {
-    const Ball one = corner_error(2, 1, at);
+    const Ball one = corner_error(square, 1, at);
     const std::string where = ", a = " + at.a.to_text() + ", b = " + at.b.to_text();
     const AgreesWith number{.value = one, .within = 1e-11};
     for (const Rational& h : {Rational(1, 2), Rational(1, 16)}) {
       finding.require("e_h(ah,0,bh)/h^2 against its value for h = 1, h = " + h.to_text() + where, number,
-                      corner_error(2, h, at) / Ball(h * h));
+                      corner_error(square, h, at) / Ball(h * h));
       finding.control("the same for u = xi^3 against it, h = " + h.to_text() + where, number,
-                      corner_error(3, h, at) / Ball(h * h));
+                      corner_error({3, 0}, h, at) / Ball(h * h));
     }
     finding.require("-|e_h(ah,0,bh)|/h^2" + where, not_zero, proved(-abs(one)));
     finding.remark("e_h(ah,0,bh)/h^2" + where, proved(one));
   }
   // xi is linear, and interpolated exactly.
   finding.control("-|e_h(ah,0,bh)| for u = xi, h = 1, a = 1/3, b = 1/6", not_zero,
-                  proved(-abs(corner_error(1, 1, places().front()))));
-  finding.show(proved(corner_error(2, 1, places().front())));
+                  proved(-abs(corner_error({1, 0}, 1, places().front()))));
+  finding.show(proved(corner_error(square, 1, places().front())));
   return finding;
 }
 
