@@ -11,6 +11,12 @@
 //              (22). equation_86: u - P_n u at (sh,th) over h^2, as an identity in s, t and h for every
 //              quadratic u; e_h over h^2 by enclosed double integrals; and that it is not zero at the nodes,
 //              which is what takes the superconvergence.
+//              equation_86_remainder: that the rest of the integral neither exceeds h^2 nor takes e_h away,
+//              for all h = 1/N. On a uniform mesh u - P_n u = h^2 q on every square alike. q is
+//              orthogonal to the linear functions, by (71), so that the square (i,j) adds at most (1/2) Int
+//              |q| max |D^2 g|, g = b eta/(delta^2 + eta^2 + b^2)^2, |D^2 g| <= 36 b/r^5, to K(I - P_n)u/h^2:
+//              35 squares are enclosed and those beyond summed. From above K(I - P_n)u is at most (rho/2) max
+//              |u - P_n u| in any case.
 // Not checked  other u than quadratic ones; that the number is not zero, but at four points.
 
 #include <array>
@@ -20,17 +26,19 @@
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/enclosure/square_integral.h"
 #include "radcert/polynomial/rational_polynomial.h"
+#include "radcert/scalar/real.h"
 #include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/claims/ac98/surfaces/exact_plane.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
 namespace {
 
-// Double integral over [0,1]^2, to within 1e-13.
-Ball enclosed(const SquareFunction& f) {
+// Double integral over [0,1]^2.
+Ball enclosed(const SquareFunction& f, double radius = 1e-13) {
   const std::array<SquareFunction, 1> one{f};
-  return known(integral_over_squares(one, {.radius = 1e-13}));
+  return known(integral_over_squares(one, {.radius = radius}));
 }
 
 struct PlacePair {
@@ -156,12 +164,13 @@ Rational points_not_homogeneous(int exponent) {
   return {count};
 }
 
-// e_h(ah,0,bh) over [0,h]^2: the triangle below the diagonal in (xi, eta) = (h p, h p w), the one above in (h
-// p w, h p).
-Ball corner_error(const Power& u, const Rational& h, const PlacePair& at) {
+// The same over the square [ih, (i+1)h] x [jh, (j+1)h], from (ah,0,bh): the triangle below the diagonal in
+// (xi, eta) = (h p, h p w), the one above in (h p w, h p). u less its interpolant is that of the square at
+// the edge, which holds for a quadratic u.
+Ball square_error(const Power& u, const Rational& h, const PlacePair& at, long i, long j, double radius) {
   const auto part = [&](bool below) {
     const Plane3 plane = interpolant_of(u, h, below);
-    return square_function([u, h, at, plane, below]<class R>(const R& p, const R& w) -> R {
+    return square_function([u, h, at, plane, below, i, j]<class R>(const R& p, const R& w) -> R {
       const R size = from_rational<R>(h);
       const R far = size * p;
       const R near = far * w;
@@ -170,10 +179,66 @@ Ball corner_error(const Power& u, const Rational& h, const PlacePair& at) {
       const R error = u(xi, eta) - from_rational<R>(plane.constant) - from_rational<R>(plane.by_x) * xi -
                       from_rational<R>(plane.by_y) * eta;
       return size * far * error *
-             two_squares_kernel<R>(from_rational<R>(at.a * h), from_rational<R>(at.b * h), xi, eta);
+             two_squares_kernel<R>(from_rational<R>(at.a * h), from_rational<R>(at.b * h),
+                                   xi + from_rational<R>(h * Rational(i)),
+                                   eta + from_rational<R>(h * Rational(j)));
     });
   };
-  return enclosed(part(true)) + enclosed(part(false));
+  return enclosed(part(true), radius) + enclosed(part(false), radius);
+}
+
+// e_h(ah,0,bh), over [0,h]^2.
+Ball corner_error(const Power& u, const Rational& h, const PlacePair& at) {
+  return square_error(u, h, at, 0, 0, 1e-13);
+}
+
+// The halves of the unit square, cut from (0,0) to (1,1).
+std::vector<PlanarTriangle> halves_of_the_square() {
+  return {{PlanarPoint{0, 0}, PlanarPoint{1, 0}, PlanarPoint{1, 1}},
+          {PlanarPoint{0, 0}, PlanarPoint{1, 1}, PlanarPoint{0, 1}}};
+}
+
+// Linear functions that are not orthogonal to q, u = xi^2.
+Rational not_orthogonal(const Rational& alpha) {
+  long count = 0;
+  for (const ExactPolynomial& phi : monomials(1))
+    if (interpolation_error(phi, ExactPolynomial::monomial(2, 0), halves_of_the_square(), alpha) != 0)
+      ++count;
+  return {count};
+}
+
+// Int q^2, whose root is at least Int |q|.
+Rational square_of_q() {
+  Rational sum = 0;
+  for (const PlanarTriangle& tau : halves_of_the_square()) {
+    const ExactPolynomial u = ExactPolynomial::monomial(2, 0);
+    const ExactPolynomial q = u - interpolant(tau, Rational(1, 6), u);
+    sum += (q * q).integral_over({tau.begin(), tau.end()});
+  }
+  return sum;
+}
+
+constexpr long near_squares = 6;
+
+// A bound for all squares with max(i,j) >= 6: 2k + 1 of them have the maximum k, and lie at least k - 1/2
+// away from a point with 0 < a, b < 1/2; the sum over k of (2k + 1)/(k - 1/2)^5 <= sum of 2 (k - 1/2)^-4 + 2
+// (k - 1/2)^-5 is at most the first term and Int from 6 - 1/2 on.
+Ball beyond_the_near(const PlacePair& at) {
+  const Rational first = Rational(near_squares) - Rational(1, 2);
+  const auto inverse = [&](int n) { return 1 / power(first, n); };
+  const Rational sum = 2 * (inverse(4) + inverse(3) / 3) + 2 * (inverse(5) + inverse(4) / 4);
+  return Ball(Rational(36, 2) * at.b * sum) * sqrt(Ball(square_of_q()));
+}
+
+// What |K(I - P_n)u| pi/(rho h^2) cannot fall below at (ah,0,bh), h = 1/N: N^2 squares, by their absolute
+// values.
+Ball lower_bound(const Power& u, const PlacePair& at, const Ball& beyond) {
+  constexpr double radius = 1e-7;
+  Ball rest(0);
+  for (long i = 0; i < near_squares; ++i)
+    for (long j = 0; j < near_squares; ++j)
+      if (i + j > 0) rest += abs(square_error(u, 1, at, i, j, radius));
+  return abs(square_error(u, 1, at, 0, 0, radius)) - rest - beyond;
 }
 
 }  // namespace
@@ -260,6 +325,24 @@ Finding equation_86(const Bench&) {
   finding.control("-|e_h(ah,0,bh)| for u = xi, h = 1, a = 1/3, b = 1/6", not_zero,
                   proved(-abs(corner_error({1, 0}, 1, places().front()))));
   finding.show(proved(corner_error(square, 1, places().front())));
+  return finding;
+}
+
+Finding equation_86_remainder(const Bench&) {
+  const BallPrecision precision(96);
+  Finding finding;
+  const PlacePair node = places().front();
+  finding.require("linear functions that are not orthogonal to q", IsExactly{0},
+                  not_orthogonal(Rational(1, 6)));
+  finding.control("the same for alpha = 1/10", IsExactly{0}, not_orthogonal(Rational(1, 10)));
+  const LiesIn above_zero{Rational(1, 1000), 1};
+  const Ball beyond = beyond_the_near(node);
+  const Ball bound = lower_bound({2, 0}, node, beyond);
+  finding.remark("bound of what the squares beyond 6 h add", proved(beyond));
+  finding.require("least |K(I - P_n)u| pi/(rho h^2) at the node a = 1/3, b = 1/6, u = xi^2, every h = 1/N",
+                  above_zero, bound);
+  finding.control("the same for u = xi, whose q is 0", above_zero, lower_bound({1, 0}, node, Ball(0)));
+  finding.show(proved(bound));
   return finding;
 }
 
