@@ -2,10 +2,10 @@
 
 // Lemma 3.3 with a constant, for all functions: phi_0 the mean of Phi, phi_1 - phi_0 = g.(distance from the
 // centre), g the mean of grad Phi, p_k Taylor polynomials of f about the centre. As L'p_1 = 0, Int phi_1
-// L'p_2 = 0 and Int phi_0 L'p_3 = 0, L' = I - L, Int Phi L'f = Int (Phi - phi_1) L'(f - p_1) + Int (phi_1 -
-// phi_0) L'(f - p_2) + phi_0 Int L'(f - p_3). |d_x| + |d_y| <= h on the square, so that |f - p_k| <=
-// h^(k+1)/(k+1)! |D^(k+1) f|; ||Phi - phi_1||_1 <= h^2 Int |D^2 Phi| and ||phi_1 - phi_0||_1 <= (h/2) Int |D
-// Phi|; ||L'|| <= 1 + 7/3. So (65) holds with c = (10/3) max (1/2!, (1/2)/3!, 1/4!) = 5/3, for every h. On
+// L'p_2 = 0 and Int phi_0 L'p_3 = 0, L' = I - L,
+//   Int Phi L'f = Int (Phi - phi_1) L'(f - p_1) + Int (phi_1 - phi_0) L'(f - p_2) + phi_0 Int L'(f - p_3).
+// |d_x| + |d_y| <= h on the square, so that |f - p_k| <= h^(k+1)/(k+1)! |D^(k+1) f|; ||Phi - phi_1||_1 <= h^2
+// Int |D^2 Phi| and ||phi_1 - phi_0||_1 <= (h/2) Int |D Phi|; ||L'|| <= 1 + 7/3. So (65) holds with c = (10/3) max (1/2!, (1/2)/3!, 1/4!) = 5/3, for every h. On
 // any parallelogram of two triangles of diameter h the sides and half the diagonals are no longer than h, so
 // that 2^(1/2) h stands for h in these bounds and c = (10/3) 2 = 20/3: no shape enters. The inequalities are
 // those of verification/claims/mean_value_bounds.h. Interpolation and nodes are carried by affine maps, so

@@ -3,8 +3,9 @@
 // (82) asks for E in C^2(S) alone. On the surface (20), which is two faces of the cube, E = 1, alpha = 1/6
 // and any constant 0 < rho < 6/7 meet every hypothesis of Theorem 4.1: norm of K <= (rho/pi) (pi/2) = rho/2,
 // so that (80) holds with gamma = 7 rho/6. But u is not continuous at the ends of the common edge. On the
-// edge u = 1/(1 - rho/2), the largest value of u. On the diagonal x = z of a square u(t,0,t) <= 1 + (rho/pi)
-// (22)(t,t)/(1 - rho/2) <= 1 + (3 rho/8)/(1 - rho/2), as (22)(t,t) = [pi/4 + atan((1-t)/t) - ...]/2 with
+// edge u = 1/(1 - rho/2), the largest value of u. On the diagonal x = z of a square
+//   u(t,0,t) <= 1 + (rho/pi) (22)(t,t)/(1 - rho/2) <= 1 + (3 rho/8)/(1 - rho/2),
+// as (22)(t,t) = [pi/4 + atan((1-t)/t) - ...]/2 with
 // terms that are not negative left out is at most (pi/4 + pi/2)/2 for every t, and an element with a vertex
 // at the end of the edge has points of both kinds next to that vertex, where u_n is continuous. Hence norm of
 // (u - u_n) is at least half of what they differ by, rho/(16 - 8 rho), for every triangulation whose elements

@@ -3,8 +3,9 @@
 // The roof z = 2 - x^p over right triangles with legs h along the axes: x and y are linear on the element and
 // z depends on x = x_0 + h L alone, 0 <= L <= 1 a barycentric coordinate or 1 less one. Interpolation of
 // degree r at the lattice takes a function of one barycentric coordinate to its interpolant at i/r, i = 0,
-// ..., r. With e_j = L^j - I_r L^j, which is 0 for j <= r, m_k - m~_k = h^(r+1) sum over j > r of C(p,j)
-// x_0^(p-j) h^(j-r-1) e_j(L), which for 0 <= x_0 and h <= 1 is at most h^(r+1) sum C(p,j) max |e_j|, whatever
+// ..., r. With e_j = L^j - I_r L^j, which is 0 for j <= r,
+//   m_k - m~_k = h^(r+1) sum over j > r of C(p,j) x_0^(p-j) h^(j-r-1) e_j(L),
+// which for 0 <= x_0 <= 1 and h <= 1 is at most h^(r+1) sum C(p,j) max |e_j|, whatever
 // x_0, h and the element are: (87). The derivative by L, which D_s and D_t are up to the sign or 0, is at
 // most h^(r+1) sum C(p,j) max |e_j'|: (88) over sigma; by lengths in the parameter plane it is 1/h of that.
 // The normal is that of a line of the slope dz/dx, also on the interpolant; the angle of the line, its

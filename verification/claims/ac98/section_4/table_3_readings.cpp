@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Table 3 does not say which points lie on S and which on its interpolant S~. The area element and n_Q are
-// those of S~ (section 4.1). Left open are P in G: v_i on S as (91) has it, or v~_i on S~; n_P: of S at v_i,
-// or of S~ at v~_i; the values of u at the nodes: u(v_i), or u(v~_i); Ku: over S from v_i, or over S~ from
-// v~_i with its normal; the column of the errors: u(v_i) - u~_n or u(v~_i) - u~_n, with E = u - Ku by either.
+// those of S~ (section 4.1). Left open are
+//   P in G: v_i on S, as (91) has it, or v~_i on S~;
+//   n_P: of S at v_i, or of S~ at v~_i;
+//   the values of u at the nodes: u(v_i), or u(v~_i);
+//   Ku: over S from v_i, or over S~ from v~_i with its normal;
+//   the column of the errors: u(v_i) - u~_n or u(v~_i) - u~_n, with E = u - Ku by either.
+//
 // P = v_i lies off S~, at a distance of the order h^3. There the kernel has a peak, whose integral over the
 // element of v_i is about pi however near the point is, and which rules of few points do not see. So P = v_i
 // is taken twice: with the exact integral, and with that over the own element from v~_i in its place.
 //
 // Checked      table_3_readings: all 24 readings of E_n and all 48 of the errors, on S(3) with u = x^2 + y^2
 //              + z^2, alpha = 1/6, against the printed cells. The reading of README.md keeps each cell to
-//              within one unit of its last digit, and each other one misses some cell by more. The five cells
-//              that this reading does not meet are met by none. Two orders of the rules give the radii, which
-//              are estimates.
+//              within one unit of its last digit, and each other one misses some cell by more. Of the five cells
+//              that this reading does not meet those of n = 16 are met by none, and the others by none that
+//              is within a unit elsewhere. Two orders of the rules give the radii, which are estimates.
 // Not checked  other readings: an area element or n_Q of S, a P or n_P of one kind here and of the other
 //              there; the integration that the table rests on.
 
