@@ -4,15 +4,15 @@
 // They hold on every triangle with c = 21/10 and on every parallelogram with c = 20/3, and h the diameter:
 // the steps of lemma_3_2.cpp and lemma_3_3.cpp know no shape.
 //
-// equation_73: symmetric refinement cuts a triangle into four whose sides are half of its own, three alike and
-// one turned by a half turn, so that by induction all triangles of all levels have the r of level 0. r
-// tan(theta/2) >= 1 for the smallest angle theta, as tan(theta/2) = h*/(s - a), s half the perimeter and a the
-// side opposite, and s - a = (b + c - a)/2 <= c <= h, as b - a <= c.
+// equation_73: symmetric refinement cuts a triangle into four whose sides are half of its own, three alike
+// and one turned by a half turn, so that by induction all triangles of all levels have the r of level 0. r
+// tan(theta/2) >= 1 for the smallest angle theta, as tan(theta/2) = h*/(s - a), s half the perimeter and a
+// the side opposite, and s - a = (b + c - a)/2 <= c <= h, as b - a <= c.
 //
-// equation_79_pairs: n grows by 4. Of U triangles alike to one of level 0 and V turned ones the next level has
-// 3U + V and U + 3V, so that U - V doubles. A turned one lies inside that triangle and shares its side of a
-// given direction with an alike one, each with another. So U - V triangles are left over: 2^level for each of
-// level 0.
+// equation_79_pairs: n grows by 4. Of U triangles alike to one of level 0 and V turned ones the next level
+// has 3U + V and U + 3V, so that U - V doubles. A turned one lies inside that triangle and shares its side
+// of a given direction with an alike one, each with another. So U - V triangles are left over: 2^level for
+// each of level 0.
 //
 // Checked      equation_72_power: the constants, and that the largest error over the rest of the bound does
 //              not grow with r for products of monomials, as it does with h* for h, and as the gradient of f

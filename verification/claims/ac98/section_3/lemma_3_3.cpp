@@ -4,12 +4,13 @@
 // centre), g the mean of grad Phi, p_k Taylor polynomials of f about the centre. As L'p_1 = 0, Int phi_1
 // L'p_2 = 0 and Int phi_0 L'p_3 = 0, L' = I - L,
 //   Int Phi L'f = Int (Phi - phi_1) L'(f - p_1) + Int (phi_1 - phi_0) L'(f - p_2) + phi_0 Int L'(f - p_3).
-// |d_x| + |d_y| <= h on the square, so that |f - p_k| <= h^(k+1)/(k+1)! |D^(k+1) f|; ||Phi - phi_1||_1 <= h^2
-// Int |D^2 Phi| and ||phi_1 - phi_0||_1 <= (h/2) Int |D Phi|; ||L'|| <= 1 + 7/3. So (65) holds with c = (10/3) max (1/2!, (1/2)/3!, 1/4!) = 5/3, for every h. On
-// any parallelogram of two triangles of diameter h the sides and half the diagonals are no longer than h, so
-// that 2^(1/2) h stands for h in these bounds and c = (10/3) 2 = 20/3: no shape enters. The inequalities are
-// those of verification/claims/mean_value_bounds.h. Interpolation and nodes are carried by affine maps, so
-// that what vanishes on the unit square vanishes on all parallelograms.
+// |d_x| + |d_y| <= h on the square, so that |f - p_k| <= h^(k+1)/(k+1)! |D^(k+1) f|; ||Phi - phi_1||_1 <=
+// h^2 Int |D^2 Phi| and ||phi_1 - phi_0||_1 <= (h/2) Int |D Phi|; ||L'|| <= 1 + 7/3. So (65) holds with c
+// = (10/3) max (1/2!, (1/2)/3!, 1/4!) = 5/3, for every h. On any parallelogram of two triangles of
+// diameter h the sides and half the diagonals are no longer than h, so that 2^(1/2) h stands for h in
+// these bounds and c = (10/3) 2 = 20/3: no shape enters. The inequalities are those of
+// verification/claims/mean_value_bounds.h. Interpolation and nodes are carried by affine maps, so that
+// what vanishes on the unit square vanishes on all parallelograms.
 //
 // (71) stands, but not for the reason given. L'p_2 is one polynomial on tau_1 and another on tau_2, so that
 // (phi_1 - phi_0) L'p_2 is no polynomial on R, and the degree of precision of (59), which is one of

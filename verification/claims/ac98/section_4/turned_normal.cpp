@@ -4,10 +4,11 @@
 // Q, and cos(theta_Q) dS/|P-Q|^2 is the element of directions: Int G u = Int (w.n) u(Q(w)) dw. With a normal
 // n' = cos(delta) n + sin(delta) e in the place of n, e at a right angle to n, the factor is w.n',
 // negative on a rim as narrow as delta, where G is taken as it stands.
-//   u = 1: the mean of w is along n, so that Int G' = pi cos(delta) on every such surface: what is missing is pi
-// delta^2/2, O(h^(2r)) for delta = O(h^r). The change of the first order in delta cancels.
-//   u = x on the unit sphere, with the axes along e and n, P = -n: Q = P + 2 (w.n) w, so that Int G' u = 2 sin(delta) Int (w.n)
-// (w.e)^2 dw = (pi/2) sin(delta), of the first order. For u = y, the third axis, it is 0.
+//   u = 1: the mean of w is along n, so that Int G' = pi cos(delta) on every such surface: what is missing
+//   is pi delta^2/2, O(h^(2r)) for delta = O(h^r). The change of the first order in delta cancels.
+//   u = x on the unit sphere, with the axes along e and n, P = -n: Q = P + 2 (w.n) w, so that Int G' u =
+//   2 sin(delta) Int (w.n) (w.e)^2 dw = (pi/2) sin(delta), of the first order. For u = y, the third axis, it
+//   is 0.
 //
 // Checked      section_4_1_no_cancellation: these integrals, exactly, by the moments of the half-sphere, Int
 //              (w.e)^i (w.f)^j (w.n)^k dw; and G itself with the turned normal over the sphere by a product
