@@ -6,15 +6,19 @@
 // error of u - u_n falls like h^2 in Table 4 all the same, and for rho = 99/100 too.
 //
 // Checked      equation_80_table_4: the product for the data of Table 4, by balls; of Table 5 likewise.
-//              equation_81: on the cube with rho = 2/5, which (80) allows, with 1/(1 - gamma) = 15 for the
-//              norm of the inverse.
-// Not checked  the norm of the inverse itself.
+//              equation_81: the norms of K_n and of the inverse of I - K_n, enclosed, on the cube with rho =
+//              3/8, which (80) allows: gamma = 7/8 bounds the first and 1/(1 - gamma) = 8 the second. The
+//              error on the cube with rho = 2/5, where 1/(1 - gamma) = 15. (81) itself is (I - P_n K)(u -
+//              u_n) = u - P_n u.
+// Not checked  finer levels.
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 
+#include "radcert/surface/catalogue.h"
+#include "verification/claims/ac98/collocation/inverse_norm.h"
 #include "verification/claims/ac98/collocation/level_orders.h"
 #include "verification/claims/ac98/surfaces/polyhedra.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
@@ -95,6 +99,19 @@ Finding equation_81(const Bench& bench) {
     finding.remark("the same for rho = 99/100, where (80) fails" + at, quotient(beyond));
     if (level == finest) finding.show(quotient(problem));
   }
+  const Surface cube = find_surface("cube")->make({});
+  const Rational sixth(1, 6);
+  const LiesIn below_gamma{0, Rational(7, 8)};
+  const LiesIn below_8{1, 8};
+  for (int level = 0; level <= (bench.budget == Budget::quick ? 0 : 1); ++level) {
+    const CollocationNorms norms = collocation_norms(cube, triangulate(cube, level), sixth, 0.375);
+    const std::string at = ", cube, rho = 3/8, level " + std::to_string(level);
+    finding.require("norm of K_n" + at, below_gamma, norms.matrix);
+    finding.require("norm of the inverse of I - K_n" + at, below_8, norms.inverse);
+  }
+  const CollocationNorms brighter = collocation_norms(cube, triangulate(cube, 0), sixth, 0.9375);
+  finding.control("norm of K_n, cube, rho = 15/16, level 0", below_gamma, brighter.matrix);
+  finding.control("norm of the inverse of I - K_n, cube, rho = 15/16, level 0", below_8, brighter.inverse);
   // (80) is false for rho near 1, and the part of the error that is constant on S grows like 1/(1 - rho).
   const Problem far_beyond = linear_problem_with_solution("cube", {}, "9999/10000", "x^2 + y^2 + z^2");
   finding.control(
