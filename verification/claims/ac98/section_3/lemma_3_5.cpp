@@ -7,12 +7,18 @@
 // first derivatives of the surface: D_Q^2 G needs its third ones. On z = x^2 + y^2 + |x|^(5/2), which is
 // convex and C^2 but not C^3, D_Q^2 G grows without bound as Q nears the plane x = 0, far from P.
 //
-// Checked      equation_77: |P-Q|^2 |D_Q^2 G| <= 100 for second derivatives along all directions, the spectral
-//              norm, all p with |p| <= 1/2 and r <= 1, by enclosures over boxes: p = (|p|, 0) without loss,
-//              as the norm does not change with the axes. G of the formula against G of (2), at points.
-//              lemma_3_5: on the second surface x^(1/2) |P-Q|^2 D_xx G, for all 0 < x <= 4^-20 at once, is
-//              not what tends to 0: unbounded, for y = 1/7, P = (1,0). With |x|^(7/2) it does.
-// Not checked  (77) for all surfaces of C^3.
+// For charts in C^3 on which |P-Q| >= m |p - q|, m > 0, the product rule gives (77): with r = |p - q|, A =
+// (Q-P).n_P and its derivatives of order 1 and 2 by q are O(r^2), O(r) and O(1), as A and DA vanish at q = p;
+// so are those of B = (P-Q).n_Q, as DB = (P-Q).Dn_Q, and D^2 B needs the second derivative of n_Q, the third
+// one of the chart; those of |P-Q|^-4 are O(r^-4), O(r^-5), O(r^-6). Each term of D^2 (A B |P-Q|^-4) is
+// O(r^-2).
+//
+// Checked      equation_77: |P-Q|^2 |D_Q^2 G| <= 100 for second derivatives along all directions, the
+//              spectral norm, all p with |p| <= 1/2 and r <= 1, by enclosures over boxes: p = (|p|, 0)
+//              without loss, as the norm does not change with the axes. G of the formula against G of (2), at
+//              points. lemma_3_5: on the second surface x^(1/2) |P-Q|^2 D_xx G, for all 0 < x <= 4^-20 at
+//              once, is not what tends to 0: unbounded, for y = 1/7, P = (1,0). With |x|^(7/2) it does.
+// Not checked  (77) for all surfaces of C^3, but in these words.
 
 #include <algorithm>
 
