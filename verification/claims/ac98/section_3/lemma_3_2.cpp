@@ -16,9 +16,7 @@
 //              Both sides for products of monomials, down to an angle of 1e-8, which no step uses.
 //              equation_61: (61) and (62) with c = 1/(k+1)!, reached by (d_x + d_y)^(k+1). equation_63: (63)
 //              with c = 1. equation_64: the identity, B(Phi, f) = Int Phi L'f being bilinear, and that its
-//              third term is 0 by (58). theorem_3_7_left_over: the proof of Theorem 3.7 has O(h^5 norm of D^3
-//              u) for one triangle; for f = x^2, whose D^3 is 0, and Phi = x the error is -h^5/1080, so that
-//              the D^2 of (60) cannot be left out.
+//              third term is 0 by (58).
 // Not checked  that smooth functions are dense in W^(1,1). Legs that are not along the axes: c is then that
 //              of corollary_3_4_a, as the largest derivative depends on the axes.
 
@@ -276,31 +274,6 @@ Finding equation_64(const Bench&) {
   finding.control("monomials p_3 with Int L'p_3 != 0", zero, not_integrated(3, Rational(1, 6)));
   finding.control("monomials p_2 with Int L'p_2 != 0, alpha = 1/10", zero,
                   not_integrated(2, Rational(1, 10)));
-  return finding;
-}
-
-Finding theorem_3_7_left_over(const Bench&) {
-  Finding finding;
-  const IsExactly zero{0};
-  const ExactPolynomial x = ExactPolynomial::monomial(1, 0);
-  const ExactPolynomial square = x * x;
-  const Rational sixth(1, 6);
-  const auto error = [&](const ExactPolynomial& phi, const ExactPolynomial& f, const Rational& h,
-                         const Rational& alpha) {
-    return interpolation_error(phi, f, {triangle(placed(right_triangle(), h, {0, 0}))}, alpha);
-  };
-  finding.require("Int Phi (I - L)f over h^5, Phi = x, f = x^2 with D^3 f = 0, h = 1/8", zero,
-                  error(x, square, Rational(1, 8), sixth) * power(Rational(8), 5));
-  finding.instead("Int Phi (I - L)f, Phi = x, f = x with D^2 f = D^3 f = 0", zero, error(x, x, 1, sixth));
-  finding.instead("Int Phi (I - L)f, Phi = 1 with D Phi = 0, f = x^2", zero, error(1, square, 1, sixth));
-  // Both sides are polynomials of degree 5 in h, so that six values make it an identity.
-  long other = 0;
-  for (long n = 1; n <= 6; ++n)
-    if (error(x, square, Rational(n, 3), sixth) != -power(Rational(n, 3), 5) / 1080) ++other;
-  finding.instead("values of h where that of x and x^2 is not -h^5/1080", zero, Rational(other));
-  finding.control("Int Phi (I - L)f, Phi = 1, f = x^2, alpha = 1/10", zero,
-                  error(1, square, 1, Rational(1, 10)));
-  finding.show({.value = -1.0 / 1080, .radius = 0x1p-60, .guaranteed = true});
   return finding;
 }
 
