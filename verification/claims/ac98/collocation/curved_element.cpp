@@ -82,12 +82,11 @@ ElementSums FromPoint::over(const CurvedElement& element) const {
                                         : divided(element, whole, element.diameter());
 }
 
-ElementSums FromPoint::around(const CurvedElement& element, const std::array<double, 3>& x) const {
-  // Seen from a node near a side, the angle along that side is less smooth than the rest.
+ElementSums FromPoint::around(const CurvedElement& element, const std::array<double, 3>& x, int order) const {
   ElementSums sums{};
   for (std::size_t i = 0; i < 3; ++i) {
     const PartCorners part{x, whole.at((i + 1) % 3), whole.at((i + 2) % 3)};
-    if (part_of(part) > 0) add(sums, sum(element.by(part, collapsed_at_first(4 * element.order()))));
+    if (part_of(part) > 0) add(sums, sum(element.by(part, collapsed_at_first(order))));
   }
   return sums;
 }

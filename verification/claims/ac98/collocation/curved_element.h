@@ -59,6 +59,8 @@ using ElementSums = std::array<double, 4>;
 /// Maths     over: divided until a part is no larger than its distance.  around: triangles that collapse at
 ///           the point, in whose coordinates (l,t) with x = (1 - l, l (1 - t), l t) the product of G and the
 ///           Jacobian's factor l is analytic up to l = 0, whatever the normal at the point is
+///           order: of either Gauss rule; from a node near a side the angle along that side is less smooth
+///           than from a vertex
 /// Requires  over: a point off the element; around: the point of the element with these coordinates
 /// Result    rounded, without an estimate: compare two orders
 class FromPoint {
@@ -66,7 +68,8 @@ public:
   FromPoint(const Vector<double>& point, const Vector<double>& normal) : point_(point), normal_(normal) {}
 
   [[nodiscard]] ElementSums over(const CurvedElement& element) const;
-  [[nodiscard]] ElementSums around(const CurvedElement& element, const std::array<double, 3>& x) const;
+  [[nodiscard]] ElementSums around(const CurvedElement& element, const std::array<double, 3>& x,
+                                   int order) const;
 
 private:
   ElementSums divided(const CurvedElement& element, const PartCorners& corners, double diameter) const;

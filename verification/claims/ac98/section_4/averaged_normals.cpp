@@ -93,7 +93,7 @@ ElementSums sums_from(const FromPoint& from, std::size_t node, const Element& el
     if (element.vertex.at(apex) == node) {
       std::array<double, 3> x{};
       x.at(apex) = 1;
-      return from.around(element.surface, x);
+      return from.around(element.surface, x, 2 * element.surface.order());
     }
   return from.over(element.surface);
 }

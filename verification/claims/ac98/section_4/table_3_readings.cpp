@@ -156,7 +156,8 @@ private:
     const FromPoint exact(node.point[0], node.normal[0]);
     for (std::size_t k = 0; k < on_surface_.size(); ++k)
       node.integral_of_u[0] +=
-          (k == i / 3 ? exact.around(on_surface_[k], node_at(i % 3)) : exact.over(on_surface_[k]))[3] /
+          (k == i / 3 ? exact.around(on_surface_[k], node_at(i % 3), 4 * on_surface_[k].order())
+                      : exact.over(on_surface_[k]))[3] /
           std::numbers::pi;
     // On the plane piece both points are one.
     constexpr double apart = 1e-12;
@@ -167,8 +168,8 @@ private:
       for (std::size_t k = 0; k < on_interpolant_.size(); ++k) {
         const CurvedElement& element = on_interpolant_[k];
         const bool own = k == i / 3;
-        const ElementSums near =
-            own ? on_interpolant.around(element, node_at(i % 3)) : on_interpolant.over(element);
+        const ElementSums near = own ? on_interpolant.around(element, node_at(i % 3), 4 * element.order())
+                                     : on_interpolant.over(element);
         const ElementSums off = own && !has_peak ? near : on_surface.over(element);
         add(i, k, KernelPoint::interpolant, normal, near);
         add(i, k, KernelPoint::surface, normal, off);
