@@ -7,7 +7,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "tests/verification/fixtures.h"
-#include "verification/claims/m06/interpolation_defects.h"
+#include "verification/claims/m06/section_3/interpolation_defects.h"
 #include "verification/claims/m06/rates.h"
 #include "verification/framework/paper.h"
 

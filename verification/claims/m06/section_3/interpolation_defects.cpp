@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/claims/m06/interpolation_defects.h"
+#include "verification/claims/m06/section_3/interpolation_defects.h"
 
 #include <vector>
 

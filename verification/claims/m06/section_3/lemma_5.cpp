@@ -17,7 +17,7 @@
 
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/claims/m06/interpolation_defects.h"
+#include "verification/claims/m06/section_3/interpolation_defects.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {

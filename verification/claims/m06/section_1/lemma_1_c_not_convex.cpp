@@ -18,7 +18,7 @@
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/surface/catalogue/torus.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/claims/m06/non_convex_bodies.h"
+#include "verification/claims/m06/section_1/non_convex_bodies.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/claims/m06/non_convex_bodies.h"
+#include "verification/claims/m06/section_1/non_convex_bodies.h"
 
 #include <algorithm>
 
