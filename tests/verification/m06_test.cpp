@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "tests/verification/fixtures.h"
-#include "verification/claims/m06/section_3/interpolation_defects.h"
 #include "verification/claims/m06/rates.h"
+#include "verification/claims/m06/section_3/interpolation_error.h"
 #include "verification/framework/paper.h"
 
 namespace radcert::verification::m06 {
@@ -87,39 +86,36 @@ TEST(ProblemsOfMicula, AreReadAndSmooth) {
 }
 
 // r = 0, by hand: (I - L) x = x - 1/3 on the triangle, x -+ 1/6 about the centre of the square.
-TEST(InterpolationDefects, AreThoseOfTheCentroid) {
-  const TriangleBasis<Ball> centroid(InsetBasis<Ball>(0, Ball(0)));
-  EXPECT_TRUE(largest_defect(centroid, Region::triangle, 1).contains(Rational(0)));
-  EXPECT_TRUE(largest_defect(centroid, Region::triangle, 2).contains(Rational(1, 36)));
-  EXPECT_TRUE(largest_defect(centroid, Region::parallelogram, 1).contains(Rational(0)));
-  EXPECT_TRUE(largest_defect(centroid, Region::parallelogram, 2).contains(Rational(1, 18)));
-  EXPECT_LT(largest_defect(centroid, Region::parallelogram, 2).radius(), 1e-30);
+TEST(InterpolationErrors, AreThoseOfTheCentroid) {
+  const InterpolationError error(0);
+  EXPECT_TRUE(error(Over::triangle, {0, 0}, {1, 0}).is_zero());
+  EXPECT_EQ(error(Over::triangle, {1, 0}, {1, 0}), RationalPolynomial(Rational(1, 36)));
+  EXPECT_TRUE(error(Over::square, {0, 0}, {0, 1}).is_zero());
+  EXPECT_EQ(error(Over::square, {0, 0}, {1, 1}), RationalPolynomial(Rational(-1, 36)));
 }
 
-// A half turn takes the square and its cut to themselves: what is odd about the centre cancels.
-TEST(InterpolationDefects, VanishForOddDegreesOnTheSquare) {
-  for (const int r : {0, 2, 4}) {
-    const TriangleBasis<Ball> basis(InsetBasis<Ball>(r, Ball(Rational(1, 7))));
-    EXPECT_LT(largest_defect(basis, Region::parallelogram, r + 1).upper_double(), 1e-30) << r;
-    EXPECT_TRUE(certainly_less(Ball(Rational(1, 1000000)), largest_defect(basis, Region::triangle, r + 2)))
-        << r;
-  }
-}
-
-// With Phi = 1 they are the defects of the rule itself: no less than those, for any nodes.
-TEST(InterpolationDefects, AreNoLessThanThoseOfTheRule) {
-  const Rational alpha(1, 7);
+// With Phi = 1 they are the defects of the rule, with the other sign.
+TEST(InterpolationErrors, AreTheDefectsOfTheRule) {
   for (const int r : {1, 2, 3}) {
-    const LagrangeFunctions functions = lagrange_functions(inset_nodes(r, alpha)).value();
-    const TriangleRule<Rational> rule = interpolatory_rule(functions);
-    const TriangleBasis<Ball> basis(InsetBasis<Ball>(r, Ball(alpha)));
-    const int degree = degree_of_precision(rule, Region::triangle).degree;
-    Rational largest = 0;
-    for (int b = 0; b <= degree + 1; ++b)
-      largest = std::max(largest, abs(defect(rule, Region::triangle, {degree + 1 - b, b})));
-    EXPECT_FALSE(certainly_less(largest_defect(basis, Region::triangle, degree + 1), Ball(largest))) << r;
-    EXPECT_LT(largest_defect(basis, Region::triangle, degree).upper_double(), 1e-30) << r;
+    const InterpolationError error(r);
+    const InsetFamily family(r);
+    for (int b = 0; b <= r + 2; ++b)
+      for (const Rational& alpha : {Rational(1, 7), Rational(1, 10)})
+        EXPECT_EQ(error(Over::triangle, {0, 0}, {r + 2 - b, b})(alpha),
+                  -power(1 - 3 * alpha, r) * family.defect(Region::triangle, {r + 2 - b, b})(alpha))
+            << r << " " << b;
   }
+}
+
+// L reproduces polynomials of degree r, whatever Phi is; a half turn takes what is odd to its opposite.
+TEST(InterpolationErrors, VanishUpToTheDegreeAndForOddTotalDegreesOnTheSquare) {
+  for (const int r : {1, 2, 3}) {
+    const InterpolationError error(r);
+    EXPECT_EQ(error.coefficients_left(Over::kite, 1, r, {}), 0) << r;
+    EXPECT_NE(error.coefficients_left(Over::kite, 1, r + 1, {}), 0) << r;
+    EXPECT_EQ(error.coefficients_left(Over::square, r % 2 == 0 ? 0 : 1, r + 1, {}), 0) << r;
+  }
+  EXPECT_THROW(static_cast<void>(InterpolationError(1)(Over::square, {2, 0}, {0, 0})), ContractViolation);
 }
 
 }  // namespace
