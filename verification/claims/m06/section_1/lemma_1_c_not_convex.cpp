@@ -92,13 +92,14 @@ Finding lemma_1_c_not_convex(const Bench& bench) {
                     AgreesWith{.value = Ball::pi(), .within = 1e-30},
                     signed_total(room, 5, point_of_face(room, 5, 0), BehindTangentPlane::left_out, little));
   }
-  const AtMost zero{.value = 0, .slack = 0, .why = ""};
+  // G < 0 strictly: G = 0, as on a plane, is not enough.
+  const AtMost negative{.value = -0x1p-20, .slack = 0, .why = ""};
   for (const NonConvexBody& body : {room, octahedron})
-    finding.require("the least G between points of faces, times a positive number, " + body.name, zero,
+    finding.require("the least G between points of faces, times a positive number, " + body.name, negative,
                     ac98::proved(Ball(least_scaled_kernel(body))));
-  finding.require("G between the outermost and the opposite innermost point of the torus", zero,
+  finding.require("G between the outermost and the opposite innermost point of the torus", negative,
                   ac98::proved(torus_kernel()));
-  finding.control("G between floor and ceiling of the L-shaped room", zero,
+  finding.control("G between floor and ceiling of the L-shaped room", negative,
                   ac98::proved(Ball(geometric_kernel(point_of_face(room, 0, 0), room.faces[0].normal(),
                                                      point_of_face(room, 1, 0), room.faces[1].normal()))));
   finding.show(ac98::proved(torus_kernel()));
