@@ -7,21 +7,15 @@
 namespace radcert::verification::ac98 {
 Finding equation_1(const Bench& bench);
 Finding equation_2(const Bench& bench);
-Finding equation_6(const Bench& bench);
-Finding equation_7(const Bench& bench);
 Finding equation_17(const Bench& bench);
 Finding equation_44(const Bench& bench);
-Finding theorem_2_4_a(const Bench& bench);
 }  // namespace radcert::verification::ac98
 
 namespace radcert::verification::m06 {
 
 Finding equation_1(const Bench& bench) { return ac98::equation_1(bench); }
 Finding equation_2(const Bench& bench) { return ac98::equation_2(bench); }
-Finding lemma_1_a(const Bench& bench) { return ac98::equation_6(bench); }
-Finding lemma_1_c(const Bench& bench) { return ac98::equation_7(bench); }
 Finding equation_6(const Bench& bench) { return ac98::equation_17(bench); }
-Finding theorem_3_a(const Bench& bench) { return ac98::theorem_2_4_a(bench); }
 Finding equation_21(const Bench& bench) { return ac98::equation_44(bench); }
 
 }  // namespace radcert::verification::m06
