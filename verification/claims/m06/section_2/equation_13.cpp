@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      As identities in alpha, for r = 1 to 8: the nodes of the library are those printed, (r + 1)(r
-//              + 2)/2 of them; each coordinate is alpha + (1 - 3 alpha) k/r with a whole number k >= 0, so
-//              that 0 < alpha < 1/3 keeps all of them inside and alpha apart from the sides. At alpha = 0 the
-//              border holds 3r of them. Every permutation of the vertices permutes them. At alpha = 1/3,
-//              which the paper allows beside (13), they are one point: (14) needs alpha < 1/3.
+// q_ij = (c_i, c_j) with c_i = (i + (r - 3i) alpha)/r = alpha + (1 - 3 alpha) i/r. The third barycentric
+// coordinate is c_k, k = r - i - j: permutations of the vertices permute i, j and k, and with them the nodes.
+// c_i - c_m = (1 - 3 alpha)(i - m)/r, so that the nodes are different and lie on a uniform grid unless alpha =
+// 1/3; c_i >= alpha for alpha < 1/3, with equality for i = 0: all nodes are inside sigma and alpha apart from
+// its sides, and for alpha = 0 those with i j k = 0 lie on the sides. There are (r + 1)(r + 2)/2: r + 1 more than
+// for r - 1.
+//
+// Checked      these as identities in i, j, m, r and alpha. The library's nodes are those printed, as identities
+//              in alpha for r = 1 to 8; their number, the least coordinate and the symmetry once more at alpha
+//              = 1/10, and the 3r on the border at alpha = 0. At alpha = 1/3, which the paper allows beside
+//              (13), they are one point: (14) needs alpha < 1/3.
 // Not checked  r = 0, where (13) divides by zero; the one node is the centroid then.
 
 #include <algorithm>
@@ -12,6 +18,7 @@
 #include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "verification/claims/ac98/collocation/differing_coefficients.h"
+#include "verification/claims/m06/many_variables.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -22,6 +29,42 @@ constexpr int largest_degree = 8;
 // (i + (r - 3i) alpha)/r, typed in.
 RationalPolynomial printed_coordinate(int i, int r) {
   return Rational(1, r) * (i + Rational(r - 3 * i) * RationalPolynomial::variable());
+}
+
+// r c_i with the variables i, j, m, r and alpha; `three` for the 3 in (13).
+struct Letters {
+  ManyVariables i = ManyVariables::variable(0);
+  ManyVariables j = ManyVariables::variable(1);
+  ManyVariables m = ManyVariables::variable(2);
+  ManyVariables r = ManyVariables::variable(3);
+  ManyVariables alpha = ManyVariables::variable(4);
+  int three = 3;
+
+  [[nodiscard]] ManyVariables scaled(const ManyVariables& index) const {
+    return index + (r - three * index) * alpha;
+  }
+};
+
+// r (1 - c_i - c_j) - r c_(r-i-j).
+Rational terms_of_third(int three) {
+  Letters x;
+  x.three = three;
+  return (x.r - x.scaled(x.i) - x.scaled(x.j) - x.scaled(x.r - x.i - x.j)).terms();
+}
+
+// r (c_i - c_m) - (1 - 3 alpha)(i - m), and r (c_i - alpha) - (1 - 3 alpha) i.
+Rational terms_of_differences(int three) {
+  Letters x;
+  x.three = three;
+  return (x.scaled(x.i) - x.scaled(x.m) - (1 - 3 * x.alpha) * (x.i - x.m)).terms() +
+         (x.scaled(x.i) - x.r * x.alpha - (1 - 3 * x.alpha) * x.i).terms();
+}
+
+// f_r - f_(r-1) - (r + 1), f_r = (r + 1)(r + more)/2.
+Rational terms_of_count(int more) {
+  const ManyVariables r = Letters().r;
+  const ManyVariables half = Rational(1, 2);
+  return (half * (r + 1) * (r + more) - half * r * (r + more - 1) - (r + 1)).terms();
 }
 
 using Node = std::array<Rational, 3>;
@@ -58,6 +101,14 @@ Rational moved_off(const std::vector<Node>& nodes) {
 
 Finding equation_13(const Bench&) {
   Finding finding;
+  const IsExactly none{0};
+  finding.require("terms of r (1 - c_i - c_j) - r c_(r-i-j)", none, terms_of_third(3));
+  finding.require("terms of r (c_i - c_m) - (1 - 3 alpha)(i - m) and r (c_i - alpha) - (1 - 3 alpha) i", none,
+                  terms_of_differences(3));
+  finding.require("terms of f_r - f_(r-1) - (r + 1)", none, terms_of_count(2));
+  finding.control("terms of the first with 2 for 3 in (13)", none, terms_of_third(2));
+  finding.control("terms of the second with 2 for 3 in (13)", none, terms_of_differences(2));
+  finding.control("terms of the third with (r + 1)(r + 3)/2 for f_r", none, terms_of_count(3));
   const Rational alpha(1, 10);
   for (int r = 1; r <= largest_degree; ++r) {
     const InsetFamily family(r);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      As identities in alpha, for r = 0 to 8: the rule (16) integrates every polynomial of degree <=
-//              r over sigma. On three planar triangles, (28), r = 1 to 4: the rule with the nodes m_tau(q_j)
-//              and the weights 2 Area omega_j, against the integral by Green's theorem, for every monomial of
-//              degree <= r in x and y. At alpha = 1/10 and r >= 1 the degree is r and no more.
-// Not checked  nothing is left of "at least r". When it is more: alpha_0.
+// Checked      As identities in alpha, for r = 0 to 8: the rule (16) integrates every polynomial of degree <= r
+//              over sigma. (28): an affine m_tau takes P_r to P_r and multiplies integrals by 2 Area, so that the
+//              rule with the nodes m_tau(q_j) and the weights 2 Area omega_j does the same over tau; on a scalene
+//              and a thin triangle once more, against the integral by Green's theorem, as identities in alpha for
+//              every monomial of degree <= r in x and y, r = 1 to 4. At alpha = 1/10 and r >= 1 the degree is r
+//              and no more.
+// Not checked  r above 8. When it is more: alpha_0.
 
 #include "radcert/polynomial/nodes/inset_family.h"
 #include "verification/claims/ac98/collocation/differing_coefficients.h"
@@ -45,6 +47,43 @@ PlanarRule rule_on(const std::vector<PlanarPoint>& tau, const InsetFamily& famil
   return rule;
 }
 
+// (1 - 3 alpha)^r times the rule of (28) less the integral, for x^a y^b; the weights 2 Area omega_j times
+// `factor`.
+RationalPolynomial defect_on(const std::vector<PlanarPoint>& tau, const InsetFamily& family, int a, int b,
+                             const Rational& factor) {
+  const auto pole = [](int n) {
+    RationalPolynomial result = 1;
+    for (int i = 0; i < n; ++i) result *= 1 - 3 * RationalPolynomial::variable();
+    return result;
+  };
+  const Rational twice_area =
+      (tau[1].x - tau[0].x) * (tau[2].y - tau[0].y) - (tau[2].x - tau[0].x) * (tau[1].y - tau[0].y);
+  RationalPolynomial rest = -ac98::integral(tau, a, b) * pole(family.degree());
+  for (std::size_t j = 0; j < family.size(); ++j) {
+    const std::array<RationalPolynomial, 3> q = family.node(j);
+    const InsetFunction weight = family.weight(j);
+    RationalPolynomial term =
+        factor * twice_area * weight.numerator * pole(family.degree() - weight.pole_order);
+    for (int i = 0; i < a; ++i) term *= q[0] * tau[0].x + q[1] * tau[1].x + q[2] * tau[2].x;
+    for (int i = 0; i < b; ++i) term *= q[0] * tau[0].y + q[1] * tau[1].y + q[2] * tau[2].y;
+    rest += term;
+  }
+  return rest;
+}
+
+// Its coefficients that are not zero, all monomials of degree <= r.
+Rational coefficients_on(const std::vector<PlanarPoint>& tau, const InsetFamily& family,
+                         const Rational& factor) {
+  long count = 0;
+  for (int a = 0; a <= family.degree(); ++a)
+    for (int b = 0; a + b <= family.degree(); ++b) {
+      const RationalPolynomial rest = defect_on(tau, family, a, b, factor);
+      for (int k = 0; k <= rest.degree(); ++k)
+        if (rest.coefficient(static_cast<std::size_t>(k)) != 0) ++count;
+    }
+  return {count};
+}
+
 }  // namespace
 
 Finding equation_16(const Bench&) {
@@ -65,6 +104,11 @@ Finding equation_16(const Bench&) {
   constexpr int largest_on_planes = 4;
   for (int r = 1; r <= largest_on_planes; ++r)
     for (const NamedTriangle& each : triangles()) {
+      const std::string of = ", r = " + std::to_string(r) + ", " + each.name;
+      finding.require("coefficients in alpha of the rule less the integral, degree <= r" + of, IsExactly{0},
+                      coefficients_on(each.corners, InsetFamily(r), 1));
+      finding.control("the same with the weights Area omega_j" + of, IsExactly{0},
+                      coefficients_on(each.corners, InsetFamily(r), Rational(1, 2)));
       const PlanarRule rule = rule_on(each.corners, InsetFamily(r), alpha);
       finding.require("degree of precision, alpha = 1/10, r = " + std::to_string(r) + ", " + each.name,
                       IsExactly{r}, ac98::precision(rule, each.corners));

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// P_n works element by element through the same l_j, so its norm on the bounded functions is max sum |l_j|
-// over sigma, whatever n is.
+// P_n works element by element through the same l_j, so that its norm on the bounded functions is max sum |l_j|
+// over sigma, whatever n is; and P_n P_n = P_n as l_i(q_j) = delta_ij, (14), for every alpha. With y = (x -
+// alpha)/(1 - 3 alpha) each of the r factors of l_k = prod (r y_i - a)/(k_i - a) is at most 2r/(1 - 3 alpha): |y_i|
+// <= 1/(1 - 3 alpha), a < r. So the norm is at most f_r (2r/(1 - 3 alpha))^r, for every alpha.
 //
-// Checked      P_n is a projection: l_i(q_j) is 1 for i = j and 0 otherwise, exactly, r = 1 to 5. Its norm:
-//              (1 + alpha)/(1 - 3 alpha) for r = 1, as an identity in alpha and at three alphas; for r = 2 to
-//              5 at alpha = 1/10 enclosed by Bernstein bounds, and equal to sum |l_j| at a corner of sigma to
-//              the width of the enclosure.
-// Not checked  that the corner is the place of the maximum for other alphas and r: for alpha = 0 it is not.
+// Checked      P_n is a projection: l_i(q_j) is 1 for i = j and 0 otherwise, exactly, r = 1 to 5. Its norm: (1 +
+//              alpha)/(1 - 3 alpha) for r = 1, as an identity in alpha and at three alphas; for r = 2 to 5 at
+//              alpha = 1/10 enclosed by Bernstein bounds, and equal to sum |l_j| at a corner of sigma to the width
+//              of the enclosure, and below the bound. Rejected: the l_j at other nodes; alpha = 0, where the corner
+//              is not the place of the maximum; alpha near 1/3 against the bound for 1/10.
+// Not checked  that the corner is the place of the maximum for other alphas and r.
 
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/polynomial/nodes/lattice.h"
@@ -31,11 +34,11 @@ Rational at_a_corner(const LagrangeFunctions& functions) {
 }
 
 // Pairs i, j with l_i(q_j) other than it should be.
-Rational pairs_off(const LagrangeFunctions& functions) {
+Rational pairs_off(const LagrangeFunctions& functions, const std::vector<Barycentric<Rational>>& nodes) {
   long count = 0;
   std::vector<Rational> values(functions.size());
   for (std::size_t j = 0; j < functions.size(); ++j) {
-    functions.values(functions.nodes()[j], values);
+    functions.values(nodes[j], values);
     for (std::size_t i = 0; i < values.size(); ++i)
       if (values[i] != Rational(i == j ? 1 : 0)) ++count;
   }
@@ -45,6 +48,11 @@ Rational pairs_off(const LagrangeFunctions& functions) {
 Ball norm(const LagrangeFunctions& functions, const Rational& tolerance) {
   const LebesgueConstant constant = lebesgue_constant(functions, tolerance);
   return hull(Ball(constant.lower), Ball(constant.upper));
+}
+
+// f_r (2r/(1 - 3 alpha))^r.
+Rational bound(int r, const Rational& alpha) {
+  return Rational((r + 1) * (r + 2) / 2) * power(2 * r / (1 - 3 * alpha), r);
 }
 
 }  // namespace
@@ -69,10 +77,24 @@ Finding equation_17(const Bench& bench) {
   for (int r = 1; r <= largest_degree; ++r) {
     const std::string of = ", alpha = 1/10, r = " + std::to_string(r);
     const LagrangeFunctions functions = functions_at(r, tenth);
-    finding.require("pairs i, j with a wrong l_i(q_j)" + of, IsExactly{0}, pairs_off(functions));
+    finding.require("pairs i, j with a wrong l_i(q_j)" + of, IsExactly{0},
+                    pairs_off(functions, functions.nodes()));
+    finding.control("the same for the nodes of alpha + 1/20" + of, IsExactly{0},
+                    pairs_off(functions, inset_nodes<Rational>(r, tenth + Rational(1, 20))));
     const Ball enclosed = norm(functions, tolerance);
     finding.require("norm of P_n against sum |l_j| at a corner" + of,
                     AgreesWith{.value = Ball(at_a_corner(functions)), .within = within}, enclosed);
+    const AtMost not_above{};
+    finding.require("norm of P_n less f_r (2r/(1 - 3 alpha))^r" + of, not_above,
+                    ac98::proved(enclosed - Ball(bound(r, tenth))));
+    finding.control("norm of P_n for alpha = 33333/100000 less that bound" + of, not_above,
+                    ac98::proved(norm(functions_at(r, Rational(33333, 100000)), 1) - Ball(bound(r, tenth))));
+    if (r > 1) {
+      const LagrangeFunctions on_border = functions_at(r, 0);
+      finding.control("norm of P_n against sum |l_j| at a corner, alpha = 0, r = " + std::to_string(r),
+                      AgreesWith{.value = Ball(at_a_corner(on_border)), .within = within},
+                      norm(on_border, tolerance));
+    }
     finding.remark("norm of P_n" + of, ac98::proved(enclosed));
   }
   return finding;

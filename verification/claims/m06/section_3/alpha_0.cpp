@@ -5,14 +5,17 @@
 // gains the degree if and only if it is a zero of their greatest common divisor. Where that is 1, cofactors
 // with sum cofactor_t D_t = 1 prove that there is none, real or complex.
 //
-// Checked      r = 1: 1/6 and no other; r = 3: (7 - sqrt 34)/15 and no other; by Sturm's theorem. r = 5 and 7
-//              (9 and 11 beyond quick): none, beside those of r = 1 and 3. Every certificate is checked again. Over a rectangle: degree r
-//              + 2 at alpha_0, r at alpha = 1/10; for even r and every alpha r + 1 and, r <= 8, no more.
+// Checked      r = 1: 1/6 and no other; r = 3: (7 - sqrt 34)/15 and no other; by Sturm's theorem. r = 5 and 7 (9
+//              and 11 beyond quick): none. Every certificate is checked again, and its defects are compared with
+//              those of the rule at as many alpha as settle it. Over a rectangle: what is odd about the centre
+//              costs nothing, for every alpha and r = 1, 3 and 5; degree r + 2 at alpha_0, r at alpha = 1/10; for
+//              even r and every alpha r + 1 and, r <= 8, no more.
 // Not checked  odd r > 11.
 
 #include "radcert/polynomial/basis_facts.h"
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
 #include "verification/claims/ac98/collocation/differing_coefficients.h"
+#include "verification/claims/m06/section_3/interpolation_error.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -33,6 +36,27 @@ Approximation minus_the_number_exact_of(int degree, int r) {
 }
 
 Rational fails(const SuperconvergentInsets& answer) { return {recheck(answer) ? 0 : 1}; }
+
+// Defects of a certificate that are not the rule's at one of so many alpha as settle it: their numerators have
+// the degree 2r + 1 at most. The rule's first weight is moved.
+Rational defects_off(const SuperconvergentInsets& answer, const Rational& moved) {
+  long count = 0;
+  const int r = answer.degree;
+  const InsetFamily family(r);
+  for (int k = 0; k <= 2 * r + 1; ++k) {
+    const Rational alpha(k, 6 * r + 7);
+    TriangleRule<Rational> rule;
+    for (std::size_t j = 0; j < family.size(); ++j) {
+      const auto node = family.node(j);
+      rule.points.push_back({{node[0](alpha), node[1](alpha), node[2](alpha)}});
+      rule.weights.push_back(family.weight(j)(alpha));
+    }
+    rule.weights.front() += moved;
+    for (const InsetDefect& each : answer.defects)
+      if (each.defect(alpha) != defect(rule, answer.region, each.monomial)) ++count;
+  }
+  return {count};
+}
 
 int precision_at(int r, const Rational& alpha, Region region) {
   const InsetFamily family(r);
@@ -92,8 +116,38 @@ Finding alpha_0_for_larger_r(const Bench& bench) {
   return finding;
 }
 
+Finding alpha_0_for_5_to_11(const Bench& bench) {
+  const int largest = bench.budget == Budget::quick ? 7 : 11;
+  const IsExactly none{0};
+  Finding finding;
+  for (int r = 5; r <= largest; r += 2) {
+    const std::string of = ", r = " + std::to_string(r);
+    const SuperconvergentInsets answer = superconvergent_insets(r, Region::triangle);
+    finding.require("steps of the certificate that fail" + of, none, fails(answer));
+    finding.require("degree of the condition that alpha_0 must meet: 0 for a constant" + of, none,
+                    answer.condition.degree());
+    finding.require("defects that are not those of the rule at some alpha" + of, none,
+                    defects_off(answer, 0));
+    finding.control("the same with one weight of the rule moved" + of, none,
+                    defects_off(answer, Rational(1, 1000)));
+  }
+  for (const int r : {1, 3})
+    finding.control("degree of the condition that alpha_0 must meet, r = " + std::to_string(r), none,
+                    superconvergent_insets(r, Region::triangle).condition.degree());
+  return finding;
+}
+
 Finding odd_degree_over_a_rectangle(const Bench&) {
   Finding finding;
+  // Whatever alpha is: what is odd about the centre costs nothing, so that r + 1 gives r + 2.
+  for (const int r : {1, 3, 5}) {
+    const std::string of = ", every alpha, r = " + std::to_string(r);
+    const InterpolationError error(r);
+    finding.require("coefficients in alpha of the error over a rectangle, degree r + 2 about its centre" + of,
+                    IsExactly{0}, error.coefficients_left(Over::square, 0, r + 2, {}));
+    finding.control("the same, degree r + 1" + of, IsExactly{0},
+                    error.coefficients_left(Over::square, 0, r + 1, {}));
+  }
   for (const int r : {1, 3}) {
     const std::string of = ", r = " + std::to_string(r);
     finding.require("degree of precision over a rectangle, alpha_0" + of, IsExactly{r + 2},
