@@ -19,8 +19,7 @@ public:
   ManyVariables(const Rational& constant) {  // NOLINT(google-explicit-constructor): exact
     if (constant != 0) terms_[{}] = constant;
   }
-  ManyVariables(int constant)
-      : ManyVariables(Rational(constant)) {}  // NOLINT(google-explicit-constructor)
+  ManyVariables(int constant) : ManyVariables(Rational(constant)) {}  // NOLINT(google-explicit-constructor)
   /// x_(number), the first has the number 0.
   [[nodiscard]] static ManyVariables variable(std::size_t number) {
     ManyVariables x;

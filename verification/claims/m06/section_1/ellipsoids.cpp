@@ -6,20 +6,20 @@
 // (a): x.Ax = 1, A = diag(a^-2, b^-2, c^-2), a <= b <= c. With Q = P + h and n_P = -AP/|AP|
 //   4 |AP| |AQ| [(Q-P).n_P] [(P-Q).n_Q] = (h.Ah)^2 - (Q.AQ - P.AP)^2,
 // where the last term is 0 on the ellipsoid; h.Ah <= |h|^2/a^2 and |AP|^2 >= P.AP/c^2 = 1/c^2, as the
-// differences are sums of squares with factors a^-2 - b^-2 >= 0 and the like. So 0 <= G <= c^2/(4 a^4), for all
-// pairs of points.
+// differences are sums of squares with factors a^-2 - b^-2 >= 0 and the like. So 0 <= G <= c^2/(4 a^4), for
+// all pairs of points.
 //
-// (c): G = 1/4 on the unit sphere, lemma_1_d: the integral is a quarter of the area from wherever it is looked
-// at.
+// (c): G = 1/4 on the unit sphere, lemma_1_d: the integral is a quarter of the area from wherever it is
+// looked at.
 //
-// Theorem 3 (a): hence K f = rho M(f) there, M the mean. With p = M(rho), m the norm of rho, both below 1: u = E
-// + rho M(E)/(1 - p) solves (1); if K w = w then M(w) (1 - p) = 0 and w = rho M(w) = 0, so that it is the only
-// one. As |M(E)| <= norm of E, norm of u is at most (1 + m/(1 - p)) norm of E, and 1/(1 - m) - 1 - m/(1 - p) = m
-// (m - p)/((1 - m)(1 - p)) >= 0: p is a mean of numbers of at most m.
+// Theorem 3 (a): hence K f = rho M(f) there, M the mean. With p = M(rho), m the norm of rho, both below 1: u
+// = E + rho M(E)/(1 - p) solves (1); if K w = w then M(w) (1 - p) = 0 and w = rho M(w) = 0, so that it is the
+// only one. As |M(E)| <= norm of E, norm of u is at most (1 + m/(1 - p)) norm of E, and 1/(1 - m) - 1 - m/(1
+// - p) = m (m - p)/((1 - m)(1 - p)) >= 0: p is a mean of numbers of at most m.
 //
 // Checked      these identities, as polynomials in all variables; the area of the library's sphere, enclosed.
-//              Rejected: normals of another ellipsoid, a sphere of radius 2, the solution with 1 + p for 1 - p
-//              and the inequality with the signs of m and p exchanged.
+//              Rejected: normals of another ellipsoid, a sphere of radius 2, the solution with 1 + p for 1 -
+//              p and the inequality with the signs of m and p exchanged.
 // Not checked  other surfaces: what ac98 has of them is in the same findings.
 
 #include "radcert/enclosure/polygon_integral.h"
@@ -97,8 +97,8 @@ Ball area_of_sphere(int radius) {
   return area;
 }
 
-// (1 - p) (u - rho M(u) - E) for u = E + rho e/(1 - p), e = M(E), p = M(rho): M(u) (1 - p) = (1 - p) e + p e; or
-// for a wrong u with 1 + p.
+// (1 - p) (u - rho M(u) - E) for u = E + rho e/(1 - p), e = M(E), p = M(rho): M(u) (1 - p) = (1 - p) e + p e;
+// or for a wrong u with 1 + p.
 Rational terms_of_solution(int sign) {
   const ManyVariables data = ManyVariables::variable(0);
   const ManyVariables rho = ManyVariables::variable(1);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lemma 1 (b). The lemma as it is printed asks of S no more than smoothness and the divergence theorem: then it
-// fails. With the V = 1 of section 1.1, "the case that we will consider here", it holds for every S that bounds
-// a body: let G(P,Q) < 0, so that one of (Q-P).n_P and (P-Q).n_Q is positive and the other one negative, say the
-// first positive. n_P points inwards: the open segment from P to Q is inside the body near P and outside near
-// Q. So it meets S, and V(P,Q) = 0.
+// Lemma 1 (b). The lemma as it is printed asks of S no more than smoothness and the divergence theorem: then
+// it fails. With the V = 1 of section 1.1, "the case that we will consider here", it holds for every S that
+// bounds a body: let G(P,Q) < 0, so that one of (Q-P).n_P and (P-Q).n_Q is positive and the other one
+// negative, say the first positive. n_P points inwards: the open segment from P to Q is inside the body near
+// P and outside near Q. So it meets S, and V(P,Q) = 0.
 //
 // Checked      lemma_1_b: G = -1/4 between the points (3/2,0,0) and (-1/2,0,0) of the torus of radius 1 and
-//              tube radius 1/2, a smooth closed surface that bounds a body, exactly; G >= 0 for the pairs of a
-//              grid of the unit sphere, which lies in the boundary of a convex body as the paper's unoccluded
-//              surfaces do. lemma_1_b_unoccluded: for the pairs of points of faces of the L-shaped room and the
-//              dented octahedron, all that have G < 0 have a face between them, exactly; the segment of the
-//              torus meets it in (1/2,0,0). Pairs with G > 0 need not.
+//              tube radius 1/2, a smooth closed surface that bounds a body, exactly; G >= 0 for the pairs of
+//              a grid of the unit sphere, which lies in the boundary of a convex body as the paper's
+//              unoccluded surfaces do. lemma_1_b_unoccluded: for the pairs of points of faces of the L-shaped
+//              room and the dented octahedron, all that have G < 0 have a face between them, exactly; the
+//              segment of the torus meets it in (1/2,0,0). Pairs with G > 0 need not.
 // Not checked  other bodies and points, but by the proof above.
 
 #include <algorithm>

@@ -4,7 +4,8 @@
 // derivative. P = (x,y), Q = (xi,eta) in parameters, Q - P = rho (c,n) with c^2 + n^2 = 1, and Q moves along
 // rho tau (e,f), e^2 + f^2 = 1: the i-th derivative along (e,f) is i! rho^-i times the coefficient of tau^i.
 // With A = c + e tau, B = x + xi + rho e tau,
-//   G = [A^2/(1 + 2 (c e + n f) tau + tau^2 + A^2 B^2)]^2 (1 + 4x^2)^(-1/2) (1 + 4 (xi + rho e tau)^2)^(-1/2),
+//   G = [A^2/(1 + 2 (c e + n f) tau + tau^2 + A^2 B^2)]^2 (1 + 4x^2)^(-1/2)
+//       (1 + 4 (xi + rho e tau)^2)^(-1/2),
 //   |P-Q|^2 = rho^2 (1 + c^2 (x + xi)^2).
 // rho has cancelled in the first factor, whose denominator begins with 1 + c^2 (x + xi)^2 >= 1. So |D_Q^i G|
 // |P-Q|^i is at most i! times the size of a coefficient times (1 + c^2 (x + xi)^2)^(i/2): bounded on the
@@ -171,8 +172,8 @@ Ball off_the_library(std::size_t count) {
 }
 
 // Two squares that meet in an edge, G = z eta/((x - xi)^2 + eta^2 + z^2)^2 at xi = x, z = distance and eta =
-// distance (2 + tau): |D^i G| |P-Q|^i = i! 5^(i/2) distance^-2 times the coefficient of (2 + tau)/((2 + tau)^2 +
-// 1)^2.
+// distance (2 + tau): |D^i G| |P-Q|^i = i! 5^(i/2) distance^-2 times the coefficient of (2 + tau)/((2 +
+// tau)^2 + 1)^2.
 Series across_an_edge(const Rational& distance) {
   const Series a{2, 1, 0, 0};
   Series sum = times(a, a);

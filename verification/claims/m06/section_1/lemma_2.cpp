@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lemma 2 is [ac98, Lemma 2.3], and fails with it where a curved piece has a corner: for u = 1 on the roof z = 2
-// - x^2 of two_piece(2) and rho = 1/2 the mixed derivative of K u has no limit at the corner (0,0).
+// Lemma 2 is [ac98, Lemma 2.3], and fails with it where a curved piece has a corner: for u = 1 on the roof z
+// = 2 - x^2 of two_piece(2) and rho = 1/2 the mixed derivative of K u has no limit at the corner (0,0).
 //
-// Theorem 3 (b), m = 2, for E = 1 and rho = 1/2 on the same S: the solution u = 1 + K u + ... is at least 1, as K
-// is positive. Suppose it were in C^2. Then so were K u = u - 1. With phi(w,x,d) = w^4/[w^2 (1 + (2x + w)^2) +
-// d^2]^2 and p(x) = (1 + 4x^2)^(-1/2), the part of 2 pi K u that comes from the roof is p(x) Int Int phi(xi - x, x,
-// y - eta) u(xi,eta) d xi d eta; what comes from the square is analytic there. phi depends on y - eta alone, so that
-// D_y is an integral of u_eta and values at eta = 0 and 1; on each of these D_x moves to xi as well, up to phi_x by
-// x with w fixed, which is bounded. What is left are integrals of bounded functions that converge off w = 0, and
-// are continuous at the corner by dominated convergence, and the value where xi = 0 and eta = 0 meet: u(0,0) p(x)
-// phi(-x,x,y), phi(-x,x,y) = x^4/[x^2 (1 + x^2) + y^2]^2. It tends to u(0,0) >= 1 along y = x^2 and to 0 along x =
-// y^2: K u is not in C^2, and u is not.
+// Theorem 3 (b), m = 2, for E = 1 and rho = 1/2 on the same S: the solution u = 1 + K u + ... is at least 1,
+// as K is positive. Suppose it were in C^2. Then so were K u = u - 1. With phi(w,x,d) = w^4/[w^2 (1 + (2x +
+// w)^2) + d^2]^2 and p(x) = (1 + 4x^2)^(-1/2), the part of 2 pi K u that comes from the roof is p(x) Int Int
+// phi(xi - x, x, y - eta) u(xi,eta) d xi d eta; what comes from the square is analytic there. phi depends on
+// y - eta alone, so that D_y is an integral of u_eta and values at eta = 0 and 1; on each of these D_x moves
+// to xi as well, up to phi_x by x with w fixed, which is bounded. What is left are integrals of bounded
+// functions that converge off w = 0, and are continuous at the corner by dominated convergence, and the value
+// where xi = 0 and eta = 0 meet: u(0,0) p(x) phi(-x,x,y), phi(-x,x,y) = x^4/[x^2 (1 + x^2) + y^2]^2. It tends
+// to u(0,0) >= 1 along y = x^2 and to 0 along x = y^2: K u is not in C^2, and u is not.
 //
-// Checked      theorem_3_b: what Lemma 2's check has of K u for u = 1; that last term for u(0,0) = 1, a lower bound
-//              of its difference, at (t, t^2) and (t^2, t); and for the part of u that vanishes at the corner the
-//              mixed derivative of K v, v = x, whose difference tends to 0.
-// Not checked  the step in words above: that of all terms only one has no limit, for a u of C^2 that is not known.
+// Checked      theorem_3_b: what Lemma 2's check has of K u for u = 1; that last term for u(0,0) = 1, a lower
+//              bound of its difference, at (t, t^2) and (t^2, t); and for the part of u that vanishes at the
+//              corner the mixed derivative of K v, v = x, whose difference tends to 0.
+// Not checked  the step in words above: that of all terms only one has no limit, for a u of C^2 that is not
+//              known.
 
 #include "radcert/enclosure/interval_integral.h"
 #include "verification/claims/ac98/surfaces/corner_derivative.h"
@@ -32,7 +33,8 @@ Rational at_the_corner(const Rational& x, const Rational& y) {
   return power(x, 4) / (q * q);
 }
 
-// p(x)/(2 pi) times it: a lower bound of the term that has no limit, as u >= 1; the other one counts with u <= 2.
+// p(x)/(2 pi) times it: a lower bound of the term that has no limit, as u >= 1; the other one counts with u
+// <= 2.
 Ball least_difference(const Rational& t) {
   const auto factor = [](const Rational& x) {
     return Ball(1) / (sqrt(Ball(1 + 4 * x * x)) * Ball(2) * Ball::pi());

@@ -2,22 +2,24 @@
 
 // Three statements in words of section 1.1.
 //
-// The reflectivity: a surface whose reflection distribution function is a constant f gives back f Int cos theta d
-// omega = pi f of the light that arrives, over the half sphere of directions. (1) gives back rho, as (rho/pi) Int
-// G dS = rho. So f = rho/pi; with f = rho a surface with rho = 1/2 would give back more than it receives.
+// The reflectivity: a surface whose reflection distribution function is a constant f gives back f Int cos
+// theta d omega = pi f of the light that arrives, over the half sphere of directions. (1) gives back rho, as
+// (rho/pi) Int G dS = rho. So f = rho/pi; with f = rho a surface with rho = 1/2 would give back more than it
+// receives.
 //
-// V: to the letter the segment between two points of a plane piece lies in S, and so does that between two points
-// of a ruling of the roof z = 2 - x^2: V = 0 there. But there G = 0, so that G V = G, which is what (1) needs. On
-// the sphere no three points are on a line.
+// V: to the letter the segment between two points of a plane piece lies in S, and so does that between two
+// points of a ruling of the roof z = 2 - x^2: V = 0 there. But there G = 0, so that G V = G, which is what
+// (1) needs. On the sphere no three points are on a line.
 //
-// "G has a singularity at P = Q": on the roof of two_piece(2) G tends to 1/(1 + 4x^2)^3 along x and to 0 along y,
-// so that it has no continuous value. On the unit sphere, G = 1/4, and on a plane, G = 0, there is nothing of the
-// kind. Elsewhere G is smooth, a quotient with the denominator |P-Q|^4.
+// "G has a singularity at P = Q": on the roof of two_piece(2) G tends to 1/(1 + 4x^2)^3 along x and to 0
+// along y, so that it has no continuous value. On the unit sphere, G = 1/4, and on a plane, G = 0, there is
+// nothing of the kind. Elsewhere G is smooth, a quotient with the denominator |P-Q|^4.
 //
-// Checked      the integral of the cosine, enclosed; pairs of a grid of points of the square, of the roof and of
-//              the sphere, exactly, by the middle of their segment; the two limits on the roof, by the library's
-//              chords along rays; pairs on the sphere and on a plane face. Rejected: a reflection without the
-//              cosine; pairs of the sphere of which one is moved inside; two ways to a point Q other than P.
+// Checked      the integral of the cosine, enclosed; pairs of a grid of points of the square, of the roof and
+//              of the sphere, exactly, by the middle of their segment; the two limits on the roof, by the
+//              library's chords along rays; pairs on the sphere and on a plane face. Rejected: a reflection
+//              without the cosine; pairs of the sphere of which one is moved inside; two ways to a point Q
+//              other than P.
 // Not checked  other surfaces and points.
 
 #include "radcert/enclosure/interval_integral.h"
@@ -33,8 +35,8 @@ namespace {
 
 using ac98::proved;
 
-// The share of the light that arrives which a constant distribution function gives back: 2 pi f Int_0^(pi/2) cos
-// theta sin theta d theta, or without the cosine.
+// The share of the light that arrives which a constant distribution function gives back: 2 pi f Int_0^(pi/2)
+// cos theta sin theta d theta, or without the cosine.
 Ball given_back(const Ball& f, bool with_cosine) {
   const auto formula = line_function([with_cosine]<class R>(const R& theta) -> R {
     return with_cosine ? cos(theta) * sin(theta) : sin(theta);
@@ -97,7 +99,8 @@ bool on_square(const Vector<Rational>& p) { return p.z == 0; }
 bool on_roof(const Vector<Rational>& p) { return p.z == 2 - p.x * p.x; }
 bool on_sphere(const Vector<Rational>& p) { return dot(p, p) == 1; }
 
-// G at the distance `step` along x less that along y, from the point (1/3, 1/5) of the chart; at step 0 the limits.
+// G at the distance `step` along x less that along y, from the point (1/3, 1/5) of the chart; at step 0 the
+// limits.
 Ball difference_along(const Surface& surface, std::size_t chart, const Ball& step) {
   const ChartIn<Ball>& formula = surface.charts[chart].in<Ball>();
   const ParameterPoint<Ball> at{Ball(Rational(1, 3)), Ball(Rational(1, 5))};

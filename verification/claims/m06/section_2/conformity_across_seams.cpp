@@ -4,12 +4,12 @@
 // common map it alike, point by point, and cut it alike. (10) asks for neither.
 //
 // Checked      in exact arithmetic, by the formulas that the library's charts are made of: each side of a
-//              chart, as a function of tau along it, is that of exactly one side of another chart, run through
-//              in the same or in the opposite sense. Symmetric refinement divides both at the same tau, so
-//              that vertices and sides of triangles agree along them at every level. Sphere, torus of radius
-//              1 and tube radius 1/2, cylinder of radius 1 and height 2. An ellipsoid is the sphere with its
-//              coordinates stretched, and so are its seams: (1,2,5) is looked at besides. The pieces of
-//              two_piece do not meet. Rejected: a chart that runs through its sides with another speed; a
+//              chart, as a function of tau along it, is that of exactly one side of another chart, run
+//              through in the same or in the opposite sense. Symmetric refinement divides both at the same
+//              tau, so that vertices and sides of triangles agree along them at every level. Sphere, torus of
+//              radius 1 and tube radius 1/2, cylinder of radius 1 and height 2. An ellipsoid is the sphere
+//              with its coordinates stretched, and so are its seams: (1,2,5) is looked at besides. The pieces
+//              of two_piece do not meet. Rejected: a chart that runs through its sides with another speed; a
 //              surface with a chart left out.
 // Not checked  whether charts meet elsewhere than in whole sides; other surfaces.
 

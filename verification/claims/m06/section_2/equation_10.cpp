@@ -2,17 +2,18 @@
 
 // (10): the F_j are one-to-one and onto, by their inverses.
 //
-// Octant of the ellipsoid with half axes a, b, c: F = (a X, b Y, c Z), (X,Y,Z) = e/|e|, e = (u, s, t) with u + s
-// + t = 1, all >= 0. With the signs taken off, s = Y/(X + Y + Z) and t = Z/(X + Y + Z); X + Y + Z = 1/|e| >= 1.
-// X^2 + Y^2 + Z^2 = 1, so that the image lies in the octant; a point (X,Y,Z) of it is the image of (Y, Z)/(X +
-// Y + Z), a point of the triangle, as F puts e = (X,Y,Z)/(X + Y + Z) back to e/|e| = (X,Y,Z): onto. The roof
-// and the square of two_piece(p) are graphs over the square: (s,t) are the first two coordinates.
+// Octant of the ellipsoid with half axes a, b, c: F = (a X, b Y, c Z), (X,Y,Z) = e/|e|, e = (u, s, t) with u
+// + s + t = 1, all >= 0. With the signs taken off, s = Y/(X + Y + Z) and t = Z/(X + Y + Z); X + Y + Z = 1/|e|
+// >= 1. X^2 + Y^2 + Z^2 = 1, so that the image lies in the octant; a point (X,Y,Z) of it is the image of (Y,
+// Z)/(X + Y + Z), a point of the triangle, as F puts e = (X,Y,Z)/(X + Y + Z) back to e/|e| = (X,Y,Z): onto.
+// The roof and the square of two_piece(p) are graphs over the square: (s,t) are the first two coordinates.
 //
 // Checked      these identities, as functions of s and t, for the formulas of the library's charts: all eight
 //              octants of (1,2,5), two_piece(2) and (3). Stretching the coordinates takes (1,2,5) to any
 //              other ellipsoid. That what is divided by does not vanish: 1/|e|^2 - 1 is nowhere negative on
-//              the triangle. Rejected: the inverse of another octant; the map (s,t) -> (s, s t), which squeezes
-//              a side to a point: y/x is an inverse only where x does not vanish, and x^2 - 1 is negative.
+//              the triangle. Rejected: the inverse of another octant; the map (s,t) -> (s, s t), which
+//              squeezes a side to a point: y/x is an inverse only where x does not vanish, and x^2 - 1 is
+//              negative.
 // Not checked  other charts.
 
 #include "radcert/surface/catalogue/ellipsoid.h"

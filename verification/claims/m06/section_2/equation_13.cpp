@@ -2,15 +2,15 @@
 
 // q_ij = (c_i, c_j) with c_i = (i + (r - 3i) alpha)/r = alpha + (1 - 3 alpha) i/r. The third barycentric
 // coordinate is c_k, k = r - i - j: permutations of the vertices permute i, j and k, and with them the nodes.
-// c_i - c_m = (1 - 3 alpha)(i - m)/r, so that the nodes are different and lie on a uniform grid unless alpha =
-// 1/3; c_i >= alpha for alpha < 1/3, with equality for i = 0: all nodes are inside sigma and alpha apart from
-// its sides, and for alpha = 0 those with i j k = 0 lie on the sides. There are (r + 1)(r + 2)/2: r + 1 more than
-// for r - 1.
+// c_i - c_m = (1 - 3 alpha)(i - m)/r, so that the nodes are different and lie on a uniform grid unless alpha
+// = 1/3; c_i >= alpha for alpha < 1/3, with equality for i = 0: all nodes are inside sigma and alpha apart
+// from its sides, and for alpha = 0 those with i j k = 0 lie on the sides. There are (r + 1)(r + 2)/2: r + 1
+// more than for r - 1.
 //
-// Checked      these as identities in i, j, m, r and alpha. The library's nodes are those printed, as identities
-//              in alpha for r = 1 to 8; their number, the least coordinate and the symmetry once more at alpha
-//              = 1/10, and the 3r on the border at alpha = 0. At alpha = 1/3, which the paper allows beside
-//              (13), they are one point: (14) needs alpha < 1/3.
+// Checked      these as identities in i, j, m, r and alpha. The library's nodes are those printed, as
+//              identities in alpha for r = 1 to 8; their number, the least coordinate and the symmetry once
+//              more at alpha = 1/10, and the 3r on the border at alpha = 0. At alpha = 1/3, which the paper
+//              allows beside (13), they are one point: (14) needs alpha < 1/3.
 // Not checked  r = 0, where (13) divides by zero; the one node is the centroid then.
 
 #include <algorithm>

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // With y = (x - alpha)/(1 - 3 alpha) in each barycentric coordinate the nodes (13) are y = k/r, those of the
-// lattice, alpha = 0: l_k(x) = L_k(y). L_k(m/r) = delta_km for the lattice gives l_k(q_m) = delta_km for every
-// alpha but 1/3. So the f_r functions l_k are independent and span P_r, which has that dimension: one polynomial
-// of degree r interpolates, and no other. On a triangle tau the affine m_tau takes P_r to P_r. The determinant of
-// the nodes is that of the lattice times (1 - 3 alpha)^(r (r + 1)(r + 2)/3), as the scaling has the eigenvalue (1
-// - 3 alpha)^k on the k + 1 polynomials of degree k.
+// lattice, alpha = 0: l_k(x) = L_k(y). L_k(m/r) = delta_km for the lattice gives l_k(q_m) = delta_km for
+// every alpha but 1/3. So the f_r functions l_k are independent and span P_r, which has that dimension: one
+// polynomial of degree r interpolates, and no other. On a triangle tau the affine m_tau takes P_r to P_r. The
+// determinant of the nodes is that of the lattice times (1 - 3 alpha)^(r (r + 1)(r + 2)/3), as the scaling
+// has the eigenvalue (1 - 3 alpha)^k on the k + 1 polynomials of degree k.
 //
-// Checked      L_k(m/r) = delta_km, exactly, r = 0 to 8; l_k(x) = L_k(y) as identities in alpha, L_k by inverting a
-//              matrix and l_k by the library's product, at as many points as settle an equality in P_r, r = 0 to
-//              4. For r = 0 to 4 (5 beyond quick) and four alphas besides: the determinant; sum g(q_j) l_j = g
-//              for every monomial g of degree <= r on the reference triangle and on a scalene one, (27); not for
-//              s^(r+1). Rejected: the functions of the lattice at other nodes; two nodes in one place.
-// Not checked  r above 8, but by L_k: a factor of L_k(m/r) is zero if m_i < k_i for some i, and m != k has such an
+// Checked      L_k(m/r) = delta_km, exactly, r = 0 to 8; l_k(x) = L_k(y) as identities in alpha, L_k by
+//              inverting a matrix and l_k by the library's product, at as many points as settle an equality
+//              in P_r, r = 0 to 4. For r = 0 to 4 (5 beyond quick) and four alphas besides: the determinant;
+//              sum g(q_j) l_j = g for every monomial g of degree <= r on the reference triangle and on a
+//              scalene one, (27); not for s^(r+1). Rejected: the functions of the lattice at other nodes; two
+//              nodes in one place.
+// Not checked  r above 8, but by L_k: a factor of L_k(m/r) is zero if m_i < k_i for some i, and m != k has
+//              such an
 // i. (15) has g in C(S) for g in C(sigma).
 
 #include "radcert/polynomial/inset_basis.h"
@@ -56,7 +58,8 @@ Rational determinant(int r, const Rational& alpha) {
   return functions ? functions->determinant() : Rational(0);
 }
 
-// Pairs k, m with L_k(q_m) other than delta_km, q_m the nodes of an inset and L_k the functions of the lattice.
+// Pairs k, m with L_k(q_m) other than delta_km, q_m the nodes of an inset and L_k the functions of the
+// lattice.
 Rational pairs_off(int r, const Rational& inset) {
   const InsetBasis<Rational> lattice(r, 0);
   std::vector<Rational> values(lattice.size());
@@ -70,8 +73,8 @@ Rational pairs_off(int r, const Rational& inset) {
   return {count};
 }
 
-// L_k((x - shift alpha)/(1 - 3 alpha)) by its Bernstein coefficients: sum c_i r!/(i_1! i_2! i_3!) prod (x - shift
-// alpha)^i over (1 - 3 alpha)^r.
+// L_k((x - shift alpha)/(1 - 3 alpha)) by its Bernstein coefficients: sum c_i r!/(i_1! i_2! i_3!) prod (x -
+// shift alpha)^i over (1 - 3 alpha)^r.
 InsetFunction scaled_value(const LagrangeFunctions& lattice, std::size_t k, const Point& x, int shift) {
   const RationalPolynomial alpha = RationalPolynomial::variable();
   const std::vector<std::array<int, 3>> indices = lattice_indices(lattice.degree());

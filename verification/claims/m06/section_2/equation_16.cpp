@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      As identities in alpha, for r = 0 to 8: the rule (16) integrates every polynomial of degree <= r
-//              over sigma. (28): an affine m_tau takes P_r to P_r and multiplies integrals by 2 Area, so that the
-//              rule with the nodes m_tau(q_j) and the weights 2 Area omega_j does the same over tau; on a scalene
-//              and a thin triangle once more, against the integral by Green's theorem, as identities in alpha for
-//              every monomial of degree <= r in x and y, r = 1 to 4. At alpha = 1/10 and r >= 1 the degree is r
-//              and no more.
+// Checked      As identities in alpha, for r = 0 to 8: the rule (16) integrates every polynomial of degree <=
+//              r over sigma. (28): an affine m_tau takes P_r to P_r and multiplies integrals by 2 Area, so
+//              that the rule with the nodes m_tau(q_j) and the weights 2 Area omega_j does the same over tau;
+//              on a scalene and a thin triangle once more, against the integral by Green's theorem, as
+//              identities in alpha for every monomial of degree <= r in x and y, r = 1 to 4. At alpha = 1/10
+//              and r >= 1 the degree is r and no more.
 // Not checked  r above 8. When it is more: alpha_0.
 
 #include "radcert/polynomial/nodes/inset_family.h"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// P_n works element by element through the same l_j, so that its norm on the bounded functions is max sum |l_j|
-// over sigma, whatever n is; and P_n P_n = P_n as l_i(q_j) = delta_ij, (14), for every alpha. With y = (x -
-// alpha)/(1 - 3 alpha) each of the r factors of l_k = prod (r y_i - a)/(k_i - a) is at most 2r/(1 - 3 alpha): |y_i|
-// <= 1/(1 - 3 alpha), a < r. So the norm is at most f_r (2r/(1 - 3 alpha))^r, for every alpha.
+// P_n works element by element through the same l_j, so that its norm on the bounded functions is max sum
+// |l_j| over sigma, whatever n is; and P_n P_n = P_n as l_i(q_j) = delta_ij, (14), for every alpha. With y =
+// (x - alpha)/(1 - 3 alpha) each of the r factors of l_k = prod (r y_i - a)/(k_i - a) is at most 2r/(1 - 3
+// alpha): |y_i| <= 1/(1 - 3 alpha), a < r. So the norm is at most f_r (2r/(1 - 3 alpha))^r, for every alpha.
 //
-// Checked      P_n is a projection: l_i(q_j) is 1 for i = j and 0 otherwise, exactly, r = 1 to 5. Its norm: (1 +
-//              alpha)/(1 - 3 alpha) for r = 1, as an identity in alpha and at three alphas; for r = 2 to 5 at
-//              alpha = 1/10 enclosed by Bernstein bounds, and equal to sum |l_j| at a corner of sigma to the width
-//              of the enclosure, and below the bound. Rejected: the l_j at other nodes; alpha = 0, where the corner
-//              is not the place of the maximum; alpha near 1/3 against the bound for 1/10.
+// Checked      P_n is a projection: l_i(q_j) is 1 for i = j and 0 otherwise, exactly, r = 1 to 5. Its norm:
+//              (1 + alpha)/(1 - 3 alpha) for r = 1, as an identity in alpha and at three alphas; for r = 2 to
+//              5 at alpha = 1/10 enclosed by Bernstein bounds, and equal to sum |l_j| at a corner of sigma to
+//              the width of the enclosure, and below the bound. Rejected: the l_j at other nodes; alpha = 0,
+//              where the corner is not the place of the maximum; alpha near 1/3 against the bound for 1/10.
 // Not checked  that the corner is the place of the maximum for other alphas and r.
 
 #include "radcert/polynomial/lebesgue_constant.h"

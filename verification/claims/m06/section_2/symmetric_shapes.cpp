@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // What symmetric refinement does to lengths and shapes: (11), (32)-(33) and the partition in the proof of
-// Theorem 7. Each child is its parent halved, one of the four turned by a half turn as well: an identity in the
-// six coordinates of a triangle. By induction it holds at all levels that h is halved each time, and that each
-// r(tau) is that of a coarse triangle.
+// Theorem 7. Each child is its parent halved, one of the four turned by a half turn as well: an identity in
+// the six coordinates of a triangle. By induction it holds at all levels that h is halved each time, and that
+// each r(tau) is that of a coarse triangle.
 //
 // (33) keeps the angles from 0: let a, b, c be the sides, s half their sum, theta the angle that faces a. The
-// circle touches b and c at the distance s - a from their corner, so that h* = (s - a) tan(theta/2), and s - a
-// is at most the longest side: tan(theta/2) >= 1/r(tau).
+// circle touches b and c at the distance s - a from their corner, so that h* = (s - a) tan(theta/2), and s -
+// a is at most the longest side: tan(theta/2) >= 1/r(tau).
 //
 // Theorem 7: refined L times, a triangle is the image of the lattice with the N = 2^L upright triangles a
 // side, (i,j), (i+1,j), (i,j+1) with i + j < N, and the turned ones, (i+1,j+1), (i,j+1), (i+1,j) with i + j <
@@ -19,8 +19,8 @@
 //              children; h, r(tau) and the number of triangles without a partner at the levels 0 to 4, by
 //              measuring them. Rejected: sides divided at a third, a graded triangulation, a thin triangle, a
 //              triangle left out, a neighbour that is no half turn.
-// Not checked  other refinements. (33) has curved triangles for the plane ones of (32), and the "radius of the
-//              circle" makes r(tau) = 2 sqrt 3 for the equilateral triangle.
+// Not checked  other refinements. (33) has curved triangles for the plane ones of (32), and the "radius of
+//              the circle" makes r(tau) = 2 sqrt 3 for the equilateral triangle.
 
 #include <algorithm>
 #include <map>

@@ -2,19 +2,20 @@
 
 // Theorem 4: "for n >= n_0 the operators I - P_n K on C(S) have inverses, which are uniformly bounded".
 //
-// On the unit sphere K f = rho M(f), M the mean, as G = 1/4 (lemma_1_d). With R = P_n rho and q = M(R) the inverse of
-// I - P_n K takes f to f + R M(f)/(1 - q): M of that is M(f)/(1 - q). For a constant rho R = q = rho, whatever n, r
-// and alpha are, and the norm is at most 1 + rho/(1 - rho) = 1/(1 - rho), which f = 1 reaches.
+// On the unit sphere K f = rho M(f), M the mean, as G = 1/4 (lemma_1_d). With R = P_n rho and q = M(R) the
+// inverse of I - P_n K takes f to f + R M(f)/(1 - q): M of that is M(f)/(1 - q). For a constant rho R = q =
+// rho, whatever n, r and alpha are, and the norm is at most 1 + rho/(1 - rho) = 1/(1 - rho), which f = 1
+// reaches.
 //
-// On C(S) they do not act for alpha > 0: P_n K f has a jump across sides. On the unit sphere with rho = (2 + z^3)/4
-// and f = 1, K f = rho. r = 1, alpha = 1/6, each octant one element: on the side z = 0 the l_j are -1/3 for the node
-// near the pole, with z^3 = 16 sqrt 2/27, and have the sum 4/3 for the two others, with z^3 = sqrt 2/108. So P_n
-// rho is 1/2 - 5 sqrt 2/108 from above and 1/2 + 5 sqrt 2/108 from below.
+// On C(S) they do not act for alpha > 0: P_n K f has a jump across sides. On the unit sphere with rho = (2 +
+// z^3)/4 and f = 1, K f = rho. r = 1, alpha = 1/6, each octant one element: on the side z = 0 the l_j are
+// -1/3 for the node near the pole, with z^3 = 16 sqrt 2/27, and have the sum 4/3 for the two others, with z^3
+// = sqrt 2/108. So P_n rho is 1/2 - 5 sqrt 2/108 from above and 1/2 + 5 sqrt 2/108 from below.
 //
-// Checked      theorem_4_inverses: the inverse and its norm as identities in f, R, M(f), q and rho. Rejected: 1 + q
-//              for 1 - q; the norm for rho + q with q other than rho. theorem_4_continuous: the jump at points of
-//              the side, by the library's charts and basis, enclosed; at alpha = 0, and for a constant rho, there
-//              is none. Rejected: a rho that jumps itself, alpha = 0.
+// Checked      theorem_4_inverses: the inverse and its norm as identities in f, R, M(f), q and rho. Rejected:
+//              1 + q for 1 - q; the norm for rho + q with q other than rho. theorem_4_continuous: the jump at
+//              points of the side, by the library's charts and basis, enclosed; at alpha = 0, and for a
+//              constant rho, there is none. Rejected: a rho that jumps itself, alpha = 0.
 // Not checked  other surfaces; rho that varies, as far as the inverses go.
 
 #include "radcert/polynomial/inset_basis.h"
@@ -48,8 +49,8 @@ Rational terms_of_norm(bool constant) {
 // rho = (2 + z^3)/4, a constant 1/2, or 1/4 above and 1/2 below z = 0.
 enum class Reflectivity { varying, constant, jumping };
 
-// P_n rho on the side z = 0 of the octant above it less that of the octant below, at x + y = 1 and y = t before
-// both are taken to the sphere.
+// P_n rho on the side z = 0 of the octant above it less that of the octant below, at x + y = 1 and y = t
+// before both are taken to the sphere.
 Ball jump(Reflectivity kind, const Rational& alpha, const Rational& t) {
   const Surface surface = sphere();
   const InsetBasis<Ball> basis(1, Ball(alpha));

@@ -5,11 +5,11 @@
 // gains the degree if and only if it is a zero of their greatest common divisor. Where that is 1, cofactors
 // with sum cofactor_t D_t = 1 prove that there is none, real or complex.
 //
-// Checked      r = 1: 1/6 and no other; r = 3: (7 - sqrt 34)/15 and no other; by Sturm's theorem. r = 5 and 7 (9
-//              and 11 beyond quick): none. Every certificate is checked again, and its defects are compared with
-//              those of the rule at as many alpha as settle it. Over a rectangle: what is odd about the centre
-//              costs nothing, for every alpha and r = 1, 3 and 5; degree r + 2 at alpha_0, r at alpha = 1/10; for
-//              even r and every alpha r + 1 and, r <= 8, no more.
+// Checked      r = 1: 1/6 and no other; r = 3: (7 - sqrt 34)/15 and no other; by Sturm's theorem. r = 5 and 7
+//              (9 and 11 beyond quick): none. Every certificate is checked again, and its defects are
+//              compared with those of the rule at as many alpha as settle it. Over a rectangle: what is odd
+//              about the centre costs nothing, for every alpha and r = 1, 3 and 5; degree r + 2 at alpha_0, r
+//              at alpha = 1/10; for even r and every alpha r + 1 and, r <= 8, no more.
 // Not checked  odd r > 11.
 
 #include "radcert/polynomial/basis_facts.h"
@@ -37,8 +37,8 @@ Approximation minus_the_number_exact_of(int degree, int r) {
 
 Rational fails(const SuperconvergentInsets& answer) { return {recheck(answer) ? 0 : 1}; }
 
-// Defects of a certificate that are not the rule's at one of so many alpha as settle it: their numerators have
-// the degree 2r + 1 at most. The rule's first weight is moved.
+// Defects of a certificate that are not the rule's at one of so many alpha as settle it: their numerators
+// have the degree 2r + 1 at most. The rule's first weight is moved.
 Rational defects_off(const SuperconvergentInsets& answer, const Rational& moved) {
   long count = 0;
   const int r = answer.degree;

@@ -8,8 +8,8 @@
 // Checked      on the first octant of the sphere, where G = 1/4, as one element, r = 1, alpha = 1/6, u = 1,
 //              without any quadrature. J is the area element. The error of the method is 1/4 Int J (I - L) 1:
 //              at most a quarter of the octant's area pi/2 times the largest |1 - sum l_j|, which is 0 at the
-//              corners, and so everywhere, as the l_j are affine. With the g of (35) it is 1/4 (Int J - Int
-//              L J) = (pi/2 - sqrt 2)/4: Int J is the area, and Int L J the rule of degree 1, J/6 at the three
+//              corners, and so everywhere, as the l_j are affine. With the g of (35) it is 1/4 (Int J - Int L
+//              J) = (pi/2 - sqrt 2)/4: Int J is the area, and Int L J the rule of degree 1, J/6 at the three
 //              nodes. On a plane triangle, where J is twice the area, both are zero. Rejected: the method's
 //              own error for u = x, 1/4 (Int x dS - sum x(q_j) Int l_j J) = (pi/4 - (pi/6) sum x(q_j))/4, as
 //              permutations of the coordinates take the octant and its chart to themselves, so that Int l_j J

@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (37) without its factor is the sum over j = 0, 1, 2 of the integrals of |v - Q|^-j over S without the node's
-// element. A(t), the area of S within the distance t of v, says all: the integral over a <= |v - Q| <= b of f(|v
-// - Q|) is f(b) A(b) - f(a) A(a) - Int_a^b f'(t) A(t) dt.
+// (37) without its factor is the sum over j = 0, 1, 2 of the integrals of |v - Q|^-j over S without the
+// node's element. A(t), the area of S within the distance t of v, says all: the integral over a <= |v - Q| <=
+// b of f(|v - Q|) is f(b) A(b) - f(a) A(a) - Int_a^b f'(t) A(t) dt.
 //
-// In the boundary of a convex body A(t) <= 4 pi t^2: the body cut off by the ball of radius t about v is convex
-// and lies in that ball, so that its surface is not larger. With D the diameter of S that gives
+// In the boundary of a convex body A(t) <= 4 pi t^2: the body cut off by the ball of radius t about v is
+// convex and lies in that ball, so that its surface is not larger. With D the diameter of S that gives
 //   4 pi D^2,  8 pi D  and  4 pi + 8 pi log(D/h)   for j = 0, 1, 2
 // over |v - Q| >= h, so that the sum is O(|log h|). The element of v holds all of S within a distance of some
 // multiple of h, as alpha > 0 keeps v off its sides and F_j and its inverse are Lipschitz: the same with
 // another constant.
 //
-// In a plane A(t) = pi t^2, and on the unit sphere, where the cap of height t^2/2 has the area 2 pi t^2/2: both
-// have pi (D^2 - h^2) + 2 pi (D - h) + 2 pi log(D/h), D = 1 and 2. The page has "of order h^2 + h + log h", what
-// is missing from the first two; that is smaller than |log h| + 1 for small h only by bounded terms, so that
-// O(h^(r+3) |log h|) stands.
+// In a plane A(t) = pi t^2, and on the unit sphere, where the cap of height t^2/2 has the area 2 pi t^2/2:
+// both have pi (D^2 - h^2) + 2 pi (D - h) + 2 pi log(D/h), D = 1 and 2. The page has "of order h^2 + h + log
+// h", what is missing from the first two; that is smaller than |log h| + 1 for small h only by bounded terms,
+// so that O(h^(r+3) |log h|) stands.
 //
-// Checked      the three integrals, enclosed, against their closed forms, in the plane and on the sphere and for
-//              A(t) = 4 pi t^2, h = 2^-2 to 2^-16. For every h <= 1/2: the sum in the plane is at most 8 pi |log
-//              h|, by its value at 1/2 and the sign of the derivative; the sum for A(t) = 4 pi t^2 and D = 2 at
-//              most 56 pi |log h|, by the same. Rejected: the sum without its third integral; the printed first
-//              term h^2 as a bound of the first integral; a constant in the place of |log h|.
-// Not checked  that the surface of convex bodies is monotone, which is a theorem of Cauchy's; the multiple of h
-//              that an element holds.
+// Checked      the three integrals, enclosed, against their closed forms, in the plane and on the sphere and
+//              for A(t) = 4 pi t^2, h = 2^-2 to 2^-16. For every h <= 1/2: the sum in the plane is at most 8
+//              pi |log h|, by its value at 1/2 and the sign of the derivative; the sum for A(t) = 4 pi t^2
+//              and D = 2 at most 56 pi |log h|, by the same. Rejected: the sum without its third integral;
+//              the printed first term h^2 as a bound of the first integral; a constant in the place of |log
+//              h|.
+// Not checked  that the surface of convex bodies is monotone, which is a theorem of Cauchy's; the multiple of
+//              h that an element holds.
 
 #include "radcert/enclosure/interval_integral.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
@@ -62,8 +63,8 @@ Ball room_at_a_half(const Distances& s, int factor) {
   return Ball(factor) * Ball::pi() * log(Ball(2)) - closed_form(s, Rational(1, 2));
 }
 
-// h times its derivative by h, - factor pi + area (2 h^2 + 2 h + 2): a parabola that opens upwards, so that on
-// [0, 1/2] it is largest at an end.
+// h times its derivative by h, - factor pi + area (2 h^2 + 2 h + 2): a parabola that opens upwards, so that
+// on [0, 1/2] it is largest at an end.
 Ball slope_at(const Distances& s, int factor, const Rational& h) {
   return s.area * Ball(2 * h * h + 2 * h + 2) - Ball(factor) * Ball::pi();
 }
@@ -83,7 +84,8 @@ Finding equation_37(const Bench&) {
                       integral(s, 0, h) + integral(s, 1, h) + integral(s, 2, h));
       finding.control("the same without the third" + at, closed, integral(s, 0, h) + integral(s, 1, h));
     }
-  // 8 pi for the disk; for A(t) = 4 pi t^2 and D = 2: 4 (4 + 4 + 2 log 4)/log 2 at h = 0 and 1/2 is below 56 - 8.
+  // 8 pi for the disk; for A(t) = 4 pi t^2 and D = 2: 4 (4 + 4 + 2 log 4)/log 2 at h = 0 and 1/2 is below 56
+  // - 8.
   for (const auto& [s, factor] : {std::pair{plane(), 8}, {unit_sphere(), 20}, {convex(), 56}}) {
     const std::string of = std::to_string(factor) + " pi |log h|, " + s.name;
     finding.require("sum less " + of + ", h = 1/2", not_above, ac98::proved(-room_at_a_half(s, factor)));

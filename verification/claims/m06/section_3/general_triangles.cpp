@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The remark after Lemma 6: Lemmas 5 and 6 on general triangles. The bounds of mean_value_bounds.h hold on every
-// triangle and every parallelogram with sides a and b; what enters is S with |a|_1, |b|_1 <= S h, and R with |d|_1
-// <= R h for the distance d from the middle of the diagonal. With h the diameter S = sqrt 2 will do, as |x| + |y|
-// <= sqrt 2 (x^2 + y^2)^(1/2), and R = sqrt 2 for a triangle and for a parallelogram with h the larger diagonal.
-// The zeros are those of the right triangle: an affine map takes polynomials to polynomials of the same degree, L to
-// L, and the half turn of a parallelogram to a half turn. So (30) and (31) hold with the constants
+// The remark after Lemma 6: Lemmas 5 and 6 on general triangles. The bounds of mean_value_bounds.h hold on
+// every triangle and every parallelogram with sides a and b; what enters is S with |a|_1, |b|_1 <= S h, and R
+// with |d|_1 <= R h for the distance d from the middle of the diagonal. With h the diameter S = sqrt 2 will
+// do, as |x| + |y| <= sqrt 2 (x^2 + y^2)^(1/2), and R = sqrt 2 for a triangle and for a parallelogram with h
+// the larger diagonal. The zeros are those of the right triangle: an affine map takes polynomials to
+// polynomials of the same degree, L to L, and the half turn of a parallelogram to a half turn. So (30) and
+// (31) hold with the constants
 //   (1 + norm of L) max_j c_j(sqrt 2, sqrt 2),
-// and neither (33) nor the shape of the triangle enters. Derivatives are by x and y; m_tau is not in the bound.
+// and neither (33) nor the shape of the triangle enters. Derivatives are by x and y; m_tau is not in the
+// bound.
 //
 // Checked      2 (x^2 + y^2) - (x + y)^2 = (x - y)^2, as an identity; the zeros on the right triangle and the
 //              square, exactly, and that a kite, two mirror images, does not have them: "rectangle" needs a
-//              parallelogram. The bounds of mean_value_bounds.h. On triangles with the vertices (0,0), (1,0) and
-//              (1,t), t = 1 to 2^-20, for products of monomials: both sides of (31), exactly, are within the bound
-//              for r = 1, where the norm of L is 7/3. Rejected: alpha = 1/10 on small triangles.
+//              parallelogram. The bounds of mean_value_bounds.h. On triangles with the vertices (0,0), (1,0)
+//              and (1,t), t = 1 to 2^-20, for products of monomials: both sides of (31), exactly, are within
+//              the bound for r = 1, where the norm of L is 7/3. Rejected: alpha = 1/10 on small triangles.
 // Not checked  odd r other than 1 and 3.
 
 #include <algorithm>
@@ -38,8 +40,8 @@ Rational terms_of_norms(int factor) {
   return (factor * (x * x + y * y) - (x + y) * (x + y) - (x - y) * (x - y)).terms();
 }
 
-// The largest size at the vertices of derivatives of one order: those of monomials have their largest there, as
-// the triangles lie in x, y >= 0.
+// The largest size at the vertices of derivatives of one order: those of monomials have their largest there,
+// as the triangles lie in x, y >= 0.
 Rational largest_derivative(const ExactPolynomial& f, int order, const std::vector<PlanarPoint>& vertices) {
   return ac98::largest_at(vertices, ac98::derivatives(f, order));
 }
@@ -52,8 +54,9 @@ Rational least_integral(const ExactPolynomial& phi, int order, const std::vector
   return largest;
 }
 
-// The largest of |Int Phi (I - L) g|/[h^3 Int (|Phi| + |D Phi|) max {|D^2 g|, |D^3 g|}] over monomials g of degree
-// 2 to 4 and Phi of degree <= 2, on the triangle (0,0), (1,0), (1,thin) times `length`: h is at least the length.
+// The largest of |Int Phi (I - L) g|/[h^3 Int (|Phi| + |D Phi|) max {|D^2 g|, |D^3 g|}] over monomials g of
+// degree 2 to 4 and Phi of degree <= 2, on the triangle (0,0), (1,0), (1,thin) times `length`: h is at least
+// the length.
 Rational largest_quotient(const Rational& alpha, const Rational& thin, const Rational& length) {
   const std::vector<PlanarPoint> tau{{0, 0}, {length, 0}, {length, thin * length}};
   Rational largest = 0;

@@ -16,12 +16,12 @@ enum class Over {
 };
 
 /// What a factor Phi sees of what interpolation at the nodes (13) leaves over, for all alpha at once.
-/// Maths     B(Phi, g) = Int Phi (I - L) g = Int Phi g - sum_j g(q_j) Int Phi l_j, Phi and g monomials in x and
-///           y, L on each half; times (1 - 3 alpha)^r a polynomial in alpha
+/// Maths     B(Phi, g) = Int Phi (I - L) g = Int Phi g - sum_j g(q_j) Int Phi l_j, Phi and g monomials in x
+///           and y, L on each half; times (1 - 3 alpha)^r a polynomial in alpha
 /// Source    [m06, (13)-(15), (30), (31), (38)]
 /// Requires  0 <= degree <= 8, else ContractViolation
-/// Result    exact, as identities in alpha. Integrals by a rule with rational nodes and weights, the lattice of
-///           degree r + 3, which is exact for them
+/// Result    exact, as identities in alpha. Integrals by a rule with rational nodes and weights, the lattice
+///           of degree r + 3, which is exact for them
 /// Limits    Phi of degree <= 1 and g of degree <= r + 2, else ContractViolation
 class InterpolationError {
 public:

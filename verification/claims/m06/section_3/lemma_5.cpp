@@ -16,13 +16,14 @@
 // L)/(r+1)!.
 //
 // Checked      these zeros, exactly: for alpha_0 as remainders by its polynomial, 6 alpha - 1 for r = 1 and
-//              15 alpha^2 - 14 alpha + 1 for r = 3, all odd r up to 11 that have one; for r = 0, 2, 4 and 6 (8
-//              beyond quick) as identities in alpha. The bounds of mean_value_bounds.h, line by line. c, with
-//              the norm of L enclosed. That no power is given away: the next integral is not zero. Both sides
-//              for Phi = 1/(1 + x + y) and g = exp(x + 2y), which are no polynomials, enclosed, r = 1, 2 and
-//              3, h = 1, 1/4 and 1/64. Rejected: alpha = 1/10 for odd r; for even r two mirror images, a kite,
-//              in the place of the square. On one triangle, r even, the remark after Lemma 8: no more than
-//              the degree r at alpha = 1/10; but r = 0 has a degree more, and r = 2 has two alpha with one.
+//              15 alpha^2 - 14 alpha + 1 for r = 3, all odd r up to 11 that have one; for r = 0, 2, 4 and 6
+//              (8 beyond quick) as identities in alpha. The bounds of mean_value_bounds.h, line by line. c,
+//              with the norm of L enclosed. That no power is given away: the next integral is not zero. Both
+//              sides for Phi = 1/(1 + x + y) and g = exp(x + 2y), which are no polynomials, enclosed, r = 1,
+//              2 and 3, h = 1, 1/4 and 1/64. Rejected: alpha = 1/10 for odd r; for even r two mirror images,
+//              a kite, in the place of the square. On one triangle, r even, the remark after Lemma 8: no more
+//              than the degree r at alpha = 1/10; but r = 0 has a degree more, and r = 2 has two alpha with
+//              one.
 // Not checked  that the inequalities for smooth Phi go over to those with derivatives in L^1 only. Odd r
 //              above 11 and even r above 8. The remark on general triangles: an affine map takes B to a
 //              multiple of itself; the derivatives are then those of g and Phi behind the map.
@@ -61,7 +62,8 @@ Ball alpha_0(int r) {
   return hull(Ball(near.value - width), Ball(near.value + width));
 }
 
-// (1 + norm of L)/(r+1)!, the largest of interpolation_factors on a right triangle: with legs h and |x|_1 <= h.
+// (1 + norm of L)/(r+1)!, the largest of interpolation_factors on a right triangle: with legs h and |x|_1 <=
+// h.
 Ball constant(int r, int gained, const Ball& alpha) {
   const Rational near = Rational::exactly(alpha.to_double());
   const LagrangeFunctions functions = lagrange_functions(inset_nodes<Rational>(r, near)).value();
@@ -126,8 +128,9 @@ struct SizeOfPhi {
   }
 };
 
-// |Int Phi (I - L) g| over h^(r+1+gained) Int (|Phi| + ...) max |D^i g|, i up to r + 1 + gained: the largest of
-// these is 2^i exp(x + 2y), at the corner (h,h) of the square and (0,h) of the others. The two areas h^2 cancel.
+// |Int Phi (I - L) g| over h^(r+1+gained) Int (|Phi| + ...) max |D^i g|, i up to r + 1 + gained: the largest
+// of these is 2^i exp(x + 2y), at the corner (h,h) of the square and (0,h) of the others. The two areas h^2
+// cancel.
 Ball quotient(int r, const Ball& alpha, Over region, int gained, const Rational& h) {
   const ParameterPolygon sigma{{0, 0}, {1, 0}, {0, 1}};
   // The integral is of the size h^(r+1) at least where the power is not reached, and of h^highest else.

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Two steps of the proof of Theorem 7, on the O(1/h) triangles of T_n^(2), which are no halves of parallelograms.
+// Two steps of the proof of Theorem 7, on the O(1/h) triangles of T_n^(2), which are no halves of
+// parallelograms.
 //
-// Their distance: in a coarse triangle refined L times they lie along one side, whichever is chosen to pair by
-// (theorem_7_partition): their barycentric coordinate x_i of that side is at most 2^-L. v_i has coordinates with the
-// sum 1, so that one of them is at least 1/3: pair by that side, and they are farther from v_i than 1/3 - 2^-L in
-// that coordinate, a multiple of the height that does not depend on n. With one direction for all nodes this
-// fails: a node near that side has about 1/h of them within any distance.
+// Their distance: in a coarse triangle refined L times they lie along one side, whichever is chosen to pair
+// by (theorem_7_partition): their barycentric coordinate x_i of that side is at most 2^-L. v_i has
+// coordinates with the sum 1, so that one of them is at least 1/3: pair by that side, and they are farther
+// from v_i than 1/3 - 2^-L in that coordinate, a multiple of the height that does not depend on n. With one
+// direction for all nodes this fails: a node near that side has about 1/h of them within any distance.
 //
-// Their share: Lemma 6 bounds it by h^(r+2) Int (|Phi| + |D Phi|) max {|D^(r+1) u|, |D^(r+2) u|} each; with 2^L of
-// them of an area O(h^2) that is O(h^(r+3)). The page has the norm of D^(r+2) u alone: then the share would be zero
-// for every g of degree r + 1, and it is not.
+// Their share: Lemma 6 bounds it by h^(r+2) Int (|Phi| + |D Phi|) max {|D^(r+1) u|, |D^(r+2) u|} each; with
+// 2^L of them of an area O(h^2) that is O(h^(r+3)). The page has the norm of D^(r+2) u alone: then the share
+// would be zero for every g of degree r + 1, and it is not.
 //
 // Checked      theorem_7_partition_far: for the centroid of every triangle of the levels 2 to 5 of the unit
-//              triangle, exactly, how many triangles of T_n^(2) have a vertex nearer than 1/12 in that coordinate;
-//              that three numbers with the sum 1, each below 1/3, have a sum below 1. Rejected: one direction for
-//              all nodes. theorem_7_leftover_share: Int Phi (I - L) g for Phi and g of degree 1 and r + 1 over one
-//              triangle, r = 1 and 3 at alpha_0, exactly; for Phi = 1 it is zero.
-// Not checked  coarse triangles beside that of v_i, on which a side is chosen likewise; the order of the share
-//              is lemma_6 times the count of theorem_7_partition.
+//              triangle, exactly, how many triangles of T_n^(2) have a vertex nearer than 1/12 in that
+//              coordinate. Rejected: one direction for all nodes. theorem_7_leftover_share: Int Phi (I - L) g
+//              for Phi and g of degree 1 and r + 1 over one triangle, r = 1 and 3 at alpha_0, exactly; for
+//              Phi = 1 it is zero.
+// Not checked  coarse triangles beside that of v_i, on which a side is chosen likewise; the order of the
+//              share is lemma_6 times the count of theorem_7_partition.
 
 #include <algorithm>
 
@@ -51,8 +52,8 @@ std::array<std::vector<Triangle>, 3> left_over(const std::vector<Triangle>& tria
   return all;
 }
 
-// The number of pairs of a node and a triangle left over with a vertex within 1/12 in the coordinate of the side,
-// the side chosen for the node or always the first.
+// The number of pairs of a node and a triangle left over with a vertex within 1/12 in the coordinate of the
+// side, the side chosen for the node or always the first.
 Rational too_near(const std::vector<Triangle>& triangles, bool chosen_for_node) {
   const std::array<std::vector<Triangle>, 3> of_sides = left_over(triangles);
   long count = 0;

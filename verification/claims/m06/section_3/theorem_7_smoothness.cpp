@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Theorem 7 asks for u in C^(r+2), Lemma 5, on which it rests, for C^(r+3). On the unit square, cut into cells
-// with sides h = 2^-L, let u = sum_k 2^-kp k^-2 cos(2 pi 2^k x), k = 1, 2, ..., p = r + 2: its derivatives up
-// to the order p converge uniformly. The terms with k < L leave nothing: over all cells the cosines at a node
-// sum to zero. Those with k = L + i take the same values in every cell, and so E_L = Int (I - L) u = sum_i
-// 2^-(L+i)p (L+i)^-2 m_i, m_i = -2 sum_j w_j cos(2 pi 2^i s_j). Where |m_0| exceeds the sum of 2^-ip |m_i|, i
-// >= 1, |E_L| is at least some c h^p/L^2 for all L, c > 0, while (36) would have h^(r+3) L. As seen from a
-// node of another piece G varies over the square; h^(r+3) is what that adds.
+// Theorem 7 asks for u in C^(r+2), Lemma 5, on which it rests, for C^(r+3). On the unit square, cut into
+// cells with sides h = 2^-L, let u = sum_k 2^-kp k^-2 cos(2 pi 2^k x), k = 1, 2, ..., p = r + 2: its
+// derivatives up to the order p converge uniformly. The terms with k < L leave nothing: over all cells the
+// cosines at a node sum to zero. Those with k = L + i take the same values in every cell, and so E_L = Int (I
+// - L) u = sum_i 2^-(L+i)p (L+i)^-2 m_i, m_i = -2 sum_j w_j cos(2 pi 2^i s_j). Where |m_0| exceeds the sum of
+// 2^-ip |m_i|, i >= 1, |E_L| is at least some c h^p/L^2 for all L, c > 0, while (36) would have h^(r+3) L. As
+// seen from a node of another piece G varies over the square; h^(r+3) is what that adds.
 //
 // Checked      r = 1 and 3 at alpha_0, in balls. |m_0| less the sum is positive: p = r + 2. E_L by the rule,
 //              cell by cell, against the formula, L = 1 to 6, series cut after 24 terms; rejected with the
@@ -72,8 +72,8 @@ Ball margin(const CellRule& rule, int p) {
   return rest - Ball(2) * rule.size() / power(Ball(2), terms * p);
 }
 
-/// The rule over all cells, for the terms k <= level + terms - 1 of u, of which the integral is zero; the nodes
-/// of the first cell moved by a part of h.
+/// The rule over all cells, for the terms k <= level + terms - 1 of u, of which the integral is zero; the
+/// nodes of the first cell moved by a part of h.
 Ball by_cells(const CellRule& rule, int p, int level, const Ball& moved) {
   const long cells = 1L << level;
   Ball sum = 0;
