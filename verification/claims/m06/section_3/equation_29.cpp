@@ -8,9 +8,10 @@
 //
 // Checked      For k <= 6: the linear map from the 66 coefficients of a polynomial of degree <= 10 to the
 //              coefficients of all its k-th derivatives has a kernel of the dimension k(k+1)/2 exactly, and
-//              the polynomials of degree < k, so many, lie in it: there are no others. The binomial identity
-//              of Taylor's formula, as one of polynomials. Rejected: the map without the mixed derivatives,
-//              for which x y is in the kernel as well, and Taylor's formula without 1/(i! j!).
+//              the polynomials of degree < k, so many, lie in it: there are no others. The derivatives of (x
+//              + y)^k are k!, all of them. The binomial identity of Taylor's formula, as one of polynomials.
+//              Rejected: the map without the mixed derivatives, for which x y is in the kernel as well, and
+//              Taylor's formula without 1/(i! j!).
 // Not checked  functions that are no polynomials: for them Taylor's formula has p_(k-1) for g where |D^k g| =
 //              0.
 
@@ -105,6 +106,16 @@ Rational factorial(int n) {
   return product;
 }
 
+// How many k-th derivatives of (x + y)^power are not k!, at the origin.
+Rational derivatives_off(int k, int power) {
+  PlanePolynomial<Rational> g(largest_degree);
+  for (int i = 0; i <= power; ++i) g(i, power - i) = factorial(power) / (factorial(i) * factorial(power - i));
+  long count = 0;
+  for (int i = 0; i <= k; ++i)
+    if (derivative(g, i, k - i)(0, 0) != factorial(k)) ++count;
+  return {count};
+}
+
 // (x + y)^k/k! less sum x^i y^j/(i! j!), or less sum x^i y^j/k!.
 Rational terms_of_taylor(int k, bool with_factorials) {
   const ManyVariables x = ManyVariables::variable(0);
@@ -131,6 +142,10 @@ Finding equation_29(const Bench&) {
     finding.require("monomials of degree < k with |D^k g| != 0" + of, IsExactly{0}, outside_the_kernel(k));
     finding.require("dimension of the polynomials of degree <= 10 with |D^k g| = 0" + of, dimension,
                     dimension_of_kernel(k, Derivatives::all));
+    finding.require("k-th derivatives of (x + y)^k that are not k!" + of, IsExactly{0},
+                    derivatives_off(k, k));
+    finding.control("k-th derivatives of (x + y)^(k+1) that are not k!, at the origin" + of, IsExactly{0},
+                    derivatives_off(k, k + 1));
     finding.require("terms of (x + y)^k/k! less sum x^i y^j/(i! j!)" + of, IsExactly{0},
                     terms_of_taylor(k, true));
     if (k == 1) continue;
