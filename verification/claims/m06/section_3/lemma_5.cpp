@@ -20,7 +20,7 @@
 //              (8 beyond quick) as identities in alpha. The bounds of mean_value_bounds.h, line by line. c,
 //              with the norm of L enclosed. That no power is given away: the next integral is not zero. Both
 //              sides for Phi = 1/(1 + x + y) and g = exp(x + 2y), which are no polynomials, enclosed, r = 1,
-//              2 and 3, h = 1, 1/4 and 1/64. Rejected: alpha = 1/10 for odd r; for even r two mirror images,
+//              2 and 3, h = 1 and 1/64. Rejected: alpha = 1/10 for odd r; for even r two mirror images,
 //              a kite, in the place of the square. On one triangle, r even, the remark after Lemma 8: no more
 //              than the degree r at alpha = 1/10; but r = 0 has a degree more, and r = 2 has two alpha with
 //              one.
@@ -150,7 +150,7 @@ Ball quotient(int r, const Ball& alpha, Over region, int gained, const Rational&
 std::string with(int r, const std::string& alpha) { return ", r = " + std::to_string(r) + ", " + alpha; }
 
 const std::vector<Rational>& lengths() {
-  static const std::vector<Rational> all{1, Rational(1, 4), Rational(1, 64)};
+  static const std::vector<Rational> all{1, Rational(1, 64)};
   return all;
 }
 
