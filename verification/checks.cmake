@@ -1,6 +1,7 @@
 # radcert_checks(<target> EXCEPT <folder>...)
 #
-# Gives the target the sources of all papers, claims/<key>/**.cpp but those in the folders named, and the definition of radcert::verification::all_checks():
+# Gives the target the sources of all papers, claims/<key>/**.cpp but those in the folders named, what they share, claims/*.cpp, and the
+# definition of radcert::verification::all_checks():
 # every function
 #   Finding <label>(const Bench& bench) {
 # at the start of a line of such a source, in the namespace radcert::verification::<key>, is the check of the claim <label> of
@@ -11,6 +12,9 @@ function(radcert_checks target)
   set(folder "${CMAKE_CURRENT_SOURCE_DIR}/claims")
   file(GLOB papers CONFIGURE_DEPENDS RELATIVE "${folder}" "${folder}/*")
   list(SORT papers COMPARE STRING)
+  file(GLOB shared CONFIGURE_DEPENDS "${folder}/*.cpp")
+  list(SORT shared COMPARE STRING)
+  target_sources(${target} PRIVATE ${shared})
   set(declarations)
   set(entries)
   foreach(paper IN LISTS papers)

@@ -248,7 +248,7 @@ Finding equation_24(const Bench& bench) {
   return finding;
 }
 
-Finding equation_26(const Bench& bench) {
+Finding equation_26_constant(const Bench& bench) {
   Finding finding;
   for (const char* name : {"two_piece_r0", "two_piece_r1", "two_piece_r1_other", "two_piece_r2",
                            "two_piece_r3", "two_piece_r4", "sphere_r1", "ellipsoid_r1", "ellipsoid_r2"}) {

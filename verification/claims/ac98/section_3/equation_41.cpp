@@ -1,203 +1,208 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (39) to (51) are identities and inequalities of any linear K and any interpolation P_n; they are held to
-// here by matrices of rational numbers, with the interpolation (34) itself.
+// (39) to (51) are algebra: they hold for every linear K, on whatever space, and for every interpolation P_n = B R,
+// where R takes the values at the nodes and B makes a function of them. The system (40) for the values v of u_n is
+// (I - R K B) v = R E, and X is the inverse of its matrix. So with E, or with u and E = u - K u,
+//     v = X R E,   u_n = B v,   hat u_n = E + K u_n,
+// and each identity is one between sums of products of K, B, R and X. It is proved by rewriting: R B = I, as the
+// interpolant has the values that it is made of, and (I - R K B) X = X (I - R K B) = I.
 //
-// Checked      In exact arithmetic, three equations each for alpha = 1/6, 1/10 and 0. (41) from (40) by (39),
-//              and the solution of (41) is that of (40): a solution lies in the range of P_n, and (41) at the
-//              nodes is (40). (43), (44), (45) with its inequality, (46), (49), (47), the two identities
-//              after (50), (51) with c = norm of (I - R K B)^-1.
-// Not checked  that c of (51) stays bounded as n grows: theorem_3_1_inverses, equation_51. Operators on C(S).
+// Checked      (41) for that u_n, and that it has no other solution: I - P K has the inverse I + B X R K, and X
+//              exists where I - P K has an inverse. (43) to (46) and (49), I - K P having the inverse I + K B X R.
+//              The two identities after (50), for any K and P with these inverses. (51): R(u - hat u_n) =
+//              X R K(u - P u). The inequalities (45), (47) and (51) are the norms of both sides of the identities
+//              here, by |a + b| <= |a| + |b| and |A a| <= |A| |a|; c of (51) is the norm of X.
+//              In each, arbitrary values at the nodes in place of the solution of (40) are rejected, and wrong
+//              identities.
+// Not checked  that c of (51), and the norms of the inverses, stay bounded as n grows: theorem_3_1_inverses,
+//              equation_51_constant.
 
-#include <functional>
-
-#include "verification/claims/ac98/collocation/collocation_model.h"
+#include "verification/claims/operator_algebra.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
 namespace {
 
-// A statement on each of the equations, and what it must reject there.
-void require_for_all(Finding& finding, const std::string& what,
-                     const std::function<Rational(const CollocationModel&)>& count,
-                     const std::string& instead,
-                     const std::function<Rational(const CollocationModel&)>& rejected) {
-  for (const Rational& alpha : {Rational(1, 6), Rational(1, 10), Rational(0)})
-    for (unsigned seed = 1; seed <= 3; ++seed) {
-      const CollocationModel model = collocation_model(alpha, seed);
-      const std::string at = ", alpha = " + alpha.to_text() + ", equation " + std::to_string(seed);
-      finding.require(what + at, IsExactly{0}, count(model));
-      if (seed == 1) finding.control(instead + at, IsExactly{0}, rejected(model));
-    }
+using Rules = std::vector<OperatorRelations::Rule>;
+
+const Operator one(1);
+
+Operator k() { return Operator("K"); }
+Operator r() { return Operator("R"); }
+Operator b() { return Operator("B"); }
+Operator x() { return Operator("X"); }
+Operator p() { return b() * r(); }
+
+// (39), (40) and (42), as operators on what E is given by.
+struct Solution {
+  Operator emission;
+  Operator node_values = x() * r() * emission;
+  Operator u_n = b() * node_values;
+  Operator iterated = emission + k() * u_n;
+};
+
+Solution of_emission() { return {.emission = one}; }
+Solution of_u() { return {.emission = one - k()}; }  // E = u - K u
+
+Rules interpolation() { return {{.product = "RB", .replacement = one}}; }
+Rules inverse_of_the_system() {
+  return {{.product = "RKBX", .replacement = x() - one}, {.product = "XRKB", .replacement = x() - one}};
 }
 
-RationalMatrix one(const CollocationModel& m) { return identity(m.k.rows()); }
-RationalMatrix inverse_of_41(const CollocationModel& m) { return inverse(one(m) - m.p * m.k); }
-RationalMatrix inverse_of_46(const CollocationModel& m) { return inverse(one(m) - m.k * m.p); }
-Rational fails(bool holds) { return {holds ? 0 : 1}; }
+OperatorRelations collocation() {
+  Rules rules = interpolation();
+  for (const OperatorRelations::Rule& rule : inverse_of_the_system()) rules.push_back(rule);
+  return OperatorRelations(rules);
+}
+// X any matrix: arbitrary values at the nodes.
+OperatorRelations arbitrary_values() { return OperatorRelations(interpolation()); }
+// R B is not I: the function made of the values has others.
+OperatorRelations arbitrary_functions() { return OperatorRelations(inverse_of_the_system()); }
+
+// a = b for collocation, and not for arbitrary values at the nodes.
+void require_identity(Finding& finding, const std::string& what, const Operator& left,
+                      const Operator& right) {
+  finding.require("words of " + what, IsExactly{0}, collocation().differing_words(left, right));
+  finding.control("words of the same for arbitrary values at the nodes", IsExactly{0},
+                  arbitrary_values().differing_words(left, right));
+}
+
+void reject_identity(Finding& finding, const std::string& what, const Operator& left, const Operator& right) {
+  finding.control("words of " + what, IsExactly{0}, collocation().differing_words(left, right));
+}
+
+void require_inverse(Finding& finding, const std::string& what, const Operator& a, const Operator& inverse) {
+  require_identity(finding, what + ", from the right, less I", a * inverse, one);
+  require_identity(finding, what + ", from the left, less I", inverse * a, one);
+}
+
+Operator inverse_of_41() { return one + b() * x() * r() * k(); }
+Operator inverse_of_46() { return one + k() * b() * x() * r(); }
+
+// (49), of which (47) is the norm.
+Finding error_of_the_iterated_solution() {
+  const Solution s = of_u();
+  Finding finding;
+  require_identity(finding, "(I - K P)(u - hat u_n) - K(u - P u)", (one - k() * p()) * (one - s.iterated),
+                   k() * (one - p()));
+  require_inverse(finding, "(I - K P) with I + K B X R", one - k() * p(), inverse_of_46());
+  require_identity(finding, "u - hat u_n - (I - K P)^-1 K(u - P u)", one - s.iterated,
+                   inverse_of_46() * k() * (one - p()));
+  reject_identity(finding, "u - u_n - (I - K P)^-1 K(u - P u)", one - s.u_n,
+                  inverse_of_46() * k() * (one - p()));
+  reject_identity(finding, "u - hat u_n - (I - P K)^-1 K(u - P u)", one - s.iterated,
+                  inverse_of_41() * k() * (one - p()));
+  return finding;
+}
 
 }  // namespace
 
 Finding equation_41(const Bench&) {
+  const Solution s = of_emission();
   Finding finding;
-  require_for_all(
-      finding, "points where (I - P K) u_n differs from P E, u_n from (39) and (40)",
-      [](const CollocationModel& m) {
-        const RationalVector u_n = m.collocation_solution();
-        return differing(u_n - m.p * (m.k * u_n), m.p * m.emission);
-      },
-      "points where it differs from E",
-      [](const CollocationModel& m) {
-        const RationalVector u_n = m.collocation_solution();
-        return differing(u_n - m.p * (m.k * u_n), m.emission);
-      });
-  require_for_all(
-      finding, "points where the solution of (41) differs from that of (39) and (40)",
-      [](const CollocationModel& m) {
-        return differing(inverse_of_41(m) * (m.p * m.emission), m.collocation_solution());
-      },
-      "points where the solution of (46) differs from it",
-      [](const CollocationModel& m) {
-        return differing(inverse_of_46(m) * m.emission, m.collocation_solution());
-      });
+  require_identity(finding, "(I - P K) u_n - P E", (one - p() * k()) * s.u_n, p() * s.emission);
+  require_inverse(finding, "(I - P K) with I + B X R K", one - p() * k(), inverse_of_41());
+  require_identity(finding, "(I - P K)^-1 P E - u_n", inverse_of_41() * p() * s.emission, s.u_n);
+  reject_identity(finding, "(I - P K) u_n - E", (one - p() * k()) * s.u_n, s.emission);
+  // The other way: Y, the inverse of I - P K, makes one of the matrix of (40).
+  const Operator y("Y");
+  const OperatorRelations solvable(
+      Rules{{.product = "BRKY", .replacement = y - one}, {.product = "YBRK", .replacement = y - one}});
+  const Operator system = one - r() * k() * b();
+  const Operator inverse = one + r() * k() * y * b();
+  finding.require("words of (I - R K B) with I + R K (I - P K)^-1 B, from the right, less I", IsExactly{0},
+                  solvable.differing_words(system * inverse, one));
+  finding.require("words of the same from the left, less I", IsExactly{0},
+                  solvable.differing_words(inverse * system, one));
+  finding.control("words of (I - R K B) with I + R (I - P K)^-1 B, less I", IsExactly{0},
+                  solvable.differing_words(system * (one + r() * y * b()), one));
   return finding;
 }
 
 Finding equation_43(const Bench&) {
+  const Solution s = of_emission();
   Finding finding;
-  require_for_all(
-      finding, "points where P hat u_n differs from u_n",
-      [](const CollocationModel& m) {
-        return differing(m.p * m.iterated_solution(), m.collocation_solution());
-      },
-      "points where hat u_n differs from u_n",
-      [](const CollocationModel& m) { return differing(m.iterated_solution(), m.collocation_solution()); });
-  require_for_all(
-      finding, "nodes where hat u_n differs from u_n",
-      [](const CollocationModel& m) {
-        return differing(m.r * m.iterated_solution(), m.r * m.collocation_solution());
-      },
-      "nodes where hat u_n differs from u",
-      [](const CollocationModel& m) { return differing(m.r * m.iterated_solution(), m.r * m.u); });
+  require_identity(finding, "P hat u_n - u_n", p() * s.iterated, s.u_n);
+  reject_identity(finding, "hat u_n - u_n", s.iterated, s.u_n);
+  return finding;
+}
+
+Finding equation_44(const Bench&) {
+  const Solution s = of_emission();
+  Finding finding;
+  require_identity(finding, "hat u_n - u_n at the nodes", r() * s.iterated, r() * s.u_n);
+  finding.control("words of the same where the function of the values has others at the nodes", IsExactly{0},
+                  arbitrary_functions().differing_words(r() * s.iterated, r() * s.u_n));
+  reject_identity(finding, "hat u_n - u", of_u().iterated, one);
   return finding;
 }
 
 Finding equation_45(const Bench&) {
+  const Solution s = of_u();
   Finding finding;
-  require_for_all(
-      finding, "points where u - u_n differs from (u - P u) + P (u - hat u_n)",
-      [](const CollocationModel& m) {
-        return differing(m.u - m.collocation_solution(),
-                         (m.u - m.p * m.u) + m.p * (m.u - m.iterated_solution()));
-      },
-      "points where it differs from (u - P u) + (u - hat u_n)",
-      [](const CollocationModel& m) {
-        return differing(m.u - m.collocation_solution(), (m.u - m.p * m.u) + (m.u - m.iterated_solution()));
-      });
-  require_for_all(
-      finding, "1 where the inequality of (45) fails",
-      [](const CollocationModel& m) {
-        return fails(norm(m.u - m.collocation_solution()) <=
-                     norm(m.u - m.p * m.u) + norm(m.p) * norm(m.u - m.iterated_solution()));
-      },
-      "1 where it fails without its first term",
-      [](const CollocationModel& m) {
-        return fails(norm(m.u - m.collocation_solution()) <= norm(m.p) * norm(m.u - m.iterated_solution()));
-      });
+  require_identity(finding, "u - u_n - (u - P u) - P(u - hat u_n)", one - s.u_n,
+                   (one - p()) + p() * (one - s.iterated));
+  reject_identity(finding, "u - u_n - (u - P u) - (u - hat u_n)", one - s.u_n,
+                  (one - p()) + (one - s.iterated));
   return finding;
 }
 
 Finding equation_46(const Bench&) {
+  const Solution s = of_emission();
   Finding finding;
-  require_for_all(
-      finding, "points where (I - K P) hat u_n differs from E",
-      [](const CollocationModel& m) {
-        const RationalVector hat = m.iterated_solution();
-        return differing(hat - m.k * (m.p * hat), m.emission);
-      },
-      "points where (I - P K) hat u_n differs from E",
-      [](const CollocationModel& m) {
-        const RationalVector hat = m.iterated_solution();
-        return differing(hat - m.p * (m.k * hat), m.emission);
-      });
+  require_identity(finding, "(I - K P) hat u_n - E", (one - k() * p()) * s.iterated, s.emission);
+  reject_identity(finding, "(I - P K) hat u_n - E", (one - p() * k()) * s.iterated, s.emission);
   return finding;
 }
 
-Finding equation_47(const Bench&) {
-  Finding finding;
-  require_for_all(
-      finding, "1 where norm of (u - hat u_n) > norm of (I - K P)^-1 times norm of K(u - P u)",
-      [](const CollocationModel& m) {
-        return fails(norm(m.u - m.iterated_solution()) <=
-                     norm(inverse_of_46(m)) * norm(m.k * (m.u - m.p * m.u)));
-      },
-      "1 where norm of (u - u_n) exceeds it",
-      [](const CollocationModel& m) {
-        return fails(norm(m.u - m.collocation_solution()) <=
-                     norm(inverse_of_46(m)) * norm(m.k * (m.u - m.p * m.u)));
-      });
-  return finding;
-}
+Finding equation_47(const Bench&) { return error_of_the_iterated_solution(); }
 
-Finding equation_49(const Bench&) {
-  Finding finding;
-  require_for_all(
-      finding, "points where u - hat u_n differs from (I - K P)^-1 K (u - P u)",
-      [](const CollocationModel& m) {
-        return differing(m.u - m.iterated_solution(), inverse_of_46(m) * (m.k * (m.u - m.p * m.u)));
-      },
-      "points where it differs from (I - P K)^-1 K (u - P u)",
-      [](const CollocationModel& m) {
-        return differing(m.u - m.iterated_solution(), inverse_of_41(m) * (m.k * (m.u - m.p * m.u)));
-      });
-  return finding;
-}
+Finding equation_49(const Bench&) { return error_of_the_iterated_solution(); }
 
 Finding equation_50_inverses(const Bench&) {
+  // P any linear operator.
+  const Operator any("P");
+  const Operator y("Y");
+  const Operator z("Z");
+  const OperatorRelations::Rule right_inverse{.product = "PKY", .replacement = y - one};
+  const OperatorRelations of_pk(Rules{right_inverse, {.product = "YPK", .replacement = y - one}});
+  const OperatorRelations of_kp(
+      Rules{{.product = "KPZ", .replacement = z - one}, {.product = "ZKP", .replacement = z - one}});
+  const auto differing = [](const OperatorRelations& relations, const Operator& a) {
+    return relations.differing_words(a, one);
+  };
+  const Operator first = one + k() * y * any;
+  const Operator second = one + any * z * k();
   Finding finding;
-  require_for_all(
-      finding, "entries where (I - K P)^-1 differs from I + K (I - P K)^-1 P",
-      [](const CollocationModel& m) {
-        return differing(inverse_of_46(m), one(m) + m.k * (inverse_of_41(m) * m.p));
-      },
-      "entries where it differs from I + K (I - P K)^-1",
-      [](const CollocationModel& m) { return differing(inverse_of_46(m), one(m) + m.k * inverse_of_41(m)); });
-  require_for_all(
-      finding, "entries where (I - P K)^-1 differs from I + P (I - K P)^-1 K",
-      [](const CollocationModel& m) {
-        return differing(inverse_of_41(m), one(m) + m.p * (inverse_of_46(m) * m.k));
-      },
-      "entries where it differs from I + (I - K P)^-1 K",
-      [](const CollocationModel& m) { return differing(inverse_of_41(m), one(m) + inverse_of_46(m) * m.k); });
+  finding.require("words of (I - K P) with I + K (I - P K)^-1 P, from the right, less I", IsExactly{0},
+                  differing(of_pk, (one - k() * any) * first));
+  finding.require("words of the same from the left, less I", IsExactly{0},
+                  differing(of_pk, first * (one - k() * any)));
+  finding.require("words of (I - P K) with I + P (I - K P)^-1 K, from the right, less I", IsExactly{0},
+                  differing(of_kp, (one - any * k()) * second));
+  finding.require("words of the same from the left, less I", IsExactly{0},
+                  differing(of_kp, second * (one - any * k())));
+  finding.control("words of (I - K P) with I + K (I - P K)^-1, less I", IsExactly{0},
+                  differing(of_pk, (one - k() * any) * (one + k() * y)));
+  finding.control("words of (I - P K) with I + (I - K P)^-1 K, less I", IsExactly{0},
+                  differing(of_kp, (one - any * k()) * (one + z * k())));
+  finding.control("words of the first from the left, where Y is an inverse of I - P K from the right alone",
+                  IsExactly{0},
+                  differing(OperatorRelations(Rules{right_inverse}), first * (one - k() * any)));
   return finding;
 }
 
 Finding equation_51(const Bench&) {
+  const Solution s = of_u();
+  const Operator source = r() * k() * (one - p());
   Finding finding;
-  const auto right_side = [](const CollocationModel& m) { return m.r * (m.k * (m.u - m.p * m.u)); };
-  const auto of_nodes = [](const CollocationModel& m) {
-    return inverse(identity(m.nodes.size()) - m.r * (m.k * m.b));
-  };
-  require_for_all(
-      finding, "nodes where (I - R K B) R(u - hat u_n) differs from R K(u - P u)",
-      [=](const CollocationModel& m) {
-        const RationalVector error = m.r * (m.u - m.iterated_solution());
-        return differing(error - m.r * (m.k * (m.b * error)), right_side(m));
-      },
-      "nodes where R(u - hat u_n) itself differs from it",
-      [=](const CollocationModel& m) {
-        return differing(m.r * (m.u - m.iterated_solution()), right_side(m));
-      });
-  require_for_all(
-      finding, "1 where (51) fails with c = norm of (I - R K B)^-1",
-      [=](const CollocationModel& m) {
-        return fails(norm(m.r * (m.u - m.iterated_solution())) <= norm(of_nodes(m)) * norm(right_side(m)));
-      },
-      "1 where it fails with c/100",
-      [=](const CollocationModel& m) {
-        return fails(norm(m.r * (m.u - m.iterated_solution())) <=
-                     norm(of_nodes(m)) * norm(right_side(m)) / 100);
-      });
+  require_identity(finding, "(I - R K B) R(u - hat u_n) - R K(u - P u)",
+                   (one - r() * k() * b()) * r() * (one - s.iterated), source);
+  require_identity(finding, "R(u - hat u_n) - X R K(u - P u)", r() * (one - s.iterated), x() * source);
+  reject_identity(finding, "R(u - hat u_n) - R K(u - P u)", r() * (one - s.iterated), source);
+  finding.control(
+      "words of R(u - u_n) - X R K(u - P u) where the function of the values has others at the nodes",
+      IsExactly{0}, arbitrary_functions().differing_words(r() * (one - s.u_n), x() * source));
   return finding;
 }
 
