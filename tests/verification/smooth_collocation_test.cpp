@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
-#include "verification/claims/ac98/collocation/collocation_model.h"
 #include "verification/claims/ac98/collocation/interpolation_bounds.h"
 #include "verification/claims/ac98/collocation/observed_order.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
@@ -89,26 +87,6 @@ TEST(BoundedErrors, ScaleWithTheTriangle) {
   EXPECT_EQ(exceeding(unit, 0),
             Rational(std::count_if(unit.begin(), unit.end(),
                                    [](const BoundedError& each) { return each.error.sign() > 0; })));
-}
-
-TEST(CollocationModel, InterpolatesAndIsSolved) {
-  const CollocationModel model = collocation_model(Rational(1, 10), 7);
-  EXPECT_EQ(differing(model.r * model.b, identity(9)), 0);
-  EXPECT_EQ(differing(model.p * model.p, model.p), 0);
-  EXPECT_LE(norm(model.k), Rational(1, 4));
-  EXPECT_NE(differing(model.p, identity(model.k.rows())), 0);
-  const RationalVector ones(model.k.rows(), Rational(1));
-  EXPECT_EQ(differing(model.p * ones, ones), 0);
-}
-
-TEST(RationalMatrix, TimesItsInverseIsTheIdentity) {
-  std::mt19937_64 random(5);
-  RationalMatrix a(7, 7);
-  for (std::size_t j = 0; j < 7; ++j)
-    for (std::size_t i = 0; i < 7; ++i) a(i, j) = Rational(static_cast<long>(random() % 19) - 9);
-  a(0, 0) = 0;  // a pivot to be exchanged
-  EXPECT_EQ(differing(a * inverse(a), identity(7)), 0);
-  EXPECT_EQ(differing(inverse(a) * a, identity(7)), 0);
 }
 
 TEST(CoordinateIntegrals, SumToTheOctantAndAgreeWithARule) {

@@ -1,59 +1,62 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      the two forms of (2) with each other and with the library's kernel, exactly, at pairs of
-//              points with rational coordinates and unit normals whose distance is rational. The cosines come
-//              from the law of cosines in the triangle P, P + n_P, Q, and know no inner product of n_P and Q
-//              - P. Beside that (21), written out here, on two_squares.
+// By the law of cosines in the triangle P, P + n_P, Q, with d = Q - P and a unit vector n_P, 2 |d| cos theta_P = 1 +
+// |d|^2 - |d - n_P|^2, which knows no inner product of n_P and Q - P, and likewise at Q with -d. The second form of
+// (2) is linear in each normal.
+//
+// Checked      for all P, Q and normals: |n|^2 + |d|^2 - |d - n|^2 = 2 n.d, so that cos theta_P cos theta_Q =
+//              (n_P.d)(n_Q.(-d))/|d|^2; and |d|^4 times the library's kernel is (n_P.d)(n_Q.(-d)), for normals
+//              along the axes, which is enough. Beside that (21), written out here, on two_squares.
 // Not checked  that G is what radiometry asks for.
 
 #include <array>
-#include <vector>
 
 #include "radcert/kernel/geometric_kernel.h"
+#include "verification/claims/ac98/surfaces/exact_identity.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
 namespace {
 
 using Point = Vector<Rational>;
+using Six = std::array<Rational, 6>;
 
-// The unit vectors (2u, 2v, 1 - u^2 - v^2)/(1 + u^2 + v^2), some of them and their negatives.
-std::vector<Point> unit_vectors() {
-  std::vector<Point> vectors;
-  for (const auto& [u, v] : {std::array<Rational, 2>{0, 0},
-                             {Rational(1), 0},
-                             {Rational(1, 2), Rational(1, 3)},
-                             {Rational(-2, 7), Rational(5, 4)},
-                             {Rational(3, 5), Rational(-8, 3)}}) {
-    const Rational squared = u * u + v * v;
-    const Rational inverse = 1 / (1 + squared);
-    const Point vector{2 * u * inverse, 2 * v * inverse, (1 - squared) * inverse};
-    vectors.push_back(vector);
-    vectors.push_back(-vector);
-  }
-  return vectors;
+Point first(const Six& x) { return {x[0], x[1], x[2]}; }
+Point second(const Six& x) { return {x[3], x[4], x[5]}; }
+
+// Vectors n and d where |n|^2 + |d|^2 - |d - n|^2 is not so many times n.d.
+Rational wrong_cosines(long multiple) {
+  constexpr long values = 3;
+  return differing_on_grid<6>(
+      values,
+      [](const Six& x) {
+        const Point n = first(x);
+        const Point d = second(x);
+        return dot(n, n) + dot(d, d) - dot(d - n, d - n);
+      },
+      [multiple](const Six& x) { return multiple * dot(first(x), second(x)); });
 }
 
-// cos of the angle between the unit vector n and d, |d| = length, by the law of cosines.
-Rational cosine(const Point& n, const Point& d, const Rational& length) {
-  const Point side = d - n;
-  return (1 + length * length - dot(side, side)) / (2 * length);
-}
-
-// Pairs at which the kernel differs from sign cos theta_P cos theta_Q / |P-Q|^exponent.
-Rational differing_pairs(long exponent, const Rational& sign) {
-  long count = 0;
-  const Point p{Rational(1, 3), Rational(-2, 5), Rational(7, 2)};
-  for (const Rational& length : {Rational(1, 100), Rational(2, 3), Rational(50)})
-    for (const Point& direction : unit_vectors())
-      for (const Point& n_p : unit_vectors())
-        for (const Point& n_q : unit_vectors()) {
-          const Point d = length * direction;
-          Rational first = sign * cosine(n_p, d, length) * cosine(n_q, -d, length);
-          for (long k = 0; k < exponent; ++k) first /= length;
-          if (first != geometric_kernel(p, n_p, p + d, n_q)) ++count;
-        }
-  return {count};
+// P and Q, with normals along axes, where |d|^power G is not sign (n_P.d)(n_Q.(-d)).
+Rational differing_pairs(long half_power, const Rational& sign) {
+  const std::array<Point, 3> axes{Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};
+  constexpr long values = 3;
+  Rational count = 0;
+  for (const Point& n_p : axes)
+    for (const Point& n_q : axes)
+      count += differing_on_grid<6>(
+          values,
+          [&](const Six& x) {
+            const Point d = second(x) - first(x);
+            Rational kernel = geometric_kernel(first(x), n_p, second(x), n_q);
+            for (long k = 0; k < half_power; ++k) kernel *= dot(d, d);
+            return kernel;
+          },
+          [&](const Six& x) {
+            const Point d = second(x) - first(x);
+            return sign * dot(n_p, d) * dot(n_q, -d);
+          });
+  return count;
 }
 
 // Pairs of two_squares at which the kernel differs from (21).
@@ -77,15 +80,16 @@ Rational differing_on_two_squares() {
 
 Finding equation_2(const Bench&) {
   Finding finding;
-  finding.require(
-      "pairs, of 3000, where the kernel of the library differs from cos theta_P cos theta_Q / |P-Q|^2",
-      IsExactly{0}, differing_pairs(2, 1));
+  finding.require("vectors where |n|^2 + |d|^2 - |d - n|^2 differs from 2 n.d", IsExactly{0},
+                  wrong_cosines(2));
+  finding.control("vectors where it differs from n.d", IsExactly{0}, wrong_cosines(1));
+  finding.require("pairs where |P-Q|^4 times the library's kernel differs from [(Q-P).n_P][(P-Q).n_Q]",
+                  IsExactly{0}, differing_pairs(2, 1));
   finding.require("pairs of two_squares, of 125, where it differs from (21)", IsExactly{0},
                   differing_on_two_squares());
-  finding.control("pairs where it differs from cos theta_P cos theta_Q / |P-Q|", IsExactly{0},
+  finding.control("pairs where |P-Q|^2 times the kernel differs from it", IsExactly{0},
                   differing_pairs(1, 1));
-  finding.control("pairs where it differs from -cos theta_P cos theta_Q / |P-Q|^2", IsExactly{0},
-                  differing_pairs(2, -1));
+  finding.control("pairs where the kernel has the other sign", IsExactly{0}, differing_pairs(2, -1));
   return finding;
 }
 

@@ -15,8 +15,9 @@
 // Checked      lemma_2_3, theorem_2_4_b: a corner of a curved piece, where they fail: corner_derivative.h.
 //              lemma_2_3_inside: for u = max(xi - 1/2, 0)^(m+1), m = 0, 1, 2, p = 2, 3, the order of the
 //              differences of Ku across xi = 1/2 and the jump, by enclosed integrals; (20) and u = eta must
-//              be rejected. theorem_2_4_b_sphere: the equation on the sphere for E, or rho, that are in C^m
-//              and not in C^(m+1), with the solution that is no smoother, as where E = 1 - rho it is.
+//              be rejected. theorem_2_4_b_sphere: u = E + c rho for all data, sphere_algebra.h, so that u is in
+//              C^m; E, or rho, that are in C^m and not in C^(m+1), with a solution that is no smoother; E = 1 -
+//              rho, whose solution is 1 for all rho.
 // Not checked  surfaces that are not analytic; derivatives in other directions.
 
 #include <array>
@@ -27,12 +28,12 @@
 
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/enclosure/interval_integral.h"
-#include "radcert/enclosure/kernel_integral.h"
-#include "radcert/surface/catalogue/ellipsoid.h"
 #include "verification/claims/ac98/collocation/level_orders.h"
 #include "verification/claims/ac98/surfaces/corner_derivative.h"
+#include "verification/claims/ac98/surfaces/exact_identity.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/roof_pair.h"
+#include "verification/claims/ac98/surfaces/sphere_algebra.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -113,28 +114,6 @@ struct HalfSmooth {
   [[nodiscard]] Rational mean(int m) const { return constant + upper / Rational(2 * (m + 2)); }
 };
 
-// Int G max(z, 0)^k over the unit sphere from the point (1/5, 1/3) of the first octant, and Int G for k = 0.
-Ball power_integral(int k) {
-  const Surface surface = sphere();
-  std::vector<bool> above;
-  for (const Chart& chart : surface.charts) {
-    constexpr double middle = 1.0 / 3;
-    above.push_back(chart.in<double>().frame({middle, middle}).point.z > 0);
-  }
-  const DensityFormula q = density([=]<class R>(const DensityPoint<R>& at) {
-    if (k == 0) return R(1);
-    return above.at(at.chart) ? R(power(at.point.z, k)) : R(0);
-  });
-  return known(
-      kernel_integral(ExactObserver::on_surface({{.chart = 0, .at = {Rational(1, 5), Rational(1, 3)}}}),
-                      surface, q, {.radius = 1e-6}));
-}
-
-struct PowerIntegrals {
-  Ball of_one;
-  Ball of_kink;
-};
-
 // The jump of the derivative of u = E + c rho of order m + 1 by z at z = 0.
 Ball jump_at_the_equator(int m, const HalfSmooth& e, const HalfSmooth& rho, const Rational& c) {
   const auto u = [&](const Rational& x) {
@@ -143,21 +122,6 @@ Ball jump_at_the_equator(int m, const HalfSmooth& e, const HalfSmooth& rho, cons
     return Ball(e.constant + e.upper * kink + c * (rho.constant + rho.upper * kink));
   };
   return jump(u, m + 1, Rational(1, 1024));
-}
-
-Ball residual_on_the_sphere(int m, const HalfSmooth& e, const HalfSmooth& rho, const Rational& c,
-                            const PowerIntegrals& integrals) {
-  const Rational s(1, 5);
-  const Rational t(1, 3);
-  const Rational rest = 1 - s - t;
-  // F = (1-s-t, s, t)/|...| on the first octant, which is the first chart.
-  const Ball kink = power(Ball(t) / sqrt(Ball(rest * rest + s * s + t * t)), m + 1);
-  const Ball constant(e.constant + c * rho.constant);
-  const Ball upper(e.upper + c * rho.upper);
-  return constant + upper * kink -
-         (Ball(rho.constant) + Ball(rho.upper) * kink) / Ball::pi() *
-             (constant * integrals.of_one + upper * integrals.of_kink) -
-         Ball(e.constant) - Ball(e.upper) * kink;
 }
 
 }  // namespace
@@ -211,37 +175,41 @@ Finding theorem_2_4_b(const Bench&) { return mixed_derivative_at_a_corner(); }
 Finding theorem_2_4_b_sphere(const Bench& bench) {
   const BallPrecision precision(128);
   Finding finding;
-  const AgreesWith zero{.value = Ball(0), .within = 1e-5};
+  require_solution_on_the_sphere(finding);
+  // M(E) = 1 - M(rho) for E = 1 - rho: c = 1 and u = 1.
+  using Two = std::array<Rational, 2>;
+  const auto solution = [](bool closing) {
+    return [closing](const Two& x) {
+      const SphereEquation at(
+          {closing ? 1 - x[0] : Rational(1), x[0], closing ? 1 - x[1] : Rational(1), x[1]});
+      return at.solution(at.multiple());
+    };
+  };
+  const auto one = [](const Two&) { return Rational(1); };
+  finding.require("data E = 1 - rho whose solution on the sphere is not 1", IsExactly{0},
+                  differing_on_grid<2>(3, solution(true), one));
+  finding.control("data E = 1 whose solution on the sphere is not 1", IsExactly{0},
+                  differing_on_grid<2>(3, solution(false), one));
   // The derivative of u of order m + 1 by z jumps at z = 0, and those below do not.
   const AtMost in_c_m_alone{.value = -0x1p-20, .slack = 0, .why = "a jump of order m + 1, and not before"};
   const int largest = bench.budget == Budget::quick ? 1 : 2;
-  const Ball of_one = power_integral(0);
   for (int m = 0; m <= largest; ++m) {
-    const PowerIntegrals integrals{.of_one = of_one, .of_kink = power_integral(m + 1)};
-    const HalfSmooth one{.constant = 1, .upper = 0};
+    const HalfSmooth one_throughout{.constant = 1, .upper = 0};
     const HalfSmooth half{.constant = Rational(1, 2), .upper = 0};
     const HalfSmooth kinked{.constant = 0, .upper = 1};
     const HalfSmooth varying{.constant = Rational(1, 4), .upper = Rational(1, 4)};
+    const HalfSmooth closing{.constant = 1 - varying.constant, .upper = -varying.upper};
+    const auto multiple = [&](const HalfSmooth& e, const HalfSmooth& rho) {
+      return SphereEquation({0, 0, e.mean(m), rho.mean(m)}).multiple();
+    };
     const std::string with = ", m = " + std::to_string(m);
     for (const auto& [name, e, rho] :
          {std::tuple<std::string, HalfSmooth, HalfSmooth>{"E = max(z,0)^(m+1), rho = 1/2", kinked, half},
-          {"E = 1, rho = (1 + max(z,0)^(m+1))/4", one, varying}}) {
-      const Rational c = e.mean(m) / (1 - rho.mean(m));
-      finding.require("u - rho/pi Int G u - E at a point of the sphere, " + name + with, zero,
-                      residual_on_the_sphere(m, e, rho, c, integrals));
-      finding.control("the same with u larger by rho/10, " + name + with, zero,
-                      residual_on_the_sphere(m, e, rho, c + Rational(1, 10), integrals));
+          {"E = 1, rho = (1 + max(z,0)^(m+1))/4", one_throughout, varying}})
       finding.require("-(jump of the derivative of u of order m + 1 by z) at z = 0, " + name + with,
-                      in_c_m_alone, proved(-abs(jump_at_the_equator(m, e, rho, c))));
-    }
-    // In general only: E = 1 - rho has u = 1, however rough rho is.
-    const HalfSmooth closing{.constant = 1 - varying.constant, .upper = -varying.upper};
-    const Rational c = closing.mean(m) / (1 - varying.mean(m));
-    const std::string name = "E = 1 - rho, rho = (1 + max(z,0)^(m+1))/4";
-    finding.require("u - rho/pi Int G u - E at a point of the sphere, " + name + with, zero,
-                    residual_on_the_sphere(m, closing, varying, c, integrals));
-    finding.control("-(jump of the derivative of u of order m + 1 by z) at z = 0, " + name + with,
-                    in_c_m_alone, proved(-abs(jump_at_the_equator(m, closing, varying, c))));
+                      in_c_m_alone, proved(-abs(jump_at_the_equator(m, e, rho, multiple(e, rho)))));
+    finding.control("the same for E = 1 - rho, rho = (1 + max(z,0)^(m+1))/4" + with, in_c_m_alone,
+                    proved(-abs(jump_at_the_equator(m, closing, varying, multiple(closing, varying)))));
   }
   return finding;
 }

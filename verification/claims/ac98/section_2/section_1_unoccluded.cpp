@@ -6,15 +6,22 @@
 // the same, which is what (1) needs. A convex solid without a segment in its surface, such as a ball, is
 // unoccluded to the letter.
 //
-// Checked      on the unit cube and the unit sphere, for rational points in pairs, in exact arithmetic,
-//              whether the points at 1/4, 1/2 and 3/4 of the segment are inside, and G where they are not.
+// Checked      section_1_unoccluded: on the unit cube and the unit sphere, for rational points in pairs, in exact
+//              arithmetic, whether the points at 1/4, 1/2 and 3/4 of the segment are inside, and G where they are
+//              not. section_1_unoccluded_kernel: for all P and Q. On a convex polyhedron no corner is behind a
+//              face, and no two faces are in one plane, so that a point inside a face is in front of all other
+//              ones: if Q is not in P's face, the form l of each plane is positive at one of them at least and
+//              not negative at the other, hence positive between them, and V = 1; if it is, (Q-P).n_P = 0 and G =
+//              0. On all ellipsoids the segment is inside, solid_angle.h.
 // Not checked  other solids.
 
 #include <string>
 #include <vector>
 
 #include "radcert/kernel/geometric_kernel.h"
+#include "verification/claims/ac98/surfaces/polyhedra.h"
 #include "verification/claims/ac98/surfaces/sample_points.h"
+#include "verification/claims/ac98/surfaces/solid_angle.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -81,6 +88,21 @@ Obstructed obstructed(const std::vector<SolidPoint>& points, const Inside& insid
   return count;
 }
 
+// Faces all of whose corners are in the plane of another face.
+Rational faces_in_one_plane(const Polyhedron& body) {
+  long count = 0;
+  for (std::size_t i = 0; i < body.faces.size(); ++i)
+    for (std::size_t k = 0; k < body.faces.size(); ++k) {
+      if (i == k) continue;
+      const PlanePolygon& plane = body.faces[k];
+      bool in_front = false;
+      for (const ParameterPoint<Rational>& at : body.faces[i].loops().front())
+        if (dot(body.faces[i].point(at) - plane.origin(), plane.normal()).sign() > 0) in_front = true;
+      if (!in_front) ++count;
+    }
+  return {count};
+}
+
 }  // namespace
 
 Finding section_1_unoccluded(const Bench&) {
@@ -100,15 +122,26 @@ Finding section_1_unoccluded(const Bench&) {
 
 Finding section_1_unoccluded_kernel(const Bench&) {
   Finding finding;
-  const IsExactly none{0};
-  finding.require("pairs of points of the unit cube with V = 0 to the letter and G != 0", none,
-                  obstructed(cube_points(), inside_cube).with_kernel);
-  finding.require("pairs of points of the unit sphere with V = 0 to the letter and G != 0", none,
-                  obstructed(sphere_points(), inside_sphere).with_kernel);
-  finding.control("pairs of points of the sphere that a smaller ball at its centre obstructs, with G != 0",
-                  none, obstructed(sphere_points(), [](const Vector<Rational>& p) {
-                          return inside_sphere(p) && !inside_sphere(Rational(4) * p);
-                        }).with_kernel);
+  for (const Polyhedron& body : {cube_polyhedron(), box_polyhedron(1, 2, 5), tetrahedron(), octahedron()}) {
+    finding.require("corners behind a face, " + body.name, IsExactly{0}, corners_behind_faces(body));
+    finding.require("faces in the plane of another one, " + body.name, IsExactly{0},
+                    faces_in_one_plane(body));
+  }
+  Polyhedron with_shelf = cube_polyhedron();
+  const Rational quarter(1, 4);
+  const Rational half(1, 2);
+  const Rational three(3, 4);
+  with_shelf.faces.push_back(
+      plane_polygon(
+          {{quarter, quarter, half}, {quarter, three, half}, {three, three, half}, {three, quarter, half}})
+          .value());
+  finding.control("corners behind a face, the cube with a shelf inside", IsExactly{0},
+                  corners_behind_faces(with_shelf));
+  Polyhedron cut = cube_polyhedron();
+  cut.faces.push_back(plane_polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}).value());
+  finding.control("faces in the plane of another one, the cube with half of its floor once more",
+                  IsExactly{0}, faces_in_one_plane(cut));
+  require_convex_ellipsoids(finding);
   return finding;
 }
 

@@ -31,10 +31,15 @@ Polyhedron polyhedron(std::string name, std::vector<Point> corners, const Point&
 }  // namespace
 
 Polyhedron cube_polyhedron() {
-  const Rational half(1, 2);
-  return polyhedron("cube",
-                    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}},
-                    {half, half, half},
+  Polyhedron cube = box_polyhedron(1, 1, 1);
+  cube.name = "cube";
+  return cube;
+}
+
+Polyhedron box_polyhedron(const Rational& a, const Rational& b, const Rational& c) {
+  return polyhedron("box (" + a.to_text() + "," + b.to_text() + "," + c.to_text() + ")",
+                    {{0, 0, 0}, {a, 0, 0}, {a, b, 0}, {0, b, 0}, {0, 0, c}, {a, 0, c}, {a, b, c}, {0, b, c}},
+                    {a / 2, b / 2, c / 2},
                     {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
 }
 

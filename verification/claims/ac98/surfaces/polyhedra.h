@@ -19,8 +19,10 @@ struct Polyhedron {
   std::vector<PlanePolygon> faces;
 };
 [[nodiscard]] Polyhedron cube_polyhedron();  ///< [0,1]^3
-[[nodiscard]] Polyhedron tetrahedron();      ///< every other corner of [-1,1]^3
-[[nodiscard]] Polyhedron octahedron();       ///< +- the unit vectors
+/// [0,a] x [0,b] x [0,c].
+[[nodiscard]] Polyhedron box_polyhedron(const Rational& a, const Rational& b, const Rational& c);
+[[nodiscard]] Polyhedron tetrahedron();  ///< every other corner of [-1,1]^3
+[[nodiscard]] Polyhedron octahedron();   ///< +- the unit vectors
 /// The face z = 0 of the cube.
 inline constexpr std::size_t floor_face = 0;
 

@@ -12,7 +12,6 @@
 #include "radcert/surface/catalogue/two_piece.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/roof_pair.h"
-#include "verification/claims/ac98/surfaces/sample_points.h"
 
 namespace radcert::verification::ac98 {
 namespace {
@@ -136,21 +135,6 @@ SmoothBounds ellipsoid_bounds(const Rational& a, const Rational& b, const Ration
           .kernel = flattest * sharpest * sharpest / Ball(4),
           .cosine_pair = pair.cosine,
           .kernel_pair = pair.kernel};
-}
-
-SphereCounts differing_on_the_sphere(const Rational& cosine, const Rational& kernel) {
-  std::vector<Vector<Rational>> points;
-  for (long i = -3; i <= 3; ++i)
-    for (long j = -3; j <= 3; ++j) points.push_back(sphere_point(Rational(i, 2), Rational(j, 5)));
-  SphereCounts counts{.cosine = 0, .kernel = 0};
-  for (const Vector<Rational>& p : points)
-    for (const Vector<Rational>& q : points) {
-      if (p == q) continue;
-      const Vector<Rational> d = q - p;
-      if (dot(d, -p) != cosine * dot(d, d)) counts.cosine += 1;
-      if (geometric_kernel(p, -p, q, -q) != kernel) counts.kernel += 1;
-    }
-  return counts;
 }
 
 Ball largest_kernel_between_the_pieces(int p, double radius) {

@@ -32,14 +32,6 @@ struct SmoothBounds {
 [[nodiscard]] SmoothBounds ellipsoid_bounds(const Rational& a, const Rational& b, const Rational& c,
                                             double radius);
 
-/// Pairs of rational points of the unit sphere, of so many, where 2 |cos theta_P| != |P-Q|, and where 4 G !=
-/// 1.
-struct SphereCounts {
-  Rational cosine;
-  Rational kernel;
-};
-[[nodiscard]] SphereCounts differing_on_the_sphere(const Rational& cosine, const Rational& kernel);
-
 /// The largest kernel between the square and the roof of two_piece(p).
 /// Maths     z (z + p xi^(p-1) (xi - x))/(stretch (d^2 + z^2)^2), z = 2 - xi^p, at e = 0
 /// Source    [ac98, (2), (94)]
