@@ -4,8 +4,8 @@
 // and (1/2) atan(s/z) - z/(2w) atan(s/w) one of its difference between eta = 1 and eta = 0, by s. With
 // atan(x/z) = pi/2 - atan(z/x) for x, z > 0 the ends s = -x and s = 1 - x give (22).
 //
-// Checked      For all x and z of 0 < x, z < 1 at once: both antiderivatives, as identities of rational
-//              functions, with the derivative of atan(s/c)/c known to be 1/(c^2 + s^2). Degrees: 4 at most in
+// Checked      For all x and z of 0 < x, z < 1 at once: both antiderivatives, and the derivative of (22) by x
+//              against that of the integral between these ends, as identities of rational functions, with the derivative of atan(s/c)/c known to be 1/(c^2 + s^2). Degrees: 4 at most in
 //              each variable, over D^2 and (s^2 + z^2)(s^2 + w^2). Beside that the formula typed in as
 //              printed, and the library's, against enclosures of the double integral that know no
 //              antiderivative: at points, and on boxes.
@@ -67,6 +67,25 @@ Finding equation_22(const Bench& bench) {
                   differing_points([](const Rational& s, const Rational&,
                                       const Rational& z) { return outer_slope(s, z, 1); },
                                    between_the_ends));
+  // The ends: the integral from s = -x to 1 - x has the derivative g(-x) - g(1-x) by x; the arctangents of (22) have
+  // the derivatives by x that stand here. x + 2 is in place of x: the grid's first variable is -3/4 at least.
+  const auto ends = [](const Rational& s, const Rational& eta, const Rational& z) {
+    const Rational x = s + 2;
+    return between_the_ends(-x, eta, z) - between_the_ends(1 - x, eta, z);
+  };
+  const auto printed_by_x = [](const Rational& sign) {
+    return [sign](const Rational& s, const Rational&, const Rational& z) {
+      const Rational x = s + 2;
+      const Rational a = 1 - x;
+      const Rational w_squared = 1 + z * z;
+      return (z / (x * x + z * z) + sign * z / (a * a + z * z)) / 2 -
+             z / 2 * (1 / (w_squared + x * x) + sign / (w_squared + a * a));
+    };
+  };
+  finding.require("points where the derivative of (22) by x differs from that of the integral", IsExactly{0},
+                  differing_points(ends, printed_by_x(-1)));
+  finding.control("points where it differs with atan(z/(1-x)) subtracted", IsExactly{0},
+                  differing_points(ends, printed_by_x(1)));
   require_values(finding, bench,
                  {.name = "(22)",
                   .integral = &UnitSquareIntegrals::one,

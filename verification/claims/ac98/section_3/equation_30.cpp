@@ -7,7 +7,8 @@
 // the method has no error. The hypotheses on F_j in Theorems 3.6 and 3.7, made for the printed parts, are one
 // derivative more than f = u(m) needs.
 //
-// Checked      equation_30: on five triangles of the sphere the right side, an enclosed integral over sigma
+// Checked      equation_30: on all plane triangles, for all f of degree 2 at most, as a polynomial identity in the
+//              corners' coordinates, the left side by Green's formula. On five triangles of the sphere the right side, an enclosed integral over sigma
 //              through the library's charts, is the left side in closed form: the area, and the integrals of
 //              x, y, z as half the sum of the sides' angles times their normals. equation_76: the sum over
 //              the elements, pulled back to sigma by product rules but beside v_i, against the operator over
@@ -27,6 +28,8 @@
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/triangulation/triangulation.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
+#include "verification/claims/ac98/surfaces/exact_identity.h"
+#include "verification/claims/ac98/surfaces/exact_plane.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/framework/check.h"
 
@@ -191,6 +194,31 @@ std::vector<OctantTriangle> five_triangles() {
   return all;
 }
 
+// Plane triangles and monomials f of degree 2 at most where the two sides of (30) differ, the left one by Green's
+// formula and the right one over sigma by the rule at the midpoints of its sides, which is exact for degree 2: with
+// the triangle's area element, or with that of a triangle whose first corner is (1,0). The first corner is the origin,
+// as the polynomials of degree 2 are the same seen from any point. But for the sign of the area, which both sides
+// have, they are polynomials of the other corners' coordinates of degree 3 at most in each.
+Rational differing_plane_elements(bool own_area) {
+  using Four = std::array<Rational, 4>;
+  constexpr long values = 4;
+  Rational count = 0;
+  for (const ExactPolynomial& f : monomials(2))
+    count += differing_on_grid<4>(
+        values,
+        [&](const Four& x) {
+          return f.integral_over({{0, 0}, {x[0], x[1]}, {x[2], x[3]}});
+        },
+        [&](const Four& x) {
+          const PlanarPoint first{own_area ? 0 : 1, 0};
+          const Rational area_element = abs((x[0] - first.x) * x[3] - x[1] * (x[2] - first.x));
+          return area_element / 6 *
+                 (f({x[0] / 2, x[1] / 2}) + f({x[2] / 2, x[3] / 2}) +
+                  f({(x[0] + x[2]) / 2, (x[1] + x[3]) / 2}));
+        });
+  return count;
+}
+
 }  // namespace
 
 Finding equation_30(const Bench& bench) {
@@ -198,6 +226,9 @@ Finding equation_30(const Bench& bench) {
   const double radius = bench.budget == Budget::quick ? 1e-15 : 1e-25;
   const Surface surface = sphere();
   Finding finding;
+  finding.require("plane triangles and monomials of degree 2 at most where the sides of (30) differ",
+                  IsExactly{0}, differing_plane_elements(true));
+  finding.control("the same with another area element", IsExactly{0}, differing_plane_elements(false));
   int number = 0;
   for (const OctantTriangle& triangle : five_triangles()) {
     const std::string at = ", triangle " + std::to_string(++number);

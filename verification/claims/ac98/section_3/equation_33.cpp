@@ -6,7 +6,11 @@
 //              l_i(q_j) = delta_ij and sum q_j l_j(x) = x at four points, three of which are not on a line,
 //              for the printed l_i; the library's l_i are those. So L reproduces linear functions, takes the
 //              values at the nodes, and L L = L: P_n of (35) and (36) is this on every element.
-//              equation_36_jumps: jumps of P_n g along the common side of two triangles, exactly.
+//              equation_36_jumps: for every alpha of 0 < alpha < 1/3 the interpolant of x^2 jumps at a corner, by
+//              the zeros of a polynomial in alpha. For alpha = 0 each l_i is 0 on the side opposite to its vertex,
+//              so that P_n g on a side is made of the values at its two ends, and agrees with that of the element
+//              beyond, for every g, where both parametrise the side affinely in each other. Beside that jumps of
+//              monomials along the common side of two triangles, exactly.
 //              equation_38: one node, the centroid, l = 1: norm 1, constants reproduced, the rule of degree
 //              1.
 // Not checked  that P_n extends to L^infinity as a projection.
@@ -69,6 +73,37 @@ Rational functions_that_jump(const Rational& alpha, int degree) {
     const ExactPolynomial jump = interpolant(below, alpha, g) - interpolant(above, alpha, g);
     if (jump(PlanarPoint{0, 0}) != 0 || jump(PlanarPoint{3, 1}) != 0) ++count;
   }
+  return {count};
+}
+
+// The jump of P_n x^2 at the corner (0,0) of these two triangles, a polynomial in alpha: 1 - 3 alpha, in the
+// denominators of l_i, divides it without a remainder, as for alpha = 1/3 all nodes are the centroid.
+RationalPolynomial jump_of_the_square() {
+  const RationalPolynomial a = RationalPolynomial::variable();
+  const auto at_the_corner = [&](const std::array<Rational, 3>& x) {
+    RationalPolynomial sum;
+    for (std::size_t j = 0; j < 3; ++j) {
+      RationalPolynomial place;
+      for (std::size_t i = 0; i < 3; ++i) place += printed_nodes().at(j).at(i) * RationalPolynomial(x.at(i));
+      sum += place * place * (RationalPolynomial(j == 0 ? 1 : 0) - a);
+    }
+    return sum;
+  };
+  const Division jump = divide(at_the_corner({0, 2, 3}) - at_the_corner({0, 3, 1}), 1 - 3 * a);
+  return jump.remainder.is_zero() ? jump.quotient : RationalPolynomial();
+}
+
+// Functions l_i that are not zero on the side opposite to their vertex, for this alpha, at four points of it.
+Rational functions_on_the_opposite_side(const Rational& alpha) {
+  long count = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const Rational& part : {Rational(0), Rational(1, 3), Rational(1), Rational(5, 2)}) {
+      std::array<Rational, 3> x;
+      x.at(i) = 0;
+      x.at((i + 1) % 3) = part;
+      x.at((i + 2) % 3) = 1 - part;
+      if (printed_numerators(x).at(i)(alpha) != 0) ++count;
+    }
   return {count};
 }
 
@@ -144,6 +179,15 @@ Finding equation_34(const Bench&) {
 
 Finding equation_36_jumps(const Bench&) {
   Finding finding;
+  const RationalPolynomial jump = jump_of_the_square();
+  const Rational third(1, 3);
+  finding.require("1 where P_n x^2 does not jump at a corner for an alpha of 0 < alpha <= 1/3", IsExactly{0},
+                  Rational(!jump.is_zero() && zeros_between(jump, 0, third) == 0 ? 0 : 1));
+  finding.control("1 where it does not for an alpha of -1 < alpha <= 1/3", IsExactly{0},
+                  Rational(zeros_between(jump, -1, third) == 0 ? 0 : 1));
+  finding.require("values of l_i on the side opposite to their vertex that are not 0, alpha = 0",
+                  IsExactly{0}, functions_on_the_opposite_side(0));
+  finding.control("the same, alpha = 1/6", IsExactly{0}, functions_on_the_opposite_side(Rational(1, 6)));
   for (const int degree : {0, 1})
     finding.require("monomials of degree " + std::to_string(degree) + " whose interpolant jumps, alpha = 1/6",
                     IsExactly{0}, functions_that_jump(Rational(1, 6), degree));
@@ -188,6 +232,10 @@ Finding equation_38(const Bench&) {
   }
   const LagrangeFunctions linear =
       lagrange_functions(InsetBasis<Rational>(1, Rational(1, 6)).nodes()).value();
+  const Rational fifth(1, 5);
+  std::array<Rational, 3> of_degree_1;
+  InsetBasis<Rational>(1, fifth).values({{fifth, fifth, 1 - 2 * fifth}}, std::span<Rational>(of_degree_1));
+  finding.control("l_1 of degree 1 at one of its nodes", IsExactly{1}, of_degree_1[0]);
   finding.control("norm of interpolation of degree 1, alpha = 1/6",
                   AgreesWith{.value = Ball(1), .within = 1e-30},
                   Ball(lebesgue_constant(linear, Rational(1, 1000)).lower));

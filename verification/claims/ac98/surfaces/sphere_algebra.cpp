@@ -35,6 +35,15 @@ Rational unsolved_data(bool all_reflections) {
       [](const Four&) { return Rational(0); });
 }
 
+// Values of e, n and r where e/(1 - n) - e (1 + n/(1 - r)) is not e n (n + sign r)/((1 - n)(1 - r)).
+Rational differing_bounds(const Rational& sign) {
+  constexpr long values = 4;
+  using Three = std::array<Rational, 3>;
+  return differing_on_grid<3>(
+      values, [](const Three& x) { return x[0] / (1 - x[1]) - x[0] * (1 + x[1] / (1 - x[2])); },
+      [&](const Three& x) { return x[0] * x[1] * (x[1] + sign * x[2]) / ((1 - x[1]) * (1 - x[2])); });
+}
+
 }  // namespace
 
 void require_solution_on_the_sphere(Finding& finding) {
@@ -45,6 +54,12 @@ void require_solution_on_the_sphere(Finding& finding) {
                   IsExactly{0}, unsolved_data(true));
   finding.control("data for which u = E + rho M(E), one reflection, does not", IsExactly{0},
                   unsolved_data(false));
+}
+
+void require_norm_of_the_solution(Finding& finding) {
+  finding.require("norms where e/(1-n) - e (1 + n/(1-r)) differs from e n (n-r)/((1-n)(1-r))", IsExactly{0},
+                  differing_bounds(-1));
+  finding.control("norms where it differs from e n (n+r)/((1-n)(1-r))", IsExactly{0}, differing_bounds(1));
 }
 
 }  // namespace radcert::verification::ac98

@@ -41,4 +41,10 @@ struct SphereEquation {
 ///           identity of degree 4 at most in each of four variables. (1) is one of degree 2 at most, over 1 - r
 void require_solution_on_the_sphere(Finding& finding);
 
+/// Requires that |u| <= norm of E/(1 - norm of rho) for that u, and for every linear M with |M(f)| <= norm of f and
+/// M(f) >= 0 where f >= 0.
+/// Maths     with e = norm of E, n = norm of rho < 1, r = M(rho):  |u| <= e (1 + n/(1 - r)), and e/(1 - n) less that
+///           is e n (n - r)/((1 - n)(1 - r)) >= 0, as 0 <= r <= n
+void require_norm_of_the_solution(Finding& finding);
+
 }  // namespace radcert::verification::ac98
