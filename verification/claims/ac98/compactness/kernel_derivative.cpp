@@ -60,6 +60,7 @@ RoofKernel roof_kernel(int p, const Ball& x, const Ball& xi, const Ball& e) {
 }
 
 KernelDerivativeBounds roof_derivative_bounds(int p) {
+  const BallPrecision precision(64);
   constexpr long parts = 16;
   Ball a(0);
   Ball slope(0);
@@ -77,6 +78,7 @@ KernelDerivativeBounds roof_derivative_bounds(int p) {
 }
 
 Ball derivative_bound_between_the_pieces(int p) {
+  const BallPrecision precision(64);
   constexpr long parts = 16;
   Ball largest(0);
   for (long i = 0; i < parts; ++i)

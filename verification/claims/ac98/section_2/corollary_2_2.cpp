@@ -9,6 +9,7 @@
 //              and 3/2, two_squares, the cube, which reaches pi, the sphere and the ellipsoid (1,2,5), by the
 //              library's certificate; refuted by a pair of points for the cube with a shelf in it, where the
 //              integral with V = 1 exceeds pi, see equation_15.
+//              section_1_two_piece_unoccluded: the same inequality, of which G V = G is a consequence.
 // Not checked  other surfaces.
 
 #include <vector>
@@ -66,6 +67,24 @@ Finding corollary_2_2(const Bench&) {
                     not_proved(each.surface));
   finding.control("1 where it is not, the cube with a shelf inside", IsExactly{0},
                   not_proved(cube_with_a_shelf()));
+  return finding;
+}
+
+// Where (Q-P).n_P >= 0 for all pairs and a point X of S is between P and Q, both products at X are zero, so that X's
+// plane, which has S on one side, contains P and Q: it is P's plane too, if P is off the border of its piece, and
+// (Q-P).n_P = 0. So V = 0 only where G = 0: in the square, and along the rulings of the roof.
+Finding section_1_two_piece_unoccluded(const Bench&) {
+  Finding finding;
+  for (const Rational& p : {Rational(2), Rational(3), Rational(3, 2)})
+    finding.require("1 where (Q-P).n_P >= 0 is not proved for all P and Q, two_piece(" + p.to_text() + ")",
+                    IsExactly{0}, not_proved(two_piece(p)));
+  Surface between = two_piece(2);
+  between.charts.push_back(make_rectangle({.name = "shelf", .piece = "shelf"},
+                                          {Rational(1, 4), Rational(1, 4), Rational(1, 2)},
+                                          {Rational(1, 2), 0, 0}, {0, Rational(1, 2), 0}));
+  between.diagonals.push_back(Diagonal::main);
+  finding.control("1 where it is not, two_piece(2) with a shelf between the pieces", IsExactly{0},
+                  not_proved(between));
   return finding;
 }
 
