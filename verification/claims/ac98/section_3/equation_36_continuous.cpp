@@ -72,6 +72,11 @@ bool the_same(const Vector<Ball>& a, const Vector<Ball>& b) {
   return overlaps(a.x, b.x) && overlaps(a.y, b.y) && overlaps(a.z, b.z);
 }
 
+// The sum of the coordinates' distances.
+Ball apart(const Vector<Ball>& a, const Vector<Ball>& b) {
+  return abs(a.x - b.x) + abs(a.y - b.y) + abs(a.z - b.z);
+}
+
 // The largest distance of the middles, and of the first quarters, of sides of two charts with common ends; -1 if there is
 // no such pair.
 Ball furthest_apart(const Surface& surface) {
@@ -85,7 +90,7 @@ Ball furthest_apart(const Surface& surface) {
       if (!along && !against) continue;
       // Where b runs the other way, its last quarter is the first one of a.
       const Vector<Ball>& quarter = b.points[along ? 3 : 4];
-      largest = max(largest, max(norm(a.points[2] - b.points[2]), norm(a.points[3] - quarter)));
+      largest = max(largest, max(apart(a.points[2], b.points[2]), apart(a.points[3], quarter)));
     }
   return largest;
 }
