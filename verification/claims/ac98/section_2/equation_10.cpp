@@ -24,9 +24,9 @@ Finding equation_10(const Bench& bench) {
   finding.require("(Int_T G - 25/4 area of the shadow of T)/epsilon^2, all epsilon up to 1/10", AtMost{},
                   proved(tip.cap_over_square(Rational(1, 10), panels) -
                          Ball(kernel_bound) * tip.shadow_over_square(Rational(1, 10), panels)));
-  finding.control("the same with the constant 2 for 25/4", AtMost{},
+  finding.control("the same with the c of (6) of the unit sphere, 1/4", AtMost{},
                   proved(tip.cap_over_square(Rational(1, 10), panels) -
-                         Ball(2) * tip.shadow_over_square(Rational(1, 10), panels)));
+                         Ball(Rational(1, 4)) * tip.shadow_over_square(Rational(1, 10), panels)));
   finding.require("Int_T G/epsilon^2 - 10, all epsilon up to 1, ellipsoid (1,2,5)", AtMost{},
                   proved(cap - Ball(10)));
   finding.remark("area of the shadow of T/epsilon^2, all epsilon up to 1", proved(shadow));

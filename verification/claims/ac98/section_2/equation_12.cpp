@@ -68,8 +68,9 @@ Finding equation_12(const Bench& bench) {
   const auto quotient = [&](const EllipsoidTip& at, const Rational& radius) {
     return (Ball::pi() - at.over_sphere(radius, error)) / Ball(radius * radius);
   };
-  finding.control("(pi - Int_U G)/epsilon^2 at epsilon = 1e-6 - pi c^2/3, ellipsoid (1,2,5)", AtMost{},
-                  proved(quotient(tip, small) - bound / Ball(3)));
+  finding.control(
+      "(pi - Int_U G)/epsilon^2 - pi c^2, c = 1/2 of the unit sphere, epsilon = 1e-6, ellipsoid (1,2,5)",
+      AtMost{}, proved(quotient(tip, small) - Ball::pi() / Ball(4)));
   for (const Rational& radius : {Rational(1), Rational(1, 10), Rational(1, 1000), small}) {
     const std::string at = ", epsilon = " + radius.to_text();
     const AgreesWith quarter{.value = Ball::pi() / Ball(4), .within = 1e-15};

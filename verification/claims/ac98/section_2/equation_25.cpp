@@ -116,11 +116,14 @@ Finding equation_25(const Bench&) {
     const auto smooth = [&](const Ball& where) {
       return TwoSquares<Ball>(where, z).inverse_square_outside(r) / z;
     };
-    const Ball slope = (smooth(x + step) - smooth(x - step)) / (Ball(2) * step);
+    const auto slope = [&](const Ball& where) {
+      return (smooth(where + step) - smooth(where - step)) / (Ball(2) * step);
+    };
     const auto side = [](const Ball& a) { return atan(reciprocal(a)) / a; };
     const AgreesWith moment{.value = side(x) - side(Ball(1) - x), .within = 1e-20};
-    finding.require("slope of S/z by x close to z = 0 against M_0', x = " + at.to_text(), moment, slope);
-    finding.control("half of it, x = " + at.to_text(), moment, slope / Ball(2));
+    finding.require("slope of S/z by x close to z = 0 against M_0', x = " + at.to_text(), moment, slope(x));
+    finding.control("the same at a distance of 1/20 from that x = " + at.to_text(), moment,
+                    slope(x + Ball(Rational(1, 20))));
   }
   return finding;
 }
