@@ -47,7 +47,7 @@ std::vector<SphereSolution> linear_sphere_solutions() {
   return solutions;
 }
 
-Ball sphere_residual(const SphereSolution& problem, const Ball& factor, double radius) {
+SphereParts sphere_parts(const SphereSolution& problem, double radius) {
   std::vector<Rational> u;
   for (int k = 0; k <= problem.solution.degree(); ++k)
     u.push_back(problem.solution.coefficient(static_cast<std::size_t>(k)));
@@ -63,8 +63,8 @@ Ball sphere_residual(const SphereSolution& problem, const Ball& factor, double r
   const Rational w = t * t / (rest * rest + s * s + t * t);
   const Ball integral = known(kernel_integral(ExactObserver::on_surface({{.chart = 0, .at = {s, t}}}),
                                               sphere(), q, {.radius = radius}));
-  return Ball(problem.solution(w)) - Ball(problem.reflectivity(w)) / Ball::pi() * factor * integral -
-         Ball(problem.emission(w));
+  return {.beyond_emission = Ball(problem.solution(w) - problem.emission(w)),
+          .reflected = Ball(problem.reflectivity(w)) / Ball::pi() * integral};
 }
 
 }  // namespace radcert::verification::ac98

@@ -33,11 +33,14 @@ struct SphereSolution {
 /// rho, constant and varying E.
 [[nodiscard]] std::vector<SphereSolution> linear_sphere_solutions();
 
-/// u(P) - rho(P)/pi Int G u - E(P) by enclosed double integrals over the library's charts, at the point (1/5,
-/// 1/3) of the first octant.
-/// Maths     with `factor` times the integral
+/// The two parts of (1) at the point (1/5, 1/3) of the first octant, by enclosed double integrals over the
+/// library's charts: u(P) - E(P), and rho(P)/pi Int G u.
 /// Source    [ac98, (1)]
-/// Result    a ball of about this radius
-[[nodiscard]] Ball sphere_residual(const SphereSolution& problem, const Ball& factor, double radius);
+/// Result    balls; the second of about this radius
+struct SphereParts {
+  Ball beyond_emission;
+  Ball reflected;
+};
+[[nodiscard]] SphereParts sphere_parts(const SphereSolution& problem, double radius);
 
 }  // namespace radcert::verification::ac98

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// lemma_2_3_kernel_derivative: on a curved piece |P-Q| |dG/dP| is bounded, though G itself has no limit as Q nears P.
-// section_2_compact: with the C of lipschitz_bound, |Ku(P) - Ku(P')| <= (C/pi) |P - P'| norm of u on each piece, for
-// rho = 1: the images of the unit ball of C(S) are bounded and equicontinuous, so that K is compact on C(S), by Arzela
-// and Ascoli; multiplication by a continuous rho is bounded. On L^2(S), Int Int G^2 <= c^2 area^2 with the c of (6):
-// K is a Hilbert-Schmidt operator. equation_46_operator: K P_n g = sum g(v_i) w_i with w_i = K l_i, l_i being 0 beyond its
-// element: the same C bounds the differences of w_i, as it does for every bounded function, continuous or not, so
-// that K P_n takes C(S) into C(S). theorem_3_1_collectively_compact: |K P_n g(P) - K P_n g(P')| <= (C/pi) norm of P_n |P - P'|
-// for all n and all g of the unit ball, norm of P_n = (1 + alpha)/(1 - 3 alpha) by equation_37. As P_n takes constants
-// to themselves, |g - P_n g| <= (1 + norm of P_n) omega, omega the largest difference of values of g within one
-// element, which tends to 0 with h for continuous g: K P_n g tends to K g. Not so in the norm: with g = 1 at the nodes
-// and -1 but close to them norm of K P_n - K is at least that of K.
+// lemma_2_3_kernel_derivative: on a curved piece |P-Q| |dG/dP| is bounded, though G itself has no limit as Q
+// nears P. section_2_compact: with the C of lipschitz_bound, |Ku(P) - Ku(P')| <= (C/pi) |P - P'| norm of u on
+// each piece, for rho = 1: the images of the unit ball of C(S) are bounded and equicontinuous, so that K is
+// compact on C(S), by Arzela and Ascoli; multiplication by a continuous rho is bounded. On L^2(S), Int Int
+// G^2 <= c^2 area^2 with the c of (6): K is a Hilbert-Schmidt operator. equation_46_operator: K P_n g = sum
+// g(v_i) w_i with w_i = K l_i, l_i being 0 beyond its element: the same C bounds the differences of w_i, as
+// it does for every bounded function, continuous or not, so that K P_n takes C(S) into C(S).
+// theorem_3_1_collectively_compact: |K P_n g(P) - K P_n g(P')| <= (C/pi) norm of P_n |P - P'| for all n and
+// all g of the unit ball, norm of P_n = (1 + alpha)/(1 - 3 alpha) by equation_37. As P_n takes constants to
+// themselves, |g - P_n g| <= (1 + norm of P_n) omega, omega the largest difference of values of g within one
+// element, which tends to 0 with h for continuous g: K P_n g tends to K g. Not so in the norm: with g = 1 at
+// the nodes and -1 but close to them norm of K P_n - K is at least that of K.
 //
 // Checked      on two_piece(p), p = 2, 3: the derivatives of G as typed in, against those of the kernel by
-//              differences; their bounds, for all pairs, and at pairs as close as 2^-40; the quotients of K 1 at
-//              pairs of points against C. Across the edge of (20), where |dG/dP| is 1/(4 z^3) and K 1 has no limit
-//              at the ends of the edge, the same bounds are exceeded; and |P-Q|^(1/2) |dG/dP| is not bounded.
+//              differences; their bounds, for all pairs, and at pairs as close as 2^-40; the quotients of K 1
+//              at pairs of points against C. Across the edge of (20), where |dG/dP| is 1/(4 z^3) and K 1 has
+//              no limit at the ends of the edge, the same bounds are exceeded; and |P-Q|^(1/2) |dG/dP| is not
+//              bounded.
 // Not checked  other surfaces.
 
 #include <array>

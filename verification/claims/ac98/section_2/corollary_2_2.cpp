@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// By directions, as in lemma_2_1: Int_S G is the integral of n_P.w over the directions w in which points of S with
-// G != 0 are seen. Where (Q-P).n_P >= 0 for all P and Q, which is what it means for S to lie in the boundary of a
-// convex body with its inner normals, G >= 0, and no direction shows two such points: with Q between P and Q', both
-// (P-Q).n_Q and (Q'-Q).n_Q would be positive, in opposite directions. So the integral is at most pi, for all P.
+// By directions, as in lemma_2_1: Int_S G is the integral of n_P.w over the directions w in which points of S
+// with G != 0 are seen. Where (Q-P).n_P >= 0 for all P and Q, which is what it means for S to lie in the
+// boundary of a convex body with its inner normals, G >= 0, and no direction shows two such points: with Q
+// between P and Q', both (P-Q).n_Q and (Q'-Q).n_Q would be positive, in opposite directions. So the integral
+// is at most pi, for all P.
 //
-// Checked      G dS_Q = n_P.w dw, an identity. (Q-P).n_P >= 0 for all P and Q: proved on two_piece for p = 2, 3
-//              and 3/2, two_squares, the cube, which reaches pi, the sphere and the ellipsoid (1,2,5), by the
-//              library's certificate; refuted by a pair of points for the cube with a shelf in it, where the
-//              integral with V = 1 exceeds pi, see equation_15.
-//              section_1_two_piece_unoccluded: the same inequality, of which G V = G is a consequence.
+// Checked      G dS_Q = n_P.w dw, an identity. (Q-P).n_P >= 0 for all P and Q: proved on two_piece for p = 2,
+//              3 and 3/2, two_squares, the cube, which reaches pi, the sphere and the ellipsoid (1,2,5), by
+//              the library's certificate; refuted by a pair of points for the cube with a shelf in it, where
+//              the integral with V = 1 exceeds pi, see equation_15. section_1_two_piece_unoccluded: the same
+//              inequality, of which G V = G is a consequence.
 // Not checked  other surfaces.
 
 #include <vector>
@@ -70,9 +71,9 @@ Finding corollary_2_2(const Bench&) {
   return finding;
 }
 
-// Where (Q-P).n_P >= 0 for all pairs and a point X of S is between P and Q, both products at X are zero, so that X's
-// plane, which has S on one side, contains P and Q: it is P's plane too, if P is off the border of its piece, and
-// (Q-P).n_P = 0. So V = 0 only where G = 0: in the square, and along the rulings of the roof.
+// Where (Q-P).n_P >= 0 for all pairs and a point X of S is between P and Q, both products at X are zero, so
+// that X's plane, which has S on one side, contains P and Q: it is P's plane too, if P is off the border of
+// its piece, and (Q-P).n_P = 0. So V = 0 only where G = 0: in the square, and along the rulings of the roof.
 Finding section_1_two_piece_unoccluded(const Bench&) {
   Finding finding;
   for (const Rational& p : {Rational(2), Rational(3), Rational(3, 2)})

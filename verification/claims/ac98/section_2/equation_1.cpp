@@ -2,9 +2,10 @@
 
 // Checked      that (1) with the kernel (2), the inner normals and the factor rho/pi is the equation whose
 //              solutions are known. On the unit sphere for all data: G = 1/4 for all pairs, as an identity of
-//              rational functions, so that Int G u/pi is the mean of u, and u = E + rho M(E)/(1 - M(rho)). There
-//              as well by the library's charts and an enclosed integral. On the cube, where u = 1 belongs to E =
-//              1 - rho, for all P off the edges: face_angles.h, and at points by the closed form of a polygon.
+//              rational functions, so that Int G u/pi is the mean of u, and u = E + rho M(E)/(1 - M(rho)).
+//              There as well by the library's charts and an enclosed integral. On the cube, where u = 1
+//              belongs to E = 1 - rho, for all P off the edges: face_angles.h, and at points by the closed
+//              form of a polygon.
 // Not checked  V: it is 1 here.
 
 #include "verification/claims/ac98/collocation/sphere_solution.h"
@@ -21,10 +22,11 @@ Finding equation_1(const Bench& bench) {
   require_solution_on_the_sphere(finding);
   const AgreesWith zero{.value = Ball(0), .within = 4 * radius};
   const SphereSolution varying = linear_sphere_solutions().back();
+  const SphereParts parts = sphere_parts(varying, radius);
   finding.require("u - rho/pi Int G u - E at a point of the sphere, " + varying.name, zero,
-                  sphere_residual(varying, Ball(1), radius));
+                  parts.beyond_emission - parts.reflected);
   finding.control("u - rho Int G u - E, without 1/pi, " + varying.name, zero,
-                  sphere_residual(varying, Ball::pi(), radius));
+                  parts.beyond_emission - Ball::pi() * parts.reflected);
   require_total_of_pi(finding, cube_polyhedron());
   const Polyhedron cube = cube_polyhedron();
   const Rational rho(3, 4);

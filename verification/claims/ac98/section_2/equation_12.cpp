@@ -5,10 +5,10 @@
 // every surface with (5) and every e for which a ray of U_e meets the rim once: the printed o(e) is right,
 // and O(e^2) is what holds.
 //
-// Checked      (11): G = n_P . (Q-P)/|P-Q|^3 with the normal of the sphere around P, for all Q and n_P. (12) at the tip
-//              of the ellipsoid (1,2,5), where the curvatures differ most, for all 0 < e <= 1 at once: 0 <=
-//              (pi - Int_U G)/e^2 <= pi c^2, c = 5/2 the least constant of (5); the limit of this quotient;
-//              on the sphere, where it is pi/4, the constant of (5) being 1/2.
+// Checked      (11): G = n_P . (Q-P)/|P-Q|^3 with the normal of the sphere around P, for all Q and n_P. (12)
+//              at the tip of the ellipsoid (1,2,5), where the curvatures differ most, for all 0 < e <= 1 at
+//              once: 0 <= (pi - Int_U G)/e^2 <= pi c^2, c = 5/2 the least constant of (5); the limit of this
+//              quotient; on the sphere, where it is pi/4, the constant of (5) being 1/2.
 // Not checked  surfaces that are no more than C^1 at P.
 
 #include <array>
@@ -22,9 +22,9 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-// Points Q = P + w of U, |w| = epsilon, where epsilon^3 G is not so many times n_P.w. The normal is -w/epsilon, so
-// that epsilon^3 G is |w|^2 times the kernel for -w in its place: rational functions of w of degree 4 at most, and
-// linear in n_P, for which the axes are enough.
+// Points Q = P + w of U, |w| = epsilon, where epsilon^3 G is not so many times n_P.w. The normal is
+// -w/epsilon, so that epsilon^3 G is |w|^2 times the kernel for -w in its place: rational functions of w of
+// degree 4 at most, and linear in n_P, for which the axes are enough.
 Rational differing_on_the_sphere_around(const Rational& multiple) {
   const std::array<Vector<Rational>, 3> axes{Vector<Rational>{1, 0, 0}, Vector<Rational>{0, 1, 0},
                                              Vector<Rational>{0, 0, 1}};

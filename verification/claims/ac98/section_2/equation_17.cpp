@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// G >= 0, so that the norm of K on C(S) is max_P rho(P)/pi Int G, at most norm of rho times k, k that of rho = 1. On
-// a closed surface the integral is pi everywhere and the norm is that of rho: the bound is sharp there, for every
-// rho, and (16) cannot be spared, as K 1 = 1 for rho = 1. On other surfaces it is not necessary; it can be all the
-// same, as beside a hole in a face of the cube, where all directions of the half-sphere but none of the hole's are
-// seen: it is in the plane of P.
+// G >= 0, so that the norm of K on C(S) is max_P rho(P)/pi Int G, at most norm of rho times k, k that of rho
+// = 1. On a closed surface the integral is pi everywhere and the norm is that of rho: the bound is sharp
+// there, for every rho, and (16) cannot be spared, as K 1 = 1 for rho = 1. On other surfaces it is not
+// necessary; it can be all the same, as beside a hole in a face of the cube, where all directions of the
+// half-sphere but none of the hole's are seen: it is in the plane of P.
 //
 // Checked      k <= 1, and so (17) for every rho: on two_piece (p = 2, 3) k is enclosed over all P; on convex
-//              bodies and parts of their boundaries it is corollary_2_2. k = 1 on the cube, for all P off the edges
-//              and at a point, and with a hole in the floor, seen from the floor, not from the ceiling. (I - K) 1 =
-//              0 there for rho = 1, which the last inequality rejects.
+//              bodies and parts of their boundaries it is corollary_2_2. k = 1 on the cube, for all P off the
+//              edges and at a point, and with a hole in the floor, seen from the floor, not from the ceiling.
+//              (I - K) 1 = 0 there for rho = 1, which the last inequality rejects.
 // Not checked  compactness.
 
 #include "verification/claims/ac98/surfaces/face_angles.h"

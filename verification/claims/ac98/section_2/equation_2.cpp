@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// By the law of cosines in the triangle P, P + n_P, Q, with d = Q - P and a unit vector n_P, 2 |d| cos theta_P = 1 +
-// |d|^2 - |d - n_P|^2, which knows no inner product of n_P and Q - P, and likewise at Q with -d. The second form of
-// (2) is linear in each normal.
+// By the law of cosines in the triangle P, P + n_P, Q, with d = Q - P and a unit vector n_P, 2 |d| cos
+// theta_P = 1 + |d|^2 - |d - n_P|^2, which knows no inner product of n_P and Q - P, and likewise at Q with
+// -d. The second form of (2) is linear in each normal.
 //
 // Checked      for all P, Q and normals: |n|^2 + |d|^2 - |d - n|^2 = 2 n.d, so that cos theta_P cos theta_Q =
-//              (n_P.d)(n_Q.(-d))/|d|^2; and |d|^4 times the library's kernel is (n_P.d)(n_Q.(-d)), for normals
-//              along the axes, which is enough. Beside that (21), written out here, on two_squares.
+//              (n_P.d)(n_Q.(-d))/|d|^2; and |d|^4 times the library's kernel is (n_P.d)(n_Q.(-d)), for
+//              normals along the axes, which is enough. Beside that (21), written out here, on two_squares.
 // Not checked  that G is what radiometry asks for.
 
 #include <array>

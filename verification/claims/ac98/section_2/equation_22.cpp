@@ -5,10 +5,11 @@
 // atan(x/z) = pi/2 - atan(z/x) for x, z > 0 the ends s = -x and s = 1 - x give (22).
 //
 // Checked      For all x and z of 0 < x, z < 1 at once: both antiderivatives, and the derivative of (22) by x
-//              against that of the integral between these ends, as identities of rational functions, with the derivative of atan(s/c)/c known to be 1/(c^2 + s^2). Degrees: 4 at most in
-//              each variable, over D^2 and (s^2 + z^2)(s^2 + w^2). Beside that the formula typed in as
-//              printed, and the library's, against enclosures of the double integral that know no
-//              antiderivative: at points, and on boxes.
+//              against that of the integral between these ends, as identities of rational functions, with the
+//              derivative of atan(s/c)/c known to be 1/(c^2 + s^2). Degrees: 4 at most in each variable, over
+//              D^2 and (s^2 + z^2)(s^2 + w^2). Beside that the formula typed in as printed, and the
+//              library's, against enclosures of the double integral that know no antiderivative: at points,
+//              and on boxes.
 // Not checked  the remark that the edges x = 0 and x = 1 may cause problems: the limit at a corner depends on
 // the direction, see
 //              closed_form/two_squares.h.
@@ -67,8 +68,9 @@ Finding equation_22(const Bench& bench) {
                   differing_points([](const Rational& s, const Rational&,
                                       const Rational& z) { return outer_slope(s, z, 1); },
                                    between_the_ends));
-  // The ends: the integral from s = -x to 1 - x has the derivative g(-x) - g(1-x) by x; the arctangents of (22) have
-  // the derivatives by x that stand here. x + 2 is in place of x: the grid's first variable is -3/4 at least.
+  // The ends: the integral from s = -x to 1 - x has the derivative g(-x) - g(1-x) by x; the arctangents of
+  // (22) have the derivatives by x that stand here. x + 2 is in place of x: the grid's first variable is -3/4
+  // at least.
   const auto ends = [](const Rational& s, const Rational& eta, const Rational& z) {
     const Rational x = s + 2;
     return between_the_ends(-x, eta, z) - between_the_ends(1 - x, eta, z);

@@ -3,15 +3,16 @@
 // With D = s^2 + eta^2 + z^2, s = xi - x: -z s/(2D) is an antiderivative of z eta s/D^2 by eta, and (z/4) log
 // g, g = (s^2 + z^2)/(s^2 + 1 + z^2), one of its difference between eta = 1 and eta = 0, by s. The ends s =
 // -x and s = 1 - x give (23). Near the edge: with a = 1 - x and q = z^2, (z/4) log g(a)/g(x) has the
-// logarithm's derivative 1/((a^2+q)(a^2+1+q)) - 1/((x^2+q)(x^2+1+q)) by q, and each of these falls with q, so that
-// replacing q by 0 changes it by no more than z^3/4 times the larger of 1/(a^2 (a^2+1)) and 1/(x^2 (x^2+1)).
+// logarithm's derivative 1/((a^2+q)(a^2+1+q)) - 1/((x^2+q)(x^2+1+q)) by q, and each of these falls with q, so
+// that replacing q by 0 changes it by no more than z^3/4 times the larger of 1/(a^2 (a^2+1)) and 1/(x^2
+// (x^2+1)).
 //
 // Checked      For all x and z of 0 < x, z < 1 at once: both antiderivatives and the derivative by q, as
 //              identities of rational functions, with (log g)' = g'/g. Degrees: 4 at most in each variable
 //              over D^2 and (s^2 + z^2)(s^2 + 1 + z^2), and over the four factors of the quotient. Beside
-//              that enclosures of the double integral, at points and on boxes, and the bound near the edge, which holds
-//              for all x and z, at points down to z = 2^-60. That both sides have one derivative by x, and are 0
-//              at x = 1/2.
+//              that enclosures of the double integral, at points and on boxes, and the bound near the edge,
+//              which holds for all x and z, at points down to z = 2^-60. That both sides have one derivative
+//              by x, and are 0 at x = 1/2.
 // Not checked  the remark that x = 0 and x = 1 have problems: (z/4) log of the quotient tends to infinity
 // there.
 
@@ -86,8 +87,8 @@ Finding equation_23(const Bench& bench) {
                   differing_points(slope_with(4), between_the_ends));
   finding.control("points where d/ds (z/2) log g differs from it", IsExactly{0},
                   differing_points(slope_with(2), between_the_ends));
-  // The ends: the integral from s = -x to 1 - x has the derivative g(-x) - g(1-x) by x, and is 0 at x = 1/2, as
-  // (23) is.
+  // The ends: the integral from s = -x to 1 - x has the derivative g(-x) - g(1-x) by x, and is 0 at x = 1/2,
+  // as (23) is.
   const auto by_x = [](long divisor) {
     return [divisor](const Rational& at, const Rational&, const Rational& z) {
       const Rational x = shifted(at);
@@ -131,8 +132,8 @@ Finding equation_23_near_edge(const Bench&) {
                   IsExactly{0}, differing_points(slope, slope_with(-1)));
   finding.control("points where it differs from the sum", IsExactly{0},
                   differing_points(slope, slope_with(1)));
-  // With A = s^2 for each of the two terms, q = z^2: each is largest at q = 0, so that the difference of the two is
-  // at most the larger of them there, and its integral over 0 to z^2 at most z^2 times that.
+  // With A = s^2 for each of the two terms, q = z^2: each is largest at q = 0, so that the difference of the
+  // two is at most the larger of them there, and its integral over 0 to z^2 at most z^2 times that.
   const auto fall = [](const Rational& sign) {
     return [sign](const Rational&, const Rational& a, const Rational& q) {
       return q * (2 * a + 1 + sign * q) / (a * (a + 1) * (a + q) * (a + 1 + q));

@@ -8,16 +8,17 @@
 // and Ku/(z log z) -> -pi/2: half of what the sentence says, as the 1/2 before the last integral of (24) was
 // lost. More exactly, as (26)_r = pi z log(1/z) + (pi z/2) log(r^2 + z^2) and s >= -z/2,
 //     (pi/2) log r - 1/2 <= Ku/z - (pi/2) log(1/z) <= (pi/4) log 3    for all 0 < x, z < 1.
-// Ku tends to 0 with z, and its difference quotient Ku/z grows beyond all bounds: no derivative by z at the edge, at
-// any x.
+// Ku tends to 0 with z, and its difference quotient Ku/z grows beyond all bounds: no derivative by z at the
+// edge, at any x.
 //
 // Checked      equation_26: for all r and z at once the antiderivative, as an identity of rational functions
 //              of degree 4 at most, with (log g)' = g'/g; the formula and the library's against enclosures by
 //              Gauss rules, at points and on boxes. equation_26_dominating_term: Ku/(-pi z log z) between the
-//              two half-disks, at z = 2^-1000000, and the coefficient of z log z from Ku at z and z/2; instead of
-//              it -(pi/2) z log z, and -pi z log z for the last integral of (24) by itself. equation_26_not_c1: the
-//              bound of atan that gives s >= -z/2, by its derivative; the bounds, which hold for all x and z by
-//              (24) and (26), at points down to z = 2^-1000000; the coefficient of z log z.
+//              two half-disks, at z = 2^-1000000, and the coefficient of z log z from Ku at z and z/2;
+//              instead of it -(pi/2) z log z, and -pi z log z for the last integral of (24) by itself.
+//              equation_26_not_c1: the bound of atan that gives s >= -z/2, by its derivative; the bounds,
+//              which hold for all x and z by (24) and (26), at points down to z = 2^-1000000; the coefficient
+//              of z log z.
 // Not checked  nothing is left out.
 
 #include "radcert/closed_form/two_squares.h"

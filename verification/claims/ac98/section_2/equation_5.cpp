@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// On the ellipsoid with half axes a <= b <= c and A = diag(a^-2, b^-2, c^-2), h = Q - P = |h| e: |cos theta_P|/|P-Q|
-// = e.Ae/(2|AP|), solid_angle.h, and |G| = (e.Ae)^2/(4 |AP| |AQ|). Here e.Ae <= 1/a^2 and |AP| >= 1/c, so that
-// c/(2a^2) and c^2/(4a^4) serve. No less does: with P = (0,0,c) and Q in the plane of the axes a and c, at the angle
-// whose half has the tangent t, the quotient of (5) is c/(2a^2) - c t^2 (c^2 - a^2)/(2a^2 (a^2 + c^2 t^2)).
+// On the ellipsoid with half axes a <= b <= c and A = diag(a^-2, b^-2, c^-2), h = Q - P = |h| e: |cos
+// theta_P|/|P-Q| = e.Ae/(2|AP|), solid_angle.h, and |G| = (e.Ae)^2/(4 |AP| |AQ|). Here e.Ae <= 1/a^2 and |AP|
+// >= 1/c, so that c/(2a^2) and c^2/(4a^4) serve. No less does: with P = (0,0,c) and Q in the plane of the
+// axes a and c, at the angle whose half has the tangent t, the quotient of (5) is c/(2a^2) - c t^2 (c^2 -
+// a^2)/(2a^2 (a^2 + c^2 t^2)).
 //
-// Checked      equation_5, equation_6: that a constant exists for all pairs. On all ellipsoids, the sphere among
-//              them: these identities, with the signs of their terms. By enclosing the least constant on the
-//              roof of two_piece (p = 2, 3), from above by branch and bound and from below by a pair of points of
-//              the library's charts, and on two ellipsoids. equation_6: between the two pieces of two_piece, for
-//              all pairs, as well. Across an edge no constant serves: G = 1/(4 z^2) at P = (1/2,0,z), Q = (1/2,z,0)
-//              of two_squares, exactly.
+// Checked      equation_5, equation_6: that a constant exists for all pairs. On all ellipsoids, the sphere
+//              among them: these identities, with the signs of their terms. By enclosing the least constant
+//              on the roof of two_piece (p = 2, 3), from above by branch and bound and from below by a pair
+//              of points of the library's charts, and on two ellipsoids. equation_6: between the two pieces
+//              of two_piece, for all pairs, as well. Across an edge no constant serves: G = 1/(4 z^2) at P =
+//              (1/2,0,z), Q = (1/2,z,0) of two_squares, exactly.
 // Not checked  other smooth surfaces.
 
 #include <array>

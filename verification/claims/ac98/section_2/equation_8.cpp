@@ -5,9 +5,9 @@
 // Int_U G.
 //
 // Checked      div v = 0 for all Q and all n_P, as an identity of rational functions: n_P enters linearly,
-//              and degree 3 over |Q-P|^6 is below that of the grid. v . n_Q = G for all Q and both normals. (8) and (9) at the
-//              tip of the ellipsoid (1,2,5) and on the sphere, each part an enclosure of its own, for five
-//              radii.
+//              and degree 3 over |Q-P|^6 is below that of the grid. v . n_Q = G for all Q and both normals.
+//              (8) and (9) at the tip of the ellipsoid (1,2,5) and on the sphere, each part an enclosure of
+//              its own, for five radii.
 // Not checked  the divergence theorem itself.
 
 #include <array>

@@ -12,19 +12,19 @@
 // and rho and no more, and Ku = c rho that of rho. Theorem 2.4 has rho in C^m alone, less than Lemma 2.3 asks
 // for: its induction needs the lemma for Ku/rho, and then the product.
 //
-// lemma_2_3_m_0: let chi be a smooth function that is 0 within r <= delta of P and 1 beyond 2 delta, with |grad chi| <=
-// 2/delta. The integral of G chi u is in C^1, and its gradient differs from the integral of (dG/dP) u by at most the
-// area element times the integrals of B/r and (2/delta) c over r <= 2 delta, B the bound of r |dG/dP| and c that of G,
-// times norm of u: 4 pi B delta + 8 pi c delta, which tends to 0 with delta, for all P at once. So Ku is in C^1 of each
-// piece for every bounded u.
+// lemma_2_3_m_0: let chi be a smooth function that is 0 within r <= delta of P and 1 beyond 2 delta, with
+// |grad chi| <= 2/delta. The integral of G chi u is in C^1, and its gradient differs from the integral of
+// (dG/dP) u by at most the area element times the integrals of B/r and (2/delta) c over r <= 2 delta, B the
+// bound of r |dG/dP| and c that of G, times norm of u: 4 pi B delta + 8 pi c delta, which tends to 0 with
+// delta, for all P at once. So Ku is in C^1 of each piece for every bounded u.
 //
-// Checked      lemma_2_3_m_0: B and c, for all pairs of points of the roofs, kernel_derivative.h; and the second
-//              differences of Ku for a u that jumps. lemma_2_3, theorem_2_4_b: a corner of a curved piece, where they fail: corner_derivative.h.
-//              lemma_2_3_inside: for u = max(xi - 1/2, 0)^(m+1), m = 0, 1, 2, p = 2, 3, the order of the
-//              differences of Ku across xi = 1/2 and the jump, by enclosed integrals; (20) and u = eta must
-//              be rejected. theorem_2_4_b_sphere: u = E + c rho for all data, sphere_algebra.h, so that u is in
-//              C^m; E, or rho, that are in C^m and not in C^(m+1), with a solution that is no smoother; E = 1 -
-//              rho, whose solution is 1 for all rho.
+// Checked      lemma_2_3_m_0: B and c, for all pairs of points of the roofs, kernel_derivative.h; and the
+//              second differences of Ku for a u that jumps. lemma_2_3, theorem_2_4_b: a corner of a curved
+//              piece, where they fail: corner_derivative.h. lemma_2_3_inside: for u = max(xi - 1/2, 0)^(m+1),
+//              m = 0, 1, 2, p = 2, 3, the order of the differences of Ku across xi = 1/2 and the jump, by
+//              enclosed integrals; (20) and u = eta must be rejected. theorem_2_4_b_sphere: u = E + c rho for
+//              all data, sphere_algebra.h, so that u is in C^m; E, or rho, that are in C^m and not in
+//              C^(m+1), with a solution that is no smoother; E = 1 - rho, whose solution is 1 for all rho.
 // Not checked  surfaces that are not analytic; derivatives in other directions.
 
 #include <array>

@@ -6,13 +6,13 @@
 // the same, which is what (1) needs. A convex solid without a segment in its surface, such as a ball, is
 // unoccluded to the letter.
 //
-// Checked      section_1_unoccluded: on the unit cube and the unit sphere, for rational points in pairs, in exact
-//              arithmetic, whether the points at 1/4, 1/2 and 3/4 of the segment are inside, and G where they are
-//              not. section_1_unoccluded_kernel: for all P and Q. On a convex polyhedron no corner is behind a
-//              face, and no two faces are in one plane, so that a point inside a face is in front of all other
-//              ones: if Q is not in P's face, the form l of each plane is positive at one of them at least and
-//              not negative at the other, hence positive between them, and V = 1; if it is, (Q-P).n_P = 0 and G =
-//              0. On all ellipsoids the segment is inside, solid_angle.h.
+// Checked      section_1_unoccluded: on the unit cube and the unit sphere, for rational points in pairs, in
+//              exact arithmetic, whether the points at 1/4, 1/2 and 3/4 of the segment are inside, and G
+//              where they are not. section_1_unoccluded_kernel: for all P and Q. On a convex polyhedron no
+//              corner is behind a face, and no two faces are in one plane, so that a point inside a face is
+//              in front of all other ones: if Q is not in P's face, the form l of each plane is positive at
+//              one of them at least and not negative at the other, hence positive between them, and V = 1; if
+//              it is, (Q-P).n_P = 0 and G = 0. On all ellipsoids the segment is inside, solid_angle.h.
 // Not checked  other solids.
 
 #include <string>

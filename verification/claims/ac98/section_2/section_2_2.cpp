@@ -2,19 +2,20 @@
 
 // What section 2.2 says in words of surfaces with edges.
 //
-// Checked      section_2_2_box: on the boundary of [0,a] x [0,b] x [0,c], for each of the twelve edges, the two points
-//              at the distance z from its middle, one on either face, have G = 1/(4z^2), and so have those at the
-//              distance z from the point of the edge at the distance z from a corner: identities in a, b, c, z.
-//              section_2_2_lemma_2_1: the integral over (20) is no pi, at points; it is below pi/2 at all, by
-//              equation_15. equation_22_corner: with x and 1-x > 0, z > 0 and atan t <= t,
+// Checked      section_2_2_box: on the boundary of [0,a] x [0,b] x [0,c], for each of the twelve edges, the
+//              two points at the distance z from its middle, one on either face, have G = 1/(4z^2), and so
+//              have those at the distance z from the point of the edge at the distance z from a corner:
+//              identities in a, b, c, z. section_2_2_lemma_2_1: the integral over (20) is no pi, at points;
+//              it is below pi/2 at all, by equation_15. equation_22_corner: with x and 1-x > 0, z > 0 and
+//              atan t <= t,
 //                  |(22) - (pi - atan(z/x))/2| <= (z/2) (1/(1-x) + 1),
-//              so that along z = k x (22) tends to (pi - atan k)/2, which depends on k: K 1 has no limit at the ends of
-//              the edge, and at its other points it has pi/2; that bound, and how far two ways stay apart, at points
-//              as close as 2^-60. The derivative by x has the part z/(2 (x^2 + z^2)), 1/(4x) at z = x.
-//              equation_23_corner: with the logarithm L of the form near the edge, (4/z)(23) - L = log{(1 + z^2/(1-x)^2)
-//              (1 + z^2/(1+x^2))/((1 + z^2/(1+(1-x)^2)) (1 + z^2/x^2))}, an identity of the quotients: at z = x
-//              it tends to -log 2 as x -> 0, so that the remainder of the form is not O(z^3) there, while L tends to
-//              infinity, and (4/z)(23) at x = 0 does not.
+//              so that along z = k x (22) tends to (pi - atan k)/2, which depends on k: K 1 has no limit at
+//              the ends of the edge, and at its other points it has pi/2; that bound, and how far two ways
+//              stay apart, at points as close as 2^-60. The derivative by x has the part z/(2 (x^2 + z^2)),
+//              1/(4x) at z = x. equation_23_corner: with the logarithm L of the form near the edge, (4/z)(23)
+//              - L = log{(1 + z^2/(1-x)^2) (1 + z^2/(1+x^2))/((1 + z^2/(1+(1-x)^2)) (1 + z^2/x^2))}, an
+//              identity of the quotients: at z = x it tends to -log 2 as x -> 0, so that the remainder of the
+//              form is not O(z^3) there, while L tends to infinity, and (4/z)(23) at x = 0 does not.
 // Not checked  nothing is left out.
 
 #include <array>

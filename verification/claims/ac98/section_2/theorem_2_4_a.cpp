@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// On the unit sphere K u = rho M(u) with the mean M. Two solutions differ by a d with d = rho M(d), so that M(d)(1 -
-// M(rho)) = 0, and d = 0 where M(rho) < 1.
+// On the unit sphere K u = rho M(u) with the mean M. Two solutions differ by a d with d = rho M(d), so that
+// M(d)(1 - M(rho)) = 0, and d = 0 where M(rho) < 1.
 //
 // Checked      on the sphere for all data: the solution and the bound, as identities of rational functions,
-//              sphere_algebra.h. Data for which u is known exactly: equality for constant E and rho, and not for an E
-//              that varies. Uniqueness rests on (16), which the theorem does not repeat: for rho = 1 every
-//              constant solves the equation with E = 0 on a closed surface, see equation_17, and no E of mean
-//              other than zero has a solution on the sphere, as the mean of K u is that of u.
+//              sphere_algebra.h. Data for which u is known exactly: equality for constant E and rho, and not
+//              for an E that varies. Uniqueness rests on (16), which the theorem does not repeat: for rho = 1
+//              every constant solves the equation with E = 0 on a closed surface, see equation_17, and no E
+//              of mean other than zero has a solution on the sphere, as the mean of K u is that of u.
 // Not checked  surfaces other than the sphere: equation_18. (b).
 
 #include "verification/claims/ac98/collocation/sphere_solution.h"

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// m_k is the chart after the affine map of sigma onto the parameter triangle. The affine map has an inverse, by
-// determinants, where the triangle has an area. So m_k is one-to-one if the chart is, and onto Delta_k by definition.
+// m_k is the chart after the affine map of sigma onto the parameter triangle. The affine map has an inverse,
+// by determinants, where the triangle has an area. So m_k is one-to-one if the chart is, and onto Delta_k by
+// definition.
 //
-// Checked      the inverse of the affine map, as an identity of rational functions of the corners, s and t. The charts
-//              of the catalogue that the papers use: on two_piece x and y are the parameters; on octants of
-//              ellipsoids (y/b, z/c)/(x/a + y/b + z/c) gives them back, as F = D e/|e| with e = (1-s-t, s, t); by the
-//              library's charts at points. A triangle whose corners are on a line, and another chart's inverse, are
-//              rejected.
+// Checked      the inverse of the affine map, as an identity of rational functions of the corners, s and t.
+//              The charts of the catalogue that the papers use: on two_piece x and y are the parameters; on
+//              octants of ellipsoids (y/b, z/c)/(x/a + y/b + z/c) gives them back, as F = D e/|e| with e =
+//              (1-s-t, s, t); by the library's charts at points. A triangle whose corners are on a line, and
+//              another chart's inverse, are rejected.
 // Not checked  charts of other surfaces.
 
 #include <array>

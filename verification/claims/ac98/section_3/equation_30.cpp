@@ -7,13 +7,13 @@
 // the method has no error. The hypotheses on F_j in Theorems 3.6 and 3.7, made for the printed parts, are one
 // derivative more than f = u(m) needs.
 //
-// Checked      equation_30: on all plane triangles, for all f of degree 2 at most, as a polynomial identity in the
-//              corners' coordinates, the left side by Green's formula. On five triangles of the sphere the right side, an enclosed integral over sigma
-//              through the library's charts, is the left side in closed form: the area, and the integrals of
-//              x, y, z as half the sum of the sides' angles times their normals. equation_76: the sum over
-//              the elements, pulled back to sigma by product rules but beside v_i, against the operator over
-//              the whole surface. equation_76_parts: K(I
-//              - P_n)u in balls on the sphere, u = 1 and u = z^4, against both readings, each integrated.
+// Checked      equation_30: on all plane triangles, for all f of degree 2 at most, as a polynomial identity
+//              in the corners' coordinates, the left side by Green's formula. On five triangles of the sphere
+//              the right side, an enclosed integral over sigma through the library's charts, is the left side
+//              in closed form: the area, and the integrals of x, y, z as half the sum of the sides' angles
+//              times their normals. equation_76: the sum over the elements, pulled back to sigma by product
+//              rules but beside v_i, against the operator over the whole surface. equation_76_parts: K(I -
+//              P_n)u in balls on the sphere, u = 1 and u = z^4, against both readings, each integrated.
 // Not checked  other surfaces for (30).
 
 #include <algorithm>
@@ -135,8 +135,8 @@ Ball by_the_true_parts(const std::vector<OctantTriangle>& triangles, int exponen
   return Ball(octants) * sum / (Ball(4) * Ball::pi());
 }
 
-// The integrand of (76) over sigma for one element, as printed: G u |D_s m x D_t m|, by a product rule, with the
-// area element of m or with that of the element's centroid throughout.
+// The integrand of (76) over sigma for one element, as printed: G u |D_s m x D_t m|, by a product rule, with
+// the area element of m or with that of the element's centroid throughout.
 double pulled_back(const Surface& surface, const Frame<double>& p, const ParameterTriangle& element,
                    const reference::Density& u, int order, bool constant_area) {
   const ChartIn<double>& chart = surface.charts.at(element.chart).in<double>();
@@ -160,8 +160,8 @@ double pulled_back(const Surface& surface, const Frame<double>& p, const Paramet
   return sum;
 }
 
-// The right side of (76) less the left: elements whose centroid is nearer to v_i than their size and a half by
-// the library's cubature, which the kernel's direction asks for there.
+// The right side of (76) less the left: elements whose centroid is nearer to v_i than their size and a half
+// by the library's cubature, which the kernel's direction asks for there.
 Approximation sum_less_the_whole(const Surface& surface, const std::vector<ParameterTriangle>& triangles,
                                  const SurfacePoint<double>& node, const reference::Density& u,
                                  bool constant_area) {
@@ -194,11 +194,12 @@ std::vector<OctantTriangle> five_triangles() {
   return all;
 }
 
-// Plane triangles and monomials f of degree 2 at most where the two sides of (30) differ, the left one by Green's
-// formula and the right one over sigma by the rule at the midpoints of its sides, which is exact for degree 2: with
-// the triangle's area element, or with that of a triangle whose first corner is (1,0). The first corner is the origin,
-// as the polynomials of degree 2 are the same seen from any point. But for the sign of the area, which both sides
-// have, they are polynomials of the other corners' coordinates of degree 3 at most in each.
+// Plane triangles and monomials f of degree 2 at most where the two sides of (30) differ, the left one by
+// Green's formula and the right one over sigma by the rule at the midpoints of its sides, which is exact for
+// degree 2: with the triangle's area element, or with that of a triangle whose first corner is (1,0). The
+// first corner is the origin, as the polynomials of degree 2 are the same seen from any point. But for the
+// sign of the area, which both sides have, they are polynomials of the other corners' coordinates of degree 3
+// at most in each.
 Rational differing_plane_elements(bool own_area) {
   using Four = std::array<Rational, 4>;
   constexpr long values = 4;

@@ -6,11 +6,11 @@
 //              l_i(q_j) = delta_ij and sum q_j l_j(x) = x at four points, three of which are not on a line,
 //              for the printed l_i; the library's l_i are those. So L reproduces linear functions, takes the
 //              values at the nodes, and L L = L: P_n of (35) and (36) is this on every element.
-//              equation_36_jumps: for every alpha of 0 < alpha < 1/3 the interpolant of x^2 jumps at a corner, by
-//              the zeros of a polynomial in alpha. For alpha = 0 each l_i is 0 on the side opposite to its vertex,
-//              so that P_n g on a side is made of the values at its two ends, and agrees with that of the element
-//              beyond, for every g, where both parametrise the side affinely in each other. Beside that jumps of
-//              monomials along the common side of two triangles, exactly.
+//              equation_36_jumps: for every alpha of 0 < alpha < 1/3 the interpolant of x^2 jumps at a
+//              corner, by the zeros of a polynomial in alpha. For alpha = 0 each l_i is 0 on the side
+//              opposite to its vertex, so that P_n g on a side is made of the values at its two ends, and
+//              agrees with that of the element beyond, for every g, where both parametrise the side affinely
+//              in each other. Beside that jumps of monomials along the common side of two triangles, exactly.
 //              equation_38: one node, the centroid, l = 1: norm 1, constants reproduced, the rule of degree
 //              1.
 // Not checked  that P_n extends to L^infinity as a projection.

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// For alpha = 0 the nodes are the vertices, and l_i is 0 on the side opposite to its vertex: on a side P_n g is the
-// linear function, in the parameter along it, of the values of g at its two ends. Two elements with a common side have
-// the same ends there, and the same P_n g if and only if they give the same points the same parameter: the charts must
-// parametrise their seams affinely in each other, which is not printed. Then P_n g is continuous for every g, and P_n a
-// projection on C(S).
+// For alpha = 0 the nodes are the vertices, and l_i is 0 on the side opposite to its vertex: on a side P_n g
+// is the linear function, in the parameter along it, of the values of g at its two ends. Two elements with a
+// common side have the same ends there, and the same P_n g if and only if they give the same points the same
+// parameter: the charts must parametrise their seams affinely in each other, which is not printed. Then P_n g
+// is continuous for every g, and P_n a projection on C(S).
 //
-// Checked      l_i on the opposite side, by the library's basis, exactly. On surfaces of the catalogue whose charts
-//              meet: each side of level 1 that two elements have in common, found by its ends, has the same middle and
-//              the same first quarter from both. Rejected: a side that is t in one chart and t^2 in the other, on which
-//              the interpolants of g = t differ.
+// Checked      l_i on the opposite side, by the library's basis, exactly. On surfaces of the catalogue whose
+//              charts meet: each side of level 1 that two elements have in common, found by its ends, has the
+//              same middle and the same first quarter from both. Rejected: a side that is t in one chart and
+//              t^2 in the other, on which the interpolants of g = t differ.
 // Not checked  other surfaces; sides of finer levels, but by the affine charts of the seams.
 
 #include <array>
@@ -77,8 +77,8 @@ Ball apart(const Vector<Ball>& a, const Vector<Ball>& b) {
   return abs(a.x - b.x) + abs(a.y - b.y) + abs(a.z - b.z);
 }
 
-// The largest distance of the middles, and of the first quarters, of sides of two charts with common ends; -1 if there is
-// no such pair.
+// The largest distance of the middles, and of the first quarters, of sides of two charts with common ends; -1
+// if there is no such pair.
 Ball furthest_apart(const Surface& surface) {
   const std::vector<Side> sides = sides_of(surface);
   Ball largest(-1);
@@ -110,7 +110,8 @@ Finding equation_36_continuous_alpha_0(const Bench&) {
                                       {"two_squares", two_squares()}})
     finding.require("largest distance of a middle or quarter of a side from two charts, " + name, together,
                     furthest_apart(surface));
-  // The first chart's parameter is t, the second's t^2 at the same point: at t = 1/4 the interpolants of g = t.
+  // The first chart's parameter is t, the second's t^2 at the same point: at t = 1/4 the interpolants of g =
+  // t.
   const Ball quarter(Rational(1, 4));
   finding.control("difference of the two interpolants of g = t, t in one chart and t^2 in the other",
                   together, sqrt(quarter) - quarter);

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (39) to (51) are algebra: they hold for every linear K, on whatever space, and for every interpolation P_n = B R,
-// where R takes the values at the nodes and B makes a function of them. The system (40) for the values v of u_n is
-// (I - R K B) v = R E, and X is the inverse of its matrix. So with E, or with u and E = u - K u,
+// (39) to (51) are algebra: they hold for every linear K, on whatever space, and for every interpolation P_n
+// = B R, where R takes the values at the nodes and B makes a function of them. The system (40) for the values
+// v of u_n is (I - R K B) v = R E, and X is the inverse of its matrix. So with E, or with u and E = u - K u,
 //     v = X R E,   u_n = B v,   hat u_n = E + K u_n,
-// and each identity is one between sums of products of K, B, R and X. It is proved by rewriting: R B = I, as the
-// interpolant has the values that it is made of, and (I - R K B) X = X (I - R K B) = I.
+// and each identity is one between sums of products of K, B, R and X. It is proved by rewriting: R B = I, as
+// the interpolant has the values that it is made of, and (I - R K B) X = X (I - R K B) = I.
 //
-// Checked      (41) for that u_n, and that it has no other solution: I - P K has the inverse I + B X R K, and X
-//              exists where I - P K has an inverse. (43) to (46) and (49), I - K P having the inverse I + K B X R.
-//              The two identities after (50), for any K and P with these inverses. (51): R(u - hat u_n) =
-//              X R K(u - P u). The inequalities (45), (47) and (51) are the norms of both sides of the identities
-//              here, by |a + b| <= |a| + |b| and |A a| <= |A| |a|; c of (51) is the norm of X.
-//              In each, arbitrary values at the nodes in place of the solution of (40) are rejected, and wrong
+// Checked      (41) for that u_n, and that it has no other solution: I - P K has the inverse I + B X R K, and
+//              X exists where I - P K has an inverse. (43) to (46) and (49), I - K P having the inverse I + K
+//              B X R. The two identities after (50), for any K and P with these inverses. (51): R(u - hat
+//              u_n) = X R K(u - P u). The inequalities (45), (47) and (51) are the norms of both sides of the
+//              identities here, by |a + b| <= |a| + |b| and |A a| <= |A| |a|; c of (51) is the norm of X. In
+//              each, arbitrary values at the nodes in place of the solution of (40) are rejected, and wrong
 //              identities.
 // Not checked  that c of (51), and the norms of the inverses, stay bounded as n grows: theorem_3_1_inverses,
 //              equation_51_constant.

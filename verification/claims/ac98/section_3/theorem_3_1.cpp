@@ -6,9 +6,9 @@
 //
 // Checked      theorem_3_1: (48) off the nodes: max |u - hat u_n| over points of S, hat u_n = E + K u_n
 //              integrated by cubature that shares nothing with the matrix; on two smooth pieces and on an
-//              ellipsoid, alpha = 1/10; in balls on the sphere. theorem_3_1_reflectivity: the unit
-//              sphere, E = 1, rho = (1/2)|(2x - y - z)/6^(1/2)|^(1/4), whose mean is 2/5, and the smooth rho of
-//              the same mean in its place. equation_50: the error over a sample of S, degrees 0 to 3.
+//              ellipsoid, alpha = 1/10; in balls on the sphere. theorem_3_1_reflectivity: the unit sphere, E
+//              = 1, rho = (1/2)|(2x - y - z)/6^(1/2)|^(1/4), whose mean is 2/5, and the smooth rho of the
+//              same mean in its place. equation_50: the error over a sample of S, degrees 0 to 3.
 //              equation_51_constant: c of (51) level by level.
 // Not checked  "for all n >= n_0"; collective compactness.
 

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// (48) from the error of linear interpolation. On a triangle of the diameter h let p_1 be the Taylor polynomial of f at
-// the centroid c, and M the largest second derivative of f along a line. L reproduces p_1, so that (I - L)f = (I - L)(f -
-// p_1), |f(x) - p_1(x)| <= |x - c|^2 M/2, and |x - c| <= 2h/3: the median to a side a is, squared, (2b^2 + 2c^2 - a^2)/4 <=
-// h^2, and the centroid has two thirds of it before it. With the norm (1 + alpha)/(1 - 3 alpha) of L
+// (48) from the error of linear interpolation. On a triangle of the diameter h let p_1 be the Taylor
+// polynomial of f at the centroid c, and M the largest second derivative of f along a line. L reproduces p_1,
+// so that (I - L)f = (I - L)(f - p_1), |f(x) - p_1(x)| <= |x - c|^2 M/2, and |x - c| <= 2h/3: the median to a
+// side a is, squared, (2b^2 + 2c^2 - a^2)/4 <= h^2, and the centroid has two thirds of it before it. With the
+// norm (1 + alpha)/(1 - 3 alpha) of L
 //     |f - L f| <= (1 + (1 + alpha)/(1 - 3 alpha)) (2/9) h^2 M,
-// for every f of C^2 and every alpha. By (49) norm of (u - hat u_n) <= c norm of K times this for f = u(m_k) on the
-// parameter triangles, which needs charts and u in C^2.
+// for every f of C^2 and every alpha. By (49) norm of (u - hat u_n) <= c norm of K times this for f = u(m_k)
+// on the parameter triangles, which needs charts and u in C^2.
 //
-// Checked      the median and the place of the centroid, as a polynomial identity in the corners. The bound at
-//              polynomials of degree 2, for which M is known, on two triangles, alpha = 0, 1/10 and 1/6; for
-//              interpolation by constants, whose error is O(h), it is rejected.
-// Not checked  that L reproduces linear functions, the norm of L, (49) and the norm of K: equation_34, equation_37,
-//              equation_49, equation_17.
+// Checked      the median and the place of the centroid, as a polynomial identity in the corners. The bound
+//              at polynomials of degree 2, for which M is known, on two triangles, alpha = 0, 1/10 and 1/6;
+//              for interpolation by constants, whose error is O(h), it is rejected.
+// Not checked  that L reproduces linear functions, the norm of L, (49) and the norm of K: equation_34,
+//              equation_37, equation_49, equation_17.
 
 #include <algorithm>
 #include <array>
@@ -29,8 +30,8 @@ using Four = std::array<Rational, 4>;
 Rational squared(const PlanarPoint& p) { return p.x * p.x + p.y * p.y; }
 PlanarPoint difference(const PlanarPoint& p, const PlanarPoint& q) { return {p.x - q.x, p.y - q.y}; }
 
-// Triangles with the corners 0, p and q where the squared distance of the centroid from 0 is not a multiple of what the
-// sides say of the median.
+// Triangles with the corners 0, p and q where the squared distance of the centroid from 0 is not a multiple
+// of what the sides say of the median.
 Rational differing_medians(const Rational& part) {
   constexpr long values = 3;
   const auto corners = [](const Four& x) {
@@ -48,8 +49,9 @@ Rational differing_medians(const Rational& part) {
       });
 }
 
-// (I - L)f for f = s + a s^2 + b s t + c t^2, largest over points with barycentric coordinates i/12 of the triangle (0,0),
-// (h,0), (0,h), less the bound with (|a| + |b| + |c|) 2 >= M and the longest side, squared, 2h^2.
+// (I - L)f for f = s + a s^2 + b s t + c t^2, largest over points with barycentric coordinates i/12 of the
+// triangle (0,0), (h,0), (0,h), less the bound with (|a| + |b| + |c|) 2 >= M and the longest side, squared,
+// 2h^2.
 Rational over_the_bound(const Rational& a, const Rational& b, const Rational& c, const Rational& h,
                         const Rational& alpha, bool degree_0) {
   const PlanarTriangle tau{PlanarPoint{0, 0}, PlanarPoint{h, 0}, PlanarPoint{0, h}};

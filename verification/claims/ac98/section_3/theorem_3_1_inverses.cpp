@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// On the unit sphere K P_n g = rho M_n(g), M_n(g) = sum w_i g(v_i) the mean of P_n g. The weights of an element T of
-// the plane x + y + z = 1, which x/|x| takes to the octant, are positive multiples of Int_T (x_j - alpha) |x|^-3 dA,
-// x_j a barycentric coordinate of T. In the octant 1 <= |x|^-3 <= 3 sqrt 3. Over a triangle of area 1 the values of x_j
-// have the density 2(1 - x), so that the negative part of x_j - alpha has the integral N = Int_0^alpha (alpha - x) 2(1
-// - x) dx = alpha^2 - alpha^3/3 and the positive one 1/3 - alpha + N: every weight is positive where
+// On the unit sphere K P_n g = rho M_n(g), M_n(g) = sum w_i g(v_i) the mean of P_n g. The weights of an
+// element T of the plane x + y + z = 1, which x/|x| takes to the octant, are positive multiples of Int_T (x_j
+// - alpha) |x|^-3 dA, x_j a barycentric coordinate of T. In the octant 1 <= |x|^-3 <= 3 sqrt 3. Over a
+// triangle of area 1 the values of x_j have the density 2(1 - x), so that the negative part of x_j - alpha
+// has the integral N = Int_0^alpha (alpha - x) 2(1 - x) dx = alpha^2 - alpha^3/3 and the positive one 1/3 -
+// alpha + N: every weight is positive where
 //     1/3 - alpha + (1 - 3 sqrt 3) N > 0,
-// which all 0 <= alpha <= 1/6 fulfil, whatever the triangles and their number. So |M_n(g)| <= norm of g, and M_n(rho) <=
-// norm of rho: I - K P_n has the inverse g + rho M_n(g)/(1 - M_n(rho)), whose norm is at most 1/(1 - norm of rho), for
-// every n, and equal to it for constant rho.
+// which all 0 <= alpha <= 1/6 fulfil, whatever the triangles and their number. So |M_n(g)| <= norm of g, and
+// M_n(rho) <= norm of rho: I - K P_n has the inverse g + rho M_n(g)/(1 - M_n(rho)), whose norm is at most
+// 1/(1 - norm of rho), for every n, and equal to it for constant rho.
 //
-// Checked      the inequality, for all alpha of [0, 1/6] by Sturm's theorem, with 1733/1000 > sqrt 3; it fails before
-//              alpha = 1/4. N by its second derivative. The inverse and its norm, as identities of rational functions,
-//              sphere_algebra.h, with M_n in the place of the mean. By the closed forms of the weights, in balls: the
-//              norm for rho = 9/10 on six levels.
+// Checked      the inequality, for all alpha of [0, 1/6] by Sturm's theorem, with 1733/1000 > sqrt 3; it
+//              fails before alpha = 1/4. N by its second derivative. The inverse and its norm, as identities
+//              of rational functions, sphere_algebra.h, with M_n in the place of the mean. By the closed
+//              forms of the weights, in balls: the norm for rho = 9/10 on six levels.
 // Not checked  surfaces other than the sphere; alpha > 1/6, where the norm may exceed 1/(1 - rho).
 
 #include "radcert/polynomial/rational_polynomial.h"

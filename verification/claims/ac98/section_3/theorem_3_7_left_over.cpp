@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The proof of Theorem 3.7 has the error over a triangle without a partner as O(h^5) times the norm of D^3 u. Lemma 3.2,
-// which it names, has the larger of |D^2 f| and |D^3 f|, and the second derivatives cannot be left out: for f = x^2, whose
-// third ones are 0, and Phi = x the error is not 0. The order in h is right.
+// The proof of Theorem 3.7 has the error over a triangle without a partner as O(h^5) times the norm of D^3 u.
+// Lemma 3.2, which it names, has the larger of |D^2 f| and |D^3 f|, and the second derivatives cannot be left
+// out: for f = x^2, whose third ones are 0, and Phi = x the error is not 0. The order in h is right.
 //
-// Checked      on the triangle (0,0), (h,0), (0,h), alpha = 1/6: Int Phi (I - L)f for Phi = x and f = x^2 is no 0; it is
-//              -h^5/1080 for every h, as a polynomial identity; it is 0 for linear f and any Phi of degree 3 at most,
-//              and for constant Phi and f of degree 2. With alpha = 1/10 constant Phi leaves an error.
+// Checked      on the triangle (0,0), (h,0), (0,h), alpha = 1/6: Int Phi (I - L)f for Phi = x and f = x^2 is
+//              no 0; it is -h^5/1080 for every h, as a polynomial identity; it is 0 for linear f and any Phi
+//              of degree 3 at most, and for constant Phi and f of degree 2. With alpha = 1/10 constant Phi
+//              leaves an error.
 // Not checked  nothing is left out.
 
 #include <array>

@@ -4,32 +4,32 @@
 // 1/2: all data are analytic and S lies in the boundary of a convex body. With J = (1 + 4 xi^2)^(1/2) for the
 // area element, and d = y - eta,
 //     G J = (xi - x)^4 / [(1 + 4x^2)^(1/2) ((xi - x)^2 (1 + (x + xi)^2) + d^2)^2],
-// 2 pi Ku = p(x) Int_0^1 [A(x, y - eta)] d eta, A(x,d) = Int_(-x)^(1-x) phi(w,x,d) dw, phi = w^4/q^2, q = w^2 (1 +
-// (2x + w)^2) + d^2, p = (1 + 4x^2)^(-1/2), so that the mixed derivative is d/dx {p(x) [A(x,y) - A(x,y-1)]}. d A/dx =
-// phi(-x,x,d) - phi(1-x,x,d) + Int phi_x dw, phi_x = -8 w^6 (2x + w)/q^3. As q >= w^2, phi is between 0 and 1, and
-// |phi_x| <= 8 |2x + w|: everything but phi(-x,x,y) = x^4/[x^2 (1 + x^2) + y^2]^2 is continuous at the corner (0,0), and
-// that is 1/(1 + 2t^2)^2 at (t, t^2) and t^4/(1 + t^2 + t^6)^2 at (t^2, t): 1 and 0 in the limit. So Ku is not in C^2(S),
-// and [ac98, (19)], which is [m06, (7)], fails for m = 1.
+// 2 pi Ku = p(x) Int_0^1 [A(x, y - eta)] d eta, A(x,d) = Int_(-x)^(1-x) phi(w,x,d) dw, phi = w^4/q^2, q = w^2
+// (1 + (2x + w)^2) + d^2, p = (1 + 4x^2)^(-1/2), so that the mixed derivative is d/dx {p(x) [A(x,y) -
+// A(x,y-1)]}. d A/dx = phi(-x,x,d) - phi(1-x,x,d) + Int phi_x dw, phi_x = -8 w^6 (2x + w)/q^3. As q >= w^2,
+// phi is between 0 and 1, and |phi_x| <= 8 |2x + w|: everything but phi(-x,x,y) = x^4/[x^2 (1 + x^2) + y^2]^2
+// is continuous at the corner (0,0), and that is 1/(1 + 2t^2)^2 at (t, t^2) and t^4/(1 + t^2 + t^6)^2 at
+// (t^2, t): 1 and 0 in the limit. So Ku is not in C^2(S), and [ac98, (19)], which is [m06, (7)], fails for m
+// = 1.
 //
-// Nor is the solution u of (1) for E = 1: u = 1 + Ku, and u >= 1 by G >= 0. On the roof u is Lipschitz, by r |dG/dP| <=
-// B and what comes from the square, which is as smooth as is wanted. With w = u - u(0,0) and k = G times the area
-// element, for P inside,
+// Nor is the solution u of (1) for E = 1: u = 1 + Ku, and u >= 1 by G >= 0. On the roof u is Lipschitz, by r
+// |dG/dP| <= B and what comes from the square, which is as smooth as is wanted. With w = u - u(0,0) and k = G
+// times the area element, for P inside,
 //     (Kw)_xy(P) = Int k_xy(P,Q) (w(Q) - w(P)) dQ + w(P) (K1)_xy(P)
-// as one sees with a smooth cut-off about P: r^2 |k_xy| is bounded, so that the integral converges absolutely and is
-// continuous in P up to the corner, and so does the second term there, as w(0,0) = 0 and (K1)_xy is bounded. What is left
-// of u_xy is u(0,0) (K1)_xy, whose difference along the two ways is u(0,0) times that of Ku above, and does not tend
-// to 0.
+// as one sees with a smooth cut-off about P: r^2 |k_xy| is bounded, so that the integral converges absolutely
+// and is continuous in P up to the corner, and the second term tends to 0 there, as w(0,0) = 0 and (K1)_xy is
+// bounded. What is left of u_xy is u(0,0) (K1)_xy, whose difference along the two ways is u(0,0) times that
+// of Ku above, and does not tend to 0.
 //
-// Checked      the mixed derivative of Ku at (t, t^2) and at (t^2, t): for all 0 < t <= 2^-12 at once, the two values
-//              of phi(-x,x,y) as identities and the rest by balls over x and y, with the bounds of phi and phi_x near w =
-//              0; at t = 2^-4, 2^-8 and 2^-12, enclosed. The difference tends to 1/(2 pi). Not so at a point of the side
-//              y = 0 which is no corner, nor inside. On the squares (20), whose kernel is not bounded, the same
-//              difference grows. theorem_2_4_b: beside that r |dG/dP| and r^2 |G_xy|, for all pairs,
-//              kernel_derivative.h, across the edge of (20) unbounded.
+// Checked      the mixed derivative of Ku at (t, t^2) and at (t^2, t): for all 0 < t <= 2^-12 at once, the
+//              two values of phi(-x,x,y) as identities and the rest by balls over x and y, with the bounds of
+//              phi and phi_x near w = 0; at t = 2^-4, 2^-8 and 2^-12, enclosed. The difference tends to 1/(2
+//              pi). Not so at a point of the side y = 0 which is no corner, nor inside. On the squares (20),
+//              whose kernel is not bounded, the same difference grows. theorem_2_4_b: beside that r |dG/dP|
+//              and r^2 |G_xy|, for all pairs, kernel_derivative.h, across the edge of (20) unbounded.
 // Not checked  closed surfaces without edges: there a corner is missing and nothing was found against the
-// statements. S must be smooth
-//              enough for C^(m+1)(S) to mean something: a continuous normal, as ac98 has it before (5), is
-//              not.
+//              statements. S must be smooth enough for C^(m+1)(S) to mean something: a continuous normal, as
+//              ac98 has it before (5), is not.
 
 #include "verification/claims/ac98/surfaces/corner_derivative.h"
 
@@ -102,7 +102,8 @@ Ball mixed_derivative(const Rational& x, const Rational& y) {
   return Ball(reflectivity) * (slope(x, y) - slope(x, y - 1)) / Ball::pi();
 }
 
-// The same quotient of differences of Ku for u = 1 on the two squares (20), which meet in an edge, at (x,0,z).
+// The same quotient of differences of Ku for u = 1 on the two squares (20), which meet in an edge, at
+// (x,0,z).
 Ball mixed_derivative_at_an_edge(const Rational& x, const Rational& z) {
   const Rational step = std::min(x, z) / 16;
   const auto ku = [](const Rational& at_x, const Rational& at_z) {
@@ -115,8 +116,8 @@ Ball mixed_derivative_at_an_edge(const Rational& x, const Rational& z) {
 // [0, largest].
 Ball up_to(const Ball& largest) { return hull(Ball(0), largest); }
 
-// d/dx (p A)(x,d) less p(x) phi(-x,x,d), for all x of a ball of [0, 1/100] and all d of one. Beside |w| <= strip the
-// integrand of Int phi_x is enclosed on intervals.
+// d/dx (p A)(x,d) less p(x) phi(-x,x,d), for all x of a ball of [0, 1/100] and all d of one. Beside |w| <=
+// strip the integrand of Int phi_x is enclosed on intervals.
 Ball rest_of_slope(const Ball& x, const Ball& d) {
   const auto q = [&](const Ball& w) {
     const Ball bend = Ball(2) * x + w;

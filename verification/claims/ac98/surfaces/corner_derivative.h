@@ -14,8 +14,8 @@ namespace radcert::verification::ac98 {
 [[nodiscard]] Finding mixed_derivative_at_a_corner();
 
 /// The same for the solution u of (1) with E = 1.
-/// Maths     the difference tends to u(0,0) times that for u = 1, as r |dG/dP| and r^2 |G_xy| are bounded, and
-///           u(0,0) >= 1
+/// Maths     the difference tends to u(0,0) times that for u = 1, as r |dG/dP| and r^2 |G_xy| are bounded,
+///           and u(0,0) >= 1
 /// Source    against [ac98, Theorem 2.4 (b)], [m06, Theorem 3 (b)]
 /// Result    contradicts them for m = 2
 /// Limits    the bounds are computed; what follows from them is in words

@@ -11,8 +11,8 @@ namespace radcert::verification::ac98 {
 /// At how many points of a grid of `values` values in each of n variables two rational functions differ.
 /// Maths     a polynomial of degree below `values` in each variable that vanishes on such a grid is zero: 0
 ///           proves an identity of functions whose difference, over its common denominator, has such a
-///           numerator. The k-th variable takes the values j + (k+1)/(n+1), j = 0, 1, ...: positive, and no two
-///           variables take the same one
+///           numerator. The k-th variable takes the values j + (k+1)/(n+1), j = 0, 1, ...: positive, and no
+///           two variables take the same one
 /// Requires  functions of std::array<Rational, n> without a pole there
 /// Result    exact
 /// Limits    the degrees are for the caller to see to
