@@ -45,14 +45,6 @@ std::vector<Rational> raw_lehtinen(std::span<const Site<Rational>> sites, const 
   return values;
 }
 
-std::vector<Rational> normalised(std::vector<Rational> raw) {
-  Rational sum(0);
-  for (const Rational& value : raw) sum += value;
-  if (sum.sign() == 0) return {};
-  for (Rational& value : raw) value /= sum;
-  return raw;
-}
-
 std::vector<Rational> shepard_elements(std::span<const Site<Rational>> sites, const Site<Rational>& p) {
   std::vector<std::size_t> near;
   std::vector<Rational> squares;

@@ -55,7 +55,14 @@ private:
                                                  const Site<Rational>& p);
 
 /// (11). Empty where the sum is zero.
-[[nodiscard]] std::vector<Rational> normalised(std::vector<Rational> raw);
+template <Field R>
+[[nodiscard]] std::vector<R> normalised(std::vector<R> raw) {
+  R sum(0);
+  for (const R& value : raw) sum = sum + value;
+  if (sum == R(0)) return {};
+  for (R& value : raw) value = value / sum;
+  return raw;
+}
 
 /// (16) in a form that divides by no distance. Empty where every distance is infinite.
 /// Maths     phi_i = prod_{j != i} d_j^2 / sum_k prod_{j != k} d_j^2 over the sites at a finite distance, 0

@@ -20,6 +20,7 @@
 #include "radcert/enclosure/interval_integral.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/psg10/exact_scene.h"
+#include "verification/claims/psg10/section_8/ray_on_sphere.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
@@ -28,19 +29,10 @@ namespace {
 constexpr int points = 400;
 
 using Point = Vector<Rational>;
+using Ray = RayOnSphere<Rational>;
 
-/// a s^2 + 2 b s + c, zero where the ray p + s e meets the sphere.
-struct RayOnSphere {
-  Rational a;
-  Rational b;
-  Rational c;
-  RayOnSphere(const Point& p, const Point& e, const Point& centre, const Rational& radius)
-      : a(dot(e, e)), b(dot(e, p - centre)), c(dot(p - centre, p - centre) - radius * radius) {}
-
-  [[nodiscard]] Rational discriminant() const { return b * b - a * c; }
-  /// Whether it is inside the sphere at some s > 0, for c >= 0: p is not inside.
-  [[nodiscard]] bool enters() const { return discriminant().sign() > 0 && b.sign() < 0; }
-};
+/// Whether it is inside the sphere at some s > 0, for c >= 0: p is not inside.
+bool enters(const Ray& ray) { return ray.discriminant().sign() > 0 && ray.b.sign() < 0; }
 
 /// Towards the light.
 Point upwards() { return {0, 0, 1}; }
@@ -58,14 +50,14 @@ Rational failing_identities() {
       for (const Rational& h : values)
         for (const Rational& r : values) {
           const Point centre{0, 0, h};
-          const RayOnSphere from_disk({x, y, 0}, upwards(), centre, r);
+          const Ray from_disk({x, y, 0}, upwards(), centre, r);
           const Rational square = x * x + y * y;
           count(from_disk.discriminant(), r * r - square);
           count(from_disk.c, square + (h * h - r * r));
           count(from_disk.b, -h);
           for (const Rational& z : values) {
             const Point n{x, y, z};
-            const RayOnSphere from_sphere(centre + r * n, upwards(), centre, r);
+            const Ray from_sphere(centre + r * n, upwards(), centre, r);
             count(from_sphere.c, r * r * (dot(n, n) - Rational(1)));
             count(from_sphere.b, r * z);
           }
@@ -80,7 +72,7 @@ Rational disagreeing_on_disk(const Point& to_light) {
   long count = 0;
   for (int i = 0; i < points; ++i) {
     const Point q = ExactScene::on_disk(scene.distance(), scene.direction(false));
-    const bool is_lit = !RayOnSphere(q, to_light, scene.centre(), r).enters();
+    const bool is_lit = !enters(Ray(q, to_light, scene.centre(), r));
     if (is_lit != (r * r <= q.x * q.x + q.y * q.y)) ++count;
   }
   return count;
@@ -94,7 +86,7 @@ Rational disagreeing_on_sphere(const Point& to_light) {
     const Direction latitude = scene.direction(true);
     const Point normal = ExactScene::normal(latitude, scene.direction(false));
     const Point p = scene.on_sphere(normal);
-    const bool shadowed = RayOnSphere(p, to_light, scene.centre(), scene.numbers().radius).enters();
+    const bool shadowed = enters(Ray(p, to_light, scene.centre(), scene.numbers().radius));
     const Rational received = shadowed ? Rational(0) : dot(normal, to_light);
     if (received != (latitude.sine.sign() > 0 ? latitude.sine : Rational(0))) ++count;
   }

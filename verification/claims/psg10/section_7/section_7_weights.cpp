@@ -1,0 +1,464 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Radii and integrals of the elements, on the paper's scene with sites 3 apart, and on squares.
+//
+// Checked      "integral = constant alpha^2" on a plane: 2 pi Int Phi(r/alpha) r dr by enclosed quadrature,
+//              alpha = 3/2, against 3 pi/10 alpha^2 for K and 2 pi (1 - e^-8) alpha^2 for G cut at 4.
+//              Rejected: elements on a line in the place of the plane. Over the paper's scene: the sum of
+//              constant alpha^2 against that of the integrals, cut up by place. "expected value 1/delta": the
+//              mean of w_j over a scene is area/n, as the elements sum to 1. Rejected: Gauss' elements. pi
+//              alpha^2/t: the mean of delta pi alpha^2/t, t = 10, over sites away from the rim of a square,
+//              sites anywhere and sites apart; rejected at the rim. Over the paper's scene: sum of pi
+//              alpha^2/t over area; on the sphere alone it holds. Radii: whether each site has ten others, or
+//              nine, for whom p_i is one of the ten, at a finite distance (15). Supports: whether they cover
+//              the scene; whether the elements are independent, by the condition of phi_j(p_i). N for R:
+//              whether constant coefficients give constant values. Figure 9: that sites of separation 3 are 3
+//              apart, exactly, for their rounded coordinates.
+// Not checked  other scenes; the sites of the paper's figure 9; a proof for curved surfaces.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "radcert/enclosure/interval_integral.h"
+#include "radcert/meshless/sampling.h"
+#include "radcert/meshless/weights.h"
+#include "radcert/polynomial/rational_polynomial.h"
+#include "radcert/surface/catalogue/rectangle.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/psg10/algebra/rational_function.h"
+#include "verification/claims/psg10/section_7/sites_on_scene.h"
+#include "verification/framework/check.h"
+
+namespace radcert::verification::psg10 {
+namespace {
+
+using std::numbers::pi;
+
+constexpr std::size_t ten = 10;
+
+constexpr double scene_area = (4 * 25 + 1600) * pi;
+
+constexpr int square_side = 60;
+
+Surface square() {
+  Surface surface;
+  surface.name = "square";
+  surface.charts.push_back(make_rectangle({.name = "square", .piece = "square"}, {0, 0, 0},
+                                          {Rational(square_side), 0, 0}, {0, Rational(square_side), 0}));
+  surface.diagonals.assign(1, Diagonal::main);
+  return surface;
+}
+
+/// The mean of delta pi alpha^2 / 10 over the sites at least so far from the rim, or over those that are
+/// nearer to it, alpha the distance of the tenth other. The radius is twice the standard error of the mean;
+/// each ten sites count as one, since their discs overlap.
+Approximation mean_ratio(const SiteSet& sites, double rim, bool inside) {
+  const std::vector<double> radii = neighbour_radii(sites, SiteDistance::euclidean, ten).value();
+  double sum = 0;
+  double squares = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const Vector<double>& p = sites.points[i];
+    const double from_rim = std::min({p.x, p.y, square_side - p.x, square_side - p.y});
+    if ((from_rim >= rim) != inside) continue;
+    const double square = radii[i] * radii[i];
+    sum += square;
+    squares += square * square;
+    count += 1;
+  }
+  const double inner = (square_side - 2 * rim) * (square_side - 2 * rim);
+  const double density = count / (inside ? inner : square_side * square_side - inner);
+  const double scale = pi * density / ten;
+  const double mean = sum / count;
+  const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
+  return {.value = scale * mean, .radius = scale * 2 * deviation * std::sqrt(ten / count)};
+}
+Approximation inner_ratio(const SiteSet& sites) { return mean_ratio(sites, 6, true); }
+Approximation ratio_at_rim(const SiteSet& sites) { return mean_ratio(sites, 3, false); }
+
+/// The sum of pi alpha^2 / 10 over the sites of the scene for which `wanted`, over `area`.
+template <class Wanted>
+Approximation scene_ratio(const SiteSet& sites, SiteDistance distance, double area, const Wanted& wanted) {
+  const std::vector<double> radii = neighbour_radii(sites, distance, ten, TooFewNeighbours::farthest).value();
+  double sum = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    if (wanted(sites.points[i])) sum += pi * radii[i] * radii[i] / ten;
+  const double rounding = static_cast<double>(sites.size()) * std::numeric_limits<double>::epsilon();
+  return {.value = sum / area, .radius = rounding * sum / area};
+}
+
+/// alpha in symbols, and Int_0^alpha (r/alpha)^k r dr, or on a line Int_0^alpha (r/alpha)^k dr.
+RationalFunction alpha() { return RationalFunction::variable("alpha"); }
+RationalFunction stretched_power(long k, bool on_line) {
+  const long degree = k + (on_line ? 1 : 2);
+  return power(alpha(), degree) / (RationalFunction(Rational(degree)) * power(alpha(), k));
+}
+/// Terms in which that differs from alpha^2 times its value for alpha = 1, k = 0, ..., 20.
+Rational not_stretched_by_the_square(bool on_line) {
+  Rational terms(0);
+  for (long k = 0; k <= 20; ++k)
+    terms +=
+        differing_terms(stretched_power(k, on_line), alpha() * alpha() / RationalFunction(Rational(k + 2)));
+  return terms;
+}
+
+/// 2 pi Int G(r) r dr from 0 to 4, or on a line 2 Int G dr.
+Ball gaussian_integral(bool on_line) {
+  const auto integrand = [on_line](const auto& r) {
+    using R = std::decay_t<decltype(r)>;
+    const R bell = exp(-(r * r) / R(2));
+    return on_line ? bell : R(bell * r);
+  };
+  return Ball(2) * (on_line ? Ball(1) : Ball::pi()) *
+         ac98::known(integral_on_interval(line_function(integrand), Ball(0), Ball(4), {.radius = 1e-24}));
+}
+
+/// c alpha^2 over w_j for Gauss' elements of sites of a separation: sums over the sites of the sphere, of the
+/// disk within 12 of its axis, of the rest of the disk, and of the whole disk.
+struct PlaneQuotients {
+  double sphere = 0;
+  double inner_disk = 0;
+  double outer_disk = 0;
+  double disk = 0;
+};
+PlaneQuotients plane_quotients(double separation, std::uint64_t seed, double relative_error) {
+  constexpr double inner = 12;
+  const RadialBasis basis = basis_on(sites_on_scene(seed, separation), gaussian_basis());
+  const std::vector<double> plane = plane_weights(basis).value();
+  const std::vector<double> exact =
+      integrate_basis(basis, paper_scene(), {.relative_error = relative_error}).weights;
+  std::array<double, 3> of_plane{};
+  std::array<double, 3> of_scene{};
+  for (std::size_t i = 0; i < plane.size(); ++i) {
+    const Vector<double>& p = basis.sites().points[i];
+    const std::size_t where = p.z > 1 ? 0 : std::hypot(p.x, p.y) < inner ? 1 : 2;
+    of_plane[where] += plane[i];
+    of_scene[where] += exact[i];
+  }
+  return {.sphere = of_plane[0] / of_scene[0],
+          .inner_disk = of_plane[1] / of_scene[1],
+          .outer_disk = of_plane[2] / of_scene[2],
+          .disk = (of_plane[1] + of_plane[2]) / (of_scene[1] + of_scene[2])};
+}
+
+/// The exponent of the separation with which an excess falls when it is divided by a number, with what errors
+/// of the excesses leave open.
+Approximation order_of_excess(const Approximation& coarse, const Approximation& fine, double divided_by) {
+  return {.value = std::log(coarse.value / fine.value) / std::log(divided_by),
+          .radius = (coarse.radius / coarse.value + fine.radius / fine.value) / std::log(divided_by)};
+}
+/// The mean of numbers from several sets of sites less a number; the radius is twice the standard error of
+/// the mean.
+Approximation mean_excess(const std::vector<double>& numbers, const Approximation& over) {
+  const auto count = static_cast<double>(numbers.size());
+  const double mean = std::accumulate(numbers.begin(), numbers.end(), 0.0) / count;
+  double squares = 0;
+  for (const double number : numbers) squares += (number - mean) * (number - mean);
+  return {.value = mean - over.value, .radius = 2 * std::sqrt(squares / (count * (count - 1))) + over.radius};
+}
+
+/// P with P - P' = x^k, so that -e^(-x) P has the derivative e^(-x) x^k: the integral of that from 0 on is
+/// P(0).
+RationalPolynomial antiderivative_of_gamma(int k) {
+  std::vector<Rational> coefficients(static_cast<std::size_t>(k) + 1);
+  Rational coefficient(1);
+  for (int j = k; j >= 0; --j) {
+    coefficients[static_cast<std::size_t>(j)] = coefficient;
+    coefficient *= Rational(j);
+  }
+  return RationalPolynomial(std::move(coefficients));
+}
+/// Terms in which P - P' differs from x^k, k = 0, ..., 19.
+Rational not_an_antiderivative(int sign) {
+  long terms = 0;
+  for (int k = 0; k < 20; ++k) {
+    const RationalPolynomial p = antiderivative_of_gamma(k);
+    RationalPolynomial difference = p - RationalPolynomial(sign) * p.derivative();
+    for (int j = 0; j <= k; ++j)
+      if (difference.coefficient(static_cast<std::size_t>(j)) != Rational(j == k ? 1 : 0)) ++terms;
+  }
+  return terms;
+}
+/// Int_0^infinity sum_{k < m} e^(-x) x^k/k! dx, the mean of x = delta pi alpha^2.
+Rational mean_of_disc(int m) {
+  Rational mean(0);
+  Rational factorial(1);
+  for (int k = 0; k < m; ++k) {
+    if (k > 0) factorial *= Rational(k);
+    mean += antiderivative_of_gamma(k)(Rational(0)) / factorial;
+  }
+  return mean;
+}
+
+/// Terms in which the sum over the elements of a rule's values of their integrals differs from that of 1: one
+/// to four elements at the three points of any rule, which sum to 1 there or have any values.
+Rational not_the_area(bool sum_to_one) {
+  using Function = RationalFunction;
+  Rational terms(0);
+  for (int elements = 1; elements <= 4; ++elements) {
+    Function of_elements(0);
+    Function of_one(0);
+    for (int point = 0; point < 3; ++point) {
+      const Function weight = Function::variable("w" + std::to_string(point));
+      Function rest(1);
+      for (int j = 0; j < elements; ++j) {
+        const Function free = Function::variable("phi" + std::to_string(j) + std::to_string(point));
+        const Function value = sum_to_one && j + 1 == elements ? rest : free;
+        rest = rest - value;
+        of_elements += weight * value;
+      }
+      of_one += weight;
+    }
+    terms += differing_terms(of_elements, of_one);
+  }
+  return terms;
+}
+
+/// Sites whose tenth other is at an infinite distance: how many of so many sets have one.
+double sets_without_radii(SiteDistance distance, std::size_t neighbour, int sets) {
+  double count = 0;
+  for (int seed = 1; seed <= sets; ++seed)
+    if (!neighbour_radii(sites_on_scene(static_cast<std::uint64_t>(seed)), distance, neighbour)) count += 1;
+  return count;
+}
+
+/// The mean over the sites of the value there with all coefficients 1.
+Approximation mean_value(const RadialBasisChoice& choice) {
+  const RadialBasis basis = basis_on(sites_on_scene(1), choice);
+  const std::vector<double> ones(basis.size(), 1.0);
+  double sum = 0;
+  for (std::size_t i = 0; i < basis.size(); ++i) sum += basis.at(basis.sites()[i], ones).value();
+  return {.value = sum / static_cast<double>(basis.size()), .radius = 1e-10};
+}
+
+/// Pairs of sites nearer to each other than `least`, their doubles taken as they are.
+Rational pairs_nearer_than(const SiteSet& sites, const Rational& least) {
+  const double certainly_apart = 1.01 * least.to_double() * least.to_double();
+  long total = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Vector<double>& p = sites.points[i];
+      const Vector<double>& q = sites.points[j];
+      if (dot(p - q, p - q) > certainly_apart) continue;
+      const Rational x = Rational::exactly(p.x) - Rational::exactly(q.x);
+      const Rational y = Rational::exactly(p.y) - Rational::exactly(q.y);
+      const Rational z = Rational::exactly(p.z) - Rational::exactly(q.z);
+      if (x * x + y * y + z * z < least * least) ++total;
+    }
+  return total;
+}
+
+}  // namespace
+
+Finding section_7_plane_integral(const Bench&) {
+  const BallPrecision precision(160);
+  // 2 pi Int_0^1 (2r^3 - 3r^2 + 1) r dr.
+  const Rational of_spline = Rational(2, 5) - Rational(3, 4) + Rational(1, 2);
+  const auto at_all = [](const Ball& value) { return AgreesWith{.value = value, .within = 1e-20}; };
+  Finding finding;
+  finding.require(
+      "terms in which Int (r/alpha)^k r dr differs from alpha^2 times that for alpha = 1, k up to 20",
+      IsExactly{0}, not_stretched_by_the_square(false));
+  finding.control("the same for elements on a line in the place of the plane", IsExactly{0},
+                  not_stretched_by_the_square(true));
+  finding.require("the constant of K", at_all(plane_integral(spline_mother()).value()),
+                  Ball(2) * Ball::pi() * Ball(of_spline));
+  finding.require("the constant of G cut at 4", at_all(plane_integral(gaussian_mother()).value()),
+                  gaussian_integral(false));
+  finding.control("the same on a line", at_all(plane_integral(gaussian_mother()).value()),
+                  gaussian_integral(true));
+  return finding;
+}
+
+Finding section_7_plane_integral_scene(const Bench&) {
+  const LiesIn of_rim{.least = Rational(7, 10), .largest = Rational(13, 10)};
+  const Bound at_least{.order = 1, .slack = 0.3, .why = "as of the rim; curved parts alone like the square"};
+  const Approximation none = Approximation::exact(1);
+  std::vector<std::vector<double>> disk;
+  std::vector<std::vector<double>> sphere;
+  for (const double separation : {3.0, 1.5, 0.75}) {
+    disk.emplace_back();
+    sphere.emplace_back();
+    for (const std::uint64_t seed : {1U, 2U}) {
+      const PlaneQuotients quotients = plane_quotients(separation, seed, 0.2);
+      disk.back().push_back(quotients.disk);
+      sphere.back().push_back(quotients.sphere);
+    }
+  }
+  const auto order = [&](const std::vector<std::vector<double>>& numbers, std::size_t k, double over) {
+    const Approximation limit = Approximation::exact(over);
+    return order_of_excess(mean_excess(numbers[k], limit), mean_excess(numbers[k + 1], limit), 2);
+  };
+  Finding finding;
+  finding.require("order of (c alpha^2 over w_j) - 1, Gauss, the disk, from separation 3/2 to 3/4", of_rim,
+                  order(disk, 1, 1));
+  finding.control("order of c alpha^2 over w_j itself, the disk", of_rim, order(disk, 1, 0));
+  finding.require("order of (c alpha^2 over w_j) - 1, Gauss, the sphere, from separation 3/2 to 3/4",
+                  at_least, order(sphere, 1, 1));
+  finding.control("order of c alpha^2 over w_j itself, the disk", at_least, order(disk, 1, 0));
+  finding.remark("(c alpha^2 over w_j) - 1, the disk, separation 3", mean_excess(disk[0], none));
+  finding.remark("(c alpha^2 over w_j) - 1, the disk, separation 3/4", mean_excess(disk[2], none));
+  finding.remark("(c alpha^2 over w_j) - 1, the sphere, separation 3", mean_excess(sphere[0], none));
+  finding.remark("(c alpha^2 over w_j) - 1, the sphere, separation 3/4", mean_excess(sphere[2], none));
+  return finding;
+}
+
+Finding section_7_paper_density(const Bench&) {
+  const Equals one{.value = 1, .slack = 0.1, .why = "a tenth: an estimate"};
+  const PlaneQuotients quotients = plane_quotients(paper_separation, 1, 0.05);
+  const auto of = [](double quotient) { return Approximation{.value = quotient, .radius = 0.01 * quotient}; };
+  Finding finding;
+  finding.require("constant alpha^2 over w_j, Gauss, the disk more than 12 from the axis", one,
+                  of(quotients.outer_disk));
+  finding.instead("constant alpha^2 over w_j, Gauss, the disk within 12 of the axis", one,
+                  of(quotients.inner_disk));
+  finding.control("constant alpha^2 over w_j, Gauss, the sphere", one, of(quotients.sphere));
+  return finding;
+}
+
+Finding section_7_mean_integral(const Bench&) {
+  Finding finding;
+  finding.require("terms in which the sum of the integrals of elements that sum to 1 differs from the area",
+                  IsExactly{0}, not_the_area(true));
+  finding.control("the same for elements of any sum", IsExactly{0}, not_the_area(false));
+  return finding;
+}
+
+Finding section_7_estimate_poisson(const Bench&) {
+  Finding finding;
+  finding.require("terms in which -e^(-x) P is no antiderivative of e^(-x) x^k, k up to 19", IsExactly{0},
+                  not_an_antiderivative(1));
+  finding.control("the same of e^x x^k", IsExactly{0}, not_an_antiderivative(-1));
+  for (const int m : {1, 10, 20})
+    finding.require("mean of delta pi alpha^2/t, t = " + std::to_string(m), IsExactly{1},
+                    mean_of_disc(m) / Rational(m));
+  finding.control("the same, alpha the distance of the tenth other and t = 9", IsExactly{1},
+                  mean_of_disc(10) / Rational(9));
+  return finding;
+}
+
+Finding section_7_estimate(const Bench& bench) {
+  const Equals one{.value = 1,
+                   .slack = 0.1,
+                   .why = "a tenth: an estimate; discs of sites that are apart hold 10.7 others for 10"};
+  const int sets = bench.budget == Budget::quick ? 2 : 8;
+  const Surface plane = square();
+  Finding finding;
+  for (int k = 1; k <= sets; ++k) {
+    const auto seed = static_cast<std::uint64_t>(k);
+    const SiteSet apart = poisson_disk_sites(plane, {.separation = 1, .seed = seed}).value();
+    const SiteSet anywhere = uniform_sites(plane, {.count = 3600, .seed = seed}).value();
+    const std::string of = ", set " + std::to_string(k);
+    finding.require("mean of delta pi alpha^2/10 in a plane, sites anywhere" + of, one,
+                    inner_ratio(anywhere));
+    finding.require("mean of delta pi alpha^2/10 in a plane, sites apart" + of, one, inner_ratio(apart));
+    finding.control("mean of delta pi alpha^2/10 within 3 of the square's rim, sites apart" + of, one,
+                    ratio_at_rim(apart));
+  }
+  return finding;
+}
+
+Finding section_7_estimate_scene(const Bench&) {
+  // What the sum of pi alpha^2/10 over the area exceeds that of a plane by, which is 1 where sites are
+  // anywhere, and more where they are apart.
+  const Surface plane = square();
+  std::vector<double> of_plane;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed)
+    of_plane.push_back(inner_ratio(poisson_disk_sites(plane, {.separation = 1, .seed = seed}).value()).value);
+  const Approximation in_plane = mean_excess(of_plane, Approximation::exact(0));
+  const auto excess = [&](double separation) {
+    std::vector<double> numbers;
+    for (const std::uint64_t seed : {1U, 2U, 3U, 4U})
+      numbers.push_back(scene_ratio(sites_on_scene(seed, separation), SiteDistance::euclidean, scene_area,
+                                    [](const Vector<double>&) { return true; })
+                            .value);
+    return mean_excess(numbers, in_plane);
+  };
+  const LiesIn of_rim{.least = Rational(7, 10), .largest = Rational(13, 10)};
+  const Equals one{.value = 1, .slack = 0.1, .why = "a tenth, as on the plane"};
+  const Approximation coarse = excess(3);
+  const Approximation fine = excess(0.75);
+  Finding finding;
+  finding.require("sum of pi alpha^2/10 over the area in a plane", one, in_plane);
+  finding.control("the same on the scene, separation 3, radii by (15)", one,
+                  scene_ratio(sites_on_scene(1), SiteDistance::normal_sensitive, scene_area,
+                              [](const Vector<double>&) { return true; }));
+  finding.require("order of what the scene has more, from separation 3 to 3/4", of_rim,
+                  order_of_excess(coarse, fine, 4));
+  finding.control("order of the sum itself", of_rim, order_of_excess(in_plane + coarse, in_plane + fine, 4));
+  finding.remark("what the scene has more, separation 3/4", fine);
+  return finding;
+}
+
+Finding section_7_estimate_paper_density(const Bench&) {
+  const Equals one{.value = 1, .slack = 0.1, .why = "a tenth, as on the plane"};
+  const SiteSet sites = sites_on_scene(1);
+  const auto all = [](const Vector<double>&) { return true; };
+  const auto of_sphere = [](const Vector<double>& p) { return p.z > 1; };
+  const auto of_disk = [](const Vector<double>& p) { return p.z < 1; };
+  Finding finding;
+  finding.require("sum of pi alpha^2/10 over the area, the paper's scene, Euclidean radii", one,
+                  scene_ratio(sites, SiteDistance::euclidean, scene_area, all));
+  finding.control("the same, radii by (15)", one,
+                  scene_ratio(sites, SiteDistance::normal_sensitive, scene_area, all));
+  finding.instead("on the sphere alone, Euclidean radii", one,
+                  scene_ratio(sites, SiteDistance::euclidean, 100 * pi, of_sphere));
+  finding.remark("on the disk alone", scene_ratio(sites, SiteDistance::euclidean, 1600 * pi, of_disk));
+  finding.remark("on the sphere alone, radii by (15)",
+                 scene_ratio(sites, SiteDistance::normal_sensitive, 100 * pi, of_sphere));
+  return finding;
+}
+
+Finding section_5_radius(const Bench& bench) {
+  const int sets = bench.budget == Budget::quick ? 20 : 100;
+  const Equals none{.value = 0, .slack = 0, .why = "each site has a radius"};
+  const std::string of = std::to_string(sets);
+  Finding finding;
+  finding.require(
+      "sets of " + of + " with a site that has no radius, Euclidean distance", none,
+      Approximation{.value = sets_without_radii(SiteDistance::euclidean, ten, sets), .radius = 0});
+  finding.require(
+      "sets of " + of + " with a site that has no radius, distance (15)", none,
+      Approximation{.value = sets_without_radii(SiteDistance::normal_sensitive, ten, sets), .radius = 0});
+  finding.require(
+      "the same, p_i one of the ten: nine others", none,
+      Approximation{.value = sets_without_radii(SiteDistance::normal_sensitive, ten - 1, sets), .radius = 0});
+  finding.control("the same with a hundred others", none,
+                  Approximation{.value = sets_without_radii(SiteDistance::normal_sensitive, 10 * ten, sets),
+                                .radius = 0});
+  return finding;
+}
+
+Finding section_7_values(const Bench&) {
+  const Equals one{.value = 1, .slack = 0.1, .why = "a tenth, as for the weights"};
+  Finding finding;
+  finding.require("mean value at the sites with all coefficients 1, Shepard", one,
+                  mean_value(shepard_basis()));
+  finding.require("mean value at the sites with all coefficients 1, Lehtinen", one,
+                  mean_value(lehtinen_basis()));
+  finding.require("mean value at the sites with all coefficients 1, Gauss", one,
+                  mean_value(gaussian_basis()));
+  RadialBasisChoice raw = lehtinen_basis();
+  raw.normalise = Normalisation::none;
+  finding.control("mean value at the sites with all coefficients 1, (18) not normalised", one,
+                  mean_value(raw));
+  return finding;
+}
+
+Finding figure_9(const Bench& bench) {
+  const int sets = bench.budget == Budget::quick ? 3 : 20;
+  Finding finding;
+  for (int seed = 1; seed <= sets; ++seed) {
+    const SiteSet sites = sites_on_scene(static_cast<std::uint64_t>(seed));
+    const std::string of = ", set " + std::to_string(seed) + " of " + std::to_string(sites.size()) + " sites";
+    finding.require("pairs of sites nearer than 3" + of, IsExactly{0}, pairs_nearer_than(sites, 3));
+    finding.control("pairs of sites nearer than 4" + of, IsExactly{0}, pairs_nearer_than(sites, 4));
+  }
+  return finding;
+}
+
+}  // namespace radcert::verification::psg10
