@@ -558,7 +558,7 @@ Finding section_8_same_values_shepard(const Bench& bench) {
     finding.require("what the error tends to, over that of a black answer, " + words(part, Share::total),
                     none, limit_of_error(errors, part, Share::total));
   }
-  remark_orders(finding, shepard_as_printed, bench);
+  if (bench.budget != Budget::quick) remark_orders(finding, shepard_as_printed, bench);
   finding.control(
       "error at separation 3 by half of the light, over that of a black answer, disk, total", none,
       of_black(Comparison(by_half_the_light(shepard_as_printed), 3, 1).errors(Part::disk, Share::total),

@@ -23,6 +23,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "radcert/core/text.h"
 #include "radcert/enclosure/interval_integral.h"
 #include "radcert/meshless/sampling.h"
 #include "radcert/meshless/weights.h"
@@ -218,13 +219,17 @@ Rational not_the_area(bool sum_to_one) {
   return terms;
 }
 
-/// Sites whose tenth other is at an infinite distance: how many of so many sets have one.
-double sets_without_radii(SiteDistance distance, std::size_t neighbour, int sets) {
+/// How many sets have a site whose so many-th other is at an infinite distance.
+Approximation sets_without_radii(const std::vector<SiteSet>& sets, SiteDistance distance,
+                                 std::size_t neighbour) {
   double count = 0;
-  for (int seed = 1; seed <= sets; ++seed)
-    if (!neighbour_radii(sites_on_scene(static_cast<std::uint64_t>(seed)), distance, neighbour)) count += 1;
-  return count;
+  for (const SiteSet& sites : sets)
+    if (!neighbour_radii(sites, distance, neighbour)) count += 1;
+  return {.value = count, .radius = 0};
 }
+
+/// How close sites are taken where they are to be dense.
+double finest_separation(const Bench& bench) { return bench.budget == Budget::quick ? 1 : 0.75; }
 
 /// The mean over the sites of the value there with all coefficients 1.
 Approximation mean_value(const RadialBasisChoice& choice) {
@@ -274,36 +279,44 @@ Finding section_7_plane_integral(const Bench&) {
   return finding;
 }
 
-Finding section_7_plane_integral_scene(const Bench&) {
+Finding section_7_plane_integral_scene(const Bench& bench) {
   const LiesIn of_rim{.least = Rational(7, 10), .largest = Rational(13, 10)};
   const Bound at_least{.order = 1, .slack = 0.3, .why = "as of the rim; curved parts alone like the square"};
-  const Approximation none = Approximation::exact(1);
-  std::vector<std::vector<double>> disk;
-  std::vector<std::vector<double>> sphere;
-  for (const double separation : {3.0, 1.5, 0.75}) {
-    disk.emplace_back();
-    sphere.emplace_back();
-    for (const std::uint64_t seed : {1U, 2U}) {
-      const PlaneQuotients quotients = plane_quotients(separation, seed, 0.2);
-      disk.back().push_back(quotients.disk);
-      sphere.back().push_back(quotients.sphere);
-    }
-  }
-  const auto order = [&](const std::vector<std::vector<double>>& numbers, std::size_t k, double over) {
-    const Approximation limit = Approximation::exact(over);
-    return order_of_excess(mean_excess(numbers[k], limit), mean_excess(numbers[k + 1], limit), 2);
+  constexpr double coarse = 1.5;
+  const double fine = finest_separation(bench);
+  // The quotients of two sets of sites of a separation.
+  struct Quotients {
+    std::vector<double> disk;
+    std::vector<double> sphere;
   };
+  const auto quotients_at = [](double separation) {
+    Quotients quotients;
+    for (const std::uint64_t seed : {1U, 2U}) {
+      const PlaneQuotients found = plane_quotients(separation, seed, 0.2);
+      quotients.disk.push_back(found.disk);
+      quotients.sphere.push_back(found.sphere);
+    }
+    return quotients;
+  };
+  const Quotients at_coarse = quotients_at(coarse);
+  const Quotients at_fine = quotients_at(fine);
+  const auto order = [&](std::vector<double> Quotients::*part, double over) {
+    const Approximation limit = Approximation::exact(over);
+    return order_of_excess(mean_excess(at_coarse.*part, limit), mean_excess(at_fine.*part, limit),
+                           coarse / fine);
+  };
+  const std::string of = ", from separation 3/2 to " + shortest(fine);
   Finding finding;
-  finding.require("order of (c alpha^2 over w_j) - 1, Gauss, the disk, from separation 3/2 to 3/4", of_rim,
-                  order(disk, 1, 1));
-  finding.control("order of c alpha^2 over w_j itself, the disk", of_rim, order(disk, 1, 0));
-  finding.require("order of (c alpha^2 over w_j) - 1, Gauss, the sphere, from separation 3/2 to 3/4",
-                  at_least, order(sphere, 1, 1));
-  finding.control("order of c alpha^2 over w_j itself, the disk", at_least, order(disk, 1, 0));
-  finding.remark("(c alpha^2 over w_j) - 1, the disk, separation 3", mean_excess(disk[0], none));
-  finding.remark("(c alpha^2 over w_j) - 1, the disk, separation 3/4", mean_excess(disk[2], none));
-  finding.remark("(c alpha^2 over w_j) - 1, the sphere, separation 3", mean_excess(sphere[0], none));
-  finding.remark("(c alpha^2 over w_j) - 1, the sphere, separation 3/4", mean_excess(sphere[2], none));
+  finding.require("order of (c alpha^2 over w_j) - 1, Gauss, the disk" + of, of_rim,
+                  order(&Quotients::disk, 1));
+  finding.control("order of c alpha^2 over w_j itself, the disk", of_rim, order(&Quotients::disk, 0));
+  finding.require("order of (c alpha^2 over w_j) - 1, Gauss, the sphere" + of, at_least,
+                  order(&Quotients::sphere, 1));
+  finding.control("order of c alpha^2 over w_j itself, the disk", at_least, order(&Quotients::disk, 0));
+  finding.remark("(c alpha^2 over w_j) - 1, the disk, separation " + shortest(fine),
+                 mean_excess(at_fine.disk, Approximation::exact(1)));
+  finding.remark("(c alpha^2 over w_j) - 1, the sphere, separation " + shortest(fine),
+                 mean_excess(at_fine.sphere, Approximation::exact(1)));
   return finding;
 }
 
@@ -362,7 +375,7 @@ Finding section_7_estimate(const Bench& bench) {
   return finding;
 }
 
-Finding section_7_estimate_scene(const Bench&) {
+Finding section_7_estimate_scene(const Bench& bench) {
   // What the sum of pi alpha^2/10 over the area exceeds that of a plane by, which is 1 where sites are
   // anywhere, and more where they are apart.
   const Surface plane = square();
@@ -381,16 +394,18 @@ Finding section_7_estimate_scene(const Bench&) {
   const LiesIn of_rim{.least = Rational(7, 10), .largest = Rational(13, 10)};
   const Equals one{.value = 1, .slack = 0.1, .why = "a tenth, as on the plane"};
   const Approximation coarse = excess(3);
-  const Approximation fine = excess(0.75);
+  const double finest = finest_separation(bench);
+  const Approximation fine = excess(finest);
   Finding finding;
   finding.require("sum of pi alpha^2/10 over the area in a plane", one, in_plane);
   finding.control("the same on the scene, separation 3, radii by (15)", one,
                   scene_ratio(sites_on_scene(1), SiteDistance::normal_sensitive, scene_area,
                               [](const Vector<double>&) { return true; }));
-  finding.require("order of what the scene has more, from separation 3 to 3/4", of_rim,
-                  order_of_excess(coarse, fine, 4));
-  finding.control("order of the sum itself", of_rim, order_of_excess(in_plane + coarse, in_plane + fine, 4));
-  finding.remark("what the scene has more, separation 3/4", fine);
+  finding.require("order of what the scene has more, from separation 3 to " + shortest(finest), of_rim,
+                  order_of_excess(coarse, fine, 3 / finest));
+  finding.control("order of the sum itself", of_rim,
+                  order_of_excess(in_plane + coarse, in_plane + fine, 3 / finest));
+  finding.remark("what the scene has more, separation " + shortest(finest), fine);
   return finding;
 }
 
@@ -414,22 +429,20 @@ Finding section_7_estimate_paper_density(const Bench&) {
 }
 
 Finding section_5_radius(const Bench& bench) {
-  const int sets = bench.budget == Budget::quick ? 20 : 100;
+  const std::uint64_t count = bench.budget == Budget::quick ? 20 : 100;
+  std::vector<SiteSet> sets;
+  for (std::uint64_t seed = 1; seed <= count; ++seed) sets.push_back(sites_on_scene(seed));
   const Equals none{.value = 0, .slack = 0, .why = "each site has a radius"};
-  const std::string of = std::to_string(sets);
+  const std::string of = std::to_string(count);
   Finding finding;
-  finding.require(
-      "sets of " + of + " with a site that has no radius, Euclidean distance", none,
-      Approximation{.value = sets_without_radii(SiteDistance::euclidean, ten, sets), .radius = 0});
-  finding.require(
-      "sets of " + of + " with a site that has no radius, distance (15)", none,
-      Approximation{.value = sets_without_radii(SiteDistance::normal_sensitive, ten, sets), .radius = 0});
-  finding.require(
-      "the same, p_i one of the ten: nine others", none,
-      Approximation{.value = sets_without_radii(SiteDistance::normal_sensitive, ten - 1, sets), .radius = 0});
+  finding.require("sets of " + of + " with a site that has no radius, Euclidean distance", none,
+                  sets_without_radii(sets, SiteDistance::euclidean, ten));
+  finding.require("sets of " + of + " with a site that has no radius, distance (15)", none,
+                  sets_without_radii(sets, SiteDistance::normal_sensitive, ten));
+  finding.require("the same, p_i one of the ten: nine others", none,
+                  sets_without_radii(sets, SiteDistance::normal_sensitive, ten - 1));
   finding.control("the same with a hundred others", none,
-                  Approximation{.value = sets_without_radii(SiteDistance::normal_sensitive, 10 * ten, sets),
-                                .radius = 0});
+                  sets_without_radii(sets, SiteDistance::normal_sensitive, 10 * ten));
   return finding;
 }
 
