@@ -22,8 +22,8 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <string>
 
-#include "radcert/core/text.h"
 #include "radcert/enclosure/interval_integral.h"
 #include "radcert/meshless/sampling.h"
 #include "radcert/meshless/weights.h"
@@ -229,7 +229,13 @@ Approximation sets_without_radii(const std::vector<SiteSet>& sets, SiteDistance 
 }
 
 /// How close sites are taken where they are to be dense.
-double finest_separation(const Bench& bench) { return bench.budget == Budget::quick ? 1 : 0.75; }
+struct Separation {
+  double value;
+  std::string words;
+};
+Separation finest_separation(const Bench& bench) {
+  return bench.budget == Budget::quick ? Separation{1, "1"} : Separation{0.75, "3/4"};
+}
 
 /// The mean over the sites of the value there with all coefficients 1.
 Approximation mean_value(const RadialBasisChoice& choice) {
@@ -283,7 +289,7 @@ Finding section_7_plane_integral_scene(const Bench& bench) {
   const LiesIn of_rim{.least = Rational(7, 10), .largest = Rational(13, 10)};
   const Bound at_least{.order = 1, .slack = 0.3, .why = "as of the rim; curved parts alone like the square"};
   constexpr double coarse = 1.5;
-  const double fine = finest_separation(bench);
+  const Separation fine = finest_separation(bench);
   // The quotients of two sets of sites of a separation.
   struct Quotients {
     std::vector<double> disk;
@@ -299,13 +305,13 @@ Finding section_7_plane_integral_scene(const Bench& bench) {
     return quotients;
   };
   const Quotients at_coarse = quotients_at(coarse);
-  const Quotients at_fine = quotients_at(fine);
+  const Quotients at_fine = quotients_at(fine.value);
   const auto order = [&](std::vector<double> Quotients::*part, double over) {
     const Approximation limit = Approximation::exact(over);
     return order_of_excess(mean_excess(at_coarse.*part, limit), mean_excess(at_fine.*part, limit),
-                           coarse / fine);
+                           coarse / fine.value);
   };
-  const std::string of = ", from separation 3/2 to " + shortest(fine);
+  const std::string of = ", from separation 3/2 to " + fine.words;
   Finding finding;
   finding.require("order of (c alpha^2 over w_j) - 1, Gauss, the disk" + of, of_rim,
                   order(&Quotients::disk, 1));
@@ -313,9 +319,9 @@ Finding section_7_plane_integral_scene(const Bench& bench) {
   finding.require("order of (c alpha^2 over w_j) - 1, Gauss, the sphere" + of, at_least,
                   order(&Quotients::sphere, 1));
   finding.control("order of c alpha^2 over w_j itself, the disk", at_least, order(&Quotients::disk, 0));
-  finding.remark("(c alpha^2 over w_j) - 1, the disk, separation " + shortest(fine),
+  finding.remark("(c alpha^2 over w_j) - 1, the disk, separation " + fine.words,
                  mean_excess(at_fine.disk, Approximation::exact(1)));
-  finding.remark("(c alpha^2 over w_j) - 1, the sphere, separation " + shortest(fine),
+  finding.remark("(c alpha^2 over w_j) - 1, the sphere, separation " + fine.words,
                  mean_excess(at_fine.sphere, Approximation::exact(1)));
   return finding;
 }
@@ -394,18 +400,18 @@ Finding section_7_estimate_scene(const Bench& bench) {
   const LiesIn of_rim{.least = Rational(7, 10), .largest = Rational(13, 10)};
   const Equals one{.value = 1, .slack = 0.1, .why = "a tenth, as on the plane"};
   const Approximation coarse = excess(3);
-  const double finest = finest_separation(bench);
-  const Approximation fine = excess(finest);
+  const Separation finest = finest_separation(bench);
+  const Approximation fine = excess(finest.value);
   Finding finding;
   finding.require("sum of pi alpha^2/10 over the area in a plane", one, in_plane);
   finding.control("the same on the scene, separation 3, radii by (15)", one,
                   scene_ratio(sites_on_scene(1), SiteDistance::normal_sensitive, scene_area,
                               [](const Vector<double>&) { return true; }));
-  finding.require("order of what the scene has more, from separation 3 to " + shortest(finest), of_rim,
-                  order_of_excess(coarse, fine, 3 / finest));
+  finding.require("order of what the scene has more, from separation 3 to " + finest.words, of_rim,
+                  order_of_excess(coarse, fine, 3 / finest.value));
   finding.control("order of the sum itself", of_rim,
-                  order_of_excess(in_plane + coarse, in_plane + fine, 3 / finest));
-  finding.remark("what the scene has more, separation " + shortest(finest), fine);
+                  order_of_excess(in_plane + coarse, in_plane + fine, 3 / finest.value));
+  finding.remark("what the scene has more, separation " + finest.words, fine);
   return finding;
 }
 
