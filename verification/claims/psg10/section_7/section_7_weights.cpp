@@ -2,16 +2,21 @@
 
 // Radii and integrals of the elements, on the paper's scene with sites 3 apart, and on squares.
 //
-// Checked      "integral = constant alpha^2" on a plane: 2 pi Int Phi(r/alpha) r dr by enclosed quadrature,
-//              alpha = 3/2, against 3 pi/10 alpha^2 for K and 2 pi (1 - e^-8) alpha^2 for G cut at 4.
-//              Rejected: elements on a line in the place of the plane. Over the paper's scene: the sum of
-//              constant alpha^2 against that of the integrals, cut up by place. "expected value 1/delta": the
-//              mean of w_j over a scene is area/n, as the elements sum to 1. Rejected: Gauss' elements. pi
-//              alpha^2/t: the mean of delta pi alpha^2/t, t = 10, over sites away from the rim of a square,
-//              sites anywhere and sites apart; rejected at the rim. Over the paper's scene: sum of pi
-//              alpha^2/t over area; on the sphere alone it holds. Radii: whether each site has ten others, or
-//              nine, for whom p_i is one of the ten, at a finite distance (15). Supports: whether they cover
-//              the scene; whether the elements are independent, by the condition of phi_j(p_i). N for R:
+// Checked      "integral = constant alpha^2" on a plane: Int (r/alpha)^k r dr is alpha^2 times that for alpha
+//              = 1, in symbols, k up to 20; K is a sum of such powers and G a limit that is uniform up to 4,
+//              with the constants 3 pi/10, exactly, and 2 pi (1 - e^-8), by enclosed quadrature. Rejected:
+//              elements on a line in the place of the plane. Dense sites on the paper's scene: the sum of
+//              constant alpha^2 over that of the integrals less 1 falls like the separation on the disk, as
+//              the share of its rim, exponent in [7/10, 13/10], and at least so on the sphere; rejected for
+//              the quotient itself. At the paper's separation 3 it is cut up by place. "expected value
+//              1/delta": the sum of a rule's values of the integrals of elements that sum to 1 is the area,
+//              for any rule and values, in symbols; rejected for elements of any sum. pi alpha^2/t in a
+//              Poisson process: the integrals of e^(-x) x^k/k! by their antiderivatives, in exact arithmetic;
+//              rejected for t one less. The mean of delta pi alpha^2/t, t = 10, over sites away from the rim
+//              of a square, sites anywhere and sites apart; rejected at the rim. Dense sites on the paper's
+//              scene: what the sum of pi alpha^2/t over the area exceeds that of a plane by falls like the
+//              separation. At separation 3 it does not hold but on the sphere alone. Radii: whether each site
+//              has ten others, or nine, for whom p_i is one of the ten, at a finite distance (15). N for R:
 //              whether constant coefficients give constant values. Figure 9: that sites of separation 3 are 3
 //              apart, exactly, for their rounded coordinates.
 // Not checked  other scenes; the sites of the paper's figure 9; a proof for curved surfaces.
