@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/claims/psg10/exact_sites.h"
 
-#include <algorithm>
-
 #include "radcert/meshless/radial_element.h"
 
 namespace radcert::verification::psg10 {
 
-std::vector<Site<Rational>> ExactSites::several_in_space(std::size_t count) {
-  std::vector<Site<Rational>> sites;
-  while (sites.size() < count) {
-    const Site<Rational> next = in_space();
-    if (std::none_of(sites.begin(), sites.end(),
-                     [&](const Site<Rational>& site) { return site.point == next.point; }))
-      sites.push_back(next);
-  }
-  return sites;
-}
-
-std::vector<Site<Rational>> ExactSites::several_on_axis(std::size_t count, bool flat) {
+std::vector<Site<Rational>> ExactSites::several_on_axis(std::size_t count) {
   std::vector<Site<Rational>> sites;
   for (std::size_t i = 0; i < count; ++i) {
     const Rational place = Rational(static_cast<long>(i)) + Rational(below(7) - 3, 8);
-    sites.push_back({{place, 0, 0}, flat ? Vector<Rational>{0, 0, 1} : normal(1)});
+    sites.push_back({{place, 0, 0}, {0, 0, 1}});
   }
   return sites;
-}
-
-Site<Rational> ExactSites::on_axis(std::size_t count, bool flat) {
-  const Rational place = Rational(below(16 * static_cast<long>(count + 1) + 1), 16) - Rational(1);
-  return {{place, 0, 0}, flat ? Vector<Rational>{0, 0, 1} : normal(1)};
 }
 
 Rational normal_factor(const Site<Rational>& p, const Site<Rational>& q) {

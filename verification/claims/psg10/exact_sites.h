@@ -32,15 +32,8 @@ public:
     const Rational scale = Rational(1) / (Rational(1) + q);
     return {Rational(2) * s * scale, Rational(2) * t * scale, (Rational(1) - q) * scale};
   }
-  /// A point of a cube of edge 8 with a normal anywhere.
-  Site<Rational> in_space() { return {{eighths(4), eighths(4), eighths(4)}, normal(3)}; }
-  /// `count` sites at different points.
-  std::vector<Site<Rational>> several_in_space(std::size_t count);
-  /// Sites at the places 0, 1, ..., count - 1 of the x-axis, moved by up to 3/8. Flat: all normals are e_z;
-  /// else they are about e_z, up to 110 degrees away.
-  std::vector<Site<Rational>> several_on_axis(std::size_t count, bool flat);
-  /// A point of the x-axis between -1 and count.
-  Site<Rational> on_axis(std::size_t count, bool flat);
+  /// Sites at the places 0, 1, ..., count - 1 of the x-axis, moved by up to 3/8, with the normal e_z.
+  std::vector<Site<Rational>> several_on_axis(std::size_t count);
 
 private:
   std::mt19937_64 bits_;

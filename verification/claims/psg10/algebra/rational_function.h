@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "radcert/scalar/rational.h"
 #include "radcert/scalar/real.h"

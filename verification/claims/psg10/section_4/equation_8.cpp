@@ -203,7 +203,7 @@ Finding equation_11(const Bench&) {
   // Elements less their mean: they have both signs.
   const auto without_value = [](bool centred) {
     ExactSites random(42);
-    const std::vector<Site<Rational>> sites = random.several_on_axis(6, true);
+    const std::vector<Site<Rational>> sites = random.several_on_axis(6);
     std::vector<Rational> raw = raw_lehtinen(sites, Rational(5, 2), sites.front());
     Rational mean(0);
     for (const Rational& value : raw) mean += value / Rational(static_cast<long>(raw.size()));
