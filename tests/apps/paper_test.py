@@ -43,9 +43,8 @@ verdict = "supported"
 problem = "two_piece.json"
 control = "constant.json"
 quantity = "node_error"
-order   = 3.5
-slack   = 0.3
-why     = "few levels"
+order   = 4.0
+logarithm = true
 """
 
 

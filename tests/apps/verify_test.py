@@ -36,8 +36,6 @@ problem = "two_piece.json"
 control = "two_piece.json"
 quantity = "node_error"
 order   = 9.0
-slack   = 0.1
-why     = "wrong on purpose"
 """)
         done = self.run_program("verify", "./own")
         self.assertEqual(done.returncode, 1, done.stderr)

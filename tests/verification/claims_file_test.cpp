@@ -111,25 +111,25 @@ problem = "p.json"
 control = "c.json"
 quantity = "node_error"
 order = 4
-slack = 0.25
-why = "a reason"
 verdict = "supported"
 )";
 
-TEST(ClaimsFile, ReadsAnOrderWithItsSlack) {
-  const auto claims = read_claims(order, "claims.toml");
-  ASSERT_TRUE(claims[0].order.has_value());
-  EXPECT_EQ(claims[0].order->order, 4);
-  EXPECT_EQ(claims[0].order->slack.at(Budget::standard), 0.25);
+TEST(ClaimsFile, ReadsAnOrder) {
+  const auto read = [](const std::string& text) {
+    return read_claims(text, "claims.toml").front().order.value();
+  };
+  EXPECT_EQ(read(order).order, 4);
+  EXPECT_FALSE(read(order).logarithm);
+  EXPECT_TRUE(read(std::string(order) + "logarithm = true\n").logarithm);
 }
 
-TEST(ClaimsFile, RefusesAnOrderWithoutAReasonOrAControl) {
+TEST(ClaimsFile, RefusesAnOrderWithASlackOrWithoutAControl) {
   const auto without = [](std::string line) {
     std::string text = order;
     text.erase(text.find(line), line.size() + 1);
     return refusal(text);
   };
-  EXPECT_THAT(without("why = \"a reason\""), HasSubstr("/a/why: is missing"));
+  EXPECT_THAT(refusal(std::string(order) + "slack = 0.25\n"), HasSubstr("is no key of an order any more"));
   EXPECT_THAT(without("control = \"c.json\""), HasSubstr("/a/control: is missing"));
 }
 

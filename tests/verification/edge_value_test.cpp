@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstddef>
 
 #include "radcert/core/contract.h"
-#include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/claims/ac98/collocation/known_problems.h"
 
 namespace radcert::verification::ac98 {
 namespace {
@@ -51,31 +50,6 @@ TEST(EdgeExponent, SolvesItsEquation) {
     const double beta = std::exp(std::lgamma(x) + std::lgamma(y) - std::lgamma(x + y));
     EXPECT_NEAR(rho.to_double() / 4 * beta, 1, 1e-6) << rho.to_text();
   }
-}
-
-class PowersOfH final : public LevelSource {
-public:
-  explicit PowersOfH(double order) : order_(order) {}
-  LevelOutcome level(const Problem&, int level) override {
-    LevelOutcome outcome;
-    outcome.result.node_error = Approximation{.value = 5 * std::exp2(-order_ * level), .radius = 0.0};
-    return outcome;
-  }
-
-private:
-  double order_;
-};
-
-TEST(ObservedOrder, IsTheExponentOfAPower) {
-  for (const double order : {0.5, 1.0, 2.0, 3.75}) {
-    PowersOfH levels(order);
-    EXPECT_NEAR(observed_order(levels, Problem(), &LevelResult::node_error, 3).value, order, 1e-12);
-  }
-  PowersOfH levels(2);
-  EXPECT_THROW(static_cast<void>(observed_order(levels, Problem(), &LevelResult::node_error, 0)),
-               ContractViolation);
-  EXPECT_THROW(static_cast<void>(observed_order(levels, Problem(), &LevelResult::uniform_error, 3)),
-               ContractViolation);
 }
 
 TEST(LinearProblem, HasOneOfTheTwoKindsOfData) {

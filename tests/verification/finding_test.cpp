@@ -14,7 +14,11 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const Equals one{.value = 1, .slack = 0.125, .why = ""};
-const Bound four{.order = 4, .slack = 0.25, .why = ""};
+const Order four = Order::at_least(4);
+
+ObservedOrder exponent(double value, double radius) {
+  return {.exponent = {.value = value, .radius = radius}};
+}
 const AtMost two{.value = 2, .slack = 0, .why = ""};
 
 TEST(Judge, LeavesOpenWhatTheRadiusDoesNotSettle) {
@@ -22,10 +26,10 @@ TEST(Judge, LeavesOpenWhatTheRadiusDoesNotSettle) {
   EXPECT_EQ(judge(one, {1.0625, 0.125}), Standing::open);
   EXPECT_EQ(judge(one, {1.25, 0.0625}), Standing::violated);
   EXPECT_EQ(judge(one, {1.25, 0.125}), Standing::open);
-  EXPECT_EQ(judge(four, {3.875, 0.125}), Standing::holds);
-  EXPECT_EQ(judge(four, {3.875, 0.25}), Standing::open);
-  EXPECT_EQ(judge(four, {3.5, 0.125}), Standing::violated);
-  EXPECT_EQ(judge(four, {9, 0.125}), Standing::holds);
+  EXPECT_EQ(judge(four, exponent(3.875, 0.125)), Standing::holds);
+  EXPECT_EQ(judge(four, exponent(3.875, 0.375)), Standing::open);
+  EXPECT_EQ(judge(four, exponent(3.25, 0.125)), Standing::violated);
+  EXPECT_EQ(judge(four, exponent(9, 0.125)), Standing::holds);
   EXPECT_EQ(judge(two, {2, 0}), Standing::holds);
   EXPECT_EQ(judge(two, {2, 0.5}), Standing::open);
   EXPECT_EQ(judge(two, {3, 0.5}), Standing::violated);
@@ -36,7 +40,7 @@ TEST(Judge, LeavesOpenWhatIsNotFinite) {
   for (const Approximation& observed : {Approximation{none, 0}, Approximation{1, none},
                                         Approximation{1, infinite}, Approximation{infinite, 0}}) {
     EXPECT_EQ(judge(one, observed), Standing::open);
-    EXPECT_EQ(judge(four, observed), Standing::open);
+    EXPECT_EQ(judge(four, ObservedOrder{.exponent = observed}), Standing::open);
     EXPECT_EQ(judge(two, observed), Standing::open);
   }
 }
@@ -182,13 +186,47 @@ TEST(Judge, ComparesBothSidesWithoutRounding) {
   EXPECT_EQ(judge(AtMost{.value = 1, .slack = 0x1p-60, .why = ""}, number(1, 0x1p-60)), Standing::holds);
   EXPECT_EQ(judge(AtMost{.value = 1, .slack = 0x1p-60, .why = ""}, number(1 + 0x1p-52, 0)),
             Standing::violated);
-  EXPECT_EQ(judge(Bound{.order = 1, .slack = 0, .why = ""}, number(1, 0x1p-60)), Standing::open);
-  EXPECT_EQ(judge(Bound{.order = 1, .slack = 0x1p-60, .why = ""}, number(1, 0x1p-60)), Standing::holds);
-  EXPECT_EQ(judge(Bound{.order = 0x1p60, .slack = 0, .why = ""}, number(0x1p60, 1)), Standing::open);
+  EXPECT_EQ(judge(Order::at_least(1), exponent(0.5, 0x1p-60)), Standing::open);
+  EXPECT_EQ(judge(Order::at_most(1, 2), exponent(1.5 + 0x1p-52, 0x1p-60)), Standing::violated);
   EXPECT_EQ(judge(Equals{.value = 0x1p60, .slack = 0.5, .why = ""}, number(0x1p60, 1)), Standing::open);
   EXPECT_EQ(judge(Equals{.value = 1, .slack = 0x1p-53, .why = ""}, number(1 + 0x1p-52, 0x1p-60)),
             Standing::violated);
   EXPECT_EQ(judge(AtMost{.value = HUGE_VAL, .slack = 0, .why = ""}, number(1, 0)), Standing::open);
+}
+
+TEST(Order, IsToldFromItsNeighboursAtTheMiddle) {
+  const Order is_two = Order::is(2);
+  EXPECT_EQ(judge(is_two, exponent(2.25, 0.125)), Standing::holds);
+  EXPECT_EQ(judge(is_two, exponent(2.25, 0.25)), Standing::open);
+  EXPECT_EQ(judge(is_two, exponent(2.75, 0.125)), Standing::violated);
+  EXPECT_EQ(judge(is_two, exponent(1.25, 0.125)), Standing::violated);
+  EXPECT_EQ(judge(is_two, exponent(2, 8)), Standing::open);
+  EXPECT_EQ(judge(Order::at_least(1, 0.5), exponent(0.7, 0.01)), Standing::violated);
+  EXPECT_EQ(judge(Order::at_least(1, 0.5), exponent(0.8, 0.01)), Standing::holds);
+  EXPECT_EQ(judge(Order::at_most(0, 2), exponent(-3, 0.5)), Standing::holds);
+  EXPECT_EQ(judge(Order::at_most(0, 2), exponent(1.5, 0.25)), Standing::violated);
+  EXPECT_THROW(static_cast<void>(judge(Order::at_least(1, 1), exponent(1, 0))), ContractViolation);
+  EXPECT_THROW(static_cast<void>(judge(Order::at_most(1, 0), exponent(1, 0))), ContractViolation);
+}
+
+// h^3 is taken for 3 + lambda in a model with |log h|: the middle moves with it.
+TEST(Order, OfALogarithmIsToldFromTheSlowerOneWithout) {
+  const ObservedOrder between{.exponent = {.value = 3.6, .radius = 0.01}, .logarithm = 0.5};
+  EXPECT_EQ(judge(four, between), Standing::violated);
+  EXPECT_EQ(judge(four, ObservedOrder{.exponent = between.exponent}), Standing::holds);
+}
+
+TEST(Order, NamesItsNeighboursAndIsNoProof) {
+  Finding finding;
+  finding.require("a", Order::is(2), exponent(2, 0.125));
+  finding.require("b", four, ObservedOrder{.exponent = {.value = 4, .radius = 0}, .logarithm = 0.5});
+  finding.control("c", four, exponent(3, 0));
+  EXPECT_EQ(finding.evidence()[0].allowed, "order = 2: between 1.5 and 2.5, the middle to 1 and to 3");
+  EXPECT_NE(
+      finding.evidence()[1].allowed.find("above 3.75, the middle to 3 without |log h|, which gives 3.5"),
+      std::string::npos);
+  EXPECT_EQ(finding.evidence()[0].kind, "order");
+  EXPECT_EQ(finding.verdict(), Verdict::supported);
 }
 
 TEST(LiesIn, ComparesTheWholeEnclosureExactly) {

@@ -6,8 +6,11 @@
 
 #include "radcert/core/contract.h"
 #include "tests/verification/fixtures.h"
-#include "verification/claims/m06/rates.h"
+#include "verification/claims/ac98/collocation/sphere_collocation.h"
+#include "verification/claims/m06/named_problems.h"
 #include "verification/claims/m06/section_3/interpolation_error.h"
+#include "verification/claims/m06/sphere_errors.h"
+#include "verification/framework/level_errors.h"
 #include "verification/framework/paper.h"
 
 namespace radcert::verification::m06 {
@@ -42,47 +45,54 @@ protected:
 };
 
 TEST_F(OverLevels, OrdersAreThePowersOfTheErrors) {
-  EXPECT_NEAR(last_order(uniform_errors(problem_, {1, 2, 3}, bench_)).value, 1, 1e-14);
-  EXPECT_NEAR(last_order(node_errors(problem_, {1, 2, 3}, bench_)).value, 2, 1e-14);
-  EXPECT_NEAR(last_order(discretisation_errors(problem_, {1, 3}, bench_)).value, 2, 1e-14);
+  const std::vector<int> levels = levels_from(1, 3);
+  const auto exponent = [](const LevelErrors& errors) { return observed_order(errors).exponent.value; };
+  EXPECT_NEAR(exponent(uniform_errors(bench_, problem_, levels)), 1, 1e-14);
+  EXPECT_NEAR(exponent(node_errors(bench_, problem_, levels)), 2, 1e-14);
+  EXPECT_NEAR(exponent(discretisation_errors(bench_, problem_, levels)), 2, 1e-14);
   const auto on = [](const std::string& piece) {
-    return [piece](const NodeValue& node) { return node.piece == piece; };
+    return [piece](const NodeValue& node, const ParameterTriangle&) { return node.piece == piece; };
   };
-  const Errors on_a = node_errors(problem_, {1, 2}, bench_, on("a"));
-  EXPECT_DOUBLE_EQ(on_a.errors.back().value, 3.0 / 16);
-  EXPECT_NEAR(last_order(on_a).value, 2, 1e-12);
-  EXPECT_NEAR(last_order(node_errors(problem_, {1, 2}, bench_, on("b"))).value, 3, 1e-12);
-}
-
-TEST_F(OverLevels, TheRadiusOfAnOrderHoldsTheOrdersOfAllErrorsWithinTheirs) {
-  const Errors errors{.mesh_sizes = {1, 0.5},
-                      .errors = {{.value = 8, .radius = 2}, {.value = 1, .radius = 0.5}}};
-  const Approximation order = last_order(errors);
-  for (const double before : {6.0, 8.0, 10.0})
-    for (const double after : {0.5, 1.0, 1.5})
-      EXPECT_LE(std::abs(std::log2(before / after) - order.value), order.radius + 1e-12);
-  EXPECT_NEAR(order.radius, std::log2(2.5), 1e-12);
-  EXPECT_NEAR(noise(errors).value, 0.5, 1e-15);
-}
-
-TEST_F(OverLevels, AnErrorWithinItsNoiseHasNoOrder) {
-  for (const double radius : {1.0, 2.0}) {
-    const Errors errors{.mesh_sizes = {1, 0.5},
-                        .errors = {{.value = 8, .radius = 0}, {.value = 1, .radius = radius}}};
-    EXPECT_TRUE(std::isinf(last_order(errors).radius)) << radius;
-  }
+  const LevelErrors on_a = node_errors(bench_, problem_, levels, on("a"));
+  EXPECT_DOUBLE_EQ(on_a.errors.back().value, 3.0 / 64);
+  EXPECT_NEAR(exponent(on_a), 2, 1e-12);
+  EXPECT_NEAR(exponent(node_errors(bench_, problem_, levels, on("b"))), 3, 1e-12);
 }
 
 TEST_F(OverLevels, QuickLeavesOutTheLastLevel) {
   EXPECT_EQ(levels_for(problem_, Budget::quick), (std::vector<int>{0, 1, 2}));
   EXPECT_EQ(levels_for(problem_, Budget::full), (std::vector<int>{0, 1, 2, 3}));
   EXPECT_THROW(static_cast<void>(levels_for(flat_problem({0, 1}), Budget::quick)), ContractViolation);
+  EXPECT_EQ(levels_of_an_order(flat_problem({0, 1, 2, 3, 4}), Budget::quick), (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(levels_of_an_order(flat_problem({0, 1, 2, 3, 4}), Budget::full), (std::vector<int>{1, 2, 3, 4}));
 }
 
 TEST(ProblemsOfMicula, AreReadAndSmooth) {
   for (const char* name : {"two_piece_r0", "sphere_r1", "ellipsoid_r2", "two_piece_symmetric"})
     EXPECT_FALSE(surface_of(problem_named(name)).pieces_meet_at_angle) << name;
   EXPECT_THROW(static_cast<void>(problem_named("none")), ContractViolation);
+}
+
+// The mean of x^4 over the sphere is 1/5; the rule of the centroids at level 0 has 1/9.
+TEST(SphereErrors, AreThoseOfTheCentroidOfAnOctant) {
+  const SphereErrors errors = errors_on_the_sphere(chosen_nodes(0), fourth_power, {0, 1});
+  EXPECT_NEAR(errors.nodes.errors[0].value, 1.0 / 5 - 1.0 / 9, 1e-6);
+  EXPECT_NEAR(errors.nodes.errors[0].value, 0.0888888888, errors.nodes.errors[0].radius + 1e-9);
+  // At a vertex: 1 - 1/9, and the error of the mean.
+  EXPECT_NEAR(errors.uniform.errors[0].value, 1 - 1.0 / 9 + 4.0 / 45, 1e-6);
+}
+
+// By closed forms of the weights, in balls.
+TEST(SphereErrors, AreThoseOfTheExactWeights) {
+  const BallPrecision precision(128);
+  const SphereErrors errors = errors_on_the_sphere(chosen_nodes(1), fourth_power, {2, 3});
+  for (const int level : {2, 3}) {
+    const Approximation& ours = errors.nodes.errors.at(static_cast<std::size_t>(level) - 2);
+    const ac98::SphereCollocation method(ac98::symmetric_octant(level), Rational(1, 6));
+    const Ball mean = method.mean([](const Vector<Ball>& q) { return power(q.x, 4); });
+    EXPECT_NEAR(ours.value, abs(Ball(Rational(1, 5)) - mean).to_double(), ours.radius) << level;
+    EXPECT_LT(ours.radius, 1e-9);
+  }
 }
 
 // r = 0, by hand: (I - L) x = x - 1/3 on the triangle, x -+ 1/6 about the centre of the square.

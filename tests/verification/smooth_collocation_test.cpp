@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "verification/claims/ac98/collocation/interpolation_bounds.h"
-#include "verification/claims/ac98/collocation/observed_order.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
 #include "verification/claims/ac98/surfaces/exact_plane.h"
 
@@ -154,16 +153,6 @@ TEST(SphereCollocation, IsExactForConstantsAndForTheSumOfSquares) {
     EXPECT_TRUE(method.mean([](const Vector<Ball>& q) { return q.y; }).contains(0));
     EXPECT_FALSE(method.mean([](const Vector<Ball>& q) { return power(q.x, 4); }).contains(Rational(1, 5)));
   }
-}
-
-TEST(OrderBetween, EnclosesTheOrderAndRefusesErrorsThatMayBeZero) {
-  const Approximation two = order_between({.value = 16, .radius = 1}, {.value = 1, .radius = 0.1}, 2);
-  EXPECT_DOUBLE_EQ(two.value, 2);
-  EXPECT_GE(two.radius, std::log2(17 / 0.9) / 2 - 2);
-  EXPECT_LE(two.radius, 0.2);
-  const Approximation rough = order_between({.value = 16, .radius = 8}, {.value = 1, .radius = 0.1}, 2);
-  EXPECT_GE(rough.radius, 2 - std::log2(8 / 1.1) / 2 - 1e-12);
-  EXPECT_FALSE(std::isfinite(order_between({.value = 1, .radius = 0}, {.value = 0.1, .radius = 0.1}).value));
 }
 
 }  // namespace

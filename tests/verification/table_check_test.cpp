@@ -199,7 +199,7 @@ TEST(RunVerification, RefusesAClaimWithoutACheck) {
   EXPECT_THROW(static_cast<void>(run_verification(selected, bench, {})), InputError);
 }
 
-TEST(RunVerification, FitsAnOrderWithoutCode) {
+TEST(RunVerification, JudgesAnOrderWithoutCode) {
   ResultStore store = ResultStore::none("a test");
   // Errors that halve for alpha = 1/10 and fall by 16 otherwise.
   StoredLevels levels(store, [](const Problem& problem, int level) {
@@ -211,7 +211,7 @@ TEST(RunVerification, FitsAnOrderWithoutCode) {
   const Bench bench{.budget = Budget::quick, .route = {}, .levels = levels, .store = store};
   const std::string claim =
       "[a]\nsays = \"a\"\ncheck = \"order\"\nproblem = \"problem.json\"\ncontrol = \"control.json\"\n"
-      "quantity = \"node_error\"\norder = 4\nslack = 0.25\nwhy = \"a reason\"\nverdict = \"supported\"\n";
+      "quantity = \"node_error\"\norder = 4\nverdict = \"supported\"\n";
   const auto run = [&](const std::map<std::string, std::string>& files) {
     std::vector<Selected> selected;
     selected.push_back({paper_of(claim, files), {}});
@@ -222,6 +222,11 @@ TEST(RunVerification, FitsAnOrderWithoutCode) {
   EXPECT_EQ(run({{"problem.json", fast}, {"control.json", slow}}), Verdict::supported);
   EXPECT_EQ(run({{"problem.json", slow}, {"control.json", slow}}), Verdict::contradicted);
   EXPECT_EQ(run({{"problem.json", fast}, {"control.json", fast}}), Verdict::failed);
+  for (const char* too_few : {"0, 1", "0, 1, 3", "2"})
+    EXPECT_THROW(
+        static_cast<void>(run({{"problem.json", problem_file("1/6", too_few)}, {"control.json", slow}})),
+        InputError)
+        << too_few;
 }
 
 }  // namespace

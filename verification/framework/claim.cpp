@@ -141,13 +141,7 @@ OrderClaim read_order(const Place& place) {
   if (order.quantity != "discretisation_error" && order.quantity != "node_error")
     quantity.refuse("is not known", "discretisation_error or node_error");
   order.order = place.at("order", "a number").number("a number");
-  const Place slack = place.at("slack", "a number >= 0, or one for each of quick, standard, full");
-  order.slack = per_budget<double>(slack, [](const Place& value) {
-    const double given = value.number("a number >= 0");
-    if (given < 0) value.refuse("is not allowed", "a number >= 0");
-    return given;
-  });
-  order.why = text_at(place.at("why", "the reason for the slack"), "the reason for the slack");
+  if (const auto logarithm = place.find("logarithm")) order.logarithm = logarithm->boolean("true or false");
   return order;
 }
 
@@ -314,8 +308,9 @@ Claim read_claim(const std::string& label, const Place& place, const TomlDocumen
   } else {
     if (!claim.verdict) static_cast<void>(place.at("verdict", "one of " + listed(recordable_verdicts())));
     if (claim.check == CheckKind::order) {
-      place.require_object(
-          with_common({"verdict", "problem", "control", "quantity", "order", "slack", "why"}));
+      if (const auto slack = place.find("slack"))
+        slack->refuse("is no key of an order any more", "none: the levels give the interval of an order");
+      place.require_object(with_common({"verdict", "problem", "control", "quantity", "order", "logarithm"}));
       claim.order = read_order(place);
     } else if (claim.check == CheckKind::enclosure) {
       place.require_object(with_common({"verdict", "problem", "quantity", "level", "reference", "values",

@@ -13,7 +13,7 @@
 namespace radcert::verification {
 
 /// How a claim is checked.
-/// Maths     function: code of verification/claims/<key>; table: cells of a printed table; order: a fitted
+/// Maths     function: code of verification/claims/<key>; table: cells of a printed table; order: an
 ///           order; enclosure: a proved number in a stated interval; none: nothing is run
 /// Result    `none` belongs to definitions and to statements not yet looked at
 enum class CheckKind { function, table, order, enclosure, none };
@@ -56,14 +56,13 @@ struct TableClaim {
   std::vector<CellRecord> cells;  ///< in the order of the file
 };
 
-/// A fitted order of convergence.
+/// "An error falls at least like h^order", or like h^order |log h|.
 struct OrderClaim {
-  std::string problem;
-  std::string control;   ///< file of a problem whose fitted order must be rejected
+  std::string problem;   ///< file of a problem with three consecutive levels at least
+  std::string control;   ///< file of a problem whose order must be rejected
   std::string quantity;  ///< "discretisation_error" or "node_error"
   double order = 0;
-  PerBudget<double> slack;
-  std::string why;
+  bool logarithm = false;
 };
 
 /// A number that can be enclosed with a proof: a figure of a problem, or a reference value.

@@ -57,6 +57,47 @@ std::string with_slack(std::string text, double slack, const std::string& why) {
   return text;
 }
 
+/// Where an order ends and its neighbours begin.
+struct Middles {
+  std::optional<double> lower;
+  std::optional<double> upper;
+};
+
+Middles middles_of(const Order& statement, double logarithm) {
+  Middles middles;
+  if (statement.below) {
+    expects(*statement.below < statement.order, "below < order", named("below", *statement.below));
+    middles.lower = (*statement.below + logarithm + statement.order) / 2;
+  }
+  if (statement.above) {
+    expects(statement.order < *statement.above, "order < above", named("above", *statement.above));
+    middles.upper = (statement.order + *statement.above) / 2;
+  }
+  return middles;
+}
+
+// "order >= 4, |log h| taken out: from 3.87 on, 3 without |log h| gives 3.74".
+std::string order_text(const Order& statement, double logarithm) {
+  const Middles middles = middles_of(statement, logarithm);
+  const auto rounded = [](double number) { return shortest(std::round(number * 1e4) / 1e4); };
+  const std::string relation = !statement.above ? " >= " : statement.below ? " = " : " <= ";
+  std::string text = "order" + relation + rounded(statement.order);
+  if (logarithm != 0) text += ", |log h| taken out";
+  if (middles.lower && middles.upper)
+    text += ": between " + rounded(*middles.lower) + " and " + rounded(*middles.upper);
+  else if (middles.lower)
+    text += ": above " + rounded(*middles.lower);
+  else if (middles.upper)
+    text += ": below " + rounded(*middles.upper);
+  if (statement.below) {
+    text += ", the middle to " + rounded(*statement.below);
+    if (logarithm != 0) text += " without |log h|, which gives " + rounded(*statement.below + logarithm);
+  }
+  if (statement.above)
+    text += (statement.below ? " and to " : ", the middle to ") + rounded(*statement.above);
+  return text;
+}
+
 /// Proved: a ball as midpoint and radius, or why it has failed.
 Evidence line(const std::string& what, const Ball& observed, int digits, std::string allowed,
               Standing standing) {
@@ -125,14 +166,16 @@ Approximation as_sampled(const Approximation& figure) {
   return figure.has_radius() ? figure : Approximation::estimated(figure.value, 0);
 }
 
-Standing judge(const Bound& statement, const Approximation& observed) {
-  require_slack(statement.slack);
-  if (!settles(observed) || !std::isfinite(statement.order) || !std::isfinite(statement.slack))
-    return Standing::open;
-  const Ends ends = ends_of(observed);
-  const Rational least = Rational::exactly(statement.order) - Rational::exactly(statement.slack);
-  if (ends.low >= least) return Standing::holds;
-  return ends.high < least ? Standing::violated : Standing::open;
+Standing judge(const Order& statement, const ObservedOrder& observed) {
+  const Middles middles = middles_of(statement, observed.logarithm);
+  if (!settles(observed.exponent)) return Standing::open;
+  const Ends ends = ends_of(observed.exponent);
+  const auto at = [](double number) { return Rational::exactly(number); };
+  if ((middles.lower && ends.high < at(*middles.lower)) || (middles.upper && ends.low > at(*middles.upper)))
+    return Standing::violated;
+  const bool above = !middles.lower || ends.low > at(*middles.lower);
+  const bool below = !middles.upper || ends.high < at(*middles.upper);
+  return above && below ? Standing::holds : Standing::open;
 }
 
 Standing judge(const Equals& statement, const Approximation& observed) {
@@ -189,11 +232,10 @@ void Finding::add(Role role, std::string_view kind, Evidence evidence) {
   evidence_.push_back(std::move(evidence));
 }
 
-void Finding::add(const std::string& what, const Bound& statement, const Approximation& observed, Role role) {
+void Finding::add(const std::string& what, const Order& statement, const ObservedOrder& observed, Role role) {
   add(role, "order",
-      line(what, observed,
-           with_slack("order >= " + shortest(statement.order), statement.slack, statement.why),
-           judge(statement, observed), statement.slack));
+      line(what, observed.exponent, order_text(statement, observed.logarithm), judge(statement, observed),
+           0));
 }
 
 void Finding::add(const std::string& what, const Equals& statement, const Approximation& observed,

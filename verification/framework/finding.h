@@ -10,6 +10,7 @@
 #include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/rational.h"
+#include "verification/framework/observed_order.h"
 #include "verification/framework/verdict.h"
 
 namespace radcert::verification {
@@ -18,11 +19,22 @@ namespace radcert::verification {
 /// Result    radius 0 in place of an infinite one, then not guaranteed
 [[nodiscard]] Approximation as_sampled(const Approximation& figure);
 
-/// "The error falls at least like h^order": the observed exponent may be short by the slack.
-struct Bound {
+/// "The error falls like h^order": at least so fast, at most so fast, or both.
+/// Maths     an order is told from its neighbours: the exponent must lie beyond the middle between the order
+///           and the neighbour. In a model with |log h| the lower neighbour is h^below without it, which that
+///           model takes for the exponent below + lambda
+/// Requires  below < order < above, else ContractViolation
+/// Limits    has no slack: how exact the exponent is known is said by what is observed
+struct Order {
   double order = 0;
-  double slack = 0;
-  std::string why;  ///< why the slack is what it is
+  std::optional<double> below;  ///< the next slower order; absent: any slower error is one of this order
+  std::optional<double> above;  ///< the next faster order; absent: any faster error is one of this order
+
+  [[nodiscard]] static Order at_least(double order) { return {order, order - 1, std::nullopt}; }
+  [[nodiscard]] static Order at_least(double order, double below) { return {order, below, std::nullopt}; }
+  [[nodiscard]] static Order at_most(double order, double above) { return {order, std::nullopt, above}; }
+  [[nodiscard]] static Order is(double order) { return {order, order - 1, order + 1}; }
+  [[nodiscard]] static Order is(double order, double below, double above) { return {order, below, above}; }
 };
 
 /// "The number is `value`."
@@ -63,7 +75,8 @@ enum class Standing { holds, violated, open };
 [[nodiscard]] std::string_view name(Standing standing);
 
 /// An observation held against a statement.
-/// Maths     Bound: value - radius >= order - slack holds, value + radius < order - slack violates;
+/// Maths     Order: an exponent all of whose interval lies between the middles holds, one all of whose interval
+///           lies beyond one of them violates;
 ///           Equals: |v - value| + radius <= slack holds, |v - value| - radius > slack violates;
 ///           AtMost: v + radius <= value + slack holds, v - radius > value + slack violates;  IsExactly:
 ///           equality of rationals; AgreesWith: |v - value| <= within for all points of both balls holds, >
@@ -72,7 +85,7 @@ enum class Standing { holds, violated, open };
 /// Requires  slack >= 0, else ContractViolation
 /// Result    open where neither is the case, and for numbers that are not finite; the doubles of both sides
 ///           are compared exactly
-[[nodiscard]] Standing judge(const Bound& statement, const Approximation& observed);
+[[nodiscard]] Standing judge(const Order& statement, const ObservedOrder& observed);
 [[nodiscard]] Standing judge(const Equals& statement, const Approximation& observed);
 [[nodiscard]] Standing judge(const AtMost& statement, const Approximation& observed);
 [[nodiscard]] Standing judge(const IsExactly& statement, const Rational& observed);
@@ -163,7 +176,7 @@ public:
 
 private:
   void add(Role role, std::string_view kind, Evidence evidence);
-  void add(const std::string& what, const Bound& statement, const Approximation& observed, Role role);
+  void add(const std::string& what, const Order& statement, const ObservedOrder& observed, Role role);
   void add(const std::string& what, const Equals& statement, const Approximation& observed, Role role);
   void add(const std::string& what, const AtMost& statement, const Approximation& observed, Role role);
   void add(const std::string& what, const IsExactly& statement, const Rational& observed, Role role);

@@ -11,6 +11,7 @@
 #include "radcert/formats/problem/problem_json.h"
 #include "verification/framework/check.h"
 #include "verification/framework/enclosure_check.h"
+#include "verification/framework/level_errors.h"
 #include "verification/framework/stored_finding.h"
 #include "verification/framework/table_check.h"
 
@@ -23,33 +24,40 @@ const PaperChecks* checks_of(std::span<const PaperChecks> checks, const std::str
   return nullptr;
 }
 
-// The fitted order of a problem's levels, as collect() gives it.
-Approximation fitted_order(const Problem& problem, const std::string& quantity, LevelSource& levels) {
-  std::vector<LevelResult> results;
-  std::vector<LevelTiming> timing;
-  for (const int level : problem.triangulation.levels) {
-    LevelOutcome outcome = levels.level(problem, level);
-    results.push_back(std::move(outcome.result));
-    timing.push_back(outcome.timing);
-  }
-  constexpr double unknown = std::numeric_limits<double>::infinity();
-  for (const OrderFit& fit : collect(problem, std::move(results), std::move(timing)).orders)
-    if (fit.quantity == quantity && fit.order)
-      return {.value = *fit.order, .radius = fit.halfwidth.value_or(unknown)};
-  return {.value = 0, .radius = unknown};
+LevelErrors errors_of(const Problem& problem, const OrderClaim& claim, const Bench& bench) {
+  const std::vector<int>& levels = problem.triangulation.levels;
+  return claim.quantity == "node_error" ? node_errors(bench, problem, levels)
+                                        : discretisation_errors(bench, problem, levels);
 }
 
 Finding check_order(const Paper& paper, const OrderClaim& claim, const Bench& bench) {
-  const Bound bound{.order = claim.order, .slack = claim.slack.at(bench.budget), .why = claim.why};
+  const OrderModel model{.logarithm = claim.logarithm};
   const auto observed = [&](const std::string& file) {
-    return fitted_order(parse_problem(paper.file(file), paper.source(file)), claim.quantity, bench.levels);
+    const Problem problem = parse_problem(paper.file(file), paper.source(file));
+    return observed_order(errors_of(problem, claim, bench), model);
   };
   Finding finding = Finding::of_data();
-  const Approximation order = observed(claim.problem);
-  finding.require("order of " + claim.quantity + ", " + claim.problem, bound, order);
-  finding.control("order of " + claim.quantity + ", " + claim.control, bound, observed(claim.control));
-  finding.show(order);
+  const Order order = Order::at_least(claim.order);
+  const ObservedOrder found = observed(claim.problem);
+  finding.require("order of " + claim.quantity + ", " + claim.problem, order, found);
+  finding.control("order of " + claim.quantity + ", " + claim.control, order, observed(claim.control));
+  finding.show(found.exponent);
   return finding;
+}
+
+// An order takes three levels, each of which halves the one before; with |log h| three with h < 1.
+void check_levels(const Paper& paper, const OrderClaim& claim, const std::string& file) {
+  const Problem problem = parse_problem(paper.file(file), paper.source(file));
+  const std::vector<int>& levels = problem.triangulation.levels;
+  bool consecutive = true;
+  for (std::size_t k = 1; k < levels.size(); ++k) consecutive = consecutive && levels[k] == levels[k - 1] + 1;
+  const std::size_t coarse = claim.logarithm && !levels.empty() && levels.front() == 0 ? 1 : 0;
+  if (consecutive && levels.size() >= 3 + coarse) return;
+  throw InputError({.source = paper.source(file),
+                    .pointer = "/triangulation/levels",
+                    .problem = "are too few, or leave one out, for an order",
+                    .allowed = claim.logarithm ? "three consecutive levels at least, beside level 0"
+                                               : "three consecutive levels at least"});
 }
 
 // What is wrong with any of a paper's files is said before any work.
@@ -60,7 +68,7 @@ void check_files(const Selected& selected) {
     check_erratum(paper, claim);
     if (claim.order)
       for (const std::string& file : {claim.order->problem, claim.order->control})
-        static_cast<void>(parse_problem(paper.file(file), paper.source(file)));
+        check_levels(paper, *claim.order, file);
     if (claim.enclosure) check_names(paper, claim);
   }
 }

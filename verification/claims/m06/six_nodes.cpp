@@ -16,9 +16,9 @@
 //              of two_piece(2), u = exp(2x + y), over its own piece: order 5, and neither 4 nor 6; over the
 //              other piece: 6; by conical rules, collapsed at the node on its own element, the radius being
 //              the distance of two orders of the rule. On the sphere, where G = 1/4, u = x^4: 6. Four levels
-//              each, three over the other piece at quick; more beyond quick over its own piece. And the error
-//              of the collocation solution at all nodes of two_piece(2) and of the ellipsoid (1, 5/4, 3/2):
-//              order 5. With the nodes (13), alpha = 1/10, order 4 over a node's own piece and on the sphere.
+//              each, three over the other piece at quick; five beyond quick over its own piece. And the error
+//              of the collocation solution at all nodes of two_piece(2): order 5. With the nodes (13), alpha =
+//              1/10, order 4 over a node's own piece and on the sphere.
 // Not checked  that the constant of h^5 is not zero for other surfaces: it is zero where the piece is plane
 // or a sphere.
 
@@ -34,8 +34,9 @@
 #include "radcert/triangulation/triangulation.h"
 #include "verification/claims/m06/interpolation_remainder.h"
 #include "verification/claims/m06/kernel_error.h"
-#include "verification/claims/m06/rates.h"
-#include "verification/framework/check.h"
+#include "verification/claims/m06/named_problems.h"
+#include "verification/claims/m06/sphere_errors.h"
+#include "verification/framework/level_errors.h"
 
 namespace radcert::verification::m06 {
 namespace {
@@ -47,20 +48,13 @@ TriangleBasis<double> six_nodes() {
   return make_triangle_basis<double>(lagrange_functions(symmetric_nodes(2).nodes()).value());
 }
 
-TriangleBasis<double> inset_nodes_of_degree_2() { return {InsetBasis<double>(2, 0.1)}; }
-
 double on_two_pieces(const Vector<double>& q) { return std::exp(2 * q.x + q.y); }
-
-// The triangulation of the sphere has the symmetry of the octahedron: of the harmonics of degree 1 to 3
-// nothing is left over at any level.
-double on_the_sphere(const Vector<double>& q) { return q.x * q.x * q.x * q.x; }
 
 // The largest such integral over the nodes of the element of the roof that lies below and to the right of
 // (1/4, 1/4).
-Errors errors_on_two_pieces(const TriangleBasis<double>& basis, std::size_t chart, int first, int last) {
+LevelErrors errors_on_two_pieces(const TriangleBasis<double>& basis, std::size_t chart, int last) {
   const Surface surface = two_piece(2);
-  Errors errors;
-  for (int level = first; level <= last; ++level) {
+  return over_levels(levels_from(2, last), [&](int level) {
     const std::vector<ParameterTriangle> elements = triangulate(surface, level).triangles;
     const double side = std::pow(0.5, level);
     const auto own = std::find_if(elements.begin(), elements.end(), [&](const ParameterTriangle& t) {
@@ -69,55 +63,8 @@ Errors errors_on_two_pieces(const TriangleBasis<double>& basis, std::size_t char
              std::abs(middle.t - (0.25 + side / 3)) < side / 8;
     });
     expects(own != elements.end(), "level >= 2, so that (1/4, 1/4) is a vertex", named("level", level));
-    errors.mesh_sizes.push_back(side);
-    errors.errors.push_back(kernel_error_at_nodes(surface, elements, *own, basis, on_two_pieces, chart));
-  }
-  return errors;
-}
-
-// The mean of u - P_n u over the sphere, which is K(I - P_n)u for rho = 1 at every point.
-Errors errors_on_the_sphere(const TriangleBasis<double>& basis, int first, int last) {
-  const Surface surface = sphere();
-  constexpr int order = 8;
-  const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
-  Errors errors;
-  for (int level = first; level <= last; ++level) {
-    const std::vector<ParameterTriangle> elements = triangulate(surface, level).triangles;
-    // Element by element: the sums are of the size of an element's error, and so is their rounding.
-    const double sum = parallel_reduce_ordered(
-        elements.size(), 64, 0.0,
-        [&](std::size_t begin, std::size_t end) {
-          double part = 0;
-          for (std::size_t k = begin; k < end; ++k) {
-            const InterpolationRemainder rest(surface, elements[k], basis, on_the_sphere);
-            for (std::size_t p = 0; p < rule.points.size(); ++p) {
-              const ParameterPoint<double> at = elements[k].at(rule.points[p].x);
-              const Frame<double> frame = surface.charts[elements[k].chart].in<double>().frame(at);
-              part += rule.weights[p] * rest(at, frame.point) * area_element(frame);
-            }
-          }
-          return part;
-        },
-        [](double a, double b) { return a + b; });
-    const double side = std::pow(0.5, level);
-    // Rounding of u <= 1, some units in the last place at each point.
-    errors.mesh_sizes.push_back(side);
-    errors.errors.push_back({.value = std::abs(sum) * side * side / (4 * std::numbers::pi), .radius = 1e-15});
-  }
-  return errors;
-}
-
-void require_order(Finding& finding, const std::string& what, const Errors& errors, double order,
-                   double slack) {
-  const Equals equals{.value = order,
-                      .slack = slack,
-                      .why = "half an order tells it from its neighbours; the levels are finite"};
-  for (std::size_t k = 1; k < errors.errors.size(); ++k)
-    finding.require(what + ", step " + std::to_string(k), equals, order_at(errors, k));
-}
-
-void control_order(Finding& finding, const std::string& what, const Errors& errors, double order) {
-  finding.control(what, Equals{.value = order, .slack = 0.45, .why = "half an order"}, last_order(errors));
+    return kernel_error_at_nodes(surface, elements, *own, basis, on_two_pieces, chart);
+  });
 }
 
 }  // namespace
@@ -137,34 +84,36 @@ Finding six_nodes_precision(const Bench&) {
 }
 
 Finding six_nodes_on_a_curved_piece(const Bench& bench) {
-  const int last = bench.budget == Budget::quick ? 5 : 6;
+  const bool quick = bench.budget == Budget::quick;
+  const Order five = Order::is(5);
   Finding finding;
-  const Errors own = errors_on_two_pieces(six_nodes(), upper, 2, last);
-  require_order(finding, "order at the nodes over their own piece", own, 5, 0.45);
-  control_order(finding, "order at the nodes (13), alpha = 1/10, over their own piece",
-                errors_on_two_pieces(inset_nodes_of_degree_2(), upper, 2, 4), 5);
-  for (const char* name : {"two_piece_symmetric", "ellipsoid_symmetric"}) {
-    const Problem problem = problem_named(name);
-    finding.require("order of max |u - u_n| over all nodes, " + std::string(name),
-                    Equals{.value = 5, .slack = 0.4, .why = "coarse levels, less than half an order"},
-                    last_order(node_errors(problem, levels_for(problem, bench.budget), bench)));
-  }
-  finding.show(last_order(own));
+  const ObservedOrder own = observed_order(errors_on_two_pieces(six_nodes(), upper, quick ? 5 : 6));
+  finding.require("order at the nodes over their own piece", five, own);
+  finding.control("order at the nodes (13), alpha = 1/10, over their own piece", five,
+                  observed_order(errors_on_two_pieces(nodes_at_a_tenth(2), upper, quick ? 5 : 6)));
+  const Problem all = problem_named("two_piece_symmetric");
+  finding.require("order of max |u - u_n| over all nodes, two_piece_symmetric", five,
+                  observed_order(node_errors(bench, all, levels_of_an_order(all, bench.budget))));
+  finding.show(own.exponent);
   return finding;
 }
 
 Finding six_nodes_without_the_obstacle(const Bench& bench) {
-  const bool quick = bench.budget == Budget::quick;
+  const Order six = Order::is(6);
   Finding finding;
-  const Errors other = errors_on_two_pieces(six_nodes(), lower, 2, quick ? 4 : 5);
-  require_order(finding, "order at the nodes over the other piece", other, 6, 0.4);
-  control_order(finding, "order at the nodes (13), alpha = 1/10, over the other piece",
-                errors_on_two_pieces(inset_nodes_of_degree_2(), lower, 2, 4), 6);
-  const Errors on_sphere = errors_on_the_sphere(six_nodes(), 3, 6);
-  require_order(finding, "order on the sphere", on_sphere, 6, 0.4);
-  control_order(finding, "order on the sphere, nodes (13), alpha = 1/10",
-                errors_on_the_sphere(inset_nodes_of_degree_2(), 3, 5), 6);
-  finding.show(last_order(on_sphere));
+  finding.require(
+      "order at the nodes over the other piece", six,
+      observed_order(errors_on_two_pieces(six_nodes(), lower, bench.budget == Budget::quick ? 4 : 5)));
+  finding.control("order at the nodes (13), alpha = 1/10, over the other piece", six,
+                  observed_order(errors_on_two_pieces(nodes_at_a_tenth(2), lower, 4)));
+  const auto on_the_sphere = [](const TriangleBasis<double>& basis, int last) {
+    return observed_order(errors_on_the_sphere(basis, fourth_power, levels_from(3, last)).nodes);
+  };
+  const ObservedOrder order = on_the_sphere(six_nodes(), 6);
+  finding.require("order on the sphere", six, order);
+  finding.control("order on the sphere, nodes (13), alpha = 1/10", six,
+                  on_the_sphere(nodes_at_a_tenth(2), 5));
+  finding.show(order.exponent);
   return finding;
 }
 

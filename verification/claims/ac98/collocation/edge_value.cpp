@@ -6,7 +6,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/reference/reference_value.h"
-#include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/claims/ac98/collocation/known_problems.h"
 
 namespace radcert::verification::ac98 {
 

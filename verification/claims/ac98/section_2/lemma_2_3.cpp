@@ -29,13 +29,14 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/enclosure/interval_integral.h"
-#include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/compactness/kernel_derivative.h"
 #include "verification/claims/ac98/surfaces/corner_derivative.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
@@ -96,8 +97,14 @@ Ball difference(const Function& f, int n, const Rational& h) {
   return sum;
 }
 
-Approximation exponent(const Ball& coarse, const Ball& fine) {
-  return proved(log(abs(coarse) / abs(fine)) / log(Ball(2)));
+// The exponent of |f| as the step is halved twice.
+ObservedOrder exponent(const std::function<Ball(const Rational&)>& f, const Rational& step) {
+  LevelErrors errors;
+  for (const Rational& h : {step, step / 2, step / 4}) {
+    errors.mesh_sizes.push_back(h.to_double());
+    errors.errors.push_back(proved(abs(f(h))));
+  }
+  return observed_order(errors);
 }
 
 // 2 A(1/2, 1/2).
@@ -177,23 +184,27 @@ Finding lemma_2_3_inside(const Bench& bench) {
     for (int m = 0; m <= 2; ++m) {
       const auto ku = [p, m](const Rational& x) { return applied_on_the_roof(p, m + 1, x); };
       const std::string where = ", two_piece(" + std::to_string(p) + "), m = " + std::to_string(m);
-      const Bound smooth{.order = m + 2.0,
-                         .slack = 0.25,
-                         .why = "m + 1 continuous derivatives, the next one with a jump at most"};
+      const Order smooth = Order::at_least(m + 2);
       const int points = m + 4;
       finding.require("order of the differences of Ku where a derivative of u of order m + 1 jumps" + where,
-                      smooth, exponent(difference(ku, points, h), difference(ku, points, h / 2)));
+                      smooth,
+                      exponent([&](const Rational& step) { return difference(ku, points, step); }, h));
       const auto u = [m](const Rational& x) {
         return x <= Rational(1, 2) ? Ball(0) : Ball(power(x - Rational(1, 2), m + 1));
       };
       finding.control("the same for u itself" + where, smooth,
-                      exponent(difference(u, points, h), difference(u, points, h / 2)));
-      const Ball predicted = twice_the_coefficient(p) * Ball(factorial(m + 1));
+                      exponent([&](const Rational& step) { return difference(u, points, step); }, h));
       // The next jump, of order m + 4, enters with h.
-      const AgreesWith two_more{.value = Ball(1), .within = 0.01};
-      finding.require("jump of the derivative of Ku of order m + 3, over 2 A (m+1)!" + where, two_more,
-                      jump(ku, m + 3, h) / predicted);
-      finding.control("the same for order m + 2" + where, two_more, jump(ku, m + 2, h) / predicted);
+      const Ball predicted = twice_the_coefficient(p) * Ball(factorial(m + 1));
+      const auto beside_one = [&](int order) {
+        return exponent(
+            [&, order](const Rational& step) { return jump(ku, order, step) / predicted - Ball(1); }, h);
+      };
+      const Order tends_to_zero = Order::at_least(1);
+      finding.require(
+          "order of 1 less the jump of the derivative of Ku of order m + 3 over 2 A (m+1)!" + where,
+          tends_to_zero, beside_one(m + 3));
+      finding.control("the same for order m + 2" + where, tends_to_zero, beside_one(m + 2));
     }
   // On (20), u = eta: Ku = -(pi/2) z log z + ..., of which second differences at z = 0 are of the order h.
   const auto at_edge = [](const Rational& z) {
@@ -202,11 +213,8 @@ Finding lemma_2_3_inside(const Bench& bench) {
   const auto second = [&](const Rational& step) {
     return at_edge(2 * step) - Ball(2) * at_edge(step) + at_edge(0);
   };
-  finding.control(
-      "order of the second differences of Ku at the edge of (20), u = eta, m = 0",
-      Bound{
-          .order = 2, .slack = 0.25, .why = "m + 1 continuous derivatives, the next one with a jump at most"},
-      exponent(second(h), second(h / 2)));
+  finding.control("order of the second differences of Ku at the edge of (20), u = eta, m = 0",
+                  Order::at_least(2), exponent(second, h));
   return finding;
 }
 

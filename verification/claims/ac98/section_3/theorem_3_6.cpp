@@ -27,10 +27,10 @@
 #include "radcert/reference/operator_integral.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/triangulation/triangulation.h"
-#include "verification/claims/ac98/collocation/observed_order.h"
+#include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/framework/check.h"
+#include "verification/framework/level_errors.h"
 
 namespace radcert::verification::ac98 {
 namespace {
@@ -175,14 +175,16 @@ bool contains(const Corners& v, const ParameterPoint<double>& p) {
          cross(v[0] - v[2], p - v[2]) >= 0;
 }
 
-// |Int G (u - P_n u)| over the triangle of v_i alone, largest over the nodes of the triangles at some points.
+// |Int G (u - P_n u)| over the triangle of v_i alone, largest over the nodes of two triangles: those that have
+// their right angle at a vertex of level 2, of one shape and at one place at every level from there on.
 Approximation own_element(const Surface& surface, int level, double alpha) {
   Approximation worst{.value = 0, .radius = 0};
   for (const Element& each : symmetric_elements(surface, level)) {
     const auto holds_one = [&](const std::pair<double, double>& at) {
       return contains(each.corners, {at.first, at.second});
     };
-    constexpr std::array<std::pair<double, double>, 2> points{{{0.31, 0.42}, {0.17, 0.29}}};
+    constexpr std::array<std::pair<double, double>, 2> points{
+        {{0.25 + 1e-9, 0.25 + 1e-9}, {0.5 + 1e-9, 0.25 + 1e-9}}};
     if (each.chart != 0 || std::none_of(points.begin(), points.end(), holds_one)) continue;
     for (std::size_t j = 0; j < 3; ++j) {
       ParameterPoint<double> node{0, 0};
@@ -195,12 +197,28 @@ Approximation own_element(const Surface& surface, int level, double alpha) {
   return worst;
 }
 
-// E = exp(2 z) on the unit sphere: |M E - M_n E|, which is max |u - hat u_n| for rho = 1/2.
-Approximation error_on_the_sphere(const std::vector<OctantTriangle>& triangles, const Rational& alpha) {
-  const Ball mean =
-      SphereCollocation(triangles, alpha).mean([](const Vector<Ball>& q) { return exp(Ball(2) * q.z); });
-  return proved(abs((exp(Ball(2)) - exp(Ball(-2))) / Ball(4) - mean));
+/// E on the unit sphere, and its mean.
+struct Emission {
+  SphereCollocation::Function at;
+  Ball mean;
+};
+Emission exponential_in_z() {
+  return {.at = [](const Vector<Ball>& q) { return exp(Ball(2) * q.z); },
+          .mean = (exp(Ball(2)) - exp(Ball(-2))) / Ball(4)};
 }
+Emission product_of_squares() {
+  return {.at = [](const Vector<Ball>& q) { return power(q.x * q.y * q.z, 2); },
+          .mean = Ball(Rational(1, 105))};
+}
+
+// |M E - M_n E|, which is max |u - hat u_n| for rho = 1/2.
+Approximation error_on_the_sphere(const std::vector<OctantTriangle>& triangles, const Rational& alpha,
+                                  const Emission& emission) {
+  return proved(abs(emission.mean - SphereCollocation(triangles, alpha).mean(emission.at)));
+}
+
+// At level 2 those errors still have the other sign, or are far from their power.
+const std::vector<int> on_one_side = levels_from(3, 5);
 
 // Int G (u - P_n u)/h^4 seen from the centroid of the first octant, which is the centroid of its triangle at
 // every level, levels 1, 2, ...
@@ -221,36 +239,43 @@ std::vector<Approximation> scaled_errors_at_centroids(int last) {
 
 Finding theorem_3_6(const Bench& bench) {
   const BallPrecision precision(192);
-  const Bound three{.order = 3, .slack = 0.3, .why = "terms of higher order still show"};
+  const Order three = Order::at_least(3);
   Finding finding;
   const Rational sixth(1, 6);
   const Rational tenth(1, 10);
-  const auto on_the_sphere = [&](const Rational& alpha) {
-    return order_between(error_on_the_sphere(upright_divided_octant(4), alpha),
-                         error_on_the_sphere(upright_divided_octant(5), alpha));
+  const auto on_the_sphere = [](const Rational& alpha) {
+    return observed_order(over_levels(on_one_side, [&](int level) {
+      return error_on_the_sphere(upright_divided_octant(level), alpha, product_of_squares());
+    }));
   };
-  const Approximation sphere_order = on_the_sphere(sixth);
-  finding.require("order of max |u - hat u_n|, sphere, upright triangles divided, levels 4 and 5", three,
-                  sphere_order);
+  const ObservedOrder sphere_order = on_the_sphere(sixth);
+  finding.require(
+      "order of max |u - hat u_n|, sphere, E = x^2 y^2 z^2, upright triangles divided, levels 3 to 5", three,
+      sphere_order);
+  finding.require("that it is not 4", Order::is(3), sphere_order);
   finding.control("the same, alpha = 1/10", three, on_the_sphere(tenth));
+  finding.control("that it is not 4: symmetric triangulation, E = exp(2 z)", Order::is(3),
+                  observed_order(over_levels(on_one_side, [&](int level) {
+                    return error_on_the_sphere(symmetric_octant(level), sixth, exponential_in_z());
+                  })));
   const Surface surface = test_ellipsoid();
   const int last = bench.budget == Budget::quick ? 4 : 5;
   const auto on_the_ellipsoid = [&](double alpha) {
-    return order_between(largest_over_points(surface, upright_divided_elements(surface, last - 1), alpha),
-                         largest_over_points(surface, upright_divided_elements(surface, last), alpha));
+    return observed_order(over_levels(levels_from(2, last), [&](int level) {
+      return largest_over_points(surface, upright_divided_elements(surface, level), alpha);
+    }));
   };
   finding.require("order of max |K(I - P_n)u| over points, ellipsoid (1,3/2,2), upright triangles divided",
                   three, on_the_ellipsoid(1.0 / 6));
   finding.control("the same, alpha = 1/10", three, on_the_ellipsoid(0.1));
-  finding.show(sphere_order);
+  finding.show(sphere_order.exponent);
   return finding;
 }
 
 Finding theorem_3_7(const Bench& bench) {
   const BallPrecision precision(192);
-  const Bound four{.order = 4,
-                   .slack = 0.5,
-                   .why = "|log h| takes log2(2.43/1.73) = 0.49 of the order between h = 0.177 and 0.0884"};
+  const Order four = Order::at_least(4);
+  const OrderModel printed{.logarithm = true};
   Finding finding;
   const Rational sixth(1, 6);
   const std::string inverse_distance = "1/sqrt(x^2 + y^2 + (z-1/2)^2)";
@@ -277,62 +302,75 @@ Finding theorem_3_7(const Bench& bench) {
     if (!each.at_quick && bench.budget == Budget::quick) continue;
     const Problem problem =
         known_problem(each.surface, each.parameters, each.reflectivity, each.solution, 1, sixth);
-    const NodeErrors coarse = node_errors(bench, problem, each.last - 1);
-    const NodeErrors fine = node_errors(bench, problem, each.last);
+    const Surface surface = surface_of(problem);
+    const auto over_nodes = [&](bool at_the_border) {
+      return node_errors(bench, problem, levels_from(each.last - 2, each.last),
+                         [&](const NodeValue&, const ParameterTriangle& element) {
+                           return touches_the_border(surface, element) == at_the_border;
+                         });
+    };
     const std::string at =
         ", " + each.surface +
         (each.surface == "two_piece" ? "(" + each.parameters[0].value.to_text() + ")" : "") + ", " +
         each.solution;
-    shown = order_between(coarse.all, fine.all);
-    finding.remark("max |u(v_i) - hat u_n(v_i)|, level " + std::to_string(each.last) + at, fine.all);
-    finding.require("order of max |u(v_i) - hat u_n(v_i)|" + at, four, shown);
+    const LevelErrors errors = node_errors(bench, problem, levels_from(each.last - 2, each.last));
+    const ObservedOrder order = observed_order(errors, printed);
+    shown = order.exponent;
+    finding.remark("max |u(v_i) - hat u_n(v_i)|, level " + std::to_string(each.last) + at,
+                   errors.errors.back());
+    finding.remark("its exponent from the last level but one",
+                   exponent_between(*(errors.errors.end() - 2), errors.errors.back()));
+    finding.require("order of max |u(v_i) - hat u_n(v_i)|" + at, four, order);
     if (each.last < 4) continue;  // too few elements lie inside their charts
     finding.require("the same over the nodes at the borders of charts" + at, four,
-                    order_between(coarse.at_seams, fine.at_seams));
-    finding.require("the same over the other nodes" + at, four, order_between(coarse.inside, fine.inside));
+                    observed_order(over_nodes(true), printed));
+    finding.require("the same over the other nodes" + at, four, observed_order(over_nodes(false), printed));
   }
   const Problem tenth = known_problem("two_piece", {{"p", 2}}, "1", inverse_distance, 1, Rational(1, 10));
   finding.control("the same, alpha = 1/10, two_piece(2), " + inverse_distance, four,
-                  order_between(node_errors(bench, tenth, 3).all, node_errors(bench, tenth, 4).all));
-  std::vector<Approximation> errors;
-  for (int level = 3; level <= 5; ++level)
-    errors.push_back(error_on_the_sphere(symmetric_octant(level), sixth));
-  for (std::size_t level = 4; level <= 5; ++level)
-    finding.require("sphere, E = exp(2 z): the same in balls, level " + std::to_string(level), four,
-                    order_between(errors[level - 4], errors[level - 3]));
+                  observed_order(node_errors(bench, tenth, levels_from(2, 4)), printed));
+  const auto on_the_sphere = [&](const auto& triangulation) {
+    return observed_order(
+        over_levels(
+            on_one_side,
+            [&](int level) { return error_on_the_sphere(triangulation(level), sixth, exponential_in_z()); }),
+        printed);
+  };
+  finding.require("sphere, E = exp(2 z): the same in balls, levels 3 to 5", four,
+                  on_the_sphere(symmetric_octant));
   const std::vector<Approximation> scaled = scaled_errors_at_centroids(bench.budget == Budget::quick ? 5 : 6);
   for (std::size_t i = 0; i < scaled.size(); ++i)
     finding.remark(
         "ellipsoid, Int G (u - P_n u) over h^4, P the centroid of an octant, level " + std::to_string(i + 1),
         scaled[i]);
-  finding.control("sphere, E = exp(2 z): upright triangles divided, level 5", four,
-                  order_between(error_on_the_sphere(upright_divided_octant(4), sixth),
-                                error_on_the_sphere(upright_divided_octant(5), sixth)));
+  finding.control("sphere, E = exp(2 z): upright triangles divided", four,
+                  on_the_sphere(upright_divided_octant));
   finding.show(shown);
   return finding;
 }
 
 Finding theorem_3_7_own_element(const Bench& bench) {
-  const Bound four{.order = 4, .slack = 0.3, .why = "terms of higher order still show"};
+  const Order four = Order::at_least(4);
   const int last = bench.budget == Budget::quick ? 5 : 6;
   const Surface surface = test_ellipsoid();
   Finding finding;
   Approximation shown{.value = 0, .radius = 0};
   for (const double alpha : {1.0 / 6, 0.1}) {
-    const Approximation coarse = own_element(surface, last - 1, alpha);
-    const Approximation fine = own_element(surface, last, alpha);
+    const LevelErrors errors =
+        over_levels(levels_from(2, last), [&](int level) { return own_element(surface, level, alpha); });
+    const Approximation fine = errors.errors.back();
     const std::string at = ", ellipsoid (1,3/2,2), alpha = " + std::string(alpha == 0.1 ? "1/10" : "1/6");
-    shown = order_between(coarse, fine);
-    finding.require("order of the integral over the triangle of v_i" + at, four, shown);
+    const ObservedOrder order = observed_order(errors);
+    shown = order.exponent;
+    finding.require("order of the integral over the triangle of v_i" + at, four, order);
     finding.remark(
         "largest such integral over h^4, finest level" + at,
         {.value = fine.value * std::pow(16.0, last) / 4, .radius = fine.radius * std::pow(16.0, last) / 4});
   }
-  const std::vector<Element> coarse = symmetric_elements(surface, 2);
-  const std::vector<Element> fine = symmetric_elements(surface, 3);
-  finding.control(
-      "the same over all triangles, alpha = 1/10, levels 2 and 3", four,
-      order_between(largest_over_points(surface, coarse, 0.1), largest_over_points(surface, fine, 0.1)));
+  finding.control("the same over all triangles, alpha = 1/10, levels 1 to 3", four,
+                  observed_order(over_levels(levels_from(1, 3), [&](int level) {
+                    return largest_over_points(surface, symmetric_elements(surface, level), 0.1);
+                  })));
   finding.show(shown);
   return finding;
 }

@@ -28,9 +28,9 @@
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/rational_polynomial.h"
 #include "verification/claims/ac98/collocation/edge_value.h"
-#include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/framework/check.h"
+#include "verification/framework/level_errors.h"
 
 namespace radcert::verification::ac98 {
 namespace {
@@ -83,7 +83,7 @@ Approximation order_on_the_cube(const Bench& bench, int finest) {
                           value_beside_an_edge_of_the_cube(bench.levels.level(cube, level - 1))),
         .radius = 1e-10};
   };
-  return order_between(change(finest - 1), change(finest));
+  return exponent_between(change(finest - 1), change(finest));
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ Finding equation_82(const Bench& bench) {
   const BallPrecision precision(128);
   Finding finding;
   const Rational half(1, 2);
-  const Bound two{.order = 2, .slack = 0.25, .why = "three halvings leave the next term"};
+  const Order two = Order::at_least(2);
   const AtMost vanishing{
       .value = 0.01, .slack = 0, .why = "what tends to 0 with h falls below any number, such as 1/100"};
 
@@ -114,33 +114,28 @@ Finding equation_82(const Bench& bench) {
                   proved(half_the_jump(half, tiny)));
 
   const Problem problem = constant_emission_on_two_squares(half, 1);
-  constexpr int finest = 4;
-  for (int level = finest - 1; level <= finest; ++level) {
-    const std::string at = ", levels " + std::to_string(level - 1) + " and " + std::to_string(level);
-    const EdgeError coarse = edge_error(bench.levels.level(problem, level - 1), half);
-    const EdgeError fine = edge_error(bench.levels.level(problem, level), half);
-    finding.require("order of |u - u_n| in the middle of the edge" + at, two,
-                    order_between(coarse.at_midpoint, fine.at_midpoint));
-    finding.require("order of the largest |u - u_n| at vertices on the edge" + at, two,
-                    order_between(coarse.anywhere, fine.anywhere));
-    if (level == finest) finding.show(order_between(coarse.at_midpoint, fine.at_midpoint));
-  }
+  const auto on_the_edge = [&](Approximation EdgeError::*which) {
+    return observed_order(over_levels(levels_from(1, 4), [&](int level) {
+      return edge_error(bench.levels.level(problem, level), half).*which;
+    }));
+  };
+  const ObservedOrder in_the_middle = on_the_edge(&EdgeError::at_midpoint);
+  finding.require("order of |u - u_n| in the middle of the edge, levels 1 to 4", two, in_the_middle);
+  finding.require("order of the largest |u - u_n| at vertices on the edge, levels 1 to 4", two,
+                  on_the_edge(&EdgeError::anywhere));
+  finding.show(in_the_middle.exponent);
   // With u in C^2 of each closed square (82) holds; for such a u the centroid rule has the order 1.
   const Problem smooth = linear_problem_with_solution("two_squares", {}, "1/2", "x^2 + y^2 + z^2");
-  Problem constant = smooth;
-  constant.method = Collocation{{.degree = 0, .alpha = Rational(0)}};
-  constexpr int eighth = 3;
-  const auto error = [&](const Problem& of) {
-    return as_sampled(bench.levels.level(of, eighth).result.uniform_error.value());
-  };
+  const LevelErrors of_smooth = uniform_errors(bench, smooth, levels_from(1, 3));
+  const LevelErrors of_constant = uniform_errors(bench, by_centroids(smooth), levels_from(1, 3));
   finding.instead("order of u - u_n for u = x^2 + y^2 + z^2, linear interpolation", two,
-                  observed_order(bench.levels, smooth, &LevelResult::uniform_error, eighth));
+                  observed_order(of_smooth));
   finding.control("order of u - u_n for u = x^2 + y^2 + z^2 and the centroid rule", two,
-                  observed_order(bench.levels, constant, &LevelResult::uniform_error, eighth));
+                  observed_order(of_constant));
   finding.instead("|u - u_n| for u = x^2 + y^2 + z^2, linear interpolation, h = 1/8", vanishing,
-                  error(smooth));
+                  of_smooth.errors.back());
   finding.control("|u - u_n| for u = x^2 + y^2 + z^2 and the centroid rule, h = 1/8", vanishing,
-                  error(constant));
+                  of_constant.errors.back());
   finding.remark("order of the change of u_n beside an edge of the cube, E = x^2, rho = 2/5",
                  order_on_the_cube(bench, bench.budget == Budget::quick ? 3 : 4));
   return finding;

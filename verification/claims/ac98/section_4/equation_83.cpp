@@ -27,10 +27,10 @@
 #include "radcert/enclosure/square_integral.h"
 #include "radcert/polynomial/rational_polynomial.h"
 #include "radcert/scalar/real.h"
-#include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/surfaces/exact_plane.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/framework/check.h"
+#include "verification/framework/level_errors.h"
 
 namespace radcert::verification::ac98 {
 namespace {
@@ -244,37 +244,32 @@ Ball lower_bound(const Power& u, const PlacePair& at, const Ball& beyond) {
 }  // namespace
 
 Finding equation_83(const Bench& bench) {
-  const Bound two{.order = 2, .slack = 0.2, .why = "one halving: the next power of h is left"};
-  const AtMost no_more{.value = 2.5, .slack = 0, .why = "halfway to the order 3 of (78)"};
+  const Order two = Order::is(2);
   const int level = bench.budget == Budget::quick ? 2 : 3;
   constexpr int finest_of_squares = 4;
   Finding finding;
-  const auto order_of = [&](const Problem& problem, int finest) {
-    return observed_order(bench.levels, problem, &LevelResult::discretisation_error, finest);
+  const auto order_of = [&](const Problem& problem, int first, int last) {
+    return observed_order(discretisation_errors(bench, problem, levels_from(first, last)));
   };
   const Problem squares = linear_problem_with_solution("two_squares", {}, "1/2", "x^2");
   const Problem box =
       linear_problem_with_solution("box", {{"a", 1}, {"b", 2}, {"c", 5}}, "1/2", "x^2 + y^2 + z^2");
-  const Approximation on_squares = order_of(squares, finest_of_squares);
-  const Approximation on_box = order_of(box, level);
+  const ObservedOrder on_squares = order_of(squares, 1, finest_of_squares);
   finding.require("order of |K(I - P_n)u|, (20), u = x^2", two, on_squares);
-  finding.require("order of |K(I - P_n)u|, (20), u = x^2", no_more, on_squares);
-  finding.require("order of |K(I - P_n)u|, box (1,2,5), u = x^2 + y^2 + z^2", two, on_box);
-  finding.require("order of |K(I - P_n)u|, box (1,2,5), u = x^2 + y^2 + z^2", no_more, on_box);
-  Problem constant = squares;
-  constant.method = Collocation{{.degree = 0, .alpha = Rational(0)}};
-  finding.control("order of |K(I - P_n)u|, (20), centroid rule", two, order_of(constant, 3));
+  finding.require("order of |K(I - P_n)u|, box (1,2,5), u = x^2 + y^2 + z^2", two, order_of(box, 0, level));
+  finding.control("order of |K(I - P_n)u|, (20), centroid rule", two, order_of(by_centroids(squares), 1, 3));
   const SurfaceParameter square{"p", 2};
   finding.control(
-      "order of |K(I - P_n)u|, two_piece(2), a smooth surface", no_more,
-      order_of(linear_problem_with_solution("two_piece", {square}, "1", "1/sqrt(x^2 + y^2 + (z-1/2)^2)"), 3));
+      "order of |K(I - P_n)u|, two_piece(2), a smooth surface", two,
+      order_of(linear_problem_with_solution("two_piece", {square}, "1", "1/sqrt(x^2 + y^2 + (z-1/2)^2)"), 1,
+               3));
   for (int at = 2; at <= finest_of_squares; ++at) {
     const Approximation error = bench.levels.level(squares, at).result.discretisation_error.value();
     const double per_square = std::ldexp(1.0, 2 * at);  // 1/h^2
     finding.remark("E_n/h^2, (20), u = x^2, h = 2^-" + std::to_string(at),
                    {.value = error.value * per_square, .radius = as_sampled(error).radius * per_square});
   }
-  finding.show(on_squares);
+  finding.show(on_squares.exponent);
   return finding;
 }
 

@@ -14,8 +14,8 @@
 
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/polynomial/rules/conical_rule.h"
-#include "verification/claims/ac98/collocation/level_orders.h"
-#include "verification/framework/check.h"
+#include "verification/claims/ac98/collocation/known_problems.h"
+#include "verification/framework/level_errors.h"
 
 namespace radcert::verification::ac98 {
 namespace {
@@ -53,20 +53,19 @@ int order_needed(double d, double leg = 1) {
 }  // namespace
 
 Finding section_5_centroid_rule(const Bench& bench) {
-  const Bound two{.order = 2, .slack = 0.25, .why = "log h, and h^3 beside h^2, at elements of size 1/8"};
+  const Order two = Order::at_least(2);
   Finding finding;
   const auto order_of = [&](const std::string& surface, std::vector<SurfaceParameter> parameters,
                             const std::string& rho) {
-    Problem problem = linear_problem_with_solution(surface, std::move(parameters), rho, "x^2 + y^2 + z^2");
-    problem.method = Collocation{{.degree = 0, .alpha = Rational(0)}};
-    return observed_order(bench.levels, problem, &LevelResult::node_error,
-                          bench.budget == Budget::quick ? 3 : 4);
+    const Problem problem =
+        by_centroids(linear_problem_with_solution(surface, std::move(parameters), rho, "x^2 + y^2 + z^2"));
+    return observed_order(node_errors(bench, problem, levels_from(1, bench.budget == Budget::quick ? 3 : 4)));
   };
-  const Approximation smooth = order_of("two_piece", {{"p", 2}}, "1");
+  const ObservedOrder smooth = order_of("two_piece", {{"p", 2}}, "1");
   finding.require("order of the node error, two_piece(2)", two, smooth);
   finding.require("order of the node error, two_piece(3)", two, order_of("two_piece", {{"p", 3}}, "1"));
   finding.control("order of the node error, cube", two, order_of("cube", {}, "1/2"));
-  finding.show(smooth);
+  finding.show(smooth.exponent);
   return finding;
 }
 

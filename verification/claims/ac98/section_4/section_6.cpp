@@ -16,17 +16,19 @@
 #include <string>
 
 #include "verification/claims/ac98/collocation/edge_value.h"
-#include "verification/claims/ac98/collocation/level_orders.h"
-#include "verification/framework/check.h"
+#include "verification/claims/ac98/collocation/known_problems.h"
+#include "verification/framework/level_errors.h"
 
 namespace radcert::verification::ac98 {
 namespace {
 
-Approximation order_in_the_middle(const Bench& bench, const Rational& reflectivity, const Rational& grading,
-                                  int level) {
+// At level 1 the only vertex amid a side is 1/2: grading leaves it where it is.
+LevelErrors errors_in_the_middle(const Bench& bench, const Rational& reflectivity, const Rational& grading) {
+  constexpr int finest_level = 4;
   const Problem problem = constant_emission_on_two_squares(reflectivity, grading);
-  return order_between(edge_error(bench.levels.level(problem, level - 1), reflectivity).at_midpoint,
-                       edge_error(bench.levels.level(problem, level), reflectivity).at_midpoint);
+  return over_levels(levels_from(2, finest_level), [&](int level) {
+    return edge_error(bench.levels.level(problem, level), reflectivity).at_midpoint;
+  });
 }
 
 // E on the unit sphere as a function of z, and its mean M(E). G = 1/4 there: u = E + M(E) rho/(1 - rho).
@@ -36,39 +38,37 @@ struct ZonalEmission {
   double mean;
 };
 
-Approximation order_on_the_sphere(const Bench& bench, const ZonalEmission& data, int level) {
+ObservedOrder order_on_the_sphere(const Bench& bench, const ZonalEmission& data, int last) {
   Problem problem = linear_problem("sphere", {}, "1/2");
   problem.emission = on_all_pieces(data.emission);
-  const auto error_at = [&](int of_level) {
+  return observed_order(over_levels(levels_from(0, last), [&](int level) {
     Approximation largest{.value = 0, .radius = 1e-11};
-    for (const ElementValue& element : bench.levels.level(problem, of_level).elements)
+    for (const ElementValue& element : bench.levels.level(problem, level).elements)
       for (std::size_t i = 0; i < element.corners.size(); ++i)
         largest.value = std::max(largest.value, std::abs(element.corner_values.at(i) - data.mean -
                                                          data.at(element.corners.at(i).z)));
     return largest;
-  };
-  return order_between(error_at(level - 1), error_at(level));
+  }));
 }
-
-constexpr int finest_level = 4;
 
 }  // namespace
 
 Finding section_6_ill_behaved(const Bench& bench) {
   Finding finding;
   for (const Rational& rho : {Rational(1, 2), Rational(9, 10)}) {
-    const Equals exponent{
-        .value = edge_exponent(rho),
-        .slack = 0.02,
-        .why = "the next terms of u beside the edge, r and r log r, still show at h = 1/16"};
-    const Approximation order = order_in_the_middle(bench, rho, 1, finest_level);
+    const double b = edge_exponent(rho);
+    // Told from that of the other reflectivity, and from a u that jumps or is smooth up to the edge.
+    const double half = edge_exponent(Rational(1, 2));
+    const double nine_tenths = edge_exponent(Rational(9, 10));
+    const Order exponent = rho == Rational(1, 2) ? Order::is(b, nine_tenths, 1) : Order::is(b, 0, half);
+    const ObservedOrder order = observed_order(errors_in_the_middle(bench, rho, 1));
     finding.require("order of u - u_n in the middle of the edge, rho = " + rho.to_text() + ", against b",
                     exponent, order);
-    finding.control(
-        "order of u - u_n for a smooth u, against b of rho = " + rho.to_text(), exponent,
-        observed_order(bench.levels, linear_problem_with_solution("two_squares", {}, rho.to_text(), "x^2"),
-                       &LevelResult::uniform_error, 3));
-    if (rho == Rational(1, 2)) finding.show(order);
+    finding.control("order of u - u_n for a smooth u, against b of rho = " + rho.to_text(), exponent,
+                    observed_order(uniform_errors(
+                        bench, linear_problem_with_solution("two_squares", {}, rho.to_text(), "x^2"),
+                        levels_from(1, 3))));
+    if (rho == Rational(1, 2)) finding.show(order.exponent);
   }
   return finding;
 }
@@ -78,23 +78,23 @@ Finding section_6_grading(const Bench& bench) {
   for (const Rational& rho : {Rational(1, 2), Rational(9, 10)})
     for (const int grading : {2, 3}) {
       if (bench.budget == Budget::quick && rho != Rational(1, 2)) continue;
-      const double expected = std::min(2.0, grading * edge_exponent(rho));
-      const Bound bound{.order = expected,
-                        .slack = 0.15,
-                        .why = "elements of the size h^q at the edge: the next terms fade slowly"};
+      const double b = edge_exponent(rho);
+      const LevelErrors graded = errors_in_the_middle(bench, rho, grading);
+      // What is left of it beyond the order b without grading: h^(q b) from the edge, h^2 from elsewhere.
+      const Order better = Order::at_least(std::min(2.0, grading * b), b);
       const std::string with = ", rho = " + rho.to_text();
-      finding.require("order in the middle of the edge, graded by " + std::to_string(grading) + with, bound,
-                      order_in_the_middle(bench, rho, grading, finest_level));
-      finding.control("order there without grading, against " + std::to_string(grading) + " b" + with, bound,
-                      order_in_the_middle(bench, rho, 1, finest_level));
+      finding.require("order in the middle of the edge, graded by " + std::to_string(grading) + with, better,
+                      observed_order(graded));
+      finding.control("order there without grading, against " + std::to_string(grading) + " b" + with, better,
+                      observed_order(errors_in_the_middle(bench, rho, 1)));
     }
   return finding;
 }
 
 Finding section_6_piecewise_emissivity(const Bench& bench) {
   const int level = bench.budget == Budget::quick ? 2 : 3;
-  const AtMost lost{.value = 1, .slack = 0, .why = "halfway between the order 0 at a jump and 2 of (50)"};
-  const Approximation kinked = order_on_the_sphere(bench,
+  const Order lost = Order::at_most(0, 2);
+  const ObservedOrder kinked = order_on_the_sphere(bench,
                                                    {.emission = "2 + abs(z - 1/3)/(z - 1/3)",
                                                     .at = [](double z) { return 3 * z > 1 ? 3.0 : 1.0; },
                                                     .mean = 5.0 / 3},
@@ -105,7 +105,7 @@ Finding section_6_piecewise_emissivity(const Bench& bench) {
       "order of u - u_n at vertices of elements, sphere, E = z^2", lost,
       order_on_the_sphere(bench, {.emission = "z^2", .at = [](double z) { return z * z; }, .mean = 1.0 / 3},
                           level));
-  finding.show(kinked);
+  finding.show(kinked.exponent);
   return finding;
 }
 

@@ -19,7 +19,7 @@
 
 #include "radcert/surface/catalogue.h"
 #include "verification/claims/ac98/collocation/inverse_norm.h"
-#include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/surfaces/polyhedra.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/framework/check.h"

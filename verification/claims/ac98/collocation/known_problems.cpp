@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/claims/ac98/collocation/level_orders.h"
+#include "verification/claims/ac98/collocation/known_problems.h"
 
 #include <utility>
 
-#include "radcert/core/contract.h"
 #include "radcert/expression/parse.h"
 
 namespace radcert::verification::ac98 {
@@ -24,19 +23,21 @@ Problem linear_problem(const std::string& surface, std::vector<SurfaceParameter>
 
 Problem linear_problem_with_solution(const std::string& surface, std::vector<SurfaceParameter> parameters,
                                      const std::string& reflectivity, const std::string& solution) {
+  return known_problem(surface, std::move(parameters), reflectivity, solution, 1, Rational(1, 6));
+}
+
+Problem known_problem(const std::string& surface, std::vector<SurfaceParameter> parameters,
+                      const std::string& reflectivity, const std::string& solution, int degree,
+                      const Rational& alpha) {
   Problem problem = linear_problem(surface, std::move(parameters), reflectivity);
+  problem.method = Collocation{{.degree = degree, .alpha = alpha}};
   problem.solution = on_all_pieces(solution);
   return problem;
 }
 
-Approximation observed_order(LevelSource& levels, const Problem& problem, LevelError error, int level) {
-  expects(level >= 1, "a level with one before it", named("level", level));
-  const auto of_level = [&](int at) {
-    const std::optional<Approximation> figure = levels.level(problem, at).result.*error;
-    expects(figure.has_value(), "a problem with a known solution");
-    return as_sampled(*figure);
-  };
-  return order_between(of_level(level - 1), of_level(level));
+Problem by_centroids(Problem problem) {
+  problem.method = Collocation{{.degree = 0, .alpha = Rational(0)}};
+  return problem;
 }
 
 }  // namespace radcert::verification::ac98

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "verification/claims/ac98/collocation/observed_order.h"
-#include "verification/framework/check.h"
+#include "radcert/study/study.h"
 
 namespace radcert::verification::ac98 {
 
@@ -25,17 +23,11 @@ namespace radcert::verification::ac98 {
                                                    std::vector<SurfaceParameter> parameters,
                                                    const std::string& reflectivity,
                                                    const std::string& solution);
-
-/// One of the errors of a level.
-using LevelError = std::optional<Approximation> LevelResult::*;
-
-/// The exponent of an error between two levels.
-/// Maths     log2(e_(level-1) / e_level), h being halved; the radius from those of both errors
-/// Source    the columns "Ratio" of [ac98, Tables 1-5]
-/// Requires  level >= 1, and the problem has that error
-/// Result    infinite, which settles nothing, if an error is not clearly above zero
-/// Limits    a radius that was not estimated counts as 0
-[[nodiscard]] Approximation observed_order(LevelSource& levels, const Problem& problem, LevelError error,
-                                           int level);
+/// The same for any degree and inset.
+[[nodiscard]] Problem known_problem(const std::string& surface, std::vector<SurfaceParameter> parameters,
+                                    const std::string& reflectivity, const std::string& solution, int degree,
+                                    const Rational& alpha);
+/// The same problem by the rule of the centroids.
+[[nodiscard]] Problem by_centroids(Problem problem);
 
 }  // namespace radcert::verification::ac98
