@@ -88,24 +88,24 @@ Distances distances(const Surface& surface, int level, int degree) {
   return largest;
 }
 
-// The order of one of the distances; rounding leaves about 1e-15 in each.
+// The order of one of the distances. Rounding leaves about 1e-15 in each: a level whose distance is not ten times
+// the radius for it is left out.
 class DistanceOrders {
 public:
-  DistanceOrders(const Surface& surface, int degree) : sizes_(over_levels(levels, no_error)) {
-    for (const int level : levels) distances_.push_back(distances(surface, level, degree));
+  DistanceOrders(const Surface& surface, int degree) {
+    for (const int level : levels_from(2, 5)) distances_.push_back(distances(surface, level, degree));
   }
   ObservedOrder operator()(double Distances::*which) const {
     constexpr double rounding = 1e-14;
-    LevelErrors errors{.mesh_sizes = sizes_.mesh_sizes, .errors = {}};
-    for (const Distances& each : distances_)
-      errors.errors.push_back({.value = each.*which, .radius = rounding});
-    return observed_order(errors);
+    const auto beyond = std::find_if(distances_.begin(), distances_.end(),
+                                     [&](const Distances& each) { return each.*which < 10 * rounding; });
+    auto next = distances_.begin();
+    return observed_order(
+        over_levels(levels_from(2, 1 + static_cast<int>(beyond - distances_.begin())),
+                    [&](int) { return Approximation{.value = (*next++).*which, .radius = rounding}; }));
   }
 
 private:
-  static Approximation no_error(int) { return {}; }
-  inline static const std::vector<int> levels = levels_from(2, 5);
-  LevelErrors sizes_;
   std::vector<Distances> distances_;
 };
 
