@@ -8,7 +8,7 @@
 //
 // Checked      equation_87, equation_88, equation_90: the order at the points of a lattice of every element, r
 //              = 1 to 6, on the roof of two_piece(7) and on the sphere; that it is the order printed, and no
-//              more; rejected on the roof 2 - x^(5/4). theorem_4_2: the order of the node error for r = 2 to 5
+//              more; rejected on the roof 2 - x^(5/4). theorem_4_2: the order of the node error for r = 2 to 4
 //              on the roof of degree r + 1, and r = 1 on the sphere, data on S; theorem_4_2_degree: that r = 3
 //              is one power of h behind r = 4. equation_93: the cylinder with its lids, r = 1, beyond quick,
 //              2 and exact. section_4_2: at alpha = 0 the normals of the elements of one vertex differ by
@@ -217,7 +217,7 @@ Finding equation_90(const Bench& bench) {
 
 Finding theorem_4_2(const Bench& bench) {
   Finding finding;
-  for (int degree = 2; degree <= 5; ++degree) {
+  for (int degree = 2; degree <= 4; ++degree) {
     const Order printed = Order::at_least(std::min(degree, 4));
     const OrderModel model{.logarithm = degree >= with_logarithm};
     const ObservedOrder order = order_on(bench, roof_beyond(degree), degree, model);
