@@ -44,6 +44,7 @@ READS_BACK = {
     "lib/radcert/study/problem.cpp": "constants that are allowed as input",
     "apps/radcert/commands/factors.cpp": "coordinates of the input",
     "apps/radcert/commands/surface.cpp": "coordinates of the input, and an OFF file, which is read back",
+    "verification/framework/stored_finding.cpp": "a store, which is read back",
     "verification/framework/stored_number.cpp": "a store, which is read back",
     "verification/framework/finding.cpp": "the numbers of a statement, and what is not finite",
     "verification/framework/table_check.cpp": "what is not finite",

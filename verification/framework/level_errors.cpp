@@ -65,7 +65,7 @@ LevelErrors node_errors(const Bench& bench, const Problem& problem, const std::v
     error.value = 0;
     for (const NodeValue& node : level.nodes)
       if (choice(node, elements.at(node.element)))
-        error.value = std::max(error.value, std::abs(node.u.value() - node.u_n));
+        error.value = std::max(error.value, std::abs(node.u.value() - node.u_n.value));
     return error;
   });
 }

@@ -291,8 +291,8 @@ Finding section_7_plane_integral(const Bench&) {
 }
 
 Finding section_7_plane_integral_scene(const Bench& bench) {
-  const LiesIn of_rim{.least = Rational(7, 10), .largest = Rational(13, 10)};
-  const Bound at_least{.order = 1, .slack = 0.3, .why = "as of the rim; curved parts alone like the square"};
+  const Order of_rim = Order::is(1);
+  const Order at_least = Order::at_least(1);  // curved parts alone like the square
   constexpr double coarse = 1.5;
   const Separation fine = finest_separation(bench);
   // The quotients of two sets of sites of a separation.
@@ -313,8 +313,8 @@ Finding section_7_plane_integral_scene(const Bench& bench) {
   const Quotients at_fine = quotients_at(fine.value);
   const auto order = [&](std::vector<double> Quotients::*part, double over) {
     const Approximation limit = Approximation::exact(over);
-    return order_of_excess(mean_excess(at_coarse.*part, limit), mean_excess(at_fine.*part, limit),
-                           coarse / fine.value);
+    return ObservedOrder{.exponent = order_of_excess(mean_excess(at_coarse.*part, limit),
+                                                     mean_excess(at_fine.*part, limit), coarse / fine.value)};
   };
   const std::string of = ", from separation 3/2 to " + fine.words;
   Finding finding;
@@ -402,7 +402,7 @@ Finding section_7_estimate_scene(const Bench& bench) {
                             .value);
     return mean_excess(numbers, in_plane);
   };
-  const LiesIn of_rim{.least = Rational(7, 10), .largest = Rational(13, 10)};
+  const Order of_rim = Order::is(1);
   const Equals one{.value = 1, .slack = 0.1, .why = "a tenth, as on the plane"};
   const Approximation coarse = excess(3);
   const Separation finest = finest_separation(bench);
@@ -413,9 +413,10 @@ Finding section_7_estimate_scene(const Bench& bench) {
                   scene_ratio(sites_on_scene(1), SiteDistance::normal_sensitive, scene_area,
                               [](const Vector<double>&) { return true; }));
   finding.require("order of what the scene has more, from separation 3 to " + finest.words, of_rim,
-                  order_of_excess(coarse, fine, 3 / finest.value));
-  finding.control("order of the sum itself", of_rim,
-                  order_of_excess(in_plane + coarse, in_plane + fine, 3 / finest.value));
+                  ObservedOrder{.exponent = order_of_excess(coarse, fine, 3 / finest.value)});
+  finding.control(
+      "order of the sum itself", of_rim,
+      ObservedOrder{.exponent = order_of_excess(in_plane + coarse, in_plane + fine, 3 / finest.value)});
   finding.remark("what the scene has more, separation " + finest.words, fine);
   return finding;
 }
