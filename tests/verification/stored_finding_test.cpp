@@ -68,11 +68,12 @@ Looked run_in(ResultStore& store, Budget budget, const Check& check, const std::
   const Bench bench{.budget = budget, .route = {}, .levels = levels, .store = store};
   Looked run;
   run.finding = stored_finding(
-      [&](const Bench& given) {
-        ++run.checked;
-        return check(given);
-      },
-      name, bench, levels);
+                    [&](const Bench& given) {
+                      ++run.checked;
+                      return check(given);
+                    },
+                    name, bench, levels)
+                    .finding;
   run.problems = levels.used().size();
   return run;
 }

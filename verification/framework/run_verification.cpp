@@ -6,12 +6,15 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "radcert/core/errors.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "verification/framework/check.h"
 #include "verification/framework/enclosure_check.h"
 #include "verification/framework/level_errors.h"
+#include "verification/framework/pending_findings.h"
 #include "verification/framework/stored_finding.h"
 #include "verification/framework/table_check.h"
 
@@ -107,7 +110,9 @@ ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& ben
                           .problem = "has no check of that name in the program",
                           .allowed = "check = \"table\", \"order\" or \"enclosure\", or the label of a check "
                                      "that is compiled in"});
-      finding = stored_finding(*check, paper.key + "/" + claim.label, bench, levels);
+      TimedFinding found = stored_finding(*check, paper.key + "/" + claim.label, bench, levels);
+      finding = std::move(found.finding);
+      report.seconds = found.seconds;
     }
     report.found = finding.verdict();
     report.evidence = finding.evidence();
@@ -124,8 +129,26 @@ ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& ben
     report.found = Verdict::failed;
     report.failure = error.what();
   }
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (report.seconds == 0)
+    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
+}
+
+// The checks in code that a run of a store that keeps something has to make.
+std::vector<PendingFinding> pending_of(std::span<const Selected> selected, const Bench& bench,
+                                       std::span<const PaperChecks> checks) {
+  std::vector<PendingFinding> pending;
+  if (!bench.store.status()) return pending;
+  for (const Selected& each : selected) {
+    const PaperChecks* of_paper = checks_of(checks, each.paper.key);
+    for (const Claim& claim : each.paper.claims) {
+      if (claim.check != CheckKind::function || of_paper == nullptr || !each.wants(claim.label)) continue;
+      const Check* const check = of_paper->find(claim.label);
+      const std::string statement = each.paper.key + "/" + claim.label;
+      if (check != nullptr && !is_stored(statement, bench)) pending.push_back({statement, check});
+    }
+  }
+  return pending;
 }
 
 Account account_of(const Claim& claim) {
@@ -170,13 +193,22 @@ Report run_verification(std::span<const Selected> selected, const Bench& given,
     claim.problems = levels.used();
     report.claims.push_back(std::move(claim));
   };
+  const auto tell = [&](const std::string& statement) {
+    now.statement = statement;
+    if (progress) progress(now);
+    ++now.done;
+  };
+  const std::vector<PendingFinding> pending = pending_of(selected, given, checks);
+  std::set<std::string> told;
+  find_pending(pending, given, [&](const PendingFinding& one) {
+    tell(one.statement);
+    told.insert(one.statement);
+  });
   for (const Selected& each : selected) {
     const PaperChecks* of_paper = checks_of(checks, each.paper.key);
     const auto starting = [&](const std::string& label) {
-      now.paper = each.paper.key;
-      now.label = label;
-      if (progress) progress(now);
-      ++now.done;
+      const std::string statement = each.paper.key + "/" + label;
+      if (!told.contains(statement)) tell(statement);
     };
     for (const Claim& claim : each.paper.claims) {
       if (!each.wants_part_of(claim.label)) continue;

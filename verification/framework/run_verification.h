@@ -15,8 +15,7 @@ namespace radcert::verification {
 
 /// The statement that a run is about to check.
 struct Progress {
-  std::string paper;
-  std::string label;
+  std::string statement;  ///< "ac98/lemma_2_1"
   std::size_t done = 0;
   std::size_t total = 0;  ///< statements and cells that were asked for
 };
@@ -27,7 +26,8 @@ struct Progress {
 
 /// Runs the checks of what was selected and holds each verdict against the record.
 /// Requires  the bench outlives the call
-/// Result    a report a statement, in the order of claims.toml. A check that throws gives `failed` and what
+/// Result    a report a statement, in the order of claims.toml; where the store keeps something, checks in
+///           code run beside each other before the others. A check that throws gives `failed` and what
 ///           it said, and the others run on; InputError, EnvironmentError and Interrupted leave. Everything
 ///           that was solved before stays in the store
 [[nodiscard]] Report run_verification(std::span<const Selected> selected, const Bench& bench,

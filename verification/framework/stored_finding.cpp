@@ -2,6 +2,7 @@
 #include "verification/framework/stored_finding.h"
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -86,17 +87,24 @@ JsonValue asked_json(const RecordedLevels::Asked& asked) {
   return JsonValue::object({{"problem", problem_json(asked.problem)}, {"level", asked.level}});
 }
 
-std::string record_of(const Finding& finding, const RecordedLevels& levels) {
+std::string key_of(const std::string& statement, const Bench& bench) {
+  return "verification finding\n" + std::string(source_digest()) + "\n" + statement + "\n" +
+         std::string(name(bench.budget));
+}
+
+std::string record_of(const TimedFinding& found, const RecordedLevels& levels) {
+  const Finding& finding = found.finding;
   return JsonValue::object({{"evidence", json_array(finding.evidence(), evidence_json)},
                             {"remarks", json_array(finding.remarks())},
                             {"figure", figure_json(finding.figure())},
-                            {"asked", json_array(levels.asked(), asked_json)}})
+                            {"asked", json_array(levels.asked(), asked_json)},
+                            {"seconds", found.seconds}})
       .compact();
 }
 
 // A finding and the levels that it stands on.
 struct Record {
-  Finding finding;
+  TimedFinding found;
   std::vector<RecordedLevels::Asked> asked;
 };
 
@@ -110,8 +118,9 @@ Outcome<Record> read_record(const std::string& text) {
     std::vector<std::string> remarks;
     for (const JsonReader& each : record.at("remarks", "a list").elements("a list"))
       remarks.push_back(each.string("a text"));
-    Record out{.finding = Finding::restored(std::move(evidence), std::move(remarks),
-                                            read_figure(record.at("figure", "a figure or null"))),
+    Record out{.found = {.finding = Finding::restored(std::move(evidence), std::move(remarks),
+                                                      read_figure(record.at("figure", "a figure or null"))),
+                         .seconds = record.at("seconds", "a number").number("a number")},
                .asked = {}};
     for (const JsonReader& each : record.at("asked", "a list").elements("a list"))
       out.asked.push_back(
@@ -125,21 +134,26 @@ Outcome<Record> read_record(const std::string& text) {
 
 }  // namespace
 
-Finding stored_finding(const Check& check, const std::string& statement, const Bench& bench,
-                       RecordedLevels& levels) {
-  const std::string key = "verification finding\n" + std::string(source_digest()) + "\n" + statement + "\n" +
-                          std::string(name(bench.budget));
+bool is_stored(const std::string& statement, const Bench& bench) {
+  return bench.store.get(key_of(statement, bench)).has_value();
+}
+
+TimedFinding stored_finding(const Check& check, const std::string& statement, const Bench& bench,
+                            RecordedLevels& levels) {
+  const std::string key = key_of(statement, bench);
   if (const std::optional<std::string> kept = bench.store.get(key)) {
     if (const Outcome<Record> record = read_record(*kept)) {
       for (const RecordedLevels::Asked& each : record->asked)
         static_cast<void>(levels.level(each.problem, each.level));
-      return record->finding;
+      return record->found;
     }
   }
-  Finding finding = check(bench);
-  if (finding.verdict() != Verdict::failed)
-    static_cast<void>(bench.store.put(key, record_of(finding, levels)));
-  return finding;
+  const auto start = std::chrono::steady_clock::now();
+  TimedFinding found{.finding = check(bench)};
+  found.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (found.finding.verdict() != Verdict::failed)
+    static_cast<void>(bench.store.put(key, record_of(found, levels)));
+  return found;
 }
 
 }  // namespace radcert::verification

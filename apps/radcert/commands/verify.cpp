@@ -47,7 +47,7 @@ verification::Report run(const Common& common, const VerifyOptions& options, ver
   return verification::run_verification(options.words, bench, [&](const verification::Progress& now) {
     const double fraction =
         now.total == 0 ? 0 : static_cast<double>(now.done) / static_cast<double>(now.total);
-    progress.at(fraction, now.paper + "/" + now.label);
+    progress.at(fraction, now.statement);
   });
 }
 
