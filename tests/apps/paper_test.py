@@ -76,8 +76,9 @@ class Paper(ProgramTest):
 
     def verify(self):
         os.makedirs(self.path("own"))
-        self.write("own/two_piece.json", small())
-        self.write("own/constant.json", small(basis={"family": "inset", "degree": 0}))
+        levels = {"levels": [1, 2, 3]}
+        self.write("own/two_piece.json", small(triangulation=levels))
+        self.write("own/constant.json", small(triangulation=levels, basis={"family": "inset", "degree": 0}))
         self.write("own/claims.toml", CLAIMS)
         self.expect(0, "verify", "./own", "--out", "out")
 

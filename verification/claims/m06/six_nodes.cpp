@@ -27,6 +27,7 @@
 #include <numbers>
 
 #include "radcert/core/parallel.h"
+#include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
 #include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
@@ -80,6 +81,9 @@ Finding six_nodes_precision(const Bench&) {
   const auto inset = lagrange_functions(inset_nodes(2, Rational(1, 10))).value();
   finding.control("degree of precision on the parallelogram, nodes (13) at alpha = 1/10", IsExactly{5},
                   degree_of_precision(interpolatory_rule(inset), Region::parallelogram).degree);
+  // A constant condition has no zero: no nodes (13) have more than 3.
+  finding.require("degree of the condition for precision 4 over a parallelogram, nodes (13), r = 2",
+                  IsExactly{0}, InsetFamily(2).condition(Region::parallelogram, 4).degree());
   return finding;
 }
 

@@ -77,11 +77,15 @@ Ball apart(const Vector<Ball>& a, const Vector<Ball>& b) {
   return abs(a.x - b.x) + abs(a.y - b.y) + abs(a.z - b.z);
 }
 
-// The largest distance of the middles, and of the first quarters, of sides of two charts with common ends; -1
-// if there is no such pair.
-Ball furthest_apart(const Surface& surface) {
+// Sides of two charts with common ends.
+struct Seams {
+  Ball furthest{-1};  ///< the largest distance of their middles and of their first quarters
+  long pairs = 0;
+};
+
+Seams seams_of(const Surface& surface) {
   const std::vector<Side> sides = sides_of(surface);
-  Ball largest(-1);
+  Seams seams;
   for (const Side& a : sides)
     for (const Side& b : sides) {
       if (a.chart >= b.chart) continue;
@@ -90,9 +94,10 @@ Ball furthest_apart(const Surface& surface) {
       if (!along && !against) continue;
       // Where b runs the other way, its last quarter is the first one of a.
       const Vector<Ball>& quarter = b.points[along ? 3 : 4];
-      largest = max(largest, max(apart(a.points[2], b.points[2]), apart(a.points[3], quarter)));
+      seams.furthest = max(seams.furthest, max(apart(a.points[2], b.points[2]), apart(a.points[3], quarter)));
+      ++seams.pairs;
     }
-  return largest;
+  return seams;
 }
 
 }  // namespace
@@ -104,12 +109,28 @@ Finding equation_36_continuous_alpha_0(const Bench&) {
                   IsExactly{0}, values_on_opposite_sides(0));
   finding.control("the same, alpha = 1/6", IsExactly{0}, values_on_opposite_sides(Rational(1, 6)));
   const AgreesWith together{.value = Ball(0), .within = 1e-40};
-  for (const auto& [name, surface] : {std::pair<std::string, Surface>{"sphere", sphere()},
-                                      {"ellipsoid (1,2,5)", ellipsoid(1, 2, 5)},
-                                      {"cube", cube()},
-                                      {"two_squares", two_squares()}})
+  // Each of the twelve edges, of the one edge, is two sides at level 1, with common ends only where both charts
+  // halve it at one point.
+  struct Case {
+    std::string name;
+    Surface surface;
+    long pairs;
+  };
+  for (const auto& [name, surface, pairs] : {Case{"sphere", sphere(), 24},
+                                             {"ellipsoid (1,2,5)", ellipsoid(1, 2, 5), 24},
+                                             {"cube", cube(), 24},
+                                             {"two_squares", two_squares(), 2}}) {
+    const Seams seams = seams_of(surface);
+    finding.require("pairs of sides of two charts with common ends, " + name, IsExactly{pairs},
+                    Rational(seams.pairs));
     finding.require("largest distance of a middle or quarter of a side from two charts, " + name, together,
-                    furthest_apart(surface));
+                    seams.furthest);
+  }
+  Surface open = cube();
+  open.charts.pop_back();
+  open.diagonals.pop_back();
+  finding.control("pairs of sides of two charts with common ends, the cube without a wall", IsExactly{24},
+                  Rational(seams_of(open).pairs));
   // The first chart's parameter is t, the second's t^2 at the same point: at t = 1/4 the interpolants of g =
   // t.
   const Ball quarter(Rational(1, 4));

@@ -104,6 +104,15 @@ Finding equation_41(const Bench&) {
   require_inverse(finding, "(I - P K) with I + B X R K", one - p() * k(), inverse_of_41());
   require_identity(finding, "(I - P K)^-1 P E - u_n", inverse_of_41() * p() * s.emission, s.u_n);
   reject_identity(finding, "(I - P K) u_n - E", (one - p() * k()) * s.u_n, s.emission);
+  // Without an inverse: (I - P K) B v - P E = B [(I - R K B) v - R E], B v = 0 only for v = R B v = 0, and a
+  // solution of (41) is B v with v = R (E + K u).
+  const Operator of_40 = one - r() * k() * b();
+  finding.require("words of (I - P K) B - B (I - R K B)", IsExactly{0},
+                  arbitrary_values().differing_words((one - p() * k()) * b(), b() * of_40));
+  finding.require("words of R (I - P K) B - (I - R K B)", IsExactly{0},
+                  arbitrary_values().differing_words(r() * (one - p() * k()) * b(), of_40));
+  finding.control("words of the same where the function of the values has others at the nodes", IsExactly{0},
+                  OperatorRelations(Rules{}).differing_words(r() * (one - p() * k()) * b(), of_40));
   // The other way: Y, the inverse of I - P K, makes one of the matrix of (40).
   const Operator y("Y");
   const OperatorRelations solvable(

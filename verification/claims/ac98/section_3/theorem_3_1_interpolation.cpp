@@ -67,7 +67,8 @@ Rational over_the_bound(const Rational& a, const Rational& b, const Rational& c,
     for (long j = 0; i + j <= parts; ++j)
       largest = std::max(largest, abs(error({h * Rational(i, parts), h * Rational(j, parts)})));
   const Rational norm = (1 + alpha) / (1 - 3 * alpha);
-  return largest - (1 + norm) * Rational(2, 9) * 2 * h * h * 2 * (abs(a) + abs(b) + abs(c));
+  const Rational beyond = largest / ((1 + norm) * Rational(4, 9) * h * h) - abs(a + c);
+  return beyond.sign() <= 0 ? beyond : beyond * beyond - ((a - c) * (a - c) + b * b);
 }
 
 Rational quadratics_over_the_bound(const Rational& alpha, bool degree_0) {

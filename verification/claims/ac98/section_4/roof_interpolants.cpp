@@ -108,18 +108,19 @@ Rational unlike_one_variable(int r, bool of_one_coordinate) {
   long count = 0;
   for (int j = 0; j <= largest_power; ++j) {
     const RationalPolynomial one_variable = monomial(j) - left_over(j, r);
-    for (const Barycentric<Rational>& x :
-         {Barycentric<Rational>{{Rational(1, 7), Rational(2, 7), Rational(4, 7)}},
-          Barycentric<Rational>{{Rational(3, 5), Rational(1, 5), Rational(1, 5)}},
-          Barycentric<Rational>{{Rational(1, 9), Rational(8, 9), 0}}}) {
-      Rational sum = 0;
-      for (std::size_t node = 0; node < family.size(); ++node) {
-        const auto q = family.node(node);
-        const Rational at = of_one_coordinate ? q[0](0) : q[0](0) * q[1](0);
-        sum += power(at, j) * family.value(node, x)(0);
+    // Both sides are polynomials of degree r: their values at a lattice of degree r decide.
+    for (int a = 0; a <= r; ++a)
+      for (int b = 0; a + b <= r; ++b) {
+        const Barycentric<Rational> x{
+            {Rational(a + 1, r + 3), Rational(b + 1, r + 3), Rational(r + 1 - a - b, r + 3)}};
+        Rational sum = 0;
+        for (std::size_t node = 0; node < family.size(); ++node) {
+          const auto q = family.node(node);
+          const Rational at = of_one_coordinate ? q[0](0) : q[0](0) * q[1](0);
+          sum += power(at, j) * family.value(node, x)(0);
+        }
+        if (sum != one_variable(of_one_coordinate ? x.x[0] : x.x[0] * x.x[1])) ++count;
       }
-      if (sum != one_variable(of_one_coordinate ? x.x[0] : x.x[0] * x.x[1])) ++count;
-    }
   }
   return {count};
 }

@@ -12,7 +12,7 @@ using Four = std::array<Rational, 4>;
 
 // Pairs of points of the unit sphere where G, with the normal at Q turned by `sign`, is not 1/4.
 Rational pairs_with_another_kernel(const Rational& sign) {
-  constexpr long values = 5;
+  constexpr long values = 9;  // degree 8 in each parameter
   return differing_on_grid<4>(
       values,
       [&](const Four& x) {

@@ -117,6 +117,16 @@ Rational terms_of_inequality(int sign) {
   return ((1 - p) - (1 - m) * (1 - p) - m * (1 - m) - sign * m * (m - p)).terms();
 }
 
+// (1 - p) (E + rho M(E)/(1 - p) - u) for E = u - rho M(u), M(E) = M(u) (1 - p): there is no other u.
+Rational terms_of_uniqueness(int sign) {
+  const ManyVariables u = ManyVariables::variable(0);
+  const ManyVariables rho = ManyVariables::variable(1);
+  const ManyVariables m = ManyVariables::variable(2);
+  const ManyVariables p = ManyVariables::variable(3);
+  const ManyVariables factor = 1 + sign * p;
+  return (factor * (u - rho * m) + rho * (m - p * m) - factor * u).terms();
+}
+
 }  // namespace
 
 Finding lemma_1_a(const Bench& bench) {
@@ -147,6 +157,9 @@ Finding theorem_3_a(const Bench& bench) {
   Finding finding = ac98::theorem_2_4_a(bench);
   finding.require("terms of u - K u - E on the unit sphere, any E and rho", none, terms_of_solution(-1));
   finding.control("the same for E + rho M(E)/(1 + M(rho))", none, terms_of_solution(1));
+  finding.require("terms of E + rho M(E)/(1 - M(rho)) - u for E = u - K u, any u", none,
+                  terms_of_uniqueness(-1));
+  finding.control("the same with 1 + M(rho)", none, terms_of_uniqueness(1));
   finding.require("terms of 1/(1 - m) - 1 - m/(1 - p) less m (m - p)/((1 - m)(1 - p))", none,
                   terms_of_inequality(1));
   finding.control("the same less m (p - m)/((1 - m)(1 - p))", none, terms_of_inequality(-1));

@@ -10,6 +10,6 @@ namespace radcert::verification::m06 {
 
 Finding lemma_2(const Bench&) { return ac98::mixed_derivative_at_a_corner(); }
 
-Finding theorem_3_b(const Bench&) { return ac98::mixed_derivative_at_a_corner(); }
+Finding theorem_3_b(const Bench&) { return ac98::mixed_derivative_of_the_solution_at_a_corner(); }
 
 }  // namespace radcert::verification::m06

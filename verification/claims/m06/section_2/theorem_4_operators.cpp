@@ -39,6 +39,16 @@ Rational terms_of_inverse(int sign) {
   return (g - r * mean - factor * f).terms();
 }
 
+// (1 - q)(Y (f - R e) - f) for Y g = g + R M(g)/(1 - q), M(f - R e) = e - q e; or with 1 + q.
+Rational terms_of_left_inverse(int sign) {
+  const ManyVariables f = ManyVariables::variable(0);
+  const ManyVariables r = ManyVariables::variable(1);
+  const ManyVariables e = ManyVariables::variable(2);
+  const ManyVariables q = ManyVariables::variable(3);
+  const ManyVariables factor = 1 + sign * q;
+  return (factor * (f - r * e) + r * (e - q * e) - factor * f).terms();
+}
+
 // (1 - q) [1 + R/(1 - q)] - 1: zero for R = q.
 Rational terms_of_norm(bool constant) {
   const ManyVariables q = ManyVariables::variable(0);
@@ -80,6 +90,8 @@ Finding theorem_4_inverses(const Bench&) {
   Finding finding;
   finding.require("terms of (I - P_n K)(f + R M(f)/(1 - q)) - f, unit sphere", none, terms_of_inverse(-1));
   finding.control("the same for f + R M(f)/(1 + q)", none, terms_of_inverse(1));
+  finding.require("terms of Y (I - P_n K) f - f, Y g = g + R M(g)/(1 - q)", none, terms_of_left_inverse(-1));
+  finding.control("the same for Y g = g + R M(g)/(1 + q)", none, terms_of_left_inverse(1));
   finding.require("terms of (1 - rho)(1 + rho/(1 - rho)) - 1", none, terms_of_norm(true));
   finding.control("terms of (1 - q)(1 + R/(1 - q)) - 1, R other than q", none, terms_of_norm(false));
   return finding;

@@ -79,6 +79,10 @@ Finding alpha_0_for_r_1_and_3(const Bench&) {
     finding.require("steps of the certificate that fail" + of, IsExactly{0}, fails(answer));
     finding.require("minus the number of insets that gain a degree" + of, at_least_one,
                     minus_the_number(answer));
+    finding.require("insets that gain a degree" + of, IsExactly{1},
+                    Rational(static_cast<long>(answer.insets.size())));
+    finding.require("defects that are not those of the rule at some alpha" + of, IsExactly{0},
+                    defects_off(answer, 0));
     finding.control("minus the number of insets that are exact of degree r + 2" + of, at_least_one,
                     minus_the_number_exact_of(r + 2, r));
     finding.require("degree of precision there" + of, IsExactly{r + 1},

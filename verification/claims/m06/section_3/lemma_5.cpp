@@ -188,13 +188,15 @@ void control_zero(Finding& finding, const InterpolationError& error, Over region
 }
 
 // "Not all zero": minus the number of what is left is at most -1.
-void require_not_zero(Finding& finding, const InterpolationError& error, Over region, int of_g,
+void require_not_zero(Finding& finding, const InterpolationError& error, Over region, int of_phi, int of_g,
                       const RationalPolynomial& modulus, const std::string& of) {
-  finding.require("minus the coefficients left of B, Phi = 1, g of degree " + std::to_string(of_g) + of,
-                  AtMost{.value = -1, .slack = 0, .why = ""},
-                  Approximation{.value = 0 - error.coefficients_left(region, 0, of_g, modulus).to_double(),
-                                .radius = 0,
-                                .guaranteed = true});
+  finding.require(
+      "minus the coefficients left of B, Phi of degree " + std::to_string(of_phi) + ", g of degree " +
+          std::to_string(of_g) + of,
+      AtMost{.value = -1, .slack = 0, .why = ""},
+      Approximation{.value = 0 - error.coefficients_left(region, of_phi, of_g, modulus).to_double(),
+                    .radius = 0,
+                    .guaranteed = true});
 }
 
 }  // namespace
@@ -208,6 +210,7 @@ Finding lemma_5(const Bench&) {
     require_zero(finding, error, Over::square, 0, r + 1, here, with(r, "alpha_0"));
     require_zero(finding, error, Over::square, 0, r + 2, here, with(r, "alpha_0"));
     require_zero(finding, error, Over::square, 1, r + 1, here, with(r, "alpha_0"));
+    require_not_zero(finding, error, Over::square, 1, r + 2, here, with(r, "alpha_0"));
     control_zero(finding, error, Over::square, 0, r + 1, polynomial_of(Rational(1, 10)),
                  with(r, "alpha = 1/10"));
     control_zero(finding, error, Over::kite, 0, r + 2, here, with(r, "alpha_0, a kite"));
@@ -225,7 +228,7 @@ Finding lemma_6(const Bench&) {
     require_zero(finding, error, Over::triangle, 0, r + 1, here, with(r, "alpha_0"));
     control_zero(finding, error, Over::triangle, 0, r + 1, polynomial_of(Rational(1, 10)),
                  with(r, "alpha = 1/10"));
-    require_not_zero(finding, error, Over::triangle, r + 2, here, with(r, "alpha_0"));
+    require_not_zero(finding, error, Over::triangle, 0, r + 2, here, with(r, "alpha_0"));
     require_inequality(finding, r, alpha_0(r), Over::triangle, 1, Ball(Rational(1, 10)), Over::triangle);
   }
   return finding;
@@ -241,7 +244,7 @@ Finding lemma_8(const Bench& bench) {
     // The centroid is exact of degree 1 on any triangle.
     if (r > 0)
       control_zero(finding, error, Over::kite, 0, r + 1, every_alpha, with(r, "every alpha, a kite"));
-    require_not_zero(finding, error, Over::square, r + 2, every_alpha, with(r, "every alpha"));
+    require_not_zero(finding, error, Over::square, 0, r + 2, every_alpha, with(r, "every alpha"));
   }
   const Ball tenth(Rational(1, 10));
   require_inequality(finding, 2, tenth, Over::square, 1, tenth, Over::kite);

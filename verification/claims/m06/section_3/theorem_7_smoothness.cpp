@@ -108,6 +108,8 @@ Finding theorem_7_smoothness(const Bench&) {
     finding.require("2^-ip |m_i|, i >= 1, summed, less |m_0|, p = r + 2" + of,
                     AtMost{.value = 0, .slack = 0, .why = "|E_L| is at least c h^p/L^2 for all L"},
                     ac98::proved(-margin(rule, r + 2)));
+    finding.control("2^-ip |m_i|, i >= 1, summed, less |m_0|, p = 0" + of,
+                    AtMost{.value = 0, .slack = 0, .why = ""}, ac98::proved(-margin(rule, 0)));
     for (int level = 1; level <= 6; ++level) {
       const std::string at = of + ", h = 2^-" + std::to_string(level);
       const AgreesWith formula{.value = left_over(rule, r + 2, level), .within = 1e-20};

@@ -8,7 +8,7 @@
 //              polynomials of degree 3 that agree at 5 points are; at r = 1 it vanishes, and so does its
 //              derivative from the left, by differences that are exact at degree 3; at 0 the derivative does:
 //              one continuous derivative, as a function of the point too. Rejected: 1 - r. "approximation of
-//              G": |K - G| at r = 0, 1/16, ..., 5, largest at r = 1, where K = 0; what holds: K(r/s) with s =
+//              G": |K - G| at r = 0, 1/16, ..., 5, largest at r = 7/8; what holds: K(r/s) with s =
 //              1261/500, near the best scale, enclosed for all r. (14): whether the three have a value at 0;
 //              a number or, as section VI has it, +infinity as well; rejected: r^2 log r as it stands.
 //              Section V: a raw element "is zero (or nearly so)" beyond its radius: K on [1 + 2^-20, 1000]
