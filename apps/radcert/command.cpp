@@ -131,6 +131,7 @@ void Subcommand::flag(const std::string& name, bool& value, const std::string& h
 void Subcommand::fresh_flag(Common& common) {
   flag("--fresh", common.fresh, "Compute anew what earlier runs have kept");
 }
+
 void Subcommand::footer(const std::string& text) { app_->footer(text); }
 void Subcommand::runs(Action action) {
   app_->callback([chosen = action_, action = std::move(action)] { *chosen = action; });

@@ -12,7 +12,7 @@
 #include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
-#include "verification/framework/embedded.h"
+#include "verification/framework/reading/embedded.h"
 
 namespace radcert::app {
 

@@ -30,5 +30,5 @@ function(radcert_report_page target folder)
     file(WRITE "${page}" "")
   endif()
   radcert_embed(${target} "${pages}" FUNCTION radcert::verification::embedded_page
-    HEADER "verification/framework/embedded.h" FILES "${page}")
+    HEADER "verification/framework/reading/embedded.h" FILES "${page}")
 endfunction()

@@ -5,6 +5,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -65,6 +66,26 @@ TEST(Digest, TellsTextsApartThatA64BitHashDoesNot) {
     ASSERT_EQ(fnv1a(low + tail), fnv1a(high + tail));
     EXPECT_NE(digest_of(low + tail), digest_of(high + tail));
   }
+}
+
+TEST(Digest, OfFilesSeesEveryPathEveryByteAndTheOrder) {
+  using Files = std::vector<radcert::EmbeddedFile>;
+  const std::vector<Files> folders{{},
+                                   {{"a", "1"}},
+                                   {{"a", "2"}},
+                                   {{"b", "1"}},
+                                   {{"a", "1"}, {"b", "2"}},
+                                   {{"b", "2"}, {"a", "1"}},
+                                   {{"a", "2"}, {"b", "1"}},
+                                   {{"a", "1\nb 2"}}};
+  std::set<std::string> seen;
+  for (const Files& files : folders) {
+    const std::string digest = digest_of(files);
+    EXPECT_TRUE(is_digest(digest));
+    EXPECT_EQ(digest, digest_of(files));
+    seen.insert(digest);
+  }
+  EXPECT_EQ(seen.size(), folders.size());
 }
 
 }  // namespace

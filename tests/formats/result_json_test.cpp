@@ -63,5 +63,17 @@ TEST(ResultJson, WritesNullForWhatIsAbsentOrNotFinite) {
   EXPECT_TRUE(level.find("node_error")->find("radius")->is_null());
 }
 
+TEST(ResultJson, GivesTheMeansNoRadiusWhereOneHasNone) {
+  for (const double none :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+    for (const bool first : {true, false}) {
+      Result result = sample_result();
+      result.levels[0].piece_means = {{"a", {.value = 1, .radius = first ? none : 0.5}},
+                                      {"b", {.value = 2, .radius = first ? 0.5 : none}}};
+      const JsonValue json = parse_json(result_text(result, ""), "");
+      EXPECT_TRUE(json.find("levels")->elements()->front().find("means_radius")->is_null());
+    }
+}
+
 }  // namespace
 }  // namespace radcert

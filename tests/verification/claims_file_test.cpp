@@ -4,7 +4,7 @@
 
 #include "radcert/core/errors.h"
 #include "tests/core/refusal.h"
-#include "verification/framework/claim.h"
+#include "verification/framework/reading/claim.h"
 
 namespace radcert::verification {
 namespace {

@@ -11,7 +11,7 @@
 #include "verification/claims/m06/section_3/interpolation_error.h"
 #include "verification/claims/m06/sphere_errors.h"
 #include "verification/framework/level_errors.h"
-#include "verification/framework/paper.h"
+#include "verification/framework/reading/paper.h"
 
 namespace radcert::verification::m06 {
 namespace {

@@ -13,9 +13,9 @@
 #include "tests/core/refusal.h"
 #include "tests/verification/fixtures.h"
 #include "verification/framework/check.h"
-#include "verification/framework/paper.h"
+#include "verification/framework/reading/paper.h"
+#include "verification/framework/reading/toml_document.h"
 #include "verification/framework/run_verification.h"
-#include "verification/framework/toml_document.h"
 
 namespace radcert::verification {
 namespace {

@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "radcert/core/errors.h"
+#include "radcert/core/parallel.h"
 #include "radcert/formats/result/stored_levels.h"
 #include "tests/verification/fixtures.h"
 #include "verification/framework/stored_finding.h"
@@ -82,6 +85,23 @@ TEST(PendingFindings, PassOnAnInterruption) {
   const Bench bench{.budget = Budget::quick, .route = {}, .levels = levels, .store = store};
   const std::vector<Check> checks(3, [](const Bench&) -> Finding { throw Interrupted(); });
   EXPECT_THROW(find_pending(pending(checks), bench, [](const PendingFinding&) {}), Interrupted);
+}
+
+TEST(PendingFindings, AreLeftWhereNothingIsKept) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path in_the_way = folder.path() / "file";
+  std::ofstream(in_the_way) << "no folder";
+  ResultStore store(in_the_way);
+  OneAtATime levels;
+  const Bench bench{.budget = Budget::quick, .route = {}, .levels = levels, .store = store};
+  std::atomic<std::size_t> run = 0;
+  const std::vector<Check> checks(1000, [&](const Bench&) {
+    ++run;
+    return one_half();
+  });
+  find_pending(pending(checks), bench, [](const PendingFinding&) {});
+  EXPECT_FALSE(store.status());
+  EXPECT_LE(run, thread_count());
 }
 
 }  // namespace

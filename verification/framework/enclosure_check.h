@@ -2,8 +2,8 @@
 #pragma once
 
 #include "verification/framework/check.h"
-#include "verification/framework/claim.h"
-#include "verification/framework/paper.h"
+#include "verification/framework/reading/claim.h"
+#include "verification/framework/reading/paper.h"
 
 namespace radcert::verification {
 

@@ -54,7 +54,7 @@ void find_pending(std::span<const PendingFinding> pending, const Bench& bench,
     next = pending.size();
   };
   const auto work = [&] {
-    for (std::size_t i = next++; i < pending.size(); i = next++) {
+    for (std::size_t i = next++; i < pending.size() && bench.store.status(); i = next++) {
       try {
         find(pending[i]);
       } catch (const InputError&) {

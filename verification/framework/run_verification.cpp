@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -96,6 +97,7 @@ ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& ben
     return report;
   }
   const auto start = std::chrono::steady_clock::now();
+  std::optional<double> seconds;
   try {
     Finding finding;
     if (claim.check == CheckKind::order) {
@@ -112,7 +114,7 @@ ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& ben
                                      "that is compiled in"});
       TimedFinding found = stored_finding(*check, paper.key + "/" + claim.label, bench, levels);
       finding = std::move(found.finding);
-      report.seconds = found.seconds;
+      seconds = found.seconds;
     }
     report.found = finding.verdict();
     report.evidence = finding.evidence();
@@ -129,8 +131,8 @@ ClaimReport check_claim(const Paper& paper, const Claim& claim, const Bench& ben
     report.found = Verdict::failed;
     report.failure = error.what();
   }
-  if (report.seconds == 0)
-    report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  report.seconds = seconds.value_or(passed.count());
   return report;
 }
 

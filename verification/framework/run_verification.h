@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "verification/framework/check.h"
-#include "verification/framework/paper.h"
+#include "verification/framework/reading/paper.h"
 #include "verification/framework/report.h"
 
 namespace radcert::verification {

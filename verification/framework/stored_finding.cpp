@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/outcome.h"
 #include "radcert/core/text.h"
@@ -17,6 +18,7 @@
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/problem/problem_json.h"
+#include "verification/framework/reading/embedded.h"
 
 namespace radcert::verification {
 namespace {
@@ -87,9 +89,15 @@ JsonValue asked_json(const RecordedLevels::Asked& asked) {
   return JsonValue::object({{"problem", problem_json(asked.problem)}, {"level", asked.level}});
 }
 
+// Of the claims, tables and problems of the papers: checks read them.
+const std::string& papers_digest() {
+  static const std::string digest = digest_of(embedded_papers());
+  return digest;
+}
+
 std::string key_of(const std::string& statement, const Bench& bench) {
-  return "verification finding\n" + std::string(source_digest()) + "\n" + statement + "\n" +
-         std::string(name(bench.budget));
+  return "verification finding\n" + std::string(source_digest()) + "\n" + papers_digest() + "\n" + statement +
+         "\n" + std::string(name(bench.budget));
 }
 
 std::string record_of(const TimedFinding& found, const RecordedLevels& levels) {

@@ -15,7 +15,7 @@
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/triangulation/triangulation.h"
 #include "verification/framework/cell.h"
-#include "verification/framework/printed_table.h"
+#include "verification/framework/reading/printed_table.h"
 
 namespace radcert::verification {
 namespace {

@@ -16,7 +16,7 @@
 #include "radcert/formats/plot/base64.h"
 #include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/plot/svg_plot.h"
-#include "verification/framework/embedded.h"
+#include "verification/framework/reading/embedded.h"
 #include "verification/report/report_text.h"
 
 namespace radcert::verification {

@@ -14,7 +14,7 @@
 #include "radcert/reference/reference_value.h"
 #include "radcert/surface/catalogue.h"
 #include "verification/claims/psg10/figures/sphere_over_disk_records.h"
-#include "verification/framework/paper.h"
+#include "verification/framework/reading/paper.h"
 #include "verification/framework/run_verification.h"
 
 namespace radcert::app {

@@ -17,7 +17,7 @@
 #include "progress.h"
 #include "radcert/core/result_store.h"
 #include "radcert/reference/operator_integral.h"
-#include "verification/framework/embedded.h"
+#include "verification/framework/reading/embedded.h"
 #include "verification/framework/run_verification.h"
 #include "verification/report/report_text.h"
 #include "verify_files.h"

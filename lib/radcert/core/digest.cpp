@@ -34,6 +34,12 @@ std::string sha256(std::string_view bytes) {
 
 std::string digest_of(std::string_view bytes) { return std::string(digest_prefix) + sha256(bytes); }
 
+std::string digest_of(std::span<const EmbeddedFile> files) {
+  std::string lines;
+  for (const EmbeddedFile& file : files) lines += sha256(file.content) + " " + std::string(file.path) + "\n";
+  return digest_of(lines);
+}
+
 bool is_digest(std::string_view text) {
   if (!text.starts_with(digest_prefix)) return false;
   const std::string_view digits = text.substr(digest_prefix.size());

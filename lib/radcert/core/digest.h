@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+
+#include "radcert/core/embedded_file.h"
 
 namespace radcert {
 
@@ -22,6 +25,14 @@ namespace radcert {
 /// Result    "sha256-" and 64 hexadecimal digits, the same for the same bytes
 /// Limits    as sha256
 [[nodiscard]] std::string digest_of(std::string_view bytes);
+
+/// The name of a folder of files.
+/// Maths     digest_of(the path and the sha256 of each file, in their order, a line each)
+/// Source    as sha256
+/// Requires  paths without line feeds
+/// Result    changes with any path, any byte and the order
+/// Limits    as sha256
+[[nodiscard]] std::string digest_of(std::span<const EmbeddedFile> files);
 
 /// Whether a text has the form of digest_of.
 [[nodiscard]] bool is_digest(std::string_view text);

@@ -7,8 +7,8 @@
 #include "radcert/core/contract.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/polynomial/inset_basis.h"
-#include "verification/framework/embedded.h"
 #include "verification/framework/level_errors.h"
+#include "verification/framework/reading/embedded.h"
 
 namespace radcert::verification::m06 {
 

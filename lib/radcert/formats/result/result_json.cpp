@@ -65,7 +65,7 @@ JsonValue level_json(const LevelResult& level) {
   double means_radius = level.piece_means.empty() ? std::numeric_limits<double>::infinity() : 0;
   for (const auto& [piece, mean] : level.piece_means) {
     means.set(piece, mean.value);
-    means_radius = std::max(means_radius, mean.radius);
+    means_radius = mean.has_radius() ? std::max(means_radius, mean.radius) : mean.radius;
   }
   out.set("piece_means", std::move(means));
   out.set("norm_K", approximation_json(level.norm_K));

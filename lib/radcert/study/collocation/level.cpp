@@ -146,9 +146,9 @@ private:
     };
     const LevelResult& result = outcome_.result;
     if (all_finite(u_n_) && all_finite(emission_) && is_finite(result.discretisation_error) &&
-        is_finite(result.node_error) && std::isfinite(result.solution_radius.value_or(0)) &&
+        is_finite(result.node_error) && std::isfinite(solution_radius_.value_or(0)) &&
         std::all_of(result.piece_means.begin(), result.piece_means.end(), [&](const auto& mean) {
-          return std::isfinite(mean.second.value) && (mean.second.has_radius() || !result.solution_radius);
+          return std::isfinite(mean.second.value) && (mean.second.has_radius() || !solution_radius_);
         }))
       return;
     refuse("u_n or its radius runs over the range of double");

@@ -2,7 +2,6 @@
 #include "radcert/study/collocation/nodal_description.h"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "radcert/study/collocation/nodal_function.h"
@@ -15,8 +14,10 @@ void describe_collocation(const Problem& problem, const NodedSurface& data,
                           LevelOutcome& outcome) {
   std::vector<double> at_nodes;
   double radius = 0;
+  bool known = true;
   for (const Approximation& value : values.u_n) {
     at_nodes.push_back(value.value);
+    known = known && value.has_radius();
     radius = std::max(radius, value.radius);
   }
   const NodalFunction u_n(data.surface, data.triangulation, basis, at_nodes);
@@ -27,7 +28,7 @@ void describe_collocation(const Problem& problem, const NodedSurface& data,
                   .emission = values.emission,
                   .u = values.u},
                  nodal_mean_order, outcome);
-  if (radius == std::numeric_limits<double>::infinity()) return;
+  if (!known) return;
   outcome.result.solution_radius = radius;
   const double of_means = radius_of_means(u_n, radius);
   for (auto& [piece, mean] : outcome.result.piece_means)

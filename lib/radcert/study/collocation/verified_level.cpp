@@ -431,6 +431,8 @@ private:
       outcome_.result.node_error = max_abs(found);
       for (std::size_t i = 0; i < nodes_.size(); ++i) found[i] = enclosing(u_[i] - ball_of(found[i]));
     }
+    for (const Approximation& value : found)
+      if (!value.has_radius()) refuse("u_n or its radius runs over the range of double");
     u_n_ = std::move(found);
     outcome_.result.verified = {.theta = system->theta()};
   }

@@ -130,6 +130,16 @@ void require_lengths(Finding& finding) {
                   IsExactly{0}, differing(Rational(1, 4)));
 }
 
+void require_in_any_direction(Finding& finding, int gained, const LiesIn& range) {
+  require_lengths(finding);
+  const auto constant = [&](int reach) {
+    return Ball(bound_of_the_remainder()) *
+           interpolation_factors<Ball>(1, gained, sqrt(Ball(2)), Ball(reach)).at(0);
+  };
+  finding.require("c for sides in any direction", range, constant(1));
+  finding.control("the same by Taylor polynomials about a corner", range, constant(2));
+}
+
 void BilinearSum::add(const Combination& phi, const Combination& f, int factor) {
   for (const auto& [left, a] : phi)
     for (const auto& [right, b] : f) {

@@ -66,6 +66,12 @@ struct BoundedError {
 /// Requires the identities behind the last two constants, exactly, with a control.
 void require_lengths(Finding& finding);
 
+/// Requires that the constant of a right isosceles triangle (gained = 1) or a square (2) with sides in any
+/// direction lies in a range: |a|_1, |b|_1 <= 2^(1/2) h, and the corners are h/2^(1/2) from the middle. The
+/// control develops about a corner.
+/// Source    as constant_with_legs; interpolation_factors for `gained`
+void require_in_any_direction(Finding& finding, int gained, const LiesIn& range);
+
 /// A sum of terms B(phi, f), B bilinear and otherwise unknown, in the names of its arguments.
 /// Maths     add: the product of two linear combinations, expanded
 /// Result    exact; terms with the coefficient 0 are not kept

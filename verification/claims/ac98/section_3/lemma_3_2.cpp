@@ -174,14 +174,8 @@ Finding lemma_3_2(const Bench&) {
                   reach(points, points[1]));
   const Rational c(5, 3);
   finding.require("c = (1 + 7/3) max (1/2!, 1/3!)", IsExactly{c}, constant_with_legs());
-  // Legs in any direction: |a|_1, |b|_1 <= 2^(1/2) h, and the corners are h/2^(1/2) from the middle.
-  require_lengths(finding);
-  const Ball side = sqrt(Ball(2));
-  const LiesIn turned{2, Rational(12, 5)};
-  finding.require("c for legs in any direction: (5/3) 2^(1/2)", turned,
-                  Ball(bound_of_the_remainder()) * interpolation_factors<Ball>(1, 1, side, Ball(1)).at(0));
-  finding.control("the same by Taylor polynomials about an end of the hypotenuse", turned,
-                  Ball(bound_of_the_remainder()) * interpolation_factors<Ball>(1, 1, side, Ball(2)).at(0));
+  // (5/3) 2^(1/2)
+  require_in_any_direction(finding, 1, {2, Rational(12, 5)});
   const std::string missed = "products phi f of degree ";
   finding.require(missed + "up to 2 that are missed: terms of the error up to h^4", IsExactly{0},
                   products_missed(2, tau, Rational(1, 6)));

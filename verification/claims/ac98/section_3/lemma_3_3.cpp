@@ -196,14 +196,8 @@ Finding lemma_3_3(const Bench&) {
   finding.control("largest |d_x| + |d_y| about a corner, over h", IsExactly{1}, reach(unit, unit[0]));
   const Rational c(5, 3);
   finding.require("c = (1 + 7/3) max (1/2!, (1/2)/3!, 1/4!)", IsExactly{c}, constant_on_squares());
-  // Sides in any direction: |a|_1, |b|_1 <= 2^(1/2) h, and the corners are h/2^(1/2) from the middle.
-  require_lengths(finding);
-  const Ball side = sqrt(Ball(2));
-  const LiesIn turned{3, Rational(7, 2)};
-  finding.require("c for sides in any direction: 10/3", turned,
-                  Ball(bound_of_the_remainder()) * interpolation_factors<Ball>(1, 2, side, Ball(1)).at(0));
-  finding.control("the same by Taylor polynomials about a corner", turned,
-                  Ball(bound_of_the_remainder()) * interpolation_factors<Ball>(1, 2, side, Ball(2)).at(0));
+  // 10/3
+  require_in_any_direction(finding, 2, {3, Rational(7, 2)});
   Rational largest = 0;
   for (const Rational& h : lengths())
     for (const PlanarPoint& by : corners()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/framework/claim.h"
+#include "verification/framework/reading/claim.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/formats/json/json_reader.h"
-#include "verification/framework/toml_document.h"
+#include "verification/framework/reading/toml_document.h"
 
 namespace radcert::verification {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/framework/printed_table.h"
+#include "verification/framework/reading/printed_table.h"
 
 #include <algorithm>
 

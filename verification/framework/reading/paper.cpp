@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/framework/paper.h"
+#include "verification/framework/reading/paper.h"
 
 #include <algorithm>
 #include <map>
 
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
-#include "verification/framework/embedded.h"
+#include "verification/framework/reading/embedded.h"
 
 namespace radcert::verification {
 namespace {

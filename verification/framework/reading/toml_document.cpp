@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/framework/toml_document.h"
+#include "verification/framework/reading/toml_document.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/framework/claim.h"
+#include "verification/framework/reading/claim.h"
 
 namespace radcert::verification {
 
