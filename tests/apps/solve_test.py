@@ -36,6 +36,29 @@ class Solve(ProgramTest):
             self.assertEqual(again["levels"], result["levels"])
             self.assertEqual(again["problem"], result["problem"])
 
+    def test_a_guarantee_is_kept_or_refused(self):
+        cube = {"schema": "radcert/problem/1", "surface": {"name": "tetrahedron"}, "triangulation": {"levels": [0]},
+                "basis": {"family": "inset", "degree": 0}, "reflectivity": "1/4", "emission": "3/4"}
+        self.write("cube.json", cube)
+        text = self.solution("cube.json", "--guarantee", "1/20")
+        result = json.loads(text)
+        jsonschema.validate(result, json.loads(self.expect(0, "schema", "solution")))
+        jsonschema.validate(result["problem"], json.loads(self.expect(0, "schema", "problem")))
+        enclosure = result["enclosure"]
+        self.assertLessEqual(float(enclosure["width"]), 0.05)
+        self.assertEqual(len(enclosure["pieces"]), 4)
+        for piece, mean in enclosure["pieces"].items():
+            self.assertLessEqual(abs(float(mean["midpoint"]) - 1), float(mean["radius"]), piece)
+        self.write("own.json", {**cube, "guarantee": {"width": "0.05", "of": "means"}})
+        own = self.solution("own.json", "--threads", "1")
+        self.assertEqual(json.loads(own)["enclosure"], enclosure)
+        table = self.expect(0, "solve", "own.json")
+        self.assertIn("Proved: the means of the solution u", table)
+        for words in [["own.json", "--guarantee", "0"], ["own.json", "--guarantee", "1e-15"], ["own.json", "--of", "all"],
+                      ["cube.json", "--of", "means"], ["own.json", "--vtu", "a.vtu"], ["own.json", "--out", "folder"]]:
+            self.expect(2, "solve", *words)
+        self.assertFalse(os.path.exists(self.path("folder")))
+
     def test_errors_are_null_without_a_solution_and_ratios_are_quotients_with_one(self):
         emitted = json.loads(self.solution(self.write("p.json", small(solution=None, emission="1"))))
         for level in emitted["levels"]:

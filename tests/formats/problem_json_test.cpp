@@ -125,6 +125,19 @@ TEST(ParseProblem, ReadsTheSolverAndItsTolerance) {
   EXPECT_EQ(solver(R"({"name": "gmres", "tolerance": 1e-10})").tolerance, Rational::exactly(1e-10));
 }
 
+TEST(ParseProblem, ReadsTheGuarantee) {
+  EXPECT_FALSE(test::sample_problem().guarantee);
+  for (const char* text : {R"({"width": "1e-6"})", R"({"width": "1/1000000", "of": "means"})"}) {
+    const Problem problem = parse_problem(with("guarantee", text), "");
+    ASSERT_TRUE(problem.guarantee);
+    EXPECT_EQ(problem.guarantee->width, Rational(1, 1000000));
+    EXPECT_EQ(parse_problem(problem_text(problem), "").guarantee->width, Rational(1, 1000000));
+  }
+  for (const char* text : {R"({"width": 0})", R"({"width": "-1"})", R"({})", R"({"width": 1, "of": "sums"})",
+                           R"({"width": 1, "at": 2})", R"("1e-6")"})
+    EXPECT_THROW((void)parse_problem(with("guarantee", text), ""), InputError) << text;
+}
+
 TEST(ParseProblem, ReadsTheGeometry) {
   const auto geometry = [](const std::string& text) {
     return parse_problem(with("geometry", text), "").geometry;

@@ -46,7 +46,8 @@ inline Answer verdict(std::string words, std::string note = {}) {
 }
 inline Answer refusal(std::string why) { return {.numbers = {}, .verdict = {}, .note = std::move(why)}; }
 
-std::vector<Case> formula_cases();    ///< scalar, polynomial, geometry, surface
+std::vector<Case> formula_cases();  ///< scalar, polynomial, geometry, surface
+std::vector<Case> continuous_cases();
 std::vector<Case> enclosure_cases();  ///< enclosure, hypotheses
 std::vector<Case> meshless_cases();
 std::vector<Case> polygon_cases();  ///< closed_form, factors

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "command.h"
+#include "enclosure_table.h"
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
@@ -21,11 +22,13 @@
 #include "radcert/formats/plot/latex_plot.h"
 #include "radcert/formats/plot/svg_plot.h"
 #include "radcert/formats/problem/problem_json.h"
+#include "radcert/formats/problem/problem_parts.h"
 #include "radcert/formats/result/result_json.h"
 #include "radcert/formats/result/stored_levels.h"
 #include "radcert/formats/table/csv.h"
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/reference/operator_integral.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "solve_table.h"
 
 namespace radcert::app {
@@ -38,6 +41,8 @@ struct SolveOptions {
   std::string vtu;
   std::string ply;
   std::string out;
+  std::string guarantee;
+  std::string of;
 };
 
 Outputs checked_outputs(const Common& common, const SolveOptions& options) {
@@ -109,7 +114,66 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
   return files;
 }
 
+/// The problem with what --guarantee and --of say in place of its own words.
+Problem problem_of(const SolveOptions& options) {
+  Problem problem = read_problem(options.problem);
+  if (options.guarantee.empty() && options.of.empty()) return problem;
+  JsonValue guarantee = JsonValue::object();
+  if (!options.guarantee.empty())
+    guarantee.set("width", options.guarantee);
+  else if (problem.guarantee)
+    guarantee.set("width", exact_json(problem.guarantee->width));
+  if (!options.of.empty()) guarantee.set("of", options.of);
+  problem.guarantee =
+      with_source("--guarantee and --of", [&] { return read_guarantee(JsonReader(guarantee)); });
+  return problem;
+}
+
+/// The levels of a result are of u_n; a solution that is enclosed has none.
+void refuse_fields(const SolveOptions& options) {
+  for (const auto& [name, path] : {std::pair("--nodes", &options.nodes), std::pair("--vtu", &options.vtu),
+                                   std::pair("--ply", &options.ply), std::pair("--out", &options.out)})
+    if (!path->empty())
+      throw InputError({.source = name,
+                        .value = *path,
+                        .problem = "is of the levels of u_n, and a guarantee is of u itself",
+                        .allowed = "--json beside a guarantee"});
+}
+
+ExitCode enclose(const Common& common, const SolveOptions& options, const Problem& problem) {
+  refuse_fields(options);
+  const Outputs outputs = checked_outputs(common, options);
+  const auto limit = common.limit_threads();
+  with_source(options.problem, [&] { check_guarantee(problem, *problem.guarantee); });
+  ProgressDisplay display(common.quiet);
+  display.at(0, "layers 2");
+  const auto progress = [&](const GuaranteeProgress& now) {
+    display.note("layers " + std::to_string(now.layers) + ", degree " + std::to_string(now.degree) + ": " +
+                 std::to_string(now.unknowns) + " unknowns, " + std::to_string(now.samples) +
+                 " points; width " + upper_text(now.width));
+    display.at(0, "layers " + std::to_string(now.layers + 1) + " or more");
+  };
+  auto [level, enclosure] =
+      with_source(options.problem, [&] { return solve_within(problem, *problem.guarantee, progress); });
+  const std::string hindrance = enclosure.hindrance;
+  const Result result{.problem = problem,
+                      .levels = {std::move(level)},
+                      .orders = {},
+                      .timing = {{}},
+                      .enclosure = std::move(enclosure)};
+  const std::string json = result_text(result, common.command);
+  Files files;
+  if (common.json_to_file()) files.emplace_back(common.json, json);
+  outputs.write(files);
+  print(common.json_to_stdout() ? json : fitted(enclosure_table(*result.enclosure)));
+  if (hindrance.empty()) return ExitCode::done;
+  complain("the width " + upper_text(result.enclosure->width) + " and not " +
+           upper_text(result.enclosure->wanted.width) + " is reached: " + hindrance);
+  return ExitCode::differs;
+}
+
 ExitCode solve(const Common& common, const SolveOptions& options) {
+  if (const Problem asked = problem_of(options); asked.guarantee) return enclose(common, options, asked);
   const Outputs outputs = checked_outputs(common, options);
   const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
@@ -165,6 +229,12 @@ void add_solve(Program& program) {
       "Write to DIR: solution.json, .vtu and .ply, errors.csv, nodes.csv; table.tex, plot.tex and plots "
       "(SVG) of the errors, cite.bib, provenance.json",
       "DIR");
+  command.option(
+      "--guarantee", options->guarantee,
+      "Enclose the solution of the equation itself, within this width; the mesh and the degree are "
+      "chosen by radcert",
+      "WIDTH");
+  command.option("--of", options->of, "What the guarantee is of: " + listed(guaranteed_quantities()), "WORD");
   command.fresh_flag(program.common());
   command.footer(
       std::string("In a problem, `emission` is E, the power emitted per area, not the material constant 1 - "

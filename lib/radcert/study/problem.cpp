@@ -113,6 +113,9 @@ Surface surface_of(const Problem& problem) {
 }
 
 void check(const Problem& problem, std::uint64_t memory_limit) {
+  if (problem.guarantee)
+    refuse_input("/guarantee", problem.guarantee->width.to_text(), "is not for a study over levels",
+                 "a guarantee in radcert solve alone");
   const Surface surface = surface_of(problem);
   if (problem.triangulation.grading < Rational(1))
     refuse_input("/triangulation/grading", problem.triangulation.grading.to_text(), "is not allowed",

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "radcert/scalar/rational.h"
+#include "radcert/study/guarantee.h"
 #include "radcert/study/method.h"
 #include "radcert/surface/surface.h"
 #include "radcert/surface/surface_function.h"
@@ -83,6 +84,9 @@ struct Problem {
   std::optional<PiecewiseExpression> emission;
   QuadratureChoice quadrature = {};
   SolverChoice solver;
+  /// Where given, the solution of the equation itself is enclosed; what is said of triangulation, method,
+  /// quadrature and solver does not matter then
+  std::optional<Guarantee> guarantee = std::nullopt;
 };
 
 /// The surface that a problem names, or its mesh. Requires the name of an unoccluded surface of the catalogue

@@ -70,6 +70,8 @@ struct Result {
   std::vector<LevelResult> levels;
   std::vector<OrderFit> orders;
   std::vector<LevelTiming> timing;
+  std::optional<SolutionEnclosure> enclosure =
+      std::nullopt;  ///< of a problem with a guarantee; `levels` has its mesh
 };
 
 }  // namespace radcert

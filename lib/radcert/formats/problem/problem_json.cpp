@@ -24,7 +24,7 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   const JsonReader root(document);
   root.require_schema(schema, "an object: a problem");
   root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
-                       "emission", "quadrature", "solver"});
+                       "emission", "quadrature", "solver", "guarantee"});
   Problem problem;
   problem.surface = read_surface(
       root.at("surface", "an object with a name, see radcert list surfaces, or with a file"), folder);
@@ -47,6 +47,7 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   if (emission) problem.emission = read_piecewise(*emission, pieces);
   if (const auto quadrature = root.find("quadrature")) problem.quadrature = read_quadrature(*quadrature);
   if (const auto solver = root.find("solver")) problem.solver = read_solver(*solver);
+  if (const auto guarantee = root.find("guarantee")) problem.guarantee = read_guarantee(*guarantee);
   return problem;
 }
 
@@ -74,6 +75,7 @@ JsonValue problem_json(const Problem& problem) {
   if (problem.emission) out.set("emission", piecewise_json(*problem.emission));
   out.set("quadrature", quadrature_json(problem.quadrature));
   out.set("solver", solver_json(problem.solver));
+  if (problem.guarantee) out.set("guarantee", guarantee_json(*problem.guarantee));
   return out;
 }
 

@@ -26,6 +26,7 @@ TriangleBasisChoice read_triangle_basis(const JsonReader& basis, const std::file
 Meshless read_meshless(const JsonReader& basis);
 QuadratureChoice read_quadrature(const JsonReader& quadrature);
 SolverChoice read_solver(const JsonReader& solver);
+Guarantee read_guarantee(const JsonReader& guarantee);
 PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);
 
 /// The same parts as JSON.
@@ -40,6 +41,7 @@ JsonValue triangle_basis_json(const TriangleBasisChoice& basis);
 JsonValue meshless_json(const Meshless& method);
 JsonValue quadrature_json(const QuadratureChoice& quadrature);
 JsonValue solver_json(const SolverChoice& solver);
+JsonValue guarantee_json(const Guarantee& guarantee);
 JsonValue piecewise_json(const PiecewiseExpression& expression);
 
 /// The words that a problem file may have at a place.
@@ -50,6 +52,7 @@ std::vector<std::string> pattern_names();
 std::vector<std::string> diagonal_names();
 std::vector<std::string> data_point_names();
 std::vector<std::string> solvers_without_tolerance();
+std::vector<std::string> guaranteed_quantities();
 std::vector<std::string> triangle_basis_families();
 std::vector<std::string> meshless_families();
 std::vector<std::string> named_meshless_families();  ///< those that have all defaults

@@ -9,6 +9,7 @@
 
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/problem/problem_json.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 
@@ -40,6 +41,23 @@ JsonValue orders_json(std::span<const OrderFit> orders) {
                                              {"model", fit.model}}));
   }
   return out;
+}
+
+JsonValue enclosure_json(const SolutionEnclosure& enclosure) {
+  JsonValue pieces = JsonValue::object();
+  for (const auto& [piece, mean] : enclosure.pieces) {
+    const EnclosingText text = enclosing_text(mean.value, mean.radius, DecimalForm::general(17));
+    pieces.set(piece, JsonValue::object({{"midpoint", text.value}, {"radius", text.radius}}));
+  }
+  return JsonValue::object(
+      {{"of", "means"},
+       {"wanted", enclosing_text(enclosure.wanted.width, 0, DecimalForm::general(17)).value},
+       {"width", upper_text(enclosure.width)},
+       {"pieces", std::move(pieces)},
+       {"points", JsonValue()},
+       {"function", JsonValue()},
+       {"hindrance", enclosure.hindrance.empty() ? JsonValue() : JsonValue(enclosure.hindrance)},
+       {"guaranteed", true}});
 }
 
 JsonValue timing_json(const LevelTiming& timing) {
@@ -81,6 +99,7 @@ JsonValue result_json(const Result& result, const std::string& command) {
   JsonValue out = document_head("solution", command);
   out.set("problem", problem_json(result.problem));
   out.set("levels", json_array(result.levels, level_json));
+  if (result.enclosure) out.set("enclosure", enclosure_json(*result.enclosure));
   out.set("orders", orders_json(result.orders));
   out.set("timing", JsonValue::object({{"levels", json_array(result.timing, timing_json)}}));
   return out;

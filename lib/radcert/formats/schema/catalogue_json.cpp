@@ -28,7 +28,7 @@ Words errors() {
 }
 
 constexpr const char* surface_parameters = "parameters of surfaces";
-constexpr std::array<std::pair<std::string_view, Words (*)()>, 14> lists{
+constexpr std::array<std::pair<std::string_view, Words (*)()>, 15> lists{
     {{"surfaces", surface_names},
      {"repairs", repairs},
      {"patterns", pattern_names},
@@ -42,6 +42,7 @@ constexpr std::array<std::pair<std::string_view, Words (*)()>, 14> lists{
      {"coefficients", coefficient_rule_names},
      {"solvers", [] { return solver_names(); }},
      {"solvers without tolerance", solvers_without_tolerance},
+     {"guaranteed quantities", guaranteed_quantities},
      {"errors", errors}}};
 
 JsonValue object_of(const char* key, JsonValue value) { return JsonValue::object({{key, std::move(value)}}); }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "radcert/core/outcome.h"
+#include "radcert/geometry/vector.h"
+#include "radcert/scalar/rational.h"
+#include "radcert/surface/surface.h"
+
+namespace radcert {
+
+/// A convex polygon of a polyhedron, exactly.
+/// Maths     the corners run counterclockwise as seen from the side of the inner normal, no three of them on
+///           a line; centre is their mean; normal = (c_1 - c_0) x (c_2 - c_0) up to a positive factor
+struct Panel {
+  std::size_t piece = 0;  ///< its place in Surface::piece_names()
+  std::vector<Vector<Rational>> corners;
+  Vector<Rational> centre;
+  Vector<Rational> normal;
+};
+
+/// A polyhedron as convex polygons.
+/// Maths     the plane charts of one piece that lie in one plane are one panel where their union is convex:
+///           its convex hull has the sum of their areas. Otherwise each chart is a panel
+/// Requires  charts of one plane that do not overlap
+/// Result    exact; refused with the name of a chart that is not plane, or not known in exact arithmetic
+[[nodiscard]] Outcome<std::vector<Panel>> convex_panels(const Surface& surface);
+
+/// Whether the planes of two panels are one.
+[[nodiscard]] bool in_one_plane(const Panel& a, const Panel& b);
+
+}  // namespace radcert

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/continuous/residual.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "radcert/continuous/gauss_tables.h"
+#include "radcert/continuous/transport.h"
+#include "radcert/core/parallel.h"
+
+namespace radcert {
+namespace {
+
+constexpr double upward = 1 + 0x1p-40;
+constexpr double unit = unit_roundoff<double>();
+
+/// What one cell or strip contributes.
+struct Share {
+  std::vector<double> squares;  ///< of rho (|t_k| + radius)^2
+  std::vector<double> missed;   ///< squared, rho (2 sqrt|X| e)^2
+  std::vector<double> products;
+  std::vector<double> sampling;  ///< radii of the products
+  std::vector<double> rounding;
+  double truncation = 0;
+  double strips = 0;
+  std::size_t samples = 0;
+
+  explicit Share(std::size_t count)
+      : squares(count), missed(count), products(count), sampling(count), rounding(count) {}
+};
+
+void add(std::vector<double>& to, const std::vector<double>& from) {
+  for (std::size_t k = 0; k < to.size(); ++k) to[k] += from[k];
+}
+
+Share sum_of(Share a, const Share& b) {
+  add(a.squares, b.squares);
+  add(a.missed, b.missed);
+  add(a.products, b.products);
+  add(a.sampling, b.sampling);
+  add(a.rounding, b.rounding);
+  a.truncation += b.truncation;
+  a.strips += b.strips;
+  a.samples += b.samples;
+  return a;
+}
+
+/// The functions on one element, at points of it.
+class LocalValues {
+public:
+  LocalValues(const SectorElement& element, const SectorFunctions& functions, std::size_t number)
+      : box_(element.box),
+        functions_(functions),
+        number_(number),
+        p_s_(static_cast<std::size_t>(functions.degree() + 1)),
+        p_t_(p_s_.size()) {}
+
+  /// The node at the place (x, y) in [-1,1]^2 of a part of the element.
+  void at(const SectorBox& part, double x, double y, std::span<double> values) {
+    legendre_values<double>(local(part.s0, part.s1, box_.s0, box_.s1, x), p_s_);
+    legendre_values<double>(local(part.t0, part.t1, box_.t0, box_.t1, y), p_t_);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const std::span<const double> c = functions_.of(number_, k);
+      double sum = 0;
+      for (std::size_t i = 0; i < p_s_.size(); ++i) {
+        double inner = 0;
+        for (std::size_t j = 0; j < p_t_.size(); ++j) inner += c[i * p_t_.size() + j] * p_t_[j];
+        sum += inner * p_s_[i];
+      }
+      values[k] = sum;
+    }
+  }
+
+private:
+  static double local(double from, double to, double whole_from, double whole_to, double x) {
+    const double width = whole_to - whole_from;
+    return ((from - whole_from) - (whole_to - to)) / width + (to - from) / width * x;
+  }
+  const SectorBox& box_;
+  const SectorFunctions& functions_;
+  std::size_t number_;
+  std::vector<double> p_s_, p_t_;
+};
+
+/// The functions and, last, 1.
+SectorFunctions with_one(const SectorFunctions& w, std::size_t elements) {
+  SectorFunctions out(elements, w.count() + 1, w.degree());
+  for (std::size_t e = 0; e < elements; ++e) {
+    for (std::size_t k = 0; k < w.count(); ++k) {
+      const std::span<const double> from = w.of(e, k);
+      std::copy(from.begin(), from.end(), out.of(e, k).begin());
+    }
+    out.of(e, w.count())[0] = 1;
+  }
+  return out;
+}
+
+class ResidualOverCells {
+public:
+  ResidualOverCells(const SectorScene& scene, std::span<const SectorElement> elements, const PanelData& data,
+                    const SectorFunctions& w, const SectorFunctions& q, const Smoothness& smoothness,
+                    const CellDemand& demand)
+      : scene_(scene),
+        elements_(elements),
+        data_(data),
+        w_(w),
+        q_(q),
+        smoothness_(smoothness),
+        demand_(demand),
+        with_one_(with_one(w, elements.size())),
+        transport_(scene, elements, w),
+        transport_with_one_(scene, elements, with_one_),
+        count_(w.count()) {}
+
+  [[nodiscard]] Share of_cell(const ObserverCell& cell) const {
+    return cell.is_strip() ? of_strip(cell) : of_samples(cell);
+  }
+
+  /// Int w_k q_0 over a part of an element, by a rule that is exact for it.
+  [[nodiscard]] std::vector<double> products_with_q(std::size_t e, const SectorBox& part) const {
+    const int nodes = w_.degree() + 1;
+    const IntervalRule<double>& rule = gauss_on_interval(nodes);
+    std::vector<double> sums(count_);
+    visit(e, part, rule, rule,
+          [&](std::size_t, double weight, std::span<const double> w, std::span<const double> q) {
+            for (std::size_t k = 0; k < count_; ++k) sums[k] += weight * w[k] * q[0];
+          });
+    return sums;
+  }
+
+private:
+  [[nodiscard]] double area(std::size_t e, const SectorBox& box) const {
+    return scene_.sectors()[elements_[e].sector].jacobian * box.weight() * upward;
+  }
+  [[nodiscard]] std::size_t panel(std::size_t e) const { return scene_.sectors()[elements_[e].sector].panel; }
+
+  /// A bound for the rounding of a sum of w (T w + q) over an area.
+  [[nodiscard]] double rounding(const ObserverCell& cell, double over) const {
+    const auto powers = static_cast<double>(w_.degree() + 1);
+    return over * smoothness_.density_size(cell.element) *
+           (smoothness_.size() + smoothness_.residual_size(cell.element)) * (96 * powers * powers + 256) *
+           unit;
+  }
+
+  template <class Visitor>
+  void visit(std::size_t e, const SectorBox& box, const IntervalRule<double>& rule_s,
+             const IntervalRule<double>& rule_t, const Visitor& visitor) const {
+    const Sector& sector = scene_.sectors()[elements_[e].sector];
+    LocalValues w_here(elements_[e], w_, e);
+    LocalValues q_here(elements_[e], q_, e);
+    std::vector<double> w(count_);
+    std::vector<double> q(count_);
+    const double scale = 0.25 * sector.jacobian * (box.s1 - box.s0) * (box.t1 - box.t0);
+    std::size_t place = 0;
+    for (std::size_t i = 0; i < rule_s.nodes.size(); ++i)
+      for (std::size_t j = 0; j < rule_t.nodes.size(); ++j) {
+        const double t = box.middle_t() + 0.5 * (box.t1 - box.t0) * rule_t.nodes[j];
+        w_here.at(box, rule_s.nodes[i], rule_t.nodes[j], w);
+        q_here.at(box, rule_s.nodes[i], rule_t.nodes[j], q);
+        visitor(place++, scale * (1 - t) * rule_s.weights[i] * rule_t.weights[j], w, q);
+      }
+  }
+
+  [[nodiscard]] Share of_strip(const ObserverCell& cell) const {
+    Share share(count_);
+    const double over = area(cell.element, cell.box);
+    const double most = smoothness_.residual_size(cell.element) * upward;
+    for (std::size_t k = 0; k < count_; ++k)
+      share.squares[k] = data_.reflectivity[panel(cell.element)] * over * most * most * upward;
+    share.strips = over * smoothness_.density_size(cell.element) * most * upward;
+    share.products = products_with_q(cell.element, cell.box);
+    for (double& rounding_of_k : share.rounding) rounding_of_k = rounding(cell, over);
+    return share;
+  }
+
+  [[nodiscard]] Share of_samples(const ObserverCell& cell) const {
+    Share share(count_);
+    const Sector& sector = scene_.sectors()[elements_[cell.element].sector];
+    const IntervalRule<double>& rule_s = gauss_on_interval(cell.nodes_s);
+    const IntervalRule<double>& rule_t = gauss_on_interval(cell.nodes_t);
+    const SectorBox& box = cell.box;
+    ObserverGroup group{.panel = sector.panel, .points = {}};
+    for (const double x : rule_s.nodes)
+      for (const double y : rule_t.nodes)
+        group.points.push_back(sector.point(box.middle_s() + 0.5 * (box.s1 - box.s0) * x,
+                                            box.middle_t() + 0.5 * (box.t1 - box.t0) * y));
+    const double over = area(cell.element, box);
+    const double size = smoothness_.size();
+    const double tolerance =
+        std::min({0.05, 0.5 * demand_.interpolation / (std::sqrt(over) * size),
+                  0.15 * demand_.quadrature / (over * smoothness_.density_size(cell.element) * size)});
+    const Transport::Values found =
+        cell.closed ? closed(cell, rule_s, rule_t, group, tolerance) : transport_(group, tolerance);
+    const auto powers = static_cast<double>(q_.degree() + 1);
+    const double radius =
+        (found.radius + 40 * powers * powers * unit * smoothness_.residual_size(cell.element)) * upward;
+    const double rho = data_.reflectivity[sector.panel];
+    visit(cell.element, box, rule_s, rule_t,
+          [&](std::size_t place, double weight, std::span<const double> w, std::span<const double> q) {
+            for (std::size_t k = 0; k < count_; ++k) {
+              const double t = std::abs(found.values[place * count_ + k] - q[k]) + radius;
+              share.squares[k] += weight * rho * t * t * upward;
+              share.products[k] += weight * w[k] * found.values[place * count_];
+              share.sampling[k] += weight * std::abs(w[k]) * radius * upward;
+            }
+          });
+    const double missed = 4 * rho * over * cell.interpolation * cell.interpolation * upward;
+    for (std::size_t k = 0; k < count_; ++k) {
+      share.missed[k] = missed;
+      share.rounding[k] = rounding(cell, over);
+    }
+    share.truncation = over * cell.quadrature * upward;
+    share.samples = group.points.size();
+    return share;
+  }
+
+  /// F of Smoothness' closure: what the other panels send, and xi times the rest of T 1 = 1.
+  [[nodiscard]] Transport::Values closed(const ObserverCell& cell, const IntervalRule<double>& rule_s,
+                                         const IntervalRule<double>& rule_t, const ObserverGroup& group,
+                                         double tolerance) const {
+    const std::size_t mirror = *smoothness_.mirror(cell.element);
+    const std::size_t other = scene_.sectors()[elements_[mirror].sector].panel;
+    const Transport::Values found = transport_with_one_(group, 0.5 * tolerance, other);
+    LocalValues at_edge(elements_[mirror], w_, mirror);
+    const SectorBox across{
+        .s0 = 1 - cell.box.s1, .s1 = 1 - cell.box.s0, .t0 = 0, .t1 = elements_[mirror].box.t1};
+    Transport::Values out{.values = std::vector<double>(group.points.size() * count_),
+                          .radius = found.radius * (1 + smoothness_.density_size(mirror)) * upward};
+    std::vector<double> xi(count_);
+    for (std::size_t i = 0; i < rule_s.nodes.size(); ++i) {
+      at_edge.at(across, -rule_s.nodes[i], -1, xi);
+      for (std::size_t j = 0; j < rule_t.nodes.size(); ++j) {
+        const std::size_t place = i * rule_t.nodes.size() + j;
+        const double* const sent = &found.values[place * (count_ + 1)];
+        for (std::size_t k = 0; k < count_; ++k)
+          out.values[place * count_ + k] = sent[k] + xi[k] * (1 - sent[count_]);
+      }
+    }
+    return out;
+  }
+
+  const SectorScene& scene_;
+  std::span<const SectorElement> elements_;
+  const PanelData& data_;
+  const SectorFunctions& w_;
+  const SectorFunctions& q_;
+  const Smoothness& smoothness_;
+  const CellDemand& demand_;
+  SectorFunctions with_one_;
+  Transport transport_;
+  Transport transport_with_one_;
+  std::size_t count_;
+};
+
+}  // namespace
+
+ResidualSums residual_sums(const SectorScene& scene, std::span<const SectorElement> elements,
+                           const PanelData& data, const SectorFunctions& w, const SectorFunctions& q,
+                           const Smoothness& smoothness, std::span<const ObserverCell> cells,
+                           const CellDemand& demand) {
+  const std::size_t count = w.count();
+  const ResidualOverCells residual(scene, elements, data, w, q, smoothness, demand);
+  constexpr std::size_t cells_at_a_time = 16;
+  const Share total = parallel_reduce_ordered(
+      cells.size(), cells_at_a_time, Share(count),
+      [&](std::size_t begin, std::size_t end) {
+        Share share(count);
+        for (std::size_t c = begin; c < end; ++c)
+          share = sum_of(std::move(share), residual.of_cell(cells[c]));
+        return share;
+      },
+      sum_of);
+  std::vector<double> with_q(count);
+  for (std::size_t e = 0; e < elements.size(); ++e) add(with_q, residual.products_with_q(e, elements[e].box));
+
+  ResidualSums sums;
+  // Of the order in which cells are summed: as many terms as there are cells in a chunk, chunks and elements.
+  const double terms =
+      static_cast<double>(cells_at_a_time + cells.size() / cells_at_a_time + elements.size());
+  const double order = terms * unit * scene.area() * smoothness.size() * 4 * smoothness.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    sums.norms.push_back((std::sqrt(total.squares[k]) + std::sqrt(total.missed[k])) *
+                         (1 + (terms + 512) * unit) * upward);
+    const double radius =
+        (total.sampling[k] + total.rounding[k] + total.truncation + total.strips + order) * upward;
+    sums.products.push_back(Approximation::proved(total.products[k] - with_q[k], radius));
+    sums.sampling = std::max(sums.sampling, total.sampling[k]);
+  }
+  sums.truncation = total.truncation;
+  sums.strips = total.strips;
+  sums.samples = total.samples;
+  return sums;
+}
+
+std::vector<double> expected_norms(const SectorScene& scene, std::span<const SectorElement> elements,
+                                   const PanelData& data, const SectorFunctions& w, const SectorFunctions& q,
+                                   const Smoothness& smoothness) {
+  std::vector<ObserverCell> cells;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    cells.push_back(
+        {.element = e, .box = elements[e].box, .nodes_s = q.degree() + 2, .nodes_t = q.degree() + 2});
+  const double relative = 0.001 * std::pow(0.25, q.degree());
+  const CellDemand demand{
+      .interpolation = relative * std::sqrt(scene.area() / static_cast<double>(elements.size())),
+      .quadrature = relative * scene.area()};
+  return residual_sums(scene, elements, data, w, q, smoothness, cells, demand).norms;
+}
+
+}  // namespace radcert

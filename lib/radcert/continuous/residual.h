@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "radcert/continuous/graded_elements.h"
+#include "radcert/continuous/observer_cells.h"
+#include "radcert/continuous/sector.h"
+#include "radcert/continuous/tensor_legendre.h"
+#include "radcert/continuous/trial_functions.h"
+#include "radcert/scalar/approximation.h"
+
+namespace radcert {
+
+/// What a proof needs of the residuals t_k = T w_k - q_k, w_k = E_k + rho q_k.
+/// Maths     norms[k] >= (Int rho t_k^2)^(1/2);  products[k] encloses Int w_k t_0
+struct ResidualSums {
+  std::vector<double> norms;
+  std::vector<Approximation> products;
+  double sampling = 0;    ///< the part of the products' radius from radii of samples
+  double truncation = 0;  ///< from the rules of cells
+  double strips = 0;      ///< from strips
+  std::size_t samples = 0;
+};
+
+/// Sums over cells of observers.
+/// Maths     ||t||_X <= (Gauss sum of t^2)^(1/2) + 2 sqrt|X| e, e the cell's interpolation bound: ||f - If|| <=
+///           2 sqrt|X| (e_s + e_t), since Gauss rules with n nodes integrate |If|^2 (1-t) exactly and have
+///           positive weights; strips by |t| <= sup|w| + sup|q|. Int w_k T w_0 by the cells' rules, Int w_k q_0
+///           exactly up to rounding
+/// Requires  cells of these elements and functions
+/// Result    norms rounded up, products proved; the same bits for any number of threads
+[[nodiscard]] ResidualSums residual_sums(const SectorScene& scene, std::span<const SectorElement> elements,
+                                         const PanelData& data, const SectorFunctions& w,
+                                         const SectorFunctions& q, const Smoothness& smoothness,
+                                         std::span<const ObserverCell> cells, const CellDemand& demand);
+
+/// About the norms of the residuals, by one rule on each element.
+/// Maths     tensor Gauss rules of degree + 2 nodes, between those at which trial_functions interpolates
+/// Result    no bound: what a mesh may be expected to reach
+[[nodiscard]] std::vector<double> expected_norms(const SectorScene& scene,
+                                                 std::span<const SectorElement> elements,
+                                                 const PanelData& data, const SectorFunctions& w,
+                                                 const SectorFunctions& q, const Smoothness& smoothness);
+
+}  // namespace radcert

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/continuous/sector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "radcert/scalar/ball.h"
+
+namespace radcert {
+namespace {
+
+Vector<double> rounded(const Vector<Rational>& p) {
+  return {p.x.to_double(), p.y.to_double(), p.z.to_double()};
+}
+
+/// Int (1-t) over the square is 1/2: the jacobian is twice the area.
+double length(const Vector<Rational>& v) { return sqrt(Ball(dot(v, v))).to_double(); }
+
+/// The middle of the box about all corners.
+Vector<Rational> middle(const std::vector<Panel>& panels) {
+  Vector<Rational> least = panels.front().corners.front();
+  Vector<Rational> largest = least;
+  for (const Panel& panel : panels)
+    for (const Vector<Rational>& corner : panel.corners) {
+      least = {std::min(least.x, corner.x), std::min(least.y, corner.y), std::min(least.z, corner.z)};
+      largest = {std::max(largest.x, corner.x), std::max(largest.y, corner.y), std::max(largest.z, corner.z)};
+    }
+  return Rational(1, 2) * (least + largest);
+}
+
+double largest_coordinate(const Vector<double>& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+}  // namespace
+
+SectorScene::SectorScene(std::vector<Panel> panels) : panels_(std::move(panels)) {
+  const Vector<Rational> origin = middle(panels_);
+  for (std::size_t k = 0; k < panels_.size(); ++k) {
+    const Panel& panel = panels_[k];
+    first_sector_.push_back(sectors_.size());
+    double area = 0;
+    for (std::size_t i = 0; i < panel.corners.size(); ++i) {
+      const Vector<Rational>& a = panel.corners[i];
+      const Vector<Rational>& b = panel.corners[(i + 1) % panel.corners.size()];
+      const double jacobian = length(cross(b - a, panel.centre - a));
+      sectors_.push_back({.panel = k,
+                          .a = rounded(a - origin),
+                          .b = rounded(b - origin),
+                          .c = rounded(panel.centre - origin),
+                          .jacobian = jacobian});
+      area += jacobian / 2;
+      extent_ = std::max(extent_, largest_coordinate(sectors_.back().a));
+    }
+    areas_.push_back(area);
+    area_ += area;
+    const Vector<Rational>& n = panel.normal;
+    const Ball size = sqrt(Ball(dot(n, n)));
+    normals_.push_back(
+        {(Ball(n.x) / size).to_double(), (Ball(n.y) / size).to_double(), (Ball(n.z) / size).to_double()});
+  }
+  first_sector_.push_back(sectors_.size());
+  for (const Panel& panel : panels_)
+    for (const Panel& other : panels_) {
+      coplanar_.push_back(in_one_plane(panel, other) ? 1 : 0);
+      before_.push_back(dot(panel.normal, other.normal).sign() < 0 ? 1 : 0);
+    }
+  const auto side = [&](std::size_t panel, std::size_t i) {
+    const std::vector<Vector<Rational>>& corners = panels_[panel].corners;
+    return std::pair<const Vector<Rational>&, const Vector<Rational>&>(corners[i],
+                                                                       corners[(i + 1) % corners.size()]);
+  };
+  opposite_.resize(sectors_.size());
+  for (std::size_t k = 0; k < panels_.size(); ++k)
+    for (std::size_t i = 0; i < panels_[k].corners.size(); ++i) {
+      const auto [from, to] = side(k, i);
+      for (std::size_t j = 0; j < panels_.size(); ++j) {
+        const Panel& other = panels_[j];
+        const bool parallel = dot(to - from, other.normal).sign() == 0;
+        parallel_.push_back(parallel ? 1 : 0);
+        touching_.push_back(
+            parallel && !coplanar(j, k) && dot(from - other.corners[0], other.normal).sign() == 0 ? 1 : 0);
+        if (touching_.back() == 0) continue;
+        for (std::size_t l = 0; l < other.corners.size(); ++l) {
+          const auto [other_from, other_to] = side(j, l);
+          if (other_from == to && other_to == from) opposite_[first_sector_[k] + i] = first_sector_[j] + l;
+        }
+      }
+    }
+}
+
+}  // namespace radcert

@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/continuous/transport.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "radcert/continuous/gauss_tables.h"
+#include "radcert/kernel/geometric_kernel.h"
+#include "radcert/scalar/pack.h"
+
+namespace radcert {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Above roundings of bounds, which are products and sums of a few dozen positive numbers.
+constexpr double upward = 1 + 0x1p-40;
+/// The largest rule; a part that would need more is cut.
+constexpr int most_nodes = 10;
+
+/// The ball about the points of a group, rounded up.
+struct GroupBall {
+  Vector<double> centre;
+  double radius = 0;
+};
+
+/// A range of the points, halved until one is left.
+struct PointRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+  GroupBall ball;
+  std::size_t halves = 0;  ///< the place of the first half in the list, the second after it; 0: none
+  double error = 0;        ///< of the parts that are summed for these points together
+  double terms = 0;
+};
+
+/// A part of an element.
+struct Part {
+  std::size_t element = 0;
+  SectorBox box;
+};
+
+GroupBall ball_about(std::span<const Vector<double>> points, double extent) {
+  Vector<double> least = points[0];
+  Vector<double> largest = points[0];
+  for (const Vector<double>& p : points) {
+    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+    largest = {std::max(largest.x, p.x), std::max(largest.y, p.y), std::max(largest.z, p.z)};
+  }
+  GroupBall ball{.centre = 0.5 * (least + largest), .radius = 0};
+  for (const Vector<double>& p : points) ball.radius = std::max(ball.radius, norm(p - ball.centre));
+  ball.radius = ball.radius * upward + displacement * extent;
+  return ball;
+}
+
+/// A part of an element as the group sees it.
+struct SeenBox {
+  double area = 0;
+  double half_s = 0;  ///< the largest half length of a line in s, and in t
+  double half_t = 0;
+  double to_s = 0;  ///< at most the distance of the group from the middles of those lines
+  double to_t = 0;
+  double part_s = 0;  ///< half lengths relative to those of the element
+  double part_t = 0;
+  double jacobian_part = 0;  ///< (1-t) varies by this part of its mean
+
+  [[nodiscard]] double least_distance() const { return std::max(to_s - half_s, to_t - half_t); }
+};
+
+struct RuleChoice {
+  int nodes = 0;  ///< 0: none is good enough
+  double error = infinity;
+};
+
+/// The least rule for one parameter.
+/// Maths     see Transport; two ellipses are tried, a = D/2 and 7/10 D
+RuleChoice choose_rule(double distance, double half, double part, double height, double area,
+                       double jacobian_part, std::span<const double> sizes, double allowed) {
+  RuleChoice best;
+  for (const double share : {0.5, 0.7}) {
+    const double reach = share * distance;
+    const double axis = reach / half;
+    if (!(axis > 1.02)) continue;
+    const double rho = axis + std::sqrt(axis * axis - 1);
+    const double nearest = distance - reach;
+    const double kernel =
+        (distance + reach) * std::min(distance, height) / (nearest * nearest * nearest * nearest);
+    const double bound = std::numbers::inv_pi * area * kernel * (1 + jacobian_part * axis) *
+                         size_in_ellipse(sizes, ellipse_around(part, axis)) / (1 - 1 / (rho * rho)) * upward;
+    const double needed = std::log(32.0 / 15 * bound / allowed) / (2 * std::log(rho));
+    if (!(needed <= most_nodes)) continue;
+    const int nodes = std::max(1, static_cast<int>(std::ceil(needed)));
+    const double factor = 2 + 2 / (4.0 * nodes * nodes - 1);
+    const double error = factor * bound * std::pow(rho, -2 * nodes) * upward;
+    if (best.nodes == 0 || nodes < best.nodes || (nodes == best.nodes && error < best.error))
+      best = {nodes, error};
+  }
+  return best;
+}
+
+}  // namespace
+
+double distance(const Vector<double>& point, const Vector<double>& from, const Vector<double>& to) {
+  const Vector<double> way = to - from;
+  const double squared = dot(way, way);
+  const double along = squared > 0 ? std::clamp(dot(point - from, way) / squared, 0.0, 1.0) : 0.0;
+  return norm(point - (from + along * way));
+}
+
+Transport::Transport(const SectorScene& scene, std::span<const SectorElement> elements,
+                     const SectorFunctions& functions)
+    : scene_(scene),
+      elements_(elements),
+      powers_(static_cast<std::size_t>(functions.degree() + 1)),
+      count_(functions.count()),
+      stride_((functions.count() + Pack::lanes - 1) / Pack::lanes * Pack::lanes),
+      coefficients_(elements.size() * functions.size() * stride_) {
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const std::size_t panel = scene.sectors()[elements[e].sector].panel;
+    while (first_element_.size() <= panel) first_element_.push_back(e);
+    sizes_.push_back(polynomial_sizes(functions, e, 0, functions.count()));
+    size_ = std::max(size_, size_in_ellipse(sizes_.back().by_s, 1));
+    for (std::size_t k = 0; k < count_; ++k)
+      for (std::size_t i = 0; i < functions.size(); ++i)
+        coefficients_[(e * functions.size() + i) * stride_ + k] = functions.of(e, k)[i];
+  }
+  while (first_element_.size() <= scene.panels().size()) first_element_.push_back(elements.size());
+}
+
+/// The sum over one group of points: what is far is summed for all points by one rule, what is near for
+/// fewer.
+class Transport::Sum {
+public:
+  Sum(const Transport& transport, const ObserverGroup& group, double tolerance)
+      : transport_(transport),
+        scene_(transport.scene_),
+        panel_(group.panel),
+        points_(group.points),
+        tolerance_(tolerance),
+        powers_(transport.powers_),
+        stride_(transport.stride_),
+        values_(points_.size() * stride_),
+        legendre_s_(most_nodes * powers_),
+        legendre_t_(most_nodes * powers_),
+        contracted_(powers_ * stride_) {
+    ranges_.push_back({.begin = 0, .end = points_.size(), .ball = ball_of(0, points_.size())});
+    for (std::size_t r = 0; r < ranges_.size(); ++r) {
+      const std::size_t begin = ranges_[r].begin;
+      const std::size_t end = ranges_[r].end;
+      if (end - begin < 2) continue;
+      const std::size_t middle = begin + (end - begin) / 2;
+      ranges_[r].halves = ranges_.size();
+      ranges_.push_back({.begin = begin, .end = middle, .ball = ball_of(begin, middle)});
+      ranges_.push_back({.begin = middle, .end = end, .ball = ball_of(middle, end)});
+    }
+  }
+
+  void add_panel(std::size_t panel) {
+    if (panel == panel_ || scene_.coplanar(panel, panel_)) return;
+    const Sector& sector = scene_.sectors()[scene_.first_sector(panel)];
+    const Vector<double>& n = scene_.normal(panel);
+    heights_.clear();
+    double highest = 0;
+    for (const Vector<double>& p : points_) {
+      heights_.push_back(dot(n, p - sector.a));
+      highest = std::max(highest, heights_.back());
+    }
+    height_ = highest + 64 * unit_roundoff<double>() * scene_.extent();
+    std::vector<Part> parts;
+    for (std::size_t e = transport_.first_element_[panel]; e < transport_.first_element_[panel + 1]; ++e)
+      parts.push_back({e, transport_.elements_[e].box});
+    add_parts(0, std::move(parts));
+  }
+
+  /// Truncation, and what rounding adds to it: points, kernel, functions, sums.
+  [[nodiscard]] double radius() const {
+    double error = 0;
+    double terms = 0;
+    std::vector<std::pair<double, double>> above(ranges_.size());
+    for (std::size_t r = 0; r < ranges_.size(); ++r) {
+      above[r].first += ranges_[r].error;
+      above[r].second += ranges_[r].terms;
+      error = std::max(error, above[r].first);
+      terms = std::max(terms, above[r].second);
+      if (ranges_[r].halves == 0) continue;
+      above[ranges_[r].halves] = above[r];
+      above[ranges_[r].halves + 1] = above[r];
+    }
+    const auto powers = static_cast<double>(powers_);
+    const double relative = (32 * powers * powers + terms + 64) * unit_roundoff<double>();
+    return (error + transport_.size_ * (2 + 2 * error) * relative) * upward;
+  }
+  [[nodiscard]] double value(std::size_t point, std::size_t k) const { return values_[point * stride_ + k]; }
+
+private:
+  [[nodiscard]] GroupBall ball_of(std::size_t begin, std::size_t end) const {
+    return ball_about(points_.subspan(begin, end - begin), scene_.extent());
+  }
+
+  [[nodiscard]] SeenBox seen(const GroupBall& ball, const SectorElement& element,
+                             const SectorBox& box) const {
+    const Sector& sector = scene_.sectors()[element.sector];
+    const double s = box.middle_s();
+    const double t = box.middle_t();
+    const double slack = ball.radius + displacement * scene_.extent();
+    const Vector<double> to_start = sector.c - sector.point(box.s0, 0);
+    const Vector<double> to_end = sector.c - sector.point(box.s1, 0);
+    SeenBox out;
+    out.area = sector.jacobian * box.weight() * upward;
+    out.half_s = 0.5 * (1 - box.t0) * (box.s1 - box.s0) * norm(sector.b - sector.a) * upward;
+    out.half_t = 0.5 * (box.t1 - box.t0) * std::max(norm(to_start), norm(to_end)) * upward;
+    out.to_s = distance(ball.centre, sector.point(s, box.t0), sector.point(s, box.t1)) / upward - slack;
+    out.to_t = distance(ball.centre, sector.point(box.s0, t), sector.point(box.s1, t)) / upward - slack;
+    out.part_s = (box.s1 - box.s0) / (element.box.s1 - element.box.s0);
+    out.part_t = (box.t1 - box.t0) / (element.box.t1 - element.box.t0);
+    out.jacobian_part = 0.5 * (box.t1 - box.t0) / (1 - t);
+    return out;
+  }
+
+  /// Sums over parts of a panel for a range of points. A part is cut where it is large beside its distance; it
+  /// is left to the halves of the range where the range is.
+  void add_parts(std::size_t r, std::vector<Part> parts) {
+    std::vector<Part> for_halves;
+    while (!parts.empty()) {
+      const Part part = parts.back();
+      parts.pop_back();
+      const SectorElement& element = transport_.elements_[part.element];
+      const PolynomialSizes& sizes = transport_.sizes_[part.element];
+      const SeenBox box = seen(ranges_[r].ball, element, part.box);
+      const double near = std::max(box.to_s, box.to_t);
+      if (ranges_[r].halves > 0 && ranges_[r].ball.radius > 0.25 * (near + ranges_[r].ball.radius)) {
+        for_halves.push_back(part);
+        continue;
+      }
+      // What the part contributes, about; a part that is small beside all others need not be relatively good.
+      const double share =
+          near > 0 ? std::min(1.0, box.area * std::min(1.0, height_ / near) / (near * near)) : 1;
+      const double allowed = tolerance_ * transport_.size_ *
+                             std::max(0.25 * share, 0.1 / static_cast<double>(transport_.elements_.size()));
+      const RuleChoice in_s =
+          choose_rule(box.to_s, box.half_s, box.part_s, height_, box.area, 0, sizes.by_s, allowed);
+      const RuleChoice in_t = choose_rule(box.to_t, box.half_t, box.part_t, height_, box.area,
+                                          box.jacobian_part, sizes.by_t, allowed);
+      if (in_s.nodes > 0 && in_t.nodes > 0) {
+        const double least = box.least_distance();
+        const double kernel_error = least > least_kernel_distance * scene_.extent()
+                                        ? std::numbers::inv_pi * box.area * size_in_ellipse(sizes.by_s, 1) *
+                                              kernel_rounding * scene_.extent() / (least * least * least)
+                                        : infinity;
+        ranges_[r].error += in_s.error + in_t.error + kernel_error;
+        add_nodes(part, in_s.nodes, in_t.nodes);
+        constexpr std::size_t block = 1024;
+        if (x_.size() >= block) flush(r);
+        continue;
+      }
+      cut(part, in_s.nodes == 0 && (in_t.nodes > 0 || box.half_s >= box.half_t), r, parts);
+    }
+    flush(r);
+    if (for_halves.empty()) return;
+    add_parts(ranges_[r].halves, for_halves);
+    add_parts(ranges_[r].halves + 1, std::move(for_halves));
+  }
+
+  void cut(const Part& part, bool in_s, std::size_t r, std::vector<Part>& parts) {
+    const SectorBox& box = part.box;
+    constexpr double smallest = 0x1p-44;
+    if ((in_s ? box.s1 - box.s0 : box.t1 - box.t0) < smallest) {
+      ranges_[r].error = infinity;
+      return;
+    }
+    Part lower = part;
+    Part upper = part;
+    if (in_s)
+      lower.box.s1 = upper.box.s0 = box.middle_s();
+    else
+      lower.box.t1 = upper.box.t0 = box.middle_t();
+    parts.push_back(lower);
+    parts.push_back(upper);
+  }
+
+  /// P_0, ..., P_degree at the nodes of a rule, as seen from the element.
+  void tabulate(double from, double to, double element_from, double element_to, std::span<const double> nodes,
+                std::vector<double>& table) const {
+    const double width = element_to - element_from;
+    const double middle = ((from - element_from) - (element_to - to)) / width;
+    const double half = (to - from) / width;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      legendre_values<double>(middle + half * nodes[i], std::span(table).subspan(i * powers_, powers_));
+  }
+
+  void add_nodes(const Part& part, int in_s, int in_t) {
+    const SectorElement& element = transport_.elements_[part.element];
+    const SectorBox& box = part.box;
+    const Sector& sector = scene_.sectors()[element.sector];
+    const IntervalRule<double>& rule_s = gauss_on_interval(in_s);
+    const IntervalRule<double>& rule_t = gauss_on_interval(in_t);
+    tabulate(box.s0, box.s1, element.box.s0, element.box.s1, rule_s.nodes, legendre_s_);
+    tabulate(box.t0, box.t1, element.box.t0, element.box.t1, rule_t.nodes, legendre_t_);
+    const double half_s = 0.5 * (box.s1 - box.s0);
+    const double half_t = 0.5 * (box.t1 - box.t0);
+    const double scale = std::numbers::inv_pi * sector.jacobian * half_s * half_t;
+    const double* const c = transport_.coefficients_.data() + part.element * powers_ * powers_ * stride_;
+    const std::size_t begin = x_.size();
+    const std::size_t nodes = rule_s.nodes.size() * rule_t.nodes.size();
+    x_.resize(begin + nodes);
+    y_.resize(begin + nodes);
+    z_.resize(begin + nodes);
+    weights_.resize((begin + nodes) * stride_);
+    std::size_t place = begin;
+    for (std::size_t j = 0; j < rule_t.nodes.size(); ++j) {
+      const double t = box.middle_t() + half_t * rule_t.nodes[j];
+      for (std::size_t lane = 0; lane < stride_; lane += Pack::lanes)
+        for (std::size_t i = 0; i < powers_; ++i) {
+          Pack sum(0.0);
+          for (std::size_t l = 0; l < powers_; ++l)
+            sum = fma(Pack::load(c + (i * powers_ + l) * stride_ + lane), Pack(legendre_t_[j * powers_ + l]),
+                      sum);
+          sum.store(&contracted_[i * stride_ + lane]);
+        }
+      for (std::size_t i = 0; i < rule_s.nodes.size(); ++i, ++place) {
+        const Vector<double> q = sector.point(box.middle_s() + half_s * rule_s.nodes[i], t);
+        x_[place] = q.x;
+        y_[place] = q.y;
+        z_[place] = q.z;
+        const double weight = scale * (1 - t) * rule_s.weights[i] * rule_t.weights[j];
+        for (std::size_t lane = 0; lane < stride_; lane += Pack::lanes) {
+          Pack sum(0.0);
+          for (std::size_t l = 0; l < powers_; ++l)
+            sum = fma(Pack::load(&contracted_[l * stride_ + lane]), Pack(legendre_s_[i * powers_ + l]), sum);
+          (Pack(weight) * sum).store(&weights_[place * stride_ + lane]);
+        }
+      }
+    }
+  }
+
+  /// Sums over the nodes that are collected, for the points of a range, and forgets them.
+  void flush(std::size_t r) {
+    if (x_.empty()) return;
+    ranges_[r].terms += static_cast<double>(x_.size());
+    while (x_.size() % Pack::lanes != 0) {
+      x_.push_back(x_.back());
+      y_.push_back(y_.back());
+      z_.push_back(z_.back());
+    }
+    const std::size_t nodes = x_.size();
+    weights_.resize(nodes * stride_);  // the new ones are 0
+    kernel_.resize(nodes);
+    const Vector<double>& n = scene_.normal(panel_);
+    const Vector<Pack> minus_n{-n.x, -n.y, -n.z};
+    for (std::size_t p = ranges_[r].begin; p < ranges_[r].end; ++p) {
+      const Vector<Pack> at{points_[p].x, points_[p].y, points_[p].z};
+      for (std::size_t i = 0; i < nodes; i += Pack::lanes) {
+        const Vector<Pack> difference{at.x - Pack::load(&x_[i]), at.y - Pack::load(&y_[i]),
+                                      at.z - Pack::load(&z_[i])};
+        const Pack inverse = reciprocal(fused_dot(difference, difference));
+        (fused_dot(difference, minus_n) * (inverse * inverse)).store(&kernel_[i]);
+      }
+      const Pack height(heights_[p]);
+      for (std::size_t lane = 0; lane < stride_; lane += Pack::lanes) {
+        Pack even(0.0);
+        Pack odd(0.0);
+        const double* weights = weights_.data() + lane;
+        for (std::size_t i = 0; i < nodes; i += 2) {
+          even = fma(Pack(kernel_[i]), Pack::load(weights + i * stride_), even);
+          odd = fma(Pack(kernel_[i + 1]), Pack::load(weights + (i + 1) * stride_), odd);
+        }
+        double* const sum = &values_[p * stride_ + lane];
+        fma(height, even + odd, Pack::load(sum)).store(sum);
+      }
+    }
+    x_.clear();
+    y_.clear();
+    z_.clear();
+    weights_.clear();
+  }
+
+  const Transport& transport_;
+  const SectorScene& scene_;
+  std::size_t panel_;
+  std::span<const Vector<double>> points_;
+  double tolerance_;
+  std::size_t powers_;
+  std::size_t stride_;
+  std::vector<PointRange> ranges_;
+  std::vector<double> values_;   ///< by point, function, functions filled up to whole packs
+  std::vector<double> heights_;  ///< of the points over the plane of the panel at hand
+  double height_ = 0;            ///< the largest of them, rounded up
+  std::vector<double> x_, y_, z_;
+  std::vector<double> weights_;  ///< by node, function
+  std::vector<double> legendre_s_, legendre_t_, contracted_;
+  std::vector<double> kernel_;
+};
+
+Transport::Values Transport::operator()(const ObserverGroup& group, double tolerance,
+                                        std::optional<std::size_t> without) const {
+  Sum sum(*this, group, tolerance);
+  for (std::size_t panel = 0; panel < scene_.panels().size(); ++panel)
+    if (panel != without) sum.add_panel(panel);
+  Values out{.values = {}, .radius = sum.radius()};
+  out.values.reserve(group.points.size() * count_);
+  for (std::size_t p = 0; p < group.points.size(); ++p)
+    for (std::size_t k = 0; k < count_; ++k) out.values.push_back(sum.value(p, k));
+  return out;
+}
+
+}  // namespace radcert
