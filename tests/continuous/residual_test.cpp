@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
+#include "radcert/continuous/transport.h"
 #include "radcert/core/parallel.h"
 #include "tests/continuous/scenes.h"
 
@@ -50,7 +53,7 @@ TEST(ResidualSums, VanishForTheExactSolution) {
 }
 
 TEST(ResidualSums, SeeAConstantError) {
-  // q_0 = 1 + d: w_0 = 1 + d/2, t_0 = -d/2; the norm is (Int rho t^2)^(1/2) = d/2 (3)^(1/2), Int w_1 t_0 = -3 d.
+  // q_0 = 1 + d: w_0 = 1 + d/2, t_0 = -d/2; the norm is d/2 times (area/2)^(1/2), Int w_1 t_0 = -area d/2.
   for (const std::string name : {"cube", "tetrahedron"}) {
     Furnace furnace(name, 2, 1);
     constexpr double d = 0.25;
@@ -77,6 +80,108 @@ TEST(ResidualSums, AreBoundsAtAnyDemand) {
       EXPECT_GE(coarse.norms[k], 0.9 * fine.norms[k] - 1e-3);
       EXPECT_LE(std::abs(coarse.products[k].value - fine.products[k].value),
                 coarse.products[k].radius + fine.products[k].radius);
+    }
+  }
+}
+
+/// Sums over cells that the test chooses, of drawn functions with q = 0: norms are of T w, products Int w_k T
+/// w_0.
+struct Drawn {
+  SectorScene scene;
+  std::vector<SectorElement> elements;
+  PanelData data;
+  SectorFunctions w;
+  SectorFunctions q;
+  Smoothness smoothness;
+
+  Drawn(const std::string& name, Draw draw)
+      : scene(panels_of(name)),
+        elements(graded_elements(scene, 2)),
+        w(test::drawn_functions(elements.size(), 2, 2, draw)),
+        q(elements.size(), 2, 2),
+        smoothness(scene, elements, w, q) {
+    data.reflectivity.assign(scene.panels().size(), 0.5);
+  }
+  [[nodiscard]] ResidualSums over(const std::vector<ObserverCell>& cells) const {
+    return residual_sums(scene, elements, data, w, q, smoothness, cells,
+                         {.interpolation = 1e-7, .quadrature = 1e-9});
+  }
+  /// Int over a box of w_k T w_0, and of (T w_k)^2/2, by an 8 x 8 rule.
+  [[nodiscard]] std::pair<double, double> by_a_rule(std::size_t e, const SectorBox& box,
+                                                    std::size_t k) const {
+    const Sector& sector = scene.sectors()[elements[e].sector];
+    const SectorBox& whole = elements[e].box;
+    const IntervalRule<double>& rule = gauss_on_interval(8);
+    const Transport transport(scene, elements, w);
+    double product = 0;
+    double square = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+      for (std::size_t j = 0; j < 8; ++j) {
+        const double s = box.middle_s() + 0.5 * (box.s1 - box.s0) * rule.nodes[i];
+        const double t = box.middle_t() + 0.5 * (box.t1 - box.t0) * rule.nodes[j];
+        const std::vector<double> sent =
+            transport({.panel = sector.panel, .points = {sector.point(s, t)}}, 1e-9).values;
+        std::array<double, 3> p_s{};
+        std::array<double, 3> p_t{};
+        legendre_values<double>((2 * s - whole.s0 - whole.s1) / (whole.s1 - whole.s0), p_s);
+        legendre_values<double>((2 * t - whole.t0 - whole.t1) / (whole.t1 - whole.t0), p_t);
+        double w_k = 0;
+        for (std::size_t a = 0; a < 3; ++a)
+          for (std::size_t b = 0; b < 3; ++b) w_k += w.of(e, k)[a * 3 + b] * p_s[a] * p_t[b];
+        const double weight = 0.25 * (box.s1 - box.s0) * (box.t1 - box.t0) * rule.weights[i] *
+                              rule.weights[j] * sector.jacobian * (1 - t);
+        product += weight * w_k * sent[0];
+        square += weight * 0.5 * sent[k] * sent[k];
+      }
+    return {product, square};
+  }
+};
+
+TEST(ResidualSums, AreThoseOfARuleOnOneCell) {
+  for (const std::string name : {"cube", "tetrahedron"}) {
+    const Drawn drawn(name, Draw(23));
+    for (const std::size_t e : {0U, 5U, 11U}) {
+      SectorBox box = drawn.elements[e].box;
+      box.t0 = box.t0 + 0.25 * (box.t1 - box.t0);
+      box.t1 = box.t0 + 0.25 * (box.t1 - box.t0);
+      const double middle = box.middle_s();
+      box.s1 = middle + 0.125 * (box.s1 - middle);
+      box.s0 = middle;
+      const ResidualSums sums = drawn.over({{.element = e, .box = box, .nodes_s = 8, .nodes_t = 8}});
+      for (const std::size_t k : {0U, 1U}) {
+        const auto [product, square] = drawn.by_a_rule(e, box, k);
+        EXPECT_NEAR(sums.products[k].value, product, sums.products[k].radius + 1e-9) << name << " " << e;
+        EXPECT_NEAR(sums.norms[k], std::sqrt(square), 1e-5) << name << " " << e;
+        EXPECT_LT(sums.products[k].radius, 1e-3 * std::abs(product) + 1e-9);
+      }
+    }
+  }
+}
+
+TEST(ResidualSums, OfAClosedCellDifferByWhatItsBoundSays) {
+  // At an edge T w is F and a little; the little is bounded by `nearby`.
+  for (const std::string name : {"cube", "tetrahedron", "octahedron"}) {
+    const Drawn drawn(name, Draw(29));
+    for (std::size_t e = 0; e < drawn.elements.size(); e += 7) {
+      const SectorBox& whole = drawn.elements[e].box;
+      if (whole.t0 != 0) continue;
+      SectorBox box = whole;
+      box.t1 = std::ldexp(whole.t1, -10);
+      const double width = whole.s1 - whole.s0;
+      box.s0 = whole.s0 + 0.375 * width;
+      box.s1 = whole.s0 + 0.4375 * width;
+      const double bound = drawn.smoothness.nearby(e, box).bound;
+      ASSERT_LT(bound, 0.1);
+      const ResidualSums closed =
+          drawn.over({{.element = e, .box = box, .nodes_s = 8, .nodes_t = 8, .closed = true}});
+      const double area = drawn.scene.sectors()[drawn.elements[e].sector].jacobian * box.weight();
+      for (const std::size_t k : {0U, 1U}) {
+        const auto [product, square] = drawn.by_a_rule(e, box, k);
+        EXPECT_NEAR(closed.products[k].value, product,
+                    area * drawn.smoothness.density_size(e) * bound + closed.products[k].radius)
+            << name << " " << e;
+        EXPECT_NEAR(closed.norms[k], std::sqrt(square), std::sqrt(area) * bound + 1e-6) << name << " " << e;
+      }
     }
   }
 }

@@ -43,6 +43,9 @@ std::vector<Case> continuous_cases() {
           {.limit = "continuous/trial_functions: Krylov vectors",
            .answer = [] { return means_of_a_tetrahedron(0.1); },
            .is_long = true},
+          {.limit = "continuous/observer_cells: cells of an element",
+           .answer = product_of_a_furnace,
+           .truth = [] { return std::vector<Ball>{Ball(Rational(-54, 64))}; }},
           {.limit = "continuous/observer_cells: halvings of an element",
            .answer = product_of_a_furnace,
            // w = 9/8, t = -1/8, over the area 6

@@ -132,6 +132,7 @@ Missed missed_by(const Discrete& discrete, const Trial& trial, std::span<const O
 struct Plan {
   std::vector<ObserverCell> cells;
   CellDemand demand;
+  bool is_kept = true;  ///< whether they miss no more than ten times what they may
 };
 
 Plan plan_cells(const Discrete& discrete, const Trial& trial, const Missed& allowed) {
@@ -143,6 +144,7 @@ Plan plan_cells(const Discrete& discrete, const Trial& trial, const Missed& allo
     plan.demand = {.interpolation = aim.norm / std::sqrt(count), .quadrature = aim.product / count};
     plan.cells = observer_cells(discrete.scene, trial.elements, trial.smoothness, plan.demand);
     const Missed found = missed_by(discrete, trial, plan.cells);
+    plan.is_kept = found.norm <= 10 * allowed.norm && found.product <= 10 * allowed.product;
     if (found.norm <= allowed.norm && found.product <= allowed.product) break;
     aim.norm *= std::min(1.0, 0.9 * allowed.norm / found.norm);
     aim.product *= std::min(1.0, 0.9 * allowed.product / found.product);
@@ -208,6 +210,11 @@ MeanEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
     const double allowed_norm = enough ? m : smaller;
     const double allowed_product = std::max(0.07 * radius, 0.05 * norm_0 * norm_k / gap);
     const Plan plan = plan_cells(discrete, trial, {allowed_norm, allowed_product});
+    // Cells that come to their limits are worth no samples, and finer elements would not help them.
+    if (!plan.is_kept) {
+      best.hindrance = "too many cells: the polyhedron is too thin, or its edges are too sharp";
+      break;
+    }
     const ResidualSums sums = residual_sums(discrete.scene, trial.elements, discrete.data, trial.w, trial.q,
                                             trial.smoothness, plan.cells, plan.demand);
     samples += sums.samples;
@@ -236,6 +243,7 @@ MeanEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
     if (progress) progress(best.last);
     if (best.width <= wanted) return best;
   }
+  if (!best.hindrance.empty()) return best;
   best.hindrance = "the residual of polynomials of degree " + std::to_string(best.last.degree) + " on " +
                    std::to_string(best.last.layers) + " layers of elements";
   return best;

@@ -15,6 +15,9 @@ namespace radcert {
 const WorkLimit deepest_cell("continuous/observer_cells: halvings of an element", 80, 0,
                              "a strip that is not looked into");
 
+const WorkLimit most_cells("continuous/observer_cells: cells of an element", 20000, 0,
+                           "strips that are not looked into");
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -460,7 +463,7 @@ private:
     const double largest = smoothness_.residual_size(number_);
     const bool small = largest * std::sqrt(area) <= demand_.interpolation &&
                        area * smoothness_.density_size(number_) * largest <= demand_.quadrature;
-    if (small || depth_of_cuts >= deepest_cell.value()) {
+    if (small || depth_of_cuts >= deepest_cell.value() || cells_.size() >= most_cells.count()) {
       cells_.push_back({.element = number_, .box = box});
       return;
     }

@@ -15,46 +15,49 @@
 namespace radcert {
 
 /// Bounds of what rules on a cell of observers miss, for each number of nodes in one variable.
-/// Maths     [n-1], n = 1, ..., most_gauss_nodes. interpolation: |f - p| <= e for some p of degree n - 1 of the
-///           variable, f = T w and q together; quadrature: of the mean of w T w
+/// Maths     [n-1], n = 1, ..., most_gauss_nodes. interpolation: |f - p| <= e for some p of degree n - 1 of
+///           the variable, f = T w and q together; quadrature: of the mean of w T w
 struct RuleErrors {
   std::array<double, most_gauss_nodes> interpolation{};
   std::array<double, most_gauss_nodes> quadrature{};
 };
 
 /// How smooth T w is around points of the surface.
-/// Maths     T w = sum over the panels Q_j of T_j w, each holomorphic around a line of observers c + z e, z in
-///           the ellipse with the half axes a and b:
-///           tube   |T_j w| <= (1 + a |e.n_j|/d) T_j(|w| (r/(r-a))^4)(c), r = |c-Q|, d the distance of c from the
-///                  plane of Q_j: |P-Q|^2 has two factors of modulus >= r - a, n_P.(Q-P) does not change,
-///                  n_j.(P-Q) by a |e.n_j| at most. With D the distance of c from Q_j that is at most (D/(D-a))^4
-///                  T_j|w|, and at most sup|w| Int_D^oo (r/(r-a))^4 m d/r^2 dr = m d (1/g + a/g^2 + a^2/(3 g^3))
-///                  sup|w|, g = D - a: the kernel is at most d/r^3, on rings, m = 2, or on half rings, m = 1,
-///                  where the foot of c in the plane does not lie before the observer: n_P.n_j >= 0
-///           slide  where e is parallel to Q_j: P = p + i tau e with p real, and Q moves to Q + i tau phi e,
-///                  phi = max(0, 1 - |Q-p|/r), r at most the distance of p from all sides of elements of Q_j
-///                  not parallel to e: Cauchy's theorem on each line along e. Im(P-Q) = tau (1-phi) e is no
-///                  longer than theta |p-Q|, theta = |tau|/r, so that |T_j w| <= sqrt(1+theta^2)
-///                  (1-theta^2)^-2 sup |w| on the points that are reached. r is Lipschitz: theta = b/sqrt(r^2 -
-///                  a^2) holds on the ellipse, r taken at its middle
-///           turn   where Q_j touches the side of the sector: P = x + t g, x on the side and t complex, |t| |g|
-///                  <= R with |arg t| <= pi/2, and Q turns about x to x + e^(i alpha) (Q-x), alpha = arg t for
-///                  |Q-x| <= k R, falling to 0 with log|Q-x| at the distance r, up to which Q_j has no side of
-///                  an element but the one along the edge (Stokes: the border moves in the complex line of the
-///                  edge, on which the form vanishes). Both scalar products keep their moduli; up to k R so
-///                  does P-Q, and beyond |(P-Q)^2| is at least ((k-1)/(k+1))^2 of its value at |t|, where the
-///                  mass of what is further than (k-1) R is at most 2/(k-1): |T_j w| <= (1 + 2/(k-1)
-///                  ((k+1)/(k-1))^4 (1 + (pi/2 / log(r/(k R)))^2)^(1/2)) sup |w| on the points that are reached
+/// Maths     T w = sum over the panels Q_j of T_j w, each holomorphic around a line of observers c + z e, z
+///           in the ellipse with the half axes a and b:
+///           tube     |T_j w| <= (1 + a |e.n_j|/d) T_j(|w| (r/(r-a))^4)(c), r = |c-Q|, d the distance of c
+///                    from the plane of Q_j: |P-Q|^2 has two factors of modulus >= r - a, n_P.(Q-P) does not
+///                    change, n_j.(P-Q) by a |e.n_j| at most. With D the distance of c from Q_j that is at
+///                    most (D/(D-a))^4 T_j|w|, and at most sup|w| Int_D^oo (r/(r-a))^4 m d/r^2 dr = m d (1/g
+///                    + a/g^2 + a^2/(3 g^3)) sup|w|, g = D - a: the kernel is at most d/r^3, on rings, m = 2,
+///                    or on half rings, m = 1, where the foot of c in the plane does not lie before the
+///                    observer: n_P.n_j >= 0
+///           slide    where e is parallel to Q_j: P = p + i tau e with p real, and Q moves to Q + i tau phi
+///                    e, phi = max(0, 1 - |Q-p|/r), r at most the distance of p from all sides of elements of
+///                    Q_j not parallel to e: Cauchy's theorem on each line along e. Im(P-Q) = tau (1-phi) e
+///                    is no longer than theta |p-Q|, theta = |tau|/r, so that |T_j w| <= sqrt(1+theta^2)
+///                    (1-theta^2)^-2 sup |w| on the points that are reached. r is Lipschitz: theta =
+///                    b/sqrt(r^2 - a^2) holds on the ellipse, r taken at its middle
+///           turn     where Q_j touches the side of the sector: P = x + t g, x on the side and t complex, |t|
+///                    |g| <= R with |arg t| <= pi/2, and Q turns about x to x + e^(i alpha) (Q-x), alpha =
+///                    arg t for |Q-x| <= k R, falling to 0 with log|Q-x| at the distance r, up to which Q_j
+///                    has no side of an element but the one along the edge (Stokes: the border moves in the
+///                    complex line of the edge, on which the form vanishes). Both scalar products keep their
+///                    moduli; up to k R so does P-Q, and beyond |(P-Q)^2| is at least ((k-1)/(k+1))^2 of its
+///                    value at |t|, where the mass of what is further than (k-1) R is at most 2/(k-1): |T_j
+///                    w| <= (1 + 2/(k-1) ((k+1)/(k-1))^4 (1 + (pi/2 / log(r/(k R)))^2)^(1/2)) sup |w| on the
+///                    points that are reached
+///           closure  at an edge, Q_j on its other side: T 1 = 1 on a closed surface, so that T w(P) = F(P) +
+///                    T_j(w - xi)(P), F = sum over i != j of T_i w + xi (1 - sum over i != j of T_i 1), xi(s)
+///                    = w on Q_j at the point x of the edge that belongs to P = P(s,t). F is smooth up to the
+///                    edge. For |P-x| <= R, P at most H above the plane of Q_j, what is further than r from P
+///                    has the mass m H/r at most, and |w - xi| <= l |Q-x| up to the distance d of the other
+///                    sides of the element: |T_j(w - xi)| <= 3 l R + sum_k m H/(2^k R) l (2^(k+1) + 1) R + 2
+///                    sup|w| m H/(d - R)
 ///           With |f| <= M there, a polynomial of degree n - 1 is off by 2 M rho^(1-n)/(rho-1) (Trefethen,
 ///           theorem 8.2), and a rule of n nodes by (2 + 2/(4n^2-1)) M rho^(-2n)/(1-rho^-2) of the mean
-///           closure  at an edge, Q_j on its other side: T 1 = 1 on a closed surface, so that T w(P) = F(P) +
-///                  T_j(w - xi)(P), F = sum over i != j of T_i w + xi (1 - sum over i != j of T_i 1), xi(s) = w
-///                  on Q_j at the point x of the edge that belongs to P = P(s,t). F is smooth up to the edge.
-///                  For |P-x| <= R, P at most H above the plane of Q_j, what is further than r from P has the
-///                  mass m H/r at most, and |w - xi| <= l |Q-x| up to the distance d of the other sides of the
-///                  element: |T_j(w - xi)| <= 3 l R + sum_k m H/(2^k R) l (2^(k+1) + 1) R + 2 sup|w| m H/(d - R)
-/// Source    N. Trefethen, "Approximation Theory and Approximation Practice"; the moved paths and the closure:
-///           ours
+/// Source    N. Trefethen, "Approximation Theory and Approximation Practice"; the moved paths and the
+///           closure: ours
 /// Requires  the scene, the elements and the functions outlive it; w and q have the same degree and count
 /// Result    rounded up; infinite where an edge is touched
 class Smoothness {
@@ -124,8 +127,8 @@ struct ObserverCell {
 };
 
 /// What a cell X may contribute.
-/// Maths     interpolation: e sqrt|X|; quadrature: |X| times the bound for the mean. A cell that is not looked
-///           into contributes sup|T w - q| sqrt|X| and |X| sup|w| sup|T w - q|
+/// Maths     interpolation: e sqrt|X|; quadrature: |X| times the bound for the mean. A cell that is not
+///           looked into contributes sup|T w - q| sqrt|X| and |X| sup|w| sup|T w - q|
 struct CellDemand {
   double interpolation = 0;
   double quadrature = 0;

@@ -25,10 +25,10 @@ struct ResidualSums {
 };
 
 /// Sums over cells of observers.
-/// Maths     ||t||_X <= (Gauss sum of t^2)^(1/2) + 2 sqrt|X| e, e the cell's interpolation bound: ||f - If|| <=
-///           2 sqrt|X| (e_s + e_t), since Gauss rules with n nodes integrate |If|^2 (1-t) exactly and have
-///           positive weights; strips by |t| <= sup|w| + sup|q|. Int w_k T w_0 by the cells' rules, Int w_k q_0
-///           exactly up to rounding
+/// Maths     ||t||_X <= (Gauss sum of t^2)^(1/2) + 2 sqrt|X| e, e the cell's interpolation bound: ||f - If||
+///           <= 2 sqrt|X| (e_s + e_t), since Gauss rules with n nodes integrate |If|^2 (1-t) exactly and have
+///           positive weights; strips by |t| <= sup|w| + sup|q|. Int w_k T w_0 by the cells' rules, Int w_k
+///           q_0 exactly up to rounding
 /// Requires  cells of these elements and functions
 /// Result    norms rounded up, products proved; the same bits for any number of threads
 [[nodiscard]] ResidualSums residual_sums(const SectorScene& scene, std::span<const SectorElement> elements,

@@ -50,9 +50,10 @@ struct SectorBox {
 /// Maths     sectors of a panel follow one another, in the order of its sides; extent bounds the coordinates
 /// Requires  panels of a closed surface that lies in the boundary of a convex body
 /// Result    geometry in double; what is decided is decided on the exact panels. parallel(i, j): the side of
-///           sector i is parallel to the plane of panel j; touching(i, j): it lies in that plane, which is not
-///           its own; before(i, j): a point of panel i has its foot in the plane of j before itself, n_i.n_j <
-///           0; opposite(i): the sector on the other side of the same edge, with the same ends, or none
+///           sector i is parallel to the plane of panel j; touching(i, j): it lies in that plane, which is
+///           not its own; before(i, j): a point of panel i has its foot in the plane of j before itself,
+///           n_i.n_j < 0; opposite(i): the sector on the other side of the same edge, with the same ends, or
+///           none
 class SectorScene {
 public:
   explicit SectorScene(std::vector<Panel> panels);
@@ -101,9 +102,9 @@ inline constexpr double displacement = 33 * unit_roundoff<double>();
 
 /// What rounding does to the kernel between two such points at the distance D, at most.
 /// Maths     G = [n_P.(Q-P)] [n_Q.(P-a)] / |P-Q|^4, a the vertex of Q's sector: |computed - exact| <=
-///           kernel_rounding X / D^3 for D >= 2^10 displacement X. Both points move: the scalar products and D
-///           by 66 u X at most, which makes 6 * 66 u X / D^3 and 2% more; products, sums and normals that are
-///           off by 6 u a coordinate: 15 u D in the first factor, 15 u |P-a| in the second, 13 u in the
+///           kernel_rounding X / D^3 for D >= 2^10 displacement X. Both points move: the scalar products and
+///           D by 66 u X at most, which makes 6 * 66 u X / D^3 and 2% more; products, sums and normals that
+///           are off by 6 u a coordinate: 15 u D in the first factor, 15 u |P-a| in the second, 13 u in the
 ///           quotient; D, |P-a| <= 2 sqrt(3) X. Together less than 560
 inline constexpr double kernel_rounding = 1024 * unit_roundoff<double>();
 inline constexpr double least_kernel_distance = 1024 * displacement;

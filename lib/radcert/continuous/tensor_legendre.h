@@ -56,8 +56,8 @@ private:
 
 /// What bounds a function of SectorFunctions around an element, by the powers of either variable.
 /// Maths     by_s[i] = sum_j |c_ij|, by_t[j] = sum_i |c_ij|, the largest over the functions that are asked
-///           for. |P_i(z)| <= rho^i in the ellipse with the foci -1, 1 and half axes summing to rho (Laplace's
-///           integral), so that |f| <= sum_i by_s[i] rho^i for x there and y real
+///           for. |P_i(z)| <= rho^i in the ellipse with the foci -1, 1 and half axes summing to rho
+///           (Laplace's integral), so that |f| <= sum_i by_s[i] rho^i for x there and y real
 struct PolynomialSizes {
   std::vector<double> by_s;
   std::vector<double> by_t;
@@ -71,9 +71,9 @@ struct PolynomialSizes {
 }
 
 /// The sum of the half axes of an ellipse with foci -1, 1 that holds the one about a part of the interval.
-/// Maths     z = m + h w, |m| + h <= 1, w in the ellipse with foci -1, 1 and the larger half axis a: |z-1| <= 1
-///           - m - h + h |w-1|, |z+1| <= 1 + m - h + h |w+1|, so that (|z-1| + |z+1|)/2 <= 1 + h (a-1) = A; A +
-///           sqrt(A^2 - 1)
+/// Maths     z = m + h w, |m| + h <= 1, w in the ellipse with foci -1, 1 and the larger half axis a: |z-1| <=
+///           1 - m - h + h |w-1|, |z+1| <= 1 + m - h + h |w+1|, so that (|z-1| + |z+1|)/2 <= 1 + h (a-1) = A;
+///           A + sqrt(A^2 - 1)
 inline double ellipse_around(double half, double axis) {
   const double outer = 1 + half * (axis - 1);
   return outer + std::sqrt(outer * outer - 1);

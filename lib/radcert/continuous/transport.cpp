@@ -220,8 +220,8 @@ private:
     return out;
   }
 
-  /// Sums over parts of a panel for a range of points. A part is cut where it is large beside its distance; it
-  /// is left to the halves of the range where the range is.
+  /// Sums over parts of a panel for a range of points. A part is cut where it is large beside its distance;
+  /// it is left to the halves of the range where the range is.
   void add_parts(std::size_t r, std::vector<Part> parts) {
     std::vector<Part> for_halves;
     while (!parts.empty()) {

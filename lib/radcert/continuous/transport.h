@@ -21,12 +21,12 @@ struct ObserverGroup {
 
 /// T f at points, T = (1/pi) Int G . dS, for functions that are polynomials on elements.
 /// Maths     tensor Gauss rules on dyadic parts of the elements. Q runs along a straight line with the half
-///           length h in either parameter; for a complex parameter in the ellipse with the larger half axis A,
-///           a = h A, and D the distance of the observer from the middle of the line, D > a:
-///             |P - Q(z)|^2 is a product of two factors of modulus >= D - a,  |n_P.(Q(z)-P)| <= D + a, and
-///             n_Q.(P-Q) is the height of P over the plane of Q, so that  |G| <= (D+a) min(D,height) / (D-a)^4,
-///           which decreases in D. A rule of n nodes is then off by (2 + 2/(4n^2-1)) rho^(-2n)/(1 - rho^-2)
-///           times this, the area, and the bound of f on the ellipse (gauss_error_factor)
+///           length h in either parameter; for a complex parameter in the ellipse with the larger half axis
+///           A, a = h A, and D the distance of the observer from the middle of the line, D > a: |P - Q(z)|^2
+///           is a product of two factors of modulus >= D - a,  |n_P.(Q(z)-P)| <= D + a, and n_Q.(P-Q) is the
+///           height of P over the plane of Q, so that  |G| <= (D+a) min(D,height) / (D-a)^4, which decreases
+///           in D. A rule of n nodes is then off by (2 + 2/(4n^2-1)) rho^(-2n)/(1 - rho^-2) times this, the
+///           area, and the bound of f on the ellipse (gauss_error_factor)
 /// Source    the ellipse: N. Trefethen, "Approximation Theory and Approximation Practice", theorem 19.3; that
 ///           the kernel is holomorphic there: its denominator is (w.w) with w = P - Q(z), whose factors are
 ///           linear in z with conjugate zeros, each at least D/h from the middle

@@ -24,8 +24,8 @@ struct PanelData {
                                         const PanelData& data, const SectorFunctions& q);
 
 /// Functions q_k for which q_k = T(E_k + rho q_k) nearly holds.
-/// Maths     interpolation at the tensor Gauss nodes of each element: q = P T (E + rho q), by GMRES for each k,
-///           the products with T for all at once
+/// Maths     interpolation at the tensor Gauss nodes of each element: q = P T (E + rho q), by GMRES for each
+///           k, the products with T for all at once
 /// Source    K. Atkinson, "The Numerical Solution of Integral Equations of the Second Kind", 1997, chapter 3
 /// Requires  0 <= degree < most_gauss_nodes, else ContractViolation
 /// Result    floating point, no guarantee: what a proof needs is enclosed afterwards from the functions as

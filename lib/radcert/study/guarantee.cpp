@@ -2,6 +2,7 @@
 #include "radcert/study/guarantee.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "radcert/collocation/certified/plane_chart.h"
@@ -121,6 +122,7 @@ std::pair<LevelResult, SolutionEnclosure> solve_within(
   // A double from below: what is reached is then within what was asked for.
   const double wanted = guarantee.width.to_double() * (1 - unit_roundoff<double>());
   const MeanEnclosure found = enclose_means(polyhedron, wanted, tell);
+  if (!std::isfinite(found.width)) throw AccuracyNotReached("the means of u", found.hindrance);
   SolutionEnclosure enclosure{
       .wanted = guarantee, .width = found.width, .pieces = {}, .hindrance = found.hindrance};
   LevelResult level;

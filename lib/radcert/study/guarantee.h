@@ -43,17 +43,19 @@ struct GuaranteeProgress {
 
 /// Refuses a problem whose solution cannot be enclosed.
 /// Maths     a closed surface of plane charts that is proved to lie in the boundary of a convex body; an
-///           emission; rho and E constant on each plane of a piece, 0 <= rho < 1; a width that double can hold
+///           emission; rho and E constant on each plane of a piece, 0 <= rho < 1; a width that double can
+///           hold
 /// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed
 void check_guarantee(const Problem& problem, const Guarantee& guarantee);
 
 /// Encloses the means of u over the pieces.
-/// Maths     enclose_means: the residual of a piecewise polynomial and of one for each mean, enclosed over the
-///           whole surface
+/// Maths     enclose_means: the residual of a piecewise polynomial and of one for each mean, enclosed over
+///           the whole surface
 /// Source    lib/radcert/continuous
 /// Requires  what check_guarantee lets pass, else InputError
-/// Result    proved; the level's number is that of the layers of elements, its errors are absent and its means
-///           those of the enclosure. The same bits for any number of threads
+/// Result    proved, AccuracyNotReached where nothing is; the level's number is that of the layers of
+///           elements, its errors are absent and its means those of the enclosure. The same bits for any
+///           number of threads
 /// Limits    where the width is not reached the enclosure says so and is the best that was found
 [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve_within(
     const Problem& problem, const Guarantee& guarantee,
