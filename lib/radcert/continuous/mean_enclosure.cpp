@@ -24,14 +24,11 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double upward = 1 + 0x1p-40;
 
-double rounded_up(const Rational& value) { return std::nextafter(value.to_double(), infinity); }
-
 /// The problem in double: function 0 is that of E, function 1 + k that of the mean over piece k.
 struct Discrete {
   SectorScene scene;
   PanelData data;
   std::vector<double> piece_area;
-  double largest_reflectivity = 0;
 
   explicit Discrete(const PolyhedronProblem& problem) : scene(problem.panels) {
     const std::size_t panels = scene.panels().size();
@@ -45,7 +42,6 @@ struct Discrete {
       data.emissions[0][j] = problem.emission[j].to_double();
       data.emissions[1 + piece][j] = data.reflectivity[j];
       piece_area[piece] += scene.area(j);
-      largest_reflectivity = std::max(largest_reflectivity, rounded_up(problem.reflectivity[j]));
     }
     // All functions are of one size: what bounds them bounds them together.
     double largest = 0;
@@ -155,19 +151,18 @@ Plan plan_cells(const Discrete& discrete, const Trial& trial, const Missed& allo
 /// Where nothing reflects, u = E.
 MeanEnclosure means_of_emission(const PolyhedronProblem& problem, const Discrete& discrete) {
   MeanEnclosure found;
+  const auto sectors = static_cast<double>(discrete.scene.sectors().size());
   for (std::size_t k = 0; k < discrete.piece_area.size(); ++k) {
     double value = 0;
     double size = 0;
-    double panels = 0;
     for (std::size_t j = 0; j < problem.panels.size(); ++j) {
       if (problem.panels[j].piece != k) continue;
       const double share = discrete.scene.area(j) / discrete.piece_area[k];
       value += share * problem.emission[j].to_double();
       size += share * std::abs(problem.emission[j].to_double());
-      ++panels;
     }
     found.means.push_back(
-        Approximation::proved(value, (panels + 8) * unit_roundoff<double>() * size * upward));
+        Approximation::proved(value, (sectors + 8) * unit_roundoff<double>() * size * upward));
     found.width = std::max(found.width, 2 * found.means.back().radius);
   }
   found.last.width = found.width;
@@ -186,7 +181,10 @@ MeanEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
     return means_of_emission(problem, discrete);
   const double smallest_area = *std::min_element(discrete.piece_area.begin(), discrete.piece_area.end());
   const double radius = std::ldexp(0.5 * wanted, -discrete.exponent) * smallest_area;
-  const double gap = (1 - discrete.largest_reflectivity) / upward;
+  const Rational largest = *std::max_element(problem.reflectivity.begin(), problem.reflectivity.end());
+  const double gap = (Rational(1) - largest).to_double() / upward;
+  expects(gap > 0, "rho < 1");
+  const auto sectors = static_cast<double>(discrete.scene.sectors().size());
 
   MeanEnclosure best;
   best.width = infinity;
@@ -227,8 +225,8 @@ MeanEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
           std::ldexp((v.integrals[k] + sums.products[1 + k].value) / area, discrete.exponent);
       const double off =
           std::ldexp((goal + sums.products[1 + k].radius + v.rounding) / area * upward, discrete.exponent) +
-          64 * unit_roundoff<double>() * std::abs(value);
-      if (!best.means[k].has_radius() || off < best.means[k].radius)
+          (64 + sectors) * unit_roundoff<double>() * std::abs(value);
+      if (std::isfinite(value) && off >= 0 && off < best.means[k].radius)
         best.means[k] = Approximation::proved(value, off);
       best.width = std::max(best.width, 2 * best.means[k].radius);
     }

@@ -27,7 +27,9 @@ constexpr int most_cell_nodes = 12;
 /// The larger half axes of the ellipses that are tried, in units of half the line.
 constexpr std::array<double, 20> axes{1.02, 1.06, 1.12, 1.2, 1.35, 1.5, 1.75, 2,   2.5,  3.2,
                                       4.2,  5.6,  8,    12,  20,   40,  100,  400, 2000, 20000};
-/// Where Q slides, |x| + |y| <= 1 for the parameter x + i y of its element: |P_i| <= (1 + sqrt(2))^i there.
+/// Where Q slides, both parameters of its element stay in the unit disk: the real segment that is as long as Q
+/// moves lies in the element, and the disk about it goes to a disk about a part of [-1,1], as x and y are affine
+/// or quotients of affine functions of the way. There |P_i| <= (1 + sqrt(2))^i.
 constexpr double slid_growth = 2.4143;
 /// Where Q turns: A + sqrt(A^2 - 1) for A = 3/2 and A = 2.
 constexpr double turned_along = 2.6181;
@@ -56,6 +58,23 @@ const Powers& powers() {
     return made;
   }();
   return table;
+}
+
+/// A bound of the functions on an element where |P_i(x)| <= along^i and |P_j(y)| <= across^j.
+double size_around(const SectorFunctions& w, std::size_t element, double along, double across) {
+  const auto powers = static_cast<std::size_t>(w.degree() + 1);
+  double largest = 0;
+  for (std::size_t k = 0; k < w.count(); ++k) {
+    const std::span<const double> c = w.of(element, k);
+    double sum = 0;
+    for (std::size_t i = powers; i-- > 0;) {
+      double inner = 0;
+      for (std::size_t j = powers; j-- > 0;) inner = inner * across + std::abs(c[i * powers + j]);
+      sum = sum * along + inner;
+    }
+    largest = std::max(largest, sum);
+  }
+  return largest * upward;
 }
 
 double least(const Bounds& bounds, const std::array<double, axes.size()>& factors) {
@@ -108,28 +127,28 @@ Smoothness::Smoothness(const SectorScene& scene, std::span<const SectorElement> 
     w_size_.push_back(size_in_ellipse(w_sizes_.back().by_s, 1));
     q_size_.push_back(size_in_ellipse(q_sizes_.back().by_s, 1));
     panel_size_[panel] = std::max(panel_size_[panel], w_size_.back());
-    slid_size_[panel] = std::max({slid_size_[panel], size_in_ellipse(w_sizes_.back().by_s, slid_growth),
-                                  size_in_ellipse(w_sizes_.back().by_t, slid_growth)});
+    slid_size_[panel] = std::max(slid_size_[panel], size_around(w, e, slid_growth, slid_growth));
     size_ = std::max(size_, w_size_.back());
+    largest_q_ = std::max(largest_q_, q_size_.back());
     if (elements[e].box.t0 == 0) lowest_layer_ = std::min(lowest_layer_, elements[e].box.t1);
   }
   for (std::size_t i = 0; i < scene.sectors().size(); ++i)
     for (std::size_t j = 0; j < scene.panels().size(); ++j) {
       if (!scene.parallel(i, j)) continue;
-      const Sector& own = scene.sectors()[i];
-      const Vector<double> along = own.b - own.a;
       std::vector<Side>& sides = sides_[i * scene.panels().size() + j];
       const auto add = [&](const Vector<double>& from, const Vector<double>& to) {
-        // A side that is parallel up to rounding counts as one that is not, which only shortens r.
-        const Vector<double> turned = cross(along, to - from);
-        if (norm(turned) > 1e-9 * norm(along) * norm(to - from)) sides.push_back({from, to});
+        sides.push_back({from, to});
       };
+      std::vector<bool> aligned;
+      for (std::size_t k = scene.first_sector(j); k < scene.first_sector(j + 1); ++k)
+        aligned.push_back(scene.aligned(i, k));
       for (const SectorElement& element : elements) {
         const Sector& sector = scene.sectors()[element.sector];
         if (sector.panel != j) continue;
         const SectorBox& box = element.box;
         add(sector.point(box.s0, box.t0), sector.point(box.s0, box.t1));
         add(sector.point(box.s1, box.t0), sector.point(box.s1, box.t1));
+        if (aligned[element.sector - scene.first_sector(j)]) continue;
         add(sector.point(box.s0, box.t0), sector.point(box.s1, box.t0));
         add(sector.point(box.s0, box.t1), sector.point(box.s1, box.t1));
       }
@@ -150,18 +169,7 @@ Smoothness::Smoothness(const SectorScene& scene, std::span<const SectorElement> 
       const bool at_edge = elements[e].sector == opposite && box.t0 == 0;
       if (!at_edge) add(box.s0, box.t0, box.s1, box.t0);
       if (!at_edge) continue;
-      double size = 0;
-      const auto powers = static_cast<std::size_t>(w.degree() + 1);
-      for (std::size_t k = 0; k < w.count(); ++k) {
-        const std::span<const double> coefficients = w.of(e, k);
-        double sum = 0;
-        for (std::size_t a = 0; a < powers; ++a)
-          for (std::size_t b = 0; b < powers; ++b)
-            sum += std::abs(coefficients[a * powers + b]) * std::pow(turned_along, static_cast<double>(a)) *
-                   std::pow(turned_across, static_cast<double>(b));
-        size = std::max(size, sum);
-      }
-      turned_size_[i] = std::max(turned_size_[i], size * upward);
+      turned_size_[i] = std::max(turned_size_[i], size_around(w, e, turned_along, turned_across));
     }
     turned_size_[i] = std::max(turned_size_[i], panel_size_[scene.sectors()[opposite].panel]);
   }
@@ -209,10 +217,11 @@ void Smoothness::prepare_edges(const SectorFunctions& w) {
     edge_sizes_.back() = sizes;
     // |grad s| <= (1 + q)/((1 - t) |b - a|), |grad t| = 1/H; x = 2 s/width, y = 2 t/depth.
     const Sector& sector = scene_.sectors()[elements_[e].sector];
-    const double length = norm(sector.b - sector.a) / upward;
-    const double height = sector.jacobian / length / (upward * upward);
-    const double leg = std::max(norm(sector.c - sector.a), norm(sector.c - sector.b)) * upward;
-    if (box.t1 < 1)
+    const double slack = 4 * displacement * scene_.extent();
+    const double length = norm(sector.b - sector.a) / upward - slack;
+    const double height = sector.jacobian / (norm(sector.b - sector.a) + slack) / upward;
+    const double leg = std::max(norm(sector.c - sector.a), norm(sector.c - sector.b)) * upward + slack;
+    if (box.t1 < 1 && length > 0)
       lipschitz_.back() = (slope_x * 2 / (box.s1 - box.s0) * (1 + leg / height) / ((1 - box.t1) * length) +
                            slope_y * 2 / box.t1 / height) *
                           upward;
@@ -234,8 +243,8 @@ double Smoothness::reach_of_turn(std::size_t sector, const Vector<double>& from,
   double nearest = infinity;
   for (const Side& side : around_[sector]) nearest = std::min(nearest, distance(middle, side.from, side.to));
   nearest = nearest / upward - 0.5 * norm(to - from) * upward - slack;
-  const double height = opposite.jacobian / norm(opposite.b - opposite.a) / upward;
-  const double leg = std::max(norm(opposite.c - opposite.a), norm(opposite.c - opposite.b)) * upward;
+  const double height = opposite.jacobian / (norm(opposite.b - opposite.a) + slack) / upward;
+  const double leg = std::max(norm(opposite.c - opposite.a), norm(opposite.c - opposite.b)) * upward + slack;
   return std::min(nearest / (4 * (1 + leg / height)), 0.5 * height * lowest_layer_) / upward;
 }
 

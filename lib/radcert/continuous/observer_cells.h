@@ -82,6 +82,8 @@ public:
   [[nodiscard]] double density_size(std::size_t element) const { return w_size_[element]; }
   [[nodiscard]] double residual_size(std::size_t element) const { return size_ + q_size_[element]; }
   [[nodiscard]] double size() const { return size_; }
+  /// Of |T w - q| on all elements; it bounds |E| + rho |q| within a factor of 2 as well.
+  [[nodiscard]] double largest_residual() const { return 2 * size_ + 2 * largest_q_; }
 
 private:
   struct Side {
@@ -111,6 +113,7 @@ private:
   std::vector<std::vector<double>> edge_sizes_;  ///< of each element at an edge: of w there, by powers of s
   std::vector<double> lipschitz_;                ///< of w on each element at an edge
   double size_ = 0;
+  double largest_q_ = 0;
   double lowest_layer_ = 1;  ///< the least depth of elements at edges
 };
 

@@ -195,15 +195,15 @@ private:
         cell.closed ? closed(cell, rule_s, rule_t, group, tolerance) : transport_(group, tolerance);
     const auto powers = static_cast<double>(q_.degree() + 1);
     const double radius =
-        (found.radius + 40 * powers * powers * unit * smoothness_.residual_size(cell.element)) * upward;
+        (found.radius + 40 * powers * powers * unit * smoothness_.largest_residual()) * upward;
     const double rho = data_.reflectivity[sector.panel];
     visit(cell.element, box, rule_s, rule_t,
           [&](std::size_t place, double weight, std::span<const double> w, std::span<const double> q) {
             for (std::size_t k = 0; k < count_; ++k) {
               const double t = std::abs(found.values[place * count_ + k] - q[k]) + radius;
-              share.squares[k] += weight * rho * t * t * upward;
+              if (rho > 0) share.squares[k] += weight * rho * t * t * upward;
               share.products[k] += weight * w[k] * found.values[place * count_];
-              share.sampling[k] += weight * std::abs(w[k]) * radius * upward;
+              if (w[k] != 0) share.sampling[k] += weight * std::abs(w[k]) * radius * upward;
             }
           });
     const double missed = 4 * rho * over * cell.interpolation * cell.interpolation * upward;
@@ -279,7 +279,7 @@ ResidualSums residual_sums(const SectorScene& scene, std::span<const SectorEleme
   // Of the order in which cells are summed: as many terms as there are cells in a chunk, chunks and elements.
   const double terms =
       static_cast<double>(cells_at_a_time + cells.size() / cells_at_a_time + elements.size());
-  const double order = terms * unit * scene.area() * smoothness.size() * 4 * smoothness.size();
+  const double order = terms * unit * scene.area() * smoothness.size() * 2 * smoothness.largest_residual();
   for (std::size_t k = 0; k < count; ++k) {
     sums.norms.push_back((std::sqrt(total.squares[k]) + std::sqrt(total.missed[k])) *
                          (1 + (terms + 512) * unit) * upward);

@@ -90,4 +90,15 @@ SectorScene::SectorScene(std::vector<Panel> panels) : panels_(std::move(panels))
     }
 }
 
+bool SectorScene::aligned(std::size_t sector, std::size_t other) const {
+  const auto side = [&](std::size_t k) {
+    const std::size_t panel = sectors_[k].panel;
+    const std::vector<Vector<Rational>>& corners = panels_[panel].corners;
+    const std::size_t i = k - first_sector_[panel];
+    return corners[(i + 1) % corners.size()] - corners[i];
+  };
+  const Vector<Rational> zero;
+  return cross(side(sector), side(other)) == zero;
+}
+
 }  // namespace radcert

@@ -68,6 +68,8 @@ public:
   [[nodiscard]] bool parallel(std::size_t sector, std::size_t panel) const {
     return parallel_[sector * panels_.size() + panel] != 0;
   }
+  /// Whether the sides of two sectors are parallel.
+  [[nodiscard]] bool aligned(std::size_t sector, std::size_t other) const;
   [[nodiscard]] bool touching(std::size_t sector, std::size_t panel) const {
     return touching_[sector * panels_.size() + panel] != 0;
   }

@@ -15,6 +15,7 @@ PolynomialSizes polynomial_sizes(const SectorFunctions& functions, std::size_t e
       double of_s = 0;
       double of_t = 0;
       for (std::size_t j = 0; j < powers; ++j) {
+        if (!std::isfinite(c[i * powers + j])) of_s = of_t = HUGE_VAL;
         of_s += std::abs(c[i * powers + j]);
         of_t += std::abs(c[j * powers + i]);
       }

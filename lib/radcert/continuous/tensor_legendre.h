@@ -75,8 +75,8 @@ struct PolynomialSizes {
 ///           1 - m - h + h |w-1|, |z+1| <= 1 + m - h + h |w+1|, so that (|z-1| + |z+1|)/2 <= 1 + h (a-1) = A;
 ///           A + sqrt(A^2 - 1)
 inline double ellipse_around(double half, double axis) {
-  const double outer = 1 + half * (axis - 1);
-  return outer + std::sqrt(outer * outer - 1);
+  const double beyond = half * (axis - 1) * (1 + 1e-15);
+  return (1 + beyond + std::sqrt(beyond * (2 + beyond))) * (1 + 1e-15);
 }
 
 /// Of the functions first, ..., last - 1 on an element.

@@ -90,6 +90,7 @@ RuleChoice choose_rule(double distance, double half, double part, double height,
         (distance + reach) * std::min(distance, height) / (nearest * nearest * nearest * nearest);
     const double bound = std::numbers::inv_pi * area * kernel * (1 + jacobian_part * axis) *
                          size_in_ellipse(sizes, ellipse_around(part, axis)) / (1 - 1 / (rho * rho)) * upward;
+    if (!(bound > 0)) return {.nodes = 1, .error = bound == 0 ? 0 : infinity};
     const double needed = std::log(32.0 / 15 * bound / allowed) / (2 * std::log(rho));
     if (!(needed <= most_nodes)) continue;
     const int nodes = std::max(1, static_cast<int>(std::ceil(needed)));
@@ -191,7 +192,7 @@ public:
     }
     const auto powers = static_cast<double>(powers_);
     const double relative = (32 * powers * powers + terms + 64) * unit_roundoff<double>();
-    return (error + transport_.size_ * (2 + 2 * error) * relative) * upward;
+    return (error + 2 * (transport_.size_ + error) * relative) * upward;
   }
   [[nodiscard]] double value(std::size_t point, std::size_t k) const { return values_[point * stride_ + k]; }
 
@@ -208,10 +209,11 @@ private:
     const double slack = ball.radius + displacement * scene_.extent();
     const Vector<double> to_start = sector.c - sector.point(box.s0, 0);
     const Vector<double> to_end = sector.c - sector.point(box.s1, 0);
+    const double rounding = 4 * displacement * scene_.extent();
     SeenBox out;
     out.area = sector.jacobian * box.weight() * upward;
-    out.half_s = 0.5 * (1 - box.t0) * (box.s1 - box.s0) * norm(sector.b - sector.a) * upward;
-    out.half_t = 0.5 * (box.t1 - box.t0) * std::max(norm(to_start), norm(to_end)) * upward;
+    out.half_s = 0.5 * (1 - box.t0) * (box.s1 - box.s0) * (norm(sector.b - sector.a) + rounding) * upward;
+    out.half_t = 0.5 * (box.t1 - box.t0) * (std::max(norm(to_start), norm(to_end)) + rounding) * upward;
     out.to_s = distance(ball.centre, sector.point(s, box.t0), sector.point(s, box.t1)) / upward - slack;
     out.to_t = distance(ball.centre, sector.point(box.s0, t), sector.point(box.s1, t)) / upward - slack;
     out.part_s = (box.s1 - box.s0) / (element.box.s1 - element.box.s0);

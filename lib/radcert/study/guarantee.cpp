@@ -69,6 +69,17 @@ std::vector<Rational> constants(const PiecewiseExpression& function, const std::
   return values;
 }
 
+/// Bounds are relative: numbers near the ends of double's range have none.
+void require_normal(const Rational& value, const std::string& pointer) {
+  if (value.sign() == 0) return;
+  const Rational most = power(Rational(10), 60);
+  if (abs(value) <= most && abs(value) * most >= Rational(1)) return;
+  throw InputError({.pointer = pointer,
+                    .value = shortest(value.to_double()),
+                    .problem = "is too large or too small for a guarantee",
+                    .allowed = "0, or a size from 1e-60 to 1e60"});
+}
+
 PolyhedronProblem polyhedron_problem(const Problem& problem, const Guarantee& guarantee) {
   if (!problem.emission)
     throw InputError({.pointer = "/solution",
@@ -87,6 +98,11 @@ PolyhedronProblem polyhedron_problem(const Problem& problem, const Guarantee& gu
                         .value = rho.to_text(),
                         .problem = "is not below 1, or is negative",
                         .allowed = "from 0 to below 1"});
+    require_normal(rho, "/reflectivity");
+    require_normal(out.emission[j], "/emission");
+    for (const Vector<Rational>& corner : out.panels[j].corners)
+      for (const Rational& coordinate : {corner.x, corner.y, corner.z})
+        require_normal(coordinate, "/surface");
     sup = std::max(sup, rho);
     largest = std::max(largest, abs(out.emission[j]));
   }
