@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "radcert/continuous/mean_enclosure.h"
+#include "radcert/continuous/goal_enclosure.h"
 #include "radcert/surface/catalogue.h"
 
 namespace radcert::bench {
@@ -20,9 +20,9 @@ void means(benchmark::State& state, const std::string& name, const std::vector<R
       .reflectivity = {},
       .emission = {}};
   problem.reflectivity.assign(problem.panels.size(), Rational(1, 2));
-  problem.emission.assign(problem.panels.size(), 0);
-  problem.emission[0] = 1;
-  MeanEnclosure found;
+  problem.emission.assign(problem.panels.size(), constant_polynomial(Rational(0)));
+  problem.emission[0] = constant_polynomial(Rational(1));
+  GoalEnclosure found;
   for (auto step : state)
     found = enclose_means(problem, std::pow(10.0, -static_cast<double>(state.range(0))));
   state.counters["width"] = found.width;

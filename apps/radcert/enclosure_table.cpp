@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "enclosure_table.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "output.h"
@@ -8,14 +11,40 @@
 
 namespace radcert::app {
 
+namespace {
+
+/// As many digits as the radius leaves, and one more.
+DecimalForm form_of(const Approximation& number) {
+  constexpr int most = 17;
+  if (!(number.radius > 0)) return DecimalForm::general(most);
+  const double size = std::max(std::abs(number.value), number.radius);
+  const double digits = std::floor(std::log10(size)) - std::floor(std::log10(number.radius)) + 2;
+  return DecimalForm::general(static_cast<int>(std::clamp(digits, 1.0, static_cast<double>(most))));
+}
+
+std::string coordinates(const Vector<Rational>& p) {
+  return p.x.to_text() + "," + p.y.to_text() + "," + p.z.to_text();
+}
+
+}  // namespace
+
 std::string enclosure_table(const SolutionEnclosure& enclosure) {
-  std::vector<std::vector<std::string>> rows = {{"piece", "mean of u", "+-"}};
-  for (const auto& [piece, mean] : enclosure.pieces) {
-    const EnclosingText text = enclosing_text(mean.value, mean.radius, DecimalForm::general(12));
-    rows.push_back({piece, text.value, text.radius});
-  }
-  return aligned(rows) +
-         "\nProved: the means of the solution u of the equation itself lie within these radii. Width " +
+  std::vector<std::vector<std::string>> rows;
+  const auto add = [&](std::vector<std::string> row, const Approximation& number) {
+    const EnclosingText text = enclosing_text(number.value, number.radius, form_of(number));
+    row.push_back(text.value);
+    row.push_back(text.radius);
+    rows.push_back(std::move(row));
+  };
+  const bool of_values = enclosure.wanted.of == EnclosedQuantity::values;
+  if (of_values)
+    rows.push_back({"piece", "at", "u", "+-"});
+  else
+    rows.push_back({"piece", "mean of u", "+-"});
+  for (const auto& [piece, mean] : enclosure.pieces) add({piece}, mean);
+  for (const EnclosedValue& point : enclosure.points) add({point.piece, coordinates(point.at)}, point.value);
+  return aligned(rows) + "\nProved: the " + (of_values ? "values" : "means") +
+         " of the solution u of the equation itself lie within these radii. Width " +
          upper_text(enclosure.width) + ", asked for " +
          enclosing_text(enclosure.wanted.width, 0, DecimalForm::general(17)).value + ".\n";
 }

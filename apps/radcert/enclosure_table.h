@@ -7,7 +7,7 @@
 
 namespace radcert::app {
 
-/// The enclosures of a solution for people: a row a piece, and what they are worth.
+/// The enclosures of a solution for people: a row a piece or a point, and what they are worth.
 std::string enclosure_table(const SolutionEnclosure& enclosure);
 
 }  // namespace radcert::app

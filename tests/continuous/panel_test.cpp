@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/panel.h"
+#include "radcert/continuous/elements/panel.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,8 @@
 #include <cmath>
 #include <utility>
 
-#include "radcert/continuous/transport.h"
+#include "radcert/continuous/transport/transport.h"
+#include "radcert/continuous/trial_functions.h"
 #include "radcert/core/parallel.h"
 #include "tests/continuous/scenes.h"
 
@@ -21,23 +22,22 @@ using test::panels_of;
 struct Furnace {
   SectorScene scene;
   std::vector<SectorElement> elements;
-  PanelData data;
+  std::vector<double> reflectivity;
   SectorFunctions q;
 
   Furnace(const std::string& name, int layers, int degree)
       : scene(panels_of(name)), elements(graded_elements(scene, layers)), q(elements.size(), 2, degree) {
-    data.reflectivity.assign(scene.panels().size(), 0.5);
-    data.emissions.assign(2, std::vector<double>(scene.panels().size(), 0.5));
+    reflectivity.assign(scene.panels().size(), 0.5);
     for (std::size_t e = 0; e < elements.size(); ++e) {
       q.of(e, 0)[0] = 1;
       q.of(e, 1)[0] = 1;
     }
   }
   [[nodiscard]] ResidualSums sums(const CellDemand& demand) const {
-    const SectorFunctions w = densities(scene, elements, data, q);
-    const Smoothness smoothness(scene, elements, w, q);
-    return residual_sums(scene, elements, data, w, q, smoothness,
-                         observer_cells(scene, elements, smoothness, demand), demand);
+    const std::vector<std::vector<double>> emissions(2, std::vector<double>(scene.panels().size(), 0.5));
+    const Trial trial(scene, reflectivity, elements, panel_functions(scene, elements, emissions, q.degree()),
+                      q);
+    return residual_sums(trial, observer_cells(trial, demand), demand);
   }
 };
 
@@ -88,23 +88,19 @@ TEST(ResidualSums, AreBoundsAtAnyDemand) {
 /// w_0.
 struct Drawn {
   SectorScene scene;
+  std::vector<double> reflectivity;
   std::vector<SectorElement> elements;
-  PanelData data;
   SectorFunctions w;
-  SectorFunctions q;
-  Smoothness smoothness;
+  Trial trial;
 
   Drawn(const std::string& name, Draw draw)
       : scene(panels_of(name)),
+        reflectivity(scene.panels().size(), 0.5),
         elements(graded_elements(scene, 2)),
         w(test::drawn_functions(elements.size(), 2, 2, draw)),
-        q(elements.size(), 2, 2),
-        smoothness(scene, elements, w, q) {
-    data.reflectivity.assign(scene.panels().size(), 0.5);
-  }
+        trial(scene, reflectivity, elements, w, SectorFunctions(elements.size(), 2, 2)) {}
   [[nodiscard]] ResidualSums over(const std::vector<ObserverCell>& cells) const {
-    return residual_sums(scene, elements, data, w, q, smoothness, cells,
-                         {.interpolation = 1e-7, .quadrature = 1e-9});
+    return residual_sums(trial, cells, {.interpolation = 1e-7, .quadrature = 1e-9});
   }
   /// Int over a box of w_k T w_0, and of (T w_k)^2/2, by an 8 x 8 rule.
   [[nodiscard]] std::pair<double, double> by_a_rule(std::size_t e, const SectorBox& box,
@@ -170,7 +166,7 @@ TEST(ResidualSums, OfAClosedCellDifferByWhatItsBoundSays) {
       const double width = whole.s1 - whole.s0;
       box.s0 = whole.s0 + 0.375 * width;
       box.s1 = whole.s0 + 0.4375 * width;
-      const double bound = drawn.smoothness.nearby(e, box).bound;
+      const double bound = drawn.trial.closure.nearby(e, box).bound;
       ASSERT_LT(bound, 0.1);
       const ResidualSums closed =
           drawn.over({{.element = e, .box = box, .nodes_s = 8, .nodes_t = 8, .closed = true}});
@@ -178,7 +174,7 @@ TEST(ResidualSums, OfAClosedCellDifferByWhatItsBoundSays) {
       for (const std::size_t k : {0U, 1U}) {
         const auto [product, square] = drawn.by_a_rule(e, box, k);
         EXPECT_NEAR(closed.products[k].value, product,
-                    area * drawn.smoothness.density_size(e) * bound + closed.products[k].radius)
+                    area * drawn.trial.smoothness.density_size(e) * bound + closed.products[k].radius)
             << name << " " << e;
         EXPECT_NEAR(closed.norms[k], std::sqrt(square), std::sqrt(area) * bound + 1e-6) << name << " " << e;
       }

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "radcert/continuous/panel.h"
-#include "radcert/continuous/sector.h"
-#include "radcert/continuous/tensor_legendre.h"
+#include "radcert/continuous/elements/panel.h"
+#include "radcert/continuous/elements/sector.h"
+#include "radcert/continuous/elements/tensor_legendre.h"
 #include "radcert/surface/catalogue.h"
 
 namespace radcert::test {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/sector.h"
+#include "radcert/continuous/elements/sector.h"
 
 #include <gtest/gtest.h>
 
-#include "radcert/continuous/graded_elements.h"
+#include "radcert/continuous/elements/graded_elements.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <functional>
 
-#include "radcert/continuous/observer_cells.h"
-#include "radcert/continuous/transport.h"
+#include "radcert/continuous/transport/smoothness.h"
+#include "radcert/continuous/transport/transport.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {
@@ -52,7 +52,8 @@ protected:
         elements_(graded_elements(scene_, 3)),
         w_(drawn_functions(elements_.size(), 2, 2, draw_)),
         q_(elements_.size(), 2, 2),
-        smoothness_(scene_, elements_, w_, q_),
+        closure_(scene_, elements_, w_),
+        smoothness_(scene_, elements_, w_, q_, closure_),
         transport_(scene_, elements_, w_) {}
 
   /// T w_k at places of a line, with their radius.
@@ -99,6 +100,7 @@ protected:
   std::vector<SectorElement> elements_;
   SectorFunctions w_;
   SectorFunctions q_;
+  EdgeClosure closure_;
   Smoothness smoothness_;
   Transport transport_;
 };
@@ -131,10 +133,10 @@ TEST_P(SmoothnessOf, BoundsInterpolationAlongBothParameters) {
     const double s = box.s0 + (box.s1 - box.s0) * draw_();
     expect_interpolation(
         sector, [&](double x) { return std::pair(box.middle_s() + 0.5 * (box.s1 - box.s0) * x, t); },
-        smoothness_.along_s(e, box), tried_s, closest_s);
+        smoothness_.along_s(e, box, false), tried_s, closest_s);
     expect_interpolation(
         sector, [&](double x) { return std::pair(s, box.middle_t() + 0.5 * (box.t1 - box.t0) * x); },
-        smoothness_.along_t(e, box), tried_t, closest_t);
+        smoothness_.along_t(e, box, false), tried_t, closest_t);
   }
   EXPECT_GT(tried_s, 200);
   EXPECT_GT(tried_t, 100);
@@ -149,13 +151,13 @@ TEST_P(SmoothnessOf, BoundsWhatTheOtherSideOfAnEdgeSends) {
   for (int k = 0; k < 300; ++k) {
     const std::size_t e = draw_.below(elements_.size());
     const SectorBox& whole = elements_[e].box;
-    if (whole.t0 != 0 || !smoothness_.mirror(e)) continue;
+    if (whole.t0 != 0 || !closure_.mirror(e)) continue;
     SectorBox box = drawn_box(whole, draw_);
     box.t0 = 0;
-    const Smoothness::Nearby nearby = smoothness_.nearby(e, box);
+    const EdgeClosure::Nearby nearby = closure_.nearby(e, box);
     if (!(nearby.bound < 1)) continue;
     ++tried;
-    const std::size_t mirror = *smoothness_.mirror(e);
+    const std::size_t mirror = *closure_.mirror(e);
     const std::size_t sector = elements_[e].sector;
     const double s = box.s0 + (box.s1 - box.s0) * draw_();
     const double t = box.t1 * (0.1 + 0.9 * draw_());

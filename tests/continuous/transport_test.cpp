@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/transport.h"
+#include "radcert/continuous/transport/transport.h"
 
 #include <gtest/gtest.h>
 

@@ -133,8 +133,17 @@ TEST(ParseProblem, ReadsTheGuarantee) {
     EXPECT_EQ(problem.guarantee->width, Rational(1, 1000000));
     EXPECT_EQ(parse_problem(problem_text(problem), "").guarantee->width, Rational(1, 1000000));
   }
-  for (const char* text : {R"({"width": 0})", R"({"width": "-1"})", R"({})", R"({"width": 1, "of": "sums"})",
-                           R"({"width": 1, "at": 2})", R"("1e-6")"})
+  const std::string at = R"({"width": 1, "of": "values", "points": [["1/2", "0.25", 0], ["1", "2", "3"]]})";
+  const Problem problem = parse_problem(with("guarantee", at), "");
+  for (const Problem& read : {problem, parse_problem(problem_text(problem), "")}) {
+    EXPECT_EQ(read.guarantee->of, EnclosedQuantity::values);
+    const std::vector<Vector<Rational>> points{{Rational(1, 2), Rational(1, 4), 0}, {1, 2, 3}};
+    EXPECT_EQ(read.guarantee->points, points);
+  }
+  for (const char* text :
+       {R"({"width": 0})", R"({"width": "-1"})", R"({})", R"({"width": 1, "of": "sums"})",
+        R"({"width": 1, "at": 2})", R"("1e-6")", R"({"width": 1, "of": "values", "points": []})",
+        R"({"width": 1, "points": [["1", "2"]]})", R"({"width": 1, "points": [["1", "2", "x"]]})"})
     EXPECT_THROW((void)parse_problem(with("guarantee", text), ""), InputError) << text;
 }
 

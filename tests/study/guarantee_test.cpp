@@ -60,7 +60,13 @@ TEST(Guarantee, RefusesDataThatItDoesNotKnow) {
     EXPECT_EQ(refused(problem).pointer, "/reflectivity") << rho;
   }
   problem = lit_cube();
-  problem.emission = everywhere("exp(x)");
+  for (const char* emission : {"exp(x)", "x^9", "1/(2 + x)"}) {
+    problem.emission = everywhere(emission);
+    EXPECT_EQ(refused(problem).pointer, "/emission") << emission;
+  }
+  problem.emission = everywhere("x^3*y^2 - z/3");
+  EXPECT_NO_THROW(check_guarantee(problem, {Rational(1, 100)}));
+  problem.emission = everywhere("1e-70*x");
   EXPECT_EQ(refused(problem).pointer, "/emission");
 }
 
@@ -69,6 +75,34 @@ TEST(Guarantee, SaysTheSmallestWidth) {
   EXPECT_EQ(fault.pointer, "/guarantee/width");
   EXPECT_THAT(fault.allowed, HasSubstr("e-10 or more"));
   EXPECT_EQ(refused(lit_cube(), 0).pointer, "/guarantee/width");
+}
+
+TEST(Guarantee, TakesPointsInsideFacesAlone) {
+  const auto fault = [](const Vector<Rational>& point, EnclosedQuantity of) {
+    return fault_of([&] { check_guarantee(lit_cube(), {Rational(1, 100), of, {point}}); });
+  };
+  const Rational half(1, 2);
+  EXPECT_NO_THROW(
+      check_guarantee(lit_cube(), {Rational(1, 100), EnclosedQuantity::values, {{half, half, 0}}}));
+  for (const Vector<Rational>& point :
+       {Vector<Rational>{half, half, half}, {half, 0, 0}, {0, 0, 0}, {half, half, 2}}) {
+    EXPECT_EQ(fault(point, EnclosedQuantity::values).pointer, "/guarantee/points/0");
+    EXPECT_THAT(fault(point, EnclosedQuantity::values).allowed, HasSubstr("none of its edges"));
+  }
+  EXPECT_EQ(fault({half, half, 0}, EnclosedQuantity::means).pointer, "/guarantee/points");
+}
+
+TEST(Guarantee, GivesTheValuesAtCentres) {
+  Problem problem = with_emission(sample_problem("tetrahedron"), "3/5");
+  problem.reflectivity = everywhere("2/5");
+  const auto [level, enclosure] = solve_within(problem, {Rational(1, 5), EnclosedQuantity::values, {}});
+  EXPECT_TRUE(enclosure.pieces.empty());
+  EXPECT_TRUE(level.piece_means.empty());
+  ASSERT_EQ(enclosure.points.size(), 4U);
+  for (const EnclosedValue& point : enclosure.points) {
+    EXPECT_TRUE(point.value.guaranteed);
+    EXPECT_LE(std::abs(point.value.value - 1), point.value.radius) << point.piece;
+  }
 }
 
 TEST(Guarantee, IsForSolveAlone) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,7 @@ struct SolveOptions {
   std::string ply;
   std::string out;
   std::string guarantee;
+  std::vector<std::string> at;
   std::string of;
 };
 
@@ -114,18 +116,29 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
   return files;
 }
 
-/// The problem with what --guarantee and --of say in place of its own words.
+/// "1/2,1/2,0" as JSON.
+JsonValue coordinates_json(const std::string& text) {
+  JsonValue out = JsonValue::array();
+  std::istringstream words(text);
+  for (std::string coordinate; std::getline(words, coordinate, ',');) out.push(coordinate);
+  return out;
+}
+
+/// The problem with what --guarantee, --of and --at say in place of its own words.
 Problem problem_of(const SolveOptions& options) {
   Problem problem = read_problem(options.problem);
-  if (options.guarantee.empty() && options.of.empty()) return problem;
-  JsonValue guarantee = JsonValue::object();
-  if (!options.guarantee.empty())
-    guarantee.set("width", options.guarantee);
-  else if (problem.guarantee)
-    guarantee.set("width", exact_json(problem.guarantee->width));
+  if (options.guarantee.empty() && options.of.empty() && options.at.empty()) return problem;
+  JsonValue guarantee = problem.guarantee ? guarantee_json(*problem.guarantee) : JsonValue::object();
+  if (!options.guarantee.empty()) guarantee.set("width", options.guarantee);
+  if (!options.at.empty()) {
+    JsonValue points = JsonValue::array();
+    for (const std::string& point : options.at) points.push(coordinates_json(point));
+    guarantee.set("points", std::move(points));
+    guarantee.set("of", "values");
+  }
   if (!options.of.empty()) guarantee.set("of", options.of);
   problem.guarantee =
-      with_source("--guarantee and --of", [&] { return read_guarantee(JsonReader(guarantee)); });
+      with_source("--guarantee, --of, --at", [&] { return read_guarantee(JsonReader(guarantee)); });
   return problem;
 }
 
@@ -235,6 +248,10 @@ void add_solve(Program& program) {
       "chosen by radcert",
       "WIDTH");
   command.option("--of", options->of, "What the guarantee is of: " + listed(guaranteed_quantities()), "WORD");
+  command.repeated("--at", options->at,
+                   "Where values are asked for, inside a face; may be repeated. Default: the centres of the "
+                   "faces",
+                   "X,Y,Z");
   command.fresh_flag(program.common());
   command.footer(
       std::string("In a problem, `emission` is E, the power emitted per area, not the material constant 1 - "

@@ -6,14 +6,13 @@
 #include <cstddef>
 #include <utility>
 
-#include "radcert/continuous/gauss_tables.h"
-#include "radcert/continuous/transport.h"
+#include "radcert/continuous/elements/gauss_tables.h"
+#include "radcert/continuous/transport/transport.h"
 #include "radcert/core/parallel.h"
 
 namespace radcert {
 namespace {
 
-constexpr double upward = 1 + 0x1p-40;
 constexpr double unit = unit_roundoff<double>();
 
 /// What one cell or strip contributes.
@@ -59,8 +58,8 @@ public:
 
   /// The node at the place (x, y) in [-1,1]^2 of a part of the element.
   void at(const SectorBox& part, double x, double y, std::span<double> values) {
-    legendre_values<double>(local(part.s0, part.s1, box_.s0, box_.s1, x), p_s_);
-    legendre_values<double>(local(part.t0, part.t1, box_.t0, box_.t1, y), p_t_);
+    legendre_values<double>(part_in_s(part, box_).place(x), p_s_);
+    legendre_values<double>(part_in_t(part, box_).place(y), p_t_);
     for (std::size_t k = 0; k < values.size(); ++k) {
       const std::span<const double> c = functions_.of(number_, k);
       double sum = 0;
@@ -74,10 +73,6 @@ public:
   }
 
 private:
-  static double local(double from, double to, double whole_from, double whole_to, double x) {
-    const double width = whole_to - whole_from;
-    return ((from - whole_from) - (whole_to - to)) / width + (to - from) / width * x;
-  }
   const SectorBox& box_;
   const SectorFunctions& functions_;
   std::size_t number_;
@@ -99,28 +94,21 @@ SectorFunctions with_one(const SectorFunctions& w, std::size_t elements) {
 
 class ResidualOverCells {
 public:
-  ResidualOverCells(const SectorScene& scene, std::span<const SectorElement> elements, const PanelData& data,
-                    const SectorFunctions& w, const SectorFunctions& q, const Smoothness& smoothness,
-                    const CellDemand& demand)
-      : scene_(scene),
-        elements_(elements),
-        data_(data),
-        w_(w),
-        q_(q),
-        smoothness_(smoothness),
+  ResidualOverCells(const Trial& trial, const CellDemand& demand)
+      : trial_(trial),
         demand_(demand),
-        with_one_(with_one(w, elements.size())),
-        transport_(scene, elements, w),
-        transport_with_one_(scene, elements, with_one_),
-        count_(w.count()) {}
+        with_one_(with_one(trial.w, trial.elements.size())),
+        transport_(trial.scene, trial.elements, trial.w),
+        transport_with_one_(trial.scene, trial.elements, with_one_),
+        count_(trial.w.count()) {}
 
   [[nodiscard]] Share of_cell(const ObserverCell& cell) const {
     return cell.is_strip() ? of_strip(cell) : of_samples(cell);
   }
 
-  /// Int w_k q_0 over a part of an element, by a rule that is exact for it.
+  /// Int w_k trial_.q0 over a part of an element, by a rule that is exact for it.
   [[nodiscard]] std::vector<double> products_with_q(std::size_t e, const SectorBox& part) const {
-    const int nodes = w_.degree() + 1;
+    const int nodes = trial_.w.degree() + 1;
     const IntervalRule<double>& rule = gauss_on_interval(nodes);
     std::vector<double> sums(count_);
     visit(e, part, rule, rule,
@@ -132,24 +120,23 @@ public:
 
 private:
   [[nodiscard]] double area(std::size_t e, const SectorBox& box) const {
-    return scene_.sectors()[elements_[e].sector].jacobian * box.weight() * upward;
+    return trial_.sector(e).jacobian * box.weight() * upward;
   }
-  [[nodiscard]] std::size_t panel(std::size_t e) const { return scene_.sectors()[elements_[e].sector].panel; }
 
   /// A bound for the rounding of a sum of w (T w + q) over an area.
   [[nodiscard]] double rounding(const ObserverCell& cell, double over) const {
-    const auto powers = static_cast<double>(w_.degree() + 1);
-    return over * smoothness_.density_size(cell.element) *
-           (smoothness_.size() + smoothness_.residual_size(cell.element)) * (96 * powers * powers + 256) *
-           unit;
+    const auto powers = static_cast<double>(trial_.w.degree() + 1);
+    return over * trial_.smoothness.density_size(cell.element) *
+           (trial_.smoothness.size() + trial_.smoothness.residual_size(cell.element)) *
+           (96 * powers * powers + 256) * unit;
   }
 
   template <class Visitor>
   void visit(std::size_t e, const SectorBox& box, const IntervalRule<double>& rule_s,
              const IntervalRule<double>& rule_t, const Visitor& visitor) const {
-    const Sector& sector = scene_.sectors()[elements_[e].sector];
-    LocalValues w_here(elements_[e], w_, e);
-    LocalValues q_here(elements_[e], q_, e);
+    const Sector& sector = trial_.sector(e);
+    LocalValues w_here(trial_.elements[e], trial_.w, e);
+    LocalValues q_here(trial_.elements[e], trial_.q, e);
     std::vector<double> w(count_);
     std::vector<double> q(count_);
     const double scale = 0.25 * sector.jacobian * (box.s1 - box.s0) * (box.t1 - box.t0);
@@ -166,10 +153,10 @@ private:
   [[nodiscard]] Share of_strip(const ObserverCell& cell) const {
     Share share(count_);
     const double over = area(cell.element, cell.box);
-    const double most = smoothness_.residual_size(cell.element) * upward;
+    const double most = trial_.smoothness.residual_size(cell.element) * upward;
     for (std::size_t k = 0; k < count_; ++k)
-      share.squares[k] = data_.reflectivity[panel(cell.element)] * over * most * most * upward;
-    share.strips = over * smoothness_.density_size(cell.element) * most * upward;
+      share.squares[k] = trial_.rho(cell.element) * over * most * most * upward;
+    share.strips = over * trial_.smoothness.density_size(cell.element) * most * upward;
     share.products = products_with_q(cell.element, cell.box);
     for (double& rounding_of_k : share.rounding) rounding_of_k = rounding(cell, over);
     return share;
@@ -177,7 +164,7 @@ private:
 
   [[nodiscard]] Share of_samples(const ObserverCell& cell) const {
     Share share(count_);
-    const Sector& sector = scene_.sectors()[elements_[cell.element].sector];
+    const Sector& sector = trial_.sector(cell.element);
     const IntervalRule<double>& rule_s = gauss_on_interval(cell.nodes_s);
     const IntervalRule<double>& rule_t = gauss_on_interval(cell.nodes_t);
     const SectorBox& box = cell.box;
@@ -187,16 +174,16 @@ private:
         group.points.push_back(sector.point(box.middle_s() + 0.5 * (box.s1 - box.s0) * x,
                                             box.middle_t() + 0.5 * (box.t1 - box.t0) * y));
     const double over = area(cell.element, box);
-    const double size = smoothness_.size();
+    const double size = trial_.smoothness.size();
     const double tolerance =
         std::min({0.05, 0.5 * demand_.interpolation / (std::sqrt(over) * size),
-                  0.15 * demand_.quadrature / (over * smoothness_.density_size(cell.element) * size)});
+                  0.15 * demand_.quadrature / (over * trial_.smoothness.density_size(cell.element) * size)});
     const Transport::Values found =
         cell.closed ? closed(cell, rule_s, rule_t, group, tolerance) : transport_(group, tolerance);
-    const auto powers = static_cast<double>(q_.degree() + 1);
+    const auto powers = static_cast<double>(trial_.q.degree() + 1);
     const double radius =
-        (found.radius + 40 * powers * powers * unit * smoothness_.largest_residual()) * upward;
-    const double rho = data_.reflectivity[sector.panel];
+        (found.radius + 40 * powers * powers * unit * trial_.smoothness.largest_residual()) * upward;
+    const double rho = trial_.rho(cell.element);
     visit(cell.element, box, rule_s, rule_t,
           [&](std::size_t place, double weight, std::span<const double> w, std::span<const double> q) {
             for (std::size_t k = 0; k < count_; ++k) {
@@ -220,14 +207,14 @@ private:
   [[nodiscard]] Transport::Values closed(const ObserverCell& cell, const IntervalRule<double>& rule_s,
                                          const IntervalRule<double>& rule_t, const ObserverGroup& group,
                                          double tolerance) const {
-    const std::size_t mirror = *smoothness_.mirror(cell.element);
-    const std::size_t other = scene_.sectors()[elements_[mirror].sector].panel;
+    const std::size_t mirror = *trial_.closure.mirror(cell.element);
+    const std::size_t other = trial_.sector(mirror).panel;
     const Transport::Values found = transport_with_one_(group, 0.5 * tolerance, other);
-    LocalValues at_edge(elements_[mirror], w_, mirror);
+    LocalValues at_edge(trial_.elements[mirror], trial_.w, mirror);
     const SectorBox across{
-        .s0 = 1 - cell.box.s1, .s1 = 1 - cell.box.s0, .t0 = 0, .t1 = elements_[mirror].box.t1};
+        .s0 = 1 - cell.box.s1, .s1 = 1 - cell.box.s0, .t0 = 0, .t1 = trial_.elements[mirror].box.t1};
     Transport::Values out{.values = std::vector<double>(group.points.size() * count_),
-                          .radius = found.radius * (1 + smoothness_.density_size(mirror)) * upward};
+                          .radius = found.radius * (1 + trial_.smoothness.density_size(mirror)) * upward};
     std::vector<double> xi(count_);
     for (std::size_t i = 0; i < rule_s.nodes.size(); ++i) {
       at_edge.at(across, -rule_s.nodes[i], -1, xi);
@@ -241,12 +228,7 @@ private:
     return out;
   }
 
-  const SectorScene& scene_;
-  std::span<const SectorElement> elements_;
-  const PanelData& data_;
-  const SectorFunctions& w_;
-  const SectorFunctions& q_;
-  const Smoothness& smoothness_;
+  const Trial& trial_;
   const CellDemand& demand_;
   SectorFunctions with_one_;
   Transport transport_;
@@ -256,12 +238,10 @@ private:
 
 }  // namespace
 
-ResidualSums residual_sums(const SectorScene& scene, std::span<const SectorElement> elements,
-                           const PanelData& data, const SectorFunctions& w, const SectorFunctions& q,
-                           const Smoothness& smoothness, std::span<const ObserverCell> cells,
+ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells,
                            const CellDemand& demand) {
-  const std::size_t count = w.count();
-  const ResidualOverCells residual(scene, elements, data, w, q, smoothness, demand);
+  const std::size_t count = trial.w.count();
+  const ResidualOverCells residual(trial, demand);
   constexpr std::size_t cells_at_a_time = 16;
   const Share total = parallel_reduce_ordered(
       cells.size(), cells_at_a_time, Share(count),
@@ -273,13 +253,15 @@ ResidualSums residual_sums(const SectorScene& scene, std::span<const SectorEleme
       },
       sum_of);
   std::vector<double> with_q(count);
-  for (std::size_t e = 0; e < elements.size(); ++e) add(with_q, residual.products_with_q(e, elements[e].box));
+  for (std::size_t e = 0; e < trial.elements.size(); ++e)
+    add(with_q, residual.products_with_q(e, trial.elements[e].box));
 
   ResidualSums sums;
   // Of the order in which cells are summed: as many terms as there are cells in a chunk, chunks and elements.
   const double terms =
-      static_cast<double>(cells_at_a_time + cells.size() / cells_at_a_time + elements.size());
-  const double order = terms * unit * scene.area() * smoothness.size() * 2 * smoothness.largest_residual();
+      static_cast<double>(cells_at_a_time + cells.size() / cells_at_a_time + trial.elements.size());
+  const double order =
+      terms * unit * trial.scene.area() * trial.smoothness.size() * 2 * trial.smoothness.largest_residual();
   for (std::size_t k = 0; k < count; ++k) {
     sums.norms.push_back((std::sqrt(total.squares[k]) + std::sqrt(total.missed[k])) *
                          (1 + (terms + 512) * unit) * upward);
@@ -294,18 +276,17 @@ ResidualSums residual_sums(const SectorScene& scene, std::span<const SectorEleme
   return sums;
 }
 
-std::vector<double> expected_norms(const SectorScene& scene, std::span<const SectorElement> elements,
-                                   const PanelData& data, const SectorFunctions& w, const SectorFunctions& q,
-                                   const Smoothness& smoothness) {
+std::vector<double> expected_norms(const Trial& trial) {
+  const int nodes = trial.q.degree() + 2;
   std::vector<ObserverCell> cells;
-  for (std::size_t e = 0; e < elements.size(); ++e)
-    cells.push_back(
-        {.element = e, .box = elements[e].box, .nodes_s = q.degree() + 2, .nodes_t = q.degree() + 2});
-  const double relative = 0.001 * std::pow(0.25, q.degree());
+  for (std::size_t e = 0; e < trial.elements.size(); ++e)
+    cells.push_back({.element = e, .box = trial.elements[e].box, .nodes_s = nodes, .nodes_t = nodes});
+  const double relative = 0.001 * std::pow(0.25, trial.q.degree());
+  const double area = trial.scene.area();
   const CellDemand demand{
-      .interpolation = relative * std::sqrt(scene.area() / static_cast<double>(elements.size())),
-      .quadrature = relative * scene.area()};
-  return residual_sums(scene, elements, data, w, q, smoothness, cells, demand).norms;
+      .interpolation = relative * std::sqrt(area / static_cast<double>(trial.elements.size())),
+      .quadrature = relative * area};
+  return residual_sums(trial, cells, demand).norms;
 }
 
 }  // namespace radcert

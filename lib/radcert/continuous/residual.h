@@ -4,16 +4,13 @@
 #include <span>
 #include <vector>
 
-#include "radcert/continuous/graded_elements.h"
 #include "radcert/continuous/observer_cells.h"
-#include "radcert/continuous/sector.h"
-#include "radcert/continuous/tensor_legendre.h"
-#include "radcert/continuous/trial_functions.h"
+#include "radcert/continuous/trial.h"
 #include "radcert/scalar/approximation.h"
 
 namespace radcert {
 
-/// What a proof needs of the residuals t_k = T w_k - q_k, w_k = E_k + rho q_k.
+/// What a proof needs of the residuals t_k = T w_k - q_k of a Trial.
 /// Maths     norms[k] >= (Int rho t_k^2)^(1/2);  products[k] encloses Int w_k t_0
 struct ResidualSums {
   std::vector<double> norms;
@@ -29,19 +26,14 @@ struct ResidualSums {
 ///           <= 2 sqrt|X| (e_s + e_t), since Gauss rules with n nodes integrate |If|^2 (1-t) exactly and have
 ///           positive weights; strips by |t| <= sup|w| + sup|q|. Int w_k T w_0 by the cells' rules, Int w_k
 ///           q_0 exactly up to rounding
-/// Requires  cells of these elements and functions
+/// Requires  cells of this trial
 /// Result    norms rounded up, products proved; the same bits for any number of threads
-[[nodiscard]] ResidualSums residual_sums(const SectorScene& scene, std::span<const SectorElement> elements,
-                                         const PanelData& data, const SectorFunctions& w,
-                                         const SectorFunctions& q, const Smoothness& smoothness,
-                                         std::span<const ObserverCell> cells, const CellDemand& demand);
+[[nodiscard]] ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells,
+                                         const CellDemand& demand);
 
 /// About the norms of the residuals, by one rule on each element.
 /// Maths     tensor Gauss rules of degree + 2 nodes, between those at which trial_functions interpolates
 /// Result    no bound: what a mesh may be expected to reach
-[[nodiscard]] std::vector<double> expected_norms(const SectorScene& scene,
-                                                 std::span<const SectorElement> elements,
-                                                 const PanelData& data, const SectorFunctions& w,
-                                                 const SectorFunctions& q, const Smoothness& smoothness);
+[[nodiscard]] std::vector<double> expected_norms(const Trial& trial);
 
 }  // namespace radcert

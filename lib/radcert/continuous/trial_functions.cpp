@@ -6,8 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "radcert/continuous/gauss_tables.h"
-#include "radcert/continuous/transport.h"
+#include "radcert/continuous/elements/element_interpolation.h"
+#include "radcert/continuous/elements/gauss_tables.h"
+#include "radcert/continuous/transport/transport.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
@@ -26,65 +27,34 @@ public:
                      double tolerance)
       : scene_(scene),
         elements_(elements),
-        powers_(static_cast<std::size_t>(degree + 1)),
-        tolerance_(tolerance) {
-    const IntervalRule<double>& rule = gauss_on_interval(degree + 1);
-    // c_i = (2i+1)/2 sum_m w_m P_i(x_m) f(x_m)
-    to_coefficients_.resize(powers_ * powers_);
-    std::vector<double> values(powers_);
-    for (std::size_t m = 0; m < powers_; ++m) {
-      legendre_values<double>(rule.nodes[m], values);
-      for (std::size_t i = 0; i < powers_; ++i)
-        to_coefficients_[i * powers_ + m] = (static_cast<double>(i) + 0.5) * rule.weights[m] * values[i];
-    }
+        degree_(degree),
+        tolerance_(tolerance),
+        interpolation_(degree + 1) {
     for (const SectorElement& element : elements) {
       const Sector& sector = scene.sectors()[element.sector];
-      ObserverGroup& group = nodes_.emplace_back(ObserverGroup{.panel = sector.panel, .points = {}});
-      const SectorBox& box = element.box;
-      for (const double x : rule.nodes)
-        for (const double y : rule.nodes)
-          group.points.push_back(sector.point(box.middle_s() + 0.5 * (box.s1 - box.s0) * x,
-                                              box.middle_t() + 0.5 * (box.t1 - box.t0) * y));
+      nodes_.push_back({.panel = sector.panel, .points = interpolation_.points(sector, element.box)});
     }
   }
 
   [[nodiscard]] SectorFunctions operator()(const SectorFunctions& f) const {
     const Transport transport(scene_, elements_, f);
-    SectorFunctions out(elements_.size(), f.count(), static_cast<int>(powers_) - 1);
+    SectorFunctions out(elements_.size(), f.count(), degree_);
     parallel_for(elements_.size(), 1, [&](std::size_t begin, std::size_t end) {
-      std::vector<double> half(powers_ * powers_);
       for (std::size_t e = begin; e < end; ++e) {
         const std::vector<double> values = transport(nodes_[e], tolerance_).values;
-        for (std::size_t k = 0; k < f.count(); ++k) interpolate(values, f.count(), k, half, out.of(e, k));
+        for (std::size_t k = 0; k < f.count(); ++k)
+          interpolation_.coefficients(std::span(values).subspan(k), f.count(), out.of(e, k));
       }
     });
     return out;
   }
 
 private:
-  void interpolate(std::span<const double> values, std::size_t count, std::size_t k, std::span<double> half,
-                   std::span<double> coefficients) const {
-    for (std::size_t m = 0; m < powers_; ++m)
-      for (std::size_t j = 0; j < powers_; ++j) {
-        double sum = 0;
-        for (std::size_t l = 0; l < powers_; ++l)
-          sum += to_coefficients_[j * powers_ + l] * values[(m * powers_ + l) * count + k];
-        half[m * powers_ + j] = sum;
-      }
-    for (std::size_t i = 0; i < powers_; ++i)
-      for (std::size_t j = 0; j < powers_; ++j) {
-        double sum = 0;
-        for (std::size_t m = 0; m < powers_; ++m)
-          sum += to_coefficients_[i * powers_ + m] * half[m * powers_ + j];
-        coefficients[i * powers_ + j] = sum;
-      }
-  }
-
   const SectorScene& scene_;
   std::span<const SectorElement> elements_;
-  std::size_t powers_;
+  int degree_;
   double tolerance_;
-  std::vector<double> to_coefficients_;
+  ElementInterpolation interpolation_;
   std::vector<ObserverGroup> nodes_;
 };
 
@@ -113,13 +83,13 @@ private:
   std::vector<double> weights_;
 };
 
+void add_to(std::span<double> a, double factor, std::span<const double> b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
+}
+
 /// f_k += factor g_k.
 void add(SectorFunctions& f, const SectorFunctions& g, std::size_t k, double factor, std::size_t elements) {
-  for (std::size_t e = 0; e < elements; ++e) {
-    const std::span<double> a = f.of(e, k);
-    const std::span<const double> b = g.of(e, k);
-    for (std::size_t i = 0; i < a.size(); ++i) a[i] += factor * b[i];
-  }
+  for (std::size_t e = 0; e < elements; ++e) add_to(f.of(e, k), factor, g.of(e, k));
 }
 
 void scale(SectorFunctions& f, std::size_t k, double factor, std::size_t elements) {
@@ -129,34 +99,39 @@ void scale(SectorFunctions& f, std::size_t k, double factor, std::size_t element
 
 }  // namespace
 
+SectorFunctions panel_functions(const SectorScene& scene, std::span<const SectorElement> elements,
+                                const std::vector<std::vector<double>>& values, int degree) {
+  SectorFunctions f(elements.size(), values.size(), degree);
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    for (std::size_t k = 0; k < values.size(); ++k)
+      f.of(e, k)[0] = values[k][scene.sectors()[elements[e].sector].panel];
+  return f;
+}
+
 SectorFunctions densities(const SectorScene& scene, std::span<const SectorElement> elements,
-                          const PanelData& data, const SectorFunctions& q) {
-  SectorFunctions w = q;
+                          const std::vector<double>& reflectivity, const SectorFunctions& emissions,
+                          const SectorFunctions& q) {
+  SectorFunctions w = emissions;
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    const std::size_t panel = scene.sectors()[elements[e].sector].panel;
-    for (std::size_t k = 0; k < q.count(); ++k) {
-      const std::span<double> c = w.of(e, k);
-      for (double& value : c) value *= data.reflectivity[panel];
-      c[0] += data.emissions[k][panel];
-    }
+    const double rho = reflectivity[scene.sectors()[elements[e].sector].panel];
+    for (std::size_t k = 0; k < q.count(); ++k) add_to(w.of(e, k), rho, q.of(e, k));
   }
   return w;
 }
 
 SectorFunctions trial_functions(const SectorScene& scene, std::span<const SectorElement> elements,
-                                const PanelData& data, int degree, double tolerance) {
+                                const std::vector<double>& reflectivity, const SectorFunctions& emissions,
+                                double tolerance) {
+  const int degree = emissions.degree();
   expects(degree >= 0 && degree < most_gauss_nodes, "0 <= degree < most_gauss_nodes",
           named("degree", degree));
-  const std::size_t count = data.emissions.size();
+  const std::size_t count = emissions.count();
   const std::size_t size = elements.size();
   const ProjectedTransport transport(scene, elements, degree, tolerance);
   const InnerProduct product(scene, elements, degree);
-  PanelData no_emission = data;
-  for (std::vector<double>& emission : no_emission.emissions)
-    std::fill(emission.begin(), emission.end(), 0.0);
 
-  SectorFunctions zero(size, count, degree);
-  const SectorFunctions right_side = transport(densities(scene, elements, data, zero));
+  const SectorFunctions zero(size, count, degree);
+  const SectorFunctions right_side = transport(emissions);
   std::vector<SectorFunctions> basis{right_side};
   std::vector<double> lengths(count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -168,7 +143,7 @@ SectorFunctions trial_functions(const SectorScene& scene, std::span<const Sector
   std::vector<Eigen::VectorXd> found(count);
   for (Eigen::Index m = 0; m < most; ++m) {
     // (I - P T rho) v
-    SectorFunctions next = transport(densities(scene, elements, no_emission, basis.back()));
+    SectorFunctions next = transport(densities(scene, elements, reflectivity, zero, basis.back()));
     for (double& c : next.all()) c = -c;
     for (std::size_t k = 0; k < count; ++k) add(next, basis.back(), k, 1, size);
     double worst = 0;

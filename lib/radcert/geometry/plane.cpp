@@ -4,13 +4,8 @@
 #include "radcert/core/contract.h"
 
 namespace radcert {
-namespace {
 
-bool is_zero(const Vector<Rational>& v) {
-  return v == Vector<Rational>{Rational(0), Rational(0), Rational(0)};
-}
-
-}  // namespace
+bool is_zero(const Vector<Rational>& v) { return v == Vector<Rational>{}; }
 
 Plane::Plane(const Vector<Rational>& origin, const Vector<Rational>& first, const Vector<Rational>& second)
     : normal_(cross(first, second)), offset_(dot(normal_, origin)) {

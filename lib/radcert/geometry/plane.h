@@ -6,6 +6,8 @@
 
 namespace radcert {
 
+[[nodiscard]] bool is_zero(const Vector<Rational>& v);
+
 /// A plane with rational coefficients, for decisions that must not depend on rounding.
 /// Maths     { X : normal . X = offset }
 /// Requires  normal != 0, else ContractViolation

@@ -4,11 +4,15 @@
 #include <CGAL/Gmpq.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/convex_hull_2.h>
 #include <CGAL/intersections.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
+
+#include "radcert/geometry/plane.h"
 
 namespace radcert {
 namespace {
@@ -28,13 +32,6 @@ Points points_of(std::span<const ParameterPoint<Rational>> loop) {
 }
 
 Kernel::Segment_2 edge(const Points& loop, std::size_t i) { return {loop[i], loop[(i + 1) % loop.size()]}; }
-
-/// Twice the signed area.
-Rational doubled_area(const PolygonLoop& loop) {
-  Rational sum = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) sum += cross(loop[i], loop[(i + 1) % loop.size()]);
-  return sum;
-}
 
 std::string place(std::size_t loop) { return "loop " + std::to_string(loop); }
 
@@ -106,17 +103,30 @@ std::optional<std::string> fault(const std::vector<PolygonLoop>& loops) {
   return std::nullopt;
 }
 
-bool is_zero(const Vector<Rational>& v) { return v == Vector<Rational>{}; }
+}  // namespace
 
-/// x and y with p = x first + y second, for p in their plane.
+PolygonLoop convex_hull(std::span<const ParameterPoint<Rational>> points) {
+  const Points all = points_of(points);
+  Points hull;
+  CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
+  PolygonLoop loop;
+  for (const Kernel::Point_2& at : hull)
+    loop.push_back({Rational::from_gmp(at.x().mpq()), Rational::from_gmp(at.y().mpq())});
+  return loop;
+}
+
+Rational doubled_area(std::span<const ParameterPoint<Rational>> loop) {
+  Rational sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) sum += cross(loop[i], loop[(i + 1) % loop.size()]);
+  return sum;
+}
+
 ParameterPoint<Rational> coordinates(const Vector<Rational>& p, const Vector<Rational>& first,
                                      const Vector<Rational>& second) {
   const Vector<Rational> normal = cross(first, second);
   const Rational scale = dot(normal, normal);
   return {dot(cross(p, second), normal) / scale, dot(cross(first, p), normal) / scale};
 }
-
-}  // namespace
 
 bool contains(std::span<const ParameterPoint<Rational>> polygon, const ParameterPoint<Rational>& point) {
   return in_closed(points_of(polygon), point_of(point));

@@ -20,6 +20,22 @@ using PolygonLoop = std::vector<ParameterPoint<Rational>>;
 [[nodiscard]] bool contains(std::span<const ParameterPoint<Rational>> polygon,
                             const ParameterPoint<Rational>& point);
 
+/// The parameters of a vector in the plane of two others.
+/// Maths     p = s first + t second
+/// Requires  first, second independent, p in their plane
+/// Result    exact
+[[nodiscard]] ParameterPoint<Rational> coordinates(const Vector<Rational>& p, const Vector<Rational>& first,
+                                                   const Vector<Rational>& second);
+
+/// The convex hull of points of the parameter plane.
+/// Source    CGAL's convex_hull_2, exact arithmetic
+/// Requires  at least three points, not all on one line
+/// Result    its vertices counterclockwise, no three of them on a line; exact
+[[nodiscard]] PolygonLoop convex_hull(std::span<const ParameterPoint<Rational>> points);
+
+/// Twice the area of a polygon of the parameter plane, positive where it runs counterclockwise; exact.
+[[nodiscard]] Rational doubled_area(std::span<const ParameterPoint<Rational>> loop);
+
 /// A plane polygon in space, convex or not, with holes or without, exactly.
 /// Maths     { origin + s first + t second : (s,t) inside loops[0] and outside of the others };
 ///           its inner normal has the direction of first x second

@@ -55,4 +55,12 @@ private:
   std::vector<R> coefficients_;
 };
 
+/// A constant as a polynomial of degree 0.
+template <Field R>
+[[nodiscard]] PlanePolynomial<R> constant_polynomial(const R& value) {
+  PlanePolynomial<R> out(0);
+  out(0, 0) = value;
+  return out;
+}
+
 }  // namespace radcert

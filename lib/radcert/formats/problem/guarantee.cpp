@@ -7,23 +7,44 @@
 
 namespace radcert {
 
-std::vector<std::string> guaranteed_quantities() { return {"means"}; }
+std::vector<std::string> guaranteed_quantities() { return {"means", "values"}; }
 
 Guarantee read_guarantee(const JsonReader& guarantee) {
-  guarantee.require_object({"width", "of"});
+  guarantee.require_object({"width", "of", "points"});
   const std::string allowed = "a positive decimal or fraction in a string";
   const JsonReader width = guarantee.at("width", allowed);
   Guarantee out{.width = width.rational(allowed)};
   if (out.width.sign() <= 0) width.refuse("is not positive", allowed);
   const std::vector<std::string> quantities = guaranteed_quantities();
-  if (const auto of = guarantee.find("of")) static_cast<void>(of->word(quantities));
+  if (const auto of = guarantee.find("of"))
+    if (of->word(quantities) == "values") out.of = EnclosedQuantity::values;
+  if (const auto points = guarantee.find("points")) {
+    const std::string triple = "three coordinates, each a decimal or fraction in a string";
+    for (const JsonReader& point : points->elements("a list of points")) {
+      const std::vector<JsonReader> coordinates = point.elements(triple);
+      if (coordinates.size() != 3) point.refuse("is not a point", triple);
+      out.points.push_back({coordinates[0].rational(triple), coordinates[1].rational(triple),
+                            coordinates[2].rational(triple)});
+    }
+    if (out.points.empty()) points->refuse("has no point", "one point or more");
+  }
+  return out;
+}
+
+JsonValue point_json(const Vector<Rational>& point) {
+  JsonValue out = JsonValue::array();
+  for (const Rational& coordinate : {point.x, point.y, point.z}) out.push(coordinate.to_text());
   return out;
 }
 
 JsonValue guarantee_json(const Guarantee& guarantee) {
   JsonValue out = JsonValue::object();
   out.set("width", exact_json(guarantee.width));
-  out.set("of", guaranteed_quantities().front());
+  out.set("of", guaranteed_quantities()[guarantee.of == EnclosedQuantity::values ? 1 : 0]);
+  if (guarantee.points.empty()) return out;
+  JsonValue points = JsonValue::array();
+  for (const Vector<Rational>& p : guarantee.points) points.push(point_json(p));
+  out.set("points", std::move(points));
   return out;
 }
 

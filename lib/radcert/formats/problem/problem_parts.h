@@ -75,6 +75,8 @@ void require_digest(const JsonReader& object, const std::string& digest);
 /// Requires  nothing
 /// Result    a whole number up to 2^53 as a number, everything else as a string: 2, "1/6"
 JsonValue exact_json(const Rational& value);
+/// [x, y, z], each exactly, as a text.
+JsonValue point_json(const Vector<Rational>& point);
 
 /// Requires that each piece, or "*", is named; refuses other names.
 /// Requires  an object

@@ -9,6 +9,7 @@
 
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/problem/problem_json.h"
+#include "radcert/formats/problem/problem_parts.h"
 #include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
@@ -43,18 +44,31 @@ JsonValue orders_json(std::span<const OrderFit> orders) {
   return out;
 }
 
+JsonValue approximation_json(const Approximation& number) {
+  const EnclosingText text = enclosing_text(number.value, number.radius, DecimalForm::general(17));
+  return JsonValue::object({{"midpoint", text.value}, {"radius", text.radius}});
+}
+
+/// What was not asked for is null.
 JsonValue enclosure_json(const SolutionEnclosure& enclosure) {
-  JsonValue pieces = JsonValue::object();
-  for (const auto& [piece, mean] : enclosure.pieces) {
-    const EnclosingText text = enclosing_text(mean.value, mean.radius, DecimalForm::general(17));
-    pieces.set(piece, JsonValue::object({{"midpoint", text.value}, {"radius", text.radius}}));
+  const bool of_values = enclosure.wanted.of == EnclosedQuantity::values;
+  JsonValue pieces = of_values ? JsonValue() : JsonValue::object();
+  for (const auto& [piece, mean] : enclosure.pieces) pieces.set(piece, approximation_json(mean));
+  JsonValue points = of_values ? JsonValue::array() : JsonValue();
+  for (const EnclosedValue& point : enclosure.points) {
+    JsonValue value = JsonValue::object({{"piece", point.piece}, {"at", point_json(point.at)}});
+    const EnclosingText text =
+        enclosing_text(point.value.value, point.value.radius, DecimalForm::general(17));
+    value.set("midpoint", text.value);
+    value.set("radius", text.radius);
+    points.push(std::move(value));
   }
   return JsonValue::object(
-      {{"of", "means"},
+      {{"of", of_values ? "values" : "means"},
        {"wanted", enclosing_text(enclosure.wanted.width, 0, DecimalForm::general(17)).value},
        {"width", upper_text(enclosure.width)},
        {"pieces", std::move(pieces)},
-       {"points", JsonValue()},
+       {"points", std::move(points)},
        {"function", JsonValue()},
        {"hindrance", enclosure.hindrance.empty() ? JsonValue() : JsonValue(enclosure.hindrance)},
        {"guaranteed", true}});

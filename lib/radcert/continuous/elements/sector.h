@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "radcert/continuous/panel.h"
+#include "radcert/continuous/elements/panel.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/real.h"
 
@@ -81,9 +81,12 @@ public:
   [[nodiscard]] double area(std::size_t panel) const { return areas_[panel]; }
   [[nodiscard]] double area() const { return area_; }
   [[nodiscard]] double extent() const { return extent_; }
+  /// A point of the surface, within displacement of the exact one.
+  [[nodiscard]] Vector<double> place(const Vector<Rational>& point) const;
 
 private:
   std::vector<Panel> panels_;
+  Vector<Rational> origin_;  ///< the middle of the box about all corners
   std::vector<Sector> sectors_;
   std::vector<std::size_t> first_sector_;  ///< of each panel, and the number of all
   std::vector<Vector<double>> normals_;
@@ -96,6 +99,14 @@ private:
   double area_ = 0;
   double extent_ = 0;
 };
+
+/// The distance of a point from a segment, rounded.
+[[nodiscard]] double distance(const Vector<double>& point, const Vector<double>& from,
+                              const Vector<double>& to);
+
+/// Above the roundings of a bound, which is made of a few dozen products, quotients and sums of positive
+/// numbers.
+inline constexpr double upward = 1 + 0x1p-40;
 
 /// How far the point that Sector::point computes may be from the exact one, over the extent X.
 /// Maths     vertices, weights, products and sums: 7 u X a coordinate; s and t off by 3 u each, sides and

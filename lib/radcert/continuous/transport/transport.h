@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "radcert/continuous/graded_elements.h"
-#include "radcert/continuous/sector.h"
-#include "radcert/continuous/tensor_legendre.h"
+#include "radcert/continuous/elements/graded_elements.h"
+#include "radcert/continuous/elements/sector.h"
+#include "radcert/continuous/elements/tensor_legendre.h"
 
 namespace radcert {
 
@@ -20,16 +20,8 @@ struct ObserverGroup {
 };
 
 /// T f at points, T = (1/pi) Int G . dS, for functions that are polynomials on elements.
-/// Maths     tensor Gauss rules on dyadic parts of the elements. Q runs along a straight line with the half
-///           length h in either parameter; for a complex parameter in the ellipse with the larger half axis
-///           A, a = h A, and D the distance of the observer from the middle of the line, D > a: |P - Q(z)|^2
-///           is a product of two factors of modulus >= D - a,  |n_P.(Q(z)-P)| <= D + a, and n_Q.(P-Q) is the
-///           height of P over the plane of Q, so that  |G| <= (D+a) min(D,height) / (D-a)^4, which decreases
-///           in D. A rule of n nodes is then off by (2 + 2/(4n^2-1)) rho^(-2n)/(1 - rho^-2) times this, the
-///           area, and the bound of f on the ellipse (gauss_error_factor)
-/// Source    the ellipse: N. Trefethen, "Approximation Theory and Approximation Practice", theorem 19.3; that
-///           the kernel is holomorphic there: its denominator is (w.w) with w = P - Q(z), whose factors are
-///           linear in z with conjugate zeros, each at least D/h from the middle
+/// Maths     tensor Gauss rules on dyadic parts of the elements, each as large as its RuleChoice says, for as
+///           many points together as are close beside the distance
 /// Requires  the scene and the elements outlive it
 /// Result    the radius holds for all functions: truncation, rounding of points, of the kernel, of the
 ///           functions and of the sums. It is infinite nearer to another panel than least_kernel_distance
@@ -63,9 +55,5 @@ private:
   std::vector<std::size_t> first_element_;  ///< of each panel, and the number of all
   double size_ = 0;
 };
-
-/// The distance of a point from a segment, rounded.
-[[nodiscard]] double distance(const Vector<double>& point, const Vector<double>& from,
-                              const Vector<double>& to);
 
 }  // namespace radcert

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "radcert/continuous/graded_elements.h"
+#include "radcert/continuous/elements/graded_elements.h"
 
 namespace radcert {
 
@@ -78,6 +78,10 @@ inline double ellipse_around(double half, double axis) {
   const double beyond = half * (axis - 1) * (1 + 1e-15);
   return (1 + beyond + std::sqrt(beyond * (2 + beyond))) * (1 + 1e-15);
 }
+
+/// A bound of all functions on an element where |P_i(x)| <= along^i and |P_j(y)| <= across^j, rounded up.
+[[nodiscard]] double size_around(const SectorFunctions& functions, std::size_t element, double along,
+                                 double across);
 
 /// Of the functions first, ..., last - 1 on an element.
 [[nodiscard]] PolynomialSizes polynomial_sizes(const SectorFunctions& functions, std::size_t element,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/graded_elements.h"
+#include "radcert/continuous/elements/graded_elements.h"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +8,22 @@
 #include "radcert/core/contract.h"
 
 namespace radcert {
+namespace {
+
+PartOfInterval part_of(double from, double to, double whole_from, double whole_to) {
+  const double width = whole_to - whole_from;
+  return {.middle = ((from - whole_from) - (whole_to - to)) / width, .half = (to - from) / width};
+}
+
+}  // namespace
+
+PartOfInterval part_in_s(const SectorBox& part, const SectorBox& whole) {
+  return part_of(part.s0, part.s1, whole.s0, whole.s1);
+}
+
+PartOfInterval part_in_t(const SectorBox& part, const SectorBox& whole) {
+  return part_of(part.t0, part.t1, whole.t0, whole.t1);
+}
 
 std::vector<SectorElement> graded_elements(const SectorScene& scene, int layers) {
   expects(layers >= 1 && layers <= 12, "1 <= layers <= 12", named("layers", layers));

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/sector.h"
+#include "radcert/continuous/elements/sector.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "radcert/geometry/plane.h"
 #include "radcert/scalar/ball.h"
 
 namespace radcert {
@@ -35,8 +36,7 @@ double largest_coordinate(const Vector<double>& p) {
 
 }  // namespace
 
-SectorScene::SectorScene(std::vector<Panel> panels) : panels_(std::move(panels)) {
-  const Vector<Rational> origin = middle(panels_);
+SectorScene::SectorScene(std::vector<Panel> panels) : panels_(std::move(panels)), origin_(middle(panels_)) {
   for (std::size_t k = 0; k < panels_.size(); ++k) {
     const Panel& panel = panels_[k];
     first_sector_.push_back(sectors_.size());
@@ -45,11 +45,8 @@ SectorScene::SectorScene(std::vector<Panel> panels) : panels_(std::move(panels))
       const Vector<Rational>& a = panel.corners[i];
       const Vector<Rational>& b = panel.corners[(i + 1) % panel.corners.size()];
       const double jacobian = length(cross(b - a, panel.centre - a));
-      sectors_.push_back({.panel = k,
-                          .a = rounded(a - origin),
-                          .b = rounded(b - origin),
-                          .c = rounded(panel.centre - origin),
-                          .jacobian = jacobian});
+      sectors_.push_back(
+          {.panel = k, .a = place(a), .b = place(b), .c = place(panel.centre), .jacobian = jacobian});
       area += jacobian / 2;
       extent_ = std::max(extent_, largest_coordinate(sectors_.back().a));
     }
@@ -90,6 +87,8 @@ SectorScene::SectorScene(std::vector<Panel> panels) : panels_(std::move(panels))
     }
 }
 
+Vector<double> SectorScene::place(const Vector<Rational>& point) const { return rounded(point - origin_); }
+
 bool SectorScene::aligned(std::size_t sector, std::size_t other) const {
   const auto side = [&](std::size_t k) {
     const std::size_t panel = sectors_[k].panel;
@@ -97,8 +96,14 @@ bool SectorScene::aligned(std::size_t sector, std::size_t other) const {
     const std::size_t i = k - first_sector_[panel];
     return corners[(i + 1) % corners.size()] - corners[i];
   };
-  const Vector<Rational> zero;
-  return cross(side(sector), side(other)) == zero;
+  return is_zero(cross(side(sector), side(other)));
+}
+
+double distance(const Vector<double>& point, const Vector<double>& from, const Vector<double>& to) {
+  const Vector<double> way = to - from;
+  const double squared = dot(way, way);
+  const double along = squared > 0 ? std::clamp(dot(point - from, way) / squared, 0.0, 1.0) : 0.0;
+  return norm(point - (from + along * way));
 }
 
 }  // namespace radcert

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "radcert/continuous/sector.h"
+#include "radcert/continuous/elements/sector.h"
 
 namespace radcert {
 
@@ -14,6 +14,16 @@ struct SectorElement {
   std::size_t sector = 0;
   SectorBox box;
 };
+
+/// Where a part of an interval lies in it, both as seen from [-1,1].
+struct PartOfInterval {
+  double middle = 0;
+  double half = 1;
+  [[nodiscard]] double place(double x) const { return middle + half * x; }
+};
+
+[[nodiscard]] PartOfInterval part_in_s(const SectorBox& part, const SectorBox& whole);
+[[nodiscard]] PartOfInterval part_in_t(const SectorBox& part, const SectorBox& whole);
 
 /// Elements that shrink towards edges and vertices.
 /// Maths     layers of t between 0, 4^-(L-1), ..., 1/4, 1; the layer below 4^-l is cut at s = 4^-k/2 and 1 -

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/transport.h"
+#include "radcert/continuous/transport/transport.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,8 @@
 #include <numbers>
 #include <utility>
 
-#include "radcert/continuous/gauss_tables.h"
+#include "radcert/continuous/elements/gauss_tables.h"
+#include "radcert/continuous/transport/source_rule.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/scalar/pack.h"
 
@@ -16,22 +17,11 @@ namespace radcert {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Above roundings of bounds, which are products and sums of a few dozen positive numbers.
-constexpr double upward = 1 + 0x1p-40;
-/// The largest rule; a part that would need more is cut.
-constexpr int most_nodes = 10;
-
-/// The ball about the points of a group, rounded up.
-struct GroupBall {
-  Vector<double> centre;
-  double radius = 0;
-};
-
 /// A range of the points, halved until one is left.
 struct PointRange {
   std::size_t begin = 0;
   std::size_t end = 0;
-  GroupBall ball;
+  ObserverBall ball;
   std::size_t halves = 0;  ///< the place of the first half in the list, the second after it; 0: none
   double error = 0;        ///< of the parts that are summed for these points together
   double terms = 0;
@@ -43,73 +33,7 @@ struct Part {
   SectorBox box;
 };
 
-GroupBall ball_about(std::span<const Vector<double>> points, double extent) {
-  Vector<double> least = points[0];
-  Vector<double> largest = points[0];
-  for (const Vector<double>& p : points) {
-    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
-    largest = {std::max(largest.x, p.x), std::max(largest.y, p.y), std::max(largest.z, p.z)};
-  }
-  GroupBall ball{.centre = 0.5 * (least + largest), .radius = 0};
-  for (const Vector<double>& p : points) ball.radius = std::max(ball.radius, norm(p - ball.centre));
-  ball.radius = ball.radius * upward + displacement * extent;
-  return ball;
-}
-
-/// A part of an element as the group sees it.
-struct SeenBox {
-  double area = 0;
-  double half_s = 0;  ///< the largest half length of a line in s, and in t
-  double half_t = 0;
-  double to_s = 0;  ///< at most the distance of the group from the middles of those lines
-  double to_t = 0;
-  double part_s = 0;  ///< half lengths relative to those of the element
-  double part_t = 0;
-  double jacobian_part = 0;  ///< (1-t) varies by this part of its mean
-
-  [[nodiscard]] double least_distance() const { return std::max(to_s - half_s, to_t - half_t); }
-};
-
-struct RuleChoice {
-  int nodes = 0;  ///< 0: none is good enough
-  double error = infinity;
-};
-
-/// The least rule for one parameter.
-/// Maths     see Transport; two ellipses are tried, a = D/2 and 7/10 D
-RuleChoice choose_rule(double distance, double half, double part, double height, double area,
-                       double jacobian_part, std::span<const double> sizes, double allowed) {
-  RuleChoice best;
-  for (const double share : {0.5, 0.7}) {
-    const double reach = share * distance;
-    const double axis = reach / half;
-    if (!(axis > 1.02)) continue;
-    const double rho = axis + std::sqrt(axis * axis - 1);
-    const double nearest = distance - reach;
-    const double kernel =
-        (distance + reach) * std::min(distance, height) / (nearest * nearest * nearest * nearest);
-    const double bound = std::numbers::inv_pi * area * kernel * (1 + jacobian_part * axis) *
-                         size_in_ellipse(sizes, ellipse_around(part, axis)) / (1 - 1 / (rho * rho)) * upward;
-    if (!(bound > 0)) return {.nodes = 1, .error = bound == 0 ? 0 : infinity};
-    const double needed = std::log(32.0 / 15 * bound / allowed) / (2 * std::log(rho));
-    if (!(needed <= most_nodes)) continue;
-    const int nodes = std::max(1, static_cast<int>(std::ceil(needed)));
-    const double factor = 2 + 2 / (4.0 * nodes * nodes - 1);
-    const double error = factor * bound * std::pow(rho, -2 * nodes) * upward;
-    if (best.nodes == 0 || nodes < best.nodes || (nodes == best.nodes && error < best.error))
-      best = {nodes, error};
-  }
-  return best;
-}
-
 }  // namespace
-
-double distance(const Vector<double>& point, const Vector<double>& from, const Vector<double>& to) {
-  const Vector<double> way = to - from;
-  const double squared = dot(way, way);
-  const double along = squared > 0 ? std::clamp(dot(point - from, way) / squared, 0.0, 1.0) : 0.0;
-  return norm(point - (from + along * way));
-}
 
 Transport::Transport(const SectorScene& scene, std::span<const SectorElement> elements,
                      const SectorFunctions& functions)
@@ -144,8 +68,8 @@ public:
         powers_(transport.powers_),
         stride_(transport.stride_),
         values_(points_.size() * stride_),
-        legendre_s_(most_nodes * powers_),
-        legendre_t_(most_nodes * powers_),
+        legendre_s_(most_source_nodes * powers_),
+        legendre_t_(most_source_nodes * powers_),
         contracted_(powers_ * stride_) {
     ranges_.push_back({.begin = 0, .end = points_.size(), .ball = ball_of(0, points_.size())});
     for (std::size_t r = 0; r < ranges_.size(); ++r) {
@@ -197,29 +121,8 @@ public:
   [[nodiscard]] double value(std::size_t point, std::size_t k) const { return values_[point * stride_ + k]; }
 
 private:
-  [[nodiscard]] GroupBall ball_of(std::size_t begin, std::size_t end) const {
+  [[nodiscard]] ObserverBall ball_of(std::size_t begin, std::size_t end) const {
     return ball_about(points_.subspan(begin, end - begin), scene_.extent());
-  }
-
-  [[nodiscard]] SeenBox seen(const GroupBall& ball, const SectorElement& element,
-                             const SectorBox& box) const {
-    const Sector& sector = scene_.sectors()[element.sector];
-    const double s = box.middle_s();
-    const double t = box.middle_t();
-    const double slack = ball.radius + displacement * scene_.extent();
-    const Vector<double> to_start = sector.c - sector.point(box.s0, 0);
-    const Vector<double> to_end = sector.c - sector.point(box.s1, 0);
-    const double rounding = 4 * displacement * scene_.extent();
-    SeenBox out;
-    out.area = sector.jacobian * box.weight() * upward;
-    out.half_s = 0.5 * (1 - box.t0) * (box.s1 - box.s0) * (norm(sector.b - sector.a) + rounding) * upward;
-    out.half_t = 0.5 * (box.t1 - box.t0) * (std::max(norm(to_start), norm(to_end)) + rounding) * upward;
-    out.to_s = distance(ball.centre, sector.point(s, box.t0), sector.point(s, box.t1)) / upward - slack;
-    out.to_t = distance(ball.centre, sector.point(box.s0, t), sector.point(box.s1, t)) / upward - slack;
-    out.part_s = (box.s1 - box.s0) / (element.box.s1 - element.box.s0);
-    out.part_t = (box.t1 - box.t0) / (element.box.t1 - element.box.t0);
-    out.jacobian_part = 0.5 * (box.t1 - box.t0) / (1 - t);
-    return out;
   }
 
   /// Sums over parts of a panel for a range of points. A part is cut where it is large beside its distance;
@@ -231,7 +134,7 @@ private:
       parts.pop_back();
       const SectorElement& element = transport_.elements_[part.element];
       const PolynomialSizes& sizes = transport_.sizes_[part.element];
-      const SeenBox box = seen(ranges_[r].ball, element, part.box);
+      const SeenPart box = seen_part(scene_, element, part.box, ranges_[r].ball);
       const double near = std::max(box.to_s, box.to_t);
       if (ranges_[r].halves > 0 && ranges_[r].ball.radius > 0.25 * (near + ranges_[r].ball.radius)) {
         for_halves.push_back(part);
@@ -242,10 +145,8 @@ private:
           near > 0 ? std::min(1.0, box.area * std::min(1.0, height_ / near) / (near * near)) : 1;
       const double allowed = tolerance_ * transport_.size_ *
                              std::max(0.25 * share, 0.1 / static_cast<double>(transport_.elements_.size()));
-      const RuleChoice in_s =
-          choose_rule(box.to_s, box.half_s, box.part_s, height_, box.area, 0, sizes.by_s, allowed);
-      const RuleChoice in_t = choose_rule(box.to_t, box.half_t, box.part_t, height_, box.area,
-                                          box.jacobian_part, sizes.by_t, allowed);
+      const RuleChoice in_s = rule_in_s(box, height_, sizes.by_s, allowed);
+      const RuleChoice in_t = rule_in_t(box, height_, sizes.by_t, allowed);
       if (in_s.nodes > 0 && in_t.nodes > 0) {
         const double least = box.least_distance();
         const double kernel_error = least > least_kernel_distance * scene_.extent()
@@ -283,14 +184,10 @@ private:
     parts.push_back(upper);
   }
 
-  /// P_0, ..., P_degree at the nodes of a rule, as seen from the element.
-  void tabulate(double from, double to, double element_from, double element_to, std::span<const double> nodes,
-                std::vector<double>& table) const {
-    const double width = element_to - element_from;
-    const double middle = ((from - element_from) - (element_to - to)) / width;
-    const double half = (to - from) / width;
+  /// P_0, ..., P_degree of an element at the nodes of a rule on a part of it.
+  void tabulate(const PartOfInterval& part, std::span<const double> nodes, std::vector<double>& table) const {
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      legendre_values<double>(middle + half * nodes[i], std::span(table).subspan(i * powers_, powers_));
+      legendre_values<double>(part.place(nodes[i]), std::span(table).subspan(i * powers_, powers_));
   }
 
   void add_nodes(const Part& part, int in_s, int in_t) {
@@ -299,8 +196,8 @@ private:
     const Sector& sector = scene_.sectors()[element.sector];
     const IntervalRule<double>& rule_s = gauss_on_interval(in_s);
     const IntervalRule<double>& rule_t = gauss_on_interval(in_t);
-    tabulate(box.s0, box.s1, element.box.s0, element.box.s1, rule_s.nodes, legendre_s_);
-    tabulate(box.t0, box.t1, element.box.t0, element.box.t1, rule_t.nodes, legendre_t_);
+    tabulate(part_in_s(box, element.box), rule_s.nodes, legendre_s_);
+    tabulate(part_in_t(box, element.box), rule_t.nodes, legendre_t_);
     const double half_s = 0.5 * (box.s1 - box.s0);
     const double half_t = 0.5 * (box.t1 - box.t0);
     const double scale = std::numbers::inv_pi * sector.jacobian * half_s * half_t;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/tensor_legendre.h"
+#include "radcert/continuous/elements/tensor_legendre.h"
 
 #include <algorithm>
 
@@ -24,6 +24,23 @@ PolynomialSizes polynomial_sizes(const SectorFunctions& functions, std::size_t e
     }
   }
   return sizes;
+}
+
+double size_around(const SectorFunctions& functions, std::size_t element, double along, double across) {
+  const auto powers = static_cast<std::size_t>(functions.degree() + 1);
+  double largest = 0;
+  for (std::size_t k = 0; k < functions.count(); ++k) {
+    const std::span<const double> c = functions.of(element, k);
+    double sum = 0;
+    for (std::size_t i = powers; i-- > 0;) {
+      double inner = 0;
+      for (std::size_t j = powers; j-- > 0;) inner = inner * across + std::abs(c[i * powers + j]);
+      sum = sum * along + inner;
+    }
+    if (!std::isfinite(sum)) return HUGE_VAL;
+    largest = std::max(largest, sum);
+  }
+  return largest * upward;
 }
 
 }  // namespace radcert

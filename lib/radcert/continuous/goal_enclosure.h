@@ -5,23 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "radcert/continuous/panel.h"
-#include "radcert/core/outcome.h"
+#include "radcert/continuous/polyhedron_problem.h"
 #include "radcert/scalar/approximation.h"
-#include "radcert/scalar/rational.h"
 
 namespace radcert {
-
-/// The radiosity equation u = E + rho T u on a convex polyhedron.
-/// Maths     T u(P) = (1/pi) Int G(P,Q) u(Q) dS_Q;  rho and E constant on panels
-/// Source    [ac98, (1)-(2)]
-/// Requires  panels of a closed surface in the boundary of a convex body, as convex_panels gives them; every
-///           piece has a panel; 0 <= rho < 1
-struct PolyhedronProblem {
-  std::vector<Panel> panels;
-  std::vector<Rational> reflectivity;  ///< by panel
-  std::vector<Rational> emission;      ///< by panel
-};
 
 /// How far a search for an enclosure has come.
 struct EnclosureProgress {
@@ -35,13 +22,15 @@ struct EnclosureProgress {
   double residual = 0;      ///< a bound of (Int rho t^2)^(1/2)
 };
 
-/// Enclosures of the means of the solution itself.
-struct MeanEnclosure {
-  std::vector<Approximation> means;  ///< by piece, proved
-  double width = 0;                  ///< twice the largest radius
+/// Enclosures of numbers that depend linearly on the solution itself.
+struct GoalEnclosure {
+  std::vector<Approximation> numbers;  ///< by piece, or by point; proved
+  double width = 0;                    ///< twice the largest radius
   EnclosureProgress last;
   std::string hindrance = {};  ///< where the width is not the wanted one: what stood in the way
 };
+
+using EnclosureListener = std::function<void(const EnclosureProgress&)>;
 
 /// Encloses the mean of u over every piece.
 /// Maths     J_k(u) = Int j_k u, j_k = 1/|S_k| on piece k. With v = E + rho q_0, y_k = j_k + q_k for any q,
@@ -49,7 +38,8 @@ struct MeanEnclosure {
 ///           (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - s), s = max rho. Proof: B = rho^(1/2) T
 ///           rho^(1/2) is self-adjoint in L2 with the norm s at most, by Schur's test, since T >= 0 is
 ///           symmetric and T 1 = 1; u - v = (I - rho T)^-1 rho t_0, so that J(u-v) = (rho^(1/2) j, (I-B)^-1
-///           rho^(1/2) t_0), and (I-B)^-1 rho^(1/2) j = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k. The q are
+///           rho^(1/2) t_0), and (I-B)^-1 rho^(1/2) j = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k. Where y_k = j_kh +
+///           q_k with j_kh near j_k, (Int rho (j_k - j_kh)^2)^(1/2) is added to the norm of t_k. The q are
 ///           polynomials on elements that shrink towards edges (trial_functions), as good as they happen to
 ///           be; t_0 and t_k are enclosed (residual_sums)
 /// Source    dual weighted residuals: R. Becker, R. Rannacher, "An optimal control approach to a posteriori
@@ -59,7 +49,16 @@ struct MeanEnclosure {
 ///           the same bits for any number of threads. Enclosures of coarser meshes are intersected with finer
 ///           ones
 /// Limits    unoccluded; what is reached where the wanted width is not is given with its reason
-[[nodiscard]] MeanEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
-                                          const std::function<void(const EnclosureProgress&)>& progress = {});
+[[nodiscard]] GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
+                                          const EnclosureListener& progress = {});
+
+/// Encloses u at points.
+/// Maths     u(P) = E(P) + rho(P) J(u), J(u) = T u(P), j = G(P,.)/pi, as above
+/// Requires  wanted > 0; points inside panels of the problem
+/// Result    by point; all else as above
+/// Limits    the nearer a point is to an edge, the more elements its kernel asks for
+[[nodiscard]] GoalEnclosure enclose_values(const PolyhedronProblem& problem,
+                                           const std::vector<SolutionPoint>& points, double wanted,
+                                           const EnclosureListener& progress = {});
 
 }  // namespace radcert

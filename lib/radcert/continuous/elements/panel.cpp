@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/panel.h"
+#include "radcert/continuous/elements/panel.h"
 
 #include <algorithm>
 #include <optional>
@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "radcert/collocation/certified/plane_chart.h"
-#include "radcert/geometry/convex_hull.h"
+#include "radcert/geometry/plane.h"
+#include "radcert/geometry/plane_polygon.h"
 
 namespace radcert {
 namespace {
@@ -49,11 +50,13 @@ Panel panel_of(std::size_t piece, std::vector<Vector<Rational>> corners, const V
   return {.piece = piece, .corners = std::move(corners), .centre = share * sum, .normal = normal};
 }
 
+Plane plane_of(const std::vector<Vector<Rational>>& corners) {
+  return {corners[0], corners[1] - corners[0], corners[2] - corners[0]};
+}
+
+/// And on one side of it.
 bool in_one_plane(const PlaneCorners& a, const PlaneCorners& b) {
-  const Vector<Rational> turned = cross(a.normal, b.normal);
-  const Vector<Rational> zero;
-  return turned == zero && dot(a.normal, b.normal).sign() > 0 &&
-         dot(a.normal, b.corners[0] - a.corners[0]).sign() == 0;
+  return dot(a.normal, b.normal).sign() > 0 && same_plane(plane_of(a.corners), plane_of(b.corners));
 }
 
 /// The one panel of coplanar charts, where their union is convex.
@@ -62,16 +65,16 @@ std::optional<Panel> union_of(const std::vector<const PlaneCorners*>& charts) {
   const Projection projected(first.normal);
   PolygonLoop points;
   std::vector<Vector<Rational>> in_space;
-  Rational area = 0;
+  Rational area = 0;  // twice
   for (const PlaneCorners* chart : charts) {
     PolygonLoop loop;
     for (const Vector<Rational>& corner : chart->corners) loop.push_back(projected(corner));
-    area += signed_area(loop);
+    area += doubled_area(loop);
     points.insert(points.end(), loop.begin(), loop.end());
     in_space.insert(in_space.end(), chart->corners.begin(), chart->corners.end());
   }
   const PolygonLoop hull = convex_hull(points);
-  if (!(signed_area(hull) == area)) return std::nullopt;
+  if (!(doubled_area(hull) == area)) return std::nullopt;
   std::vector<Vector<Rational>> corners;
   for (const ParameterPoint<Rational>& at : hull)
     corners.push_back(
@@ -117,8 +120,7 @@ Outcome<std::vector<Panel>> convex_panels(const Surface& surface) {
 }
 
 bool in_one_plane(const Panel& a, const Panel& b) {
-  const Vector<Rational> zero;
-  return cross(a.normal, b.normal) == zero && dot(a.normal, b.corners[0] - a.corners[0]).sign() == 0;
+  return same_plane(plane_of(a.corners), plane_of(b.corners));
 }
 
 }  // namespace radcert

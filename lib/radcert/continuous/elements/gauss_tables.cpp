@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/gauss_tables.h"
+#include "radcert/continuous/elements/gauss_tables.h"
 
 #include <cstddef>
 

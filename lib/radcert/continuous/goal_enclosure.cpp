@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/continuous/goal_enclosure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "radcert/continuous/elements/graded_elements.h"
+#include "radcert/continuous/elements/sector.h"
+#include "radcert/continuous/goals.h"
+#include "radcert/continuous/observer_cells.h"
+#include "radcert/continuous/residual.h"
+#include "radcert/continuous/trial.h"
+#include "radcert/continuous/trial_functions.h"
+#include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
+
+namespace radcert {
+
+const WorkLimit most_layers("continuous/goal_enclosure: layers of elements", 8, 2,
+                            "a wider enclosure, with its reason");
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What cells miss by their rules, before any sample is taken.
+struct Missed {
+  double norm = 0;
+  double product = 0;
+};
+
+Missed missed_by(const Trial& trial, std::span<const ObserverCell> cells) {
+  double squares = 0;
+  double products = 0;
+  for (const ObserverCell& cell : cells) {
+    const double area = trial.sector(cell.element).jacobian * cell.box.weight();
+    const double rho = trial.rho(cell.element);
+    if (cell.is_strip()) {
+      const double largest = trial.smoothness.residual_size(cell.element);
+      squares += rho * area * largest * largest;
+      products += area * largest * trial.smoothness.density_size(cell.element);
+    } else {
+      squares += 4 * rho * area * cell.interpolation * cell.interpolation;
+      products += area * cell.quadrature;
+    }
+  }
+  return {std::sqrt(squares), products};
+}
+
+/// Cells whose rules miss about this much in all.
+struct Plan {
+  std::vector<ObserverCell> cells;
+  CellDemand demand;
+  bool is_kept = true;  ///< whether they miss no more than ten times what they may
+};
+
+Plan plan_cells(const Trial& trial, const Missed& allowed) {
+  Plan plan;
+  double count = 40.0 * static_cast<double>(trial.elements.size());
+  Missed aim = allowed;
+  constexpr int tries = 4;
+  for (int k = 0; k < tries; ++k) {
+    plan.demand = {.interpolation = aim.norm / std::sqrt(count), .quadrature = aim.product / count};
+    plan.cells = observer_cells(trial, plan.demand);
+    const Missed found = missed_by(trial, plan.cells);
+    plan.is_kept = found.norm <= 10 * allowed.norm && found.product <= 10 * allowed.product;
+    if (found.norm <= allowed.norm && found.product <= allowed.product) break;
+    // Limits of the cells' number were met: smaller demands would meet them again.
+    if (!(found.norm <= 1000 * allowed.norm && found.product <= 1000 * allowed.product)) break;
+    aim.norm *= std::min(1.0, 0.9 * allowed.norm / found.norm);
+    aim.product *= std::min(1.0, 0.9 * allowed.product / found.product);
+  }
+  return plan;
+}
+
+/// The data of a problem in double.
+struct Data {
+  SectorScene scene;
+  std::vector<double> reflectivity;
+  int exponent = 0;  ///< E and u are 2^exponent times those of function 0: all functions are of one size
+  int degree = 0;    ///< of E
+  double gap = 0;    ///< 1 - max rho, from below
+  bool reflects = false;
+
+  explicit Data(const PolyhedronProblem& problem) : scene(problem.panels) {
+    Rational sup = 0;
+    for (const Rational& rho : problem.reflectivity) {
+      reflectivity.push_back(rho.to_double());
+      sup = std::max(sup, rho);
+    }
+    gap = (Rational(1) - sup).to_double() / upward;
+    expects(gap > 0, "rho < 1");
+    reflects = sup.sign() > 0;
+    for (const PlanePolynomial<Rational>& f : problem.emission) degree = std::max(degree, f.degree());
+    const std::vector<SectorElement> whole = graded_elements(scene, 1);
+    const SectorFunctions f = emission_functions(problem, scene, whole, 1, degree, 0);
+    double largest = 0;
+    for (std::size_t e = 0; e < whole.size(); ++e) largest = std::max(largest, size_around(f, e, 1, 1));
+    if (largest > 0) std::frexp(largest, &exponent);
+  }
+};
+
+Approximation scaled(const Approximation& x, int exponent) {
+  return {std::ldexp(x.value, exponent), std::ldexp(x.radius, exponent), x.guaranteed};
+}
+
+class Search {
+public:
+  Search(const PolyhedronProblem& problem, const Data& data, const Goals& goals, double wanted)
+      : problem_(problem),
+        data_(data),
+        goals_(goals),
+        wanted_(wanted),
+        radius_(goals.radius(0.5 * std::ldexp(wanted, -data.exponent))) {
+    best_.width = infinity;
+    best_.numbers.assign(goals.count(), Approximation::proved(0, infinity));
+  }
+
+  GoalEnclosure operator()(const EnclosureListener& progress) {
+    if (!data_.reflects || !std::isfinite(radius_)) return of_emission();
+    for (int layers = 2; layers <= most_layers.value(); ++layers) {
+      if (!try_layers(layers)) continue;
+      if (!best_.hindrance.empty()) return best_;
+      if (progress) progress(best_.last);
+      if (best_.width <= wanted_) return best_;
+    }
+    best_.hindrance = "the residual of polynomials of degree " + std::to_string(best_.last.degree) + " on " +
+                      std::to_string(best_.last.layers) + " layers of elements";
+    return best_;
+  }
+
+private:
+  /// Functions of E and of the goals on elements, and what polynomials leave of the goals.
+  struct Emissions {
+    SectorFunctions functions;
+    std::vector<double> left;
+  };
+  [[nodiscard]] Emissions emissions(std::span<const SectorElement> elements, int degree) const {
+    Emissions out{.functions = emission_functions(problem_, data_.scene, elements, 1 + goals_.count(), degree,
+                                                  data_.exponent),
+                  .left = {}};
+    out.left = goals_.put_duals(elements, out.functions);
+    return out;
+  }
+
+  /// Where nothing reflects, u = E.
+  GoalEnclosure of_emission() {
+    const std::vector<SectorElement> whole = graded_elements(data_.scene, 1);
+    const Emissions given = emissions(whole, data_.degree);
+    const Trial trial(data_.scene, data_.reflectivity, whole, given.functions,
+                      SectorFunctions(whole.size(), 1 + goals_.count(), data_.degree));
+    const std::vector<Approximation> found = goals_.of_density(trial);
+    best_.width = 0;
+    for (std::size_t k = 0; k < goals_.count(); ++k) take(k, found[k]);
+    best_.last.width = best_.width;
+    return best_;
+  }
+
+  /// The enclosure of number k from that of J_k, for E times 2^-exponent, if it is better.
+  void take(std::size_t k, const Approximation& functional) {
+    const Approximation number = goals_.number(k, scaled(functional, data_.exponent));
+    if (std::isfinite(number.value) && number.radius >= 0 && number.radius < best_.numbers[k].radius)
+      best_.numbers[k] = number;
+    best_.width = std::max(best_.width, 2 * best_.numbers[k].radius);
+  }
+
+  /// One mesh; false where it is passed over, since its residuals would be too large.
+  bool try_layers(int layers) {
+    const int degree = std::max({layers - 1, data_.degree, goals_.least_degree()});
+    // About what the residuals of a cube come to on so many layers; the systems are solved far better.
+    const double usual = 0.05 * std::pow(4.0, -layers);
+    const double tolerance = 0.01 * usual;
+    std::vector<SectorElement> elements = goals_.refined(graded_elements(data_.scene, layers), degree,
+                                                         std::max(usual, 0.35 * radius_ * data_.gap / usual));
+    const Emissions given = emissions(elements, degree);
+    SectorFunctions q =
+        trial_functions(data_.scene, elements, data_.reflectivity, given.functions, tolerance);
+    const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q));
+    const std::vector<double> expected = expected_norms(trial);
+    const double norm_0 = 1.2 * expected[0];
+    double norm_k = 0;
+    for (std::size_t k = 0; k < goals_.count(); ++k)
+      norm_k = std::max(norm_k, 1.2 * expected[1 + k] + given.left[k]);
+    // What rules may miss, m: (norm_0 + m)(norm_k + m)/(1-s) is to leave a part of the radius for the rest.
+    const double affordable = 0.7 * radius_ * data_.gap;
+    const double sum = 0.5 * (norm_0 + norm_k);
+    const double m = std::sqrt(std::max(0.0, sum * sum - norm_0 * norm_k + affordable)) - sum;
+    const double smaller = std::min(norm_0, norm_k);
+    const bool enough = m >= 0.25 * smaller;
+    const bool last = layers == most_layers.value();
+    if (!enough && !last && layers > 2) return false;
+    const double allowed_norm = enough ? m : smaller;
+    const double allowed_product = std::max(0.07 * radius_, 0.05 * norm_0 * norm_k / data_.gap);
+    const Plan plan = plan_cells(trial, {allowed_norm, allowed_product});
+    // Cells that come to their limits are worth no samples, and finer elements would not help them.
+    if (!plan.is_kept) {
+      best_.hindrance = "too many cells: the polyhedron is too thin, or its edges are too sharp";
+      return true;
+    }
+    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand);
+    const std::vector<Approximation> of_density = goals_.of_density(trial);
+    best_.width = 0;
+    for (std::size_t k = 0; k < goals_.count(); ++k) {
+      const double goal = sums.norms[0] * (sums.norms[1 + k] + given.left[k]) / data_.gap * upward;
+      take(k, of_density[k] + sums.products[1 + k] + Approximation::proved(0, goal));
+    }
+    best_.last = {.layers = layers,
+                  .degree = degree,
+                  .elements = trial.elements.size(),
+                  .unknowns = trial.elements.size() * trial.q.size(),
+                  .mesh_size = mesh_size(data_.scene, trial.elements),
+                  .samples = best_.last.samples + sums.samples,
+                  .width = best_.width,
+                  .residual = sums.norms[0]};
+    return true;
+  }
+
+  const PolyhedronProblem& problem_;
+  const Data& data_;
+  const Goals& goals_;
+  double wanted_;
+  double radius_;  ///< for J_k
+  GoalEnclosure best_;
+};
+
+}  // namespace
+
+GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
+                            const EnclosureListener& progress) {
+  expects(wanted > 0, "wanted > 0");
+  const Data data(problem);
+  const std::unique_ptr<Goals> goals = piece_means(data.scene, data.reflectivity);
+  return Search(problem, data, *goals, wanted)(progress);
+}
+
+GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector<SolutionPoint>& points,
+                             double wanted, const EnclosureListener& progress) {
+  expects(wanted > 0, "wanted > 0");
+  const Data data(problem);
+  std::vector<Approximation> emission;
+  for (const SolutionPoint& point : points) {
+    const ParameterPoint<Rational> at = plane_coordinates(problem.panels[point.panel], point.at);
+    const double value = problem.emission[point.panel].value(at.s, at.t).to_double();
+    emission.push_back(Approximation::proved(value, unit_roundoff<double>() * std::abs(value)));
+  }
+  const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, points, emission);
+  return Search(problem, data, *goals, wanted)(progress);
+}
+
+}  // namespace radcert

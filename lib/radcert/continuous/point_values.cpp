@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "radcert/continuous/elements/element_interpolation.h"
+#include "radcert/continuous/goals.h"
+#include "radcert/continuous/transport/source_rule.h"
+#include "radcert/continuous/transport/transport.h"
+#include "radcert/core/work_limit.h"
+
+namespace radcert {
+
+const WorkLimit most_dual_elements("continuous/point_values: elements for the kernels of points", 20000, 1,
+                                   "a wider enclosure, with its reason");
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A point, as the kernel needs it.
+struct Observer {
+  std::size_t panel = 0;
+  Vector<double> at;
+  Approximation emission;
+  int exponent = 0;  ///< j is taken 2^-exponent times
+};
+
+/// What interpolation at n nodes misses of G(P,.)/pi on an element, in either parameter; infinite if unknown.
+struct KernelErrors {
+  double in_s = 0;
+  double in_t = 0;
+};
+
+double least_error(double distance, double half, double height, int nodes) {
+  double best = infinity;
+  for (const double share : {0.3, 0.5, 0.7, 0.8}) {
+    const double reach = share * distance;
+    const double axis = reach / half;
+    if (!(axis > 1.02)) continue;
+    const double rho = axis + std::sqrt(axis * axis - 1);
+    const double bound = std::numbers::inv_pi * kernel_in_ellipse(distance, reach, height);
+    best = std::min(best, 2 * bound * std::pow(rho, 1 - nodes) / (rho - 1) * upward);
+  }
+  return best;
+}
+
+class PointValues final : public Goals {
+public:
+  PointValues(const SectorScene& scene, const std::vector<double>& reflectivity,
+              const std::vector<SolutionPoint>& points, const std::vector<Approximation>& emission)
+      : scene_(scene), reflectivity_(reflectivity) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      Observer observer{
+          .panel = points[k].panel, .at = scene.place(points[k].at), .emission = emission[k], .exponent = 0};
+      double largest = 0;
+      for (const Sector& sector : scene.sectors()) {
+        const double d = std::max(distance(observer.at, sector.a, sector.b),
+                                  std::abs(dot(scene.normal(sector.panel), observer.at - sector.a)));
+        if (facing(observer.panel, sector.panel) && d > 0) largest = std::max(largest, 1 / (d * d));
+      }
+      if (largest > 0 && std::isfinite(largest)) std::frexp(largest, &observer.exponent);
+      observers_.push_back(observer);
+    }
+  }
+
+  [[nodiscard]] std::size_t count() const override { return observers_.size(); }
+  [[nodiscard]] double radius(double wanted) const override {
+    double least = infinity;
+    for (const Observer& observer : observers_)
+      least = std::min(least, std::ldexp(wanted / reflectivity_[observer.panel], -observer.exponent));
+    return least;
+  }
+
+  [[nodiscard]] int least_degree() const override { return 5; }
+  [[nodiscard]] std::vector<SectorElement> refined(std::vector<SectorElement> elements, int degree,
+                                                   double allowed) const override {
+    std::vector<SectorElement> out;
+    const double share = allowed / std::sqrt(static_cast<double>(2 * elements.size()));
+    for (const SectorElement& element : elements)
+      if (element.box.t0 == 0)
+        refine_at_edge(element, degree, share, out);
+      else
+        refine(element, degree, share, out);
+    return out;
+  }
+
+  std::vector<double> put_duals(std::span<const SectorElement> elements,
+                                SectorFunctions& emissions) const override {
+    const ElementInterpolation interpolation(emissions.degree() + 1);
+    std::vector<double> left(count());
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      for (std::size_t k = 0; k < count(); ++k) {
+        const double own =
+            put(interpolation, elements[e], observers_[k], emissions.degree(), emissions.of(e, 1 + k));
+        left[k] += own * own;
+      }
+    for (double& sum : left) sum = std::sqrt(sum) * upward;
+    return left;
+  }
+
+  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial) const override {
+    const Transport transport(trial.scene, trial.elements, trial.w);
+    std::vector<Approximation> out;
+    for (const Observer& observer : observers_) {
+      const ObserverGroup group{.panel = observer.panel, .points = {observer.at}};
+      constexpr double tolerance = 1e-14;
+      const Transport::Values found = transport(group, tolerance);
+      // And what rounding makes of E, rho and w_0, at most 3 u (|E| + rho |q|).
+      const double of_w = 4 * unit_roundoff<double>() * trial.smoothness.largest_residual();
+      out.push_back(Approximation::proved(std::ldexp(found.values[0], -observer.exponent),
+                                          std::ldexp(found.radius + of_w, -observer.exponent) * upward));
+    }
+    return out;
+  }
+
+  [[nodiscard]] Approximation number(std::size_t k, const Approximation& functional) const override {
+    const Observer& observer = observers_[k];
+    const double rho = reflectivity_[observer.panel];
+    const double value = std::ldexp(rho * functional.value, observer.exponent);
+    const Approximation reflected{.value = value,
+                                  .radius = std::ldexp(rho * functional.radius, observer.exponent) * upward +
+                                            4 * unit_roundoff<double>() * std::abs(value),
+                                  .guaranteed = functional.guaranteed};
+    return observer.emission + reflected;
+  }
+
+private:
+  [[nodiscard]] bool facing(std::size_t panel, std::size_t other) const {
+    return panel != other && !scene_.coplanar(panel, other);
+  }
+
+  /// rho^(1/2) |X|^(1/2) times twice what interpolation misses of any point's kernel, in s and in t.
+  [[nodiscard]] KernelErrors errors(const SectorElement& element, int degree) const {
+    KernelErrors worst;
+    for (const Observer& observer : observers_) {
+      const KernelErrors own = errors(element, observer, degree);
+      worst.in_s = std::max(worst.in_s, own.in_s);
+      worst.in_t = std::max(worst.in_t, own.in_t);
+    }
+    return worst;
+  }
+
+  [[nodiscard]] KernelErrors errors(const SectorElement& element, const Observer& observer,
+                                    int degree) const {
+    const std::size_t panel = scene_.sectors()[element.sector].panel;
+    const double rho = reflectivity_[panel];
+    if (rho == 0 || !facing(observer.panel, panel)) return {};
+    const SeenPart part = seen(element, observer);
+    const double scale = std::ldexp(2 * std::sqrt(part.area * rho), -observer.exponent) * upward;
+    const double height = height_over(panel, observer);
+    return {.in_s = scale * least_error(part.to_s, part.half_s, height, degree + 1),
+            .in_t = scale * least_error(part.to_t, part.half_t, height, degree + 1)};
+  }
+
+  [[nodiscard]] SeenPart seen(const SectorElement& element, const Observer& observer) const {
+    return seen_part(scene_, element, element.box,
+                     {.centre = observer.at, .radius = displacement * scene_.extent()});
+  }
+
+  [[nodiscard]] double height_over(std::size_t panel, const Observer& observer) const {
+    const Sector& sector = scene_.sectors()[scene_.first_sector(panel)];
+    return dot(scene_.normal(panel), observer.at - sector.a) + 64 * unit_roundoff<double>() * scene_.extent();
+  }
+
+  /// The interpolant of rho j on an element, and (Int rho (j - j_h)^2)^(1/2) there.
+  double put(const ElementInterpolation& interpolation, const SectorElement& element,
+             const Observer& observer, int degree, std::span<double> coefficients) const {
+    const Sector& sector = scene_.sectors()[element.sector];
+    const double rho = reflectivity_[sector.panel];
+    if (rho == 0 || !facing(observer.panel, sector.panel)) return 0;
+    const double height = dot(scene_.normal(sector.panel), observer.at - sector.a);
+    const double scale = std::ldexp(rho * std::numbers::inv_pi, -observer.exponent);
+    std::vector<double> values;
+    double largest = 0;
+    for (const Vector<double>& q : interpolation.points(sector, element.box)) {
+      const Vector<double> way = q - observer.at;
+      const double squared = dot(way, way);
+      values.push_back(scale * dot(scene_.normal(observer.panel), way) * height / (squared * squared));
+      largest = std::max(largest, std::abs(values.back()));
+    }
+    interpolation.coefficients(values, 1, coefficients);
+    const SeenPart part = seen(element, observer);
+    const double least = part.least_distance();
+    if (!(least > least_kernel_distance * scene_.extent())) return infinity;
+    const double off = scale * kernel_rounding * scene_.extent() / (least * least * least);
+    const KernelErrors missed = errors(element, observer, degree);
+    return (missed.in_s + missed.in_t + std::sqrt(part.area / rho) * interpolation.rounding(largest, off)) *
+           upward;
+  }
+
+  /// Cuts an element where the kernels ask for it.
+  void refine(const SectorElement& element, int degree, double share, std::vector<SectorElement>& out) const {
+    const KernelErrors here = errors(element, degree);
+    if (here.in_s + here.in_t <= share || out.size() >= most_dual_elements.count())
+      out.push_back(element);
+    else if (here.in_s >= here.in_t)
+      for (const SectorElement& half : halves_in_s(element)) refine(half, degree, share, out);
+    else
+      for (const SectorElement& half : halves_in_t(element)) refine(half, degree, share, out);
+  }
+
+  /// The same at an edge: both sides are first cut alike along it, so that EdgeClosure finds them.
+  void refine_at_edge(const SectorElement& element, int degree, double share,
+                      std::vector<SectorElement>& out) const {
+    double in_s = errors(element, degree).in_s;
+    if (const std::optional<std::size_t> opposite = scene_.opposite(element.sector)) {
+      const SectorBox& box = element.box;
+      const SectorElement mirror{*opposite, {.s0 = 1 - box.s1, .s1 = 1 - box.s0, .t0 = 0, .t1 = box.t1}};
+      in_s = std::max(in_s, errors(mirror, degree).in_s);
+    }
+    if (in_s <= 0.5 * share || out.size() >= most_dual_elements.count())
+      refine_depth(element, degree, share, out);
+    else
+      for (const SectorElement& half : halves_in_s(element)) refine_at_edge(half, degree, share, out);
+  }
+
+  void refine_depth(const SectorElement& element, int degree, double share,
+                    std::vector<SectorElement>& out) const {
+    if (errors(element, degree).in_t <= 0.5 * share || out.size() >= most_dual_elements.count()) {
+      out.push_back(element);
+      return;
+    }
+    const std::array<SectorElement, 2> halves = halves_in_t(element);
+    refine_depth(halves[0], degree, share, out);
+    refine(halves[1], degree, share, out);
+  }
+
+  [[nodiscard]] static std::array<SectorElement, 2> halves_in_s(const SectorElement& element) {
+    std::array<SectorElement, 2> halves{element, element};
+    halves[0].box.s1 = halves[1].box.s0 = element.box.middle_s();
+    return halves;
+  }
+  [[nodiscard]] static std::array<SectorElement, 2> halves_in_t(const SectorElement& element) {
+    std::array<SectorElement, 2> halves{element, element};
+    halves[0].box.t1 = halves[1].box.t0 = element.box.middle_t();
+    return halves;
+  }
+
+  const SectorScene& scene_;
+  const std::vector<double>& reflectivity_;
+  std::vector<Observer> observers_;
+};
+
+}  // namespace
+
+std::unique_ptr<Goals> point_values(const SectorScene& scene, const std::vector<double>& reflectivity,
+                                    const std::vector<SolutionPoint>& points,
+                                    const std::vector<Approximation>& emission) {
+  return std::make_unique<PointValues>(scene, reflectivity, points, emission);
+}
+
+}  // namespace radcert

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "radcert/continuous/elements/graded_elements.h"
+#include "radcert/continuous/elements/panel.h"
+#include "radcert/continuous/elements/sector.h"
+#include "radcert/continuous/elements/tensor_legendre.h"
+#include "radcert/polynomial/plane_polynomial.h"
+#include "radcert/scalar/rational.h"
+
+namespace radcert {
+
+/// The radiosity equation u = E + rho T u on a convex polyhedron.
+/// Maths     T u(P) = (1/pi) Int G(P,Q) u(Q) dS_Q;  rho constant on panels, E a polynomial on each, of the
+///           parameters of plane_coordinates
+/// Source    [ac98, (1)-(2)]
+/// Requires  panels of a closed surface in the boundary of a convex body, as convex_panels gives them; every
+///           piece has a panel; 0 <= rho < 1
+struct PolyhedronProblem {
+  std::vector<Panel> panels;
+  std::vector<Rational> reflectivity;               ///< by panel
+  std::vector<PlanePolynomial<Rational>> emission;  ///< by panel
+};
+
+/// A point of a panel.
+struct SolutionPoint {
+  std::size_t panel = 0;
+  Vector<Rational> at;
+};
+
+/// The parameters of a point of a panel's plane.
+/// Maths     corners[0] + s (corners[1] - corners[0]) + t (corners[2] - corners[0]) = p
+/// Result    exact
+[[nodiscard]] ParameterPoint<Rational> plane_coordinates(const Panel& panel, const Vector<Rational>& p);
+
+/// The panel inside which a point lies.
+/// Result    exact; panels.size() where there is none: the point is off the surface or on an edge
+[[nodiscard]] std::size_t panel_inside(const std::vector<Panel>& panels, const Vector<Rational>& p);
+
+/// The emission on elements.
+/// Maths     a polynomial of degree d on the panel has at most the degree d in each parameter of a sector
+/// Requires  the scene of the problem's panels; a degree of at least that of each polynomial
+/// Result    function 0 of `count`, times 2^-exponent; coefficients are those of the exact polynomial to the
+///           nearest
+[[nodiscard]] SectorFunctions emission_functions(const PolyhedronProblem& problem, const SectorScene& scene,
+                                                 std::span<const SectorElement> elements, std::size_t count,
+                                                 int degree, int exponent);
+
+}  // namespace radcert

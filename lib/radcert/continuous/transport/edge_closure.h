@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "radcert/continuous/elements/graded_elements.h"
+#include "radcert/continuous/elements/sector.h"
+#include "radcert/continuous/elements/tensor_legendre.h"
+
+namespace radcert {
+
+/// What the panel beyond an edge sends to observers near the edge, without its singularity.
+/// Maths     T 1 = 1 on a closed surface, so that near an edge of Q_j  T w(P) = F(P) + T_j(w - xi)(P),  F = sum
+///           over i != j of T_i w + xi (1 - sum over i != j of T_i 1),  xi(s) = w on Q_j at the point x of the
+///           edge that belongs to P = P(s,t). F is smooth up to the edge. For |P-x| <= R, P at most H above the
+///           plane of Q_j, what is further than r from P has the mass m H/r at most, m = 2, or 1 where n_P.n_j
+///           >= 0, and |w - xi| <= l |Q-x| up to the distance d of the other sides of the element beyond:
+///           |T_j(w - xi)| <= 3 l R + sum_k m H/(2^k R) l (2^(k+1) + 1) R + 2 sup|w| m H/(d - R)
+/// Requires  the scene and the elements outlive it
+/// Result    bounds rounded up, infinite where there are none
+class EdgeClosure {
+public:
+  EdgeClosure(const SectorScene& scene, std::span<const SectorElement> elements, const SectorFunctions& w);
+
+  /// The element on the other side of the edge along an element, where that is known to be of its width.
+  [[nodiscard]] std::optional<std::size_t> mirror(std::size_t element) const { return mirror_[element]; }
+  /// Bounds of xi on the edge of an element that has one, by powers of s: see PolynomialSizes.
+  [[nodiscard]] std::span<const double> edge_sizes(std::size_t element) const { return edge_sizes_[element]; }
+  /// Of a part of an edge, at most its distance from all sides of elements on the panel beyond, except those on
+  /// the edge.
+  [[nodiscard]] double clearance(std::size_t sector, const Vector<double>& from,
+                                 const Vector<double>& to) const;
+
+  struct Nearby {
+    double bound = 0;     ///< of |T_j(w - xi)|
+    double distance = 0;  ///< of the middle of the part of the edge from the other sides
+  };
+  /// On a part of an element with a mirror that touches the edge.
+  [[nodiscard]] Nearby nearby(std::size_t element, const SectorBox& box) const;
+
+private:
+  struct Side {
+    Vector<double> from;
+    Vector<double> to;
+  };
+  [[nodiscard]] double distance_around(std::size_t sector, const Vector<double>& point) const;
+
+  const SectorScene& scene_;
+  std::span<const SectorElement> elements_;
+  std::vector<std::vector<Side>> around_;           ///< by sector, on its opposite's panel
+  std::vector<double> beyond_;                      ///< by sector: sup |w| on its opposite's panel
+  std::vector<std::optional<std::size_t>> mirror_;  ///< of each element
+  std::vector<std::vector<double>> edge_sizes_;
+  std::vector<double> lipschitz_;  ///< of w on each element at an edge
+};
+
+}  // namespace radcert

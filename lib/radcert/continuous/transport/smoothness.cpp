@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/continuous/transport/smoothness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace radcert {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+/// The larger half axes of the ellipses that are tried, in units of half the line.
+constexpr std::array<double, 20> axes{1.02, 1.06, 1.12, 1.2, 1.35, 1.5, 1.75, 2,   2.5,  3.2,
+                                      4.2,  5.6,  8,    12,  20,   40,  100,  400, 2000, 20000};
+/// Where Q slides, both parameters of its element stay in the unit disk: the real segment that is as long as Q
+/// moves lies in the element, and the disk about it goes to a disk about a part of [-1,1], as x and y are affine
+/// or quotients of affine functions of the way. There |P_i| <= (1 + sqrt(2))^i.
+constexpr double slid_growth = 2.4143;
+/// Where Q turns: A + sqrt(A^2 - 1) for A = 3/2 and A = 2.
+constexpr double turned_along = 2.6181;
+constexpr double turned_across = 3.7321;
+
+/// One number an ellipse.
+using Bounds = std::array<double, axes.size()>;
+
+Bounds product(const Bounds& a, const Bounds& b) {
+  Bounds out{};
+  for (std::size_t k = 0; k < axes.size(); ++k) out[k] = a[k] * b[k];
+  return out;
+}
+
+double least_product(const Bounds& bounds, const Bounds& factors) {
+  double best = infinity;
+  for (std::size_t k = 0; k < axes.size(); ++k) best = std::min(best, bounds[k] * factors[k]);
+  return best * upward;
+}
+
+/// What rules of n nodes make of a bound in an ellipse, by n - 1.
+struct EllipseFactors {
+  std::array<Bounds, most_gauss_nodes> interpolation;
+  std::array<Bounds, most_gauss_nodes> quadrature;
+};
+
+const EllipseFactors& factors() {
+  static const EllipseFactors table = [] {
+    EllipseFactors made{};
+    for (std::size_t n = 1; n <= most_gauss_nodes; ++n)
+      for (std::size_t k = 0; k < axes.size(); ++k) {
+        const double rho = axes[k] + std::sqrt(axes[k] * axes[k] - 1);
+        const auto count = static_cast<double>(n);
+        made.interpolation[n - 1][k] = 2 * std::pow(rho, 1 - count) / (rho - 1) * upward;
+        made.quadrature[n - 1][k] =
+            (2 + 2 / (4 * count * count - 1)) * std::pow(rho, -2 * count) / (1 - 1 / (rho * rho)) * upward;
+      }
+    return made;
+  }();
+  return table;
+}
+
+/// Of a function within the bounds that is a polynomial of a degree below `exact`.
+void add_interpolation(RuleErrors& errors, const Bounds& bounds, std::size_t exact = most_gauss_nodes + 1) {
+  for (std::size_t n = 0; n + 1 < exact; ++n)
+    errors.interpolation[n] += least_product(bounds, factors().interpolation[n]);
+}
+
+void add_quadrature(RuleErrors& errors, const Bounds& bounds) {
+  for (std::size_t n = 0; n < most_gauss_nodes; ++n)
+    errors.quadrature[n] += least_product(bounds, factors().quadrature[n]);
+}
+
+}  // namespace
+
+/// The lines of a cell in one parameter.
+struct Smoothness::Cell {
+  std::size_t element = 0;
+  Vector<double> from;  ///< the middles of the lines run from here
+  Vector<double> to;
+  Vector<double> half_from;  ///< half of the line there, and at the other end
+  Vector<double> half_to;
+  double part = 0;         ///< half length relative to that of the element
+  double mirror_part = 0;  ///< and to that of the mirror
+  double jacobian_part = 0;
+  bool along_edge = false;  ///< lines t = const
+  double from_edge = 0;     ///< of lines s = const: the middle of t in units of half the line
+
+  [[nodiscard]] Vector<double> middle() const { return 0.5 * (from + to); }
+  [[nodiscard]] double half_of_middles() const { return 0.5 * norm(to - from) * upward; }
+  [[nodiscard]] double half(double slack) const {
+    return std::max(norm(half_from), norm(half_to)) * upward + slack;
+  }
+};
+
+Smoothness::Smoothness(const SectorScene& scene, std::span<const SectorElement> elements,
+                       const SectorFunctions& w, const SectorFunctions& q, const EdgeClosure& closure)
+    : scene_(scene),
+      elements_(elements),
+      closure_(closure),
+      panel_size_(scene.panels().size()),
+      slid_size_(scene.panels().size()),
+      turned_size_(scene.sectors().size()),
+      sides_(scene.sectors().size() * scene.panels().size()) {
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const std::size_t panel = scene.sectors()[elements[e].sector].panel;
+    w_sizes_.push_back(polynomial_sizes(w, e, 0, w.count()));
+    q_sizes_.push_back(polynomial_sizes(q, e, 0, q.count()));
+    w_size_.push_back(size_in_ellipse(w_sizes_.back().by_s, 1));
+    q_size_.push_back(size_in_ellipse(q_sizes_.back().by_s, 1));
+    panel_size_[panel] = std::max(panel_size_[panel], w_size_.back());
+    slid_size_[panel] = std::max(slid_size_[panel], size_around(w, e, slid_growth, slid_growth));
+    size_ = std::max(size_, w_size_.back());
+    largest_q_ = std::max(largest_q_, q_size_.back());
+    if (elements[e].box.t0 == 0) lowest_layer_ = std::min(lowest_layer_, elements[e].box.t1);
+  }
+  for (std::size_t i = 0; i < scene.sectors().size(); ++i) {
+    const std::optional<std::size_t> opposite = scene.opposite(i);
+    if (opposite) turned_size_[i] = panel_size_[scene.sectors()[*opposite].panel];
+    std::vector<bool> aligned;
+    for (std::size_t k = 0; k < scene.sectors().size(); ++k) aligned.push_back(scene.aligned(i, k));
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      const std::size_t other = elements[e].sector;
+      const Sector& sector = scene.sectors()[other];
+      const SectorBox& box = elements[e].box;
+      if (other == opposite && box.t0 == 0)
+        turned_size_[i] = std::max(turned_size_[i], size_around(w, e, turned_along, turned_across));
+      if (!scene.parallel(i, sector.panel)) continue;
+      std::vector<Side>& sides = sides_[i * scene.panels().size() + sector.panel];
+      const auto add = [&](double s0, double t0, double s1, double t1) {
+        sides.push_back({sector.point(s0, t0), sector.point(s1, t1)});
+      };
+      add(box.s0, box.t0, box.s0, box.t1);
+      add(box.s1, box.t0, box.s1, box.t1);
+      if (aligned[other]) continue;
+      add(box.s0, box.t0, box.s1, box.t0);
+      add(box.s0, box.t1, box.s1, box.t1);
+    }
+  }
+}
+
+Smoothness::Cell Smoothness::across_t(std::size_t element, const SectorBox& box) const {
+  const SectorElement& own = elements_[element];
+  const Sector& sector = scene_.sectors()[own.sector];
+  const Vector<double> side = 0.5 * (box.s1 - box.s0) * (sector.b - sector.a);
+  Cell cell{.element = element,
+            .from = sector.point(box.middle_s(), box.t0),
+            .to = sector.point(box.middle_s(), box.t1),
+            .half_from = (1 - box.t0) * side,
+            .half_to = (1 - box.t1) * side,
+            .part = (box.s1 - box.s0) / (own.box.s1 - own.box.s0),
+            .along_edge = true};
+  if (const std::optional<std::size_t> mirror = closure_.mirror(element)) {
+    const SectorBox& across = elements_[*mirror].box;
+    cell.mirror_part = (box.s1 - box.s0) / (across.s1 - across.s0);
+  }
+  return cell;
+}
+
+Smoothness::Cell Smoothness::across_s(std::size_t element, const SectorBox& box) const {
+  const SectorElement& own = elements_[element];
+  const Sector& sector = scene_.sectors()[own.sector];
+  const double half = 0.5 * (box.t1 - box.t0);
+  return {.element = element,
+          .from = sector.point(box.s0, box.middle_t()),
+          .to = sector.point(box.s1, box.middle_t()),
+          .half_from = half * (sector.c - sector.point(box.s0, 0)),
+          .half_to = half * (sector.c - sector.point(box.s1, 0)),
+          .part = (box.t1 - box.t0) / (own.box.t1 - own.box.t0),
+          .jacobian_part = half / (1 - box.middle_t()),
+          .along_edge = false,
+          .from_edge = box.middle_t() / half};
+}
+
+ObserverLines Smoothness::lines(const Cell& cell, std::size_t panel) const {
+  const double slack = 4 * displacement * scene_.extent();
+  const Vector<double>& n = scene_.normal(panel);
+  const Sector& first = scene_.sectors()[scene_.first_sector(panel)];
+  const double height_from = dot(n, cell.from - first.a);
+  const double height_to = dot(n, cell.to - first.a);
+  double radius = 0;
+  for (std::size_t s = scene_.first_sector(panel); s < scene_.first_sector(panel + 1); ++s)
+    radius = std::max(radius, norm(scene_.sectors()[s].a - first.c));
+  const double to_panel = norm(cell.middle() - first.c) - cell.half_of_middles() - radius - slack;
+  ObserverLines lines{
+      .half = cell.half(slack),
+      .distance = 0,
+      .height = std::min(height_from, height_to) - slack,
+      .highest = std::max(height_from, height_to) + slack,
+      .turned = std::max(std::abs(dot(n, cell.half_from)), std::abs(dot(n, cell.half_to))) + slack,
+      .mass = 1,
+      .rings = scene_.before(scene_.sectors()[elements_[cell.element].sector].panel, panel)};
+  lines.distance = std::max(lines.height, to_panel);
+  if (to_panel > 0)
+    lines.mass = std::min(1.0, std::numbers::inv_pi * scene_.area(panel) *
+                                   std::min(1.0, lines.highest / to_panel) / (to_panel * to_panel) * upward);
+  return lines;
+}
+
+double Smoothness::reach_of_slide(const Cell& cell, std::size_t panel) const {
+  const std::size_t sector = elements_[cell.element].sector;
+  double nearest = infinity;
+  for (const Side& side : sides_[sector * scene_.panels().size() + panel])
+    nearest = std::min(nearest, distance(cell.middle(), side.from, side.to));
+  return nearest / upward - cell.half_of_middles() - 4 * displacement * scene_.extent();
+}
+
+/// How far Q may turn about the edge that the lines of a cell come from; 0: not at all.
+/// Maths     r = min(d/(4 (1+q)), H T/2), d the clearance of the points where the lines meet the edge, H the
+///           height of the opposite sector, T its lowest layer, q the quotient of its longer leg and H. The
+///           parameters of Q are then off those of x by at most 1/2 in x, since d is at most half the width of
+///           the element, and by 1 in y, which is -1 at x: |P_i(x)| <= (3/2 + (5/4)^(1/2))^i, |P_j(y)| <= (2 +
+///           3^(1/2))^j
+double Smoothness::reach_of_turn(const Cell& cell) const {
+  const std::size_t sector = elements_[cell.element].sector;
+  if (cell.along_edge || !scene_.opposite(sector)) return 0;
+  const Sector& opposite = scene_.sectors()[*scene_.opposite(sector)];
+  const double slack = 4 * displacement * scene_.extent();
+  const double clearance = closure_.clearance(sector, cell.from - cell.from_edge * cell.half_from,
+                                              cell.to - cell.from_edge * cell.half_to);
+  const double height = opposite.jacobian / (norm(opposite.b - opposite.a) + slack) / upward;
+  const double leg = std::max(norm(opposite.c - opposite.a), norm(opposite.c - opposite.b)) * upward + slack;
+  return std::min(clearance / (4 * (1 + leg / height)), 0.5 * height * lowest_layer_) / upward;
+}
+
+RuleErrors Smoothness::along(const Cell& cell, bool closed) const {
+  const SectorElement& own = elements_[cell.element];
+  const std::size_t panel = scene_.sectors()[own.sector].panel;
+  const std::optional<std::size_t> opposite = scene_.opposite(own.sector);
+  const auto of = [&](const PolynomialSizes& sizes) -> std::span<const double> {
+    return cell.along_edge ? sizes.by_s : sizes.by_t;
+  };
+  const std::span<const double> w_sizes = of(w_sizes_[cell.element]);
+  const std::span<const double> q_sizes = of(q_sizes_[cell.element]);
+  Bounds density{};  // w and the area element
+  Bounds moving_q{};
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    const double rho = ellipse_around(cell.part, axes[k]);
+    density[k] = size_in_ellipse(w_sizes, rho) * (1 + cell.jacobian_part * axes[k]);
+    // What does not depend on the variable is met by any rule.
+    moving_q[k] = size_in_ellipse(q_sizes, rho) - q_sizes[0];
+  }
+  RuleErrors errors;
+  add_interpolation(errors, moving_q, q_sizes.size());
+  Bounds xi{};
+  if (closed) {
+    const std::span<const double> sizes = closure_.edge_sizes(*closure_.mirror(cell.element));
+    Bounds moving_xi{};
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      const double rho = cell.along_edge ? ellipse_around(cell.mirror_part, axes[k]) : 1;
+      xi[k] = size_in_ellipse(sizes, rho);
+      moving_xi[k] = cell.along_edge ? xi[k] - sizes[0] : 0;
+    }
+    add_interpolation(errors, moving_xi, sizes.size());
+    add_quadrature(errors, product(xi, density));
+  }
+
+  const double turn = reach_of_turn(cell);
+  for (std::size_t j = 0; j < scene_.panels().size(); ++j) {
+    if (j == panel || scene_.coplanar(j, panel)) continue;
+    const bool beyond_edge = opposite && j == scene_.sectors()[*opposite].panel;
+    if (closed && beyond_edge) continue;
+    const ObserverLines seen = lines(cell, j);
+    const bool may_slide = cell.along_edge && scene_.parallel(own.sector, j);
+    const double slide = may_slide ? reach_of_slide(cell, j) : 0;
+    Bounds bounds{};
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      bounds[k] = tube_bound(seen, axes[k]) * (panel_size_[j] + xi[k]);
+      if (may_slide)
+        bounds[k] = std::min(bounds[k], slide_bound(seen.half, slide, axes[k]) * (slid_size_[j] + xi[k]));
+      if (beyond_edge && turn > 0 && axes[k] < cell.from_edge)
+        bounds[k] = std::min(
+            bounds[k], turn_bound(seen.half * (cell.from_edge + axes[k]), turn) * turned_size_[own.sector]);
+    }
+    add_interpolation(errors, bounds);
+    add_quadrature(errors, product(bounds, density));
+  }
+  return errors;
+}
+
+RuleErrors Smoothness::along_s(std::size_t element, const SectorBox& box, bool closed) const {
+  return along(across_t(element, box), closed);
+}
+
+RuleErrors Smoothness::along_t(std::size_t element, const SectorBox& box, bool closed) const {
+  return along(across_s(element, box), closed);
+}
+
+}  // namespace radcert

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "radcert/continuous/elements/gauss_tables.h"
+#include "radcert/continuous/elements/graded_elements.h"
+#include "radcert/continuous/elements/sector.h"
+#include "radcert/continuous/elements/tensor_legendre.h"
+#include "radcert/continuous/transport/edge_closure.h"
+#include "radcert/continuous/transport/transport_bounds.h"
+
+namespace radcert {
+
+/// Bounds of what rules on a cell of observers miss, for each number of nodes in one variable.
+/// Maths     [n-1], n = 1, ..., most_gauss_nodes. interpolation: |f - p| <= e for some p of degree n - 1 of
+///           the variable, f = T w and q together; quadrature: of the mean of w T w
+struct RuleErrors {
+  std::array<double, most_gauss_nodes> interpolation{};
+  std::array<double, most_gauss_nodes> quadrature{};
+};
+
+/// How smooth T w is around points of the surface.
+/// Maths     T w = sum over the panels Q_j of T_j w, each holomorphic around the lines of a cell, in ellipses in
+///           which ObserverLines' bounds hold; closed at an edge, F of EdgeClosure in its place. With |f| <= M in
+///           the ellipse whose half axes sum to rho, a polynomial of degree n - 1 is off by 2 M
+///           rho^(1-n)/(rho-1) (Trefethen, theorem 8.2), and a rule of n nodes by (2 + 2/(4n^2-1)) M
+///           rho^(-2n)/(1-rho^-2) of the mean (gauss_error_factor)
+/// Source    N. Trefethen, "Approximation Theory and Approximation Practice"
+/// Requires  the scene, the elements and the closure outlive it; w and q have the same degree and count
+/// Result    rounded up; infinite where an edge is touched
+class Smoothness {
+public:
+  Smoothness(const SectorScene& scene, std::span<const SectorElement> elements, const SectorFunctions& w,
+             const SectorFunctions& q, const EdgeClosure& closure);
+
+  /// Of T w, or of F where `closed`: the element has a mirror then.
+  [[nodiscard]] RuleErrors along_s(std::size_t element, const SectorBox& box, bool closed) const;
+  [[nodiscard]] RuleErrors along_t(std::size_t element, const SectorBox& box, bool closed) const;
+  /// A bound of |w| and of |T w - q| on an element.
+  [[nodiscard]] double density_size(std::size_t element) const { return w_size_[element]; }
+  [[nodiscard]] double residual_size(std::size_t element) const { return size_ + q_size_[element]; }
+  [[nodiscard]] double size() const { return size_; }
+  /// Of |T w - q| on all elements; it bounds |E| + rho |q| within a factor of 2 as well.
+  [[nodiscard]] double largest_residual() const { return 2 * size_ + 2 * largest_q_; }
+
+private:
+  struct Side {
+    Vector<double> from;
+    Vector<double> to;
+  };
+  struct Cell;
+  [[nodiscard]] Cell across_s(std::size_t element, const SectorBox& box) const;
+  [[nodiscard]] Cell across_t(std::size_t element, const SectorBox& box) const;
+  [[nodiscard]] ObserverLines lines(const Cell& cell, std::size_t panel) const;
+  [[nodiscard]] double reach_of_slide(const Cell& cell, std::size_t panel) const;
+  [[nodiscard]] double reach_of_turn(const Cell& cell) const;
+  [[nodiscard]] RuleErrors along(const Cell& cell, bool closed) const;
+
+  const SectorScene& scene_;
+  std::span<const SectorElement> elements_;
+  const EdgeClosure& closure_;
+  std::vector<PolynomialSizes> w_sizes_;
+  std::vector<PolynomialSizes> q_sizes_;
+  std::vector<double> w_size_;  ///< of each element
+  std::vector<double> q_size_;
+  std::vector<double> panel_size_;        ///< sup |w|
+  std::vector<double> slid_size_;         ///< the same where Q has moved
+  std::vector<double> turned_size_;       ///< by sector: sup |w| where Q has turned about its side
+  std::vector<std::vector<Side>> sides_;  ///< by sector, panel: those not parallel to the sector's side
+  double size_ = 0;
+  double largest_q_ = 0;
+  double lowest_layer_ = 1;  ///< the least depth of elements at edges
+};
+
+}  // namespace radcert

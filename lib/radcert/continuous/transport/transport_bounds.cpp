@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/continuous/transport/transport_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "radcert/continuous/elements/sector.h"
+
+namespace radcert {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+double tube_bound(const ObserverLines& lines, double axis) {
+  const double a = lines.half * axis;
+  // Nearer to the panel the difference below would have no relative accuracy, and the bound no use.
+  if (!(lines.height > 0 && a < 0.99 * lines.distance)) return infinity;
+  const double gap = lines.distance - a;
+  const double quotient = lines.distance / gap;
+  const double by_nearest = quotient * quotient * quotient * quotient * lines.mass;
+  const double by_rings =
+      (lines.rings ? 2 : 1) * lines.highest * (1 + a / gap + a * a / (3 * gap * gap)) / gap;
+  return (1 + axis * lines.turned / lines.height) * std::min(by_nearest, by_rings) * upward;
+}
+
+double slide_bound(double half, double reach, double axis) {
+  const double a = half * axis;
+  if (!(a < reach)) return infinity;
+  const double b = half * std::sqrt(axis * axis - 1);
+  const double squared = b * b / (reach * reach - a * a) * upward;
+  if (!(squared < 1)) return infinity;
+  return std::sqrt(1 + squared) / ((1 - squared) * (1 - squared)) * upward;
+}
+
+double turn_bound(double size, double reach) {
+  double least = infinity;
+  for (const double k : {3.0, 5.0, 9.0, 20.0}) {
+    const double logarithm = std::log(reach / (k * size));
+    if (!(logarithm > 0)) continue;
+    const double ratio = (k + 1) / (k - 1);
+    const double far = ratio * ratio * ratio * ratio * std::hypot(1, 0.5 * std::numbers::pi / logarithm);
+    least = std::min(least, (1 + 2 * far / (k - 1)) * upward);
+  }
+  return least;
+}
+
+}  // namespace radcert

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/continuous/goal_enclosure.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "tests/continuous/scenes.h"
+
+namespace radcert {
+namespace {
+
+using test::Draw;
+using test::panels_of;
+
+PolyhedronProblem problem(const std::string& name, const Rational& rho, const Rational& emission) {
+  PolyhedronProblem out{.panels = panels_of(name), .reflectivity = {}, .emission = {}};
+  out.reflectivity.assign(out.panels.size(), rho);
+  out.emission.assign(out.panels.size(), constant_polynomial(emission));
+  return out;
+}
+
+/// As `problem`, but that only the first panel emits, and another reflects more.
+PolyhedronProblem lit(const std::string& name) {
+  PolyhedronProblem out = problem(name, Rational(1, 2), 0);
+  out.emission[0] = constant_polynomial(Rational(1));
+  out.reflectivity[1] = Rational(7, 10);
+  return out;
+}
+
+void expect_contains(const Approximation& enclosure, double value) {
+  EXPECT_TRUE(enclosure.guaranteed);
+  EXPECT_LE(std::abs(enclosure.value - value), enclosure.radius * (1 + 1e-9) + 1e-15);
+}
+
+TEST(GoalEnclosure, ContainsOneInAFurnace) {
+  for (const std::string name : {"cube", "octahedron"}) {
+    const GoalEnclosure found = enclose_means(problem(name, Rational(3, 10), Rational(7, 10)), 1e-1);
+    EXPECT_LE(found.width, 1e-1) << name;
+    EXPECT_TRUE(found.hindrance.empty());
+    for (const Approximation& mean : found.numbers) expect_contains(mean, 1);
+  }
+}
+
+TEST(GoalEnclosure, IsTheEmissionWhereNothingReflects) {
+  PolyhedronProblem dark = problem("cube", 0, 0);
+  dark.emission[2] = constant_polynomial(Rational(5));
+  const GoalEnclosure found = enclose_means(dark, 1e-6);
+  for (std::size_t k = 0; k < found.numbers.size(); ++k) expect_contains(found.numbers[k], k == 2 ? 5 : 0);
+  EXPECT_LE(found.width, 1e-6);
+}
+
+TEST(GoalEnclosure, KeepsTheBalanceOfEnergy) {
+  // Int T u = Int u, since T 1 = 1 and T is symmetric; T u = (u - E)/rho: Int (1/rho - 1) u = Int E/rho.
+  for (const std::string name : {"cube", "tetrahedron"}) {
+    const PolyhedronProblem asked = lit(name);
+    const SectorScene scene(asked.panels);
+    const GoalEnclosure found = enclose_means(asked, 5e-2);
+    double left = 0;
+    double radius = 0;
+    double right = 0;
+    for (std::size_t j = 0; j < asked.panels.size(); ++j) {
+      const Approximation& mean = found.numbers[asked.panels[j].piece];
+      const double rho = asked.reflectivity[j].to_double();
+      const double weight = (1 / rho - 1) * scene.area(j);
+      left += weight * mean.value;
+      radius += weight * mean.radius;
+      right += asked.emission[j](0, 0).to_double() / rho * scene.area(j);
+    }
+    EXPECT_NEAR(left, right, radius) << name;
+    EXPECT_LE(found.width, 5e-2);
+  }
+}
+
+TEST(GoalEnclosure, OfCoarseMeshesContainThoseOfFineOnes) {
+  const GoalEnclosure coarse = enclose_means(lit("tetrahedron"), 1e-1);
+  const GoalEnclosure fine = enclose_means(lit("tetrahedron"), 2e-3);
+  EXPECT_LT(fine.width, 0.1 * coarse.width);
+  for (std::size_t k = 0; k < fine.numbers.size(); ++k)
+    EXPECT_LE(std::abs(coarse.numbers[k].value - fine.numbers[k].value),
+              coarse.numbers[k].radius + fine.numbers[k].radius);
+}
+
+TEST(GoalEnclosure, HasPolynomialEmissions) {
+  // u is linear in E.
+  const auto with = [](const Rational& a, const Rational& b, int power) {
+    PolyhedronProblem out = problem("tetrahedron", Rational(2, 5), 0);
+    PlanePolynomial<Rational> f(2);
+    f(0, 0) = a;
+    f(power, 0) = b;
+    out.emission[1] = f;
+    return out;
+  };
+  const double width = 5e-2;
+  const GoalEnclosure constant = enclose_means(with(1, 0, 1), width);
+  const GoalEnclosure square = enclose_means(with(0, 1, 2), width);
+  const GoalEnclosure both = enclose_means(with(3, -2, 2), width);
+  for (std::size_t k = 0; k < both.numbers.size(); ++k)
+    EXPECT_NEAR(both.numbers[k].value, 3 * constant.numbers[k].value - 2 * square.numbers[k].value,
+                both.numbers[k].radius + 3 * constant.numbers[k].radius + 2 * square.numbers[k].radius);
+}
+
+/// Points on two faces of a surface, none in a middle.
+std::vector<SolutionPoint> points_on(const PolyhedronProblem& asked) {
+  std::vector<SolutionPoint> out;
+  for (const std::size_t k : {std::size_t{0}, asked.panels.size() - 1}) {
+    const Panel& panel = asked.panels[k];
+    out.push_back({k, Rational(1, 4) * (Rational(3) * panel.centre + panel.corners[0])});
+  }
+  return out;
+}
+
+TEST(GoalEnclosure, OfValuesContainsOneInAFurnace) {
+  const PolyhedronProblem furnace = problem("tetrahedron", Rational(3, 10), Rational(7, 10));
+  const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 1e-1);
+  EXPECT_LE(found.width, 1e-1);
+  ASSERT_EQ(found.numbers.size(), 2U);
+  for (const Approximation& value : found.numbers) expect_contains(value, 1);
+}
+
+TEST(GoalEnclosure, OfValuesIsTheEmissionWhereNothingReflects) {
+  PolyhedronProblem dark = problem("cube", 0, 0);
+  const Panel& panel = dark.panels[3];
+  dark.emission[3] = PlanePolynomial<Rational>(1);
+  dark.emission[3](1, 0) = 4;
+  const GoalEnclosure found = enclose_values(dark, {{3, panel.centre}}, 1e-6);
+  expect_contains(found.numbers[0], 4 * plane_coordinates(panel, panel.centre).s.to_double());
+}
+
+TEST(EmissionFunctions, AreThePolynomialOnEveryElement) {
+  // The emission at points of elements by plane_coordinates, against its coefficients there.
+  Draw draw(3);
+  for (const std::string name : {"cube", "tetrahedron", "box"}) {
+    PolyhedronProblem asked = problem(name, 0, 0);
+    for (PlanePolynomial<Rational>& f : asked.emission) {
+      f = PlanePolynomial<Rational>(3);
+      for (int i = 0; i <= 3; ++i)
+        for (int j = 0; i + j <= 3; ++j) f(i, j) = Rational(static_cast<long>(draw.below(19)) - 9, 7);
+    }
+    const SectorScene scene(asked.panels);
+    const std::vector<SectorElement> elements = graded_elements(scene, 2);
+    const SectorFunctions f = emission_functions(asked, scene, elements, 2, 4, -1);
+    for (std::size_t e = 0; e < elements.size(); e += 5) {
+      const SectorBox& box = elements[e].box;
+      const std::size_t panel = scene.sectors()[elements[e].sector].panel;
+      const std::size_t corner = elements[e].sector - scene.first_sector(panel);
+      const std::vector<Vector<Rational>>& corners = asked.panels[panel].corners;
+      const double x = 2 * draw() - 1;
+      const double y = 2 * draw() - 1;
+      const Rational s = Rational::exactly(box.middle_s() + 0.5 * (box.s1 - box.s0) * x);
+      const Rational t = Rational::exactly(box.middle_t() + 0.5 * (box.t1 - box.t0) * y);
+      const Vector<Rational> base =
+          (Rational(1) - s) * corners[corner] + s * corners[(corner + 1) % corners.size()];
+      const Vector<Rational> point = (Rational(1) - t) * base + t * asked.panels[panel].centre;
+      const ParameterPoint<Rational> at = plane_coordinates(asked.panels[panel], point);
+      std::array<double, 5> p_x{};
+      std::array<double, 5> p_y{};
+      legendre_values<double>(x, p_x);
+      legendre_values<double>(y, p_y);
+      double value = 0;
+      for (std::size_t i = 0; i < 5; ++i)
+        for (std::size_t j = 0; j < 5; ++j) value += f.of(e, 0)[i * 5 + j] * p_x[i] * p_y[j];
+      EXPECT_NEAR(value, 2 * asked.emission[panel].value(at.s, at.t).to_double(), 1e-11) << name << " " << e;
+      EXPECT_EQ(f.of(e, 1)[0], 0);
+    }
+  }
+}
+
+TEST(PanelInside, DecidesExactly) {
+  const std::vector<Panel> panels = panels_of("cube");
+  for (std::size_t k = 0; k < panels.size(); ++k) {
+    const Panel& panel = panels[k];
+    EXPECT_EQ(panel_inside(panels, panel.centre), k);
+    // On an edge, at a corner, and a hair off the plane.
+    EXPECT_EQ(panel_inside(panels, Rational(1, 2) * (panel.corners[0] + panel.corners[1])), panels.size());
+    EXPECT_EQ(panel_inside(panels, panel.corners[2]), panels.size());
+    const Rational hair = Rational(1) / power(Rational(10), 40);
+    EXPECT_EQ(panel_inside(panels, panel.centre + hair * panel.normal), panels.size());
+  }
+}
+
+}  // namespace
+}  // namespace radcert
