@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <limits>
+
+#include "radcert/continuous/ellipsoid/ellipsoid_enclosure.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/trial_functions.h"
+#include "radcert/expression/parse.h"
 #include "radcert/surface/catalogue.h"
 #include "tests/limits/limits.h"
 
@@ -43,10 +47,33 @@ Answer product_of_a_furnace() {
   return numbers({number(sums.products[0].value, sums.products[0].radius)});
 }
 
+/// The mean of u, and its value at a point.
+Answer solution_on_an_ellipsoid(const std::string& emission) {
+  const EllipsoidProblem problem{.half_axes = {1, Rational(6, 5), Rational(3, 2)},
+                                 .reflectivity = parse_expression("1/2 + x*y/5").value(),
+                                 .emission = parse_expression(emission).value()};
+  const EllipsoidEnclosure found = enclose_on_ellipsoid(problem, 1e-3).value();
+  if (!(found.bound < std::numeric_limits<double>::infinity())) return refusal(found.hindrance);
+  const Approximation value = found.at({0.6, 0, -0.8});
+  return numbers({number(found.mean.value, found.mean.radius), number(value.value, value.radius)},
+                 found.hindrance);
+}
+/// E = 2 (1 - rho): u = 2, which no part of the search knows.
+Answer furnace_on_an_ellipsoid() { return solution_on_an_ellipsoid("1 - x*y*2/5"); }
+std::vector<Ball> twice_two() { return {Ball(2), Ball(2)}; }
+
 }  // namespace
 
 std::vector<Case> continuous_cases() {
-  return {{.limit = "continuous/goal_enclosure: layers of elements",
+  return {{.limit = "continuous/ellipsoid_enclosure: degree of harmonics",
+           .answer = [] { return solution_on_an_ellipsoid("x^2 - z"); }},
+          {.limit = "continuous/ellipsoid_enclosure: millions of products",
+           .answer = furnace_on_an_ellipsoid,
+           .truth = twice_two},
+          {.limit = "continuous/ellipsoid_transport: nodes of a rule",
+           .answer = furnace_on_an_ellipsoid,
+           .truth = twice_two},
+          {.limit = "continuous/goal_enclosure: layers of elements",
            .answer = [] { return means_of_a_tetrahedron(3e-4); },
            .is_long = true},
           {.limit = "continuous/point_values: elements for the kernels of points",
