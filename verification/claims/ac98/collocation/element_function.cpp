@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "verification/claims/ac98/collocation/element_function.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/reference/operator_integral.h"
@@ -49,6 +52,23 @@ Approximation ElementFunction::integral(const SurfacePoint<double>& p) const {
     total.radius += part.radius;
   }
   return total;
+}
+
+IteratedError::IteratedError(const OperatorRoute& route, const Problem& problem, const LevelOutcome& level)
+    : u_n_(problem, level),
+      u_(problem.solution.value(), u_n_.surface()),
+      reflectivity_(problem.reflectivity),
+      of_u_(route(u_n_.surface(), u_)) {}
+
+Approximation IteratedError::operator()(const SurfacePoint<double>& p) const {
+  const Chart& at = u_n_.surface().charts.at(p.chart);
+  const Vector<double> x = at.in<double>().frame(p.at).point;
+  const double factor =
+      reflectivity_.on(at.facts().piece).evaluate<double>({x.x, x.y, x.z}) / std::numbers::pi;
+  const Approximation exact = of_u_(p);
+  const Approximation ours = u_n_.integral(p);
+  return {.value = factor * std::abs(ours.value - exact.value),
+          .radius = factor * (ours.radius + exact.radius)};
 }
 
 }  // namespace radcert::verification::ac98

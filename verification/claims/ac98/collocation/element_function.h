@@ -46,4 +46,25 @@ private:
   std::vector<double> values_;
 };
 
+/// The error of the iterated solution at points of S.
+/// Maths     |hat u_n - u| = |K (u_n - u)|, hat u_n = E + K u_n
+/// Source    [ac98, (42)]
+/// Requires  a problem with `solution` and exact geometry, and a level of it
+/// Result    the radius is that of both integrals, K u by the route; an estimate
+class IteratedError {
+public:
+  IteratedError(const OperatorRoute& route, const Problem& problem, const LevelOutcome& level);
+  IteratedError(const IteratedError&) = delete;
+  IteratedError& operator=(const IteratedError&) = delete;
+
+  [[nodiscard]] const ElementFunction& u_n() const { return u_n_; }
+  [[nodiscard]] Approximation operator()(const SurfacePoint<double>& p) const;
+
+private:
+  ElementFunction u_n_;
+  SurfaceFunction u_;
+  PiecewiseExpression reflectivity_;
+  AppliedOperator of_u_;
+};
+
 }  // namespace radcert::verification::ac98

@@ -14,8 +14,6 @@
 // Not checked  "for all n >= n_0"; collective compactness.
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "radcert/expression/parse.h"
 #include "verification/claims/ac98/collocation/element_function.h"
@@ -47,20 +45,13 @@ std::size_t element_at(const std::vector<ParameterTriangle>& elements, const Sur
 // a tenth of the way to the centroid off a node.
 Approximation furthest_off_the_nodes(const Bench& bench, const Problem& problem, std::size_t chart,
                                      int level) {
-  const LevelOutcome outcome = bench.levels.level(problem, level);
-  const ElementFunction u_n(problem, outcome);
-  const SurfaceFunction u(problem.solution.value(), u_n.surface());
-  const AppliedOperator of_u = bench.route(u_n.surface(), u);
+  const IteratedError error(bench.route, problem, bench.levels.level(problem, level));
+  const ElementFunction& u_n = error.u_n();
   Approximation worst{.value = 0, .radius = 0};
   const auto look_at = [&](const SurfacePoint<double>& p) {
-    const Chart& at = u_n.surface().charts.at(p.chart);
-    const Vector<double> x = at.in<double>().frame(p.at).point;
-    const double factor =
-        problem.reflectivity.on(at.facts().piece).evaluate<double>({x.x, x.y, x.z}) / std::numbers::pi;
-    const Approximation exact = of_u(p);
-    const Approximation ours = u_n.integral(p);
-    worst.value = std::max(worst.value, factor * std::abs(ours.value - exact.value));
-    worst.radius = std::max(worst.radius, factor * (ours.radius + exact.radius));
+    const Approximation here = error(p);
+    worst.value = std::max(worst.value, here.value);
+    worst.radius = std::max(worst.radius, here.radius);
   };
   for (const auto& [s, t] : {std::pair{0.31, 0.42}, {0.17, 0.29}, {0.55, 0.13}}) {
     const std::size_t element = element_at(u_n.triangles(), {chart, {s, t}});
