@@ -2,18 +2,22 @@
 
 // The blocks of (24).
 //
-// Checked      (24): the right sides of (22) and (23) with unknowns b_1..b_m, d_1..d_n, their F, weights and
-//              radii, all of them symbols, m = 2, n = 3, k = 2. They are affine: the columns of R are what
-//              they give for unit vectors less what they give for 0, which is epsilon; then epsilon + R
-//              lambda is what they give for lambda. The blocks of R that take b to b and d to d are 0. Each
-//              entry is a sum of terms of one kind over j or i and s, so that larger m, n and k add terms
-//              like these. As m and n differ, no block is square. Rejected: a sphere with a dent, which
-//              lights itself; an albedo that grows with the light. N_ji as "the influence of band j of the
-//              disk on ring i of the sphere": R as in (24) with symbols for the entries of M and N, applied
-//              to unit vectors: band j of the disk changes b_i by M_ij, and ring i of the sphere changes d_j
-//              by N_ji. Rejected: the transposed matrix.
+// Checked      (24): the right sides of (22) and (23) with unknowns b_1..b_m, d_1..d_n, their F, weights
+//              and radii, all of them symbols, m = 2, n = 3, k = 2. They are affine: the columns of R are
+//              what they give for unit vectors less what they give for 0, which is epsilon; then epsilon +
+//              R lambda is what they give for lambda. The blocks of R that take b to b and d to d are 0.
+//              Each entry is a sum of terms of one kind over j or i and s, so that larger m, n and k add
+//              terms like these. As m and n differ, no block is square. Rejected: a sphere with a dent,
+//              which lights itself; an albedo that grows with the light. section_8_blocks: R as in (24)
+//              with symbols for the entries of M and N, and its transpose, applied to unit vectors. By
+//              (24) and lambda = epsilon + R lambda band j of the disk changes b_i by M_ij, and ring i of
+//              the sphere changes d_j by N_ji: the sentence is wrong. By the transpose it is right: that
+//              is (24) with lambda as a row, or with its blocks exchanged, which the letters of (25) ask
+//              for, N_ji having the F_isj of (22), or with d before b in lambda. What the sentence says is
+//              open between the two. Rejected: the entry beside N_ji.
 // Not checked  what (25) gives for M and N: equation_25.
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -139,7 +143,7 @@ Row by_blocks(const Row& lambda, bool is_transposed) {
 
 /// Terms in which the influence of band j of the disk on ring i of the sphere differs from an entry.
 template <class Entry>
-Rational influence_of_disk(const Entry& entry, bool is_transposed = false) {
+Rational influence_of_disk(const Entry& entry, bool is_transposed) {
   Rational terms(0);
   for (std::size_t i = 0; i < latitudes; ++i)
     for (std::size_t j = 0; j < rings; ++j)
@@ -148,12 +152,19 @@ Rational influence_of_disk(const Entry& entry, bool is_transposed = false) {
 }
 /// The same of ring i of the sphere on band j of the disk.
 template <class Entry>
-Rational influence_of_sphere(const Entry& entry) {
+Rational influence_of_sphere(const Entry& entry, bool is_transposed) {
   Rational terms(0);
   for (std::size_t i = 0; i < latitudes; ++i)
     for (std::size_t j = 0; j < rings; ++j)
-      terms += differing_terms(by_blocks(unit_vector(i), false)[latitudes + j], entry(i, j));
+      terms += differing_terms(by_blocks(unit_vector(i), is_transposed)[latitudes + j], entry(i, j));
   return terms;
+}
+
+/// What both readings of R leave possible, as one interval.
+Approximation by_either_reading(const Rational& as_printed, const Rational& transposed) {
+  const double low = std::min(as_printed, transposed).to_double();
+  const double high = std::max(as_printed, transposed).to_double();
+  return Approximation::proved((low + high) / 2, (high - low) / 2);
 }
 
 }  // namespace
@@ -173,16 +184,31 @@ Finding equation_24(const Bench&) {
 
 Finding section_8_blocks(const Bench&) {
   const auto n_of = [](std::size_t i, std::size_t j) { return entry_of_n(j, i); };
+  const auto next_of_n = [](std::size_t i, std::size_t j) { return entry_of_n((j + 1) % rings, i); };
+  const Equals none{.value = 0, .slack = 0, .why = "R of (24), or its transpose"};
+  const auto on_sphere = [](const auto& entry) {
+    return by_either_reading(influence_of_disk(entry, false), influence_of_disk(entry, true));
+  };
+  const auto on_disk = [](const auto& entry) {
+    return by_either_reading(influence_of_sphere(entry, false), influence_of_sphere(entry, true));
+  };
   Finding finding;
   finding.require("terms in which the influence of band j of the disk on ring i of the sphere is not N_ji",
-                  IsExactly{0}, influence_of_disk(n_of));
+                  none, on_sphere(n_of));
   finding.require("terms in which the influence of ring i of the sphere on band j of the disk is not M_ij",
-                  IsExactly{0}, influence_of_sphere(entry_of_m));
-  finding.instead("terms in which the influence of band j of the disk on ring i of the sphere is not M_ij",
-                  IsExactly{0}, influence_of_disk(entry_of_m));
-  finding.instead("terms in which the influence of ring i of the sphere on band j of the disk is not N_ji",
-                  IsExactly{0}, influence_of_sphere(n_of));
-  finding.control("the same for the disk, the transposed matrix", IsExactly{0},
+                  none, on_disk(entry_of_m));
+  finding.control(
+      "terms in which the influence of band j of the disk on ring i of the sphere is not N_(j+1)i", none,
+      on_sphere(next_of_n));
+  finding.instead("terms in which the influence of band j on ring i is not M_ij, R of (24)", IsExactly{0},
+                  influence_of_disk(entry_of_m, false));
+  finding.instead("terms in which the influence of ring i on band j is not N_ji, R of (24)", IsExactly{0},
+                  influence_of_sphere(n_of, false));
+  finding.instead("terms in which the influence of band j on ring i is not N_ji, the transpose", IsExactly{0},
+                  influence_of_disk(n_of, true));
+  finding.instead("terms in which the influence of ring i on band j is not M_ij, the transpose", IsExactly{0},
+                  influence_of_sphere(entry_of_m, true));
+  finding.control("terms in which the influence of band j on ring i is not M_ij, the transpose", IsExactly{0},
                   influence_of_disk(entry_of_m, true));
   return finding;
 }
