@@ -5,8 +5,8 @@
 
 namespace radcert::verification::psg10 {
 
-/// The differences between the paper's sums and the solution of (21), at the points of the sums: the largest, and
-/// their root mean squares.
+/// The differences between the paper's sums and the solution of (21), at the points of the sums: the largest,
+/// and their root mean squares.
 struct SumErrors {
   double sphere = 0;
   double disk = 0;

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The theorem asks for E in C^2(S) and says nothing of rho. u = E + K u has the smoothness of rho: with rho
-// continuous only, u need not be in C^2(S), and (48) fails. Section 2 has rho in C^m(S) among the hypotheses
-// of Theorem 2.4.
+// The theorem asks for E in C^2(S) and says nothing of rho. u = E + K u has the smoothness of rho: with
+// rho continuous only, u need not be in C^2(S), and (48) fails. Section 2 has rho in C^m(S) among the
+// hypotheses of Theorem 2.4.
 //
 // Checked      theorem_3_1: (48) off the nodes: max |u - hat u_n| over points of S, hat u_n = E + K u_n
-//              integrated by cubature that shares nothing with the matrix; on the roofs of two surfaces of two
-//              pieces and on an ellipsoid, where G is singular, alpha = 1/10; in balls on the sphere, where E
-//              that is not in C^2 is rejected. theorem_3_1_reflectivity: the unit sphere, E = 1, rho =
-//              (1/2)|(x - y)/2^(1/2)|^(1/4), whose mean is 2/5, and the smooth rho of the same mean in its place.
-//              equation_50: the error over a sample of S, degrees 0 to 3. equation_51_constant: c of (51) level
-//              by level.
+//              integrated by cubature that shares nothing with the matrix; on the roofs of two surfaces of
+//              two pieces and on an ellipsoid, where G is singular, alpha = 1/10; in balls on the sphere,
+//              where E that is not in C^2 is rejected. theorem_3_1_reflectivity: the unit sphere, E = 1,
+//              rho = (1/2)|(x - y)/2^(1/2)|^(1/4), whose mean is 2/5, and the smooth rho of the same mean
+//              in its place. equation_50: the error over a sample of S, degrees 0 to 3.
+//              equation_51_constant: c of (51) level by level.
 // Not checked  "for all n >= n_0"; collective compactness.
 
 #include <algorithm>

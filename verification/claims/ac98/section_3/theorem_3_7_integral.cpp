@@ -104,9 +104,9 @@ R along_a_ray(int k, const R& w) {
   return k == 1 ? two - rho : R(1) / rho - R(1) / two;
 }
 
-// Int |P - Q|^-k over the unit sphere without the triangle of great circles through the corners, P = node/|node|
-// inside of it: with phi the angle at P from the foot on a side, at the angle delta from P, the side is at the
-// angle theta with tan theta = tan delta/cos phi, and w = (1 - cos theta)/2.
+// Int |P - Q|^-k over the unit sphere without the triangle of great circles through the corners, P =
+// node/|node| inside of it: with phi the angle at P from the foot on a side, at the angle delta from P, the
+// side is at the angle theta with tan theta = tan delta/cos phi, and w = (1 - cos theta)/2.
 Ball over_the_sphere(const Corners& corners, const Vector<Rational>& node, int k) {
   const auto in_balls = [](const Vector<Rational>& v) {
     return Vector<Ball>{Ball(v.x), Ball(v.y), Ball(v.z)};

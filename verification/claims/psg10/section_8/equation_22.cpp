@@ -34,7 +34,8 @@ SumReading reading_with(int n, Spacing spacing) {
   return {.rings = n, .parallels = n, .azimuths = n, .spacing = spacing};
 }
 
-/// The order of an error in 1/n, n = 40, 80, ...; sum_errors knows errors to 1e-13. Beside n^-2 there is n^-5/2.
+/// The order of an error in 1/n, n = 40, 80, ...; sum_errors knows errors to 1e-13. Beside n^-2 there is
+/// n^-5/2.
 ObservedOrder order_of(double SumErrors::*which, Spacing spacing, int finest) {
   constexpr double known_to = 1e-13;
   LevelErrors errors;
