@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "radcert/continuous/transport/smoothness.h"
 #include "radcert/continuous/transport/transport.h"
@@ -15,94 +21,196 @@ using test::Draw;
 using test::drawn_functions;
 using test::panels_of;
 
-/// Nodes of Chebyshev and the Lebesgue constant of interpolation at them.
-std::vector<double> chebyshev(std::size_t n) {
-  std::vector<double> nodes;
-  for (std::size_t i = 0; i < n; ++i)
-    nodes.push_back(
-        std::cos((2.0 * static_cast<double>(i) + 1) * std::acos(-1.0) / (2.0 * static_cast<double>(n))));
-  return nodes;
+/// cos(pi k/n), k = 0, ..., n.
+std::vector<double> extrema(std::size_t n) {
+  std::vector<double> places;
+  for (std::size_t k = 0; k <= n; ++k)
+    places.push_back(std::cos(static_cast<double>(k) * std::acos(-1.0) / static_cast<double>(n)));
+  return places;
 }
-double lebesgue(std::size_t n) { return 1 + 2 / std::acos(-1.0) * std::log(static_cast<double>(n)); }
 
-double interpolated(const std::vector<double>& nodes, const std::vector<double>& values, double x) {
+/// Polynomials of degree n - 1 are off by this much at least at one of n + 1 places (de la Vallee-Poussin).
+double least_deviation(const std::vector<double>& places, const std::function<double(std::size_t)>& value) {
   double sum = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    double product = values[i];
-    for (std::size_t j = 0; j < nodes.size(); ++j)
-      if (j != i) product *= (x - nodes[j]) / (nodes[i] - nodes[j]);
-    sum += product;
+  double size = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    double product = 1;
+    for (std::size_t j = 0; j < places.size(); ++j)
+      if (j != i) product *= places[i] - places[j];
+    sum += value(i) / product;
+    size += 1 / std::abs(product);
   }
-  return sum;
+  return std::abs(sum) / size;
 }
 
 /// The parameters along a line of a cell: (s,t) at x in [-1,1].
 using Place = std::function<std::pair<double, double>(double)>;
 
-struct Bound {
-  double of_polynomials = 0;  ///< at the chosen number of nodes
-  double of_rule = 0;
-  std::size_t nodes = 0;
+/// The functions of f and, last, 1.
+SectorFunctions with_one(const SectorFunctions& f, std::size_t elements) {
+  SectorFunctions out(elements, f.count() + 1, f.degree());
+  for (std::size_t e = 0; e < elements; ++e) {
+    for (std::size_t k = 0; k < f.count(); ++k)
+      std::copy(f.of(e, k).begin(), f.of(e, k).end(), out.of(e, k).begin());
+    out.of(e, f.count())[0] = 1;
+  }
+  return out;
+}
+
+/// How near values come to bounds.
+struct Closest {
+  int tried = 0;
+  double quotient = 0;
+  void meet(double value, double radius, double bound, const std::string& what) {
+    if (!(bound < 1)) return;
+    ++tried;
+    EXPECT_LE(value, bound + radius) << what;
+    if (value > 10 * radius) quotient = std::max(quotient, (value - radius) / bound);
+  }
 };
 
-class SmoothnessOf : public ::testing::TestWithParam<const char*> {
-protected:
-  SmoothnessOf()
-      : scene_(panels_of(GetParam())),
-        elements_(graded_elements(scene_, 3)),
-        w_(drawn_functions(elements_.size(), 2, 2, draw_)),
-        q_(elements_.size(), 2, 2),
+/// Functions on the elements of a scene, and what is sent to points of it.
+class Sent {
+public:
+  Sent(SectorScene scene, std::vector<SectorElement> elements, const SectorFunctions& functions)
+      : scene_(std::move(scene)),
+        elements_(std::move(elements)),
+        w_(functions),
+        q_(elements_.size(), w_.count(), w_.degree()),
         closure_(scene_, elements_, w_),
         smoothness_(scene_, elements_, w_, q_, closure_),
-        transport_(scene_, elements_, w_) {}
+        with_one_(with_one(w_, elements_.size())),
+        transport_(scene_, elements_, w_),
+        transport_with_one_(scene_, elements_, with_one_) {}
 
-  /// T w_k at places of a line, with their radius.
-  std::vector<double> values(std::size_t sector, const Place& place, const std::vector<double>& at,
-                             std::size_t k, double& radius) const {
-    ObserverGroup group{.panel = scene_.sectors()[sector].panel, .points = {}};
+  Sent(const Sent&) = delete;
+  Sent& operator=(const Sent&) = delete;
+
+  /// w_k on an element.
+  [[nodiscard]] double density(std::size_t e, std::size_t k, double s, double t) const {
+    const SectorBox& box = elements_[e].box;
+    const auto powers = static_cast<std::size_t>(w_.degree() + 1);
+    std::vector<double> p_s(powers);
+    std::vector<double> p_t(powers);
+    legendre_values<double>((2 * s - box.s0 - box.s1) / (box.s1 - box.s0), p_s);
+    legendre_values<double>((2 * t - box.t0 - box.t1) / (box.t1 - box.t0), p_t);
+    double sum = 0;
+    for (std::size_t i = 0; i < powers; ++i)
+      for (std::size_t j = 0; j < powers; ++j) sum += w_.of(e, k)[i * powers + j] * p_s[i] * p_t[j];
+    return sum;
+  }
+
+  /// T w, or F of EdgeClosure, at places of an element, by place, function.
+  [[nodiscard]] std::vector<double> operator()(std::size_t e, const Place& place, std::span<const double> at,
+                                               bool closed, double& radius) const {
+    const Sector& sector = scene_.sectors()[elements_[e].sector];
+    ObserverGroup group{.panel = sector.panel, .points = {}};
     for (const double x : at) {
       const auto [s, t] = place(x);
-      group.points.push_back(scene_.sectors()[sector].point(s, t));
+      group.points.push_back(sector.point(s, t));
     }
-    const Transport::Values found = transport_(group, 1e-11);
-    radius = std::max(radius, found.radius);
-    std::vector<double> out;
-    for (std::size_t p = 0; p < at.size(); ++p) out.push_back(found.values[p * w_.count() + k]);
-    return out;
+    if (!closed) {
+      const Transport::Values found = transport_(group, 1e-11);
+      radius = found.radius;
+      return found.values;
+    }
+    const std::size_t mirror = *closure_.mirror(e);
+    const Transport::Values found =
+        transport_with_one_(group, 1e-11, scene_.sectors()[elements_[mirror].sector].panel);
+    radius = 4 * found.radius;
+    std::vector<double> values;
+    for (std::size_t p = 0; p < at.size(); ++p)
+      for (std::size_t k = 0; k < w_.count(); ++k) {
+        const double* const sent = &found.values[p * (w_.count() + 1)];
+        values.push_back(sent[k] + density(mirror, k, 1 - place(at[p]).first, 0) * (1 - sent[w_.count()]));
+      }
+    return values;
   }
 
-  /// Interpolation at n Chebyshev nodes is off by at most (1 + Lebesgue constant) times what polynomials of
-  /// degree n - 1 are.
-  void expect_interpolation(std::size_t sector, const Place& place, const RuleErrors& errors, int& tried,
-                            double& closest) {
-    for (const std::size_t n : {2U, 4U, 7U}) {
-      const double bound = errors.interpolation[n - 1];
-      if (!(bound < 1)) continue;
-      ++tried;
-      const std::vector<double> nodes = chebyshev(n);
-      for (const std::size_t k : {0U, 1U}) {
-        double radius = 0;
-        const std::vector<double> at_nodes = values(sector, place, nodes, k, radius);
-        const std::vector<double> between{-0.97, -0.6, -0.1, 0.35, 0.8, 0.99};
-        const std::vector<double> truth = values(sector, place, between, k, radius);
-        for (std::size_t i = 0; i < between.size(); ++i) {
-          const double off = std::abs(interpolated(nodes, at_nodes, between[i]) - truth[i]);
-          const double most = (1 + lebesgue(n)) * (bound + 2 * radius);
-          EXPECT_LE(off, most) << "n " << n << " sector " << sector;
-          closest = std::max(closest, off / most);
+  /// What polynomials miss at least, and what rules miss, against their bounds.
+  void expect(std::size_t e, const SectorBox& box, double across, bool along_t, bool closed,
+              Closest& polynomials, Closest& rules) const {
+    const RuleErrors errors =
+        along_t ? smoothness_.along_t(e, box, closed) : smoothness_.along_s(e, box, closed);
+    const double s = box.s0 + (box.s1 - box.s0) * across;
+    const double t = box.t0 + (box.t1 - box.t0) * across;
+    const auto place = [&](double x) {
+      return along_t ? std::pair(s, box.middle_t() + 0.5 * (box.t1 - box.t0) * x)
+                     : std::pair(box.middle_s() + 0.5 * (box.s1 - box.s0) * x, t);
+    };
+    const std::string what = std::string(closed ? "closed, " : "") + (along_t ? "t" : "s") + " of " +
+                             std::to_string(box.s0) + " " + std::to_string(box.s1) + " " +
+                             std::to_string(box.t0) + " " + std::to_string(box.t1) + ", nodes ";
+    double radius = 0;
+    for (const std::size_t n : {1U, 2U, 4U, 7U}) {
+      const std::vector<double> places = extrema(n);
+      // The ends may lie on an edge.
+      std::vector<double> inner = places;
+      for (double& x : inner) x *= 0.999;
+      if (!(errors.interpolation[n - 1] < 1)) continue;
+      const std::vector<double> values = (*this)(e, place, inner, closed, radius);
+      for (std::size_t k = 0; k < w_.count(); ++k)
+        polynomials.meet(least_deviation(inner, [&](std::size_t p) { return values[p * w_.count() + k]; }),
+                         radius, errors.interpolation[n - 1], what + std::to_string(n));
+    }
+    // The mean of w_k T w_l with the area element relative to its own mean.
+    const auto means = [&](int n, double& off) {
+      const IntervalRule<double>& rule = gauss_on_interval(n);
+      const std::vector<double> values = (*this)(e, place, rule.nodes, closed, radius);
+      std::vector<double> sums(w_.count() * w_.count());
+      off = 0;
+      for (std::size_t p = 0; p < rule.nodes.size(); ++p) {
+        const auto [s_p, t_p] = place(rule.nodes[p]);
+        const double weight = 0.5 * rule.weights[p] * (along_t ? (1 - t_p) / (1 - box.middle_t()) : 1);
+        for (std::size_t k = 0; k < w_.count(); ++k) {
+          const double w = weight * density(e, k, s_p, t_p);
+          off += 2 * radius * std::abs(w);
+          for (std::size_t l = 0; l < w_.count(); ++l)
+            sums[k * w_.count() + l] += w * values[p * w_.count() + l];
         }
       }
+      return sums;
+    };
+    if (!(errors.quadrature[6] < 1e-3)) return;
+    double off_truth = 0;
+    const std::vector<double> truth = means(most_gauss_nodes, off_truth);
+    for (const int n : {1, 2, 3, 5}) {
+      const double bound = errors.quadrature[static_cast<std::size_t>(n) - 1];
+      double off = 0;
+      const std::vector<double> found = means(n, off);
+      for (std::size_t k = 0; k < truth.size(); ++k)
+        rules.meet(std::abs(found[k] - truth[k]), off + off_truth, bound, what + std::to_string(n));
     }
   }
 
-  Draw draw_{11};
+  [[nodiscard]] const SectorScene& scene() const { return scene_; }
+  [[nodiscard]] const std::vector<SectorElement>& elements() const { return elements_; }
+  [[nodiscard]] const EdgeClosure& closure() const { return closure_; }
+  [[nodiscard]] const SectorFunctions& w() const { return w_; }
+
+private:
   SectorScene scene_;
   std::vector<SectorElement> elements_;
   SectorFunctions w_;
   SectorFunctions q_;
   EdgeClosure closure_;
   Smoothness smoothness_;
+  SectorFunctions with_one_;
   Transport transport_;
+  Transport transport_with_one_;
+};
+
+Sent drawn(const std::string& name, Draw& draw) {
+  SectorScene scene(panels_of(name));
+  std::vector<SectorElement> elements = graded_elements(scene, 3);
+  const SectorFunctions w = drawn_functions(elements.size(), 2, 2, draw);
+  return {std::move(scene), std::move(elements), w};
+}
+
+class SmoothnessOf : public ::testing::TestWithParam<const char*> {
+protected:
+  Draw draw_{11};
+  Sent sent_{drawn(GetParam(), draw_)};
 };
 
 /// A part of an element whose depth and place in the element are drawn on a logarithmic scale.
@@ -120,33 +228,59 @@ SectorBox drawn_box(const SectorBox& whole, Draw& draw) {
   return box;
 }
 
-TEST_P(SmoothnessOf, BoundsInterpolationAlongBothParameters) {
-  int tried_s = 0;
-  int tried_t = 0;
-  double closest_s = 0;
-  double closest_t = 0;
-  for (int k = 0; k < 250; ++k) {
-    const std::size_t e = draw_.below(elements_.size());
-    const SectorBox box = drawn_box(elements_[e].box, draw_);
-    const std::size_t sector = elements_[e].sector;
-    const double t = box.t0 + (box.t1 - box.t0) * draw_();
-    const double s = box.s0 + (box.s1 - box.s0) * draw_();
-    expect_interpolation(
-        sector, [&](double x) { return std::pair(box.middle_s() + 0.5 * (box.s1 - box.s0) * x, t); },
-        smoothness_.along_s(e, box, false), tried_s, closest_s);
-    expect_interpolation(
-        sector, [&](double x) { return std::pair(s, box.middle_t() + 0.5 * (box.t1 - box.t0) * x); },
-        smoothness_.along_t(e, box, false), tried_t, closest_t);
+/// A part at a quarter of an element, of the same relative size in both parameters.
+SectorBox drawn_small_box(const SectorBox& whole, Draw& draw) {
+  const double part = std::ldexp(1.0, -3 - static_cast<int>(draw.below(11)));
+  const double s = whole.s0 + (whole.s1 - whole.s0) * 0.25;
+  const double t = whole.t0 + (whole.t1 - whole.t0) * 0.25;
+  return {.s0 = s, .s1 = s + part * (whole.s1 - whole.s0), .t0 = t, .t1 = t + part * (whole.t1 - whole.t0)};
+}
+
+TEST_P(SmoothnessOf, BoundsPolynomialsAndRulesAlongBothParameters) {
+  std::array<Closest, 2> polynomials;
+  std::array<Closest, 2> rules;
+  for (int k = 0; k < 200; ++k) {
+    const std::size_t e = draw_.below(sent_.elements().size());
+    const SectorBox& whole = sent_.elements()[e].box;
+    const SectorBox box = k % 2 == 0 ? drawn_box(whole, draw_) : drawn_small_box(whole, draw_);
+    for (const bool along_t : {false, true})
+      sent_.expect(e, box, draw_(), along_t, false, polynomials[along_t], rules[along_t]);
   }
-  EXPECT_GT(tried_s, 200);
-  EXPECT_GT(tried_t, 100);
-  // A bound that no function comes near of would hold whatever was wrong with it.
-  EXPECT_GT(closest_s, 1e-5);
-  EXPECT_GT(closest_t, 1e-5);
+  for (const std::size_t t : {0U, 1U}) {
+    EXPECT_GT(polynomials[t].tried, 600);
+    EXPECT_GT(rules[t].tried, 1500);
+    // A bound that nothing comes near would hold whatever was wrong with it.
+    EXPECT_GT(polynomials[t].quotient, 2e-3);
+    EXPECT_GT(rules[t].quotient, 1e-4);
+  }
+}
+
+TEST_P(SmoothnessOf, BoundsPolynomialsAndRulesOfClosedCells) {
+  std::array<Closest, 2> polynomials;
+  std::array<Closest, 2> rules;
+  for (int k = 0; k < 400; ++k) {
+    const std::size_t e = draw_.below(sent_.elements().size());
+    const SectorBox& whole = sent_.elements()[e].box;
+    if (whole.t0 != 0 || !sent_.closure().mirror(e)) continue;
+    SectorBox box = drawn_box(whole, draw_);
+    box.t0 = 0;
+    for (const bool along_t : {false, true})
+      sent_.expect(e, box, draw_(), along_t, true, polynomials[along_t], rules[along_t]);
+  }
+  for (const std::size_t t : {0U, 1U}) {
+    EXPECT_GT(polynomials[t].tried, 800);
+    EXPECT_GT(rules[t].tried, 2000);
+    EXPECT_GT(polynomials[t].quotient, 2e-3);
+    EXPECT_GT(rules[t].quotient, 1e-4);
+  }
 }
 
 TEST_P(SmoothnessOf, BoundsWhatTheOtherSideOfAnEdgeSends) {
   // T w - F, F of the closure, at points near an edge: the other side's T_j (w - xi) alone.
+  const SectorScene& scene_ = sent_.scene();
+  const std::vector<SectorElement>& elements_ = sent_.elements();
+  const EdgeClosure& closure_ = sent_.closure();
+  const SectorFunctions& w_ = sent_.w();
   int tried = 0;
   for (int k = 0; k < 300; ++k) {
     const std::size_t e = draw_.below(elements_.size());
@@ -186,6 +320,77 @@ TEST_P(SmoothnessOf, BoundsWhatTheOtherSideOfAnEdgeSends) {
     }
   }
   EXPECT_GT(tried, 20);
+}
+
+/// A thin tetrahedron: two triangles that meet at a small angle, and what closes them in narrow pieces.
+std::vector<Panel> wedge() {
+  using Point = Vector<Rational>;
+  const Point a{Rational(-1), Rational(0), Rational(0)};
+  const Point b{Rational(1), Rational(0), Rational(0)};
+  const Point c{Rational(0), Rational(1), Rational(1, 32)};
+  const Point d{Rational(0), Rational(1), Rational(-1, 32)};
+  std::vector<Panel> panels;
+  const auto add = [&](std::vector<Point> corners) {
+    const Point within = Rational(1, 4) * (a + b + c + d);
+    if (dot(cross(corners[1] - corners[0], corners[2] - corners[0]), within - corners[0]).sign() < 0)
+      std::reverse(corners.begin(), corners.end());
+    Point sum = corners[0];
+    for (std::size_t i = 1; i < corners.size(); ++i) sum = sum + corners[i];
+    const Point normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    panels.push_back({.piece = 0,
+                      .corners = corners,
+                      .centre = Rational(1, static_cast<int>(corners.size())) * sum,
+                      .normal = normal});
+  };
+  add({a, b, c});
+  add({a, b, d});
+  constexpr int parts = 6;
+  for (const Point& end : {a, b})
+    for (int k = 0; k < parts; ++k) {
+      const auto on = [&](const Point& to, int i) { return end + Rational(i, parts) * (to - end); };
+      if (k == 0)
+        add({end, on(c, 1), on(d, 1)});
+      else
+        add({on(c, k), on(c, k + 1), on(d, k + 1), on(d, k)});
+    }
+  return panels;
+}
+
+TEST(Smoothness, CountsWhatVariesOnTheOtherSideOfAnEdge) {
+  // F is about xi where the other panels send next to nothing.
+  SectorScene scene(wedge());
+  const std::vector<Sector>& sectors = scene.sectors();
+  const auto long_side = std::find_if(sectors.begin(), sectors.end(),
+                                      [](const Sector& sector) { return norm(sector.b - sector.a) > 1.9; });
+  const auto own = static_cast<std::size_t>(long_side - sectors.begin());
+  const std::size_t other = scene.opposite(own).value();
+  const double from = 0.5;
+  const double to = 0.5 + 0x1p-6;
+  std::vector<SectorElement> elements;
+  std::size_t e = 0;
+  std::size_t mirror = 0;
+  for (std::size_t sector = 0; sector < sectors.size(); ++sector) {
+    if (sector == own) e = elements.size() + 1;
+    if (sector == other) mirror = elements.size() + 1;
+    const std::array<double, 4> cuts =
+        sector == other ? std::array{0.0, 1 - to, 1 - from, 1.0} : std::array{0.0, from, to, 1.0};
+    for (std::size_t i = 0; i < 3; ++i) elements.push_back({sector, {.s0 = cuts[i], .s1 = cuts[i + 1]}});
+  }
+  for (const bool bent : {false, true}) {
+    SectorFunctions w(elements.size(), 1, 2);
+    w.of(mirror, 0)[bent ? 6 : 3] = 1;
+    w.of(e, 0)[0] = 1;
+    const Sent sent(scene, elements, w);
+    ASSERT_EQ(sent.closure().mirror(e), mirror);
+    Closest polynomials;
+    Closest rules;
+    const SectorBox box{.s0 = from + 0x1p-8, .s1 = from + 0x1p-7, .t0 = 0, .t1 = 0x1p-9};
+    sent.expect(e, box, 0.5, false, true, polynomials, rules);
+    EXPECT_GT(polynomials.quotient, 0.3);
+    if (bent) {
+      EXPECT_GT(rules.quotient, 0.1);
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Polyhedra, SmoothnessOf,
