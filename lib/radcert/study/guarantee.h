@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,15 +19,17 @@ struct LevelResult;
 
 /// What is enclosed of a solution.
 enum class EnclosedQuantity {
-  means,   ///< its means over the pieces
-  values,  ///< its values at points
+  means,     ///< its means over the pieces
+  values,    ///< its values at points
+  function,  ///< itself, everywhere
 };
 
 /// An error that the solution of the equation itself is wanted within.
 struct Guarantee {
   Rational width;  ///< of an enclosure: twice its radius
   EnclosedQuantity of = EnclosedQuantity::means;
-  /// Where the values are asked for; empty: at the centres of the faces, the means of their corners.
+  /// Where the values are asked for; empty: at the centres of the faces, the means of their corners, and at
+  /// the ends of the axes of an ellipsoid.
   std::vector<Vector<Rational>> points = {};
 };
 
@@ -41,6 +44,12 @@ struct EnclosedValue {
   Approximation value;
 };
 
+/// An approximation to a solution as a function, proved.
+struct FunctionBound {
+  double sup = 0;       ///< of |u - v|
+  std::string outside;  ///< where it need not hold; empty: nowhere
+};
+
 /// Enclosures of the solution of a problem, not of an approximation to it.
 struct SolutionEnclosure {
   Guarantee wanted;
@@ -48,36 +57,39 @@ struct SolutionEnclosure {
   /// The mean of u over each piece, proved; where means are asked for.
   std::vector<std::pair<std::string, Approximation>> pieces = {};
   std::vector<EnclosedValue> points = {};  ///< where values are asked for
+  std::optional<FunctionBound> function = std::nullopt;  ///< where that is asked for
   std::string hindrance = {};              ///< where the width is not reached: by what
 };
 
-/// How wide the enclosure of a mesh has become.
+/// How wide an enclosure has become.
 struct GuaranteeProgress {
-  int layers = 0;
+  int layers = 0;  ///< of elements; 0 where there are none
   int degree = 0;
   std::uint64_t unknowns = 0;
   std::uint64_t samples = 0;
   double width = 0;
 };
 
+using GuaranteeListener = std::function<void(const GuaranteeProgress&)>;
+
 /// Refuses a problem whose solution cannot be enclosed.
-/// Maths     a closed surface of plane charts that is proved to lie in the boundary of a convex body; an
-///           emission; on each face rho constant, 0 <= rho < 1, and E a polynomial of degree 8 at most; a width
-///           that double can hold; points inside faces
+/// Maths     an emission, a width that double can hold. Either a closed surface of plane charts that is proved
+///           to lie in the boundary of a convex body, on each face rho constant, 0 <= rho < 1, and E a
+///           polynomial of degree 8 at most, points inside faces; or a sphere or an ellipsoid, rho and E
+///           polynomials, 0 <= rho < 1, points on the surface
 /// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed
 void check_guarantee(const Problem& problem, const Guarantee& guarantee);
 
-/// Encloses the means of u over the pieces, or its values at points.
+/// Encloses the means of u over the pieces, its values at points, or u itself.
 /// Maths     enclose_means, enclose_values: the residual of a piecewise polynomial and of one for each number,
-///           enclosed over the whole surface
+///           enclosed over the whole surface; enclose_on_ellipsoid
 /// Source    lib/radcert/continuous
 /// Requires  what check_guarantee lets pass, else InputError
 /// Result    proved, AccuracyNotReached where nothing is; the level's number is that of the layers of
-///           elements, its errors are absent and its means those of the enclosure, if it has them. The same
+///           elements, or the degree on an ellipsoid, its errors are absent and its means those of the enclosure, if it has them. The same
 ///           bits for any number of threads
 /// Limits    where the width is not reached the enclosure says so and is the best that was found
 [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve_within(
-    const Problem& problem, const Guarantee& guarantee,
-    const std::function<void(const GuaranteeProgress&)>& progress = {});
+    const Problem& problem, const Guarantee& guarantee, const GuaranteeListener& progress = {});
 
 }  // namespace radcert

@@ -298,6 +298,20 @@ Outcome<ErrorBound> bound_of_error(const EllipsoidShape& shape, const EllipsoidD
   return ErrorBound{.bound = bound, .samples = points.size(), .nodes = transport.nodes()};
 }
 
+Outcome<void> check_emission(const EllipsoidProblem& problem) {
+  const Outcome<SpherePolynomial> emission = SpherePolynomial::along(problem.emission, problem.half_axes);
+  if (!emission) return because(emission.reason());
+  return {};
+}
+
+Outcome<void> check_reflectivity(const EllipsoidProblem& problem) {
+  const Outcome<SpherePolynomial> rho = SpherePolynomial::along(problem.reflectivity, problem.half_axes);
+  if (!rho) return because(rho.reason());
+  const Outcome<ReflectivityBound> bound = bound_of_reflectivity(problem, *rho);
+  if (!bound) return because(bound.reason());
+  return {};
+}
+
 Outcome<EllipsoidEnclosure> enclose_on_ellipsoid(
     const EllipsoidProblem& problem, double wanted,
     const std::function<void(const EllipsoidProgress&)>& progress) {

@@ -29,6 +29,11 @@ struct EllipsoidProblem {
   Expression emission;
 };
 
+/// Whether the functions of a problem are taken.
+/// Result    or what is wrong with them
+[[nodiscard]] Outcome<void> check_emission(const EllipsoidProblem& problem);
+[[nodiscard]] Outcome<void> check_reflectivity(const EllipsoidProblem& problem);
+
 /// How far a search for an enclosure has come.
 struct EllipsoidProgress {
   int degree = 0;                                          ///< of q

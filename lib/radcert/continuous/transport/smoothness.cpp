@@ -188,6 +188,7 @@ ObserverLines Smoothness::lines(const Cell& cell, std::size_t panel) const {
       .turned = std::max(std::abs(dot(n, cell.half_from)), std::abs(dot(n, cell.half_to))) + slack,
       .mass = 1,
       .rings = scene_.before(scene_.sectors()[elements_[cell.element].sector].panel, panel)};
+  lines.rings = lines.rings && !(to_panel > lines.highest);
   lines.distance = std::max(lines.height, to_panel);
   if (to_panel > 0)
     lines.mass = std::min(1.0, std::numbers::inv_pi * scene_.area(panel) *

@@ -76,7 +76,7 @@ SeenPart seen_part(const SectorScene& scene, const SectorElement& element, const
 
 double kernel_in_ellipse(double distance, double reach, double height) {
   const double nearest = distance - reach;
-  return (distance + reach) * std::min(distance, height) / (nearest * nearest * nearest * nearest);
+  return std::min(distance, height) / (nearest * nearest * nearest);
 }
 
 RuleChoice rule_in_s(const SeenPart& part, double height, std::span<const double> sizes, double allowed) {

@@ -39,10 +39,11 @@ struct SeenPart {
 /// sup |G(P,Q)| for Q on complex lines.
 /// Maths     Q runs along a straight line with the half length h; for its parameter in the ellipse with the
 ///           larger half axis A, a = h A = `reach`, and D the distance of P from the middle of the line, D > a:
-///           |P - Q(z)|^2 is a product of two factors of modulus >= D - a, as it is (w.w) with w = P - Q(z),
-///           whose factors are linear in z with conjugate zeros, each at least D/h from the middle; |n_P.(Q(z)-P)|
-///           <= D + a, and n_Q.(P-Q) is the height of P over the plane of Q, so that
-///           |G| <= (D+a) min(D,height) / (D-a)^4, which decreases in D
+///           w = P - Q(z) is linear in z, and w.w has two factors with conjugate zeros, each at least D/h from
+///           the middle, of the moduli m_1, m_2 >= D - a. |n_P.w|^2 <= |w|^2 = (m_1^2 + m_2^2)/2, and n_Q.w is
+///           the height of P over the plane of Q, which is at most D: |G| <= min(D,height) ((m_1^2 +
+///           m_2^2)/2)^(1/2) / (m_1 m_2)^2, which decreases in both, so that
+///           |G| <= min(D,height) / (D-a)^3, which decreases in D
 /// Result    to be rounded up
 [[nodiscard]] double kernel_in_ellipse(double distance, double reach, double height);
 

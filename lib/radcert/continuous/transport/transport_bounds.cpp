@@ -43,7 +43,7 @@ double turn_bound(double size, double reach) {
     if (!(logarithm > 0)) continue;
     const double ratio = (k + 1) / (k - 1);
     const double far = ratio * ratio * ratio * ratio * std::hypot(1, 0.5 * std::numbers::pi / logarithm);
-    least = std::min(least, (1 + 2 * far / (k - 1)) * upward);
+    least = std::min(least, (1 + 2 * (far - 1) / (k - 1)) * upward);
   }
   return least;
 }

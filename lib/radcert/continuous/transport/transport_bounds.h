@@ -14,7 +14,9 @@ struct ObserverLines {
   double highest = 0;   ///< and at most
   double turned = 0;    ///< |e.n_j| at most
   double mass = 1;      ///< T_j 1(c) at most
-  bool rings = true;    ///< whether a foot in the plane of Q_j may lie before the observer: n_P.n_j < 0
+  /// Whether the foot of c in the plane of Q_j may lie in Q_j: it lies before the observer, n_P.n_j < 0, and
+  /// may be no further than Q_j.
+  bool rings = true;
 };
 
 /// sup |T_j w| / sup |w| by the distance of the panel.
@@ -23,8 +25,8 @@ struct ObserverLines {
 ///           by A |e.n_j| at most. With D the distance of c from Q_j, both
 ///             by the nearest point   (D/(D-a))^4 T_j 1
 ///             by rings               Int_D^oo (r/(r-a))^4 m d/r^2 dr = m d (1/g + a/g^2 + a^2/(3 g^3)),
-///                                    g = D - a: the kernel is at most d/r^3, on rings, m = 2, or on half
-///                                    rings, m = 1
+///                                    g = D - a: the kernel is at most d/r^3, on rings about the foot of
+///                                    c, m = 2; where that is not in the convex Q_j, on half rings, m = 1
 /// Result    rounded up; infinite where the ellipse comes near the panel
 [[nodiscard]] double tube_bound(const ObserverLines& lines, double axis);
 
@@ -45,8 +47,8 @@ struct ObserverLines {
 ///           (Stokes: the border moves in the complex line of the edge, on which the form vanishes). Both
 ///           scalar products keep their moduli; up to k size so does P-Q, and beyond |(P-Q)^2| is at least
 ///           ((k-1)/(k+1))^2 of its value at |t|, where the mass of what is further than (k-1) size is at most
-///           2/(k-1): |T_j w| <= (1 + 2/(k-1) ((k+1)/(k-1))^4 (1 + (pi/2 / log(r/(k size)))^2)^(1/2)) sup |w| on
-///           the points that are reached. The least of k = 3, 5, 9, 20
+///           2/(k-1), and that of all 1: |T_j w| <= (1 + 2/(k-1) (f-1)) sup |w| on the points that are reached,
+///           f = ((k+1)/(k-1))^4 (1 + (pi/2 / log(r/(k size)))^2)^(1/2). The least of k = 3, 5, 9, 20
 /// Result    rounded up; infinite where size is not small beside the reach
 [[nodiscard]] double turn_bound(double size, double reach);
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/guarantee.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,27 +11,24 @@
 #include "radcert/hypotheses/convex_containment.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/collocation/operator_norm.h"
+#include "radcert/study/guarantee/enclosed_problem.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
 
 namespace radcert {
 namespace {
 
-constexpr const char* closed_polyhedra =
-    "a closed convex polyhedron: cube, box, tetrahedron, octahedron, or a mesh";
+constexpr const char* what_is_enclosed =
+    "a closed convex polyhedron (cube, box, tetrahedron, octahedron, or a mesh), a sphere or an ellipsoid";
 
 [[noreturn]] void refuse_surface(const Problem& problem, const std::string& reason) {
   throw InputError({.pointer = problem.surface.mesh ? "/surface/file" : "/surface/name",
                     .value = problem.surface.name,
                     .problem = "has no enclosure of its solution: " + reason,
-                    .allowed = closed_polyhedra});
+                    .allowed = what_is_enclosed});
 }
 
 std::vector<Panel> panels_of(const Problem& problem, const Surface& surface) {
-  if (problem.geometry)
-    throw InputError({.pointer = "/geometry",
-                      .problem = "is an interpolant, whose solution is not that of the surface",
-                      .allowed = "nothing here beside a guarantee"});
   if (!surface.closed) refuse_surface(problem, "it is not closed");
   if (!surface.unoccluded) refuse_surface(problem, "parts of it hide each other");
   Outcome<std::vector<Panel>> panels = convex_panels(surface);
@@ -88,23 +84,8 @@ Rational largest_on(const Panel& panel, const PlanePolynomial<Rational>& f) {
   return sizes.value(s, t);
 }
 
-/// Bounds are relative: numbers near the ends of double's range have none.
-void require_normal(const Rational& value, const std::string& pointer) {
-  if (value.sign() == 0) return;
-  const Rational most = power(Rational(10), 60);
-  if (abs(value) <= most && abs(value) * most >= Rational(1)) return;
-  throw InputError({.pointer = pointer,
-                    .value = nearest_text(value.to_double(), DecimalForm::general(6)),
-                    .problem = "is too large or too small for a guarantee",
-                    .allowed = "0, or a size from 1e-60 to 1e60"});
-}
-
 PolyhedronProblem polyhedron_problem(const Problem& problem, const Surface& surface,
                                      const Guarantee& guarantee) {
-  if (!problem.emission)
-    throw InputError({.pointer = "/solution",
-                      .problem = "is given, and then u is known: there is nothing to enclose",
-                      .allowed = "emission"});
   PolyhedronProblem out{.panels = panels_of(problem, surface), .reflectivity = {}, .emission = {}};
   for (const PlanePolynomial<Rational>& rho :
        polynomials(problem.reflectivity, "/reflectivity", surface, out.panels, 0))
@@ -129,17 +110,8 @@ PolyhedronProblem polyhedron_problem(const Problem& problem, const Surface& surf
     sup = std::max(sup, rho);
     largest = std::max(largest, emission);
   }
-  const Rational least = Rational::exactly(least_relative_width) * largest / (Rational(1) - sup);
-  if (guarantee.width < least || guarantee.width.sign() <= 0)
-    throw InputError({.pointer = "/guarantee/width",
-                      .value = guarantee.width.to_text(),
-                      .problem = "is less than double can carry here",
-                      .allowed = upper_text(least) + " or more"});
+  require_width(guarantee, largest, sup);
   return out;
-}
-
-std::string coordinates_text(const Vector<Rational>& p) {
-  return "(" + p.x.to_text() + ", " + p.y.to_text() + ", " + p.z.to_text() + ")";
 }
 
 /// The points at which values are asked for, each with its panel.
@@ -159,69 +131,78 @@ std::vector<SolutionPoint> solution_points(const Guarantee& guarantee, const std
   return out;
 }
 
-/// A problem that can be enclosed, as check_guarantee decides it.
-struct Asked {
-  Surface surface;
-  PolyhedronProblem problem;
-  std::vector<SolutionPoint> points;
-};
+class EnclosedPolyhedron final : public EnclosedProblem {
+public:
+  EnclosedPolyhedron(const Problem& problem, const Guarantee& guarantee, Surface surface)
+      : problem_(problem),
+        guarantee_(guarantee),
+        surface_(std::move(surface)),
+        polyhedron_(polyhedron_problem(problem, surface_, guarantee)) {
+    switch (guarantee.of) {
+      case EnclosedQuantity::values:
+        points_ = solution_points(guarantee, polyhedron_.panels);
+        break;
+      case EnclosedQuantity::means:
+        break;
+      case EnclosedQuantity::function:
+        throw InputError({.pointer = "/guarantee/of",
+                          .value = "function",
+                          .problem = "is not enclosed on a polyhedron",
+                          .allowed = "means or values; function on the sphere and on ellipsoids"});
+    }
+  }
 
-Asked asked_of(const Problem& problem, const Guarantee& guarantee) {
-  Asked out{.surface = surface_of(problem), .problem = {}, .points = {}};
-  out.problem = polyhedron_problem(problem, out.surface, guarantee);
-  if (guarantee.of == EnclosedQuantity::values)
-    out.points = solution_points(guarantee, out.problem.panels);
-  else if (!guarantee.points.empty())
-    throw InputError({.pointer = "/guarantee/points",
-                      .problem = "are for values, and means are asked for",
-                      .allowed = "\"of\": \"values\" beside points"});
-  return out;
-}
+  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
+      const GuaranteeListener& progress) const override {
+    const std::vector<std::string> names = surface_.piece_names();
+    const auto tell = [&](const EnclosureProgress& now) {
+      if (progress)
+        progress({.layers = now.layers,
+                  .degree = now.degree,
+                  .unknowns = now.unknowns,
+                  .samples = now.samples,
+                  .width = now.width});
+    };
+    // A double from below: what is reached is then within what was asked for.
+    const double wanted = guarantee_.width.to_double() * (1 - unit_roundoff<double>());
+    const bool of_values = guarantee_.of == EnclosedQuantity::values;
+    const GoalEnclosure found = of_values ? enclose_values(polyhedron_, points_, wanted, tell)
+                                          : enclose_means(polyhedron_, wanted, tell);
+    if (!std::isfinite(found.width))
+      throw AccuracyNotReached(of_values ? "the values of u" : "the means of u", found.hindrance);
+    SolutionEnclosure enclosure{.wanted = guarantee_, .width = found.width, .hindrance = found.hindrance};
+    LevelResult level;
+    level.level = found.last.layers;
+    level.elements = found.last.elements;
+    level.unknowns = found.last.unknowns;
+    level.mesh_size = found.last.mesh_size;
+    level.norm_K = norm_of_K(surface_, problem_.reflectivity, {}, {});
+    for (std::size_t k = 0; k < found.numbers.size(); ++k) {
+      if (of_values) {
+        const SolutionPoint& point = points_[k];
+        enclosure.points.push_back(
+            {names[polyhedron_.panels[point.panel].piece], point.at, found.numbers[k]});
+      } else {
+        enclosure.pieces.emplace_back(names[k], found.numbers[k]);
+        level.piece_means.emplace_back(names[k], found.numbers[k]);
+      }
+    }
+    return {std::move(level), std::move(enclosure)};
+  }
+
+private:
+  const Problem& problem_;
+  const Guarantee& guarantee_;
+  Surface surface_;
+  PolyhedronProblem polyhedron_;
+  std::vector<SolutionPoint> points_;
+};
 
 }  // namespace
 
-void check_guarantee(const Problem& problem, const Guarantee& guarantee) {
-  static_cast<void>(asked_of(problem, guarantee));
-}
-
-std::pair<LevelResult, SolutionEnclosure> solve_within(
-    const Problem& problem, const Guarantee& guarantee,
-    const std::function<void(const GuaranteeProgress&)>& progress) {
-  const Asked asked = asked_of(problem, guarantee);
-  const std::vector<std::string> names = asked.surface.piece_names();
-  const auto tell = [&](const EnclosureProgress& now) {
-    if (progress)
-      progress({.layers = now.layers,
-                .degree = now.degree,
-                .unknowns = now.unknowns,
-                .samples = now.samples,
-                .width = now.width});
-  };
-  // A double from below: what is reached is then within what was asked for.
-  const double wanted = guarantee.width.to_double() * (1 - unit_roundoff<double>());
-  const bool of_values = guarantee.of == EnclosedQuantity::values;
-  const GoalEnclosure found = of_values ? enclose_values(asked.problem, asked.points, wanted, tell)
-                                        : enclose_means(asked.problem, wanted, tell);
-  if (!std::isfinite(found.width))
-    throw AccuracyNotReached(of_values ? "the values of u" : "the means of u", found.hindrance);
-  SolutionEnclosure enclosure{.wanted = guarantee, .width = found.width, .hindrance = found.hindrance};
-  LevelResult level;
-  level.level = found.last.layers;
-  level.elements = found.last.elements;
-  level.unknowns = found.last.unknowns;
-  level.mesh_size = found.last.mesh_size;
-  level.norm_K = norm_of_K(asked.surface, problem.reflectivity, {}, {});
-  for (std::size_t k = 0; k < found.numbers.size(); ++k) {
-    if (of_values) {
-      const SolutionPoint& point = asked.points[k];
-      enclosure.points.push_back(
-          {names[asked.problem.panels[point.panel].piece], point.at, found.numbers[k]});
-    } else {
-      enclosure.pieces.emplace_back(names[k], found.numbers[k]);
-      level.piece_means.emplace_back(names[k], found.numbers[k]);
-    }
-  }
-  return {std::move(level), std::move(enclosure)};
+std::unique_ptr<EnclosedProblem> enclosed_polyhedron(const Problem& problem, const Guarantee& guarantee,
+                                                     Surface surface) {
+  return std::make_unique<EnclosedPolyhedron>(problem, guarantee, std::move(surface));
 }
 
 }  // namespace radcert

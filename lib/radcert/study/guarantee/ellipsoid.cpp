@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "radcert/continuous/ellipsoid/ellipsoid_enclosure.h"
+#include "radcert/core/errors.h"
+#include "radcert/study/collocation/operator_norm.h"
+#include "radcert/study/guarantee/enclosed_problem.h"
+#include "radcert/study/problem.h"
+#include "radcert/study/result.h"
+
+namespace radcert {
+namespace {
+
+Vector<Rational> half_axes(const Surface& surface) {
+  if (surface.name == "sphere") return {1, 1, 1};
+  return {surface.parameters[0].value, surface.parameters[1].value, surface.parameters[2].value};
+}
+
+/// p with P = A p.
+Vector<Rational> on_sphere(const Vector<Rational>& point, const Vector<Rational>& axes) {
+  return {point.x / axes.x, point.y / axes.y, point.z / axes.z};
+}
+
+/// The points at which values are asked for: those of the problem, or the ends of the axes.
+std::vector<Vector<Rational>> solution_points(const Guarantee& guarantee, const Vector<Rational>& axes) {
+  if (guarantee.points.empty())
+    return {{axes.x, 0, 0}, {-axes.x, 0, 0}, {0, axes.y, 0}, {0, -axes.y, 0}, {0, 0, axes.z}, {0, 0, -axes.z}};
+  for (std::size_t k = 0; k < guarantee.points.size(); ++k) {
+    const Vector<Rational> p = on_sphere(guarantee.points[k], axes);
+    if (!(dot(p, p) == Rational(1)))
+      throw InputError({.pointer = "/guarantee/points/" + std::to_string(k),
+                        .value = coordinates_text(guarantee.points[k]),
+                        .problem = "does not lie on the surface",
+                        .allowed = "(x/a)^2 + (y/b)^2 + (z/c)^2 = 1 exactly, as at (3/5 a, 4/5 b, 0)"});
+  }
+  return guarantee.points;
+}
+
+class EnclosedEllipsoid final : public EnclosedProblem {
+public:
+  EnclosedEllipsoid(const Problem& problem, const Guarantee& guarantee, Surface surface)
+      : problem_(problem),
+        guarantee_(guarantee),
+        surface_(std::move(surface)),
+        piece_(surface_.piece_names().front()),
+        ellipsoid_{.half_axes = half_axes(surface_),
+                   .reflectivity = problem.reflectivity.on(piece_),
+                   .emission = problem.emission->on(piece_)} {
+    for (const Rational& axis : {ellipsoid_.half_axes.x, ellipsoid_.half_axes.y, ellipsoid_.half_axes.z})
+      require_normal(axis, "/surface/parameters");
+    if (const Outcome<void> taken = check_emission(ellipsoid_); !taken)
+      refuse("/emission", ellipsoid_.emission, taken.reason(),
+             "a polynomial in x, y, z of degree " + std::to_string(most_sphere_degree) +
+                 " or less, from whole numbers, decimals and fractions by + - * /");
+    if (const Outcome<void> taken = check_reflectivity(ellipsoid_); !taken)
+      refuse("/reflectivity", ellipsoid_.reflectivity, taken.reason(),
+             "a polynomial in x, y, z of degree " + std::to_string(most_reflectivity_degree) +
+                 " or less with values from 0 to below 1");
+    require_width(guarantee, 0, 0);
+    if (guarantee.of == EnclosedQuantity::values)
+      points_ = solution_points(guarantee, ellipsoid_.half_axes);
+  }
+
+  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
+      const GuaranteeListener& progress) const override {
+    const auto tell = [&](const EllipsoidProgress& now) {
+      if (progress)
+        progress({.degree = now.degree,
+                  .unknowns = unknowns(now),
+                  .samples = now.samples,
+                  .width = 2 * now.bound});
+    };
+    // Means and values have roundings of their own beside the bound.
+    const double share = guarantee_.of == EnclosedQuantity::function ? 0.5 : 0.45;
+    const double wanted = guarantee_.width.to_double() * (1 - unit_roundoff<double>());
+    const Outcome<EllipsoidEnclosure> found = enclose_on_ellipsoid(ellipsoid_, share * wanted, tell);
+    if (!found) throw AccuracyNotReached("the solution u", found.reason());
+    if (!std::isfinite(found->bound)) throw AccuracyNotReached("the solution u", found->hindrance);
+    SolutionEnclosure enclosure{.wanted = guarantee_, .width = 0, .hindrance = found->hindrance};
+    LevelResult level;
+    level.level = found->last.degree;
+    level.elements = 1;
+    level.unknowns = unknowns(found->last);
+    const Vector<Rational>& axes = ellipsoid_.half_axes;
+    level.mesh_size = 2 * std::max({axes.x, axes.y, axes.z}).to_double();
+    level.norm_K = norm_of_K(surface_, problem_.reflectivity, {}, {});
+    const auto widen = [&](double radius) { enclosure.width = std::max(enclosure.width, 2 * radius); };
+    switch (guarantee_.of) {
+      case EnclosedQuantity::means:
+        enclosure.pieces.emplace_back(piece_, found->mean);
+        level.piece_means = enclosure.pieces;
+        widen(found->mean.radius);
+        break;
+      case EnclosedQuantity::values:
+        for (const Vector<Rational>& point : points_) {
+          const Vector<Rational> p = on_sphere(point, axes);
+          const Approximation value = found->at({p.x.to_double(), p.y.to_double(), p.z.to_double()});
+          enclosure.points.push_back({piece_, point, value});
+          widen(value.radius);
+        }
+        break;
+      case EnclosedQuantity::function:
+        enclosure.function = FunctionBound{.sup = found->bound, .outside = {}};
+        widen(found->bound);
+        break;
+    }
+    if (!std::isfinite(enclosure.width)) throw AccuracyNotReached("the solution u", found->hindrance);
+    if (enclosure.width <= wanted)
+      enclosure.hindrance.clear();
+    else if (enclosure.hindrance.empty())
+      enclosure.hindrance = "the rounding of double";
+    return {std::move(level), std::move(enclosure)};
+  }
+
+private:
+  static std::uint64_t unknowns(const EllipsoidProgress& now) {
+    const auto powers = static_cast<std::uint64_t>(now.degree + 1);
+    return powers * powers;
+  }
+  [[noreturn]] static void refuse(const std::string& pointer, const Expression& formula,
+                                  const std::string& reason, const std::string& allowed) {
+    throw InputError({.pointer = pointer, .value = formula.text(), .problem = reason, .allowed = allowed});
+  }
+
+  const Problem& problem_;
+  const Guarantee& guarantee_;
+  Surface surface_;
+  std::string piece_;
+  EllipsoidProblem ellipsoid_;
+  std::vector<Vector<Rational>> points_;
+};
+
+}  // namespace
+
+std::unique_ptr<EnclosedProblem> enclosed_ellipsoid(const Problem& problem, const Guarantee& guarantee,
+                                                    Surface surface) {
+  return std::make_unique<EnclosedEllipsoid>(problem, guarantee, std::move(surface));
+}
+
+}  // namespace radcert

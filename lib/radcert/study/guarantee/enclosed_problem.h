@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "radcert/geometry/vector.h"
+#include "radcert/scalar/rational.h"
+#include "radcert/study/guarantee.h"
+#include "radcert/surface/surface.h"
+
+namespace radcert {
+
+/// A problem whose solution can be enclosed.
+class EnclosedProblem {
+public:
+  EnclosedProblem() = default;
+  EnclosedProblem(const EnclosedProblem&) = delete;
+  EnclosedProblem& operator=(const EnclosedProblem&) = delete;
+  EnclosedProblem(EnclosedProblem&&) = delete;
+  EnclosedProblem& operator=(EnclosedProblem&&) = delete;
+  virtual ~EnclosedProblem() = default;
+
+  /// Result    proved; see solve_within
+  [[nodiscard]] virtual std::pair<LevelResult, SolutionEnclosure> solve(
+      const GuaranteeListener& progress) const = 0;
+};
+
+/// The kinds of problems, by their surfaces.
+/// Requires  problem and guarantee outlive the result; no interpolated geometry, an emission
+/// Result    InputError with the JSON pointer where the problem, or what is asked for, cannot be enclosed
+[[nodiscard]] std::unique_ptr<EnclosedProblem> enclosed_polyhedron(const Problem& problem,
+                                                                   const Guarantee& guarantee,
+                                                                   Surface surface);
+[[nodiscard]] std::unique_ptr<EnclosedProblem> enclosed_ellipsoid(const Problem& problem,
+                                                                  const Guarantee& guarantee,
+                                                                  Surface surface);
+
+/// "(1/2, 0, 1)".
+[[nodiscard]] std::string coordinates_text(const Vector<Rational>& p);
+
+/// Refuses a width below what double can carry for data of this size.
+/// Maths     least_relative_width max |E| / (1 - sup rho)
+void require_width(const Guarantee& guarantee, const Rational& largest_emission, const Rational& sup_rho);
+
+/// Bounds are relative: refuses numbers near the ends of double's range, which have none.
+void require_normal(const Rational& value, const std::string& pointer);
+
+}  // namespace radcert

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/study/guarantee.h"
+
+#include <string>
+#include <utility>
+
+#include "radcert/core/errors.h"
+#include "radcert/scalar/enclosing_text.h"
+#include "radcert/study/guarantee/enclosed_problem.h"
+#include "radcert/study/problem.h"
+#include "radcert/study/result.h"
+
+namespace radcert {
+namespace {
+
+std::unique_ptr<EnclosedProblem> enclosed_problem(const Problem& problem, const Guarantee& guarantee) {
+  if (problem.geometry)
+    throw InputError({.pointer = "/geometry",
+                      .problem = "is an interpolant, whose solution is not that of the surface",
+                      .allowed = "nothing here beside a guarantee"});
+  if (!problem.emission)
+    throw InputError({.pointer = "/solution",
+                      .problem = "is given, and then u is known: there is nothing to enclose",
+                      .allowed = "emission"});
+  if (guarantee.of != EnclosedQuantity::values && !guarantee.points.empty())
+    throw InputError({.pointer = "/guarantee/points",
+                      .problem = "are for values, which are not asked for",
+                      .allowed = "\"of\": \"values\" beside points"});
+  Surface surface = surface_of(problem);
+  const bool is_ellipsoid = surface.name == "sphere" || surface.name == "ellipsoid";
+  if (is_ellipsoid && !surface.mesh) return enclosed_ellipsoid(problem, guarantee, std::move(surface));
+  return enclosed_polyhedron(problem, guarantee, std::move(surface));
+}
+
+}  // namespace
+
+std::string coordinates_text(const Vector<Rational>& p) {
+  return "(" + p.x.to_text() + ", " + p.y.to_text() + ", " + p.z.to_text() + ")";
+}
+
+void require_width(const Guarantee& guarantee, const Rational& largest_emission, const Rational& sup_rho) {
+  const Rational least = Rational::exactly(least_relative_width) * largest_emission / (Rational(1) - sup_rho);
+  if (guarantee.width >= least && guarantee.width.sign() > 0) return;
+  throw InputError({.pointer = "/guarantee/width",
+                    .value = guarantee.width.to_text(),
+                    .problem = "is less than double can carry here",
+                    .allowed = upper_text(least) + " or more"});
+}
+
+void require_normal(const Rational& value, const std::string& pointer) {
+  if (value.sign() == 0) return;
+  const Rational most = power(Rational(10), 60);
+  if (abs(value) <= most && abs(value) * most >= Rational(1)) return;
+  throw InputError({.pointer = pointer,
+                    .value = nearest_text(value.to_double(), DecimalForm::general(6)),
+                    .problem = "is too large or too small for a guarantee",
+                    .allowed = "0, or a size from 1e-60 to 1e60"});
+}
+
+void check_guarantee(const Problem& problem, const Guarantee& guarantee) {
+  static_cast<void>(enclosed_problem(problem, guarantee));
+}
+
+std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem, const Guarantee& guarantee,
+                                                       const GuaranteeListener& progress) {
+  return enclosed_problem(problem, guarantee)->solve(progress);
+}
+
+}  // namespace radcert
