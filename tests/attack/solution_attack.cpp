@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Enclosures of the solution on skew polyhedra: constants in furnaces whose walls reflect unequally, which
+// means and values have to contain; the balance of energy of any other emission; coarse enclosures beside
+// finer ones.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "radcert/continuous/goal_enclosure.h"
+#include "radcert/core/text.h"
+#include "radcert/surface/catalogue.h"
+#include "tests/attack/attack.h"
+
+namespace radcert::attack {
+namespace {
+
+/// An affine image of a polyhedron of the catalogue; numbers in hundredths.
+struct Instance {
+  std::string surface;
+  std::array<std::array<long, 3>, 3> map{};
+  std::vector<long> reflectivity;  ///< by panel
+  std::vector<long> emission;      ///< by panel; empty: a furnace
+  long constant = 100;             ///< u of a furnace
+  double width = 0;
+};
+
+std::string text(const Instance& x) {
+  std::string out = x.surface + ", map";
+  for (const auto& row : x.map)
+    for (const long entry : row) out += " " + std::to_string(entry);
+  out += ", rho";
+  for (const long rho : x.reflectivity) out += " " + std::to_string(rho);
+  out += x.emission.empty() ? ", furnace of " + std::to_string(x.constant) : ", E";
+  for (const long e : x.emission) out += " " + std::to_string(e);
+  return out + ", width " + shortest(x.width);
+}
+
+Rational hundredths(long n) { return {n, 100}; }
+
+Vector<Rational> image(const Instance& x, const Vector<Rational>& p) {
+  const auto row = [&](std::size_t k) {
+    return hundredths(x.map[k][0]) * p.x + hundredths(x.map[k][1]) * p.y + hundredths(x.map[k][2]) * p.z;
+  };
+  return {row(0), row(1), row(2)};
+}
+
+PolyhedronProblem problem_of(const Instance& x) {
+  PolyhedronProblem out{.panels = convex_panels(default_surface(*find_surface(x.surface))).value(),
+                        .reflectivity = {},
+                        .emission = {}};
+  for (std::size_t k = 0; k < out.panels.size(); ++k) {
+    Panel& panel = out.panels[k];
+    for (Vector<Rational>& corner : panel.corners) corner = image(x, corner);
+    panel.centre = image(x, panel.centre);
+    panel.normal = cross(panel.corners[1] - panel.corners[0], panel.corners[2] - panel.corners[0]);
+    const Rational rho = hundredths(x.reflectivity[k]);
+    out.reflectivity.push_back(rho);
+    out.emission.push_back(constant_polynomial(
+        x.emission.empty() ? (Rational(1) - rho) * hundredths(x.constant) : hundredths(x.emission[k])));
+  }
+  return out;
+}
+
+/// The area of a panel, by its triangles.
+long double area(const Panel& panel) {
+  long double sum = 0;
+  const auto& c = panel.corners;
+  for (std::size_t i = 1; i + 1 < c.size(); ++i) {
+    const Vector<Rational> n = cross(c[i] - c[0], c[i + 1] - c[0]);
+    sum += std::sqrt(static_cast<long double>(dot(n, n).to_double())) / 2;
+  }
+  return sum;
+}
+
+Instance drawn(Draw& draw) {
+  Instance x;
+  const std::array<std::string, 3> surfaces{"tetrahedron", "cube", "octahedron"};
+  x.surface = surfaces[draw.below(draw.below(3) == 0 ? 3 : 2)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    x.map[k][k] = 50 + static_cast<long>(draw.below(150));
+    // Upper triangular: the determinant is positive, and so is the side of the normals.
+    for (std::size_t l = k + 1; l < 3; ++l) x.map[k][l] = static_cast<long>(draw.below(160)) - 80;
+  }
+  const std::size_t panels = convex_panels(default_surface(*find_surface(x.surface))).value().size();
+  const bool is_furnace = draw.below(2) == 0;
+  for (std::size_t k = 0; k < panels; ++k) {
+    x.reflectivity.push_back(draw.below(5) == 0 ? (is_furnace ? 0 : 1)
+                                                : static_cast<long>(draw.below(85)) + 1);
+    if (!is_furnace) x.emission.push_back(draw.below(2) == 0 ? 0 : static_cast<long>(draw.below(300)) - 100);
+  }
+  x.constant = static_cast<long>(draw.below(400)) - 150;
+  x.width = 0.05 * std::pow(10.0, draw.unit());
+  return x;
+}
+
+std::vector<Instance> smaller(const Instance& x) {
+  std::vector<Instance> out;
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t l = 0; l < 3; ++l) {
+      const long simple = k == l ? 100 : 0;
+      if (x.map[k][l] == simple) continue;
+      out.push_back(x);
+      out.back().map[k][l] = simple;
+    }
+  return out;
+}
+
+std::string off_text(const std::string& what, long double off, double radius) {
+  return what + " is off by " + shortest(static_cast<double>(off)) + ", the radius is " + shortest(radius);
+}
+
+/// u is constant.
+Judgement judge_furnace(const Instance& x) {
+  const PolyhedronProblem problem = problem_of(x);
+  const double truth = static_cast<double>(x.constant) / 100;
+  std::size_t values = 0;
+  const std::vector<SolutionPoint> points{
+      {0, Rational(1, 5) * (Rational(4) * problem.panels[0].centre + problem.panels[0].corners[0])}};
+  for (const GoalEnclosure& found :
+       {enclose_means(problem, x.width), enclose_values(problem, points, 4 * x.width)})
+    for (const Approximation& number : found.numbers) {
+      if (!number.has_radius()) return Judgement::refused();
+      const double off = std::abs(number.value - truth);
+      if (!number.guaranteed || !(off <= number.radius + 1e-15))
+        return Judgement::violated(off_text("u", off, number.radius));
+      ++values;
+    }
+  return Judgement::held(values);
+}
+
+/// Int (1/rho - 1) u = Int E/rho; and two enclosures of one number meet.
+Judgement judge_balance(const Instance& x) {
+  const PolyhedronProblem problem = problem_of(x);
+  const GoalEnclosure coarse = enclose_means(problem, 8 * x.width);
+  const GoalEnclosure fine = enclose_means(problem, x.width);
+  long double left = 0;
+  long double right = 0;
+  long double radius = 0;
+  for (std::size_t k = 0; k < problem.panels.size(); ++k) {
+    const Approximation& a = coarse.numbers[problem.panels[k].piece];
+    const Approximation& b = fine.numbers[problem.panels[k].piece];
+    if (!b.has_radius()) return Judgement::refused();
+    const double apart = std::abs(a.value - b.value);
+    if (!(apart <= a.radius + b.radius))
+      return Judgement::violated(off_text("the coarse mean from the fine one", apart, a.radius + b.radius));
+    const long double rho = static_cast<long double>(x.reflectivity[k]) / 100;
+    const long double share = area(problem.panels[k]) / rho;
+    left += (1 - rho) * share * static_cast<long double>(b.value);
+    radius += (1 - rho) * share * static_cast<long double>(b.radius);
+    right += share * static_cast<long double>(x.emission[k]) / 100;
+  }
+  const long double off = std::abs(left - right);
+  if (!(off <= radius + 1e-12L * std::abs(right)))
+    return Judgement::violated(off_text("the energy", off, static_cast<double>(radius)));
+  return Judgement::held(problem.panels.size() + 1);
+}
+
+TEST(SolutionAttack, EnclosuresOnPolyhedraHold) {
+  hold(Attack<Instance>{
+      .name = "solutions on polyhedra",
+      .usual_instances = 3,
+      .make = drawn,
+      .judge = [](const Instance& x) { return x.emission.empty() ? judge_furnace(x) : judge_balance(x); },
+      .text = text,
+      .smaller = smaller});
+}
+
+}  // namespace
+}  // namespace radcert::attack
