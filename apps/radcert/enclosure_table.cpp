@@ -36,16 +36,25 @@ std::string enclosure_table(const SolutionEnclosure& enclosure) {
     row.push_back(text.radius);
     rows.push_back(std::move(row));
   };
-  const bool of_values = enclosure.wanted.of == EnclosedQuantity::values;
-  if (of_values)
-    rows.push_back({"piece", "at", "u", "+-"});
-  else
-    rows.push_back({"piece", "mean of u", "+-"});
+  std::string what;
+  switch (enclosure.wanted.of) {
+    case EnclosedQuantity::means:
+      rows.push_back({"piece", "mean of u", "+-"});
+      what = "the means of the solution u of the equation itself lie within these radii.";
+      break;
+    case EnclosedQuantity::values:
+      rows.push_back({"piece", "at", "u", "+-"});
+      what = "the values of the solution u of the equation itself lie within these radii.";
+      break;
+    case EnclosedQuantity::function:
+      rows.push_back({"sup |u - v|"});
+      what = "the solution u of the equation itself is v within this bound, everywhere on the surface.";
+      break;
+  }
   for (const auto& [piece, mean] : enclosure.pieces) add({piece}, mean);
   for (const EnclosedValue& point : enclosure.points) add({point.piece, coordinates(point.at)}, point.value);
-  return aligned(rows) + "\nProved: the " + (of_values ? "values" : "means") +
-         " of the solution u of the equation itself lie within these radii. Width " +
-         upper_text(enclosure.width) + ", asked for " +
+  if (enclosure.function) rows.push_back({upper_text(enclosure.function->sup)});
+  return aligned(rows) + "\nProved: " + what + " Width " + upper_text(enclosure.width) + ", asked for " +
          enclosing_text(enclosure.wanted.width, 0, DecimalForm::general(17)).value + ".\n";
 }
 

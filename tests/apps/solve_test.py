@@ -54,12 +54,13 @@ class Solve(ProgramTest):
         self.assertEqual(json.loads(own)["enclosure"], enclosure)
         table = self.expect(0, "solve", "own.json")
         self.assertIn("Proved: the means of the solution u", table)
-        values = json.loads(self.solution("cube.json", "--guarantee", "1/20", "--at", "-1/4,1/3,1/3"))["enclosure"]
+        values = json.loads(self.solution("cube.json", "--guarantee", "1/20", "--at", "1/3,1/3,-1/3"))["enclosure"]
         self.assertIsNone(values["pieces"])
         [point] = values["points"]
-        self.assertEqual(point["at"], ["-1/4", "1/3", "1/3"])
+        self.assertEqual(point["at"], ["1/3", "1/3", "-1/3"])
         self.assertLessEqual(abs(float(point["midpoint"]) - 1), float(point["radius"]))
-        for words in [["own.json", "--guarantee", "0"], ["own.json", "--at", "1,1"], ["own.json", "--at", "9,9,9"], ["own.json", "--guarantee", "1e-15"], ["own.json", "--of", "all"],
+        for words in [["own.json", "--guarantee", "0"], ["own.json", "--at", "1,1"], ["own.json", "--at", "9,9,9"], ["own.json", "--of", "means", "--at", "1/3,1/3,-1/3"],
+                      ["own.json", "--of", "function"], ["own.json", "--guarantee", "1e-15"], ["own.json", "--of", "all"],
                       ["cube.json", "--of", "means"], ["own.json", "--vtu", "a.vtu"], ["own.json", "--out", "folder"]]:
             self.expect(2, "solve", *words)
         self.assertFalse(os.path.exists(self.path("folder")))

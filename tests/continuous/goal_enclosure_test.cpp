@@ -5,7 +5,9 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 
+#include "radcert/continuous/goals.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {
@@ -126,6 +128,29 @@ TEST(GoalEnclosure, OfValuesIsTheEmissionWhereNothingReflects) {
   dark.emission[3](1, 0) = 4;
   const GoalEnclosure found = enclose_values(dark, {{3, panel.centre}}, 1e-6);
   expect_contains(found.numbers[0], 4 * plane_coordinates(panel, panel.centre).s.to_double());
+}
+
+TEST(GoalEnclosure, OfAnyWidthContainsTheSolution) {
+  // Widths at which products of bounds leave double's range say little, and nothing false.
+  const PolyhedronProblem furnace = problem("tetrahedron", Rational(1, 2), Rational(1, 2));
+  for (const double wanted : {1e60, 1e300})
+    for (const Approximation& mean : enclose_means(furnace, wanted).numbers) expect_contains(mean, 1);
+}
+
+TEST(PointValues, EndCuttingAtAnEdge) {
+  // A point nearer to an edge than roundings of points are: no element is small enough for its kernel.
+  const SectorScene scene(panels_of("cube"));
+  const std::vector<double> reflectivity(6, 0.5);
+  const Panel& panel = scene.panels()[0];
+  const Vector<Rational> middle = Rational(1, 2) * (panel.corners[0] + panel.corners[1]);
+  const Rational hair = Rational(1) / power(Rational(10), 16);
+  const std::vector<SolutionPoint> points{{0, middle + hair * (panel.centre - middle)}};
+  const std::vector<Approximation> emission{Approximation::exact(1)};
+  const std::unique_ptr<Goals> goals = point_values(scene, reflectivity, points, emission);
+  const std::vector<SectorElement> elements = goals->refined(graded_elements(scene, 2), 5, 1e-2);
+  EXPECT_LT(elements.size(), 30000U);
+  SectorFunctions emissions(elements.size(), 2, 5);
+  EXPECT_FALSE(std::isfinite(goals->put_duals(elements, emissions)[0]));
 }
 
 TEST(EmissionFunctions, AreThePolynomialOnEveryElement) {

@@ -39,7 +39,7 @@ TEST(Guarantee, IsGivenForConstantDataOnConvexPolyhedra) {
 }
 
 TEST(Guarantee, IsRefusedByNameElsewhere) {
-  for (const char* name : {"sphere", "two_squares"}) {
+  for (const char* name : {"two_squares"}) {
     const InputFault fault = refused(with_emission(sample_problem(name), "1"));
     EXPECT_EQ(fault.pointer, "/surface/name") << name;
     EXPECT_EQ(fault.value, name);
@@ -75,6 +75,10 @@ TEST(Guarantee, SaysTheSmallestWidth) {
   EXPECT_EQ(fault.pointer, "/guarantee/width");
   EXPECT_THAT(fault.allowed, HasSubstr("e-10 or more"));
   EXPECT_EQ(refused(lit_cube(), 0).pointer, "/guarantee/width");
+  // A width beyond what double holds is no leave to say anything.
+  EXPECT_EQ(refused(lit_cube(), Rational::parse("1e309").value()).pointer, "/guarantee/width");
+  EXPECT_EQ(refused(with_emission(sample_problem("cube"), "0"), Rational::parse("1e-400").value()).pointer,
+            "/guarantee/width");
 }
 
 TEST(Guarantee, TakesPointsInsideFacesAlone) {
@@ -89,6 +93,8 @@ TEST(Guarantee, TakesPointsInsideFacesAlone) {
     EXPECT_EQ(fault(point, EnclosedQuantity::values).pointer, "/guarantee/points/0");
     EXPECT_THAT(fault(point, EnclosedQuantity::values).allowed, HasSubstr("none of its edges"));
   }
+  const Rational hair = Rational::parse("1e-16").value();
+  EXPECT_THAT(fault({half, hair, 0}, EnclosedQuantity::values).problem, HasSubstr("too near to an edge"));
   EXPECT_EQ(fault({half, half, 0}, EnclosedQuantity::means).pointer, "/guarantee/points");
 }
 
@@ -103,6 +109,47 @@ TEST(Guarantee, GivesTheValuesAtCentres) {
     EXPECT_TRUE(point.value.guaranteed);
     EXPECT_LE(std::abs(point.value.value - 1), point.value.radius) << point.piece;
   }
+}
+
+TEST(Guarantee, IsGivenOnTheSphereEverywhere) {
+  // K u = rho times the mean of u on the unit sphere: u = E + rho/(1 - rho) mean E, mean z^2 = 1/3.
+  Problem problem = with_emission(sample_problem("sphere"), "z^2");
+  problem.reflectivity = everywhere("3/4");
+  const Rational width(1, 1000000);
+  const SolutionEnclosure means = solve_within(problem, {width}).second;
+  ASSERT_EQ(means.pieces.size(), 1U);
+  EXPECT_NEAR(means.pieces[0].second.value, 4.0 / 3, means.pieces[0].second.radius);
+  const Rational fifth(1, 5);
+  const Guarantee at{width, EnclosedQuantity::values, {{0, Rational(3) * fifth, Rational(4) * fifth}}};
+  const SolutionEnclosure values = solve_within(problem, at).second;
+  ASSERT_EQ(values.points.size(), 1U);
+  EXPECT_NEAR(values.points[0].value.value, 1.64, values.points[0].value.radius);
+  EXPECT_TRUE(values.points[0].value.guaranteed);
+  const SolutionEnclosure everywhere_on =
+      solve_within(problem, {width, EnclosedQuantity::function, {}}).second;
+  ASSERT_TRUE(everywhere_on.function);
+  EXPECT_LE(everywhere_on.function->sup, 0.5e-6);
+  EXPECT_LE(everywhere_on.width, 1e-6);
+  EXPECT_TRUE(everywhere_on.hindrance.empty());
+}
+
+TEST(Guarantee, RefusesOnEllipsoidsWhatIsNoPolynomial) {
+  const auto fault = [](const char* emission, const char* rho, const Guarantee& guarantee) {
+    const std::vector<SurfaceParameter> axes{{"a", 1}, {"b", Rational(13, 10)}, {"c", Rational(17, 10)}};
+    Problem problem = with_emission(sample_problem("ellipsoid", axes), emission);
+    problem.reflectivity = everywhere(rho);
+    return fault_of([&] { check_guarantee(problem, guarantee); }).pointer;
+  };
+  const Rational width(1, 1000);
+  EXPECT_EQ(fault("exp(x)", "1/2", {width}), "/emission");
+  EXPECT_EQ(fault("x", "1/2 + x", {width}), "/reflectivity");
+  EXPECT_EQ(fault("x", "1", {width}), "/reflectivity");
+  EXPECT_EQ(fault("x", "1/2", {Rational::parse("1e-15").value()}), "/guarantee/width");
+  EXPECT_EQ(fault("x", "1/2", {width, EnclosedQuantity::values, {{1, 1, 1}}}), "/guarantee/points/0");
+  EXPECT_EQ(fault_of([&] {
+              check_guarantee(lit_cube(), {width, EnclosedQuantity::function, {}});
+            }).pointer,
+            "/guarantee/of");
 }
 
 TEST(Guarantee, IsForSolveAlone) {

@@ -128,15 +128,22 @@ JsonValue coordinates_json(const std::string& text) {
 Problem problem_of(const SolveOptions& options) {
   Problem problem = read_problem(options.problem);
   if (options.guarantee.empty() && options.of.empty() && options.at.empty()) return problem;
-  JsonValue guarantee = problem.guarantee ? guarantee_json(*problem.guarantee) : JsonValue::object();
-  if (!options.guarantee.empty()) guarantee.set("width", options.guarantee);
-  if (!options.at.empty()) {
-    JsonValue points = JsonValue::array();
-    for (const std::string& point : options.at) points.push(coordinates_json(point));
-    guarantee.set("points", std::move(points));
-    guarantee.set("of", "values");
-  }
-  if (!options.of.empty()) guarantee.set("of", options.of);
+  JsonValue guarantee = JsonValue::object();
+  if (!options.guarantee.empty())
+    guarantee.set("width", options.guarantee);
+  else if (problem.guarantee)
+    guarantee.set("width", exact_json(problem.guarantee->width));
+  if (!options.of.empty())
+    guarantee.set("of", options.of);
+  else if (!options.at.empty())
+    guarantee.set("of", name_of(EnclosedQuantity::values));
+  else if (problem.guarantee)
+    guarantee.set("of", name_of(problem.guarantee->of));
+  JsonValue points = JsonValue::array();
+  for (const std::string& point : options.at) points.push(coordinates_json(point));
+  if (options.at.empty() && problem.guarantee)
+    for (const Vector<Rational>& point : problem.guarantee->points) points.push(point_json(point));
+  if (!points.elements()->empty()) guarantee.set("points", std::move(points));
   problem.guarantee =
       with_source("--guarantee, --of, --at", [&] { return read_guarantee(JsonReader(guarantee)); });
   return problem;
@@ -159,12 +166,12 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
   const auto limit = common.limit_threads();
   with_source(options.problem, [&] { check_guarantee(problem, *problem.guarantee); });
   ProgressDisplay display(common.quiet);
-  display.at(0, "layers 2");
+  display.at(0, "the first mesh");
   const auto progress = [&](const GuaranteeProgress& now) {
-    display.note("layers " + std::to_string(now.layers) + ", degree " + std::to_string(now.degree) + ": " +
-                 std::to_string(now.unknowns) + " unknowns, " + std::to_string(now.samples) +
-                 " points; width " + upper_text(now.width));
-    display.at(0, "layers " + std::to_string(now.layers + 1) + " or more");
+    const std::string layers = now.layers > 0 ? "layers " + std::to_string(now.layers) + ", " : "";
+    display.note(layers + "degree " + std::to_string(now.degree) + ": " + std::to_string(now.unknowns) +
+                 " unknowns, " + std::to_string(now.samples) + " points; width " + upper_text(now.width));
+    display.at(0, "what comes after degree " + std::to_string(now.degree));
   };
   auto [level, enclosure] =
       with_source(options.problem, [&] { return solve_within(problem, *problem.guarantee, progress); });
@@ -249,8 +256,8 @@ void add_solve(Program& program) {
       "WIDTH");
   command.option("--of", options->of, "What the guarantee is of: " + listed(guaranteed_quantities()), "WORD");
   command.repeated("--at", options->at,
-                   "Where values are asked for, inside a face; may be repeated. Default: the centres of the "
-                   "faces",
+                   "Where values are asked for, inside a face or on the ellipsoid; may be repeated. Default: "
+                   "the centres of the faces, the ends of the axes",
                    "X,Y,Z");
   command.fresh_flag(program.common());
   command.footer(

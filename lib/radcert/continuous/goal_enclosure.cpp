@@ -25,6 +25,8 @@ const WorkLimit most_layers("continuous/goal_enclosure: layers of elements", 8, 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Of what is wanted: its products with bounds stay within double.
+constexpr double largest_radius = 1e100;
 
 /// What cells miss by their rules, before any sample is taken.
 struct Missed {
@@ -114,13 +116,13 @@ public:
         data_(data),
         goals_(goals),
         wanted_(wanted),
-        radius_(goals.radius(0.5 * std::ldexp(wanted, -data.exponent))) {
+        radius_(std::min(goals.radius(0.5 * std::ldexp(wanted, -data.exponent)), largest_radius)) {
     best_.width = infinity;
     best_.numbers.assign(goals.count(), Approximation::proved(0, infinity));
   }
 
   GoalEnclosure operator()(const EnclosureListener& progress) {
-    if (!data_.reflects || !std::isfinite(radius_)) return of_emission();
+    if (!data_.reflects || !goals_.depend_on_u()) return of_emission();
     for (int layers = 2; layers <= most_layers.value(); ++layers) {
       if (!try_layers(layers)) continue;
       if (!best_.hindrance.empty()) return best_;
@@ -230,7 +232,7 @@ private:
 
 GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
                             const EnclosureListener& progress) {
-  expects(wanted > 0, "wanted > 0");
+  expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   const Data data(problem);
   const std::unique_ptr<Goals> goals = piece_means(data.scene, data.reflectivity);
   return Search(problem, data, *goals, wanted)(progress);
@@ -238,13 +240,14 @@ GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
 
 GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector<SolutionPoint>& points,
                              double wanted, const EnclosureListener& progress) {
-  expects(wanted > 0, "wanted > 0");
+  expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   const Data data(problem);
   std::vector<Approximation> emission;
   for (const SolutionPoint& point : points) {
     const ParameterPoint<Rational> at = plane_coordinates(problem.panels[point.panel], point.at);
     const double value = problem.emission[point.panel].value(at.s, at.t).to_double();
-    emission.push_back(Approximation::proved(value, unit_roundoff<double>() * std::abs(value)));
+    emission.push_back(Approximation::proved(
+        value, unit_roundoff<double>() * std::abs(value) + std::numeric_limits<double>::denorm_min()));
   }
   const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, points, emission);
   return Search(problem, data, *goals, wanted)(progress);

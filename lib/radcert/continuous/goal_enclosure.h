@@ -44,7 +44,7 @@ using EnclosureListener = std::function<void(const EnclosureProgress&)>;
 ///           be; t_0 and t_k are enclosed (residual_sums)
 /// Source    dual weighted residuals: R. Becker, R. Rannacher, "An optimal control approach to a posteriori
 ///           error estimation", 2001; here without an unknown constant
-/// Requires  wanted > 0; at least one panel
+/// Requires  0 < wanted < infinity; at least one panel; numbers whose sizes are within 1e-60 and 1e60, or 0
 /// Result    proved. The mesh has as many layers, and the polynomials the degree, that the width asks for;
 ///           the same bits for any number of threads. Enclosures of coarser meshes are intersected with finer
 ///           ones
@@ -54,7 +54,7 @@ using EnclosureListener = std::function<void(const EnclosureProgress&)>;
 
 /// Encloses u at points.
 /// Maths     u(P) = E(P) + rho(P) J(u), J(u) = T u(P), j = G(P,.)/pi, as above
-/// Requires  wanted > 0; points inside panels of the problem
+/// Requires  as above; points inside panels of the problem
 /// Result    by point; all else as above
 /// Limits    the nearer a point is to an edge, the more elements its kernel asks for
 [[nodiscard]] GoalEnclosure enclose_values(const PolyhedronProblem& problem,

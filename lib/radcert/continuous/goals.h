@@ -28,7 +28,9 @@ public:
   virtual ~Goals() = default;
 
   [[nodiscard]] virtual std::size_t count() const = 0;
-  /// The least r/b_k, r the radius that is wanted for the numbers.
+  /// Whether any b_k is not 0.
+  [[nodiscard]] virtual bool depend_on_u() const = 0;
+  /// The least r/b_k, r the radius that is wanted for the numbers; infinite where it is beyond double.
   [[nodiscard]] virtual double radius(double wanted) const = 0;
   /// The least degree that suits the j_k.
   [[nodiscard]] virtual int least_degree() const = 0;

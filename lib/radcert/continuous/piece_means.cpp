@@ -20,6 +20,7 @@ public:
   }
 
   [[nodiscard]] std::size_t count() const override { return areas_.size(); }
+  [[nodiscard]] bool depend_on_u() const override { return true; }
   [[nodiscard]] double radius(double wanted) const override {
     return wanted * *std::min_element(areas_.begin(), areas_.end());
   }
@@ -66,7 +67,7 @@ public:
     const double value = functional.value / areas_[k];
     // The areas are sums of as many terms as there are sectors.
     return {.value = value,
-            .radius = functional.radius / areas_[k] * upward +
+            .radius = functional.radius / areas_[k] * (1 + sectors * unit_roundoff<double>()) * upward +
                       (64 + sectors) * unit_roundoff<double>() * std::abs(value),
             .guaranteed = functional.guaranteed};
   }

@@ -69,6 +69,10 @@ public:
   }
 
   [[nodiscard]] std::size_t count() const override { return observers_.size(); }
+  [[nodiscard]] bool depend_on_u() const override {
+    return std::any_of(observers_.begin(), observers_.end(),
+                       [&](const Observer& observer) { return reflectivity_[observer.panel] > 0; });
+  }
   [[nodiscard]] double radius(double wanted) const override {
     double least = infinity;
     for (const Observer& observer : observers_)
@@ -99,7 +103,8 @@ public:
             put(interpolation, elements[e], observers_[k], emissions.degree(), emissions.of(e, 1 + k));
         left[k] += own * own;
       }
-    for (double& sum : left) sum = std::sqrt(sum) * upward;
+    const double terms = static_cast<double>(elements.size()) * unit_roundoff<double>();
+    for (double& sum : left) sum = std::sqrt(sum) * (1 + terms) * upward;
     return left;
   }
 
@@ -121,6 +126,7 @@ public:
   [[nodiscard]] Approximation number(std::size_t k, const Approximation& functional) const override {
     const Observer& observer = observers_[k];
     const double rho = reflectivity_[observer.panel];
+    if (rho == 0) return observer.emission;
     const double value = std::ldexp(rho * functional.value, observer.exponent);
     const Approximation reflected{.value = value,
                                   .radius = std::ldexp(rho * functional.radius, observer.exponent) * upward +
@@ -193,10 +199,18 @@ private:
            upward;
   }
 
+  /// Whether an element is cut no more: there are too many, or it is as small as the roundings of points.
+  [[nodiscard]] static bool is_last(const SectorElement& element, const std::vector<SectorElement>& so_far) {
+    constexpr double smallest = 0x1p-40;
+    const SectorBox& box = element.box;
+    return box.s1 - box.s0 < smallest || box.t1 - box.t0 < smallest ||
+           so_far.size() >= most_dual_elements.count();
+  }
+
   /// Cuts an element where the kernels ask for it.
   void refine(const SectorElement& element, int degree, double share, std::vector<SectorElement>& out) const {
     const KernelErrors here = errors(element, degree);
-    if (here.in_s + here.in_t <= share || out.size() >= most_dual_elements.count())
+    if (here.in_s + here.in_t <= share || is_last(element, out))
       out.push_back(element);
     else if (here.in_s >= here.in_t)
       for (const SectorElement& half : halves_in_s(element)) refine(half, degree, share, out);
@@ -213,7 +227,7 @@ private:
       const SectorElement mirror{*opposite, {.s0 = 1 - box.s1, .s1 = 1 - box.s0, .t0 = 0, .t1 = box.t1}};
       in_s = std::max(in_s, errors(mirror, degree).in_s);
     }
-    if (in_s <= 0.5 * share || out.size() >= most_dual_elements.count())
+    if (in_s <= 0.5 * share || is_last(element, out))
       refine_depth(element, degree, share, out);
     else
       for (const SectorElement& half : halves_in_s(element)) refine_at_edge(half, degree, share, out);
@@ -221,7 +235,7 @@ private:
 
   void refine_depth(const SectorElement& element, int degree, double share,
                     std::vector<SectorElement>& out) const {
-    if (errors(element, degree).in_t <= 0.5 * share || out.size() >= most_dual_elements.count()) {
+    if (errors(element, degree).in_t <= 0.5 * share || is_last(element, out)) {
       out.push_back(element);
       return;
     }

@@ -36,6 +36,8 @@ struct Guarantee {
 /// The least width that is taken, relative to the largest emission over 1 - sup rho: some hundred times what
 /// roundings of sums over a mesh leave.
 inline constexpr double least_relative_width = 1e-10;
+/// The same where few sums are taken.
+inline constexpr double least_relative_width_on_ellipsoids = 1e-12;
 
 /// The value of a solution at a point, proved.
 struct EnclosedValue {
@@ -56,9 +58,9 @@ struct SolutionEnclosure {
   double width = 0;  ///< that was reached
   /// The mean of u over each piece, proved; where means are asked for.
   std::vector<std::pair<std::string, Approximation>> pieces = {};
-  std::vector<EnclosedValue> points = {};  ///< where values are asked for
+  std::vector<EnclosedValue> points = {};                ///< where values are asked for
   std::optional<FunctionBound> function = std::nullopt;  ///< where that is asked for
-  std::string hindrance = {};              ///< where the width is not reached: by what
+  std::string hindrance = {};                            ///< where the width is not reached: by what
 };
 
 /// How wide an enclosure has become.
@@ -89,7 +91,8 @@ void check_guarantee(const Problem& problem, const Guarantee& guarantee);
 ///           elements, or the degree on an ellipsoid, its errors are absent and its means those of the enclosure, if it has them. The same
 ///           bits for any number of threads
 /// Limits    where the width is not reached the enclosure says so and is the best that was found
-[[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve_within(
-    const Problem& problem, const Guarantee& guarantee, const GuaranteeListener& progress = {});
+[[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem,
+                                                                     const Guarantee& guarantee,
+                                                                     const GuaranteeListener& progress = {});
 
 }  // namespace radcert

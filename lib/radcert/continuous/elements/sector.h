@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radcert/continuous/elements/panel.h"
+#include "radcert/continuous/upward.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/real.h"
 
@@ -103,10 +104,6 @@ private:
 /// The distance of a point from a segment, rounded.
 [[nodiscard]] double distance(const Vector<double>& point, const Vector<double>& from,
                               const Vector<double>& to);
-
-/// Above the roundings of a bound, which is made of a few dozen products, quotients and sums of positive
-/// numbers.
-inline constexpr double upward = 1 + 0x1p-40;
 
 /// How far the point that Sector::point computes may be from the exact one, over the extent X.
 /// Maths     vertices, weights, products and sums: 7 u X a coordinate; s and t off by 3 u each, sides and

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/continuous/upward.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
@@ -23,7 +24,6 @@ const WorkLimit most_products("continuous/ellipsoid_enclosure: millions of produ
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double upward = 1 + 0x1p-40;
 /// M d: 1/cos is 2.8.
 constexpr double cover_angle = 1.2;
 
@@ -154,7 +154,10 @@ Outcome<ReflectivityBound> bound_of_reflectivity(const EllipsoidProblem& problem
   if (const std::optional<Rational> constant = problem.reflectivity.is_constant()) {
     if (constant->sign() < 0 || !(*constant < Rational(1)))
       return because("the reflectivity is not in [0,1)");
-    return ReflectivityBound{constant->to_double() * upward, (Rational(1) - *constant).to_double() / upward};
+    if (constant->sign() == 0) return ReflectivityBound{.largest = 0, .gap = 1};
+    constexpr double least = std::numeric_limits<double>::min();
+    return ReflectivityBound{.largest = std::max(constant->to_double() * upward, least),
+                             .gap = (Rational(1) - *constant).to_double() / upward};
   }
   if (rho.degree() > most_reflectivity_degree)
     return because("the degree of the reflectivity is more than " + std::to_string(most_reflectivity_degree));
@@ -245,13 +248,14 @@ private:
 
 Approximation mean_of(const EllipsoidProblem& problem, const EllipsoidShape& shape,
                       const EllipsoidEnclosure& found, double wanted) {
-  const Approximation of_v = surface_mean(shape, found.v, 0.01 * wanted);
+  const double tolerance = 0.01 * std::max(wanted, found.bound);
+  const Approximation of_v = surface_mean(shape, found.v, tolerance);
   Approximation mean = Approximation::proved(of_v.value, (of_v.radius + found.bound) * upward);
   const std::optional<Rational> rho = problem.reflectivity.is_constant();
   if (!rho) return mean;
   const double gap = (Rational(1) - *rho).to_double();
   const EllipsoidDensity emission{.emission = found.v.emission, .reflectivity = {}, .reflected = {}};
-  const Approximation of_e = surface_mean(shape, emission, 0.01 * wanted * gap);
+  const Approximation of_e = surface_mean(shape, emission, tolerance * gap);
   const double value = of_e.value / gap;
   const double radius = (of_e.radius / gap + 4 * unit_roundoff<double>() * std::abs(value)) * upward;
   if (std::isfinite(value) && radius < mean.radius) mean = Approximation::proved(value, radius);
@@ -298,18 +302,16 @@ Outcome<ErrorBound> bound_of_error(const EllipsoidShape& shape, const EllipsoidD
   return ErrorBound{.bound = bound, .samples = points.size(), .nodes = transport.nodes()};
 }
 
-Outcome<void> check_emission(const EllipsoidProblem& problem) {
+Outcome<double> emission_bound(const EllipsoidProblem& problem) {
   const Outcome<SpherePolynomial> emission = SpherePolynomial::along(problem.emission, problem.half_axes);
   if (!emission) return because(emission.reason());
-  return {};
+  return emission->largest();
 }
 
-Outcome<void> check_reflectivity(const EllipsoidProblem& problem) {
+Outcome<ReflectivityBound> reflectivity_bound(const EllipsoidProblem& problem) {
   const Outcome<SpherePolynomial> rho = SpherePolynomial::along(problem.reflectivity, problem.half_axes);
   if (!rho) return because(rho.reason());
-  const Outcome<ReflectivityBound> bound = bound_of_reflectivity(problem, *rho);
-  if (!bound) return because(bound.reason());
-  return {};
+  return bound_of_reflectivity(problem, *rho);
 }
 
 Outcome<EllipsoidEnclosure> enclose_on_ellipsoid(
@@ -336,7 +338,8 @@ Outcome<EllipsoidEnclosure> enclose_on_ellipsoid(
     best.mean = mean_of(problem, shape, best, wanted);
     return best;
   }
-  const double goal = wanted / factor;
+  // Not 0, where a quotient with it would be no number.
+  const double goal = std::max(wanted / factor, std::numeric_limits<double>::min());
   int last_degree = 0;
   double last_residual = infinity;
   for (int degree = 4; best.hindrance.empty();) {

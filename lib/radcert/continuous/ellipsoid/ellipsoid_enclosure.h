@@ -29,10 +29,17 @@ struct EllipsoidProblem {
   Expression emission;
 };
 
-/// Whether the functions of a problem are taken.
-/// Result    or what is wrong with them
-[[nodiscard]] Outcome<void> check_emission(const EllipsoidProblem& problem);
-[[nodiscard]] Outcome<void> check_reflectivity(const EllipsoidProblem& problem);
+/// What is known of rho.
+struct ReflectivityBound {
+  double largest = 0;  ///< at least sup |rho|
+  double gap = 1;      ///< at most 1 - sup |rho|, positive
+};
+
+/// A bound of |E| over the surface, and of rho.
+/// Result    refused where the formula is not a polynomial, or of too high a degree, or where rho is not shown
+///           to lie in [0,1)
+[[nodiscard]] Outcome<double> emission_bound(const EllipsoidProblem& problem);
+[[nodiscard]] Outcome<ReflectivityBound> reflectivity_bound(const EllipsoidProblem& problem);
 
 /// How far a search for an enclosure has come.
 struct EllipsoidProgress {
@@ -73,12 +80,6 @@ struct EllipsoidEnclosure {
 [[nodiscard]] Outcome<EllipsoidEnclosure> enclose_on_ellipsoid(
     const EllipsoidProblem& problem, double wanted,
     const std::function<void(const EllipsoidProgress&)>& progress = {});
-
-/// What is known of rho.
-struct ReflectivityBound {
-  double largest = 0;  ///< at least sup |rho|
-  double gap = 1;      ///< at most 1 - sup |rho|, positive
-};
 
 /// A bound of |u - v| over the whole surface, and the work that it took.
 struct ErrorBound {

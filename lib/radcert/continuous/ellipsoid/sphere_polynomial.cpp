@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/continuous/ellipsoid/sphere_polynomial.h"
 
+#include <gmp.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <utility>
 
+#include "radcert/continuous/upward.h"
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/rational_polynomial.h"
 #include "radcert/scalar/approximation.h"
@@ -16,8 +20,10 @@ namespace radcert {
 namespace {
 
 constexpr double unit = unit_roundoff<double>();
-/// Above roundings of bounds, which are sums and products of positive numbers.
-constexpr double upward = 1 + 0x1p-40;
+/// No size is 0 where a coefficient is not.
+constexpr double least_size = std::numeric_limits<double>::min();
+/// Numbers of a formula: powers of powers grow without end.
+constexpr std::size_t most_bits = 65536;
 
 /// A polynomial in x, y, z: coefficients by exponents, none of them zero.
 using SpacePolynomial = std::map<std::array<int, 3>, Rational>;
@@ -32,6 +38,16 @@ void add(SpacePolynomial& f, const std::array<int, 3>& powers, const Rational& c
   Rational& sum = f[powers];
   sum += c;
   if (sum.sign() == 0) f.erase(powers);
+}
+
+/// Of its largest numerator or denominator.
+std::size_t bits_of(const SpacePolynomial& f) {
+  std::size_t most = 0;
+  for (const auto& [powers, c] : f) {
+    const auto* const fraction = static_cast<mpq_srcptr>(c.gmp());
+    most = std::max({most, mpz_sizeinbase(mpq_numref(fraction), 2), mpz_sizeinbase(mpq_denref(fraction), 2)});
+  }
+  return most;
 }
 
 SpacePolynomial sum_of(SpacePolynomial f, const SpacePolynomial& g, const Rational& factor) {
@@ -93,11 +109,14 @@ Outcome<SpacePolynomial> polynomial_of(const Expression& f) {
             degree_of(base) * *node.whole_exponent > most_sphere_degree)
           return too_high();
         made = constant_of(1);
-        for (long k = 0; k < *node.whole_exponent; ++k) made = product_of(made, base);
+        for (long k = 0; k < *node.whole_exponent && bits_of(made) <= most_bits; ++k)
+          made = product_of(made, base);
         break;
       }
       default: return because("it is not written as a polynomial with rational coefficients");
     }
+    if (bits_of(made) > most_bits)
+      return because("it has a number of more than " + std::to_string(most_bits) + " bits");
     values.push_back(std::move(made));
   }
   return std::move(values.back());
@@ -224,12 +243,16 @@ SpherePolynomial::SpherePolynomial(int degree, std::span<const double> harmonics
   }
   constant_ = harmonics[0];
   for (int l = 1; l <= degree; ++l) {
+    const std::span<const double> own =
+        harmonics.subspan(static_cast<std::size_t>(l * l), static_cast<std::size_t>(2 * l + 1));
+    // Over the largest, whose square may be beyond the range of double.
+    double largest = 0;
+    for (const double c : own) largest = std::isfinite(c) ? std::max(largest, std::abs(c)) : HUGE_VAL;
+    if (largest == 0) continue;
     double squares = 0;
-    for (int m = -l; m <= l; ++m) {
-      const double c = harmonics[static_cast<std::size_t>(l * l + l + m)];
-      squares += c * c;
-    }
-    sizes_[static_cast<std::size_t>(l)] = std::sqrt((2 * l + 1) * squares) * upward;
+    for (const double c : own) squares += (c / largest) * (c / largest);
+    sizes_[static_cast<std::size_t>(l)] =
+        std::max(largest * std::sqrt((2 * l + 1) * squares) * upward, least_size);
   }
   bound_rounding(enclosing_radius);
 }

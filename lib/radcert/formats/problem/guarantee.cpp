@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -7,7 +9,11 @@
 
 namespace radcert {
 
-std::vector<std::string> guaranteed_quantities() { return {"means", "values"}; }
+std::vector<std::string> guaranteed_quantities() { return {"means", "values", "function"}; }
+
+std::string name_of(EnclosedQuantity quantity) {
+  return guaranteed_quantities()[static_cast<std::size_t>(quantity)];
+}
 
 Guarantee read_guarantee(const JsonReader& guarantee) {
   guarantee.require_object({"width", "of", "points"});
@@ -16,8 +22,10 @@ Guarantee read_guarantee(const JsonReader& guarantee) {
   Guarantee out{.width = width.rational(allowed)};
   if (out.width.sign() <= 0) width.refuse("is not positive", allowed);
   const std::vector<std::string> quantities = guaranteed_quantities();
-  if (const auto of = guarantee.find("of"))
-    if (of->word(quantities) == "values") out.of = EnclosedQuantity::values;
+  if (const auto of = guarantee.find("of")) {
+    const auto at = std::find(quantities.begin(), quantities.end(), of->word(quantities));
+    out.of = static_cast<EnclosedQuantity>(at - quantities.begin());
+  }
   if (const auto points = guarantee.find("points")) {
     const std::string triple = "three coordinates, each a decimal or fraction in a string";
     for (const JsonReader& point : points->elements("a list of points")) {
@@ -40,7 +48,7 @@ JsonValue point_json(const Vector<Rational>& point) {
 JsonValue guarantee_json(const Guarantee& guarantee) {
   JsonValue out = JsonValue::object();
   out.set("width", exact_json(guarantee.width));
-  out.set("of", guaranteed_quantities()[guarantee.of == EnclosedQuantity::values ? 1 : 0]);
+  out.set("of", name_of(guarantee.of));
   if (guarantee.points.empty()) return out;
   JsonValue points = JsonValue::array();
   for (const Vector<Rational>& p : guarantee.points) points.push(point_json(p));

@@ -52,7 +52,8 @@ std::vector<std::string> pattern_names();
 std::vector<std::string> diagonal_names();
 std::vector<std::string> data_point_names();
 std::vector<std::string> solvers_without_tolerance();
-std::vector<std::string> guaranteed_quantities();
+std::vector<std::string> guaranteed_quantities();  ///< in the order of EnclosedQuantity
+std::string name_of(EnclosedQuantity quantity);
 std::vector<std::string> triangle_basis_families();
 std::vector<std::string> meshless_families();
 std::vector<std::string> named_meshless_families();  ///< those that have all defaults

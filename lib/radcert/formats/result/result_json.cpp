@@ -51,10 +51,10 @@ JsonValue approximation_json(const Approximation& number) {
 
 /// What was not asked for is null.
 JsonValue enclosure_json(const SolutionEnclosure& enclosure) {
-  const bool of_values = enclosure.wanted.of == EnclosedQuantity::values;
-  JsonValue pieces = of_values ? JsonValue() : JsonValue::object();
+  const EnclosedQuantity of = enclosure.wanted.of;
+  JsonValue pieces = of == EnclosedQuantity::means ? JsonValue::object() : JsonValue();
   for (const auto& [piece, mean] : enclosure.pieces) pieces.set(piece, approximation_json(mean));
-  JsonValue points = of_values ? JsonValue::array() : JsonValue();
+  JsonValue points = of == EnclosedQuantity::values ? JsonValue::array() : JsonValue();
   for (const EnclosedValue& point : enclosure.points) {
     JsonValue value = JsonValue::object({{"piece", point.piece}, {"at", point_json(point.at)}});
     const EnclosingText text =
@@ -63,13 +63,19 @@ JsonValue enclosure_json(const SolutionEnclosure& enclosure) {
     value.set("radius", text.radius);
     points.push(std::move(value));
   }
+  JsonValue function;
+  if (enclosure.function)
+    function = JsonValue::object(
+        {{"sup", upper_text(enclosure.function->sup)},
+         {"outside",
+          enclosure.function->outside.empty() ? JsonValue() : JsonValue(enclosure.function->outside)}});
   return JsonValue::object(
-      {{"of", of_values ? "values" : "means"},
+      {{"of", name_of(of)},
        {"wanted", enclosing_text(enclosure.wanted.width, 0, DecimalForm::general(17)).value},
        {"width", upper_text(enclosure.width)},
        {"pieces", std::move(pieces)},
        {"points", std::move(points)},
-       {"function", JsonValue()},
+       {"function", std::move(function)},
        {"hindrance", enclosure.hindrance.empty() ? JsonValue() : JsonValue(enclosure.hindrance)},
        {"guaranteed", true}});
 }

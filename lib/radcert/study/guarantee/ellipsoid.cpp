@@ -25,7 +25,8 @@ Vector<Rational> on_sphere(const Vector<Rational>& point, const Vector<Rational>
 /// The points at which values are asked for: those of the problem, or the ends of the axes.
 std::vector<Vector<Rational>> solution_points(const Guarantee& guarantee, const Vector<Rational>& axes) {
   if (guarantee.points.empty())
-    return {{axes.x, 0, 0}, {-axes.x, 0, 0}, {0, axes.y, 0}, {0, -axes.y, 0}, {0, 0, axes.z}, {0, 0, -axes.z}};
+    return {{axes.x, 0, 0},  {-axes.x, 0, 0}, {0, axes.y, 0},
+            {0, -axes.y, 0}, {0, 0, axes.z},  {0, 0, -axes.z}};
   for (std::size_t k = 0; k < guarantee.points.size(); ++k) {
     const Vector<Rational> p = on_sphere(guarantee.points[k], axes);
     if (!(dot(p, p) == Rational(1)))
@@ -48,18 +49,24 @@ public:
                    .reflectivity = problem.reflectivity.on(piece_),
                    .emission = problem.emission->on(piece_)} {
     for (const Rational& axis : {ellipsoid_.half_axes.x, ellipsoid_.half_axes.y, ellipsoid_.half_axes.z})
-      require_normal(axis, "/surface/parameters");
-    if (const Outcome<void> taken = check_emission(ellipsoid_); !taken)
-      refuse("/emission", ellipsoid_.emission, taken.reason(),
+      require_normal(axis, "/surface");
+    const Outcome<double> emission = emission_bound(ellipsoid_);
+    if (!emission)
+      refuse("/emission", ellipsoid_.emission, emission.reason(),
              "a polynomial in x, y, z of degree " + std::to_string(most_sphere_degree) +
                  " or less, from whole numbers, decimals and fractions by + - * /");
-    if (const Outcome<void> taken = check_reflectivity(ellipsoid_); !taken)
-      refuse("/reflectivity", ellipsoid_.reflectivity, taken.reason(),
+    const Outcome<ReflectivityBound> rho = reflectivity_bound(ellipsoid_);
+    if (!rho)
+      refuse("/reflectivity", ellipsoid_.reflectivity, rho.reason(),
              "a polynomial in x, y, z of degree " + std::to_string(most_reflectivity_degree) +
                  " or less with values from 0 to below 1");
-    require_width(guarantee, 0, 0);
-    if (guarantee.of == EnclosedQuantity::values)
-      points_ = solution_points(guarantee, ellipsoid_.half_axes);
+    if (!std::isfinite(*emission))
+      refuse("/emission", ellipsoid_.emission, "it is beyond the range of double",
+             "values from 1e-60 to 1e60");
+    require_normal(Rational::exactly(*emission), "/emission");
+    require_width(guarantee, least_relative_width_on_ellipsoids,
+                  Rational::exactly(*emission) / Rational::exactly(rho->gap));
+    if (guarantee.of == EnclosedQuantity::values) points_ = solution_points(guarantee, ellipsoid_.half_axes);
   }
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
@@ -120,7 +127,10 @@ private:
   }
   [[noreturn]] static void refuse(const std::string& pointer, const Expression& formula,
                                   const std::string& reason, const std::string& allowed) {
-    throw InputError({.pointer = pointer, .value = formula.text(), .problem = reason, .allowed = allowed});
+    throw InputError({.pointer = pointer,
+                      .value = formula.text(),
+                      .problem = "cannot be taken: " + reason,
+                      .allowed = allowed});
   }
 
   const Problem& problem_;

@@ -40,9 +40,8 @@ public:
 /// "(1/2, 0, 1)".
 [[nodiscard]] std::string coordinates_text(const Vector<Rational>& p);
 
-/// Refuses a width below what double can carry for data of this size.
-/// Maths     least_relative_width max |E| / (1 - sup rho)
-void require_width(const Guarantee& guarantee, const Rational& largest_emission, const Rational& sup_rho);
+/// Refuses a width below what double can carry for solutions of this size, max |E| / (1 - sup rho).
+void require_width(const Guarantee& guarantee, double relative, const Rational& size);
 
 /// Bounds are relative: refuses numbers near the ends of double's range, which have none.
 void require_normal(const Rational& value, const std::string& pointer);

@@ -26,6 +26,7 @@ std::unique_ptr<EnclosedProblem> enclosed_problem(const Problem& problem, const 
     throw InputError({.pointer = "/guarantee/points",
                       .problem = "are for values, which are not asked for",
                       .allowed = "\"of\": \"values\" beside points"});
+  require_normal(guarantee.width, "/guarantee/width");
   Surface surface = surface_of(problem);
   const bool is_ellipsoid = surface.name == "sphere" || surface.name == "ellipsoid";
   if (is_ellipsoid && !surface.mesh) return enclosed_ellipsoid(problem, guarantee, std::move(surface));
@@ -38,8 +39,8 @@ std::string coordinates_text(const Vector<Rational>& p) {
   return "(" + p.x.to_text() + ", " + p.y.to_text() + ", " + p.z.to_text() + ")";
 }
 
-void require_width(const Guarantee& guarantee, const Rational& largest_emission, const Rational& sup_rho) {
-  const Rational least = Rational::exactly(least_relative_width) * largest_emission / (Rational(1) - sup_rho);
+void require_width(const Guarantee& guarantee, double relative, const Rational& size) {
+  const Rational least = Rational::exactly(relative) * size;
   if (guarantee.width >= least && guarantee.width.sign() > 0) return;
   throw InputError({.pointer = "/guarantee/width",
                     .value = guarantee.width.to_text(),

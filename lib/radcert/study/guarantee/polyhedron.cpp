@@ -104,14 +104,32 @@ PolyhedronProblem polyhedron_problem(const Problem& problem, const Surface& surf
     const Rational emission = largest_on(out.panels[j], out.emission[j]);
     require_normal(rho, "/reflectivity");
     require_normal(emission, "/emission");
-    for (const Vector<Rational>& corner : out.panels[j].corners)
-      for (const Rational& coordinate : {corner.x, corner.y, corner.z})
-        require_normal(coordinate, problem.surface.mesh ? "/surface/file" : "/surface/parameters");
+    const std::vector<Vector<Rational>>& corners = out.panels[j].corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vector<Rational>& corner = corners[i];
+      const Vector<Rational> edge = corners[(i + 1) % corners.size()] - corner;
+      const std::string pointer = problem.surface.mesh ? "/surface/file" : "/surface";
+      for (const Rational& number : {corner.x, corner.y, corner.z, abs(edge.x) + abs(edge.y) + abs(edge.z)})
+        require_normal(number, pointer);
+    }
     sup = std::max(sup, rho);
     largest = std::max(largest, emission);
   }
-  require_width(guarantee, largest, sup);
+  require_width(guarantee, least_relative_width, largest / (Rational(1) - sup));
   return out;
+}
+
+/// Whether a point is nearer to the line of an edge than a thousandth of the edge's length.
+/// Maths     |side x (p - corner)| < |side|^2 / 1000
+bool is_near_an_edge(const Panel& panel, const Vector<Rational>& p) {
+  const std::vector<Vector<Rational>>& corners = panel.corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector<Rational> side = corners[(i + 1) % corners.size()] - corners[i];
+    const Vector<Rational> turned = cross(side, p - corners[i]);
+    const Rational length = dot(side, side);
+    if (dot(turned, turned) * Rational(1000000) < length * length) return true;
+  }
+  return false;
 }
 
 /// The points at which values are asked for, each with its panel.
@@ -125,7 +143,13 @@ std::vector<SolutionPoint> solution_points(const Guarantee& guarantee, const std
       throw InputError({.pointer = "/guarantee/points/" + std::to_string(k),
                         .value = coordinates_text(guarantee.points[k]),
                         .problem = "does not lie inside a face of the surface",
-                        .allowed = "a point of a face that is on none of its edges, exactly"});
+                        .allowed = "a point of a face that is on none of its edges, nor on a line between "
+                                   "parts that lie in one plane, exactly"});
+    if (is_near_an_edge(panels[panel], guarantee.points[k]))
+      throw InputError({.pointer = "/guarantee/points/" + std::to_string(k),
+                        .value = coordinates_text(guarantee.points[k]),
+                        .problem = "is too near to an edge of its face",
+                        .allowed = "points further from each edge than a thousandth of its length"});
     out.push_back({panel, guarantee.points[k]});
   }
   return out;
@@ -139,11 +163,8 @@ public:
         surface_(std::move(surface)),
         polyhedron_(polyhedron_problem(problem, surface_, guarantee)) {
     switch (guarantee.of) {
-      case EnclosedQuantity::values:
-        points_ = solution_points(guarantee, polyhedron_.panels);
-        break;
-      case EnclosedQuantity::means:
-        break;
+      case EnclosedQuantity::values: points_ = solution_points(guarantee, polyhedron_.panels); break;
+      case EnclosedQuantity::means: break;
       case EnclosedQuantity::function:
         throw InputError({.pointer = "/guarantee/of",
                           .value = "function",
