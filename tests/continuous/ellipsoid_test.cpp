@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "radcert/core/parallel.h"
+#include "radcert/core/work_limit.h"
 #include "radcert/expression/parse.h"
 #include "tests/continuous/ellipsoid_judge.h"
 #include "tests/continuous/scenes.h"
@@ -166,6 +167,50 @@ TEST(SpherePolynomial, IsBoundedAroundTheSphere) {
   }
 }
 
+TEST(SpherePolynomial, RoundingCoversDisplacedPoints) {
+  // T_n(z) at a pole and Re zeta^n on the equator are 1, and change the fastest there: T_2n = 2 T_n^2 - 1,
+  // Re zeta^(2n) = 2 (Re zeta^n)^2 - (x^2 + y^2)^n.
+  const double displacement = 46 * unit_roundoff<double>();
+  std::string chebyshev = "z";
+  std::string real = "x";
+  double closest_at_pole = 0;
+  double closest_on_equator = 0;
+  for (int n = 1; n <= 32; n *= 2) {
+    const SpherePolynomial zonal = along(chebyshev, {1, 1, 1});
+    const SpherePolynomial sectoral = along(real, {1, 1, 1});
+    ASSERT_EQ(zonal.degree(), n);
+    ASSERT_EQ(sectoral.degree(), n);
+    const double at_pole = std::abs(value_of(zonal, {0, 0, 1 - displacement}) - 1);
+    EXPECT_LE(at_pole, zonal.rounding()) << n;
+    closest_at_pole = std::max(closest_at_pole, at_pole / zonal.rounding());
+    for (const double x : {1 - displacement, 1 + displacement}) {
+      const double on_equator = std::abs(value_of(sectoral, {x, 0, 0}) - 1);
+      EXPECT_LE(on_equator, sectoral.rounding()) << n;
+      closest_on_equator = std::max(closest_on_equator, on_equator / sectoral.rounding());
+    }
+    chebyshev = "(2*" + chebyshev + "^2 - 1)";
+    real = "(2*" + real + "^2 - (x^2 + y^2)^" + std::to_string(n) + ")";
+  }
+  EXPECT_GT(closest_at_pole, 0.8);
+  EXPECT_GT(closest_on_equator, 0.8);
+}
+
+TEST(SpherePolynomial, HasBoundsThatScaleWithTheHarmonics) {
+  // Squares of these coefficients are below the range of double.
+  Draw draw(17);
+  const std::vector<double> harmonics = drawn_harmonics(7, 0.8, draw);
+  const SpherePolynomial f(7, harmonics);
+  for (const double scale : {1e-100, 1e-165, 1e-200}) {
+    std::vector<double> scaled = harmonics;
+    for (double& c : scaled) c *= scale;
+    const SpherePolynomial g(7, scaled);
+    EXPECT_NEAR(g.variation(0) / scale, f.variation(0), 1e-9 * f.variation(0)) << scale;
+    EXPECT_NEAR(g.variation(1) / scale, f.variation(1), 1e-9 * f.variation(1)) << scale;
+    EXPECT_NEAR(g.largest() / scale, f.largest(), 1e-9 * f.largest()) << scale;
+    EXPECT_NEAR(g.rounding() / scale, f.rounding(), 1e-3 * f.rounding()) << scale;
+  }
+}
+
 TEST(SpherePolynomial, RefusesWhatIsNoPolynomial) {
   for (const std::string text :
        {"sqrt(x)", "1/x", "x^y", "x^(1/2)", "exp(z)", "x^40*y^40", "abs(x)", "x/0", "1e390*x"})
@@ -239,6 +284,48 @@ TEST(SphereRule, BoundsWhatItMisses) {
       }
     }
   }
+}
+
+TEST(SphereRule, BoundsWhatRowsMissNarrowly) {
+  // cos(m phi) is as large as cosh(m tau); its mean is 0, and 1 by m nodes.
+  double closest = 0;
+  for (int m = 2; m <= 24; ++m)
+    for (double tolerance = 0.2; tolerance <= 20; tolerance *= 1.04) {
+      const SphereRule rule =
+          sphere_rule({.meridian_strip = 6,
+                       .meridian = [](double) { return 0; },
+                       .row_strip = [](double, double) { return 6.0; },
+                       .row = [&](double tau, double, double) { return std::cosh(m * tau); }},
+                      tolerance);
+      ASSERT_TRUE(rule.exists());
+      double sum = 0;
+      for (std::size_t k = 0; k < rule.weights.size(); ++k)
+        sum += rule.weights[k] * std::pow(std::complex(rule.cos_phi[k], rule.sin_phi[k]), m).real();
+      EXPECT_LE(std::abs(sum), rule.error + 1e-14) << m << " " << tolerance;
+      closest = std::max(closest, std::abs(sum) / rule.error);
+    }
+  EXPECT_GT(closest, 0.9);
+}
+
+TEST(SphereRule, BoundsWhatMeridiansMissNarrowly) {
+  // T_2m(cos(psi)) = cos(2m psi) is as large as cosh(2m tau), and has the mean -1/(4m^2 - 1).
+  double closest = 0;
+  for (int m = 2; m <= 24; ++m)
+    for (double tolerance = 0.02; tolerance <= 20; tolerance *= 1.1) {
+      const SphereRule rule = sphere_rule({.meridian_strip = 6,
+                                           .meridian = [&](double tau) { return std::cosh(2 * m * tau); },
+                                           .row_strip = [](double, double) { return 6.0; },
+                                           .row = [](double, double, double) { return 0; }},
+                                          tolerance);
+      ASSERT_TRUE(rule.exists());
+      double sum = 0;
+      for (std::size_t k = 0; k < rule.weights.size(); ++k)
+        sum += rule.weights[k] * std::pow(std::complex(rule.cos_psi[k], rule.sin_psi[k]), 2 * m).real();
+      const double off = std::abs(sum + 1 / (4.0 * m * m - 1));
+      EXPECT_LE(off, rule.error + 1e-14) << m << " " << tolerance;
+      closest = std::max(closest, off / rule.error);
+    }
+  EXPECT_GT(closest, 0.2);
 }
 
 TEST(EllipsoidTransport, IsTheIntegralOfTheKernel) {
@@ -368,6 +455,36 @@ TEST(HarmonicTail, BoundsWhatIsBeyondADegree) {
   }
   const EllipsoidDensity none{.emission = along("3", axes), .reflectivity = {}, .reflected = {}};
   EXPECT_LT(harmonic_tail(shape, none, 4), 1e-13);
+}
+
+TEST(HarmonicTail, IsNotFarAboveWhatIsBeyondADegree) {
+  // T z on a spheroid, without its mean: at the pole it is all that is beyond the degree 0.
+  const Vector<Rational> axes{1, 1, Rational(13, 10)};
+  const EllipsoidShape shape(axes);
+  const EllipsoidDensity w{.emission = along("z", axes), .reflectivity = {}, .reflected = {}};
+  const Approximation beyond = EllipsoidTransport(shape, w, 1e-12)({0, 0, 1});
+  EXPECT_LE(std::abs(beyond.value), harmonic_tail(shape, w, 0) + beyond.radius);
+  EXPECT_GT(std::abs(beyond.value), 1e-3 * harmonic_tail(shape, w, 0));
+}
+
+TEST(HarmonicTail, IsTheSumOfTheBoundsOfAllParts) {
+  // |a_l| <= (2l+1)^(1/2) 2 B e^(1-l) / (e-1), e = exp(tau), summed term by term for the best tau.
+  for (const Vector<Rational>& axes : {unequal(), Vector<Rational>{1, 1, Rational(11, 10)}}) {
+    const EllipsoidShape shape(axes);
+    const EllipsoidDensity w{.emission = along("x - y*z + z^3", axes), .reflectivity = {}, .reflected = {}};
+    for (const int degree : {0, 2, 5, 11, 30}) {
+      double least = std::numeric_limits<double>::infinity();
+      for (int k = 1; k < 400; ++k) {
+        const double tau = shape.widest() * k / 400;
+        double sum = 0;
+        for (int l = degree + 1; l < degree + 300; ++l)
+          sum += std::sqrt(2 * l + 1) * 2 * std::exp((1 - l) * tau) / std::expm1(tau);
+        least = std::min(least, sum * bound_around(shape, w, tau));
+      }
+      EXPECT_GE(harmonic_tail(shape, w, degree), 0.999 * least) << degree;
+      EXPECT_LE(harmonic_tail(shape, w, degree), 2 * least) << degree;
+    }
+  }
 }
 
 TEST(SphereCover, ReachesEveryPoint) {
@@ -582,6 +699,49 @@ TEST(EllipsoidEnclosure, HoldsForAConstantError) {
   }
 }
 
+TEST(EllipsoidEnclosure, HoldsWhatIsBeyondTheDegreeOfItsPoints) {
+  // A target of which the tail is all that may be missed: the points are those for the degree of q, and the
+  // tail of that degree is in the bound, at the points and between them.
+  const EllipsoidShape shape(unequal());
+  Draw draw(18);
+  const EllipsoidDensity v{.emission = along("x - y*z", unequal()),
+                           .reflectivity = SpherePolynomial(Rational(1, 2)),
+                           .reflected = SpherePolynomial(3, drawn_harmonics(3, 0.1, draw))};
+  const double tail = harmonic_tail(shape, v, 3);
+  const Outcome<ErrorBound> bound =
+      bound_of_error(shape, v, {.largest = 0.5, .gap = 0.5}, 1.01 * tail / 0.02);
+  ASSERT_TRUE(bound.has_value());
+  const std::vector<Vector<double>> points = sphere_cover(0.4);
+  ASSERT_NEAR(static_cast<double>(bound->samples), static_cast<double>(points.size()), 8);
+  const EllipsoidTransport transport(shape, v, 1e-10);
+  double seen = 0;
+  for (const Vector<double>& p : points)
+    seen = std::max(seen, std::abs(transport(p).value - value_of(v.reflected, p)));
+  const double expected = bound_between(seen + tail, 3, 0.4) + tail;
+  EXPECT_GE(bound->bound, 0.999 * expected);
+  EXPECT_LE(bound->bound, 2 * expected);
+  EXPECT_GT(tail, 0.1 * seen);
+}
+
+TEST(EllipsoidEnclosure, BoundsTheMeanUnderAVaryingReflectivity) {
+  // With polynomials of degree 2 alone v is coarse, and its mean is known far better than that of u.
+  const Vector<Rational> axes{1, Rational(1, 2), Rational(1, 2)};
+  const std::string rho = "1/2 + x*y/5 + z/10";
+  const EllipsoidEnclosure fine = enclosed(axes, rho, "x^8", 1e-3);
+  const EllipsoidEnclosure coarse = [&] {
+    const std::vector<const WorkLimit*> limits = work_limits();
+    const auto degree =
+        std::ranges::find(limits, "continuous/ellipsoid_enclosure: degree of harmonics", &WorkLimit::name);
+    const LoweredWorkLimit lowered(**degree, 2);
+    return enclosed(axes, rho, "x^8", 1e-6);
+  }();
+  EXPECT_FALSE(coarse.hindrance.empty());
+  const double off = std::abs(coarse.mean.value - fine.mean.value);
+  EXPECT_LE(off, coarse.mean.radius + fine.mean.radius);
+  EXPECT_GT(off - fine.mean.radius, 0.03 * coarse.mean.radius);
+  EXPECT_GT(off - fine.mean.radius, 1e4 * surface_mean(EllipsoidShape(axes), coarse.v, 1e-8).radius);
+}
+
 TEST(EllipsoidEnclosure, SaysWhatStoodInTheWay) {
   const EllipsoidEnclosure thin = enclosed({1, 1, Rational(1, 1000)}, "1/2", "x", 1e-8);
   EXPECT_FALSE(thin.hindrance.empty());
@@ -599,7 +759,8 @@ TEST(EllipsoidEnclosure, SaysWhatStoodInTheWay) {
     const EllipsoidEnclosure extreme = enclosed(unequal(), "1/2", e, 1e-3);
     EXPECT_TRUE(extreme.bound <= 1e-3 || !extreme.hindrance.empty()) << e;
   }
-  for (const std::string rho : {"1", "x^17/1000000", "-1/10", "x", "1/2 + z/3", "sqrt(x)"})
+  for (const std::string rho :
+       {"1", "x^17/1000000", "-1/10", "x", "1/2 + z/3", "3/4 + z/6", "3/4 + 2501*z/17000", "sqrt(x)"})
     EXPECT_FALSE(enclose_on_ellipsoid(
                      {.half_axes = unequal(), .reflectivity = formula(rho), .emission = formula("1")}, 1e-3)
                      .has_value())

@@ -175,9 +175,15 @@ private:
     // About what the residuals of a cube come to on so many layers; the systems are solved far better.
     const double usual = 0.05 * std::pow(4.0, -layers);
     const double tolerance = 0.01 * usual;
-    std::vector<SectorElement> elements = goals_.refined(graded_elements(data_.scene, layers), degree,
-                                                         std::max(usual, 0.35 * radius_ * data_.gap / usual));
+    const double allowed = std::max(usual, std::min(0.1, 0.35 * radius_ * data_.gap / usual));
+    std::vector<SectorElement> elements =
+        goals_.refined(graded_elements(data_.scene, layers), degree, allowed);
     const Emissions given = emissions(elements, degree);
+    for (const double left : given.left)
+      if (!(left <= 10 * allowed)) {
+        best_.hindrance = "too many elements would carry the kernel of a point near an edge";
+        return true;
+      }
     SectorFunctions q =
         trial_functions(data_.scene, elements, data_.reflectivity, given.functions, tolerance);
     const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q));

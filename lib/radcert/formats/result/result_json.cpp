@@ -44,7 +44,7 @@ JsonValue orders_json(std::span<const OrderFit> orders) {
   return out;
 }
 
-JsonValue approximation_json(const Approximation& number) {
+JsonValue enclosing_json(const Approximation& number) {
   const EnclosingText text = enclosing_text(number.value, number.radius, DecimalForm::general(17));
   return JsonValue::object({{"midpoint", text.value}, {"radius", text.radius}});
 }
@@ -53,15 +53,15 @@ JsonValue approximation_json(const Approximation& number) {
 JsonValue enclosure_json(const SolutionEnclosure& enclosure) {
   const EnclosedQuantity of = enclosure.wanted.of;
   JsonValue pieces = of == EnclosedQuantity::means ? JsonValue::object() : JsonValue();
-  for (const auto& [piece, mean] : enclosure.pieces) pieces.set(piece, approximation_json(mean));
+  for (const auto& [piece, mean] : enclosure.pieces) pieces.set(piece, enclosing_json(mean));
   JsonValue points = of == EnclosedQuantity::values ? JsonValue::array() : JsonValue();
   for (const EnclosedValue& point : enclosure.points) {
-    JsonValue value = JsonValue::object({{"piece", point.piece}, {"at", point_json(point.at)}});
     const EnclosingText text =
         enclosing_text(point.value.value, point.value.radius, DecimalForm::general(17));
-    value.set("midpoint", text.value);
-    value.set("radius", text.radius);
-    points.push(std::move(value));
+    points.push(JsonValue::object({{"piece", point.piece},
+                                   {"at", point_json(point.at)},
+                                   {"midpoint", text.value},
+                                   {"radius", text.radius}}));
   }
   JsonValue function;
   if (enclosure.function)
