@@ -133,6 +133,21 @@ TEST(Guarantee, IsGivenOnTheSphereEverywhere) {
   EXPECT_TRUE(everywhere_on.hindrance.empty());
 }
 
+TEST(Guarantee, KnowsTheNormOfKForFormulasOfTheReflectivity) {
+  // 1 - rho times 2: u = 2. sup of 1/2 + z/5 on the sphere is 7/10.
+  Problem problem = with_emission(sample_problem("sphere"), "1 - 2*z/5");
+  problem.reflectivity = everywhere("1/2 + z/5");
+  const auto [level, enclosure] = solve_within(problem, {Rational(1, 1000)});
+  EXPECT_NEAR(enclosure.pieces[0].second.value, 2, enclosure.pieces[0].second.radius);
+  EXPECT_TRUE(level.norm_K.guaranteed);
+  EXPECT_NEAR(level.norm_K.value, 0.7, level.norm_K.radius);
+  EXPECT_LT(level.norm_K.radius, 0.3);
+  problem = lit_cube();
+  problem.reflectivity = by_piece({{"floor", "1/2 + z"}, {"*", "1/4"}});
+  const LevelResult on_cube = solve_within(problem, {1}).first;
+  EXPECT_EQ(on_cube.norm_K.value, 0.5);
+}
+
 TEST(Guarantee, RefusesOnEllipsoidsWhatIsNoPolynomial) {
   const auto fault = [](const char* emission, const char* rho, const Guarantee& guarantee) {
     const std::vector<SurfaceParameter> axes{{"a", 1}, {"b", Rational(13, 10)}, {"c", Rational(17, 10)}};

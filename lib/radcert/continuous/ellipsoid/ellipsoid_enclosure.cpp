@@ -157,7 +157,8 @@ Outcome<ReflectivityBound> bound_of_reflectivity(const EllipsoidProblem& problem
     if (constant->sign() == 0) return ReflectivityBound{.largest = 0, .gap = 1};
     constexpr double least = std::numeric_limits<double>::min();
     return ReflectivityBound{.largest = std::max(constant->to_double() * upward, least),
-                             .gap = (Rational(1) - *constant).to_double() / upward};
+                             .gap = (Rational(1) - *constant).to_double() / upward,
+                             .seen = constant->to_double() / upward};
   }
   if (rho.degree() > most_reflectivity_degree)
     return because("the degree of the reflectivity is more than " + std::to_string(most_reflectivity_degree));
@@ -174,7 +175,8 @@ Outcome<ReflectivityBound> bound_of_reflectivity(const EllipsoidProblem& problem
   const double norm = (std::abs(middle) + bound_between(half, rho.degree(), distance)) * upward;
   if (!(norm < 1)) return because("the reflectivity is not shown to be below 1 everywhere");
   if (least < -rho.rounding()) return because("the reflectivity is negative at a point");
-  return ReflectivityBound{norm, (1 - norm) / upward};
+  return ReflectivityBound{
+      .largest = norm, .gap = (1 - norm) / upward, .seen = std::max(0.0, largest - rho.rounding()) / upward};
 }
 
 /// q of one degree, as good as it happens to be.

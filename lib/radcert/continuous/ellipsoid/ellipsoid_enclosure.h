@@ -33,6 +33,7 @@ struct EllipsoidProblem {
 struct ReflectivityBound {
   double largest = 0;  ///< at least sup |rho|
   double gap = 1;      ///< at most 1 - sup |rho|, positive
+  double seen = 0;     ///< at most sup |rho|
 };
 
 /// A bound of |E| over the surface, and of rho.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/core/work_limit.h"
@@ -81,6 +82,7 @@ Approximation norm_of_K(const Surface& surface, const PiecewiseExpression& refle
   // The double 0.8 is not 4/5: what lies between them is its radius.
   if (const std::optional<Rational> bound = constant_bound(reflectivity, surface))
     return enclosing(Ball(*bound));
+  expects(!rho_at_nodes.empty(), "rho at nodes where it is no constant");
   return Approximation::without_radius(*std::max_element(rho_at_nodes.begin(), rho_at_nodes.end()));
 }
 

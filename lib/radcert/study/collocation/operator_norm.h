@@ -22,7 +22,8 @@ Approximation largest_row(std::span<const double> rho_at_nodes, std::span<const 
 /// Maths     on a closed unoccluded surface Int G = pi makes it sup rho; on an open one largest_row estimates
 ///           it from below
 /// Source    [ac98, (3)-(5)]
-/// Requires  an expression for every piece; kernel_integral may be empty where the surface is closed
+/// Requires  an expression for every piece; kernel_integral may be empty where the surface is closed, and
+///           rho_at_nodes where the reflectivity is also a constant on every piece, else ContractViolation
 /// Result    guaranteed where the surface is closed and the reflectivity is a constant on every piece: the
 ///           nearest double, its distance from the constant rounded up as radius
 /// Limits    an estimate elsewhere

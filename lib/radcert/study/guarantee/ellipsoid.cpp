@@ -41,8 +41,7 @@ std::vector<Vector<Rational>> solution_points(const Guarantee& guarantee, const 
 class EnclosedEllipsoid final : public EnclosedProblem {
 public:
   EnclosedEllipsoid(const Problem& problem, const Guarantee& guarantee, Surface surface)
-      : problem_(problem),
-        guarantee_(guarantee),
+      : guarantee_(guarantee),
         surface_(std::move(surface)),
         piece_(surface_.piece_names().front()),
         ellipsoid_{.half_axes = half_axes(surface_),
@@ -64,6 +63,11 @@ public:
       refuse("/emission", ellipsoid_.emission, "it is beyond the range of double",
              "values from 1e-60 to 1e60");
     require_normal(Rational::exactly(*emission), "/emission");
+    // ||K|| = sup rho, between what is seen of it and its bound.
+    norm_ = problem.reflectivity.on(piece_).is_constant()
+                ? norm_of_K(surface_, problem.reflectivity, {}, {})
+                : Approximation::proved(0.5 * (rho->seen + rho->largest),
+                                        (0.5 * (rho->largest - rho->seen)) * (1 + 0x1p-40) + 0x1p-50);
     require_width(guarantee, least_relative_width_on_ellipsoids,
                   Rational::exactly(*emission) / Rational::exactly(rho->gap));
     if (guarantee.of == EnclosedQuantity::values) points_ = solution_points(guarantee, ellipsoid_.half_axes);
@@ -91,7 +95,7 @@ public:
     level.unknowns = unknowns(found->last);
     const Vector<Rational>& axes = ellipsoid_.half_axes;
     level.mesh_size = 2 * std::max({axes.x, axes.y, axes.z}).to_double();
-    level.norm_K = norm_of_K(surface_, problem_.reflectivity, {}, {});
+    level.norm_K = norm_;
     const auto widen = [&](double radius) { enclosure.width = std::max(enclosure.width, 2 * radius); };
     switch (guarantee_.of) {
       case EnclosedQuantity::means:
@@ -133,11 +137,11 @@ private:
                       .allowed = allowed});
   }
 
-  const Problem& problem_;
   const Guarantee& guarantee_;
   Surface surface_;
   std::string piece_;
   EllipsoidProblem ellipsoid_;
+  Approximation norm_;
   std::vector<Vector<Rational>> points_;
 };
 

@@ -53,9 +53,9 @@ void require_normal(const Rational& value, const std::string& pointer) {
   const Rational most = power(Rational(10), 60);
   if (abs(value) <= most && abs(value) * most >= Rational(1)) return;
   throw InputError({.pointer = pointer,
-                    .value = nearest_text(value.to_double(), DecimalForm::general(6)),
+                    .value = nearest_text(value, DecimalForm::general(6)),
                     .problem = "is too large or too small for a guarantee",
-                    .allowed = "0, or a size from 1e-60 to 1e60"});
+                    .allowed = "sizes from 1e-60 to 1e60"});
 }
 
 void check_guarantee(const Problem& problem, const Guarantee& guarantee) {

@@ -10,7 +10,6 @@
 #include "radcert/core/text.h"
 #include "radcert/hypotheses/convex_containment.h"
 #include "radcert/scalar/enclosing_text.h"
-#include "radcert/study/collocation/operator_norm.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
@@ -158,8 +157,7 @@ std::vector<SolutionPoint> solution_points(const Guarantee& guarantee, const std
 class EnclosedPolyhedron final : public EnclosedProblem {
 public:
   EnclosedPolyhedron(const Problem& problem, const Guarantee& guarantee, Surface surface)
-      : problem_(problem),
-        guarantee_(guarantee),
+      : guarantee_(guarantee),
         surface_(std::move(surface)),
         polyhedron_(polyhedron_problem(problem, surface_, guarantee)) {
     switch (guarantee.of) {
@@ -197,7 +195,9 @@ public:
     level.elements = found.last.elements;
     level.unknowns = found.last.unknowns;
     level.mesh_size = found.last.mesh_size;
-    level.norm_K = norm_of_K(surface_, problem_.reflectivity, {}, {});
+    // On a closed surface sup rho; enclosing rounds it as norm_of_K does.
+    level.norm_K =
+        enclosing(Ball(*std::max_element(polyhedron_.reflectivity.begin(), polyhedron_.reflectivity.end())));
     for (std::size_t k = 0; k < found.numbers.size(); ++k) {
       if (of_values) {
         const SolutionPoint& point = points_[k];
@@ -212,7 +212,6 @@ public:
   }
 
 private:
-  const Problem& problem_;
   const Guarantee& guarantee_;
   Surface surface_;
   PolyhedronProblem polyhedron_;
