@@ -8,6 +8,9 @@
 #include <memory>
 
 #include "radcert/continuous/goals.h"
+#include "radcert/continuous/observer_cells.h"
+#include "radcert/continuous/residual.h"
+#include "radcert/continuous/trial_functions.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {
@@ -121,13 +124,20 @@ TEST(GoalEnclosure, OfValuesContainsOneInAFurnace) {
   for (const Approximation& value : found.numbers) expect_contains(value, 1);
 }
 
-TEST(GoalEnclosure, OfValuesIsTheEmissionWhereNothingReflects) {
+TEST(GoalEnclosure, IsThatOfAPolynomialEmissionWhereNothingReflects) {
   PolyhedronProblem dark = problem("cube", 0, 0);
   const Panel& panel = dark.panels[3];
   dark.emission[3] = PlanePolynomial<Rational>(1);
   dark.emission[3](1, 0) = 4;
   const GoalEnclosure found = enclose_values(dark, {{3, panel.centre}}, 1e-6);
-  expect_contains(found.numbers[0], 4 * plane_coordinates(panel, panel.centre).s.to_double());
+  // The mean of a linear function is its value at the centre.
+  const double at_centre = 4 * plane_coordinates(panel, panel.centre).s.to_double();
+  expect_contains(found.numbers[0], at_centre);
+  // In the plane of a square t runs along the second side: the mean of 3 t^2 is 1.
+  dark.emission[4] = PlanePolynomial<Rational>(2);
+  dark.emission[4](0, 2) = 3;
+  const GoalEnclosure means = enclose_means(dark, 1e-6);
+  for (std::size_t k = 0; k < 6; ++k) expect_contains(means.numbers[k], k == 3 ? at_centre : k == 4 ? 1 : 0);
 }
 
 TEST(GoalEnclosure, OfAnyWidthContainsTheSolution) {
@@ -135,6 +145,45 @@ TEST(GoalEnclosure, OfAnyWidthContainsTheSolution) {
   const PolyhedronProblem furnace = problem("tetrahedron", Rational(1, 2), Rational(1, 2));
   for (const double wanted : {1e60, 1e300})
     for (const Approximation& mean : enclose_means(furnace, wanted).numbers) expect_contains(mean, 1);
+}
+
+std::vector<std::unique_ptr<Goals>> goals_of(std::unique_ptr<Goals> a, std::unique_ptr<Goals> b) {
+  std::vector<std::unique_ptr<Goals>> out;
+  out.push_back(std::move(a));
+  out.push_back(std::move(b));
+  return out;
+}
+
+TEST(Goals, AreCorrectedByTheirDualsFromAnyTrialFunction) {
+  // A furnace, u = 1, and q_0 = 0: half of J(u) is left to Int w_k t_0.
+  const SectorScene scene(panels_of("tetrahedron"));
+  const std::vector<double> reflectivity(4, 0.5);
+  const std::vector<SolutionPoint> points{{1, scene.panels()[1].centre}};
+  const std::vector<Approximation> emission{Approximation::exact(0.5)};
+  constexpr int degree = 5;
+  const auto both =
+      goals_of(point_values(scene, reflectivity, points, emission), piece_means(scene, reflectivity));
+  for (const std::unique_ptr<Goals>& goals : both) {
+    const std::vector<SectorElement> elements = goals->refined(graded_elements(scene, 2), degree, 3e-3);
+    SectorFunctions given(elements.size(), 1 + goals->count(), degree);
+    for (std::size_t e = 0; e < elements.size(); ++e) given.of(e, 0)[0] = 0.5;
+    const std::vector<double> left = goals->put_duals(elements, given);
+    SectorFunctions q = trial_functions(scene, elements, reflectivity, given, 1e-4);
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      for (double& c : q.of(e, 0)) c = 0;
+    const Trial trial(scene, reflectivity, elements, given, std::move(q));
+    const CellDemand demand{.interpolation = 1e-3, .quadrature = 1e-5};
+    const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
+    const std::vector<Approximation> of_density = goals->of_density(trial);
+    for (std::size_t k = 0; k < goals->count(); ++k) {
+      const Approximation rest =
+          Approximation::proved(0, sums.norms[0] * (sums.norms[1 + k] + left[k]) / 0.5);
+      const Approximation number = goals->number(k, of_density[k] + sums.products[1 + k] + rest);
+      expect_contains(number, 1);
+      // Far nearer than the norms promise.
+      EXPECT_NEAR(number.value, 1, 2e-3);
+    }
+  }
 }
 
 TEST(PointValues, EndCuttingAtAnEdge) {
