@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "radcert/continuous/elements/graded_elements.h"
-#include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/goals.h"
 #include "radcert/continuous/observer_cells.h"
 #include "radcert/continuous/residual.h"
+#include "radcert/continuous/scaled_problem.h"
 #include "radcert/continuous/trial.h"
 #include "radcert/continuous/trial_functions.h"
 #include "radcert/core/contract.h"
-#include "radcert/core/work_limit.h"
 
 namespace radcert {
 
@@ -78,42 +77,14 @@ Plan plan_cells(const Trial& trial, const Missed& allowed) {
   return plan;
 }
 
-/// The data of a problem in double.
-struct Data {
-  SectorScene scene;
-  std::vector<double> reflectivity;
-  int exponent = 0;  ///< E and u are 2^exponent times those of function 0: all functions are of one size
-  int degree = 0;    ///< of E
-  double gap = 0;    ///< 1 - max rho, from below
-  bool reflects = false;
-
-  explicit Data(const PolyhedronProblem& problem) : scene(problem.panels) {
-    Rational sup = 0;
-    for (const Rational& rho : problem.reflectivity) {
-      reflectivity.push_back(rho.to_double());
-      sup = std::max(sup, rho);
-    }
-    gap = (Rational(1) - sup).to_double() / upward;
-    expects(gap > 0, "rho < 1");
-    reflects = sup.sign() > 0;
-    for (const PlanePolynomial<Rational>& f : problem.emission) degree = std::max(degree, f.degree());
-    const std::vector<SectorElement> whole = graded_elements(scene, 1);
-    const SectorFunctions f = emission_functions(problem, scene, whole, 1, degree, 0);
-    double largest = 0;
-    for (std::size_t e = 0; e < whole.size(); ++e) largest = std::max(largest, size_around(f, e, 1, 1));
-    if (largest > 0) std::frexp(largest, &exponent);
-  }
-};
-
 Approximation scaled(const Approximation& x, int exponent) {
   return {std::ldexp(x.value, exponent), std::ldexp(x.radius, exponent), x.guaranteed};
 }
 
 class Search {
 public:
-  Search(const PolyhedronProblem& problem, const Data& data, const Goals& goals, double wanted)
-      : problem_(problem),
-        data_(data),
+  Search(const ScaledProblem& data, const Goals& goals, double wanted)
+      : data_(data),
         goals_(goals),
         wanted_(wanted),
         radius_(std::min(goals.radius(0.5 * std::ldexp(wanted, -data.exponent)), largest_radius)) {
@@ -141,8 +112,8 @@ private:
     std::vector<double> left;
   };
   [[nodiscard]] Emissions emissions(std::span<const SectorElement> elements, int degree) const {
-    Emissions out{.functions = emission_functions(problem_, data_.scene, elements, 1 + goals_.count(), degree,
-                                                  data_.exponent),
+    Emissions out{.functions = emission_functions(data_.exact, data_.scene, elements, 1 + goals_.count(),
+                                                  degree, data_.exponent),
                   .left = {}};
     out.left = goals_.put_duals(elements, out.functions);
     return out;
@@ -226,8 +197,7 @@ private:
     return true;
   }
 
-  const PolyhedronProblem& problem_;
-  const Data& data_;
+  const ScaledProblem& data_;
   const Goals& goals_;
   double wanted_;
   double radius_;  ///< for J_k
@@ -239,15 +209,15 @@ private:
 GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
                             const EnclosureListener& progress) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
-  const Data data(problem);
+  const ScaledProblem data(problem);
   const std::unique_ptr<Goals> goals = piece_means(data.scene, data.reflectivity);
-  return Search(problem, data, *goals, wanted)(progress);
+  return Search(data, *goals, wanted)(progress);
 }
 
 GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector<SolutionPoint>& points,
                              double wanted, const EnclosureListener& progress) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
-  const Data data(problem);
+  const ScaledProblem data(problem);
   std::vector<Approximation> emission;
   for (const SolutionPoint& point : points) {
     const ParameterPoint<Rational> at = plane_coordinates(problem.panels[point.panel], point.at);
@@ -256,7 +226,7 @@ GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector
         value, unit_roundoff<double>() * std::abs(value) + std::numeric_limits<double>::denorm_min()));
   }
   const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, points, emission);
-  return Search(problem, data, *goals, wanted)(progress);
+  return Search(data, *goals, wanted)(progress);
 }
 
 }  // namespace radcert

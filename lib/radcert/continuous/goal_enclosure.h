@@ -1,26 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "radcert/continuous/enclosure_search.h"
 #include "radcert/continuous/polyhedron_problem.h"
 #include "radcert/scalar/approximation.h"
 
 namespace radcert {
-
-/// How far a search for an enclosure has come.
-struct EnclosureProgress {
-  int layers = 0;
-  int degree = 0;
-  std::size_t elements = 0;
-  std::size_t unknowns = 0;
-  double mesh_size = 0;     ///< the largest diameter of an element
-  std::size_t samples = 0;  ///< points at which residuals were taken, in all
-  double width = 0;         ///< of the widest enclosure
-  double residual = 0;      ///< a bound of (Int rho t^2)^(1/2)
-};
 
 /// Enclosures of numbers that depend linearly on the solution itself.
 struct GoalEnclosure {
@@ -29,8 +17,6 @@ struct GoalEnclosure {
   EnclosureProgress last;
   std::string hindrance = {};  ///< where the width is not the wanted one: what stood in the way
 };
-
-using EnclosureListener = std::function<void(const EnclosureProgress&)>;
 
 /// Encloses the mean of u over every piece.
 /// Maths     J_k(u) = Int j_k u, j_k = 1/|S_k| on piece k. With v = E + rho q_0, y_k = j_k + q_k for any q,

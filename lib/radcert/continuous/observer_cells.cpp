@@ -22,50 +22,118 @@ namespace {
 /// A cell whose rule would need more is cut.
 constexpr int most_cell_nodes = 12;
 
+/// When a cell is good enough, and where it need not be.
+class CellJudge {
+public:
+  CellJudge(const Trial& trial, std::size_t number)
+      : sector_(trial.sector(number)),
+        density_(trial.smoothness.density_size(number)),
+        residual_(trial.smoothness.residual_size(number)) {}
+  CellJudge(const CellJudge&) = delete;
+  CellJudge& operator=(const CellJudge&) = delete;
+  CellJudge(CellJudge&&) = delete;
+  CellJudge& operator=(CellJudge&&) = delete;
+  virtual ~CellJudge() = default;
+
+  [[nodiscard]] virtual bool may_be_strip(const SectorBox& box) const = 0;
+  /// Whether n nodes in one variable are enough.
+  [[nodiscard]] virtual bool are_enough(const RuleErrors& errors, int n, const SectorBox& box) const = 0;
+  /// Whether what a closure at an edge leaves is little.
+  [[nodiscard]] virtual bool is_little(const EdgeClosure::Nearby& beside, const SectorBox& box) const = 0;
+  /// Whether jumps of w may stay in a cell.
+  [[nodiscard]] virtual bool takes_jumps() const = 0;
+
+protected:
+  [[nodiscard]] double area(const SectorBox& box) const { return sector_.jacobian * box.weight(); }
+  const Sector& sector_;
+  double density_;
+  double residual_;
+};
+
+/// In the mean.
+class MeanJudge final : public CellJudge {
+public:
+  MeanJudge(const Trial& trial, std::size_t number, const CellDemand& demand)
+      : CellJudge(trial, number), demand_(demand) {}
+  [[nodiscard]] bool may_be_strip(const SectorBox& box) const override {
+    return residual_ * std::sqrt(area(box)) <= demand_.interpolation &&
+           area(box) * density_ * residual_ <= demand_.quadrature;
+  }
+  [[nodiscard]] bool are_enough(const RuleErrors& errors, int n, const SectorBox& box) const override {
+    const auto k = static_cast<std::size_t>(n - 1);
+    return errors.interpolation[k] * std::sqrt(area(box)) <= 0.5 * demand_.interpolation &&
+           errors.quadrature[k] * area(box) <= 0.5 * demand_.quadrature;
+  }
+  [[nodiscard]] bool is_little(const EdgeClosure::Nearby& beside, const SectorBox& box) const override {
+    return 0.5 * beside.bound * std::sqrt(area(box)) <= 0.25 * demand_.interpolation &&
+           beside.bound * density_ * area(box) <= 0.5 * demand_.quadrature;
+  }
+  [[nodiscard]] bool takes_jumps() const override { return false; }
+
+private:
+  const CellDemand& demand_;
+};
+
+/// In the maximum norm.
+class LargestJudge final : public CellJudge {
+public:
+  LargestJudge(const Trial& trial, std::size_t number, const LargestDemand& demand)
+      : CellJudge(trial, number), demand_(demand), allowed_(demand.allowed(number)) {}
+  [[nodiscard]] bool may_be_strip(const SectorBox& box) const override {
+    return demand_.may_be_strip(sector_, box);
+  }
+  [[nodiscard]] bool are_enough(const RuleErrors& errors, int n, const SectorBox& /*box*/) const override {
+    return interpolation_gain(n, n) * errors.interpolation[static_cast<std::size_t>(n - 1)] <= 0.5 * allowed_;
+  }
+  [[nodiscard]] bool is_little(const EdgeClosure::Nearby& beside, const SectorBox& /*box*/) const override {
+    return beside.bound - beside.jumps <= 0.5 * allowed_;
+  }
+  [[nodiscard]] bool takes_jumps() const override { return true; }
+
+private:
+  const LargestDemand& demand_;
+  double allowed_;
+};
+
 /// The cells of one element.
 class ElementCells {
 public:
-  ElementCells(const Trial& trial, std::size_t number, const CellDemand& demand)
+  ElementCells(const Trial& trial, std::size_t number, const CellJudge& judge)
       : sector_(trial.sector(number)),
         number_(number),
         smoothness_(trial.smoothness),
         closure_(trial.closure),
-        demand_(demand) {
+        judge_(judge) {
     add(trial.elements[number].box, 0);
   }
   std::vector<ObserverCell> take() && { return std::move(cells_); }
 
 private:
-  /// Takes the cell where rules meet the demand, with what `beside` bounds where the cell is closed.
-  bool accept(const SectorBox& box, double area, const RuleErrors& in_s, const RuleErrors& in_t,
-              std::optional<double> beside) {
-    const double more = beside.value_or(0);
-    const double density = smoothness_.density_size(number_);
-    if (!(0.5 * more * std::sqrt(area) <= 0.25 * demand_.interpolation &&
-          more * density * area <= 0.5 * demand_.quadrature))
-      return false;
-    const int nodes_s = nodes(in_s, area);
-    const int nodes_t = nodes(in_t, area);
+  /// Takes the cell where rules are enough, with what `beside` leaves where the cell is closed.
+  bool accept(const SectorBox& box, const RuleErrors& in_s, const RuleErrors& in_t,
+              std::optional<EdgeClosure::Nearby> beside) {
+    if (beside && !judge_.is_little(*beside, box)) return false;
+    const int nodes_s = nodes(in_s, box);
+    const int nodes_t = nodes(in_t, box);
     if (nodes_s == 0 || nodes_t == 0) return false;
+    const double more = beside ? beside->bound : 0;
     const auto s = static_cast<std::size_t>(nodes_s - 1);
     const auto t = static_cast<std::size_t>(nodes_t - 1);
-    cells_.push_back({.element = number_,
-                      .box = box,
-                      .nodes_s = nodes_s,
-                      .nodes_t = nodes_t,
-                      .closed = beside.has_value(),
-                      .interpolation = in_s.interpolation[s] + in_t.interpolation[t] + 0.5 * more,
-                      .quadrature = in_s.quadrature[s] + in_t.quadrature[t] + more * density});
+    cells_.push_back(
+        {.element = number_,
+         .box = box,
+         .nodes_s = nodes_s,
+         .nodes_t = nodes_t,
+         .closed = beside.has_value(),
+         .interpolation = in_s.interpolation[s] + in_t.interpolation[t] + 0.5 * more,
+         .quadrature = in_s.quadrature[s] + in_t.quadrature[t] + more * smoothness_.density_size(number_)});
     return true;
   }
 
   void add(const SectorBox& box, long depth_of_cuts) {
-    const double area = sector_.jacobian * box.weight();
     const bool at_edge = box.t0 == 0;
-    const double largest = smoothness_.residual_size(number_);
-    const bool small = largest * std::sqrt(area) <= demand_.interpolation &&
-                       area * smoothness_.density_size(number_) * largest <= demand_.quadrature;
-    if (small || depth_of_cuts >= deepest_cell.value() || cells_.size() >= most_cells.count()) {
+    if (judge_.may_be_strip(box) || depth_of_cuts >= deepest_cell.value() ||
+        cells_.size() >= most_cells.count()) {
       cells_.push_back({.element = number_, .box = box});
       return;
     }
@@ -73,13 +141,25 @@ private:
     SectorBox upper = box;
     const bool closes = at_edge && closure_.mirror(number_).has_value();
     if (at_edge) {
-      const EdgeClosure::Nearby nearby = closes ? closure_.nearby(number_, box) : EdgeClosure::Nearby{};
-      if (closes && accept(box, area, smoothness_.along_s(number_, box, true),
-                           smoothness_.along_t(number_, box, true), nearby.bound))
-        return;
+      bool is_too_long = false;
+      EdgeClosure::Nearby nearby = closes ? closure_.nearby(number_, box) : EdgeClosure::Nearby{};
+      if (closes) {
+        const RuleErrors in_s = smoothness_.along_s(number_, box, true);
+        const RuleErrors in_t = smoothness_.along_t(number_, box, true);
+        if (accept(box, in_s, in_t, nearby)) return;
+        if (judge_.takes_jumps()) {
+          nearby = closure_.nearby_across_borders(number_, box);
+          if (accept(box, in_s, in_t, nearby)) return;
+        }
+        is_too_long = judge_.is_little(nearby, box) && nodes(in_s, box) == 0;
+      }
       const double length = (box.s1 - box.s0) * norm(sector_.b - sector_.a);
       const double depth = box.t1 * norm(sector_.c - sector_.point(box.middle_s(), 0));
-      if (closes && length > nearby.distance && length > 4 * depth) {
+      const bool may_close_when_short =
+          length > nearby.distance && length > 4 * depth &&
+          (!judge_.takes_jumps() ||
+           judge_.is_little(closure_.nearby_across_borders(number_, middle_of(box)), box));
+      if (closes && (may_close_when_short || (is_too_long && length > depth))) {
         lower.s1 = upper.s0 = box.middle_s();
         add(lower, depth_of_cuts + 1);
         add(upper, depth_of_cuts + 1);
@@ -92,9 +172,9 @@ private:
     }
     const RuleErrors in_s = smoothness_.along_s(number_, box, false);
     const RuleErrors in_t = smoothness_.along_t(number_, box, false);
-    if (accept(box, area, in_s, in_t, std::nullopt)) return;
-    const int nodes_s = nodes(in_s, area);
-    const int nodes_t = nodes(in_t, area);
+    if (accept(box, in_s, in_t, std::nullopt)) return;
+    const int nodes_s = nodes(in_s, box);
+    const int nodes_t = nodes(in_t, box);
     const bool cut_s = nodes_s == 0 && (nodes_t > 0 || box.s1 - box.s0 >= box.t1 - box.t0);
     if (cut_s)
       lower.s1 = upper.s0 = box.middle_s();
@@ -104,14 +184,16 @@ private:
     add(upper, depth_of_cuts + 1);
   }
 
-  /// The least number of nodes that meets half the demand; 0 where there is none.
-  [[nodiscard]] int nodes(const RuleErrors& errors, double area) const {
-    for (int n = 1; n <= most_cell_nodes; ++n) {
-      const auto k = static_cast<std::size_t>(n - 1);
-      if (errors.interpolation[k] * std::sqrt(area) <= 0.5 * demand_.interpolation &&
-          errors.quadrature[k] * area <= 0.5 * demand_.quadrature)
-        return n;
-    }
+  /// A part that is so short that its length does not matter.
+  [[nodiscard]] static SectorBox middle_of(const SectorBox& box) {
+    const double half = 0x1p-10 * (box.s1 - box.s0);
+    return {.s0 = box.middle_s() - half, .s1 = box.middle_s() + half, .t0 = box.t0, .t1 = box.t1};
+  }
+
+  /// The least number of nodes that is enough; 0 where there is none.
+  [[nodiscard]] int nodes(const RuleErrors& errors, const SectorBox& box) const {
+    for (int n = 1; n <= most_cell_nodes; ++n)
+      if (judge_.are_enough(errors, n, box)) return n;
     return 0;
   }
 
@@ -119,19 +201,18 @@ private:
   std::size_t number_;
   const Smoothness& smoothness_;
   const EdgeClosure& closure_;
-  const CellDemand& demand_;
+  const CellJudge& judge_;
   std::vector<ObserverCell> cells_;
 };
 
-}  // namespace
-
-std::vector<ObserverCell> observer_cells(const Trial& trial, const CellDemand& demand) {
+template <class Judge, class Demand>
+std::vector<ObserverCell> cells_of(const Trial& trial, const Demand& demand) {
   return parallel_reduce_ordered(
       trial.elements.size(), 1, std::vector<ObserverCell>(),
       [&](std::size_t begin, std::size_t end) {
         std::vector<ObserverCell> cells;
         for (std::size_t e = begin; e < end; ++e) {
-          std::vector<ObserverCell> own = ElementCells(trial, e, demand).take();
+          std::vector<ObserverCell> own = ElementCells(trial, e, Judge(trial, e, demand)).take();
           cells.insert(cells.end(), own.begin(), own.end());
         }
         return cells;
@@ -140,6 +221,16 @@ std::vector<ObserverCell> observer_cells(const Trial& trial, const CellDemand& d
         all.insert(all.end(), more.begin(), more.end());
         return all;
       });
+}
+
+}  // namespace
+
+std::vector<ObserverCell> observer_cells(const Trial& trial, const CellDemand& demand) {
+  return cells_of<MeanJudge>(trial, demand);
+}
+
+std::vector<ObserverCell> observer_cells(const Trial& trial, const LargestDemand& demand) {
+  return cells_of<LargestJudge>(trial, demand);
 }
 
 }  // namespace radcert

@@ -16,7 +16,9 @@ struct ObserverCell {
   int nodes_s = 0;  ///< 0: so small that it is not looked into
   int nodes_t = 0;
   bool closed = false;       ///< at an edge: T w = F + what is in the bounds below
-  double interpolation = 0;  ///< the sum of both variables' RuleErrors
+  double of_rules = 0;       ///< the sum of both variables' RuleErrors of interpolation
+  double beside = 0;         ///< of |T w - F|, where it is closed
+  double interpolation = 0;  ///< of_rules and half of beside
   double quadrature = 0;
   [[nodiscard]] bool is_strip() const { return nodes_s == 0; }
 };
@@ -29,10 +31,37 @@ struct CellDemand {
   double quadrature = 0;
 };
 
+/// What the rules of a cell may miss in the maximum norm, and which cells need not be looked into.
+class LargestDemand {
+public:
+  LargestDemand() = default;
+  LargestDemand(const LargestDemand&) = delete;
+  LargestDemand& operator=(const LargestDemand&) = delete;
+  LargestDemand(LargestDemand&&) = delete;
+  LargestDemand& operator=(LargestDemand&&) = delete;
+  virtual ~LargestDemand() = default;
+
+  [[nodiscard]] virtual double allowed(std::size_t element) const = 0;
+  [[nodiscard]] virtual bool may_be_strip(const Sector& sector, const SectorBox& box) const = 0;
+};
+
+/// sup |f - I f| over e_s + e_t, I the interpolation at a cell's nodes.
+/// Maths     |f - I_s I_t f| <= |f - I_s f| + |I_s (f - I_t f)| <= (1+L_s) e_s + L_s (1+L_t) e_t, with L_s <=
+///           n_s, L_t <= n_t (ElementInterpolation): at most n_s (1+n_t) + 1
+[[nodiscard]] inline double interpolation_gain(int nodes_s, int nodes_t) {
+  return nodes_s * (1 + nodes_t) + 1;
+}
+
 /// Cells with rules that meet a demand.
 /// Maths     an element is cut until rules of most_gauss_nodes or fewer do, or none is needed; a part that
 ///           touches its edge of the polyhedron is cut at a quarter of its depth
 /// Result    by element; deterministic
 [[nodiscard]] std::vector<ObserverCell> observer_cells(const Trial& trial, const CellDemand& demand);
+
+/// Cells with rules that meet a demand in the maximum norm.
+/// Maths     interpolation_gain (e_s + e_t) is about what is allowed, and less what the closure at an edge leaves
+///           beside the jumps of w across borders, which no smaller cell would leave out
+/// Result    as above
+[[nodiscard]] std::vector<ObserverCell> observer_cells(const Trial& trial, const LargestDemand& demand);
 
 }  // namespace radcert

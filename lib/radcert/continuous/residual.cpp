@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "radcert/continuous/elements/element_interpolation.h"
 #include "radcert/continuous/elements/gauss_tables.h"
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/core/parallel.h"
@@ -94,16 +95,35 @@ SectorFunctions with_one(const SectorFunctions& w, std::size_t elements) {
 
 class ResidualOverCells {
 public:
-  ResidualOverCells(const Trial& trial, const CellDemand& demand)
+  explicit ResidualOverCells(const Trial& trial)
       : trial_(trial),
-        demand_(demand),
         with_one_(with_one(trial.w, trial.elements.size())),
         transport_(trial.scene, trial.elements, trial.w),
         transport_with_one_(trial.scene, trial.elements, with_one_),
         count_(trial.w.count()) {}
 
-  [[nodiscard]] Share of_cell(const ObserverCell& cell) const {
-    return cell.is_strip() ? of_strip(cell) : of_samples(cell);
+  [[nodiscard]] Share of_cell(const ObserverCell& cell, const CellDemand& demand) const {
+    return cell.is_strip() ? of_strip(cell) : of_samples(cell, demand);
+  }
+
+  /// A bound of |t_0|, whose samples are wanted within a part of `allowed`.
+  [[nodiscard]] double largest(const ObserverCell& cell, double allowed) const {
+    if (cell.is_strip()) return trial_.smoothness.residual_size(cell.element) * upward;
+    const double gain = cell.nodes_s * cell.nodes_t;
+    const Samples found = samples(cell, std::min(0.05, 0.1 * allowed / (gain * trial_.smoothness.size())));
+    std::vector<double> residual(found.nodes);
+    visit(cell.element, cell.box, gauss_on_interval(cell.nodes_s), gauss_on_interval(cell.nodes_t),
+          [&](std::size_t place, double, std::span<const double>, std::span<const double> q) {
+            residual[place] = found.values[place * count_] - q[0];
+          });
+    const ElementInterpolation interpolation(cell.nodes_s, cell.nodes_t);
+    std::vector<double> coefficients(found.nodes);
+    interpolation.coefficients(residual, 1, coefficients);
+    double sum = 0;
+    for (const double c : coefficients) sum += std::abs(c);
+    return (sum + gain * found.radius + interpolation.rounding(trial_.smoothness.largest_residual(), 0) +
+            interpolation_gain(cell.nodes_s, cell.nodes_t) * cell.of_rules + cell.beside) *
+           upward;
   }
 
   /// Int w_k trial_.q0 over a part of an element, by a rule that is exact for it.
@@ -162,35 +182,40 @@ private:
     return share;
   }
 
-  [[nodiscard]] Share of_samples(const ObserverCell& cell) const {
-    Share share(count_);
+  /// T w at the nodes of a cell.
+  struct Samples {
+    std::vector<double> values;  ///< by node, function
+    double radius = 0;           ///< of values less q
+    std::size_t nodes = 0;
+  };
+  [[nodiscard]] Samples samples(const ObserverCell& cell, double tolerance) const {
     const Sector& sector = trial_.sector(cell.element);
-    const IntervalRule<double>& rule_s = gauss_on_interval(cell.nodes_s);
-    const IntervalRule<double>& rule_t = gauss_on_interval(cell.nodes_t);
-    const SectorBox& box = cell.box;
-    ObserverGroup group{.panel = sector.panel, .points = {}};
-    for (const double x : rule_s.nodes)
-      for (const double y : rule_t.nodes)
-        group.points.push_back(sector.point(box.middle_s() + 0.5 * (box.s1 - box.s0) * x,
-                                            box.middle_t() + 0.5 * (box.t1 - box.t0) * y));
-    const double over = area(cell.element, box);
+    ObserverGroup group{.panel = sector.panel,
+                        .points = ElementInterpolation(cell.nodes_s, cell.nodes_t).points(sector, cell.box)};
+    Transport::Values found = cell.closed ? closed(cell, group, tolerance) : transport_(group, tolerance);
+    const auto powers = static_cast<double>(trial_.q.degree() + 1);
+    const double rounding = 40 * powers * powers * unit * trial_.smoothness.largest_residual();
+    return {.values = std::move(found.values),
+            .radius = (found.radius + rounding) * upward,
+            .nodes = group.points.size()};
+  }
+
+  [[nodiscard]] Share of_samples(const ObserverCell& cell, const CellDemand& demand) const {
+    Share share(count_);
+    const double over = area(cell.element, cell.box);
     const double size = trial_.smoothness.size();
     const double tolerance =
-        std::min({0.05, 0.5 * demand_.interpolation / (std::sqrt(over) * size),
-                  0.15 * demand_.quadrature / (over * trial_.smoothness.density_size(cell.element) * size)});
-    const Transport::Values found =
-        cell.closed ? closed(cell, rule_s, rule_t, group, tolerance) : transport_(group, tolerance);
-    const auto powers = static_cast<double>(trial_.q.degree() + 1);
-    const double radius =
-        (found.radius + 40 * powers * powers * unit * trial_.smoothness.largest_residual()) * upward;
+        std::min({0.05, 0.5 * demand.interpolation / (std::sqrt(over) * size),
+                  0.15 * demand.quadrature / (over * trial_.smoothness.density_size(cell.element) * size)});
+    const Samples found = samples(cell, tolerance);
     const double rho = trial_.rho(cell.element);
-    visit(cell.element, box, rule_s, rule_t,
+    visit(cell.element, cell.box, gauss_on_interval(cell.nodes_s), gauss_on_interval(cell.nodes_t),
           [&](std::size_t place, double weight, std::span<const double> w, std::span<const double> q) {
             for (std::size_t k = 0; k < count_; ++k) {
-              const double t = std::abs(found.values[place * count_ + k] - q[k]) + radius;
+              const double t = std::abs(found.values[place * count_ + k] - q[k]) + found.radius;
               if (rho > 0) share.squares[k] += weight * rho * t * t * upward;
               share.products[k] += weight * w[k] * found.values[place * count_];
-              if (w[k] != 0) share.sampling[k] += weight * std::abs(w[k]) * radius * upward;
+              if (w[k] != 0) share.sampling[k] += weight * std::abs(w[k]) * found.radius * upward;
             }
           });
     const double missed = 4 * rho * over * cell.interpolation * cell.interpolation * upward;
@@ -199,14 +224,15 @@ private:
       share.rounding[k] = rounding(cell, over);
     }
     share.truncation = over * cell.quadrature * upward;
-    share.samples = group.points.size();
+    share.samples = found.nodes;
     return share;
   }
 
   /// F of Smoothness' closure: what the other panels send, and xi times the rest of T 1 = 1.
-  [[nodiscard]] Transport::Values closed(const ObserverCell& cell, const IntervalRule<double>& rule_s,
-                                         const IntervalRule<double>& rule_t, const ObserverGroup& group,
+  [[nodiscard]] Transport::Values closed(const ObserverCell& cell, const ObserverGroup& group,
                                          double tolerance) const {
+    const IntervalRule<double>& rule_s = gauss_on_interval(cell.nodes_s);
+    const IntervalRule<double>& rule_t = gauss_on_interval(cell.nodes_t);
     const std::size_t mirror = *trial_.closure.mirror(cell.element);
     const std::size_t other = trial_.sector(mirror).panel;
     const Transport::Values found = transport_with_one_(group, 0.5 * tolerance, other);
@@ -229,7 +255,6 @@ private:
   }
 
   const Trial& trial_;
-  const CellDemand& demand_;
   SectorFunctions with_one_;
   Transport transport_;
   Transport transport_with_one_;
@@ -241,14 +266,14 @@ private:
 ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells,
                            const CellDemand& demand) {
   const std::size_t count = trial.w.count();
-  const ResidualOverCells residual(trial, demand);
+  const ResidualOverCells residual(trial);
   constexpr std::size_t cells_at_a_time = 16;
   const Share total = parallel_reduce_ordered(
       cells.size(), cells_at_a_time, Share(count),
       [&](std::size_t begin, std::size_t end) {
         Share share(count);
         for (std::size_t c = begin; c < end; ++c)
-          share = sum_of(std::move(share), residual.of_cell(cells[c]));
+          share = sum_of(std::move(share), residual.of_cell(cells[c], demand));
         return share;
       },
       sum_of);
@@ -276,17 +301,56 @@ ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cel
   return sums;
 }
 
-std::vector<double> expected_norms(const Trial& trial) {
+std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
+                                      const LargestDemand& demand) {
+  const ResidualOverCells residual(trial);
+  std::vector<double> largest(cells.size());
+  parallel_for(cells.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+      largest[c] = residual.largest(cells[c], demand.allowed(cells[c].element));
+  });
+  return largest;
+}
+
+namespace {
+
+/// Whole elements, each with one rule.
+std::vector<ObserverCell> whole_elements(const Trial& trial) {
   const int nodes = trial.q.degree() + 2;
   std::vector<ObserverCell> cells;
   for (std::size_t e = 0; e < trial.elements.size(); ++e)
     cells.push_back({.element = e, .box = trial.elements[e].box, .nodes_s = nodes, .nodes_t = nodes});
-  const double relative = 0.001 * std::pow(0.25, trial.q.degree());
+  return cells;
+}
+
+/// To which values are wanted that only tell what to expect, relative to w.
+double rough(const Trial& trial) { return 0.001 * std::pow(0.25, trial.q.degree()); }
+
+}  // namespace
+
+std::vector<double> expected_norms(const Trial& trial) {
   const double area = trial.scene.area();
   const CellDemand demand{
-      .interpolation = relative * std::sqrt(area / static_cast<double>(trial.elements.size())),
-      .quadrature = relative * area};
-  return residual_sums(trial, cells, demand).norms;
+      .interpolation = rough(trial) * std::sqrt(area / static_cast<double>(trial.elements.size())),
+      .quadrature = rough(trial) * area};
+  return residual_sums(trial, whole_elements(trial), demand).norms;
+}
+
+std::vector<double> expected_largest(const Trial& trial) {
+  class Rough final : public LargestDemand {
+  public:
+    explicit Rough(double allowed) : allowed_(allowed) {}
+    [[nodiscard]] double allowed(std::size_t /*element*/) const override { return allowed_; }
+    [[nodiscard]] bool may_be_strip(const Sector& /*sector*/, const SectorBox& /*box*/) const override {
+      return false;
+    }
+
+  private:
+    double allowed_;
+  };
+  const auto nodes = static_cast<double>((trial.q.degree() + 2) * (trial.q.degree() + 2));
+  return largest_residuals(trial, whole_elements(trial),
+                           Rough(10 * nodes * rough(trial) * trial.smoothness.size()));
 }
 
 }  // namespace radcert

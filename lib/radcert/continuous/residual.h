@@ -31,9 +31,20 @@ struct ResidualSums {
 [[nodiscard]] ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells,
                                          const CellDemand& demand);
 
+/// The largest values of |t_0| on cells.
+/// Maths     |t| <= sum |c_ij| + n_s n_t times the samples' radius + interpolation_gain e, c the coefficients of
+///           the interpolant; at an edge of F - q, and |T w - F|
+/// Requires  cells of this trial
+/// Result    by cell, proved; the same bits for any number of threads
+[[nodiscard]] std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
+                                                    const LargestDemand& demand);
+
 /// About the norms of the residuals, by one rule on each element.
 /// Maths     tensor Gauss rules of degree + 2 nodes, between those at which trial_functions interpolates
 /// Result    no bound: what a mesh may be expected to reach
 [[nodiscard]] std::vector<double> expected_norms(const Trial& trial);
+/// About the largest values of |t_0|, by element, by the same rules.
+/// Result    no bound
+[[nodiscard]] std::vector<double> expected_largest(const Trial& trial);
 
 }  // namespace radcert

@@ -87,6 +87,8 @@ SectorScene::SectorScene(std::vector<Panel> panels) : panels_(std::move(panels))
     }
 }
 
+Vector<double> SectorScene::origin() const { return rounded(origin_); }
+
 Vector<double> SectorScene::place(const Vector<Rational>& point) const { return rounded(point - origin_); }
 
 bool SectorScene::aligned(std::size_t sector, std::size_t other) const {

@@ -82,6 +82,8 @@ public:
   [[nodiscard]] double area(std::size_t panel) const { return areas_[panel]; }
   [[nodiscard]] double area() const { return area_; }
   [[nodiscard]] double extent() const { return extent_; }
+  /// What the coordinates here are taken from, rounded.
+  [[nodiscard]] Vector<double> origin() const;
   /// A point of the surface, within displacement of the exact one.
   [[nodiscard]] Vector<double> place(const Vector<Rational>& point) const;
 

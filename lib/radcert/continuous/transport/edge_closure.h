@@ -16,9 +16,13 @@ namespace radcert {
 /// Maths     T 1 = 1 on a closed surface, so that near an edge of Q_j  T w(P) = F(P) + T_j(w - xi)(P),  F = sum
 ///           over i != j of T_i w + xi (1 - sum over i != j of T_i 1),  xi(s) = w on Q_j at the point x of the
 ///           edge that belongs to P = P(s,t). F is smooth up to the edge. For |P-x| <= R, P at most H above the
-///           plane of Q_j, what is further than r from P has the mass m H/r at most, m = 2, or 1 where n_P.n_j
-///           >= 0, and |w - xi| <= l |Q-x| up to the distance d of the other sides of the element beyond:
-///           |T_j(w - xi)| <= 3 l R + sum_k m H/(2^k R) l (2^(k+1) + 1) R + 2 sup|w| m H/(d - R)
+///           plane of Q_j, what is further than q from P has the mass M(q) = min(1, m H/q) at most, m = 2, or 1
+///           where n_P.n_j >= 0, and |w - xi| <= J + l |Q-x| <= J + l (R + |Q-P|) up to the distance d from x:
+///           |T_j(w - xi)| <= J + l R + l Int_0^(d-R) M dq + 2 sup|w| M(d-R)
+///             = J + l (R + m H (1 + log((d-R)/(m H)))) + 2 sup|w| m H/(d-R)
+///           Either d is the distance of the other sides of the element beyond, and J = 0; or that of the elements
+///           which do not touch it, and J the sum of the jumps of w between those which do: the way from x to Q
+///           crosses each of their borders once at most
 /// Requires  the scene and the elements outlive it
 /// Result    bounds rounded up, infinite where there are none
 class EdgeClosure {
@@ -36,17 +40,29 @@ public:
 
   struct Nearby {
     double bound = 0;     ///< of |T_j(w - xi)|
-    double distance = 0;  ///< of the middle of the part of the edge from the other sides
+    double jumps = 0;     ///< J: what is left of it in the smallest part
+    double distance = 0;  ///< of the middle of the part of the edge from what bounds d
   };
-  /// On a part of an element with a mirror that touches the edge.
+  /// On a part of an element with a mirror that touches the edge, within the element beyond alone, or with those
+  /// which touch it.
   [[nodiscard]] Nearby nearby(std::size_t element, const SectorBox& box) const;
+  [[nodiscard]] Nearby nearby_across_borders(std::size_t element, const SectorBox& box) const;
 
 private:
   struct Side {
     Vector<double> from;
     Vector<double> to;
   };
+  /// Elements that touch one, itself among them.
+  struct Neighbourhood {
+    std::vector<std::size_t> elements;
+    double lipschitz = 0;  ///< the largest
+    double jumps = 0;      ///< J
+  };
   [[nodiscard]] double distance_around(std::size_t sector, const Vector<double>& point) const;
+  [[nodiscard]] Neighbourhood neighbourhood(std::size_t element, const SectorFunctions& w) const;
+  [[nodiscard]] Nearby nearby(std::size_t element, const SectorBox& box, double to_others, double slope,
+                              double jumps) const;
 
   const SectorScene& scene_;
   std::span<const SectorElement> elements_;
@@ -54,7 +70,8 @@ private:
   std::vector<double> beyond_;                      ///< by sector: sup |w| on its opposite's panel
   std::vector<std::optional<std::size_t>> mirror_;  ///< of each element
   std::vector<std::vector<double>> edge_sizes_;
-  std::vector<double> lipschitz_;  ///< of w on each element at an edge
+  std::vector<double> lipschitz_;              ///< of w on each element
+  std::vector<Neighbourhood> neighbourhoods_;  ///< of each element that is a mirror, else empty
 };
 
 }  // namespace radcert

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/continuous/scaled_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "radcert/continuous/elements/graded_elements.h"
+#include "radcert/continuous/upward.h"
+#include "radcert/core/contract.h"
+
+namespace radcert {
+
+ScaledProblem::ScaledProblem(const PolyhedronProblem& problem) : exact(problem), scene(problem.panels) {
+  Rational sup = 0;
+  for (const Rational& rho : problem.reflectivity) {
+    reflectivity.push_back(rho.to_double());
+    sup = std::max(sup, rho);
+  }
+  gap = (Rational(1) - sup).to_double() / upward;
+  expects(gap > 0, "rho < 1");
+  reflects = sup.sign() > 0;
+  for (const PlanePolynomial<Rational>& f : problem.emission) degree = std::max(degree, f.degree());
+  const std::vector<SectorElement> whole = graded_elements(scene, 1);
+  const SectorFunctions f = emission_functions(problem, scene, whole, 1, degree, 0);
+  double largest = 0;
+  for (std::size_t e = 0; e < whole.size(); ++e) largest = std::max(largest, size_around(f, e, 1, 1));
+  if (largest > 0) std::frexp(largest, &exponent);
+}
+
+}  // namespace radcert

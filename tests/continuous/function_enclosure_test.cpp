@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/continuous/function_enclosure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "radcert/continuous/observer_cells.h"
+#include "radcert/continuous/residual.h"
+#include "radcert/continuous/transport/transport.h"
+#include "radcert/continuous/trial.h"
+#include "radcert/core/parallel.h"
+#include "tests/continuous/scenes.h"
+
+namespace radcert {
+namespace {
+
+using test::Draw;
+using test::panels_of;
+
+PolyhedronProblem problem(const std::string& name, const Rational& rho, const Rational& emission) {
+  PolyhedronProblem out{.panels = panels_of(name), .reflectivity = {}, .emission = {}};
+  out.reflectivity.assign(out.panels.size(), rho);
+  out.emission.assign(out.panels.size(), constant_polynomial(emission));
+  return out;
+}
+
+TEST(FunctionEnclosure, ContainsOneInAFurnace) {
+  const FunctionEnclosure found =
+      enclose_function(problem("tetrahedron", Rational(1, 4), Rational(3, 4)), 1, 0.05);
+  EXPECT_TRUE(found.hindrance.empty());
+  EXPECT_LE(found.sup, 0.5);
+  ASSERT_EQ(found.pieces.size(), 4U);
+  for (const EnclosedPart& part : found.parts)
+    for (const double value : part.values) EXPECT_LE(std::abs(value - 1), part.bound);
+  // Coordinates are those of the surface: each part lies in the plane of a panel of its piece.
+  const std::vector<Panel> panels = panels_of("tetrahedron");
+  for (const EnclosedPart& part : found.parts)
+    for (const Vector<double>& corner : part.corners) {
+      double least = 1;
+      for (const Panel& panel : panels) {
+        if (panel.piece != part.piece) continue;
+        const auto rounded = [](const Vector<Rational>& p) {
+          return Vector<double>{p.x.to_double(), p.y.to_double(), p.z.to_double()};
+        };
+        least = std::min(least, std::abs(dot(rounded(panel.normal), corner - rounded(panel.corners[0]))));
+      }
+      EXPECT_LE(least, 1e-14);
+    }
+  for (const FunctionEnclosure::OnPiece& piece : found.pieces) {
+    EXPECT_LE(piece.outside, found.sup);
+    EXPECT_LE(piece.outside, piece.everywhere);
+  }
+}
+
+TEST(FunctionEnclosure, IsTheEmissionWhereNothingReflects) {
+  PolyhedronProblem dark = problem("tetrahedron", 0, 0);
+  dark.emission[2] = constant_polynomial(Rational(5));
+  const FunctionEnclosure found = enclose_function(dark, 1e-6, 0.01);
+  EXPECT_LE(found.sup, 1e-12);
+  EXPECT_EQ(found.outside, 0);
+  for (const EnclosedPart& part : found.parts)
+    for (const double value : part.values)
+      EXPECT_NEAR(value, part.piece == dark.panels[2].piece ? 5 : 0, 1e-12);
+}
+
+/// Functions on three layers that have jumps, small as those of an approximation.
+struct Jumping {
+  SectorScene scene;
+  std::vector<double> reflectivity;
+  std::vector<SectorElement> elements;
+  Trial trial;
+
+  explicit Jumping(const std::string& name, double size, std::uint64_t seed)
+      : scene(panels_of(name)),
+        reflectivity(scene.panels().size(), 0.5),
+        elements(graded_elements(scene, 3)),
+        trial(scene, reflectivity, elements, functions(size, seed), SectorFunctions(elements.size(), 1, 2)) {}
+
+private:
+  [[nodiscard]] SectorFunctions functions(double size, std::uint64_t seed) const {
+    Draw draw(seed);
+    SectorFunctions w = test::drawn_functions(elements.size(), 1, 2, draw);
+    for (double& c : w.all()) c *= size;
+    for (std::size_t e = 0; e < elements.size(); ++e) w.of(e, 0)[0] += 1;
+    return w;
+  }
+};
+
+class DemandOf final : public LargestDemand {
+public:
+  explicit DemandOf(double allowed) : allowed_(allowed) {}
+  [[nodiscard]] double allowed(std::size_t /*element*/) const override { return allowed_; }
+  [[nodiscard]] bool may_be_strip(const Sector& sector, const SectorBox& box) const override {
+    return sector.jacobian * box.weight() < 1e-5;
+  }
+
+private:
+  double allowed_;
+};
+
+TEST(LargestResiduals, BoundTheResidualEverywhere) {
+  for (const std::string name : {"cube", "tetrahedron"}) {
+    const Jumping jumping(name, 0.02, 11);
+    const Trial& trial = jumping.trial;
+    const DemandOf demand(0.02);
+    const std::vector<ObserverCell> cells = observer_cells(trial, demand);
+    const std::vector<double> largest = largest_residuals(trial, cells, demand);
+    const Transport transport(jumping.scene, trial.elements, trial.w);
+    Draw draw(12);
+    double closest = 0;
+    int closed = 0;
+    for (int k = 0; k < 600; ++k) {
+      const std::size_t c = draw.below(cells.size());
+      const ObserverCell& cell = cells[c];
+      if (cell.is_strip()) continue;
+      if (cell.closed) ++closed;
+      const Sector& sector = trial.sector(cell.element);
+      const Vector<double> p =
+          sector.point(cell.box.s0 + (cell.box.s1 - cell.box.s0) * draw(),
+                       cell.box.t0 + (cell.box.t1 - cell.box.t0) * (0.01 + 0.99 * draw()));
+      const Transport::Values sent = transport({.panel = sector.panel, .points = {p}}, 1e-8);
+      EXPECT_LE(std::abs(sent.values[0]), largest[c] + sent.radius);
+      closest = std::max(closest, std::abs(sent.values[0]) / largest[c]);
+    }
+    EXPECT_GT(closest, 0.9) << name;
+    EXPECT_GT(closed, 0) << name;
+  }
+}
+
+TEST(EdgeClosure, BoundsWhatIsSentAcrossBorders) {
+  double closest = 0;
+  int tried = 0;
+  for (const std::string name : {"cube", "tetrahedron", "octahedron"}) {
+    const Jumping jumping(name, 0.1, 21);
+    const Trial& trial = jumping.trial;
+    const EdgeClosure& closure = trial.closure;
+    Draw draw(22);
+    for (int k = 0; k < 150; ++k) {
+      const std::size_t e = draw.below(trial.elements.size());
+      const SectorBox& whole = trial.elements[e].box;
+      if (whole.t0 != 0 || !closure.mirror(e)) continue;
+      // From a border, where the element beyond ends.
+      const double width = (whole.s1 - whole.s0) * std::exp2(-2 - 8 * draw());
+      const SectorBox box{
+          .s0 = whole.s0, .s1 = whole.s0 + width, .t0 = 0, .t1 = whole.t1 * std::exp2(-6 - 8 * draw())};
+      const EdgeClosure::Nearby nearby = closure.nearby_across_borders(e, box);
+      if (!std::isfinite(nearby.bound)) continue;
+      ++tried;
+      EXPECT_LE(nearby.jumps, nearby.bound);
+      const std::size_t mirror = *closure.mirror(e);
+      const Sector& sector = trial.sector(e);
+      const double s = box.s0 + width * draw();
+      const double t = box.t1 * (0.1 + 0.9 * draw());
+      const SectorBox& across = trial.elements[mirror].box;
+      std::array<double, 3> p{};
+      legendre_values<double>((2 * (1 - s) - across.s0 - across.s1) / (across.s1 - across.s0), p);
+      double xi = 0;
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+          xi += trial.w.of(mirror, 0)[i * 3 + j] * p[i] * (j % 2 == 0 ? 1 : -1);
+      SectorFunctions rest(trial.elements.size(), 1, 2);
+      for (std::size_t other = 0; other < trial.elements.size(); ++other) {
+        if (trial.sector(other).panel != trial.sector(mirror).panel) continue;
+        const std::span<const double> from = trial.w.of(other, 0);
+        std::copy(from.begin(), from.end(), rest.of(other, 0).begin());
+        rest.of(other, 0)[0] -= xi;
+      }
+      const Transport sent(jumping.scene, trial.elements, rest);
+      const Transport::Values found = sent({.panel = sector.panel, .points = {sector.point(s, t)}}, 1e-9);
+      EXPECT_LE(std::abs(found.values[0]) - found.radius, nearby.bound) << name << " " << e;
+      closest = std::max(closest, std::abs(found.values[0]) / nearby.bound);
+    }
+  }
+  EXPECT_GT(tried, 40);
+  EXPECT_GT(closest, 0.05);
+}
+
+TEST(FunctionEnclosure, HasTheSameBitsForAnyNumberOfThreads) {
+  const PolyhedronProblem furnace = problem("tetrahedron", Rational(1, 8), Rational(7, 8));
+  const FunctionEnclosure many = enclose_function(furnace, 4, 0.1);
+  const ThreadLimit limit(1);
+  const FunctionEnclosure one = enclose_function(furnace, 4, 0.1);
+  EXPECT_EQ(many.sup, one.sup);
+  ASSERT_EQ(many.parts.size(), one.parts.size());
+  for (std::size_t k = 0; k < one.parts.size(); ++k) EXPECT_EQ(many.parts[k].bound, one.parts[k].bound);
+}
+
+}  // namespace
+}  // namespace radcert
