@@ -26,6 +26,21 @@ std::string coordinates(const Vector<Rational>& p) {
   return p.x.to_text() + "," + p.y.to_text() + "," + p.z.to_text();
 }
 
+/// Every octave of the distance, and what was asked for.
+void add_function(std::vector<std::vector<std::string>>& rows, const FunctionBound& bound) {
+  const auto add = [&](double sup, double outside) {
+    rows.push_back({upper_text(sup), outside > 0 ? nearest_text(outside, DecimalForm::general(15)) + " or more" : "any"});
+  };
+  constexpr std::size_t shells_an_octave = 4;
+  for (std::size_t k = 0; k + 1 < bound.by_distance.size(); k += shells_an_octave) {
+    const FunctionBound::AtDistance& at = bound.by_distance[k];
+    if (!(at.outside > bound.outside)) break;
+    add(at.sup, at.outside);
+  }
+  add(bound.sup, bound.outside);
+  if (bound.outside > 0 && !bound.by_distance.empty()) add(bound.by_distance.back().sup, 0);
+}
+
 }  // namespace
 
 std::string enclosure_table(const SolutionEnclosure& enclosure) {
@@ -47,13 +62,13 @@ std::string enclosure_table(const SolutionEnclosure& enclosure) {
       what = "the values of the solution u of the equation itself lie within these radii.";
       break;
     case EnclosedQuantity::function:
-      rows.push_back({"sup |u - v|"});
-      what = "the solution u of the equation itself is v within this bound, everywhere on the surface.";
+      rows.push_back({"sup |u - v|", "at a distance from the vertices of"});
+      what = "the solution u of the equation itself is v within these bounds, a piecewise polynomial.";
       break;
   }
   for (const auto& [piece, mean] : enclosure.pieces) add({piece}, mean);
   for (const EnclosedValue& point : enclosure.points) add({point.piece, coordinates(point.at)}, point.value);
-  if (enclosure.function) rows.push_back({upper_text(enclosure.function->sup)});
+  if (enclosure.function) add_function(rows, *enclosure.function);
   return aligned(rows) + "\nProved: " + what + " Width " + upper_text(enclosure.width) + ", asked for " +
          enclosing_text(enclosure.wanted.width, 0, DecimalForm::general(17)).value + ".\n";
 }

@@ -140,10 +140,15 @@ TEST(ParseProblem, ReadsTheGuarantee) {
     const std::vector<Vector<Rational>> points{{Rational(1, 2), Rational(1, 4), 0}, {1, 2, 3}};
     EXPECT_EQ(read.guarantee->points, points);
   }
+  const Problem away =
+      parse_problem(with("guarantee", R"({"width": 1, "of": "function", "outside": "1/7"})"), "");
+  for (const Problem& read : {away, parse_problem(problem_text(away), "")})
+    EXPECT_EQ(read.guarantee->outside, Rational(1, 7));
   for (const char* text :
        {R"({"width": 0})", R"({"width": "-1"})", R"({})", R"({"width": 1, "of": "sums"})",
-        R"({"width": 1, "at": 2})", R"("1e-6")", R"({"width": 1, "of": "values", "points": []})",
-        R"({"width": 1, "points": [["1", "2"]]})", R"({"width": 1, "points": [["1", "2", "x"]]})"})
+        R"({"width": 1, "at": 2})", R"({"width": 1, "of": "function", "outside": "-1"})", R"("1e-6")",
+        R"({"width": 1, "of": "values", "points": []})", R"({"width": 1, "points": [["1", "2"]]})",
+        R"({"width": 1, "points": [["1", "2", "x"]]})"})
     EXPECT_THROW((void)parse_problem(with("guarantee", text), ""), InputError) << text;
 }
 

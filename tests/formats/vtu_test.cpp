@@ -50,5 +50,30 @@ TEST(VtuText, RefusesNumbersThatAreNotFinite) {
   EXPECT_THROW((void)vtu_text(elements), ContractViolation);
 }
 
+TEST(VtuText, HasWhatIsProvedOfAFunctionAndOfValues) {
+  SolutionEnclosure function{.wanted = {.width = 1, .of = EnclosedQuantity::function}};
+  function.function = FunctionBound{.sup = 0.25};
+  for (const char* piece : {"floor", "east", "floor"})
+    function.patches.push_back({.piece = piece,
+                                .corners = {Vector<double>{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0.5}},
+                                .values = {1, 2, 3, 4},
+                                .bound = 0.125});
+  const std::string text = vtu_text(function);
+  EXPECT_NE(text.find("NumberOfPoints=\"12\" NumberOfCells=\"3\""), std::string::npos);
+  EXPECT_EQ(words(text, "types"), (std::vector<std::string>{"9", "9", "9"}));
+  EXPECT_EQ(words(text, "offsets"), (std::vector<std::string>{"4", "8", "12"}));
+  EXPECT_EQ(words(text, "piece"), (std::vector<std::string>{"0", "1", "0"}));
+  EXPECT_EQ(words(text, "bound"), (std::vector<std::string>{"0.125", "0.125", "0.125"}));
+  EXPECT_EQ(words(text, "radiosity").size(), 12U);
+  EXPECT_EQ(words(text, "points")[11], "0.5");
+
+  SolutionEnclosure values{.wanted = {.width = 1, .of = EnclosedQuantity::values}};
+  values.points.push_back({"east", {1, Rational(1, 2), 0}, Approximation::proved(0.5, 0.001)});
+  const std::string points = vtu_text(values);
+  EXPECT_EQ(words(points, "types"), (std::vector<std::string>{"1"}));
+  EXPECT_EQ(words(points, "points"), (std::vector<std::string>{"1", "0.5", "0"}));
+  EXPECT_EQ(words(points, "radius"), (std::vector<std::string>{"0.001"}));
+}
+
 }  // namespace
 }  // namespace radcert

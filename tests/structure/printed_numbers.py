@@ -19,7 +19,7 @@ READS_BACK = {
     "lib/radcert/core/text.cpp": "its definition",
     "lib/radcert/core/contract.h": "the caller's own values, in what is thrown",
     "lib/radcert/formats/json/json_value.cpp": "JSON and CSV: programs read the same doubles back",
-    "lib/radcert/formats/field/vtu.cpp": "VTU: doubles that are read back, no radii",
+    "lib/radcert/formats/field/unstructured_grid.cpp": "VTU: doubles that are read back, no radii",
     "lib/radcert/formats/field/ply.cpp": "PLY: doubles that are read back, no radii",
     "lib/radcert/formats/plot/plot.cpp": "ticks of a picture",
     "lib/radcert/formats/plot/svg_elements.cpp": "places of a picture",

@@ -98,6 +98,31 @@ TEST(Guarantee, TakesPointsInsideFacesAlone) {
   EXPECT_EQ(fault({half, half, 0}, EnclosedQuantity::means).pointer, "/guarantee/points");
 }
 
+TEST(Guarantee, TakesADistanceForFunctionsOnPolyhedraAlone) {
+  const auto fault = [](const Problem& problem, EnclosedQuantity of, const Rational& outside) {
+    return fault_of([&] { check_guarantee(problem, {Rational(1, 100), of, {}, outside}); });
+  };
+  EXPECT_NO_THROW(
+      check_guarantee(lit_cube(), {Rational(1, 100), EnclosedQuantity::function, {}, Rational(1, 20)}));
+  EXPECT_EQ(fault(lit_cube(), EnclosedQuantity::means, 1).pointer, "/guarantee/outside");
+  EXPECT_EQ(fault(lit_cube(), EnclosedQuantity::function, -1).pointer, "/guarantee/outside");
+  EXPECT_EQ(fault(with_emission(sample_problem("sphere"), "1"), EnclosedQuantity::function, 1).pointer,
+            "/guarantee/outside");
+}
+
+TEST(Guarantee, GivesAFunctionOnAPolyhedron) {
+  Problem problem = with_emission(sample_problem("tetrahedron"), "7/8");
+  problem.reflectivity = everywhere("1/8");
+  const auto [level, enclosure] = solve_within(problem, {1, EnclosedQuantity::function, {}, Rational(1, 10)});
+  EXPECT_TRUE(enclosure.hindrance.empty());
+  ASSERT_TRUE(enclosure.function.has_value());
+  EXPECT_LE(2 * enclosure.function->sup, 1);
+  EXPECT_EQ(enclosure.function->pieces.size(), 4U);
+  EXPECT_EQ(enclosure.patches.size(), 16 * level.elements);
+  for (const EnclosedPatch& patch : enclosure.patches)
+    for (const double value : patch.values) EXPECT_LE(std::abs(value - 1), patch.bound) << patch.piece;
+}
+
 TEST(Guarantee, GivesTheValuesAtCentres) {
   Problem problem = with_emission(sample_problem("tetrahedron"), "3/5");
   problem.reflectivity = everywhere("2/5");
@@ -161,10 +186,6 @@ TEST(Guarantee, RefusesOnEllipsoidsWhatIsNoPolynomial) {
   EXPECT_EQ(fault("x", "1", {width}), "/reflectivity");
   EXPECT_EQ(fault("x", "1/2", {Rational::parse("1e-15").value()}), "/guarantee/width");
   EXPECT_EQ(fault("x", "1/2", {width, EnclosedQuantity::values, {{1, 1, 1}}}), "/guarantee/points/0");
-  EXPECT_EQ(fault_of([&] {
-              check_guarantee(lit_cube(), {width, EnclosedQuantity::function, {}});
-            }).pointer,
-            "/guarantee/of");
 }
 
 TEST(Guarantee, IsForSolveAlone) {

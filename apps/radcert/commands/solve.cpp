@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,7 @@ struct SolveOptions {
   std::string guarantee;
   std::vector<std::string> at;
   std::string of;
+  std::string outside;
 };
 
 Outputs checked_outputs(const Common& common, const SolveOptions& options) {
@@ -127,7 +129,8 @@ JsonValue coordinates_json(const std::string& text) {
 /// The problem with what --guarantee, --of and --at say in place of its own words.
 Problem problem_of(const SolveOptions& options) {
   Problem problem = read_problem(options.problem);
-  if (options.guarantee.empty() && options.of.empty() && options.at.empty()) return problem;
+  if (options.guarantee.empty() && options.of.empty() && options.at.empty() && options.outside.empty())
+    return problem;
   JsonValue guarantee = JsonValue::object();
   if (!options.guarantee.empty())
     guarantee.set("width", options.guarantee);
@@ -139,29 +142,36 @@ Problem problem_of(const SolveOptions& options) {
     guarantee.set("of", name_of(EnclosedQuantity::values));
   else if (problem.guarantee)
     guarantee.set("of", name_of(problem.guarantee->of));
+  if (!options.outside.empty())
+    guarantee.set("outside", options.outside);
+  else if (problem.guarantee && problem.guarantee->outside)
+    guarantee.set("outside", exact_json(*problem.guarantee->outside));
   JsonValue points = JsonValue::array();
   for (const std::string& point : options.at) points.push(coordinates_json(point));
   if (options.at.empty() && problem.guarantee)
     for (const Vector<Rational>& point : problem.guarantee->points) points.push(point_json(point));
   if (!points.elements()->empty()) guarantee.set("points", std::move(points));
-  problem.guarantee =
-      with_source("--guarantee, --of, --at", [&] { return read_guarantee(JsonReader(guarantee)); });
+  problem.guarantee = with_source("--guarantee, --of, --at, --outside",
+                                  [&] { return read_guarantee(JsonReader(guarantee)); });
   return problem;
 }
 
-/// The levels of a result are of u_n; a solution that is enclosed has none.
-void refuse_fields(const SolveOptions& options) {
-  for (const auto& [name, path] : {std::pair("--nodes", &options.nodes), std::pair("--vtu", &options.vtu),
-                                   std::pair("--ply", &options.ply), std::pair("--out", &options.out)})
-    if (!path->empty())
+/// The levels of a result are of u_n; a solution that is enclosed has none, and its means have no places.
+void refuse_fields(const SolveOptions& options, const Guarantee& guarantee) {
+  const bool has_places = guarantee.of != EnclosedQuantity::means;
+  for (const auto& [name, path, is_of_u] :
+       {std::tuple("--nodes", &options.nodes, has_places), std::tuple("--vtu", &options.vtu, has_places),
+        std::tuple("--ply", &options.ply, false), std::tuple("--out", &options.out, false)})
+    if (!path->empty() && !is_of_u)
       throw InputError({.source = name,
                         .value = *path,
                         .problem = "is of the levels of u_n, and a guarantee is of u itself",
-                        .allowed = "--json beside a guarantee"});
+                        .allowed = has_places ? "--json, --vtu and --nodes beside this guarantee"
+                                              : "--json beside a guarantee of means"});
 }
 
 ExitCode enclose(const Common& common, const SolveOptions& options, const Problem& problem) {
-  refuse_fields(options);
+  refuse_fields(options, *problem.guarantee);
   const Outputs outputs = checked_outputs(common, options);
   const auto limit = common.limit_threads();
   with_source(options.problem, [&] { check_guarantee(problem, *problem.guarantee); });
@@ -184,6 +194,8 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
   const std::string json = result_text(result, common.command);
   Files files;
   if (common.json_to_file()) files.emplace_back(common.json, json);
+  if (!options.vtu.empty()) files.emplace_back(options.vtu, vtu_text(*result.enclosure));
+  if (!options.nodes.empty()) files.emplace_back(options.nodes, enclosure_csv(*result.enclosure));
   outputs.write(files);
   print(common.json_to_stdout() ? json : fitted(enclosure_table(*result.enclosure)));
   if (hindrance.empty()) return ExitCode::done;
@@ -239,9 +251,16 @@ void add_solve(Program& program) {
       program.add("solve", "Solve one problem over its levels: errors, ratios, orders, seconds, memory");
   auto options = std::make_shared<SolveOptions>();
   command.word("PROBLEM", options->problem, "A problem file; see radcert example problem", "FILE.json");
-  command.option("--nodes", options->nodes, "Write the values at the nodes of every level as CSV",
-                 "FILE.csv");
-  command.option("--vtu", options->vtu, "Write u_n and its error at the last level for ParaView", "FILE.vtu");
+  command.option(
+      "--nodes", options->nodes,
+      "Write the values at the nodes of every level as CSV; with a guarantee of values or a function, "
+      "the proved ones",
+      "FILE.csv");
+  command.option(
+      "--vtu", options->vtu,
+      "Write u_n and its error at the last level for ParaView; with a guarantee of values or a function, "
+      "what is proved of u",
+      "FILE.vtu");
   command.option("--ply", options->ply, "Write the same as PLY: triangles with radiosity and error",
                  "FILE.ply");
   command.option(
@@ -255,6 +274,10 @@ void add_solve(Program& program) {
       "chosen by radcert",
       "WIDTH");
   command.option("--of", options->of, "What the guarantee is of: " + listed(guaranteed_quantities()), "WORD");
+  command.option("--outside", options->outside,
+                 "Of a function on a polyhedron: how far from the vertices the width is wanted. Default: a "
+                 "hundredth of the shortest edge",
+                 "DISTANCE");
   command.repeated("--at", options->at,
                    "Where values are asked for, inside a face or on the ellipsoid; may be repeated. Default: "
                    "the centres of the faces, the ends of the axes",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -31,6 +32,9 @@ struct Guarantee {
   /// Where the values are asked for; empty: at the centres of the faces, the means of their corners, and at
   /// the ends of the axes of an ellipsoid.
   std::vector<Vector<Rational>> points = {};
+  /// Of a function on a polyhedron: how far from the vertices its bound is wanted; absent: a hundredth of the
+  /// shortest edge.
+  std::optional<Rational> outside = std::nullopt;
 };
 
 /// The least width that is taken, relative to the largest emission over 1 - sup rho: some hundred times what
@@ -46,10 +50,30 @@ struct EnclosedValue {
   Approximation value;
 };
 
-/// An approximation to a solution as a function, proved.
+/// How near an approximation v is to a solution as a function, proved.
 struct FunctionBound {
-  double sup = 0;       ///< of |u - v|
-  std::string outside;  ///< where it need not hold; empty: nowhere
+  double sup = 0;      ///< |u - v| at points that are `outside` or more from every vertex
+  double outside = 0;  ///< 0: everywhere
+  struct AtDistance {
+    double outside = 0;
+    double sup = 0;
+  };
+  /// On a polyhedron, from large distances to 0.
+  std::vector<AtDistance> by_distance = {};
+  struct OnPiece {
+    std::string piece;
+    double outside = 0;     ///< sup |u - v| where the distance is kept
+    double everywhere = 0;  ///< and on all of the piece
+  };
+  std::vector<OnPiece> pieces = {};
+};
+
+/// A function on a plane quadrilateral, and how far the solution may be from it there, proved.
+struct EnclosedPatch {
+  std::string piece;
+  std::array<Vector<double>, 4> corners;  ///< in their order about the patch
+  std::array<double, 4> values{};         ///< v there, rounded
+  double bound = 0;                       ///< of |u - v|
 };
 
 /// Enclosures of the solution of a problem, not of an approximation to it.
@@ -60,6 +84,7 @@ struct SolutionEnclosure {
   std::vector<std::pair<std::string, Approximation>> pieces = {};
   std::vector<EnclosedValue> points = {};                ///< where values are asked for
   std::optional<FunctionBound> function = std::nullopt;  ///< where that is asked for
+  std::vector<EnclosedPatch> patches = {};               ///< of the function
   std::string hindrance = {};                            ///< where the width is not reached: by what
 };
 
@@ -83,8 +108,8 @@ using GuaranteeListener = std::function<void(const GuaranteeProgress&)>;
 void check_guarantee(const Problem& problem, const Guarantee& guarantee);
 
 /// Encloses the means of u over the pieces, its values at points, or u itself.
-/// Maths     enclose_means, enclose_values: the residual of a piecewise polynomial and of one for each number,
-///           enclosed over the whole surface; enclose_on_ellipsoid
+/// Maths     enclose_means, enclose_values, enclose_function: the residual of a piecewise polynomial and of one for each number,
+///           enclosed over the whole surface; enclose_on_ellipsoid, where patches are those of a grid of angles
 /// Source    lib/radcert/continuous
 /// Requires  what check_guarantee lets pass, else InputError
 /// Result    proved, AccuracyNotReached where nothing is; the level's number is that of the layers of

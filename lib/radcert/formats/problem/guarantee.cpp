@@ -16,7 +16,7 @@ std::string name_of(EnclosedQuantity quantity) {
 }
 
 Guarantee read_guarantee(const JsonReader& guarantee) {
-  guarantee.require_object({"width", "of", "points"});
+  guarantee.require_object({"width", "of", "points", "outside"});
   const std::string allowed = "a positive decimal or fraction in a string";
   const JsonReader width = guarantee.at("width", allowed);
   Guarantee out{.width = width.rational(allowed)};
@@ -36,6 +36,11 @@ Guarantee read_guarantee(const JsonReader& guarantee) {
     }
     if (out.points.empty()) points->refuse("has no point", "one point or more");
   }
+  if (const auto outside = guarantee.find("outside")) {
+    const std::string distance = "a distance from the vertices, a decimal or fraction in a string, 0 or more";
+    out.outside = outside->rational(distance);
+    if (out.outside->sign() < 0) outside->refuse("is negative", distance);
+  }
   return out;
 }
 
@@ -49,6 +54,7 @@ JsonValue guarantee_json(const Guarantee& guarantee) {
   JsonValue out = JsonValue::object();
   out.set("width", exact_json(guarantee.width));
   out.set("of", name_of(guarantee.of));
+  if (guarantee.outside) out.set("outside", exact_json(*guarantee.outside));
   if (guarantee.points.empty()) return out;
   JsonValue points = JsonValue::array();
   for (const Vector<Rational>& p : guarantee.points) points.push(point_json(p));

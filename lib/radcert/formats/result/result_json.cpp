@@ -49,6 +49,26 @@ JsonValue enclosing_json(const Approximation& number) {
   return JsonValue::object({{"midpoint", text.value}, {"radius", text.radius}});
 }
 
+/// A distance; none is null.
+JsonValue distance_json(double distance) {
+  return distance > 0 ? JsonValue(nearest_text(distance, DecimalForm::general(15))) : JsonValue();
+}
+
+JsonValue function_json(const FunctionBound& bound) {
+  JsonValue by_distance = JsonValue::array();
+  for (const FunctionBound::AtDistance& at : bound.by_distance)
+    by_distance.push(
+        JsonValue::object({{"outside", distance_json(at.outside)}, {"sup", upper_text(at.sup)}}));
+  JsonValue pieces = JsonValue::object();
+  for (const FunctionBound::OnPiece& on : bound.pieces)
+    pieces.set(on.piece, JsonValue::object({{"outside", upper_text(on.outside)},
+                                            {"everywhere", upper_text(on.everywhere)}}));
+  return JsonValue::object({{"sup", upper_text(bound.sup)},
+                            {"outside", distance_json(bound.outside)},
+                            {"by_distance", std::move(by_distance)},
+                            {"pieces", std::move(pieces)}});
+}
+
 /// What was not asked for is null.
 JsonValue enclosure_json(const SolutionEnclosure& enclosure) {
   const EnclosedQuantity of = enclosure.wanted.of;
@@ -64,11 +84,7 @@ JsonValue enclosure_json(const SolutionEnclosure& enclosure) {
                                    {"radius", text.radius}}));
   }
   JsonValue function;
-  if (enclosure.function)
-    function = JsonValue::object(
-        {{"sup", upper_text(enclosure.function->sup)},
-         {"outside",
-          enclosure.function->outside.empty() ? JsonValue() : JsonValue(enclosure.function->outside)}});
+  if (enclosure.function) function = function_json(*enclosure.function);
   return JsonValue::object(
       {{"of", name_of(of)},
        {"wanted", enclosing_text(enclosure.wanted.width, 0, DecimalForm::general(17)).value},

@@ -73,6 +73,22 @@ std::string nodes_csv(std::span<const LevelOutcome> levels) {
   return table.text();
 }
 
+std::string enclosure_csv(const SolutionEnclosure& enclosure) {
+  static constexpr std::array<std::string_view, 6> columns = {"piece", "x", "y", "z", "radiosity", "radius"};
+  CsvTable table(columns);
+  const auto add = [&](const std::string& piece, const Vector<double>& at, double value, double radius) {
+    const std::array<JsonValue, columns.size()> row = {piece, at.x, at.y, at.z, value, radius};
+    table.add(row);
+  };
+  for (const EnclosedValue& point : enclosure.points)
+    add(point.piece, {point.at.x.to_double(), point.at.y.to_double(), point.at.z.to_double()},
+        point.value.value, point.value.radius);
+  for (const EnclosedPatch& patch : enclosure.patches)
+    for (std::size_t k = 0; k < patch.corners.size(); ++k)
+      add(patch.piece, patch.corners[k], patch.values[k], patch.bound);
+  return table.text();
+}
+
 std::span<const std::string_view> level_columns() {
   static constexpr std::array<std::string_view, 21> columns = {"level",
                                                                "elements",

@@ -36,6 +36,14 @@ private:
 /// Limits    `u` is empty where the problem gives no solution
 std::string nodes_csv(std::span<const LevelOutcome> levels);
 
+/// What is proved of a solution at points.
+/// Maths     |u - radiosity| <= radius: at points where values are asked for; of a function at the corners of its
+///           patches, where radiosity is v rounded and radius bounds |u - v|
+/// Source    the columns piece, x, y, z, radiosity, radius
+/// Requires  an enclosure of a function or of values
+/// Result    a row a point; coordinates rounded, exact ones are in the JSON file
+std::string enclosure_csv(const SolutionEnclosure& enclosure);
+
 /// The columns of one level's figures, and the cells below them.
 /// Source    the file format radcert/solution/1
 /// Requires  nothing

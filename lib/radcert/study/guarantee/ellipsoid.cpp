@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "radcert/continuous/ellipsoid/ellipsoid_enclosure.h"
 #include "radcert/core/errors.h"
@@ -112,7 +114,8 @@ public:
         }
         break;
       case EnclosedQuantity::function:
-        enclosure.function = FunctionBound{.sup = found->bound, .outside = {}};
+        enclosure.function = FunctionBound{.sup = found->bound, .outside = 0};
+        enclosure.patches = patches(*found);
         widen(found->bound);
         break;
     }
@@ -128,6 +131,32 @@ private:
   static std::uint64_t unknowns(const EllipsoidProgress& now) {
     const auto powers = static_cast<std::uint64_t>(now.degree + 1);
     return powers * powers;
+  }
+  /// v on a grid of angles.
+  [[nodiscard]] std::vector<EnclosedPatch> patches(const EllipsoidEnclosure& found) const {
+    constexpr int rows = 24;
+    constexpr int columns = 48;
+    const auto place = [](int row, int column) -> Vector<double> {
+      const double polar = std::numbers::pi * row / rows;
+      const double azimuth = 2 * std::numbers::pi * (column % columns) / columns;
+      return {std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)};
+    };
+    const Vector<double> axes{ellipsoid_.half_axes.x.to_double(), ellipsoid_.half_axes.y.to_double(),
+                              ellipsoid_.half_axes.z.to_double()};
+    std::vector<EnclosedPatch> out;
+    for (int row = 0; row < rows; ++row)
+      for (int column = 0; column < columns; ++column) {
+        EnclosedPatch patch{.piece = piece_, .corners = {}, .bound = found.bound};
+        const std::array<Vector<double>, 4> corners{place(row, column), place(row + 1, column),
+                                                    place(row + 1, column + 1), place(row, column + 1)};
+        for (std::size_t k = 0; k < corners.size(); ++k) {
+          const Vector<double>& p = corners[k];
+          patch.corners[k] = {axes.x * p.x, axes.y * p.y, axes.z * p.z};
+          patch.values[k] = found.at(p).value;
+        }
+        out.push_back(std::move(patch));
+      }
+    return out;
   }
   [[noreturn]] static void refuse(const std::string& pointer, const Expression& formula,
                                   const std::string& reason, const std::string& allowed) {

@@ -29,6 +29,12 @@ std::unique_ptr<EnclosedProblem> enclosed_problem(const Problem& problem, const 
   require_normal(guarantee.width, "/guarantee/width");
   Surface surface = surface_of(problem);
   const bool is_ellipsoid = surface.name == "sphere" || surface.name == "ellipsoid";
+  if (guarantee.outside && (guarantee.of != EnclosedQuantity::function || is_ellipsoid))
+    throw InputError({.pointer = "/guarantee/outside",
+                      .value = guarantee.outside->to_text(),
+                      .problem = is_ellipsoid ? "is a distance from vertices, of which there are none"
+                                              : "is for a function, which is not asked for",
+                      .allowed = "\"of\": \"function\" on a polyhedron beside outside"});
   if (is_ellipsoid && !surface.mesh) return enclosed_ellipsoid(problem, guarantee, std::move(surface));
   return enclosed_polyhedron(problem, guarantee, std::move(surface));
 }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "radcert/collocation/certified/plane_chart.h"
+#include "radcert/continuous/function_enclosure.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
@@ -154,26 +156,38 @@ std::vector<SolutionPoint> solution_points(const Guarantee& guarantee, const std
   return out;
 }
 
+/// How far from the vertices a bound is wanted.
+double distance_from_vertices(const Guarantee& guarantee, const PolyhedronProblem& polyhedron) {
+  if (guarantee.outside) {
+    if (guarantee.outside->sign() < 0)
+      throw InputError({.pointer = "/guarantee/outside",
+                        .value = guarantee.outside->to_text(),
+                        .problem = "is negative",
+                        .allowed = "a distance from the vertices, 0 or more"});
+    require_normal(*guarantee.outside, "/guarantee/outside");
+    return guarantee.outside->to_double();
+  }
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Panel& panel : polyhedron.panels)
+    for (std::size_t i = 0; i < panel.corners.size(); ++i) {
+      const Vector<Rational> side = panel.corners[(i + 1) % panel.corners.size()] - panel.corners[i];
+      shortest = std::min(shortest, std::sqrt(dot(side, side).to_double()));
+    }
+  return 0.01 * shortest;
+}
+
 class EnclosedPolyhedron final : public EnclosedProblem {
 public:
   EnclosedPolyhedron(const Problem& problem, const Guarantee& guarantee, Surface surface)
       : guarantee_(guarantee),
         surface_(std::move(surface)),
         polyhedron_(polyhedron_problem(problem, surface_, guarantee)) {
-    switch (guarantee.of) {
-      case EnclosedQuantity::values: points_ = solution_points(guarantee, polyhedron_.panels); break;
-      case EnclosedQuantity::means: break;
-      case EnclosedQuantity::function:
-        throw InputError({.pointer = "/guarantee/of",
-                          .value = "function",
-                          .problem = "is not enclosed on a polyhedron",
-                          .allowed = "means or values; function on the sphere and on ellipsoids"});
-    }
+    if (guarantee.of == EnclosedQuantity::values) points_ = solution_points(guarantee, polyhedron_.panels);
+    if (guarantee.of == EnclosedQuantity::function) outside_ = distance_from_vertices(guarantee, polyhedron_);
   }
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
       const GuaranteeListener& progress) const override {
-    const std::vector<std::string> names = surface_.piece_names();
     const auto tell = [&](const EnclosureProgress& now) {
       if (progress)
         progress({.layers = now.layers,
@@ -184,20 +198,32 @@ public:
     };
     // A double from below: what is reached is then within what was asked for.
     const double wanted = guarantee_.width.to_double() * (1 - unit_roundoff<double>());
+    return guarantee_.of == EnclosedQuantity::function ? function(wanted, tell) : numbers(wanted, tell);
+  }
+
+private:
+  [[nodiscard]] LevelResult level_of(const EnclosureProgress& last) const {
+    LevelResult level;
+    level.level = last.layers;
+    level.elements = last.elements;
+    level.unknowns = last.unknowns;
+    level.mesh_size = last.mesh_size;
+    // On a closed surface sup rho; enclosing rounds it as norm_of_K does.
+    level.norm_K =
+        enclosing(Ball(*std::max_element(polyhedron_.reflectivity.begin(), polyhedron_.reflectivity.end())));
+    return level;
+  }
+
+  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> numbers(double wanted,
+                                                                  const EnclosureListener& tell) const {
+    const std::vector<std::string> names = surface_.piece_names();
     const bool of_values = guarantee_.of == EnclosedQuantity::values;
     const GoalEnclosure found = of_values ? enclose_values(polyhedron_, points_, wanted, tell)
                                           : enclose_means(polyhedron_, wanted, tell);
     if (!std::isfinite(found.width))
       throw AccuracyNotReached(of_values ? "the values of u" : "the means of u", found.hindrance);
     SolutionEnclosure enclosure{.wanted = guarantee_, .width = found.width, .hindrance = found.hindrance};
-    LevelResult level;
-    level.level = found.last.layers;
-    level.elements = found.last.elements;
-    level.unknowns = found.last.unknowns;
-    level.mesh_size = found.last.mesh_size;
-    // On a closed surface sup rho; enclosing rounds it as norm_of_K does.
-    level.norm_K =
-        enclosing(Ball(*std::max_element(polyhedron_.reflectivity.begin(), polyhedron_.reflectivity.end())));
+    LevelResult level = level_of(found.last);
     for (std::size_t k = 0; k < found.numbers.size(); ++k) {
       if (of_values) {
         const SolutionPoint& point = points_[k];
@@ -211,11 +237,29 @@ public:
     return {std::move(level), std::move(enclosure)};
   }
 
-private:
+  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> function(double wanted,
+                                                                   const EnclosureListener& tell) const {
+    const std::vector<std::string> names = surface_.piece_names();
+    FunctionEnclosure found = enclose_function(polyhedron_, wanted, outside_, tell);
+    if (!std::isfinite(found.sup)) throw AccuracyNotReached("the solution u", found.hindrance);
+    SolutionEnclosure enclosure{
+        .wanted = guarantee_, .width = 2 * found.sup, .hindrance = std::move(found.hindrance)};
+    FunctionBound bound{.sup = found.sup, .outside = found.outside};
+    for (const FunctionEnclosure::AtDistance& at : found.by_distance)
+      bound.by_distance.push_back({at.outside, at.sup});
+    for (std::size_t k = 0; k < names.size(); ++k)
+      bound.pieces.push_back({names[k], found.pieces[k].outside, found.pieces[k].everywhere});
+    for (const EnclosedPart& part : found.parts)
+      enclosure.patches.push_back({names[part.piece], part.corners, part.values, part.bound});
+    enclosure.function = std::move(bound);
+    return {level_of(found.last), std::move(enclosure)};
+  }
+
   const Guarantee& guarantee_;
   Surface surface_;
   PolyhedronProblem polyhedron_;
   std::vector<SolutionPoint> points_;
+  double outside_ = 0;
 };
 
 }  // namespace

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/geometry/vector.h"
+
+namespace radcert {
+
+/// Cells of one kind with numbers at their points and on them, as VTK knows them.
+struct UnstructuredGrid {
+  enum class Cell { vertex = 1, triangle = 5, quadrilateral = 9 };  ///< VTK's numbers
+  using Data = std::vector<std::pair<std::string, std::vector<double>>>;
+
+  Cell cell = Cell::triangle;
+  std::vector<Vector<double>> points;  ///< those of one cell after those of another, shared with none
+  std::vector<std::string> piece_names;
+  std::vector<std::size_t> pieces;  ///< of each cell
+  Data at_points;                   ///< the first is what is shown
+  Data on_cells;
+};
+
+/// Maths     VTK's XML format UnstructuredGrid, ASCII
+/// Requires  as many points and numbers as the cells have; finite numbers, else ContractViolation
+/// Result    a .vtu text; the names of pieces in a field array
+std::string vtu_text(const UnstructuredGrid& grid);
+
+}  // namespace radcert
