@@ -12,12 +12,9 @@
 namespace radcert {
 namespace {
 
-/// What interpolation in both clusters adds to projection, by the Lebesgue constant of its nodes: less than that
-/// constant, since errors that oscillate do not add up.
-double interpolation_factor(int degree) {
-  constexpr double part = 0.3;
-  return 3 + part * ModeTables::instance().lebesgue_constant(degree);
-}
+/// What interpolation in both clusters, and aliasing, add to projection: so that the sum over a row is covered
+/// five times. Far less than the Lebesgue constants allow, since errors that oscillate do not add up.
+constexpr double interpolation_factor = 3;
 
 /// What the distance asks for is often more than the modes do: a pair is looked at while it asks for at most so
 /// many times the largest degree.
@@ -146,7 +143,7 @@ std::optional<CouplingDegree> CouplingLook::operator()(std::size_t a, std::size_
   const std::optional<int> first = degree_by_distance(a, b);
   if (!first) return std::nullopt;
   const double ratio = 1 / std::min(rate(a, b), rate(b, a));
-  const double unit = demand_.functions_size / pi<double>();
+  const double factor = interpolation_factor * demand_.functions_size / pi<double>();
   const int most = demand_.largest_degree + degrees_beyond;
   constexpr int step = 3;
   for (int degree = std::clamp(*first + degrees_beyond, least_look, most);;
@@ -164,7 +161,6 @@ std::optional<CouplingDegree> CouplingLook::operator()(std::size_t a, std::size_
       target_b += in_b_.as_target[p + 1];
       source_a += std::pow(in_a_.as_source[p + 1], 2);
       source_b += std::pow(in_b_.as_source[p + 1], 2);
-      const double factor = unit * interpolation_factor(static_cast<int>(p));
       const CouplingDegree found{.degree = static_cast<int>(p),
                                  .error_a = factor * (target_a + std::sqrt(source_b)),
                                  .error_b = factor * (target_b + std::sqrt(source_a))};

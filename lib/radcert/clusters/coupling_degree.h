@@ -35,8 +35,10 @@ private:
 };
 
 /// The degree at which G between two clusters is interpolated, and what that leaves out.
-/// Maths     error_a bounds, over the points P of a, Int_b |G - I_p G| |f| dS / pi for densities with
-///           sum_j |f_j| of the size that the demand states; error_b the same with a and b exchanged
+/// Maths     error_a is meant for the largest, over the points P of a, of Int_b |G - I_p G| |f| dS / pi for
+///           densities f of the size that the demand states; error_b the same with a and b exchanged
+/// Result    estimated: made for sums over all couplings of a row. A single one may be exceeded, at most by a
+///           factor of 4 where that was looked at
 struct CouplingDegree {
   int degree = 0;
   double error_a = 0;
@@ -62,8 +64,8 @@ struct CouplingDemand {
 ///           the sum of their squares counts, the largest of the eight points; for P, as the mean over the
 ///           eight points of the source, degree by degree, the sum of |mode| max|D_n| or (m+1)^(3/2) times the
 ///           root of the sum of their squares, the least: sum D_n^2 over the modes of degree m is (m+1)^3 at
-///           the vertices and nowhere larger. That times 3 + 0.3 Lambda, Lambda the Lebesgue constant of the
-///           nodes, for interpolation in both clusters instead of projection
+///           the vertices and nowhere larger. Three times that, for interpolation in
+///           both clusters instead of projection
 /// Source    Lie norm: L(u+iv)^2 = |u|^2 + |v|^2 + 2 sqrt(|u|^2 |v|^2 - (u.v)^2), under which every zero of
 ///           (D-w).(D-w), D real, has L(w) >= |D|; Wang, Xiang (2012) for the rate. On curved charts the rate
 ///           is a guess that the look at the modes replaces
