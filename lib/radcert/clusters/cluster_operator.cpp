@@ -40,7 +40,7 @@ int ClusterTolerance::largest_degree() const {
 }
 
 double ClusterTolerance::share(std::size_t levels) const {
-  constexpr double couplings_a_level = 20;
+  constexpr double couplings_a_level = 30;
   return row_ / (couplings_a_level * static_cast<double>(std::max<std::size_t>(levels, 2) - 1));
 }
 

@@ -14,6 +14,7 @@
 #include "radcert/core/outcome.h"
 #include "radcert/polynomial/triangle_basis.h"
 #include "radcert/quadrature/tolerance.h"
+#include "radcert/solve/system_matrix.h"
 #include "radcert/surface/surface.h"
 #include "radcert/triangulation/triangulation.h"
 
@@ -22,7 +23,7 @@ namespace radcert {
 /// How far the matrix between distant clusters may be from its entries.
 /// Maths     of each row, sum_j |error_ij| <= row() rho(v_i), about that part of the row where S is closed
 /// Requires  finest <= row <= coarsest, else ContractViolation
-/// Result    largest_degree(): 10, 15, 20 at 1e-6, 1e-9, 1e-12; share(levels) = row()/(20 (levels - 1)): what
+/// Result    largest_degree(): 10, 15, 20 at 1e-6, 1e-9, 1e-12; share(levels) = row()/(30 (levels - 1)): what
 ///           one coupling may leave out of a row at first: a row has up to 100 couplings a level, most of
 ///           which leave out much less
 class ClusterTolerance {
@@ -55,7 +56,7 @@ private:
 ///           Radii are estimates, as those of CollocationMatrix. The same bits for any number of threads;
 ///           Interrupted when asked to stop
 /// Limits    couplings in double
-class ClusterOperator {
+class ClusterOperator final : public ProductOperator {
 public:
   struct Setting {
     const Surface& surface;
@@ -73,18 +74,18 @@ public:
   };
   explicit ClusterOperator(const Setting& setting);
 
-  [[nodiscard]] std::size_t size() const { return factors_.size(); }
+  [[nodiscard]] std::size_t size() const override { return factors_.size(); }
   [[nodiscard]] const std::vector<double>& kernel_integral() const { return kernel_integral_; }
   [[nodiscard]] const std::vector<double>& row_radius() const { return row_radius_; }
 
   /// y = K x.
-  void multiply(std::span<const double> x, std::span<double> y) const;
+  void multiply(std::span<const double> x, std::span<double> y) const override;
   /// y_i >= sum_j |k_ij| x_j for x >= 0: between far clusters |Int G l_j| <= Int G |l_j|.
-  void multiply_sizes(std::span<const double> x, std::span<double> y) const;
+  void multiply_sizes(std::span<const double> x, std::span<double> y) const override;
   /// y = K x with the near part as if in twice the precision.
-  void multiply_accurately(std::span<const double> x, std::span<double> y) const;
+  void multiply_accurately(std::span<const double> x, std::span<double> y) const override;
   /// What the rounding of couplings may do to a product: |error_i| <= rounding() max|x| rho_i, estimated.
-  [[nodiscard]] double rounding() const { return rounding_; }
+  [[nodiscard]] double rounding() const override { return rounding_; }
 
   [[nodiscard]] const ClusterCouplings& couplings() const { return *couplings_; }
   [[nodiscard]] const NearEntries& near_entries() const { return *near_; }
