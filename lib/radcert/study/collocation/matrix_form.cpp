@@ -62,7 +62,7 @@ bool takes_clusters(const Problem& problem, std::uint64_t unknowns) {
 }
 
 void plan_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions) {
-  constexpr std::uint64_t near_leaves = 48;
+  constexpr std::uint64_t near_leaves = 64;
   constexpr std::uint64_t node_bytes = 4096;
   const std::uint64_t leaf =
       functions << static_cast<unsigned>(2 * leaf_refinements(static_cast<std::size_t>(functions)));
