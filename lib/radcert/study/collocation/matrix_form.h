@@ -14,7 +14,7 @@ namespace radcert {
 [[nodiscard]] std::vector<std::string> operator_names();
 
 /// The number of unknowns up to which `auto` takes the matrix with all its entries.
-/// Source    apps/bench/README.md: set-up and solution together take longer than with clusters from there on
+/// Source    apps/bench/README.md: about where set-up takes as long in either form
 inline constexpr std::uint64_t most_dense_unknowns = 8192;
 
 /// Refuses a form that is not known, and `h2` where it does not serve the problem: a method that is no
