@@ -90,8 +90,8 @@ std::vector<std::size_t> columns_to_look_at(const Discretisation& d) {
   return columns;
 }
 
-/// Holds an operator against the dense matrix: entries of some columns in all rows, those at edges and corners
-/// among them, and products, within the radii of both.
+/// Holds an operator against the dense matrix: entries of some columns in all rows, those at edges and
+/// corners among them, and products, within the radii of both.
 void expect_agreement(const Discretisation& d, double tolerance, int refinements) {
   const CollocationMatrix<double> dense = d.dense();
   const ClusterOperator k = d.clusters(tolerance, refinements);

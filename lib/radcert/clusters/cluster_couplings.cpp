@@ -13,7 +13,8 @@
 namespace radcert {
 namespace {
 
-/// The doubles that the values of a batch of couplings take at most: they stay in the cache of the last level.
+/// The doubles that the values of a batch of couplings take at most: they stay in the cache of the last
+/// level.
 constexpr std::size_t most_slots = std::size_t{1} << 21U;
 /// The clusters that a task takes at a time, in groups that share the loads of a matrix.
 constexpr std::size_t clusters_at_a_time = 32;
@@ -168,9 +169,10 @@ void ClusterCouplings::count(MemoryPlan& plan) const {
   plan.add("values of couplings", slots, sizeof(double));
 }
 
-void ClusterCouplings::multiply(Density density, std::span<const double> x, std::span<double> y) const {
+void ClusterCouplings::multiply(ClusterDensity density, std::span<const double> x,
+                                std::span<double> y) const {
   const std::size_t unknowns = levels_.back().clusters * leaf_.unknowns;
-  expects(y.size() == unknowns && (density == Density::one || x.size() == unknowns),
+  expects(y.size() == unknowns && (density == ClusterDensity::one || x.size() == unknowns),
           "vectors of as many entries as unknowns", named("x", x.size()), named("y", y.size()));
   if (couplings_.empty()) {
     std::fill(y.begin(), y.end(), 0.0);
@@ -189,16 +191,16 @@ void ClusterCouplings::multiply(Density density, std::span<const double> x, std:
   values_at_leaves(modes, y);
 }
 
-void ClusterCouplings::moments_of_leaves(Density density, std::span<const double> x,
+void ClusterCouplings::moments_of_leaves(ClusterDensity density, std::span<const double> x,
                                          std::span<double> moments) const {
   const Level& level = levels_.back();
   const Matrix<double>& table =
-      density == Density::absolute_functions ? leaf_.absolute_moments : leaf_.moments;
+      density == ClusterDensity::absolute_functions ? leaf_.absolute_moments : leaf_.moments;
   parallel_for(level.clusters, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
     VectorGroup group;
     for (std::size_t i = begin; i < end; ++i) {
       double* to = &moments[level.first + i * level.stride];
-      if (density == Density::one)
+      if (density == ClusterDensity::one)
         *to = 1;
       else
         group.add(&x[i * leaf_.unknowns], to);

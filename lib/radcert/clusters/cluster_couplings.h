@@ -15,7 +15,7 @@
 namespace radcert {
 
 /// What the numbers of a vector stand for where far clusters see them.
-enum class Density {
+enum class ClusterDensity {
   functions,           ///< sum_j x_j l_j
   absolute_functions,  ///< sum_j x_j |l_j|
   one,                 ///< 1, whatever the numbers
@@ -23,24 +23,24 @@ enum class Density {
 
 /// The part of the collocation operator between clusters that couple by polynomials.
 /// Maths     y_i = sum over the far pairs (a, b), v_i in a, of Int_b I_p G(v_i, Q) f(Q) dS_Q, I_p the
-///           interpolation of degree p at the nodes of both clusters.  Upwards: moments M_n = mean of f D_n, of
-///           the leaves from the numbers, of parents from their children; to weights of the nodes, V^-T M times
-///           the area element.  Couplings: G between the nodes of a and b, evaluated in every product, once for
-///           both directions.  Downwards: modes V^-1 of the values at the nodes, from parents to children, and
-///           at the leaves to the collocation nodes
+///           interpolation of degree p at the nodes of both clusters.  Upwards: moments M_n = mean of f D_n,
+///           of the leaves from the numbers, of parents from their children; to weights of the nodes, V^-T M
+///           times the area element.  Couplings: G between the nodes of a and b, evaluated in every product,
+///           once for both directions.  Downwards: modes V^-1 of the values at the nodes, from parents to
+///           children, and at the leaves to the collocation nodes
 /// Source    ours: an H2 matrix (Hackbusch, Khoromskij, Sauter, 2000) on the triangles of a triangulation,
 ///           whose transfer matrices are constants because the area element stays with G
 /// Requires  pairs of this tree; leaves of the basis's unknowns
-/// Result    the same bits for any number of threads: what a coupling gives is added in the order of the list,
-///           and everything else is added by one task
+/// Result    the same bits for any number of threads: what a coupling gives is added in the order of the
+///           list, and everything else is added by one task
 /// Limits    rounded; its truncation is that of CouplingDegree
 class ClusterCouplings {
 public:
   ClusterCouplings(const std::vector<Chart>& charts, const ClusterTree& tree,
                    const std::vector<std::vector<FarPair>>& pairs, const TriangleBasis<double>& basis);
 
-  /// Requires as many entries of x and y as there are unknowns, none of them shared; Density::one takes no x.
-  void multiply(Density density, std::span<const double> x, std::span<double> y) const;
+  /// Requires as many entries of x and y as there are unknowns, none shared; ClusterDensity::one takes no x.
+  void multiply(ClusterDensity density, std::span<const double> x, std::span<double> y) const;
 
   [[nodiscard]] std::size_t unknowns_of_leaf() const { return leaf_.unknowns; }
   /// The number of evaluations of G in a product.
@@ -94,7 +94,7 @@ private:
                        const std::vector<std::vector<FarPair>>& pairs);
   void list_batches();
   void close_batch(std::size_t end, std::size_t slots);
-  void moments_of_leaves(Density density, std::span<const double> x, std::span<double> moments) const;
+  void moments_of_leaves(ClusterDensity density, std::span<const double> x, std::span<double> moments) const;
   void moments_of_parents(std::span<double> moments) const;
   void weights_of_nodes(std::span<const double> moments, std::span<double> weights) const;
   void couple(std::span<const double> weights, std::span<double> values) const;

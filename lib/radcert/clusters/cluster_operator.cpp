@@ -94,9 +94,9 @@ ClusterOperator::ClusterOperator(const Setting& setting) {
   NearEntries::RowSums near = near_->fill(scheme, setting.triangulation, setting.nodes, factors_);
   row_radius_ = std::move(near.radius);
   std::vector<double> far(unknowns);
-  couplings_->multiply(Density::one, {}, far);
-  // Values at nodes, transfers and sums amplify a rounding by less than this: Lebesgue constants up to 66, and
-  // G from rounded points.
+  couplings_->multiply(ClusterDensity::one, {}, far);
+  // Values at nodes, transfers and sums amplify a rounding by less than this: Lebesgue constants up to 66,
+  // and G from rounded points.
   constexpr double amplification = 256;
   rounding_ = amplification * unit_roundoff<double>() * demand.functions_size;
   kernel_integral_ = std::move(near.kernel_integral);
@@ -106,18 +106,19 @@ ClusterOperator::ClusterOperator(const Setting& setting) {
   }
 }
 
-void ClusterOperator::far_product(Density density, std::span<const double> x, std::span<double> y) const {
+void ClusterOperator::far_product(ClusterDensity density, std::span<const double> x,
+                                  std::span<double> y) const {
   couplings_->multiply(density, x, y);
   for (std::size_t i = 0; i < y.size(); ++i) y[i] *= factors_[i];
 }
 
 void ClusterOperator::multiply(std::span<const double> x, std::span<double> y) const {
-  far_product(Density::functions, x, y);
+  far_product(ClusterDensity::functions, x, y);
   near_->add_product(x, y);
 }
 
 void ClusterOperator::multiply_sizes(std::span<const double> x, std::span<double> y) const {
-  far_product(Density::absolute_functions, x, y);
+  far_product(ClusterDensity::absolute_functions, x, y);
   // The moments of |l_j| come from a rule on small parts of an element.
   constexpr double upward = 1 + 0x1p-8;
   for (double& each : y) each *= upward;
@@ -125,7 +126,7 @@ void ClusterOperator::multiply_sizes(std::span<const double> x, std::span<double
 }
 
 void ClusterOperator::multiply_accurately(std::span<const double> x, std::span<double> y) const {
-  far_product(Density::functions, x, y);
+  far_product(ClusterDensity::functions, x, y);
   near_->add_accurately(x, y);
 }
 

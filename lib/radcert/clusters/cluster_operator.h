@@ -92,7 +92,7 @@ public:
   [[nodiscard]] MemoryPlan memory() const;
 
 private:
-  void far_product(Density density, std::span<const double> x, std::span<double> y) const;
+  void far_product(ClusterDensity density, std::span<const double> x, std::span<double> y) const;
 
   std::vector<double> factors_;  ///< rho/pi
   std::unique_ptr<ClusterCouplings> couplings_;

@@ -14,8 +14,8 @@
 namespace radcert {
 
 /// Points of clusters as structure of arrays, one set of points after the other.
-/// Maths     Q = F(x), n_Q the unit inner normal, weight = |D_s F x D_t F| times the area of the cluster in the
-///           parameter plane: the mean over the cluster of G(P,Q) weight f is its part of Int G f dS
+/// Maths     Q = F(x), n_Q the unit inner normal, weight = |D_s F x D_t F| times the area of the cluster in
+///           the parameter plane: the mean over the cluster of G(P,Q) weight f is its part of Int G f dS
 /// Result    sets begin at whole packs; what pads a set is its last point again, with weight 0
 class ClusterPoints {
 public:

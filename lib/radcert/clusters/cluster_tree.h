@@ -18,8 +18,8 @@ namespace radcert {
 class ClusterTree {
 public:
   /// Refused in words where the triangles are not those of symmetric refinement: a graded triangulation, or a
-  /// count that 4^level does not divide. Requires 0 <= refinements, 0 <= level, else ContractViolation; leaves
-  /// are whole trees where `level` is below `refinements`.
+  /// count that 4^level does not divide. Requires 0 <= refinements, 0 <= level, else ContractViolation;
+  /// leaves are whole trees where `level` is below `refinements`.
   static Outcome<ClusterTree> make(const Triangulation& triangulation, int level, int refinements);
 
   /// The number of levels of clusters, leaves included.

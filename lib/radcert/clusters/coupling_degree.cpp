@@ -12,12 +12,12 @@
 namespace radcert {
 namespace {
 
-/// What interpolation in both clusters, and aliasing, add to projection: so that the sum over a row is covered
-/// five times. Far less than the Lebesgue constants allow, since errors that oscillate do not add up.
+/// What interpolation in both clusters, and aliasing, add to projection: so that the sum over a row is
+/// covered five times. Far less than the Lebesgue constants allow, since errors that oscillate do not add up.
 constexpr double interpolation_factor = 3;
 
-/// What the distance asks for is often more than the modes do: a pair is looked at while it asks for at most so
-/// many times the largest degree.
+/// What the distance asks for is often more than the modes do: a pair is looked at while it asks for at most
+/// so many times the largest degree.
 constexpr double degrees_promised = 1.5;
 /// A look at fewer degrees says little of a G that is small because the clusters are nearly in one plane.
 constexpr int least_look = 6;

@@ -53,18 +53,18 @@ struct CouplingDemand {
 };
 
 /// Decides whether two clusters of one level couple by polynomials, and of which degree.
-/// Maths     first from their distance: seen from every point P of b, the triangle a with the centre c and the
-///           radius r has x = (|c - c_b| - r_b)/r, and the modes of degree m of G fall as rho^-m, rho = x +
-///           sqrt(x^2 - 1): L(Q - c) <= g r on the complex neighbourhood with sum |lambda_i| <= g < x, where L
-///           is the Lie norm, and |(P-Q).(P-Q)| >= (|P-c| - g r)^2. The least p with
-///           8 rho^-p/(rho - 1) max|G| area/pi <= share; clusters are too near where it exceeds one and a half
-///           times the largest degree. Then from G itself: its modes in a, seen from eight points of b, and in
-///           b, seen from a, up to two degrees beyond p or more: the least degree at which the modes left out,
-///           and those not looked at as a geometric series, stay within the share. Over the source the root of
-///           the sum of their squares counts, the largest of the eight points; for P, as the mean over the
-///           eight points of the source, degree by degree, the sum of |mode| max|D_n| or (m+1)^(3/2) times the
-///           root of the sum of their squares, the least: sum D_n^2 over the modes of degree m is (m+1)^3 at
-///           the vertices and nowhere larger. Three times that, for interpolation in
+/// Maths     first from their distance: seen from every point P of b, the triangle a with the centre c and
+///           the radius r has x = (|c - c_b| - r_b)/r, and the modes of degree m of G fall as rho^-m, rho =
+///           x + sqrt(x^2 - 1): L(Q - c) <= g r on the complex neighbourhood with sum |lambda_i| <= g < x,
+///           where L is the Lie norm, and |(P-Q).(P-Q)| >= (|P-c| - g r)^2. The least p with
+///           8 rho^-p/(rho - 1) max|G| area/pi <= share; clusters are too near where it exceeds one and a
+///           half times the largest degree. Then from G itself: its modes in a, seen from eight points of b,
+///           and in b, seen from a, up to two degrees beyond p or more: the least degree at which the modes
+///           left out, and those not looked at as a geometric series, stay within the share. Over the source
+///           the root of the sum of their squares counts, the largest of the eight points; for P, as the
+///           mean over the eight points of the source, degree by degree, the sum of |mode| max|D_n| or
+///           (m+1)^(3/2) times the root of the sum of their squares, the least: sum D_n^2 over the modes of
+///           degree m is (m+1)^3 at the vertices and nowhere larger. Three times that, for interpolation in
 ///           both clusters instead of projection
 /// Source    Lie norm: L(u+iv)^2 = |u|^2 + |v|^2 + 2 sqrt(|u|^2 |v|^2 - (u.v)^2), under which every zero of
 ///           (D-w).(D-w), D real, has L(w) >= |D|; Wang, Xiang (2012) for the rate. On curved charts the rate

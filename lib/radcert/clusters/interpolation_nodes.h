@@ -8,9 +8,9 @@
 namespace radcert {
 
 /// Nodes for interpolation by polynomials of high degree on a triangle.
-/// Maths     x(a) for a = (a_1,a_2,a_3) >= 0, |a| = p: the mean, over the three sides, of the point of the side
-///           i that belongs to a without a_i, by the weights g(p, p - a_i);  on a side of n + 1 points these
-///           are g(n, k), the Gauss-Lobatto-Legendre points of [0,1]
+/// Maths     x(a) for a = (a_1,a_2,a_3) >= 0, |a| = p: the mean, over the three sides, of the point of the
+///           side i that belongs to a without a_i, by the weights g(p, p - a_i);  on a side of n + 1 points
+///           these are g(n, k), the Gauss-Lobatto-Legendre points of [0,1]
 /// Source    T. Isaac, "Recursive, parameter-free, explicitly defined interpolation nodes for simplices",
 ///           SIAM J. Sci. Comput. 42 (2020)
 /// Requires  0 <= degree <= largest_mode_degree, else ContractViolation

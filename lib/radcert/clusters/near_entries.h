@@ -17,11 +17,12 @@
 namespace radcert {
 
 /// The entries of the collocation matrix between leaves that are near each other.
-/// Maths     entries(i, k p + j) = factor_i Int_{Delta_k} G(v_i,Q) l_j(Q) dS_Q for v_i and Delta_k in near leaves
+/// Maths     entries(i, k p + j) = factor_i Int_{Delta_k} G(v_i,Q) l_j(Q) dS_Q for v_i and Delta_k in near
+///           leaves
 /// Source    [ac98, (40)]; ElementIntegrator, as in the dense assembly
 /// Requires  as many nodes as elements times functions; near pairs of leaves of `unknowns` each
-/// Result    a dense block a pair of leaves, by columns, its rows padded; each entry to the scheme's tolerance. The same bits for any number
-///           of threads; Interrupted when asked to stop
+/// Result    a dense block a pair of leaves, by columns, its rows padded; each entry to the scheme's
+///           tolerance. The same bits for any number of threads; Interrupted when asked to stop
 class NearEntries {
 public:
   /// What a row's near entries sum to beside themselves.

@@ -41,8 +41,8 @@ private:
 /// No weights were found.
 struct NoContraction {
   double theta = 0;  ///< the least that was
-  /// A lower bound of the spectral radius of |K|, 0 for an operator: min_i (|K| w)_i / w_i for the best positive w that was seen
-  /// (Collatz, 1942; Wielandt, 1950), rounded down.
+  /// A lower bound of the spectral radius of |K|, 0 for an operator: min_i (|K| w)_i / w_i for the best
+  /// positive w that was seen (Collatz, 1942; Wielandt, 1950), rounded down.
   double radius_from_below = 0;
 };
 

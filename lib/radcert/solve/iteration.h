@@ -52,8 +52,8 @@ struct Correction {
 ///           over m corrections with ((1 + theta)/2)^m <= 1/2, where v <- v + r would without rounding make
 ///           it a quarter, or after as many as theta plans, or at once where it plans more than 10^6 single
 ///           reflections; without a tolerance, then, only if ||r||_w also exceeds what rounding can do, 4 u
-///           (1 + theta)/(1 - theta) ||v||_w, an operator's rounding added. The same bits for any number of threads; Interrupted when asked
-///           to stop
+///           (1 + theta)/(1 - theta) ||v||_w, an operator's rounding added. The same bits for any number of
+///           threads; Interrupted when asked to stop
 /// Limits    a bound of the error of the linear system alone, whose matrix and right-hand side are taken as
 ///           exact. For an operator a bound as far as its rounding() is one
 Outcome<IterativeSolution, NotReached> iterate(const SystemMatrix& k, const Contraction& contraction,

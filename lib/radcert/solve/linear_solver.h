@@ -47,8 +47,9 @@ struct LinearSolver {
   bool iterates = false;
   /// Adds its memory beside the matrix.
   std::function<void(MemoryPlan& plan, std::uint64_t unknowns)> plan = {};
-  /// Solves a system of finite numbers, which only those that iterate take as an operator; a reason in words where the system has no solution within bounds.
-  /// None: the solver proves, and needs a matrix whose entries are enclosed (verified_system).
+  /// Solves a system of finite numbers, which only those that iterate take as an operator; a reason in words
+  /// where the system has no solution within bounds. None: the solver proves, and needs a matrix whose
+  /// entries are enclosed (verified_system).
   std::function<Outcome<LinearSolution>(const LinearSystem& system, std::optional<double> tolerance)> solve =
       {};
 

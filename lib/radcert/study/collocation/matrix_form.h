@@ -31,8 +31,8 @@ void check_operator(const Problem& problem, const Surface& surface);
 /// Adds what a ClusterOperator will need, before it is made.
 /// Maths     near entries: 64 leaves near each leaf; nodes: 4 kB an unknown
 /// Source    apps/bench/README.md has what was measured: at most 58 leaves
-/// Limits    an estimate. Once the lists are made they are counted, and more than there is memory for is refused
-///           before any entry is integrated
+/// Limits    an estimate. Once the lists are made they are counted, and more than there is memory for is
+///           refused before any entry is integrated
 void plan_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions);
 
 }  // namespace radcert
