@@ -23,7 +23,7 @@ using test::Values;
 
 constexpr double unit = unit_roundoff<double>();
 
-using Solver = Outcome<IterativeSolution, NotReached> (*)(const Matrix<double>&, const Contraction&,
+using Solver = Outcome<IterativeSolution, NotReached> (*)(const SystemMatrix&, const Contraction&,
                                                           std::span<const double>, std::optional<double>);
 
 struct NamedSolver {
@@ -301,7 +301,7 @@ TEST(ResidualBounds, BoundTheExactResidual) {
     const Values v = solve_by_gmres(k, contraction, e).value().values;
     Values r(n);
     accurate_residual(k, v, e, r);
-    const Values bounds = residual_bounds(contraction, v, e, r);
+    const Values bounds = residual_bounds(k, contraction, v, e, r);
     for (std::size_t i = 0; i < n; ++i) {
       Rational exact = Rational::exactly(e[i]) - Rational::exactly(v[i]);
       for (std::size_t j = 0; j < n; ++j) exact += Rational::exactly(k(i, j)) * Rational::exactly(v[j]);

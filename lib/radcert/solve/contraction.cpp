@@ -7,7 +7,6 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/scalar/real.h"
-#include "radcert/solve/product.h"
 
 namespace radcert {
 namespace {
@@ -46,14 +45,14 @@ double Contraction::inverse_bound(double norm_of_d) const { return norm_of_d / (
 
 /// Steps from weights to weights.
 struct ContractionSearch {
-  const Matrix<double>& k;
+  SystemMatrix k;
   std::span<const double> row_radius;
   std::vector<double> image = std::vector<double>(k.rows());
   double radius_from_below = 0;  ///< of all matrices within the radii; see NoContraction
 
   /// The image of the weights and a theta for them, rounded up.
   double measure(std::span<const double> weights) {
-    multiply_sizes(k, weights, image);
+    k.multiply_sizes(weights, image);
     // The exact sum is at most that of the machine over (1 - u)^n, and (1 - u)^-n <= 1 + (n + 1) u for n <=
     // 2^26; what has underflowed is less than a denormal number a term.
     const auto n = static_cast<double>(k.rows());
@@ -65,7 +64,9 @@ struct ContractionSearch {
       least = std::min(least, (image[i] * (2 - sums_upward) - underflow - radius) / weights[i]);
       image[i] = image[i] * sums_upward + underflow + radius;
     }
-    if (std::isfinite(least)) radius_from_below = std::max(radius_from_below, least * (2 - upward));
+    // The sizes of an operator are bounds from above alone.
+    if (k.has_entries() && std::isfinite(least))
+      radius_from_below = std::max(radius_from_below, least * (2 - upward));
     return largest_ratio(image, weights) * upward;
   }
 
@@ -106,7 +107,7 @@ struct ContractionSearch {
   }
 };
 
-Outcome<Contraction, NoContraction> find_contraction(const Matrix<double>& k,
+Outcome<Contraction, NoContraction> find_contraction(const SystemMatrix& k,
                                                      std::span<const double> row_radius, long most_steps) {
   constexpr std::size_t most_rows = std::size_t{1} << 26U;
   expects(k.rows() == k.columns() && k.rows() > 0 && k.rows() <= most_rows, "a square matrix",

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "radcert/core/matrix.h"
 #include "radcert/core/outcome.h"
 #include "radcert/core/work_limit.h"
+#include "radcert/solve/system_matrix.h"
 
 namespace radcert {
 
@@ -41,8 +41,8 @@ private:
 /// No weights were found.
 struct NoContraction {
   double theta = 0;  ///< the least that was
-  /// A lower bound of the spectral radius of |K|, min_i (|K| w)_i / w_i for the best positive w that was seen
-  /// (Collatz, 1942; Wielandt, 1950), rounded down.
+  /// A lower bound of the spectral radius of |K|, 0 for an operator: min_i (|K| w)_i / w_i for the best
+  /// positive w that was seen (Collatz, 1942; Wielandt, 1950), rounded down.
   double radius_from_below = 0;
 };
 
@@ -59,7 +59,7 @@ extern const WorkLimit most_power_steps;
 ///           theta is infinite where K is not finite. The same bits for any number of threads; Interrupted
 ///           when asked to stop
 /// Limits    at most `most_steps` products: a spectral radius just below 1 may be missed
-Outcome<Contraction, NoContraction> find_contraction(const Matrix<double>& k,
+Outcome<Contraction, NoContraction> find_contraction(const SystemMatrix& k,
                                                      std::span<const double> row_radius = {},
                                                      long most_steps = most_power_steps.value());
 

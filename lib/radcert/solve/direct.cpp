@@ -23,10 +23,10 @@ namespace {
 /// matrix at hand.
 Outcome<LinearSolution> eliminate(const LinearSystem& system) {
   constexpr double unit = unit_roundoff<double>();
-  const DirectSolver solver(system.k);
+  const DirectSolver solver(system.k.entries());
   LinearSolution found{.values = solver.solve(system.e)};
   const std::vector<double>& u = found.values;
-  const std::vector<double> ku = accurate_product(system.k, u);
+  const std::vector<double> ku = accurate_product(system.k.entries(), u);
   std::vector<double> residual(u.size());
   for (std::size_t i = 0; i < u.size(); ++i)
     residual[i] = std::abs(system.e[i] - (u[i] - ku[i])) + unit * (std::abs(u[i]) + 4 * std::abs(ku[i]));

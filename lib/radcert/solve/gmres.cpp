@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "radcert/solve/linear_solver.h"
-#include "radcert/solve/product.h"
 
 namespace radcert {
 namespace {
@@ -35,7 +34,7 @@ void subtract(std::span<double> y, double factor, std::span<const double> x) {
 /// GMRES from zero for (I - K) d = r, with room for its vectors.
 class Krylov {
 public:
-  Krylov(const Matrix<double>& k, double least_weight)
+  Krylov(const SystemMatrix& k, double least_weight)
       : k_(k),
         least_weight_(least_weight),
         vectors_(k.rows(), std::min(k.rows(), krylov_dimension.count()) + 1),
@@ -78,7 +77,7 @@ private:
   bool extend(std::size_t m) {
     const std::span<const double> last = vectors_.column(m);
     const std::span<double> next = vectors_.column(m + 1);
-    multiply(k_, last, next);
+    k_.multiply(last, next);
     for (std::size_t i = 0; i < next.size(); ++i) next[i] = last[i] - next[i];
     const double before = norm(next);
     for (std::size_t i = 0; i <= m; ++i) hessenberg_(i, m) = 0;
@@ -125,7 +124,7 @@ private:
     for (std::size_t i = 0; i < m; ++i) subtract(d, -scale * right_[i], vectors_.column(i));
   }
 
-  const Matrix<double>& k_;
+  SystemMatrix k_;
   double least_weight_;
   Matrix<double> vectors_;
   Matrix<double> hessenberg_;
@@ -138,7 +137,7 @@ private:
 const WorkLimit krylov_dimension("solve/gmres: vectors", 64, 1,
                                  "begun anew; refused with the bound reached where that stands still");
 
-Outcome<IterativeSolution, NotReached> solve_by_gmres(const Matrix<double>& k, const Contraction& contraction,
+Outcome<IterativeSolution, NotReached> solve_by_gmres(const SystemMatrix& k, const Contraction& contraction,
                                                       std::span<const double> e,
                                                       std::optional<double> tolerance) {
   Krylov krylov(k, contraction.least_weight());

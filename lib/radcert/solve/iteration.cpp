@@ -7,7 +7,6 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/scalar/real.h"
-#include "radcert/solve/accurate_dot.h"
 
 namespace radcert {
 namespace {
@@ -21,8 +20,9 @@ double max_abs(std::span<const double> values) {
   return size;
 }
 
-void bound_residual(const Contraction& contraction, std::span<const double> v, std::span<const double> e,
-                    std::span<const double> residual, std::span<double> bounds) {
+void bound_residual(const SystemMatrix& k, const Contraction& contraction, std::span<const double> v,
+                    std::span<const double> e, std::span<const double> residual, std::span<double> bounds) {
+  const double product_rounding = k.rounding() * max_abs(v);
   const auto n = static_cast<double>(v.size());
   const double second_order = (n + 4) * unit * ((n + 4) * unit);
   const double underflow = 8 * n * std::numeric_limits<double>::denorm_min();
@@ -30,7 +30,8 @@ void bound_residual(const Contraction& contraction, std::span<const double> v, s
   const std::span<const double> w = contraction.weights();
   for (std::size_t i = 0; i < v.size(); ++i) {
     const double terms = std::abs(e[i]) + std::abs(v[i]) + product_size * w[i];
-    bounds[i] = (1 + 8 * unit) * std::abs(residual[i]) + ((1 + 16 * unit) * second_order * terms + underflow);
+    bounds[i] = (1 + 8 * unit) * std::abs(residual[i]) +
+                ((1 + 16 * unit) * second_order * terms + underflow) + product_rounding;
   }
 }
 
@@ -58,11 +59,17 @@ constexpr std::size_t most_reflections = 1000000;
 struct Descent {
   const Contraction& contraction;
   std::optional<double> tolerance;
+  double rounding;  ///< of a product, in parts of max|v|
+
+  /// What the rounding of products alone leaves of a residual, as ||r||_w.
+  double product_rounding(std::span<const double> v) const {
+    return rounding == 0 ? 0 : rounding * max_abs(v) / contraction.least_weight();
+  }
 
   /// The size of the residual at which v is good enough.
   double goal(std::span<const double> v) const {
     if (tolerance) return *tolerance * (1 - 32 * unit) * (1 - contraction.theta()) * max_abs(v);
-    return 2 * unit * contraction.norm(v);
+    return 2 * unit * contraction.norm(v) + 2 * product_rounding(v);
   }
   bool reached(std::span<const double> v, double residual) const {
     if (!std::isfinite(residual)) return false;
@@ -73,20 +80,21 @@ struct Descent {
   bool left_to_rounding(std::span<const double> v, double residual) const {
     const double theta = contraction.theta();
     return !tolerance && std::isfinite(residual) &&
-           residual <= 4 * unit * (1 + theta) / (1 - theta) * contraction.norm(v);
+           residual <= 4 * unit * (1 + theta) / (1 - theta) * contraction.norm(v) + 4 * product_rounding(v);
   }
 };
 
 }  // namespace
 
-std::vector<double> residual_bounds(const Contraction& contraction, std::span<const double> v,
-                                    std::span<const double> e, std::span<const double> residual) {
+std::vector<double> residual_bounds(const SystemMatrix& k, const Contraction& contraction,
+                                    std::span<const double> v, std::span<const double> e,
+                                    std::span<const double> residual) {
   std::vector<double> bounds(v.size());
-  bound_residual(contraction, v, e, residual, bounds);
+  bound_residual(k, contraction, v, e, residual, bounds);
   return bounds;
 }
 
-Outcome<IterativeSolution, NotReached> iterate(const Matrix<double>& k, const Contraction& contraction,
+Outcome<IterativeSolution, NotReached> iterate(const SystemMatrix& k, const Contraction& contraction,
                                                std::span<const double> e, std::optional<double> tolerance,
                                                const Correction& correction) {
   expects(e.size() == k.rows() && contraction.weights().size() == k.rows(),
@@ -94,7 +102,7 @@ Outcome<IterativeSolution, NotReached> iterate(const Matrix<double>& k, const Co
           named("size", e.size()));
   expects(!tolerance || (*tolerance >= least_tolerance && *tolerance < 1),
           "a tolerance in [least_tolerance, 1)", named("tolerance", tolerance.value_or(0)));
-  const Descent descent{.contraction = contraction, .tolerance = tolerance};
+  const Descent descent{.contraction = contraction, .tolerance = tolerance, .rounding = k.rounding()};
   std::vector<double> v(e.begin(), e.end());
   if (max_abs(e) == 0) return IterativeSolution{.values = std::move(v)};
 
@@ -108,8 +116,8 @@ Outcome<IterativeSolution, NotReached> iterate(const Matrix<double>& k, const Co
   std::size_t iterations = 0;
   std::size_t planned = 0;
   for (std::size_t step = 0;; ++step) {
-    accurate_residual(k, v, e, r);
-    bound_residual(contraction, v, e, r, bounds);
+    k.accurate_residual(v, e, r);
+    bound_residual(k, contraction, v, e, r, bounds);
     const double residual = contraction.norm(bounds);
     if (residual < best_residual) {
       best_residual = residual;

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "radcert/core/matrix.h"
 #include "radcert/core/outcome.h"
 #include "radcert/solve/contraction.h"
+#include "radcert/solve/system_matrix.h"
 
 namespace radcert {
 
@@ -52,22 +52,23 @@ struct Correction {
 ///           over m corrections with ((1 + theta)/2)^m <= 1/2, where v <- v + r would without rounding make
 ///           it a quarter, or after as many as theta plans, or at once where it plans more than 10^6 single
 ///           reflections; without a tolerance, then, only if ||r||_w also exceeds what rounding can do, 4 u
-///           (1 + theta)/(1 - theta) ||v||_w. The same bits for any number of threads; Interrupted when asked
-///           to stop
+///           (1 + theta)/(1 - theta) ||v||_w, an operator's rounding added. The same bits for any number of
+///           threads; Interrupted when asked to stop
 /// Limits    a bound of the error of the linear system alone, whose matrix and right-hand side are taken as
-///           exact
-Outcome<IterativeSolution, NotReached> iterate(const Matrix<double>& k, const Contraction& contraction,
+///           exact. For an operator a bound as far as its rounding() is one
+Outcome<IterativeSolution, NotReached> iterate(const SystemMatrix& k, const Contraction& contraction,
                                                std::span<const double> e, std::optional<double> tolerance,
                                                const Correction& correction);
 
 /// Bounds of |r_i|, given the computed residual of v.
 /// Maths     |r_i| + u |r_i| + ((n + 4) u)^2 (|e_i| + |v_i| + theta w_i ||v||_w), which bounds (|K| |v|)_i
-///           too
+///           too; with an operator rounding() max|v| more
 /// Source    accurate_residual
 /// Requires  vectors of the contraction's size; `residual` from accurate_residual
 /// Result    rounded up
 /// Limits    as accurate_residual
-std::vector<double> residual_bounds(const Contraction& contraction, std::span<const double> v,
-                                    std::span<const double> e, std::span<const double> residual);
+std::vector<double> residual_bounds(const SystemMatrix& k, const Contraction& contraction,
+                                    std::span<const double> v, std::span<const double> e,
+                                    std::span<const double> residual);
 
 }  // namespace radcert

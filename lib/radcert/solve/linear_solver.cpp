@@ -7,7 +7,6 @@
 
 #include "radcert/core/text.h"
 #include "radcert/scalar/enclosing_text.h"
-#include "radcert/solve/accurate_dot.h"
 
 namespace radcert {
 
@@ -49,8 +48,8 @@ Outcome<LinearSolution> iterated(const LinearSystem& system, Outcome<IterativeSo
                                                      .contraction = contraction.theta(),
                                                      .error_bound = solution->error_bound}};
   std::vector<double> residual(result.values.size());
-  accurate_residual(system.k, result.values, system.e, residual);
-  std::vector<double> bounds = residual_bounds(contraction, result.values, system.e, residual);
+  system.k.accurate_residual(result.values, system.e, residual);
+  std::vector<double> bounds = residual_bounds(system.k, contraction, result.values, system.e, residual);
   result.radius =
       contraction.inverse_bound(contraction.norm(defects(system, result.values, std::move(bounds))));
   return result;

@@ -9,17 +9,17 @@
 #include <string_view>
 #include <vector>
 
-#include "radcert/core/matrix.h"
 #include "radcert/core/memory_plan.h"
 #include "radcert/core/outcome.h"
 #include "radcert/solve/contraction.h"
 #include "radcert/solve/iteration.h"
+#include "radcert/solve/system_matrix.h"
 
 namespace radcert {
 
 /// A linear system (I - K) u = e whose matrix and right-hand side are known within radii.
 struct LinearSystem {
-  const Matrix<double>& k;
+  SystemMatrix k;
   std::span<const double> row_radius;  ///< for each row, of the sum of its entries' errors
   std::span<const double> e;
   std::span<const double> e_radius;
@@ -47,8 +47,9 @@ struct LinearSolver {
   bool iterates = false;
   /// Adds its memory beside the matrix.
   std::function<void(MemoryPlan& plan, std::uint64_t unknowns)> plan = {};
-  /// Solves a system of finite numbers; a reason in words where the system has no solution within bounds.
-  /// None: the solver proves, and needs a matrix whose entries are enclosed (verified_system).
+  /// Solves a system of finite numbers, which only those that iterate take as an operator; a reason in words
+  /// where the system has no solution within bounds. None: the solver proves, and needs a matrix whose
+  /// entries are enclosed (verified_system).
   std::function<Outcome<LinearSolution>(const LinearSystem& system, std::optional<double> tolerance)> solve =
       {};
 

@@ -5,8 +5,7 @@
 
 namespace radcert {
 
-Outcome<IterativeSolution, NotReached> solve_by_neumann(const Matrix<double>& k,
-                                                        const Contraction& contraction,
+Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemMatrix& k, const Contraction& contraction,
                                                         std::span<const double> e,
                                                         std::optional<double> tolerance) {
   const auto residual_itself = [](std::span<double>, double) { return std::size_t{1}; };

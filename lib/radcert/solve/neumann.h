@@ -4,7 +4,6 @@
 #include <optional>
 #include <span>
 
-#include "radcert/core/matrix.h"
 #include "radcert/core/outcome.h"
 #include "radcert/solve/contraction.h"
 #include "radcert/solve/iteration.h"
@@ -18,8 +17,7 @@ namespace radcert {
 /// Result    as iterate; `iterations` counts reflections, at most log(goal)/log(theta) of them but for
 ///           rounding
 /// Limits    slow where the spectral radius of K is near 1: GMRES needs a fraction of the products
-Outcome<IterativeSolution, NotReached> solve_by_neumann(const Matrix<double>& k,
-                                                        const Contraction& contraction,
+Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemMatrix& k, const Contraction& contraction,
                                                         std::span<const double> e,
                                                         std::optional<double> tolerance = std::nullopt);
 

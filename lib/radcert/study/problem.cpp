@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/study/problem.h"
+#include "radcert/study/collocation/matrix_form.h"
 
 #include <algorithm>
 
@@ -131,6 +132,7 @@ void check(const Problem& problem, std::uint64_t memory_limit) {
   check_reflectivity(problem, surface);
   check_quadrature(problem.quadrature);
   check_solver(problem.solver);
+  check_operator(problem, surface);
   std::visit([&](const auto& method) { check(problem, method, surface, memory_limit); }, problem.method);
 }
 

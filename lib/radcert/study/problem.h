@@ -63,6 +63,14 @@ struct SolverChoice {
   std::optional<Rational> tolerance = std::nullopt;
 };
 
+/// How the collocation matrix is held.
+struct OperatorChoice {
+  /// Of operator_names(): all its entries, couplings of clusters beside near entries, or what suits a level
+  std::string name = "dense";
+  /// Of clusters: what couplings may leave out of a row, relative to the row of a closed surface
+  Rational tolerance = Rational(1) / power(Rational(10), 12);
+};
+
 /// How well the collocation integrals are taken.
 struct QuadratureChoice {
   Rational tolerance = Rational(1) / power(Rational(10), 13);  ///< of an entry, relative to its row's Int |G|
@@ -83,6 +91,7 @@ struct Problem {
   std::optional<PiecewiseExpression> solution;
   std::optional<PiecewiseExpression> emission;
   QuadratureChoice quadrature = {};
+  OperatorChoice matrix = {};
   SolverChoice solver;
   /// Where given, the solution of the equation itself is enclosed; what is said of triangulation, method,
   /// quadrature and solver does not matter then

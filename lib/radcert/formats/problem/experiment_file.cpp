@@ -16,8 +16,8 @@ namespace radcert {
 namespace {
 
 /// The keys of a problem but for `emission`: where no solution is known there is no error to compare.
-const std::vector<std::string> parts = {"surface",      "triangulation", "geometry",   "basis",
-                                        "reflectivity", "solution",      "quadrature", "solver"};
+const std::vector<std::string> parts = {"surface",  "triangulation", "geometry", "basis", "reflectivity",
+                                        "solution", "quadrature",    "operator", "solver"};
 /// All are checked before any is solved, and each is a line of a legend.
 constexpr std::size_t most_combinations = 1000;
 

@@ -24,7 +24,7 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   const JsonReader root(document);
   root.require_schema(schema, "an object: a problem");
   root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
-                       "emission", "quadrature", "solver", "guarantee"});
+                       "emission", "quadrature", "operator", "solver", "guarantee"});
   Problem problem;
   problem.surface = read_surface(
       root.at("surface", "an object with a name, see radcert list surfaces, or with a file"), folder);
@@ -46,6 +46,7 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   if (solution) problem.solution = read_piecewise(*solution, pieces);
   if (emission) problem.emission = read_piecewise(*emission, pieces);
   if (const auto quadrature = root.find("quadrature")) problem.quadrature = read_quadrature(*quadrature);
+  if (const auto matrix = root.find("operator")) problem.matrix = read_operator(*matrix);
   if (const auto solver = root.find("solver")) problem.solver = read_solver(*solver);
   if (const auto guarantee = root.find("guarantee")) problem.guarantee = read_guarantee(*guarantee);
   return problem;
@@ -74,6 +75,8 @@ JsonValue problem_json(const Problem& problem) {
   if (problem.solution) out.set("solution", piecewise_json(*problem.solution));
   if (problem.emission) out.set("emission", piecewise_json(*problem.emission));
   out.set("quadrature", quadrature_json(problem.quadrature));
+  // As it was before there were others, so that what has been stored is still found.
+  if (problem.matrix.name != "dense") out.set("operator", operator_json(problem.matrix));
   out.set("solver", solver_json(problem.solver));
   if (problem.guarantee) out.set("guarantee", guarantee_json(*problem.guarantee));
   return out;

@@ -26,6 +26,7 @@ TriangleBasisChoice read_triangle_basis(const JsonReader& basis, const std::file
 Meshless read_meshless(const JsonReader& basis);
 QuadratureChoice read_quadrature(const JsonReader& quadrature);
 SolverChoice read_solver(const JsonReader& solver);
+OperatorChoice read_operator(const JsonReader& matrix);
 Guarantee read_guarantee(const JsonReader& guarantee);
 PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);
 
@@ -41,6 +42,7 @@ JsonValue triangle_basis_json(const TriangleBasisChoice& basis);
 JsonValue meshless_json(const Meshless& method);
 JsonValue quadrature_json(const QuadratureChoice& quadrature);
 JsonValue solver_json(const SolverChoice& solver);
+JsonValue operator_json(const OperatorChoice& matrix);
 JsonValue guarantee_json(const Guarantee& guarantee);
 JsonValue piecewise_json(const PiecewiseExpression& expression);
 

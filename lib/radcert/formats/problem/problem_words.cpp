@@ -44,6 +44,12 @@ Words solver_words(const SolverChoice& solver) {
   return words;
 }
 
+Words operator_words(const OperatorChoice& matrix) {
+  Words words{"operator " + matrix.name};
+  if (matrix.name != "dense") words.push_back("couplings within " + matrix.tolerance.to_text());
+  return words;
+}
+
 Words function_words(const std::string& symbol, const std::optional<PiecewiseExpression>& function) {
   if (!function) return {};
   return {symbol + " = " + plain(piecewise_json(*function))};
@@ -60,6 +66,7 @@ std::vector<std::string> part_words(const Problem& problem, std::string_view key
   if (key == "solution") return function_words("u", problem.solution);
   if (key == "emission") return function_words("E", problem.emission);
   if (key == "quadrature") return {"quadrature " + problem.quadrature.tolerance.to_text()};
+  if (key == "operator") return operator_words(problem.matrix);
   expects(key == "solver", "a key of a problem", named("key", std::string(key)));
   return solver_words(problem.solver);
 }

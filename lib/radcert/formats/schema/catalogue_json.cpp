@@ -10,6 +10,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/formats/problem/problem_parts.h"
 #include "radcert/geometry/mesh_repair.h"
+#include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/experiment.h"
 #include "radcert/surface/catalogue.h"
 
@@ -28,7 +29,7 @@ Words errors() {
 }
 
 constexpr const char* surface_parameters = "parameters of surfaces";
-constexpr std::array<std::pair<std::string_view, Words (*)()>, 15> lists{
+constexpr std::array<std::pair<std::string_view, Words (*)()>, 16> lists{
     {{"surfaces", surface_names},
      {"repairs", repairs},
      {"patterns", pattern_names},
@@ -40,6 +41,7 @@ constexpr std::array<std::pair<std::string_view, Words (*)()>, 15> lists{
      {"rules for too few neighbours", too_few_neighbours_names},
      {"weights", weight_rule_names},
      {"coefficients", coefficient_rule_names},
+     {"operators", [] { return operator_names(); }},
      {"solvers", [] { return solver_names(); }},
      {"solvers without tolerance", solvers_without_tolerance},
      {"guaranteed quantities", guaranteed_quantities},

@@ -8,12 +8,17 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/solve/linear_solver.h"
+#include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/levels_within_memory.h"
 #include "radcert/study/problem.h"
 #include "radcert/surface/interpolated_chart.h"
 
 namespace radcert {
 namespace {
+
+std::uint64_t unknowns_of(const Problem& problem, std::uint64_t elements) {
+  return saturated_product(elements, function_count(triangle_basis_of(problem.method)));
+}
 
 void check_geometry(const Problem& problem, const Surface& surface) {
   if (!problem.geometry) return;
@@ -92,15 +97,19 @@ void check(const Problem& problem, const Collocation& method, const Surface& sur
 MemoryPlan level_plan(const Problem& problem, std::uint64_t elements) {
   const LinearSolver* solver = find_linear_solver(problem.solver.name);
   expects(solver != nullptr, "a solver of linear_solvers()", named("name", problem.solver.name));
-  const std::uint64_t unknowns =
-      saturated_product(elements, function_count(triangle_basis_of(problem.method)));
+  const std::uint64_t unknowns = unknowns_of(problem, elements);
   constexpr std::uint64_t chunks = 64;
+  constexpr std::uint64_t vectors = 32;
   constexpr std::uint64_t vectors_of_rows = 2 * chunks + 16;
+  const bool clusters = takes_clusters(problem, unknowns);
   constexpr std::uint64_t bytes_per_node_record = 256;
   MemoryPlan plan;
-  plan.add("collocation matrix", saturated_product(unknowns, unknowns), sizeof(double));
+  if (clusters)
+    plan_clusters(plan, unknowns, function_count(triangle_basis_of(problem.method)));
+  else
+    plan.add("collocation matrix", saturated_product(unknowns, unknowns), sizeof(double));
   solver->plan(plan, unknowns);
-  plan.add("row sums and vectors", unknowns, vectors_of_rows * sizeof(double));
+  plan.add("row sums and vectors", unknowns, (clusters ? vectors : vectors_of_rows) * sizeof(double));
   plan.add("nodes", unknowns, bytes_per_node_record);
   plan.add("triangles", elements, bytes_per_node_record);
   if (problem.geometry) {

@@ -1,17 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
+#include "radcert/clusters/cluster_operator.h"
 #include "radcert/collocation/assembly.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/memory_plan.h"
 #include "radcert/core/text.h"
 #include "radcert/polynomial/largest_values.h"
 #include "radcert/scalar/enclosing_text.h"
-#include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/contraction.h"
 #include "radcert/solve/linear_solver.h"
+#include "radcert/solve/system_matrix.h"
 #include "radcert/study/collocation/level_geometry.h"
+#include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/collocation/nodal_description.h"
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/collocation/operator_norm.h"
@@ -94,8 +98,24 @@ private:
   void assemble_matrix() {
     const Stopwatch watch;
     const NodedSurface& integrals = geometry_.integrals();
-    matrix_ = assemble<double>(integrals.surface, integrals.triangulation, basis_, integrals.nodes, rho_,
-                               Tolerance(problem_.quadrature.tolerance.to_double()));
+    const Tolerance tolerance(problem_.quadrature.tolerance.to_double());
+    if (takes_clusters(problem_, nodes_.size())) {
+      clusters_ = std::make_unique<ClusterOperator>(
+          ClusterOperator::Setting{.surface = surface_,
+                                   .triangulation = triangulation_,
+                                   .level = outcome_.result.level,
+                                   .basis = basis_,
+                                   .nodes = nodes_,
+                                   .reflectivity = rho_,
+                                   .integrals = tolerance,
+                                   .far = ClusterTolerance(problem_.matrix.tolerance.to_double()),
+                                   .memory_limit = available_memory()});
+      matrix_.kernel_integral = clusters_->kernel_integral();
+      matrix_.row_radius = clusters_->row_radius();
+    } else {
+      matrix_ = assemble<double>(integrals.surface, integrals.triangulation, basis_, integrals.nodes, rho_,
+                                 tolerance);
+    }
     outcome_.timing.assembly_seconds = watch.seconds();
     outcome_.result.norm_K = problem_.geometry
                                  ? largest_row(rho_, matrix_.kernel_integral)
@@ -106,6 +126,11 @@ private:
     if (rho_radius_)
       for (std::size_t i = 0; i < nodes_.size(); ++i)
         matrix_.row_radius[i] += (*rho_radius_)[i] / pi<double>() * matrix_.kernel_integral[i] * largest_sum_;
+  }
+
+  [[nodiscard]] SystemMatrix matrix() const {
+    if (clusters_) return *clusters_;
+    return matrix_.entries;
   }
 
   /// What rounding may have done to rho, u and E at the nodes.
@@ -124,8 +149,8 @@ private:
   /// tells otherwise is wrong, or a normal points outwards.
   void require_rows_of_pi() const {
     if (!surface_.closed || !surface_.unoccluded || problem_.geometry || !sum_to_one(choice_)) return;
-    const std::vector<double> sums =
-        accurate_product(matrix_.entries, std::vector<double>(nodes_.size(), 1.0));
+    std::vector<double> sums(nodes_.size());
+    matrix().accurate_product(std::vector<double>(nodes_.size(), 1.0), sums);
     const double rounding = unit * static_cast<double>(triangulation_.triangles.size() + 64);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (rho_[i] == 0) continue;
@@ -168,7 +193,8 @@ private:
       data_are_known_ = false;
       ku.radius.assign(nodes_.size(), 0);
     }
-    const std::vector<double> k_pn_u = accurate_product(matrix_.entries, u_);
+    std::vector<double> k_pn_u(nodes_.size());
+    matrix().accurate_product(u_, k_pn_u);
     const double u_size = max_abs(u_);
     double radius = 0;
     emission_.resize(nodes_.size());
@@ -192,7 +218,7 @@ private:
   /// iteration has no error bound, and that is known before the second route to Ku is taken.
   void find_weights() {
     const Stopwatch watch;
-    Outcome<Contraction, NoContraction> found = find_contraction(matrix_.entries, matrix_.row_radius);
+    Outcome<Contraction, NoContraction> found = find_contraction(matrix(), matrix_.row_radius);
     if (found)
       contraction_ = std::move(found).value();
     else if (solver_.iterates)
@@ -203,7 +229,7 @@ private:
                                    upper_text(largest(matrix_.row_radius)) + " a row, contracts by " +
                                    upper_text(found.reason().theta, DecimalForm::general(6)) +
                                    " at best, which is not below 1",
-                        .allowed = "direct"});
+                        .allowed = clusters_ ? "direct, with the operator dense" : "direct"});
     outcome_.timing.solve_seconds += watch.seconds();
   }
 
@@ -211,7 +237,7 @@ private:
     const Stopwatch watch;
     const std::optional<double> tolerance =
         problem_.solver.tolerance ? std::optional(problem_.solver.tolerance->to_double()) : std::nullopt;
-    Outcome<LinearSolution> found = solver_.solve({.k = matrix_.entries,
+    Outcome<LinearSolution> found = solver_.solve({.k = matrix(),
                                                    .row_radius = matrix_.row_radius,
                                                    .e = emission_,
                                                    .e_radius = emission_radius_,
@@ -245,7 +271,8 @@ private:
   std::optional<std::vector<double>> data_radius_;  ///< of u_, or of emission_ where that is given
   bool data_are_known_ = false;                     ///< whether both are known; 0 stands for the others
   std::optional<double> solution_radius_;
-  CollocationMatrix<double> matrix_;
+  CollocationMatrix<double> matrix_;           ///< without entries where there are clusters
+  std::unique_ptr<ClusterOperator> clusters_;  ///< or none
   std::optional<Contraction> contraction_;
   std::vector<double> u_n_;
   LevelOutcome outcome_;

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The matrix as couplings of clusters and near entries: making it, and products with it; degree 1, inset
+// 1/6. The argument `digits` is the tolerance of couplings, 10^-digits.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radcert/clusters/cluster_operator.h"
+#include "radcert/collocation/nodes.h"
+#include "radcert/surface/catalogue/box.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
+
+namespace radcert::bench {
+namespace {
+
+void make_and_multiply(benchmark::State& state, const Surface& surface) {
+  const int level = static_cast<int>(state.range(0));
+  const double tolerance = std::pow(10.0, -static_cast<double>(state.range(1)));
+  const Triangulation triangulation = triangulate(surface, level);
+  const TriangleBasis<double> basis(InsetBasis<double>(1, 1.0 / 6));
+  const std::vector<CollocationPoint<double>> nodes =
+      collocation_nodes<double>(surface, triangulation, basis);
+  const std::vector<double> rho(nodes.size(), 0.5);
+  std::optional<ClusterOperator> k;
+  const auto make = [&] {
+    k.emplace(ClusterOperator::Setting{.surface = surface,
+                                       .triangulation = triangulation,
+                                       .level = level,
+                                       .basis = basis,
+                                       .nodes = nodes,
+                                       .reflectivity = rho,
+                                       .far = ClusterTolerance(tolerance)});
+  };
+  // Either is measured: making it where the third argument is 0, a product where it is 1.
+  const bool product = state.range(2) != 0;
+  std::vector<double> x(nodes.size(), 1.0);
+  std::vector<double> y(nodes.size());
+  if (product) make();
+  for (auto step : state) {
+    if (product)
+      k->multiply(x, y);
+    else
+      make();
+  }
+  const auto n = static_cast<double>(nodes.size());
+  state.counters["unknowns"] = n;
+  state.counters["bytes_an_unknown"] = static_cast<double>(k->memory().total()) / n;
+  state.counters["near_entries_an_unknown"] = static_cast<double>(k->near_entries().size()) / n;
+  state.counters["evaluations_an_unknown"] = static_cast<double>(k->couplings().evaluations()) / n;
+}
+
+void of(const std::string& name, const Surface& surface, const std::vector<std::int64_t>& levels) {
+  benchmark::internal::Benchmark* const one =
+      benchmark::RegisterBenchmark(("clusters/" + name).c_str(),
+                                   [surface](benchmark::State& state) { make_and_multiply(state, surface); });
+  one->ArgNames({"level", "digits", "product"})->UseRealTime()->Unit(benchmark::kSecond);
+  for (const std::int64_t level : levels)
+    for (const std::int64_t digits : {6, 12})
+      for (const std::int64_t product : {0, 1}) one->Args({level, digits, product});
+}
+
+const bool registered = [] {
+  of("ellipsoid 1 3/2 2", ellipsoid(1, Rational(3, 2), 2), {4, 5, 6});
+  of("cube", cube(), {4, 5, 6});
+  return true;
+}();
+
+}  // namespace
+}  // namespace radcert::bench

@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/clusters/cluster_couplings.h"
+
+#include <algorithm>
+#include <array>
+
+#include "radcert/clusters/mode_products.h"
+#include "radcert/clusters/triangle_modes.h"
+#include "radcert/core/contract.h"
+#include "radcert/core/parallel.h"
+#include "radcert/kernel/geometric_kernel.h"
+
+namespace radcert {
+namespace {
+
+/// The doubles that the values of a batch of couplings take at most: they stay in the cache of the last
+/// level.
+constexpr std::size_t most_slots = std::size_t{1} << 21U;
+/// The clusters that a task takes at a time, in groups that share the loads of a matrix.
+constexpr std::size_t clusters_at_a_time = 32;
+constexpr std::size_t couplings_at_a_time = 16;
+
+int largest_degree(const std::vector<std::vector<FarPair>>& pairs) {
+  int degree = 0;
+  for (const std::vector<FarPair>& level : pairs)
+    for (const FarPair& pair : level) degree = std::max(degree, pair.coupling.degree);
+  return degree;
+}
+
+/// Vectors that one small matrix is multiplied with.
+struct VectorGroup {
+  std::array<const double*, clusters_at_a_time> x{};
+  std::array<double*, clusters_at_a_time> y{};
+  std::size_t count = 0;
+
+  void add(const double* from, double* to) {
+    x[count] = from;
+    y[count++] = to;
+  }
+  void multiply(const Matrix<double>& a, std::size_t rows, std::size_t columns) {
+    add_mode_product(a, rows, columns, std::span(x).first(count), std::span(y).first(count));
+    count = 0;
+  }
+};
+
+}  // namespace
+
+ClusterCouplings::ClusterCouplings(const std::vector<Chart>& charts, const ClusterTree& tree,
+                                   const std::vector<std::vector<FarPair>>& pairs,
+                                   const TriangleBasis<double>& basis)
+    : levels_(tree.levels()), leaf_(basis, tree.refinements(), largest_degree(pairs)) {
+  expects(pairs.size() == tree.levels(), "pairs of each level of the tree", named("levels", pairs.size()));
+  for (std::size_t l = 0; l < levels_.size(); ++l) {
+    Level& level = levels_[l];
+    level.clusters = tree.level(l).size();
+    if (l > 0) level.degree = levels_[l - 1].degree;
+    for (const FarPair& pair : pairs[l]) level.degree = std::max(level.degree, pair.coupling.degree);
+    level.stride = level.degree < 0 ? 0 : padded<double>(mode_count(level.degree));
+    level.first = modes_;
+    modes_ += level.clusters * level.stride;
+  }
+  place_node_sets(charts, tree, pairs);
+  list_batches();
+}
+
+void ClusterCouplings::place_node_sets(const std::vector<Chart>& charts, const ClusterTree& tree,
+                                       const std::vector<std::vector<FarPair>>& pairs) {
+  constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+  for (std::size_t l = 0; l < pairs.size(); ++l) {
+    if (pairs[l].empty()) continue;
+    const std::size_t clusters = tree.level(l).size();
+    const std::size_t degrees = static_cast<std::size_t>(levels_[l].degree) + 1;
+    std::vector<std::uint32_t> set(clusters * degrees, none);
+    const auto place_of = [&](std::uint32_t cluster, int degree) -> std::uint32_t& {
+      return set[static_cast<std::size_t>(degree) * clusters + cluster];
+    };
+    for (const FarPair& pair : pairs[l])
+      place_of(pair.a, pair.coupling.degree) = place_of(pair.b, pair.coupling.degree) = 0;
+    for (std::size_t degree = 0; degree < degrees; ++degree) {
+      NodeGroup group{.level = l, .degree = static_cast<int>(degree), .begin = sets_.size(), .end = 0};
+      const std::size_t nodes = mode_count(group.degree);
+      for (std::uint32_t cluster = 0; cluster < clusters; ++cluster) {
+        std::uint32_t& place = place_of(cluster, group.degree);
+        if (place == none) continue;
+        expects(sets_.size() < none, "fewer than 2^32 node sets", named("sets", sets_.size()));
+        place = static_cast<std::uint32_t>(sets_.size());
+        sets_.push_back({.cluster = cluster, .first = 0});
+      }
+      group.end = sets_.size();
+      if (group.begin == group.end) continue;
+      const std::size_t stride = padded<double>(nodes);
+      const std::size_t first = points_.add((group.end - group.begin) * stride);
+      const ModeInterpolation& interpolation = ModeTables::instance().interpolation(group.degree);
+      parallel_for(group.end - group.begin, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+          NodeSet& now = sets_[group.begin + i];
+          now.first = first + i * stride;
+          const ParameterTriangle& triangle = tree.level(l)[now.cluster];
+          points_.place(now.first, charts[triangle.chart], triangle, interpolation.nodes);
+        }
+      });
+      groups_.push_back(group);
+    }
+    for (const FarPair& pair : pairs[l]) {
+      const std::size_t nodes = mode_count(pair.coupling.degree);
+      couplings_.push_back({.a = place_of(pair.a, pair.coupling.degree),
+                            .b = place_of(pair.b, pair.coupling.degree),
+                            .slot = 0,
+                            .nodes = static_cast<std::uint32_t>(nodes)});
+      evaluations_ += nodes * nodes;
+    }
+  }
+}
+
+void ClusterCouplings::list_batches() {
+  std::size_t slots = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < couplings_.size(); ++i) {
+    const std::size_t more = 2 * padded<double>(couplings_[i].nodes);
+    if (slots + more > most_slots) {
+      batches_.push_back({.begin = begin, .end = 0, .slots = 0, .first_target = 0, .last_target = 0});
+      close_batch(i, slots);
+      begin = i;
+      slots = 0;
+    }
+    couplings_[i].slot = static_cast<std::uint32_t>(slots);
+    slots += more;
+  }
+  if (begin == couplings_.size()) return;
+  batches_.push_back({.begin = begin, .end = 0, .slots = 0, .first_target = 0, .last_target = 0});
+  close_batch(couplings_.size(), slots);
+}
+
+void ClusterCouplings::close_batch(std::size_t end, std::size_t slots) {
+  Batch& batch = batches_.back();
+  batch.end = end;
+  batch.slots = slots;
+  struct Entry {
+    std::uint32_t set;
+    std::uint32_t nodes;
+    std::uint32_t slot;
+  };
+  std::vector<Entry> entries;
+  for (std::size_t i = batch.begin; i < end; ++i) {
+    const Coupling& c = couplings_[i];
+    entries.push_back({c.a, c.nodes, c.slot});
+    entries.push_back({c.b, c.nodes, c.slot + static_cast<std::uint32_t>(padded<double>(c.nodes))});
+  }
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const Entry& p, const Entry& q) { return p.set < q.set; });
+  batch.first_target = targets_.size();
+  for (const Entry& entry : entries) {
+    if (targets_.size() == batch.first_target || targets_.back().set != entry.set)
+      targets_.push_back({entry.set, entry.nodes, slots_.size(), slots_.size()});
+    slots_.push_back(entry.slot);
+    targets_.back().last_slot = slots_.size();
+  }
+  batch.last_target = targets_.size();
+}
+
+void ClusterCouplings::count(MemoryPlan& plan) const {
+  plan.add("interpolation nodes and values at them", points_.size(),
+           ClusterPoints::bytes_each + 2 * sizeof(double));
+  plan.add("moments and modes", modes_, 2 * sizeof(double));
+  plan.add("lists of couplings", couplings_.size(),
+           sizeof(Coupling) + sizeof(Target) + 2 * sizeof(std::uint32_t));
+  std::size_t slots = 0;
+  for (const Batch& batch : batches_) slots = std::max(slots, batch.slots);
+  plan.add("values of couplings", slots, sizeof(double));
+}
+
+void ClusterCouplings::multiply(ClusterDensity density, std::span<const double> x,
+                                std::span<double> y) const {
+  const std::size_t unknowns = levels_.back().clusters * leaf_.unknowns;
+  expects(y.size() == unknowns && (density == ClusterDensity::one || x.size() == unknowns),
+          "vectors of as many entries as unknowns", named("x", x.size()), named("y", y.size()));
+  if (couplings_.empty()) {
+    std::fill(y.begin(), y.end(), 0.0);
+    return;
+  }
+  std::vector<double> modes(modes_, 0.0);
+  std::vector<double> at_nodes(points_.size(), 0.0);
+  std::vector<double> values(points_.size(), 0.0);
+  moments_of_leaves(density, x, modes);
+  moments_of_parents(modes);
+  weights_of_nodes(modes, at_nodes);
+  couple(at_nodes, values);
+  std::fill(modes.begin(), modes.end(), 0.0);
+  modes_of_values(values, modes);
+  modes_of_children(modes);
+  values_at_leaves(modes, y);
+}
+
+void ClusterCouplings::moments_of_leaves(ClusterDensity density, std::span<const double> x,
+                                         std::span<double> moments) const {
+  const Level& level = levels_.back();
+  const Matrix<double>& table =
+      density == ClusterDensity::absolute_functions ? leaf_.absolute_moments : leaf_.moments;
+  parallel_for(level.clusters, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
+    VectorGroup group;
+    for (std::size_t i = begin; i < end; ++i) {
+      double* to = &moments[level.first + i * level.stride];
+      if (density == ClusterDensity::one)
+        *to = 1;
+      else
+        group.add(&x[i * leaf_.unknowns], to);
+    }
+    group.multiply(table, level.stride, leaf_.unknowns);
+  });
+}
+
+void ClusterCouplings::moments_of_parents(std::span<double> moments) const {
+  for (std::size_t l = levels_.size() - 1; l-- > 0;) {
+    const Level& parents = levels_[l];
+    const Level& children = levels_[l + 1];
+    if (parents.degree < 0) return;
+    parallel_for(parents.clusters, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
+      VectorGroup group;
+      for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t i = begin; i < end; ++i)
+          group.add(&moments[children.first + (4 * i + c) * children.stride],
+                    &moments[parents.first + i * parents.stride]);
+        group.multiply(ModeTables::instance().to_parent(c), parents.stride, mode_count(parents.degree));
+      }
+      constexpr double share_of_area = 0.25;
+      for (std::size_t i = begin * parents.stride; i < end * parents.stride; ++i)
+        moments[parents.first + i] *= share_of_area;
+    });
+  }
+}
+
+void ClusterCouplings::weights_of_nodes(std::span<const double> moments, std::span<double> weights) const {
+  for (const NodeGroup& nodes : groups_) {
+    const ModeInterpolation& interpolation = ModeTables::instance().interpolation(nodes.degree);
+    const Level& level = levels_[nodes.level];
+    const std::size_t k = interpolation.nodes.size();
+    const std::size_t stride = padded<double>(k);
+    parallel_for(nodes.end - nodes.begin, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
+      VectorGroup group;
+      for (std::size_t i = nodes.begin + begin; i < nodes.begin + end; ++i)
+        group.add(&moments[level.first + sets_[i].cluster * level.stride], &weights[sets_[i].first]);
+      group.multiply(interpolation.values_of_modes_transposed, stride, k);
+      const std::size_t first = sets_[nodes.begin + begin].first;
+      for (std::size_t q = first; q < first + (end - begin) * stride; q += Pack::lanes)
+        (Pack::load(&weights[q]) * points_.weights(q)).store(&weights[q]);
+    });
+  }
+}
+
+/// G between all nodes of two sets, times the weights of either set, summed over it.
+void ClusterCouplings::evaluate(const Coupling& coupling, std::span<const double> weights, double* values,
+                                std::vector<double>& scratch) const {
+  const std::size_t a = sets_[coupling.a].first;
+  const std::size_t b = sets_[coupling.b].first;
+  const std::size_t k = coupling.nodes;
+  const std::size_t stride = padded<double>(k);
+  if (scratch.size() < k * Pack::lanes) scratch.resize(k * Pack::lanes);
+  std::fill_n(scratch.begin(), k * Pack::lanes, 0.0);
+  for (std::size_t j = 0; j < stride; j += Pack::lanes) {
+    const Vector<Pack> q = points_.points(b + j);
+    const Vector<Pack> normal_q = points_.normals(b + j);
+    const Pack weight_q = Pack::load(&weights[b + j]);
+    Pack at_q(0.0);
+    for (std::size_t i = 0; i < k; ++i) {
+      const Vector<double> p = points_.point(a + i);
+      const Vector<double> n = points_.normal(a + i);
+      // The sign of one normal is taken into the weights: (P-Q).n_P instead of (Q-P).n_P.
+      const Pack g = kernel_terms<Pack>({Pack(p.x) - q.x, Pack(p.y) - q.y, Pack(p.z) - q.z},
+                                        {Pack(n.x), Pack(n.y), Pack(n.z)}, normal_q)
+                         .value();
+      at_q = fma(g, Pack(weights[a + i]), at_q);
+      double* at_p = &scratch[i * Pack::lanes];
+      fma(g, weight_q, Pack::load(at_p)).store(at_p);
+    }
+    (-at_q).store(values + stride + j);
+  }
+  for (std::size_t i = 0; i < k; ++i) values[i] = -Pack::load(&scratch[i * Pack::lanes]).sum();
+  for (std::size_t i = k; i < stride; ++i) values[i] = 0;
+}
+
+void ClusterCouplings::couple(std::span<const double> weights, std::span<double> values) const {
+  std::vector<double> held;
+  for (const Batch& batch : batches_) {
+    if (held.size() < batch.slots) held.resize(batch.slots);
+    parallel_for(batch.end - batch.begin, couplings_at_a_time, [&](std::size_t begin, std::size_t end) {
+      std::vector<double> scratch;
+      for (std::size_t i = batch.begin + begin; i < batch.begin + end; ++i)
+        evaluate(couplings_[i], weights, &held[couplings_[i].slot], scratch);
+    });
+    parallel_for(batch.last_target - batch.first_target, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = batch.first_target + begin; t < batch.first_target + end; ++t) {
+        const Target& target = targets_[t];
+        double* to = &values[sets_[target.set].first];
+        for (std::size_t i = 0; i < padded<double>(target.nodes); i += Pack::lanes) {
+          Pack sum = Pack::load(to + i);
+          for (std::size_t s = target.first_slot; s < target.last_slot; ++s)
+            sum += Pack::load(&held[slots_[s]] + i);
+          sum.store(to + i);
+        }
+      }
+    });
+  }
+}
+
+void ClusterCouplings::modes_of_values(std::span<const double> values, std::span<double> modes) const {
+  for (const NodeGroup& nodes : groups_) {
+    const ModeInterpolation& interpolation = ModeTables::instance().interpolation(nodes.degree);
+    const Level& level = levels_[nodes.level];
+    const std::size_t k = interpolation.nodes.size();
+    parallel_for(nodes.end - nodes.begin, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
+      VectorGroup group;
+      for (std::size_t i = nodes.begin + begin; i < nodes.begin + end; ++i)
+        group.add(&values[sets_[i].first], &modes[level.first + sets_[i].cluster * level.stride]);
+      group.multiply(interpolation.modes_of_values, padded<double>(k), k);
+    });
+  }
+}
+
+void ClusterCouplings::modes_of_children(std::span<double> modes) const {
+  for (std::size_t l = 0; l + 1 < levels_.size(); ++l) {
+    const Level& parents = levels_[l];
+    const Level& children = levels_[l + 1];
+    if (parents.degree < 0) continue;
+    parallel_for(parents.clusters, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
+      VectorGroup group;
+      for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t i = begin; i < end; ++i)
+          group.add(&modes[parents.first + i * parents.stride],
+                    &modes[children.first + (4 * i + c) * children.stride]);
+        group.multiply(ModeTables::instance().to_child(c), parents.stride, mode_count(parents.degree));
+      }
+    });
+  }
+}
+
+void ClusterCouplings::values_at_leaves(std::span<const double> modes, std::span<double> y) const {
+  const Level& level = levels_.back();
+  parallel_for(level.clusters, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> padded_values(leaf_.values.rows() * (end - begin), 0.0);
+    VectorGroup group;
+    for (std::size_t i = begin; i < end; ++i)
+      group.add(&modes[level.first + i * level.stride], &padded_values[(i - begin) * leaf_.values.rows()]);
+    group.multiply(leaf_.values, leaf_.values.rows(), mode_count(level.degree));
+    for (std::size_t i = begin; i < end; ++i)
+      std::copy_n(&padded_values[(i - begin) * leaf_.values.rows()], leaf_.unknowns, &y[i * leaf_.unknowns]);
+  });
+}
+
+}  // namespace radcert

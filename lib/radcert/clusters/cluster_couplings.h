@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "radcert/clusters/cluster_pairs.h"
+#include "radcert/clusters/cluster_points.h"
+#include "radcert/clusters/cluster_tree.h"
+#include "radcert/clusters/mode_tables.h"
+#include "radcert/core/memory_plan.h"
+
+namespace radcert {
+
+/// What the numbers of a vector stand for where far clusters see them.
+enum class ClusterDensity {
+  functions,           ///< sum_j x_j l_j
+  absolute_functions,  ///< sum_j x_j |l_j|
+  one,                 ///< 1, whatever the numbers
+};
+
+/// The part of the collocation operator between clusters that couple by polynomials.
+/// Maths     y_i = sum over the far pairs (a, b), v_i in a, of Int_b I_p G(v_i, Q) f(Q) dS_Q, I_p the
+///           interpolation of degree p at the nodes of both clusters.  Upwards: moments M_n = mean of f D_n,
+///           of the leaves from the numbers, of parents from their children; to weights of the nodes, V^-T M
+///           times the area element.  Couplings: G between the nodes of a and b, evaluated in every product,
+///           once for both directions.  Downwards: modes V^-1 of the values at the nodes, from parents to
+///           children, and at the leaves to the collocation nodes
+/// Source    ours: an H2 matrix (Hackbusch, Khoromskij, Sauter, 2000) on the triangles of a triangulation,
+///           whose transfer matrices are constants because the area element stays with G
+/// Requires  pairs of this tree; leaves of the basis's unknowns
+/// Result    the same bits for any number of threads: what a coupling gives is added in the order of the
+///           list, and everything else is added by one task
+/// Limits    rounded; its truncation is that of CouplingDegree
+class ClusterCouplings {
+public:
+  ClusterCouplings(const std::vector<Chart>& charts, const ClusterTree& tree,
+                   const std::vector<std::vector<FarPair>>& pairs, const TriangleBasis<double>& basis);
+
+  /// Requires as many entries of x and y as there are unknowns, none shared; ClusterDensity::one takes no x.
+  void multiply(ClusterDensity density, std::span<const double> x, std::span<double> y) const;
+
+  [[nodiscard]] std::size_t unknowns_of_leaf() const { return leaf_.unknowns; }
+  /// The number of evaluations of G in a product.
+  [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
+  /// Adds what it holds, and what a product takes.
+  void count(MemoryPlan& plan) const;
+
+private:
+  /// The moments or modes of the clusters of one level, up to a degree.
+  struct Level {
+    std::size_t clusters = 0;
+    int degree = -1;  ///< none below zero
+    std::size_t stride = 0;
+    std::size_t first = 0;  ///< place of the first cluster's modes
+  };
+  /// The interpolation nodes of one degree in one cluster.
+  struct NodeSet {
+    std::uint32_t cluster;
+    std::size_t first;  ///< place among the points
+  };
+  /// The node sets of one level and degree follow each other.
+  struct NodeGroup {
+    std::size_t level;
+    int degree;
+    std::size_t begin;
+    std::size_t end;
+  };
+  struct Coupling {
+    std::uint32_t a;  ///< node sets
+    std::uint32_t b;
+    std::uint32_t slot;  ///< in the batch: first the values at a, then those at b
+    std::uint32_t nodes;
+  };
+  /// Couplings whose values are held before they are added.
+  struct Batch {
+    std::size_t begin;
+    std::size_t end;
+    std::size_t slots;
+    std::size_t first_target;
+    std::size_t last_target;
+  };
+  /// A node set and the slots that are added to it, in the order of the couplings.
+  struct Target {
+    std::uint32_t set;
+    std::uint32_t nodes;
+    std::size_t first_slot;
+    std::size_t last_slot;
+  };
+
+  void place_node_sets(const std::vector<Chart>& charts, const ClusterTree& tree,
+                       const std::vector<std::vector<FarPair>>& pairs);
+  void list_batches();
+  void close_batch(std::size_t end, std::size_t slots);
+  void moments_of_leaves(ClusterDensity density, std::span<const double> x, std::span<double> moments) const;
+  void moments_of_parents(std::span<double> moments) const;
+  void weights_of_nodes(std::span<const double> moments, std::span<double> weights) const;
+  void couple(std::span<const double> weights, std::span<double> values) const;
+  void modes_of_values(std::span<const double> values, std::span<double> modes) const;
+  void modes_of_children(std::span<double> modes) const;
+  void values_at_leaves(std::span<const double> modes, std::span<double> y) const;
+  void evaluate(const Coupling& coupling, std::span<const double> weights, double* values,
+                std::vector<double>& scratch) const;
+
+  std::vector<Level> levels_;
+  std::size_t modes_ = 0;
+  LeafTables leaf_;
+  ClusterPoints points_;
+  std::vector<NodeSet> sets_;
+  std::vector<NodeGroup> groups_;
+  std::vector<Coupling> couplings_;
+  std::vector<Batch> batches_;
+  std::vector<Target> targets_;
+  std::vector<std::uint32_t> slots_;
+  std::size_t evaluations_ = 0;
+};
+
+}  // namespace radcert

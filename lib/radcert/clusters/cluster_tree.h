@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "radcert/core/outcome.h"
+#include "radcert/triangulation/triangulation.h"
+
+namespace radcert {
+
+/// The clusters of a uniform triangulation: the triangles of the coarser ones.
+/// Maths     cluster i of level l is triangle i of level l; its children are the clusters 4i, ..., 4i+3 of
+///           level l+1, its elements those from i 4^(L-l) on, L the level of the triangulation.  Leaves are
+///           the clusters of level L - refinements
+/// Source    ours; the order of Triangulation makes a cluster's elements follow each other
+/// Result    the triangles of each level, exact as the elements are
+class ClusterTree {
+public:
+  /// Refused in words where the triangles are not those of symmetric refinement: a graded triangulation, or a
+  /// count that 4^level does not divide. Requires 0 <= refinements, 0 <= level, else ContractViolation;
+  /// leaves are whole trees where `level` is below `refinements`.
+  static Outcome<ClusterTree> make(const Triangulation& triangulation, int level, int refinements);
+
+  /// The number of levels of clusters, leaves included.
+  [[nodiscard]] std::size_t levels() const { return clusters_.size(); }
+  [[nodiscard]] const std::vector<ParameterTriangle>& level(std::size_t l) const { return clusters_[l]; }
+  [[nodiscard]] const std::vector<ParameterTriangle>& leaves() const { return clusters_.back(); }
+  /// The number of symmetric refinements from a leaf to its elements.
+  [[nodiscard]] int refinements() const { return refinements_; }
+
+private:
+  std::vector<std::vector<ParameterTriangle>> clusters_;
+  int refinements_ = 0;
+};
+
+/// The number of symmetric refinements from a leaf to its elements, of `functions` unknowns each: the largest
+/// with at most 180 unknowns a leaf.
+/// Requires  1 <= functions <= 45
+[[nodiscard]] int leaf_refinements(std::size_t functions);
+
+}  // namespace radcert

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "radcert/clusters/cluster_points.h"
+#include "radcert/surface/chart.h"
+#include "radcert/triangulation/triangulation.h"
+
+namespace radcert {
+
+/// What the clusters of one level are to a look at their couplings.
+/// Maths     corners, middles of the sides, centroid and one more point of each cluster, eight in all; a ball
+///           about them
+/// Result    rounded; balls hold the eight points
+class ClusterOutlines {
+public:
+  ClusterOutlines(const std::vector<Chart>& charts, const std::vector<ParameterTriangle>& clusters);
+
+  static constexpr std::size_t samples = Pack::lanes;
+  [[nodiscard]] const ClusterPoints& points() const { return points_; }
+  [[nodiscard]] const Vector<double>& centre(std::size_t cluster) const { return centres_[cluster]; }
+  [[nodiscard]] double radius(std::size_t cluster) const { return radii_[cluster]; }
+  [[nodiscard]] const ParameterTriangle& triangle(std::size_t cluster) const { return clusters_[cluster]; }
+  [[nodiscard]] const Chart& chart(std::size_t cluster) const { return charts_[clusters_[cluster].chart]; }
+
+private:
+  const std::vector<Chart>& charts_;
+  const std::vector<ParameterTriangle>& clusters_;
+  ClusterPoints points_;
+  std::vector<Vector<double>> centres_;
+  std::vector<double> radii_;
+};
+
+/// The degree at which G between two clusters is interpolated, and what that leaves out.
+/// Maths     error_a is meant for the largest, over the points P of a, of Int_b |G - I_p G| |f| dS / pi for
+///           densities f of the size that the demand states; error_b the same with a and b exchanged
+/// Result    estimated: made for sums over all couplings of a row. A single one may be exceeded, at most by a
+///           factor of 4 where that was looked at
+struct CouplingDegree {
+  int degree = 0;
+  double error_a = 0;
+  double error_b = 0;
+};
+
+/// What is demanded of a coupling.
+struct CouplingDemand {
+  double share;           ///< the largest error_a and error_b
+  double functions_size;  ///< the root of the mean of (sum_j |l_j|)^2
+  int largest_degree;     ///< at most largest_mode_degree - 2
+};
+
+/// Decides whether two clusters of one level couple by polynomials, and of which degree.
+/// Maths     first from their distance: seen from every point P of b, the triangle a with the centre c and
+///           the radius r has x = (|c - c_b| - r_b)/r, and the modes of degree m of G fall as rho^-m, rho =
+///           x + sqrt(x^2 - 1): L(Q - c) <= g r on the complex neighbourhood with sum |lambda_i| <= g < x,
+///           where L is the Lie norm, and |(P-Q).(P-Q)| >= (|P-c| - g r)^2. The least p with
+///           8 rho^-p/(rho - 1) max|G| area/pi <= share; clusters are too near where it exceeds one and a
+///           half times the largest degree. Then from G itself: its modes in a, seen from eight points of b,
+///           and in b, seen from a, up to two degrees beyond p or more: the least degree at which the modes
+///           left out, and those not looked at as a geometric series, stay within the share. Over the source
+///           the root of the sum of their squares counts, the largest of the eight points; for P, as the
+///           mean over the eight points of the source, degree by degree, the sum of |mode| max|D_n| or
+///           (m+1)^(3/2) times the root of the sum of their squares, the least: sum D_n^2 over the modes of
+///           degree m is (m+1)^3 at the vertices and nowhere larger. Three times that, for interpolation in
+///           both clusters instead of projection
+/// Source    Lie norm: L(u+iv)^2 = |u|^2 + |v|^2 + 2 sqrt(|u|^2 |v|^2 - (u.v)^2), under which every zero of
+///           (D-w).(D-w), D real, has L(w) >= |D|; Wang, Xiang (2012) for the rate. On curved charts the rate
+///           is a guess that the look at the modes replaces
+/// Requires  0 < share
+/// Result    estimated; nothing where the degree would exceed the largest, or the clusters are too near
+/// Limits    for one thread: holds scratch
+class CouplingLook {
+public:
+  CouplingLook(const ClusterOutlines& outlines, const CouplingDemand& demand)
+      : outlines_(outlines), demand_(demand) {}
+
+  std::optional<CouplingDegree> operator()(std::size_t a, std::size_t b);
+
+private:
+  /// What the modes of one degree contribute, by degree.
+  struct Profile {
+    std::vector<double> as_target;
+    std::vector<double> as_source;
+  };
+  /// The rate rho at which G falls in cluster a seen from b; 1 where there is none.
+  [[nodiscard]] double rate(std::size_t a, std::size_t b) const;
+  /// The degree that the rate asks for.
+  [[nodiscard]] std::optional<int> degree_by_distance(std::size_t a, std::size_t b) const;
+  void look(std::size_t a, std::size_t b, int degree, Profile& profile);
+
+  const ClusterOutlines& outlines_;
+  CouplingDemand demand_;
+  ClusterPoints nodes_;
+  std::vector<Pack> kernel_;
+  Profile in_a_;
+  Profile in_b_;
+};
+
+}  // namespace radcert

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/study/collocation/matrix_form.h"
+
+#include <algorithm>
+#include <optional>
+#include <variant>
+
+#include "radcert/clusters/cluster_operator.h"
+#include "radcert/core/checked.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/text.h"
+#include "radcert/solve/linear_solver.h"
+#include "radcert/study/collocation/collocation.h"
+
+namespace radcert {
+namespace {
+
+/// What keeps a problem from being solved with clusters.
+struct Obstacle {
+  std::string what;
+  std::string allowed;
+};
+
+std::optional<Obstacle> obstacle(const Problem& problem, const Surface& surface) {
+  const auto dense_for = [](const std::string& what) { return Obstacle{"is not for " + what, "dense"}; };
+  if (!std::holds_alternative<Collocation>(problem.method)) return dense_for("a meshless basis");
+  if (problem.geometry) return dense_for("interpolated geometry, where each element is a chart of its own");
+  if (problem.triangulation.grading != Rational(1)) return dense_for("a graded triangulation");
+  if (const auto on_surface = obstacle_to_clusters(surface))
+    return dense_for("the surface " + surface.name + ": " + *on_surface);
+  const LinearSolver* solver = find_linear_solver(problem.solver.name);
+  if (solver != nullptr && !solver->iterates)
+    return Obstacle{"has no entries for the solver " + problem.solver.name,
+                    "dense, or a solver that iterates: " +
+                        listed(solver_names([](const LinearSolver& each) { return each.iterates; }))};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> operator_names() { return {"dense", "h2", "auto"}; }
+
+void check_operator(const Problem& problem, const Surface& surface) {
+  const std::vector<std::string> names = operator_names();
+  const OperatorChoice& choice = problem.matrix;
+  if (std::find(names.begin(), names.end(), choice.name) == names.end())
+    refuse_input("/operator/name", choice.name, "is not a known operator", listed(names));
+  const double tolerance = choice.tolerance.to_double();
+  if (!(ClusterTolerance::finest <= tolerance && tolerance <= ClusterTolerance::coarsest))
+    refuse_input("/operator/tolerance", choice.tolerance.to_text(), "is not allowed",
+                 "a number from " + shortest(ClusterTolerance::finest) + ", what double can hold, to " +
+                     shortest(ClusterTolerance::coarsest));
+  if (choice.name != "h2") return;
+  if (const auto found = obstacle(problem, surface))
+    refuse_input("/operator/name", choice.name, found->what, found->allowed);
+}
+
+bool takes_clusters(const Problem& problem, std::uint64_t unknowns) {
+  if (problem.matrix.name == "h2") return true;
+  return problem.matrix.name == "auto" && unknowns > most_dense_unknowns &&
+         !obstacle(problem, surface_of(problem));
+}
+
+void plan_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions) {
+  constexpr std::uint64_t near_leaves = 64;
+  constexpr std::uint64_t node_bytes = 4096;
+  const std::uint64_t leaf =
+      functions << static_cast<unsigned>(2 * leaf_refinements(static_cast<std::size_t>(functions)));
+  plan.add("near entries", unknowns, saturated_product(near_leaves * leaf, sizeof(double)));
+  plan.add("couplings of clusters", unknowns, node_bytes);
+}
+
+}  // namespace radcert

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/study/collocation/matrix_form.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "radcert/study/collocation/collocation.h"
+#include "radcert/study/study.h"
+#include "tests/study/problems.h"
+
+namespace radcert {
+namespace {
+
+using testing::everywhere;
+using testing::fault_of;
+using ::testing::HasSubstr;
+using testing::no_route;
+using testing::sample_problem;
+using testing::with_basis;
+using testing::with_emission;
+
+Problem held_as(Problem problem, const std::string& name, const std::string& solver = "gmres") {
+  problem.matrix.name = name;
+  problem.matrix.tolerance = Rational(1, 100000000);
+  problem.solver.name = solver;
+  return problem;
+}
+
+Problem on_ellipsoid() {
+  return with_emission(
+      with_basis(sample_problem("ellipsoid", {{"a", 1}, {"b", Rational(3, 2)}, {"c", 2}}), 1, Rational(1, 6)),
+      "1 + x*y + exp(z)");
+}
+
+InputFault refused(const Problem& problem) {
+  return fault_of([&] { check(problem, std::numeric_limits<std::uint64_t>::max() - 1); });
+}
+
+TEST(MatrixForm, LeavesTheSolutionWithinItsRadius) {
+  constexpr int level = 4;
+  const LevelOutcome dense = solve_level(held_as(on_ellipsoid(), "dense"), level, no_route);
+  for (const char* solver : {"gmres", "neumann"}) {
+    const LevelOutcome clusters = solve_level(held_as(on_ellipsoid(), "h2", solver), level, no_route);
+    ASSERT_EQ(dense.nodes.size(), clusters.nodes.size());
+    EXPECT_EQ(clusters.result.norm_K.value, dense.result.norm_K.value);
+    double largest = 0;
+    for (std::size_t i = 0; i < dense.nodes.size(); ++i) {
+      const Approximation& u = clusters.nodes[i].u_n;
+      ASSERT_TRUE(u.has_radius());
+      EXPECT_FALSE(u.guaranteed);
+      EXPECT_NEAR(u.value, dense.nodes[i].u_n.value, u.radius + dense.nodes[i].u_n.radius) << i;
+      largest = std::max(largest, u.radius);
+    }
+    EXPECT_LT(largest, 1e-6);
+    ASSERT_TRUE(clusters.result.iteration);
+    EXPECT_LT(clusters.result.iteration->contraction, 1);
+    for (std::size_t i = 0; i < dense.result.piece_means.size(); ++i)
+      EXPECT_NEAR(clusters.result.piece_means[i].second.value, dense.result.piece_means[i].second.value,
+                  clusters.result.piece_means[i].second.radius);
+  }
+}
+
+TEST(MatrixForm, IsRefusedByNameWhereItDoesNotServe) {
+  const Problem problem = held_as(on_ellipsoid(), "h2");
+  EXPECT_NO_THROW(check(problem, std::numeric_limits<std::uint64_t>::max() - 1));
+  const auto expect_obstacle = [](const Problem& faulty, const std::string& what) {
+    const InputFault fault = refused(faulty);
+    EXPECT_EQ(fault.pointer, "/operator/name") << what;
+    EXPECT_THAT(fault.problem, HasSubstr(what));
+    EXPECT_THAT(fault.allowed, HasSubstr("dense"));
+    Problem left_open = faulty;
+    left_open.matrix.name = "auto";
+    EXPECT_FALSE(takes_clusters(left_open, 1000000)) << what;
+  };
+  expect_obstacle(held_as(on_ellipsoid(), "h2", "direct"), "solver direct");
+  expect_obstacle(held_as(on_ellipsoid(), "h2", "verified"), "solver verified");
+  Problem graded = problem;
+  graded.triangulation.grading = 2;
+  expect_obstacle(graded, "graded");
+  Problem interpolated = problem;
+  interpolated.geometry = InterpolatedGeometry{};
+  expect_obstacle(interpolated, "interpolated");
+  expect_obstacle(held_as(with_emission(sample_problem("two_piece", {{"p", Rational(5, 2)}}), "1"), "h2"),
+                  "not analytic");
+  Problem unknown = problem;
+  unknown.matrix.name = "h3";
+  EXPECT_EQ(refused(unknown).pointer, "/operator/name");
+  for (const Rational& tolerance :
+       {Rational(1, 100000000000000), Rational(1, 10), Rational(0), Rational(-1)}) {
+    Problem faulty = problem;
+    faulty.matrix.tolerance = tolerance;
+    EXPECT_EQ(refused(faulty).pointer, "/operator/tolerance") << tolerance.to_text();
+  }
+}
+
+TEST(MatrixForm, IsDenseForFewUnknownsWhereItIsLeftOpen) {
+  const Problem problem = held_as(on_ellipsoid(), "auto");
+  EXPECT_FALSE(takes_clusters(problem, most_dense_unknowns));
+  EXPECT_TRUE(takes_clusters(problem, most_dense_unknowns + 1));
+  EXPECT_TRUE(takes_clusters(held_as(on_ellipsoid(), "h2"), 1));
+  EXPECT_FALSE(takes_clusters(held_as(on_ellipsoid(), "dense"), 1000000));
+}
+
+TEST(MatrixForm, NeedsMemoryInProportionToTheUnknowns) {
+  const Problem problem = held_as(on_ellipsoid(), "h2");
+  const std::uint64_t small = level_plan(problem, 8192).total();
+  const std::uint64_t large = level_plan(problem, 4 * 8192).total();
+  EXPECT_LE(large, 4 * small);
+  EXPECT_GE(large, 3 * small);
+}
+
+}  // namespace
+}  // namespace radcert
