@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "radcert/continuous/ellipsoid/ellipsoid_enclosure.h"
+#include "radcert/continuous/function_enclosure.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/expression/parse.h"
 #include "radcert/surface/catalogue.h"
@@ -16,7 +17,7 @@
 namespace radcert::bench {
 namespace {
 
-void means(benchmark::State& state, const std::string& name, const std::vector<Rational>& parameters) {
+PolyhedronProblem lit(const std::string& name, const std::vector<Rational>& parameters) {
   const SurfaceDescription& surface = *find_surface(name);
   PolyhedronProblem problem{
       .panels =
@@ -26,6 +27,11 @@ void means(benchmark::State& state, const std::string& name, const std::vector<R
   problem.reflectivity.assign(problem.panels.size(), Rational(1, 2));
   problem.emission.assign(problem.panels.size(), constant_polynomial(Rational(0)));
   problem.emission[0] = constant_polynomial(Rational(1));
+  return problem;
+}
+
+void means(benchmark::State& state, const std::string& name, const std::vector<Rational>& parameters) {
+  const PolyhedronProblem problem = lit(name, parameters);
   GoalEnclosure found;
   for (auto step : state)
     found = enclose_means(problem, std::pow(10.0, -static_cast<double>(state.range(0))));
@@ -41,6 +47,16 @@ void of(const std::string& name, const std::vector<Rational>& parameters,
       [name, parameters](benchmark::State& state) { means(state, name, parameters); });
   one->ArgName("digits")->Iterations(1)->UseRealTime()->Unit(benchmark::kSecond);
   for (const std::int64_t count : digits) one->Arg(count);
+}
+
+/// Further than a hundredth from the vertices of the cube, within a width of 1/state.
+void away_from_vertices(benchmark::State& state) {
+  const PolyhedronProblem problem = lit("cube", {});
+  FunctionEnclosure found;
+  for (auto step : state) found = enclose_function(problem, 1 / static_cast<double>(state.range(0)), 0.01);
+  state.counters["width"] = 2 * found.sup;
+  state.counters["samples"] = static_cast<double>(found.last.samples);
+  state.counters["unknowns"] = static_cast<double>(found.last.unknowns);
 }
 
 /// Half of the light is reflected; the emission is a cubic.
@@ -68,6 +84,14 @@ void on_ellipsoid(const std::string& name, const Vector<Rational>& half_axes,
 }
 
 const bool registered = [] {
+  benchmark::RegisterBenchmark("solution_away_from_vertices/cube", away_from_vertices)
+      ->ArgName("parts")
+      ->Iterations(1)
+      ->UseRealTime()
+      ->Unit(benchmark::kSecond)
+      ->Arg(5)
+      ->Arg(20)
+      ->Arg(100);
   on_ellipsoid("1, 1.3, 1.7", {1, Rational(13, 10), Rational(17, 10)}, {6, 9, 12});
   on_ellipsoid("1, 1, 3", {1, 1, 3}, {6, 9});
   of("cube", {}, {4, 6, 7});
