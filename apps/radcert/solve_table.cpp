@@ -139,9 +139,13 @@ std::string iteration_line(const Result& result) {
     contraction = std::max(contraction, level.iteration->contraction);
     error_bound = std::max(error_bound, level.iteration->error_bound);
   }
+  // The rounding of couplings is estimated.
+  const bool is_proved = result.problem.matrix.name == "dense";
   const std::string theta = contraction < 1 ? upper_text_below_one(contraction, 3) : upper_text(contraction);
   return "Iterations of " + result.problem.solver.name + ": " + iterations + "; contraction at most " +
-         theta + ", error of the linear system at most " + upper_text(error_bound) + "\n";
+         theta +
+         (is_proved ? ", error of the linear system at most " : ", error of the linear system about ") +
+         upper_text(error_bound) + "\n";
 }
 
 /// Whether the errors at the nodes are proved on every level, and u_n itself.
