@@ -29,7 +29,8 @@ std::string coordinates(const Vector<Rational>& p) {
 /// Every octave of the distance, and what was asked for.
 void add_function(std::vector<std::vector<std::string>>& rows, const FunctionBound& bound) {
   const auto add = [&](double sup, double outside) {
-    rows.push_back({upper_text(sup), outside > 0 ? nearest_text(outside, DecimalForm::general(15)) + " or more" : "any"});
+    rows.push_back({upper_text(sup),
+                    outside > 0 ? nearest_text(outside, DecimalForm::general(15)) + " or more" : "any"});
   };
   constexpr std::size_t shells_an_octave = 4;
   for (std::size_t k = 0; k + 1 < bound.by_distance.size(); k += shells_an_octave) {

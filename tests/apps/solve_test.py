@@ -59,11 +59,19 @@ class Solve(ProgramTest):
         [point] = values["points"]
         self.assertEqual(point["at"], ["1/3", "1/3", "-1/3"])
         self.assertLessEqual(abs(float(point["midpoint"]) - 1), float(point["radius"]))
-        for words in [["own.json", "--guarantee", "0"], ["own.json", "--at", "1,1"], ["own.json", "--at", "9,9,9"], ["own.json", "--of", "means", "--at", "1/3,1/3,-1/3"],
-                      ["own.json", "--of", "function"], ["own.json", "--guarantee", "1e-15"], ["own.json", "--of", "all"],
-                      ["cube.json", "--of", "means"], ["own.json", "--vtu", "a.vtu"], ["own.json", "--out", "folder"]]:
+        function = json.loads(self.solution("own.json", "--of", "function", "--vtu", "u.vtu", "--nodes", "u.csv"))
+        bound = function["enclosure"]["function"]
+        self.assertLessEqual(2 * float(bound["sup"]), 0.05)
+        for name in ["u.vtu", "u.csv"]:
+            self.assertTrue(os.path.exists(self.path(name)), name)
+        for words in [["own.json", "--guarantee", "0"], ["own.json", "--at", "1,1"], ["own.json", "--at", "9,9,9"],
+                      ["own.json", "--of", "means", "--at", "1/3,1/3,-1/3"], ["own.json", "--outside", "1/10"],
+                      ["own.json", "--of", "function", "--outside", "-1"], ["own.json", "--of", "function", "--ply", "a.ply"],
+                      ["own.json", "--guarantee", "1e-15"], ["own.json", "--of", "all"], ["cube.json", "--of", "means"],
+                      ["own.json", "--vtu", "a.vtu"], ["own.json", "--out", "folder"]]:
             self.expect(2, "solve", *words)
-        self.assertFalse(os.path.exists(self.path("folder")))
+        for name in ["folder", "a.vtu", "a.ply"]:
+            self.assertFalse(os.path.exists(self.path(name)), name)
 
     def test_errors_are_null_without_a_solution_and_ratios_are_quotients_with_one(self):
         emitted = json.loads(self.solution(self.write("p.json", small(solution=None, emission="1"))))

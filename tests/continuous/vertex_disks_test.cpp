@@ -35,13 +35,14 @@ double to_nearest(const std::vector<Vector<double>>& vertices, const Vector<doub
   return least;
 }
 
-/// (1/pi) Int G y over the surface near the vertices: a polar rule about each vertex on each sector that has it.
+/// (1/pi) Int G y over the surface near the vertices: a polar rule about each vertex on each sector that has
+/// it.
 class PolarTransport {
 public:
   explicit PolarTransport(const SectorScene& scene) : scene_(scene) {}
 
-  /// For a function y of the distance from the vertex, on 0 < distance < radius; radius below half an edge and
-  /// below the distance of the opposite sides.
+  /// For a function y of the distance from the vertex, on 0 < distance < radius; radius below half an edge
+  /// and below the distance of the opposite sides.
   double operator()(std::size_t panel, const Vector<double>& p, double radius,
                     const std::function<double(double)>& y) const {
     double sum = 0;

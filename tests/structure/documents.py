@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The documents of the repository: every relative link leads to a file, or to a heading, that is there, prose keeps to 120
-columns, and no document or comment cites what is not in the repository.
+columns and comments in sources to 110, and no document or comment cites what is not in the repository.
 
     python3 tests/structure/documents.py .
 """
@@ -10,6 +10,9 @@ import re
 import sys
 
 MOST_COLUMNS = 120
+# clang-format lays out code and leaves comments as they are.
+MOST_COLUMNS_OF_COMMENTS = 110
+COMMENT = re.compile(r"^\s*//")
 # What has grown and is not laid out anew.
 ANY_WIDTH = {"CHANGELOG.md"}
 # Folders of documents and sources; what is built is not looked at.
@@ -62,6 +65,9 @@ def main():
         for number, line in enumerate(file.read_text(encoding="utf-8").split("\n"), 1):
             if ELSEWHERE.search(line):
                 faults.append(f"{file.relative_to(root)}:{number}: cites what is not in the repository")
+            if file.suffix != ".md" and COMMENT.match(line) and len(line) > MOST_COLUMNS_OF_COMMENTS:
+                faults.append(f"{file.relative_to(root)}:{number}: {len(line)} columns, at most "
+                              f"{MOST_COLUMNS_OF_COMMENTS} in comments")
     # Controls: what must be found.
     if "a-heading-of-code" not in headings("# A heading, of `code`") or not ELSEWHERE.search("Source    design: one"):
         faults.append("a pattern is wrong")

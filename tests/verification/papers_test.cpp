@@ -74,8 +74,8 @@ const std::map<std::string, std::vector<std::string>>& named_statements() {
   return all;
 }
 
-// Every sentence that asserts something has an entry, a reason why it has none, or the entry that is wanted; every
-// entry answers for a sentence, or is said to be our own.
+// Every sentence that asserts something has an entry, a reason why it has none, or the entry that is wanted;
+// every entry answers for a sentence, or is said to be our own.
 TEST(Papers, HoldTheirSentencesAndTheirEntriesTogether) {
   for (const Paper& paper : embedded_paper_list()) {
     std::set<std::string> labels;

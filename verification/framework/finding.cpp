@@ -136,8 +136,8 @@ std::string interval_text(const LiesIn& statement) {
   return "in [" + decimal_or_fraction(statement.least) + ", " + decimal_or_fraction(statement.largest) + "]";
 }
 
-/// Whether a number is another one, its opposite or its reciprocal, to rounding. Numbers of up to three digits
-/// meet by chance.
+/// Whether a number is another one, its opposite or its reciprocal, to rounding. Numbers of up to three
+/// digits meet by chance.
 bool follows_from(double number, double other) {
   constexpr double near = 0x1p-48;
   const auto is = [&](double candidate) {

@@ -75,8 +75,8 @@ enum class Standing { holds, violated, open };
 [[nodiscard]] std::string_view name(Standing standing);
 
 /// An observation held against a statement.
-/// Maths     Order: an exponent all of whose interval lies between the middles holds, one all of whose interval
-///           lies beyond one of them violates;
+/// Maths     Order: an exponent all of whose interval lies between the middles holds, one all of whose
+///           interval lies beyond one of them violates;
 ///           Equals: |v - value| + radius <= slack holds, |v - value| - radius > slack violates;
 ///           AtMost: v + radius <= value + slack holds, v - radius > value + slack violates;  IsExactly:
 ///           equality of rationals; AgreesWith: |v - value| <= within for all points of both balls holds, >
@@ -94,9 +94,9 @@ enum class Standing { holds, violated, open };
 [[nodiscard]] Standing judge(const LiesIn& statement, const Ball& observed);
 
 /// What an observation is in a check.
-/// Maths     requirement: the statement must fit it; control: a computation of its own in which something that
-///           the statement needs is false, so that the statement must not fit it; instead: of a statement that
-///           is contradicted, what holds in its place
+/// Maths     requirement: the statement must fit it; control: a computation of its own in which something
+///           that the statement needs is false, so that the statement must not fit it; instead: of a
+///           statement that is contradicted, what holds in its place
 enum class Role { requirement, control, instead };
 
 /// "requirement", "control", "instead".

@@ -21,8 +21,8 @@ struct PendingFinding {
 ///           at a time
 /// Result    the same findings in any order, as each depends on itself alone. Levels are asked of the bench
 ///           one at a time. Interrupted, InputError and EnvironmentError leave once the checks that run have
-///           ended; another exception leaves its statement pending, and a store that switches itself off leaves
-///           all that have not begun
+///           ended; another exception leaves its statement pending, and a store that switches itself off
+///           leaves all that have not begun
 void find_pending(std::span<const PendingFinding> pending, const Bench& bench,
                   const std::function<void(const PendingFinding&)>& starting);
 

@@ -36,8 +36,8 @@ template <Field R>
 }
 
 /// What a convex polygon has in common with another, by cutting it along the sides of the other.
-/// Limits    of two corners of `sides` that are almost one, rounded doubles say nothing about the line through
-///           them
+/// Limits    of two corners of `sides` that are almost one, rounded doubles say nothing about the line
+///           through them
 template <Field R>
 [[nodiscard]] ConvexPolygon<R> clipped(ConvexPolygon<R> polygon, std::span<const ParameterPoint<R>> sides) {
   for (std::size_t k = 0; k < sides.size() && polygon.size() >= 3; ++k)

@@ -40,10 +40,10 @@ struct FunctionEnclosure {
 };
 
 /// Encloses u as a function.
-/// Maths     v = w_0 = E + rho q for any q, t = T v - q, so that u - v - K(u - v) = rho t, up to the rounding of
-///           E, rho and v. |rho t| is bounded on cells (residual_sums); near vertices, where u tends to a function
-///           of the direction, no polynomial makes it small. Its largest values by the distance from the vertices
-///           give a bound of u - v by the distance (supersolution)
+/// Maths     v = w_0 = E + rho q for any q, t = T v - q, so that u - v - K(u - v) = rho t, up to the rounding
+///           of E, rho and v. |rho t| is bounded on cells (residual_sums); near vertices, where u tends to a
+///           function of the direction, no polynomial makes it small. Its largest values by the distance from
+///           the vertices give a bound of u - v by the distance (supersolution)
 /// Requires  as enclose_means; 0 <= outside
 /// Result    proved; the mesh as there, until |u - v| <= wanted/2 where the distance from all vertices is at
 ///           least `outside`; 0 there where that holds everywhere. The same bits for any number of threads

@@ -24,10 +24,10 @@ struct GoalEnclosure {
 ///           (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - s), s = max rho. Proof: B = rho^(1/2) T
 ///           rho^(1/2) is self-adjoint in L2 with the norm s at most, by Schur's test, since T >= 0 is
 ///           symmetric and T 1 = 1; u - v = (I - rho T)^-1 rho t_0, so that J(u-v) = (rho^(1/2) j, (I-B)^-1
-///           rho^(1/2) t_0), and (I-B)^-1 rho^(1/2) j = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k. Where y_k = j_kh +
-///           q_k with j_kh near j_k, (Int rho (j_k - j_kh)^2)^(1/2) is added to the norm of t_k. The q are
-///           polynomials on elements that shrink towards edges (trial_functions), as good as they happen to
-///           be; t_0 and t_k are enclosed (residual_sums)
+///           rho^(1/2) t_0), and (I-B)^-1 rho^(1/2) j = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k. Where y_k =
+///           j_kh + q_k with j_kh near j_k, (Int rho (j_k - j_kh)^2)^(1/2) is added to the norm of t_k. The q
+///           are polynomials on elements that shrink towards edges (trial_functions), as good as they happen
+///           to be; t_0 and t_k are enclosed (residual_sums)
 /// Source    dual weighted residuals: R. Becker, R. Rannacher, "An optimal control approach to a posteriori
 ///           error estimation", 2001; here without an unknown constant
 /// Requires  0 < wanted < infinity; at least one panel; numbers whose sizes are within 1e-60 and 1e60, or 0

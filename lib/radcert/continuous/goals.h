@@ -16,8 +16,8 @@
 namespace radcert {
 
 /// Numbers that depend linearly on the solution u of the radiosity equation.
-/// Maths     number k is a_k + b_k J_k(u), J_k(u) = Int j_k u. Functions of a Trial: 0 is that of the emission,
-///           1 + k that of j_k
+/// Maths     number k is a_k + b_k J_k(u), J_k(u) = Int j_k u. Functions of a Trial: 0 is that of the
+///           emission, 1 + k that of j_k
 class Goals {
 public:
   Goals() = default;
@@ -57,8 +57,9 @@ public:
 
 /// The values of u at points.
 /// Maths     u(P) = E(P) + rho(P) T u(P): j(Q) = G(P,Q)/pi, b = rho(P). On an element j is holomorphic around
-///           the lines of either parameter (kernel_in_ellipse), so that its interpolant j_h at tensor Gauss nodes
-///           is off by 2 |X|^(1/2) (e_s + e_t) in L2 on the element X, e = 2 M rho^(1-n)/(rho-1) for n nodes
+///           the lines of either parameter (kernel_in_ellipse), so that its interpolant j_h at tensor Gauss
+///           nodes is off by 2 |X|^(1/2) (e_s + e_t) in L2 on the element X, e = 2 M rho^(1-n)/(rho-1) for n
+///           nodes
 /// Requires  the scene and the reflectivity, by panel, outlive it; points inside their panels; emission: by
 ///           point, E(P)
 [[nodiscard]] std::unique_ptr<Goals> point_values(const SectorScene& scene,

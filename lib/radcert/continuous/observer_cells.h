@@ -59,8 +59,8 @@ public:
 [[nodiscard]] std::vector<ObserverCell> observer_cells(const Trial& trial, const CellDemand& demand);
 
 /// Cells with rules that meet a demand in the maximum norm.
-/// Maths     interpolation_gain (e_s + e_t) is about what is allowed, and less what the closure at an edge leaves
-///           beside the jumps of w across borders, which no smaller cell would leave out
+/// Maths     interpolation_gain (e_s + e_t) is about what is allowed, and less what the closure at an edge
+///           leaves beside the jumps of w across borders, which no smaller cell would leave out
 /// Result    as above
 [[nodiscard]] std::vector<ObserverCell> observer_cells(const Trial& trial, const LargestDemand& demand);
 

@@ -10,12 +10,12 @@
 namespace radcert {
 
 /// The surface near its vertices, where a solution is no smooth function of the place.
-/// Maths     B(a): the points of the surface within a of a vertex. T 1_B(a)(P) for P at least r > a from every
-///           vertex, P on the panel i. A vertex V in the plane of i and a panel j with the angle Theta there: for Q
-///           on j, |Q-V| = q <= a, n_i.(Q-V) <= q sin and n_j.(P-V) <= |P-V| sin, sin that of the angle of the
-///           planes, |P-Q| >= |P-V| - q, and  Int_0^a q^2/(r-q)^4 dq = a^3/(3r (r-a)^3):  at most Theta sin^2/(3
-///           pi) (a/(r-a))^3. One vertex at most is nearer than half the least distance of two. A vertex that is
-///           not in the plane of i, d from the panel: Theta/(2 pi) (a/(d-a))^2
+/// Maths     B(a): the points of the surface within a of a vertex. T 1_B(a)(P) for P at least r > a from
+///           every vertex, P on the panel i. A vertex V in the plane of i and a panel j with the angle Theta
+///           there: for Q on j, |Q-V| = q <= a, n_i.(Q-V) <= q sin and n_j.(P-V) <= |P-V| sin, sin that of
+///           the angle of the planes, |P-Q| >= |P-V| - q, and  Int_0^a q^2/(r-q)^4 dq = a^3/(3r (r-a)^3):  at
+///           most Theta sin^2/(3 pi) (a/(r-a))^3. One vertex at most is nearer than half the least distance
+///           of two. A vertex that is not in the plane of i, d from the panel: Theta/(2 pi) (a/(d-a))^2
 /// Requires  the scene outlives it
 /// Result    bounds rounded to the safe side
 class VertexDisks {
@@ -53,10 +53,10 @@ private:
 
 /// A bound of u - w by the distance from the vertices.
 /// Maths     shells m = 0, ..., n: distance radii[m] or more, and below radii[m-1]; the last one ends at the
-///           vertices. |u - K u - (w - K w)| <= R_m on shell m, R growing towards the vertices. Where z >= K(R+z)
-///           almost everywhere, (I-K)(R+z) >= R, and (I-K)^-1 = sum K^k >= 0 makes |u-w| <= R + z. With Y = R + z,
-///           K Y <= s (Y_0 + sum_m (Y_m - Y_(m-1)) T 1_B(radii[m-1])): z_0 = s/(1-s) max R and its images under
-///           the right side, each with the one before for its bound
+///           vertices. |u - K u - (w - K w)| <= R_m on shell m, R growing towards the vertices. Where z >=
+///           K(R+z) almost everywhere, (I-K)(R+z) >= R, and (I-K)^-1 = sum K^k >= 0 makes |u-w| <= R + z.
+///           With Y = R + z, K Y <= s (Y_0 + sum_m (Y_m - Y_(m-1)) T 1_B(radii[m-1])): z_0 = s/(1-s) max R
+///           and its images under the right side, each with the one before for its bound
 /// Source    ordered positive operators: L. Collatz, "Functional Analysis and Numerical Mathematics", 1966
 /// Requires  radii descending, at most disks.largest_radius(), one fewer than residuals; residuals ascending;
 ///           s = 1 - gap, 0 < gap <= 1

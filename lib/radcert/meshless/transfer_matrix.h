@@ -21,8 +21,8 @@ namespace radcert {
 
 /// The radiance of the sites by light scattered once from point lights at the sites.
 /// Maths     N_ij = beta_i/pi site_kernel(p_i, p_j) V(p_i, p_j) w_j
-/// Source    [psg10, section VII]; a surface of albedo beta scatters beta of what arrives, with the print, rho = 2 beta
-///           times the 1/(4 pi) of K, half of that
+/// Source    [psg10, section VII]; a surface of albedo beta scatters beta of what arrives, with the print,
+///           rho = 2 beta times the 1/(4 pi) of K, half of that
 /// Requires  sites of the scene's surface, as many weights
 /// Result    n by n, rounded; each pair is looked at once, V is exact for the sites' doubles. The same bits
 ///           for any number of threads; Interrupted when asked to stop; InputError if n^2 numbers exceed the

@@ -100,21 +100,22 @@ struct GuaranteeProgress {
 using GuaranteeListener = std::function<void(const GuaranteeProgress&)>;
 
 /// Refuses a problem whose solution cannot be enclosed.
-/// Maths     an emission, a width that double can hold. Either a closed surface of plane charts that is proved
-///           to lie in the boundary of a convex body, on each face rho constant, 0 <= rho < 1, and E a
+/// Maths     an emission, a width that double can hold. Either a closed surface of plane charts that is
+///           proved to lie in the boundary of a convex body, on each face rho constant, 0 <= rho < 1, and E a
 ///           polynomial of degree 8 at most, points inside faces; or a sphere or an ellipsoid, rho and E
 ///           polynomials, 0 <= rho < 1, points on the surface
 /// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed
 void check_guarantee(const Problem& problem, const Guarantee& guarantee);
 
 /// Encloses the means of u over the pieces, its values at points, or u itself.
-/// Maths     enclose_means, enclose_values, enclose_function: the residual of a piecewise polynomial and of one for each number,
-///           enclosed over the whole surface; enclose_on_ellipsoid, where patches are those of a grid of angles
+/// Maths     enclose_means, enclose_values, enclose_function: the residual of a piecewise polynomial and of
+///           one for each number, enclosed over the whole surface; enclose_on_ellipsoid, where patches are
+///           those of a grid of angles
 /// Source    lib/radcert/continuous
 /// Requires  what check_guarantee lets pass, else InputError
 /// Result    proved, AccuracyNotReached where nothing is; the level's number is that of the layers of
-///           elements, or the degree on an ellipsoid, its errors are absent and its means those of the enclosure, if it has them. The same
-///           bits for any number of threads
+///           elements, or the degree on an ellipsoid, its errors are absent and its means those of the
+///           enclosure, if it has them. The same bits for any number of threads
 /// Limits    where the width is not reached the enclosure says so and is the best that was found
 [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem,
                                                                      const Guarantee& guarantee,

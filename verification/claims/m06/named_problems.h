@@ -16,8 +16,8 @@ namespace radcert::verification::m06 {
 /// said.
 [[nodiscard]] std::vector<int> levels_for(const Problem& problem, Budget budget, int fewer = 0);
 
-/// The levels that an order is taken from: from 1 on, at level 0 an element is as large as a piece; up to 3 at
-/// quick, else up to the problem's last.
+/// The levels that an order is taken from: from 1 on, at level 0 an element is as large as a piece; up to 3
+/// at quick, else up to the problem's last.
 [[nodiscard]] std::vector<int> levels_of_an_order(const Problem& problem, Budget budget);
 
 /// The nodes (13) that the paper chooses for a degree: alpha_0 for r = 1 and 3, the centroid for r = 0; where

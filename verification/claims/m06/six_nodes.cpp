@@ -17,8 +17,8 @@
 //              other piece: 6; by conical rules, collapsed at the node on its own element, the radius being
 //              the distance of two orders of the rule. On the sphere, where G = 1/4, u = x^4: 6. Four levels
 //              each, three over the other piece at quick; five beyond quick over its own piece. And the error
-//              of the collocation solution at all nodes of two_piece(2): order 5. With the nodes (13), alpha =
-//              1/10, order 4 over a node's own piece and on the sphere.
+//              of the collocation solution at all nodes of two_piece(2): order 5. With the nodes (13), alpha
+//              = 1/10, order 4 over a node's own piece and on the sphere.
 // Not checked  that the constant of h^5 is not zero for other surfaces: it is zero where the piece is plane
 // or a sphere.
 

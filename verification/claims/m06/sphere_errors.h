@@ -10,8 +10,8 @@
 namespace radcert::verification::m06 {
 
 /// The errors of collocation on the unit sphere, without a matrix.
-/// Maths     G = 1/4, so that K f = rho M f, M the mean. With rho = 1/2 and w = (I - P_n)u = (I - P_n)E: u = E
-///           + M E, u_n = P_n E + M P_n E, u - u_n = w + M w, and u(v_i) - u_n(v_i) = M w at every node
+/// Maths     G = 1/4, so that K f = rho M f, M the mean. With rho = 1/2 and w = (I - P_n)u = (I - P_n)E: u =
+///           E + M E, u_n = P_n E + M P_n E, u - u_n = w + M w, and u(v_i) - u_n(v_i) = M w at every node
 /// Source    [m06, (15)-(21)]; G: [m06, Lemma 1 (d)]
 /// Requires  u even in each coordinate, so that the first octant stands for all: triangulation and nodes are
 ///           reflected from one to the next. E = u - (1/2) M u is as smooth as u

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Theorem 4, (23), asks for E in C^(r+1)(S). On a closed analytic surface without edges K u is as smooth as u,
-// so that an analytic u belongs to an analytic E; at the corners of a smooth piece it does not: lemma_2.
+// Theorem 4, (23), asks for E in C^(r+1)(S). On a closed analytic surface without edges K u is as smooth as
+// u, so that an analytic u belongs to an analytic E; at the corners of a smooth piece it does not: lemma_2.
 //
 // Checked      the order of max |u - u_n| over 45 points of every element: r = 0 to 5 on the sphere, u = x^4,
-//              without a matrix, as G is constant; r = 0 and 1 on the ellipsoid (1, 5/4, 3/2), u = exp(x/2 + y/3 - z/4), where G has no limit at P = Q. Rejected: on the sphere u =
-//              ||x| - |y|| for r >= 1, which has a kink amid elements, and one that jumps there for r = 0.
-// Not checked  the supremum off the sample; that r + 2 derivatives of F_j and r + 1 of E suffice. E in C^(r+1)
-//              does not give u in C^(r+1) on surfaces with corners: theorem_3_b.
+//              without a matrix, as G is constant; r = 0 and 1 on the ellipsoid (1, 5/4, 3/2), u = exp(x/2 +
+//              y/3 - z/4), where G has no limit at P = Q. Rejected: on the sphere u = ||x| - |y|| for r >= 1,
+//              which has a kink amid elements, and one that jumps there for r = 0.
+// Not checked  the supremum off the sample; that r + 2 derivatives of F_j and r + 1 of E suffice. E in
+//              C^(r+1) does not give u in C^(r+1) on surfaces with corners: theorem_3_b.
 
 #include <cmath>
 

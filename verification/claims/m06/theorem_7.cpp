@@ -2,18 +2,19 @@
 
 // The rates at the nodes, Theorems 7 and 9, and (24), (26) on the way to them.
 //
-// Checked      max |u - u_n| over the nodes, rho = 1/2, symmetric triangulations, levels from 1 on: r = 1 and 3
-//              at alpha_0 and at 1/10, where (36) must fail, r = 0, 2, 4 at 1/10; on two_piece(2), two smooth
-//              pieces that do not meet, and the ellipsoid (1, 5/4, 3/2) for u = exp(x/2 + y/3 - z/4), on the
-//              sphere, without a matrix, for u = x^4. On the ellipsoid beyond quick also over those nodes
-//              alone whose element has a vertex on the side of a chart; for r = 3 and 4 |K(I - P_n)u| at the
-//              nodes of two of its elements, one amid a chart and one at a seam, up to 8192 elements; without
-//              a matrix, which at level 2 gives what the study has. (24): the quotient falls like a power of
-//              h for these methods, and not for r = 1 and 3 at alpha = 1/10. (26): the quotient of the two
-//              sides is at most 1/(1 - norm of K_n).
-// Not checked  the logarithm apart from its power. That fewer derivatives suffice: theorem_7_smoothness. The integrals over the node's own element are evaluated as well as all
-//              others, so that the assumption on them is met; for the collocation method itself that error is
-//              O(h^(r+3)) in any case, as G is bounded.
+// Checked      max |u - u_n| over the nodes, rho = 1/2, symmetric triangulations, levels from 1 on: r = 1 and
+//              3 at alpha_0 and at 1/10, where (36) must fail, r = 0, 2, 4 at 1/10; on two_piece(2), two
+//              smooth pieces that do not meet, and the ellipsoid (1, 5/4, 3/2) for u = exp(x/2 + y/3 - z/4),
+//              on the sphere, without a matrix, for u = x^4. On the ellipsoid beyond quick also over those
+//              nodes alone whose element has a vertex on the side of a chart; for r = 3 and 4 |K(I - P_n)u|
+//              at the nodes of two of its elements, one amid a chart and one at a seam, up to 8192 elements;
+//              without a matrix, which at level 2 gives what the study has. (24): the quotient falls like a
+//              power of h for these methods, and not for r = 1 and 3 at alpha = 1/10. (26): the quotient of
+//              the two sides is at most 1/(1 - norm of K_n).
+// Not checked  the logarithm apart from its power. That fewer derivatives suffice: theorem_7_smoothness. The
+//              integrals over the node's own element are evaluated as well as all others, so that the
+//              assumption on them is met; for the collocation method itself that error is O(h^(r+3)) in any
+//              case, as G is bounded.
 
 #include <algorithm>
 #include <cmath>

@@ -11,9 +11,9 @@ namespace radcert {
 
 /// Interpolation on elements at tensor Gauss nodes.
 /// Maths     the interpolant of f is sum c_ij P_i(x) P_j(y), c_ij = sum_ml M_im N_jl f(x_m, y_l), M_im =
-///           (2i+1)/2 w_m P_i(x_m), N alike. Of values up to 1 it is n_s n_t at most: the Lebesgue constant of n
-///           Gauss nodes is at most n, since (sum |l_i|)^2 <= sum w_i sum l_i^2/w_i, the first sum 2, the second
-///           sum_(k<n) (2k+1)/2 P_k^2 <= n^2/2
+///           (2i+1)/2 w_m P_i(x_m), N alike. Of values up to 1 it is n_s n_t at most: the Lebesgue constant
+///           of n Gauss nodes is at most n, since (sum |l_i|)^2 <= sum w_i sum l_i^2/w_i, the first sum 2,
+///           the second sum_(k<n) (2k+1)/2 P_k^2 <= n^2/2
 /// Requires  1 <= nodes <= most_gauss_nodes in either variable, else ContractViolation
 class ElementInterpolation {
 public:
@@ -24,10 +24,11 @@ public:
   [[nodiscard]] std::vector<Vector<double>> points(const Sector& sector, const SectorBox& box) const;
   /// The coefficients, by i, j, from values at the nodes, `stride` apart.
   void coefficients(std::span<const double> values, std::size_t stride, std::span<double> out) const;
-  /// What rounding makes of the interpolant in the maximum norm, for values up to `size` that are off by `off`.
-  /// Maths     n = n_s, m = n_t, k the larger: M is off by 26 n^2 u (2i+1)/2 w_m, and sum_m (2i+1)/2 w_m = 2i+1:
-  ///           the coefficients are off by (2i+1)(2j+1) (64 k^2 u size + off), which sum to n^2 m^2 (64 k^2 u size
-  ///           + off)
+  /// What rounding makes of the interpolant in the maximum norm, for values up to `size` that are off by
+  /// `off`.
+  /// Maths     n = n_s, m = n_t, k the larger: M is off by 26 n^2 u (2i+1)/2 w_m, and sum_m (2i+1)/2 w_m =
+  ///           2i+1: the coefficients are off by (2i+1)(2j+1) (64 k^2 u size + off), which sum to n^2 m^2 (64
+  ///           k^2 u size + off)
   [[nodiscard]] double rounding(double size, double off) const;
 
 private:

@@ -37,8 +37,8 @@ struct ReflectivityBound {
 };
 
 /// A bound of |E| over the surface, and of rho.
-/// Result    refused where the formula is not a polynomial, or of too high a degree, or where rho is not shown
-///           to lie in [0,1)
+/// Result    refused where the formula is not a polynomial, or of too high a degree, or where rho is not
+///           shown to lie in [0,1)
 [[nodiscard]] Outcome<double> emission_bound(const EllipsoidProblem& problem);
 [[nodiscard]] Outcome<ReflectivityBound> reflectivity_bound(const EllipsoidProblem& problem);
 

@@ -323,8 +323,8 @@ double harmonic_tail(const EllipsoidShape& shape, const EllipsoidDensity& densit
 }
 
 Approximation surface_mean(const EllipsoidShape& shape, const EllipsoidDensity& density, double tolerance) {
-  // The rule is for w - c and for 1, this so many times: a hundredth of the area is missed at most, and of the
-  // mean no more than the tolerance.
+  // The rule is for w - c and for 1, this so many times: a hundredth of the area is missed at most, and of
+  // the mean no more than the tolerance.
   const double of_area_too = std::max(100 * tolerance, density.variation(0));
   const auto bound_with = [&](double tau) {
     return shape.margin(tau) > 0 ? (of_area_too + density.variation(tau)) * std::sqrt(std::cosh(2 * tau)) /

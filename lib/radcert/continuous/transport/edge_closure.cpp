@@ -50,9 +50,9 @@ double derivative_size(std::span<const double> c) {
 }
 
 /// A Lipschitz constant of the functions on an element.
-/// Maths     in each variable by derivative_size;  |grad s| <= q/((1-t) |b-a|), q the longer leg over the height H: 1/q is the
-///           least sine of the angle between lines s = const and the side;  |grad t| = 1/H;  x = 2 s/width, y = 2
-///           t/depth
+/// Maths     in each variable by derivative_size;  |grad s| <= q/((1-t) |b-a|), q the longer leg over the
+///           height H: 1/q is the least sine of the angle between lines s = const and the side;  |grad t| =
+///           1/H;  x = 2 s/width, y = 2 t/depth
 double lipschitz(const SectorScene& scene, const SectorElement& element, const SectorFunctions& w,
                  std::size_t number) {
   const auto powers = static_cast<std::size_t>(w.degree() + 1);

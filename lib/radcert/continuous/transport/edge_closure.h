@@ -13,16 +13,16 @@
 namespace radcert {
 
 /// What the panel beyond an edge sends to observers near the edge, without its singularity.
-/// Maths     T 1 = 1 on a closed surface, so that near an edge of Q_j  T w(P) = F(P) + T_j(w - xi)(P),  F = sum
-///           over i != j of T_i w + xi (1 - sum over i != j of T_i 1),  xi(s) = w on Q_j at the point x of the
-///           edge that belongs to P = P(s,t). F is smooth up to the edge. For |P-x| <= R, P at most H above the
-///           plane of Q_j, what is further than q from P has the mass M(q) = min(1, m H/q) at most, m = 2, or 1
-///           where n_P.n_j >= 0, and |w - xi| <= J + l |Q-x| <= J + l (R + |Q-P|) up to the distance d from x:
-///           |T_j(w - xi)| <= J + l R + l Int_0^(d-R) M dq + 2 sup|w| M(d-R)
+/// Maths     T 1 = 1 on a closed surface, so that near an edge of Q_j  T w(P) = F(P) + T_j(w - xi)(P),  F =
+///           sum over i != j of T_i w + xi (1 - sum over i != j of T_i 1),  xi(s) = w on Q_j at the point x
+///           of the edge that belongs to P = P(s,t). F is smooth up to the edge. For |P-x| <= R, P at most H
+///           above the plane of Q_j, what is further than q from P has the mass M(q) = min(1, m H/q) at most,
+///           m = 2, or 1 where n_P.n_j >= 0, and |w - xi| <= J + l |Q-x| <= J + l (R + |Q-P|) up to the
+///           distance d from x: |T_j(w - xi)| <= J + l R + l Int_0^(d-R) M dq + 2 sup|w| M(d-R)
 ///             = J + l (R + m H (1 + log((d-R)/(m H)))) + 2 sup|w| m H/(d-R)
-///           Either d is the distance of the other sides of the element beyond, and J = 0; or that of the elements
-///           which do not touch it, and J the sum of the jumps of w between those which do: the way from x to Q
-///           crosses each of their borders once at most
+///           Either d is the distance of the other sides of the element beyond, and J = 0; or that of the
+///           elements which do not touch it, and J the sum of the jumps of w between those which do: the way
+///           from x to Q crosses each of their borders once at most
 /// Requires  the scene and the elements outlive it
 /// Result    bounds rounded up, infinite where there are none
 class EdgeClosure {
@@ -33,8 +33,8 @@ public:
   [[nodiscard]] std::optional<std::size_t> mirror(std::size_t element) const { return mirror_[element]; }
   /// Bounds of xi on the edge of an element that has one, by powers of s: see PolynomialSizes.
   [[nodiscard]] std::span<const double> edge_sizes(std::size_t element) const { return edge_sizes_[element]; }
-  /// Of a part of an edge, at most its distance from all sides of elements on the panel beyond, except those on
-  /// the edge.
+  /// Of a part of an edge, at most its distance from all sides of elements on the panel beyond, except those
+  /// on the edge.
   [[nodiscard]] double clearance(std::size_t sector, const Vector<double>& from,
                                  const Vector<double>& to) const;
 
@@ -43,8 +43,8 @@ public:
     double jumps = 0;     ///< J: what is left of it in the smallest part
     double distance = 0;  ///< of the middle of the part of the edge from what bounds d
   };
-  /// On a part of an element with a mirror that touches the edge, within the element beyond alone, or with those
-  /// which touch it.
+  /// On a part of an element with a mirror that touches the edge, within the element beyond alone, or with
+  /// those which touch it.
   [[nodiscard]] Nearby nearby(std::size_t element, const SectorBox& box) const;
   [[nodiscard]] Nearby nearby_across_borders(std::size_t element, const SectorBox& box) const;
 

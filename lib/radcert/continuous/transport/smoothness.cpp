@@ -13,9 +13,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The larger half axes of the ellipses that are tried, in units of half the line.
 constexpr std::array<double, 20> axes{1.02, 1.06, 1.12, 1.2, 1.35, 1.5, 1.75, 2,   2.5,  3.2,
                                       4.2,  5.6,  8,    12,  20,   40,  100,  400, 2000, 20000};
-/// Where Q slides, both parameters of its element stay in the unit disk: the real segment that is as long as Q
-/// moves lies in the element, and the disk about it goes to a disk about a part of [-1,1], as x and y are affine
-/// or quotients of affine functions of the way. There |P_i| <= (1 + sqrt(2))^i.
+/// Where Q slides, both parameters of its element stay in the unit disk: the real segment that is as long as
+/// Q moves lies in the element, and the disk about it goes to a disk about a part of [-1,1], as x and y are
+/// affine or quotients of affine functions of the way. There |P_i| <= (1 + sqrt(2))^i.
 constexpr double slid_growth = 2.4143;
 /// Where Q turns: A + sqrt(A^2 - 1) for A = 3/2 and A = 2.
 constexpr double turned_along = 2.6181;
@@ -207,9 +207,9 @@ double Smoothness::reach_of_slide(const Cell& cell, std::size_t panel) const {
 /// How far Q may turn about the edge that the lines of a cell come from; 0: not at all.
 /// Maths     r = min(d/(4 (1+q)), H T/2), d the clearance of the points where the lines meet the edge, H the
 ///           height of the opposite sector, T its lowest layer, q the quotient of its longer leg and H. The
-///           parameters of Q are then off those of x by at most 1/2 in x, since d is at most half the width of
-///           the element, and by 1 in y, which is -1 at x: |P_i(x)| <= (3/2 + (5/4)^(1/2))^i, |P_j(y)| <= (2 +
-///           3^(1/2))^j
+///           parameters of Q are then off those of x by at most 1/2 in x, since d is at most half the width
+///           of the element, and by 1 in y, which is -1 at x: |P_i(x)| <= (3/2 + (5/4)^(1/2))^i, |P_j(y)| <=
+///           (2 + 3^(1/2))^j
 double Smoothness::reach_of_turn(const Cell& cell) const {
   const std::size_t sector = elements_[cell.element].sector;
   if (cell.along_edge || !scene_.opposite(sector)) return 0;

@@ -24,9 +24,9 @@ struct RuleErrors {
 };
 
 /// How smooth T w is around points of the surface.
-/// Maths     T w = sum over the panels Q_j of T_j w, each holomorphic around the lines of a cell, in ellipses in
-///           which ObserverLines' bounds hold; closed at an edge, F of EdgeClosure in its place. With |f| <= M in
-///           the ellipse whose half axes sum to rho, a polynomial of degree n - 1 is off by 2 M
+/// Maths     T w = sum over the panels Q_j of T_j w, each holomorphic around the lines of a cell, in ellipses
+///           in which ObserverLines' bounds hold; closed at an edge, F of EdgeClosure in its place. With |f|
+///           <= M in the ellipse whose half axes sum to rho, a polynomial of degree n - 1 is off by 2 M
 ///           rho^(1-n)/(rho-1) (Trefethen, theorem 8.2), and a rule of n nodes by (2 + 2/(4n^2-1)) M
 ///           rho^(-2n)/(1-rho^-2) of the mean (gauss_error_factor)
 /// Source    N. Trefethen, "Approximation Theory and Approximation Practice"

@@ -38,10 +38,10 @@ struct SeenPart {
 
 /// sup |G(P,Q)| for Q on complex lines.
 /// Maths     Q runs along a straight line with the half length h; for its parameter in the ellipse with the
-///           larger half axis A, a = h A = `reach`, and D the distance of P from the middle of the line, D > a:
-///           w = P - Q(z) is linear in z, and w.w has two factors with conjugate zeros, each at least D/h from
-///           the middle, of the moduli m_1, m_2 >= D - a. |n_P.w|^2 <= |w|^2 = (m_1^2 + m_2^2)/2, and n_Q.w is
-///           the height of P over the plane of Q, which is at most D: |G| <= min(D,height) ((m_1^2 +
+///           larger half axis A, a = h A = `reach`, and D the distance of P from the middle of the line, D >
+///           a: w = P - Q(z) is linear in z, and w.w has two factors with conjugate zeros, each at least D/h
+///           from the middle, of the moduli m_1, m_2 >= D - a. |n_P.w|^2 <= |w|^2 = (m_1^2 + m_2^2)/2, and
+///           n_Q.w is the height of P over the plane of Q, which is at most D: |G| <= min(D,height) ((m_1^2 +
 ///           m_2^2)/2)^(1/2) / (m_1 m_2)^2, which decreases in both, so that
 ///           |G| <= min(D,height) / (D-a)^3, which decreases in D
 /// Result    to be rounded up
@@ -54,9 +54,9 @@ struct RuleChoice {
 };
 
 /// The least rule for G f on the lines of a part in one parameter.
-/// Maths     a rule of n nodes is off by (2 + 2/(4n^2-1)) rho^(-2n)/(1 - rho^-2) times the area and the bounds of
-///           the kernel and of f on the ellipse whose half axes sum to rho (gauss_error_factor); sizes bound f
-///           as in PolynomialSizes. Two ellipses are tried, a = D/2 and 7/10 D
+/// Maths     a rule of n nodes is off by (2 + 2/(4n^2-1)) rho^(-2n)/(1 - rho^-2) times the area and the
+///           bounds of the kernel and of f on the ellipse whose half axes sum to rho (gauss_error_factor);
+///           sizes bound f as in PolynomialSizes. Two ellipses are tried, a = D/2 and 7/10 D
 /// Source    N. Trefethen, "Approximation Theory and Approximation Practice", theorem 19.3
 /// Result    rounded up
 [[nodiscard]] RuleChoice rule_in_s(const SeenPart& part, double height, std::span<const double> sizes,

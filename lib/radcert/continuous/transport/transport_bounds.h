@@ -4,9 +4,9 @@
 namespace radcert {
 
 /// What bounds T_j around lines of observers c + z e, the lines of one parameter of a cell.
-/// Maths     T_j w(P) = (1/pi) Int_{Q_j} G(P,Q) w(Q) dS_Q for a plane panel Q_j with the inner normal n_j. The
-///           panel of the observers is in front of Q_j and parallel to e; c is real, z in the ellipse with the
-///           foci -1 and 1 and the half axes A and B, A^2 - B^2 = 1
+/// Maths     T_j w(P) = (1/pi) Int_{Q_j} G(P,Q) w(Q) dS_Q for a plane panel Q_j with the inner normal n_j.
+///           The panel of the observers is in front of Q_j and parallel to e; c is real, z in the ellipse
+///           with the foci -1 and 1 and the half axes A and B, A^2 - B^2 = 1
 struct ObserverLines {
   double half = 0;      ///< |e| at most
   double distance = 0;  ///< of c from Q_j at least
@@ -20,9 +20,9 @@ struct ObserverLines {
 };
 
 /// sup |T_j w| / sup |w| by the distance of the panel.
-/// Maths     |T_j w| <= (1 + a |e.n_j|/(|e| d)) T_j(|w| (r/(r-a))^4)(c), a = A |e|, r = |c-Q|, d the height of
-///           c: |P-Q|^2 = (P-Q).(P-Q) has two factors of modulus >= r - a, n_P.(Q-P) does not change, n_j.(P-Q)
-///           by A |e.n_j| at most. With D the distance of c from Q_j, both
+/// Maths     |T_j w| <= (1 + a |e.n_j|/(|e| d)) T_j(|w| (r/(r-a))^4)(c), a = A |e|, r = |c-Q|, d the height
+///           of c: |P-Q|^2 = (P-Q).(P-Q) has two factors of modulus >= r - a, n_P.(Q-P) does not change,
+///           n_j.(P-Q) by A |e.n_j| at most. With D the distance of c from Q_j, both
 ///             by the nearest point   (D/(D-a))^4 T_j 1
 ///             by rings               Int_D^oo (r/(r-a))^4 m d/r^2 dr = m d (1/g + a/g^2 + a^2/(3 g^3)),
 ///                                    g = D - a: the kernel is at most d/r^3, on rings about the foot of
@@ -31,12 +31,12 @@ struct ObserverLines {
 [[nodiscard]] double tube_bound(const ObserverLines& lines, double axis);
 
 /// sup |T_j w| / sup |w| where e is parallel to Q_j, whose points slide along.
-/// Maths     P = p + i tau e with p real, and Q moves to Q + i tau phi e, phi = max(0, 1 - |Q-p|/r), r at most
-///           the distance of p from all sides of elements of Q_j that are not parallel to e: Cauchy's theorem on
-///           each line along e. Im(P-Q) = tau (1-phi) e is no longer than theta |p-Q|, theta = |tau e|/r, so
-///           that |T_j w| <= (1+theta^2)^(1/2) (1-theta^2)^-2 sup |w| on the points that are reached. r is
-///           Lipschitz: theta = b/(r^2 - a^2)^(1/2), a = A |e|, b = B |e|, holds on the ellipse, r = `reach`
-///           taken at its middle
+/// Maths     P = p + i tau e with p real, and Q moves to Q + i tau phi e, phi = max(0, 1 - |Q-p|/r), r at
+///           most the distance of p from all sides of elements of Q_j that are not parallel to e: Cauchy's
+///           theorem on each line along e. Im(P-Q) = tau (1-phi) e is no longer than theta |p-Q|, theta =
+///           |tau e|/r, so that |T_j w| <= (1+theta^2)^(1/2) (1-theta^2)^-2 sup |w| on the points that are
+///           reached. r is Lipschitz: theta = b/(r^2 - a^2)^(1/2), a = A |e|, b = B |e|, holds on the
+///           ellipse, r = `reach` taken at its middle
 /// Result    rounded up; infinite where theta reaches 1
 [[nodiscard]] double slide_bound(double half, double reach, double axis);
 
@@ -46,9 +46,10 @@ struct ObserverLines {
 ///           distance r = `reach`, up to which Q_j has no side of an element but the one along the edge
 ///           (Stokes: the border moves in the complex line of the edge, on which the form vanishes). Both
 ///           scalar products keep their moduli; up to k size so does P-Q, and beyond |(P-Q)^2| is at least
-///           ((k-1)/(k+1))^2 of its value at |t|, where the mass of what is further than (k-1) size is at most
-///           2/(k-1), and that of all 1: |T_j w| <= (1 + 2/(k-1) (f-1)) sup |w| on the points that are reached,
-///           f = ((k+1)/(k-1))^4 (1 + (pi/2 / log(r/(k size)))^2)^(1/2). The least of k = 3, 5, 9, 20
+///           ((k-1)/(k+1))^2 of its value at |t|, where the mass of what is further than (k-1) size is at
+///           most 2/(k-1), and that of all 1: |T_j w| <= (1 + 2/(k-1) (f-1)) sup |w| on the points that are
+///           reached, f = ((k+1)/(k-1))^4 (1 + (pi/2 / log(r/(k size)))^2)^(1/2). The least of k = 3, 5, 9,
+///           20
 /// Result    rounded up; infinite where size is not small beside the reach
 [[nodiscard]] double turn_bound(double size, double reach);
 

@@ -22,8 +22,8 @@ std::string vtu_text(std::span<const ElementValue> elements,
                      const std::optional<CornerErrors>& errors = std::nullopt);
 
 /// What is proved of a solution, as such a file.
-/// Maths     of a function its patches, with point data radiosity, v at the corners, and cell data bound, of |u -
-///           v| on the patch; of values their points, with radiosity and radius
+/// Maths     of a function its patches, with point data radiosity, v at the corners, and cell data bound, of
+///           |u - v| on the patch; of values their points, with radiosity and radius
 /// Requires  an enclosure of a function or of values
 /// Result    quadrilaterals, or vertices; all else as above
 std::string vtu_text(const SolutionEnclosure& enclosure);

@@ -37,8 +37,8 @@ private:
 std::string nodes_csv(std::span<const LevelOutcome> levels);
 
 /// What is proved of a solution at points.
-/// Maths     |u - radiosity| <= radius: at points where values are asked for; of a function at the corners of its
-///           patches, where radiosity is v rounded and radius bounds |u - v|
+/// Maths     |u - radiosity| <= radius: at points where values are asked for; of a function at the corners of
+///           its patches, where radiosity is v rounded and radius bounds |u - v|
 /// Source    the columns piece, x, y, z, radiosity, radius
 /// Requires  an enclosure of a function or of values
 /// Result    a row a point; coordinates rounded, exact ones are in the JSON file

@@ -27,7 +27,8 @@ void check(const Problem& problem, const Collocation& method, const Surface& sur
 
 /// The memory of one level, before any of it is taken.
 /// Maths     n unknowns: the matrix, 8 n^2 bytes, or what plan_clusters says, and what the solver adds to it;
-///           vectors; per-chunk row sums; with interpolated geometry a chart an element and a second set of nodes
+///           vectors; per-chunk row sums; with interpolated geometry a chart an element and a second set of
+///           nodes
 /// Source    the loops of collocation, solve and study
 /// Requires  a problem that collocates, with a solver of linear_solvers()
 /// Result    bytes by item; counts that exceed 64 bits count as 2^64 - 1

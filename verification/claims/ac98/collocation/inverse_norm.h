@@ -12,8 +12,8 @@ namespace radcert::verification::ac98 {
 /// Maths     matrix = max_i sum_j |k_ij|,  inverse = max_i sum_j |[(I - K_n)^-1]_ij|
 /// Source    [ac98, (40)]; the columns of the inverse are solutions for unit vectors
 /// Requires  an unoccluded surface and a triangulation of it; a reflectivity that is a double
-/// Result    enclosed for all matrices within the radii of the entries; failed balls where these are not enclosed or not
-///           proved regular
+/// Result    enclosed for all matrices within the radii of the entries; failed balls where these are not
+///           enclosed or not proved regular
 /// Limits    dense: as many systems as nodes
 struct CollocationNorms {
   Ball matrix;

@@ -26,10 +26,10 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-// pi/2 - (22) = (atan(z/x) + atan(z/(1-x)))/2 + z/(2w) (atan(x/w) + atan((1-x)/w)), w^2 = 1 + z^2. For 0 < x <
-// 1 and z > 0 all four angles are positive. More exactly: atan(t) - t/(1 + t^2) is 0 at t = 0 and has the
-// derivative 2t^2/(1 + t^2)^2 >= 0, so that the first two parts are at least z/2 {x/(x^2 + z^2) + (1-x)/((1-x)^2
-// + z^2)} > 0. The supremum over z is pi/2, as all four tend to 0 with z.
+// pi/2 - (22) = (atan(z/x) + atan(z/(1-x)))/2 + z/(2w) (atan(x/w) + atan((1-x)/w)), w^2 = 1 + z^2. For 0 < x
+// < 1 and z > 0 all four angles are positive. More exactly: atan(t) - t/(1 + t^2) is 0 at t = 0 and has the
+// derivative 2t^2/(1 + t^2)^2 >= 0, so that the first two parts are at least z/2 {x/(x^2 + z^2) +
+// (1-x)/((1-x)^2 + z^2)} > 0. The supremum over z is pi/2, as all four tend to 0 with z.
 
 // 1/(1 + t^2) less the derivative of t/(1 + t^2)^power.
 Rational slope_of_difference(const Rational& at, int denominators) {

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// G >= 0, so that (I - K)^-1 = sum K^n is positive and its norm N is the largest value of U = (I - K)^-1 1 = 1
-// + KU <= 1/(1 - k), k the norm of K. On two_piece(p) with rho = 1: let m be the largest value of K1 on the
+// G >= 0, so that (I - K)^-1 = sum K^n is positive and its norm N is the largest value of U = (I - K)^-1 1 =
+// 1 + KU <= 1/(1 - k), k the norm of K. On two_piece(p) with rho = 1: let m be the largest value of K1 on the
 // square, less than k, and f the largest over the roof of the part of K1 that comes from the roof. The square
 // sees the roof alone, U <= c = 1 + m/(1 - k) there, and on the roof
-//     U <= 1 + c (K1 - its part from the roof) + (its part from the roof)/(1 - k) <= 1 + c k + (1/(1 - k) - c) f,
-// which is less than 1/(1 - k): (18) is no equality there. From below N >= max of 1 + K1 + K(K1) >= 1 + k + k l,
-// l the least value of K1, at least half of the least one at y = 1/2.
+//     U <= 1 + c (K1 - its part from the roof) + (its part from the roof)/(1 - k)
+//       <= 1 + c k + (1/(1 - k) - c) f,
+// which is less than 1/(1 - k): (18) is no equality there. From below N >= max of 1 + K1 + K(K1) >=
+// 1 + k + k l, l the least value of K1, at least half of the least one at y = 1/2.
 //
-// Checked      two_piece(2), rho = 1: N between these bounds, against (18), and against 1 + norm of K, which is
-//              too little; against (18) with m for k, which leaves out the roof's own light. On the sphere,
-//              where K u = rho M(u) with the mean M: (I - K)^-1 1 = 1 + rho/(1 - M(rho)) exactly, with 1/(1 -
-//              norm of rho) reached by every constant rho and not by one that varies: the bound is sharp. That
-//              these solve the equation of the library's charts is the check of (1).
+// Checked      two_piece(2), rho = 1: N between these bounds, against (18), and against 1 + norm of K, which
+//              is too little; against (18) with m for k, which leaves out the roof's own light. On the
+//              sphere, where K u = rho M(u) with the mean M: (I - K)^-1 1 = 1 + rho/(1 - M(rho)) exactly,
+//              with 1/(1 - norm of rho) reached by every constant rho and not by one that varies: the bound
+//              is sharp. That these solve the equation of the library's charts is the check of (1).
 // Not checked  other surfaces.
 
 #include <algorithm>

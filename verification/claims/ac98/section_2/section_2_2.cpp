@@ -4,9 +4,9 @@
 //
 // Checked      section_2_2_box: on the boundary of [0,a] x [0,b] x [0,c], for each of the twelve edges, the
 //              two points at the distance z from any point of it, one on either face, have G = 1/(4z^2):
-//              identities in a, b, c, z and the place on the edge. section_2_2_lemma_2_1: the integral over (20) is no pi, at points;
-//              it is below pi/2 at all, by equation_15. equation_22_corner: with x and 1-x > 0, z > 0 and
-//              atan t <= t,
+//              identities in a, b, c, z and the place on the edge. section_2_2_lemma_2_1: the integral over
+//              (20) is no pi, at points; it is below pi/2 at all, by equation_15. equation_22_corner: with x
+//              and 1-x > 0, z > 0 and atan t <= t,
 //                  |(22) - (pi - atan(z/x))/2| <= (z/2) (1/(1-x) + 1),
 //              so that along z = k x (22) tends to (pi - atan k)/2, which depends on k: K 1 has no limit at
 //              the ends of the edge, and at its other points it has pi/2; that bound, and how far two ways

@@ -109,8 +109,8 @@ Finding equation_36_continuous_alpha_0(const Bench&) {
                   IsExactly{0}, values_on_opposite_sides(0));
   finding.control("the same, alpha = 1/6", IsExactly{0}, values_on_opposite_sides(Rational(1, 6)));
   const AgreesWith together{.value = Ball(0), .within = 1e-40};
-  // Each of the twelve edges, of the one edge, is two sides at level 1, with common ends only where both charts
-  // halve it at one point.
+  // Each of the twelve edges, of the one edge, is two sides at level 1, with common ends only where both
+  // charts halve it at one point.
   struct Case {
     std::string name;
     Surface surface;

@@ -175,8 +175,8 @@ bool contains(const Corners& v, const ParameterPoint<double>& p) {
          cross(v[0] - v[2], p - v[2]) >= 0;
 }
 
-// |Int G (u - P_n u)| over the triangle of v_i alone, largest over the nodes of two triangles: those that have
-// their right angle at a vertex of level 2, of one shape and at one place at every level from there on.
+// |Int G (u - P_n u)| over the triangle of v_i alone, largest over the nodes of two triangles: those that
+// have their right angle at a vertex of level 2, of one shape and at one place at every level from there on.
 Approximation own_element(const Surface& surface, int level, double alpha) {
   Approximation worst{.value = 0, .radius = 0};
   for (const Element& each : symmetric_elements(surface, level)) {

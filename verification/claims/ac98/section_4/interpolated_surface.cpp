@@ -6,13 +6,13 @@
 // power of h. The normal is a quotient by |D_s m x D_t m| = O(h^2), which leaves O(h^r) in (90); from (88) as
 // printed it would be O(h^(r-1)). With derivatives by the parameters of F (88) is O(h^r) and sharp.
 //
-// Checked      equation_87, equation_88, equation_90: the order at the points of a lattice of every element, r
-//              = 1 to 6, on the roof of two_piece(7) and on the sphere; that it is the order printed, and no
-//              more; rejected on the roof 2 - x^(5/4). theorem_4_2: the order of the node error for r = 2 to 4
-//              on the roof of degree r + 1, and r = 1 on the sphere, data on S; theorem_4_2_degree: that r = 3
-//              is one power of h behind r = 4. equation_93: the cylinder with its lids, r = 1, beyond quick,
-//              2 and exact. section_4_2: at alpha = 0 the normals of the elements of one vertex differ by
-//              O(h^r), and not by 0.
+// Checked      equation_87, equation_88, equation_90: the order at the points of a lattice of every element,
+//              r = 1 to 6, on the roof of two_piece(7) and on the sphere; that it is the order printed, and
+//              no more; rejected on the roof 2 - x^(5/4). theorem_4_2: the order of the node error for r = 2
+//              to 4 on the roof of degree r + 1, and r = 1 on the sphere, data on S; theorem_4_2_degree: that
+//              r = 3 is one power of h behind r = 4. equation_93: the cylinder with its lids, r = 1, beyond
+//              quick, 2 and exact. section_4_2: at alpha = 0 the normals of the elements of one vertex differ
+//              by O(h^r), and not by 0.
 // Not checked  the constants; that the integrals over the node's own element may be off by O(h^4).
 
 #include <algorithm>
@@ -88,8 +88,8 @@ Distances distances(const Surface& surface, int level, int degree) {
   return largest;
 }
 
-// The order of one of the distances. Rounding leaves about 1e-15 in each: a level whose distance is not ten times
-// the radius for it is left out.
+// The order of one of the distances. Rounding leaves about 1e-15 in each: a level whose distance is not ten
+// times the radius for it is left out.
 class DistanceOrders {
 public:
   DistanceOrders(const Surface& surface, int degree) {

@@ -13,9 +13,9 @@
 // 2^(-Mk) no two of the functions K^j f_(e_k), all bounded by 1, are nearer than c^j - lambda^j 2^(-M/2) > 0
 // for M large: no subsequence converges. For rho > 0 constant both sides carry rho^j.
 //
-// Checked      lambda(1/2) and c by balls, c for all z of the strip at once and L/e = 16; the distances for all
-//              j at once, with M = 16 j, as c > lambda/256; and that between two parallel squares at the distance 1 the same
-//              strips do give what tends to 0, as where K is compact.
+// Checked      lambda(1/2) and c by balls, c for all z of the strip at once and L/e = 16; the distances for
+//              all j at once, with M = 16 j, as c > lambda/256; and that between two parallel squares at the
+//              distance 1 the same strips do give what tends to 0, as where K is compact.
 // Not checked  closed surfaces: beside an edge their K has this part.
 
 #include <string>

@@ -20,8 +20,9 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-// Int G l_3 over the triangle (0,0), (1,0), (0,1), times the leg, of the plane z = 0, l_3 = (s - 1/6)/(1 - 1/2),
-// from a point at (leg/3, leg/3, d) with the normal that looks down at an angle, by a rule of that order.
+// Int G l_3 over the triangle (0,0), (1,0), (0,1), times the leg, of the plane z = 0, l_3 = (s - 1/6)/(1 -
+// 1/2), from a point at (leg/3, leg/3, d) with the normal that looks down at an angle, by a rule of that
+// order.
 double by_rule(int order, double d, double leg) {
   const Vector<double> p{leg / 3, leg / 3, d};
   const Vector<double> n_p{0.6, 0, -0.8};

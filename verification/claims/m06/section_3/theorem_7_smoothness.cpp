@@ -10,8 +10,8 @@
 //
 // Checked      r = 1 and 3 at alpha_0, in balls. |m_0| less the sum is positive: p = r + 2. E_L by the rule,
 //              cell by cell, against the formula, L = 1 to 6, series cut after 24 terms; rejected with the
-//              nodes of one cell moved. The order of E_L beside |log h|, from three levels from L = 12, 18, 24 on,
-//              against r + 3: violated by p = r + 2, met by p = r + 3; rejected: p = r + 1.
+//              nodes of one cell moved. The order of E_L beside |log h|, from three levels from L = 12, 18,
+//              24 on, against r + 3: violated by p = r + 2, met by p = r + 3; rejected: p = r + 1.
 // Not checked  the error at a node itself, in balls: what G adds is in the words above.
 
 #include <cmath>

@@ -35,9 +35,9 @@ Ball defect(const Rational& alpha, const Rational& distance) {
   return Ball(1) - of_element * Ball::pi() * Ball(distance * distance) / weight;
 }
 
-/// Its bounds, a = alpha/distance. With t = (u/distance)^2, 1 - 2t <= (1 + t)^-2 <= 1 - 2t + 3t^2, as 1 - (1 +
-/// t)^2 (1 - 2t) = 3t^2 + 2t^3 and (1 + t)^2 (1 - 2t + 3t^2) - 1 = 4t^3 + 3t^4, and the means of t and t^2 by
-/// K(u/alpha) u du are (5/21) a^2 and (5/54) a^4.
+/// Its bounds, a = alpha/distance. With t = (u/distance)^2, 1 - 2t <= (1 + t)^-2 <= 1 - 2t + 3t^2, as 1 - (1
+/// + t)^2 (1 - 2t) = 3t^2 + 2t^3 and (1 + t)^2 (1 - 2t + 3t^2) - 1 = 4t^3 + 3t^4, and the means of t and t^2
+/// by K(u/alpha) u du are (5/21) a^2 and (5/54) a^4.
 LiesIn bounds(const Rational& a) {
   const Rational first = Rational(10, 21) * a * a;
   return {.least = first - Rational(5, 18) * a * a * a * a, .largest = first};
