@@ -26,8 +26,12 @@ std::string coordinates(const Vector<Rational>& p) {
   return p.x.to_text() + "," + p.y.to_text() + "," + p.z.to_text();
 }
 
-/// Every octave of the distance, and what was asked for.
+/// Every octave of the distance, and what was asked for; one number where the bound holds everywhere alike.
 void add_function(std::vector<std::vector<std::string>>& rows, const FunctionBound& bound) {
+  if (bound.by_distance.empty()) {
+    rows.push_back({upper_text(bound.sup)});
+    return;
+  }
   const auto add = [&](double sup, double outside) {
     rows.push_back({upper_text(sup),
                     outside > 0 ? nearest_text(outside, DecimalForm::general(15)) + " or more" : "any"});
@@ -39,7 +43,7 @@ void add_function(std::vector<std::vector<std::string>>& rows, const FunctionBou
     add(at.sup, at.outside);
   }
   add(bound.sup, bound.outside);
-  if (bound.outside > 0 && !bound.by_distance.empty()) add(bound.by_distance.back().sup, 0);
+  if (bound.outside > 0) add(bound.by_distance.back().sup, 0);
 }
 
 }  // namespace
@@ -63,7 +67,10 @@ std::string enclosure_table(const SolutionEnclosure& enclosure) {
       what = "the values of the solution u of the equation itself lie within these radii.";
       break;
     case EnclosedQuantity::function:
-      rows.push_back({"sup |u - v|", "at a distance from the vertices of"});
+      if (enclosure.function && enclosure.function->by_distance.empty())
+        rows.push_back({"sup |u - v|"});
+      else
+        rows.push_back({"sup |u - v|", "at a distance from the vertices of"});
       what = "the solution u of the equation itself is v within these bounds, a piecewise polynomial.";
       break;
   }

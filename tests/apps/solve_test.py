@@ -59,7 +59,9 @@ class Solve(ProgramTest):
         [point] = values["points"]
         self.assertEqual(point["at"], ["1/3", "1/3", "-1/3"])
         self.assertLessEqual(abs(float(point["midpoint"]) - 1), float(point["radius"]))
-        function = json.loads(self.solution("own.json", "--of", "function", "--vtu", "u.vtu", "--nodes", "u.csv"))
+        self.write("ball.json", {**cube, "surface": {"name": "sphere"}, "emission": "1/2 + x/4"})
+        function = json.loads(self.solution("ball.json", "--guarantee", "1/20", "--of", "function", "--vtu", "u.vtu",
+                                            "--nodes", "u.csv"))
         bound = function["enclosure"]["function"]
         self.assertLessEqual(2 * float(bound["sup"]), 0.05)
         for name in ["u.vtu", "u.csv"]:
