@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/surface/catalogue/cone.h"
 
-#include <string>
 #include <utility>
 
 #include "radcert/surface/catalogue_parameters.h"
@@ -21,17 +20,12 @@ Surface cone(const Rational& radius, const Rational& top, const Rational& height
   const Rational growth = (top - radius) / height;
   ChartStructure structure{.quadric = Quadric{.squares = {1, 1, 0},
                                               .linear = {{0, 0, 0}, 0},
-                                              .nappe = AffineForm{{0, 0, growth}, radius}},
-                           .revolution = z_axis()};
+                                              .nappe = AffineForm{{0, 0, growth}, radius}}};
   if (top == radius) structure.ruling = Vector<Rational>{0, 0, height};
   for (const Quadrant& quadrant : quadrants())  // right-handed: D_s F x D_t F points outwards
     surface.charts.push_back(make_exact_chart<ConeMantle>(
-        {.name = "mantle/" + quadrant.name(),
-         .piece = "mantle",
-         .orientation = quadrant.is_right_handed() ? Orientation::against_the_cross_product
-                                                   : Orientation::along_the_cross_product,
-         .structure = structure},
-        radius, top, height, quadrant));
+        quadrant_facts("mantle", quadrant, ChartDomain::unit_square, Facing::down, structure), radius, top,
+        height, quadrant));
   surface.diagonals.assign(surface.charts.size(), Diagonal::main);
   surface.closed = true;
   surface.pieces_meet_at_angle = true;

@@ -95,8 +95,15 @@ private:
   R height_;
 };
 
-/// Which way the inner normal of a horizontal disk points.
+/// Which way the inner normal points.
 enum class Facing { up, down };
+
+/// What is known of a quadrant of a piece of revolution.
+/// Requires  D_s F x D_t F points upwards, or away from the body, where (s,t) -> (x s, y t) is right-handed
+/// Result    the name piece/pp and so on, the orientation for inner normals that point so (down: into the
+///           body), revolution about the z-axis with the rest of `structure`
+ChartFacts quadrant_facts(const std::string& piece, const Quadrant& quadrant, ChartDomain domain,
+                          Facing facing, ChartStructure structure = {});
 
 /// A horizontal disk about the z-axis by four charts.
 /// Maths     x^2 + y^2 <= r^2 at the height z

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/surface/catalogue/spherical_cap.h"
 
-#include <string>
-
 #include "radcert/surface/catalogue_parameters.h"
 #include "radcert/surface/exact_chart.h"
 
@@ -13,17 +11,11 @@ Surface spherical_cap(const Rational& fraction) {
   Surface surface;
   surface.name = "spherical_cap";
   surface.parameters = {{"fraction", fraction}};
-  const ChartStructure structure{.quadric = Quadric{.squares = {1, 1, 1}, .linear = {{0, 0, 0}, -1}},
-                                 .revolution = z_axis()};
+  const ChartStructure structure{.quadric = Quadric{.squares = {1, 1, 1}, .linear = {{0, 0, 0}, -1}}};
   for (const Quadrant& quadrant : quadrants())  // right-handed: D_s F x D_t F points outwards
     surface.charts.push_back(make_exact_chart<SphericalCapQuadrant>(
-        {.name = "cap/" + quadrant.name(),
-         .piece = "cap",
-         .domain = ChartDomain::unit_triangle,
-         .orientation = quadrant.is_right_handed() ? Orientation::against_the_cross_product
-                                                   : Orientation::along_the_cross_product,
-         .structure = structure},
-        fraction, quadrant));
+        quadrant_facts("cap", quadrant, ChartDomain::unit_triangle, Facing::down, structure), fraction,
+        quadrant));
   surface.diagonals.assign(surface.charts.size(), Diagonal::main);
   return surface;
 }
