@@ -1,0 +1,237 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Plants faults in the mathematics, one at a time, and says whether the tests see them.
+
+    python3 tests/mutation/mutate.py build/release                      all faults; takes an hour
+    python3 tests/mutation/mutate.py build/release --only contraction   those whose file or words contain it
+    python3 tests/mutation/mutate.py build/release --count 5 --turn REV five of them, others for another commit
+    python3 tests/mutation/mutate.py . --list                           what is recorded, as a table
+
+A fault is an entry of faults/<layer>.toml: the file, what is wrong, the text that stands there once, what takes its
+place, and the tests that must fail, "<program>:<filter of GoogleTest>". `missed` gives the reason why none does. The
+checkout and the build are not touched: the sources that see the changed file are compiled into a scratch folder, and the
+test program is linked with them. Exit code 0 where every fault is as recorded, 1 where one is not, 2 where an entry is
+wrong.
+"""
+import argparse
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import tomllib
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+# A fault may make a loop endless; the slowest tests of a program take less than a minute.
+MOST_SECONDS = 300
+KEYS = {"file", "what", "find", "put", "tests", "missed"}
+
+
+class WrongEntry(Exception):
+    """An entry that can't be planted."""
+
+
+def read_faults():
+    faults = []
+    for page in sorted((HERE / "faults").glob("*.toml")):
+        for number, fault in enumerate(tomllib.loads(page.read_text(encoding="utf-8"))["fault"], 1):
+            fault["place"] = f"{page.name}, fault {number}"
+            wrong = set(fault) - KEYS - {"place"}
+            if wrong or not {"file", "what", "find", "put", "tests"} <= set(fault):
+                raise WrongEntry(f"{fault['place']}: its keys are {sorted(set(fault) - {'place'})}, not {sorted(KEYS)}")
+            faults.append(fault)
+    return faults
+
+
+def changed_text(fault):
+    text = (ROOT / fault["file"]).read_text(encoding="utf-8")
+    if text.count(fault["find"]) != 1:
+        raise WrongEntry(f"{fault['place']}: its text stands {text.count(fault['find'])} times in {fault['file']}, not once")
+    return text.replace(fault["find"], fault["put"])
+
+
+class Build:
+    """What ninja knows of a build folder."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder).resolve()
+        self.compile = {}
+        for entry in json.loads((self.folder / "compile_commands.json").read_text(encoding="utf-8")):
+            words = shlex.split(entry["command"])
+            self.compile[words[words.index("-o") + 1]] = (words, entry["file"])
+        self.known_dependents = None
+        self.links = {}
+
+    def ninja(self, *words):
+        done = subprocess.run(["ninja", "-C", str(self.folder), "-t", *words], capture_output=True, text=True, check=True)
+        return done.stdout
+
+    def link(self, program):
+        """The words that link a program."""
+        if program not in self.links:
+            lines = [line for line in self.ninja("commands", program).splitlines() if f"-o bin/{program} " in line]
+            if not lines:
+                raise WrongEntry(f"no command links {program}")
+            command = re.sub(r"^: && ", "", lines[-1]).split(" && ")[0]
+            self.links[program] = shlex.split(command)
+        return self.links[program]
+
+    def dependents(self, file):
+        """The objects that read a file."""
+        if self.known_dependents is None:
+            self.known_dependents = {}
+            target = None
+            for line in self.ninja("deps").splitlines():
+                if line and not line[0].isspace():
+                    target = line.split(":")[0]
+                elif line.strip():
+                    path = os.path.normpath(self.folder / line.strip())
+                    self.known_dependents.setdefault(path, set()).add(target)
+        return self.known_dependents.get(str(ROOT / file), set())
+
+
+def without_precompiled_header(words):
+    out = []
+    skip = False
+    for word, after in zip(words, words[1:] + [""]):
+        if skip:
+            skip = False
+        elif word == "-include" and after.endswith("cmake_pch.hxx"):
+            skip = True
+        elif word not in ("-Winvalid-pch", "-Werror"):
+            out.append(word)
+    return out
+
+
+def compiled(build, fault, objects, scratch):
+    """Compiles the objects with the fault; their new places."""
+    overlay = scratch / "overlay"
+    changed = overlay / fault["file"]
+    changed.parent.mkdir(parents=True)
+    changed.write_text(changed_text(fault), encoding="utf-8")
+    new = {}
+    for number, name in enumerate(sorted(objects)):
+        words, source = build.compile[name]
+        words = without_precompiled_header(words)
+        output = scratch / f"{number}.o"
+        words[words.index("-o") + 1] = str(output)
+        if pathlib.Path(source).resolve() == ROOT / fault["file"]:
+            words[words.index(source)] = str(changed)
+        # One include folder a part of the checkout, before those of the build; the folder of the source for its own.
+        words[1:1] = ["-I", str(overlay / "lib"), "-I", str(overlay), "-iquote", str(pathlib.Path(source).parent)]
+        done = subprocess.run(words, cwd=build.folder, capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise WrongEntry(f"{fault['place']}: does not compile:\n{done.stderr[:2000]}")
+        new[name] = output
+    return new
+
+
+def failing(build, fault, scratch):
+    """The tests that fail with the fault, of those that are named."""
+    failed = []
+    for number, test in enumerate(fault["tests"]):
+        program, _, pattern = test.partition(":")
+        words = list(build.link(program))
+        inside = {word for word in words if word.endswith(".o")}
+        if fault["file"].endswith(".h"):
+            # Of a library only what is in the program's archives can matter.
+            archives = {pathlib.Path(word).stem.removeprefix("lib") for word in words if word.endswith(".a")}
+            objects = {name for name in build.dependents(fault["file"])
+                       if name in build.compile and (name in inside or any(f"/{a}.dir/" in name for a in archives))}
+        else:
+            objects = {name for name, (_, source) in build.compile.items()
+                       if pathlib.Path(source).resolve() == ROOT / fault["file"]
+                       and (name in inside or name.startswith("lib/") or name.startswith("verification/"))}
+        if not objects:
+            raise WrongEntry(f"{fault['place']}: nothing in {program} reads {fault['file']}")
+        folder = scratch / str(number)
+        folder.mkdir()
+        new = compiled(build, fault, objects, folder)
+        words = [str(new[word]) if word in new else word for word in words]
+        binary = folder / program
+        words[words.index("-o") + 1] = str(binary)
+        # Before the archives, which then have nothing to add for what these define.
+        first = next(k for k, word in enumerate(words) if word.endswith(".o"))
+        words[first:first] = [str(path) for name, path in new.items() if name not in inside]
+        done = subprocess.run(words, cwd=build.folder, capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise WrongEntry(f"{fault['place']}: does not link:\n{done.stderr[:2000]}")
+        environment = {**os.environ, "RADCERT_STORE": str(folder / "store")}
+        try:
+            done = subprocess.run([str(binary), f"--gtest_filter={pattern or '*'}", "--gtest_brief=1"], cwd=folder,
+                                  env=environment, capture_output=True, text=True, errors="replace", check=False,
+                                  timeout=MOST_SECONDS)
+        except subprocess.TimeoutExpired:
+            failed.append(f"{program}: no end")
+            continue
+        finally:
+            binary.unlink(missing_ok=True)
+        if "No test" in done.stdout + done.stderr or "0 tests from 0 test suites ran" in done.stdout:
+            raise WrongEntry(f"{fault['place']}: no test fits {test}")
+        if done.returncode:
+            names = re.findall(r"^\[  FAILED  \] (\S+?),? ", done.stdout, re.MULTILINE)
+            failed += [f"{program}:{name}" for name in dict.fromkeys(names)] or [f"{program}: ended with {done.returncode}"]
+    return failed
+
+
+def report(fault, failed):
+    """A line on a fault, and whether it is as recorded."""
+    caught = bool(failed)
+    as_recorded = caught != ("missed" in fault)
+    state = "caught" if caught else "missed"
+    line = f"{state:7}{'' if as_recorded else 'NOT AS RECORDED  '}{fault['file']}: {fault['what']}"
+    detail = ", ".join(failed[:3]) + (f" and {len(failed) - 3} more" if len(failed) > 3 else "")
+    return line + (f"  [{detail or fault.get('missed', '')}]" if detail or "missed" in fault else ""), as_recorded
+
+
+def table(faults):
+    lines = ["| layer | planted | caught | missed |", "|---|---|---|---|"]
+    layers = {}
+    for fault in faults:
+        layers.setdefault("/".join(pathlib.PurePath(fault["file"]).parts[2:3]), []).append(fault)
+    for layer, some in [*sorted(layers.items()), ("all", faults)]:
+        missed = sum("missed" in fault for fault in some)
+        lines.append(f"| {layer} | {len(some)} | {len(some) - missed} | {missed} |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("build")
+    parser.add_argument("--only", default="", help="those whose file or words contain this")
+    parser.add_argument("--count", type=int, help="so many of them")
+    parser.add_argument("--turn", default="0", help="which: a number in hexadecimal, as of a commit")
+    parser.add_argument("--list", action="store_true", help="print what is recorded as a table, and plant nothing")
+    options = parser.parse_args()
+    faults = [fault for fault in read_faults() if options.only in fault["file"] or options.only in fault["what"]]
+    for fault in faults:
+        changed_text(fault)
+    if options.list:
+        print(table(faults))
+        return 0
+    if options.count is not None and faults:
+        # A prime number of steps apart, so that neighbours in a file are of different turns.
+        first = int(options.turn[:12] or "0", 16) * options.count
+        chosen = [(first + 7 * k) % len(faults) for k in range(min(options.count, len(faults)))]
+        faults = [faults[k] for k in dict.fromkeys(chosen)]
+    build = Build(options.build)
+    good = 0
+    for fault in faults:
+        with tempfile.TemporaryDirectory(prefix="radcert-mutation-") as scratch:
+            line, as_recorded = report(fault, failing(build, fault, pathlib.Path(scratch)))
+        print(line, flush=True)
+        good += as_recorded
+    print(f"{good} of {len(faults)} as recorded")
+    return 0 if good == len(faults) else 1
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except WrongEntry as wrong:
+        print(wrong, file=sys.stderr)
+        sys.exit(2)
