@@ -33,6 +33,12 @@ const SurfaceDescription* find_surface(std::string_view name) {
 }
 
 Surface SurfaceDescription::make(std::span<const Rational> values) const {
+  expects(values.size() == parameters.size(), "a value for each parameter of the surface " + name,
+          named("values", values.size()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    expects(parameters[i].admits(values[i]),
+            parameters[i].name + " of the surface " + name + ": " + parameters[i].requirement,
+            named("value", values[i]));
   Surface surface = build(values);
   expects(surface.diagonals.size() == surface.charts.size(),
           "the surface " + name + " has a diagonal for each of its charts",

@@ -29,8 +29,8 @@ struct SurfaceDescription {
   std::function<Surface(std::span<const Rational>)> build;  ///< values in the order of `parameters`
   bool unoccluded = true;  ///< as of every surface made: what is not needs visibility to be solved on
 
-  /// The surface for values in the order of `parameters`; ContractViolation, with the surface's name, where
-  /// `build` leaves out the diagonal of a chart.
+  /// The surface for values in the order of `parameters`; ContractViolation, with the surface's name, for a
+  /// value that is not admitted, and where `build` leaves out the diagonal of a chart.
   [[nodiscard]] Surface make(std::span<const Rational> values) const;
 };
 

@@ -14,6 +14,7 @@ Surface box(const Rational& a, const Rational& b, const Rational& c) {
   const std::array<Vector<Rational>, 3> sides{{{a, 0, 0}, {0, b, 0}, {0, 0, c}}};
   const std::array<std::array<const char*, 2>, 3> names{
       {{"west", "east"}, {"south", "north"}, {"floor", "ceiling"}}};
+  const Rational half(1, 2);
   Surface surface;
   surface.name = "box";
   surface.parameters = {{"a", a}, {"b", b}, {"c", c}};
@@ -23,12 +24,8 @@ Surface box(const Rational& a, const Rational& b, const Rational& c) {
     const std::array<Vector<Rational>, 2> origins{Vector<Rational>{0, 0, 0}, sides[axis]};
     for (std::size_t end = 0; end < 2; ++end) {
       const bool near_origin = end == 0;
-      surface.charts.push_back(
-          make_rectangle({.name = names[axis][end],
-                          .piece = names[axis][end],
-                          .orientation = near_origin ? Orientation::along_the_cross_product
-                                                     : Orientation::against_the_cross_product},
-                         origins[end], first, second));
+      surface.charts.push_back(make_rectangle({.name = names[axis][end], .piece = names[axis][end]},
+                                              origins[end], first, second, {half * a, half * b, half * c}));
       surface.diagonals.push_back(near_origin ? Diagonal::anti : Diagonal::main);
     }
   }

@@ -36,5 +36,15 @@ private:
 /// A rectangle as a chart; its plane is exact.
 Chart make_rectangle(ChartFacts facts, const Vector<Rational>& origin, const Vector<Rational>& first,
                      const Vector<Rational>& second);
+/// The same, its inner normal on the side of a given point.
+/// Requires  `inside` off its plane, else ContractViolation
+/// Result    the orientation of the facts is set, exactly
+Chart make_rectangle(ChartFacts facts, const Vector<Rational>& origin, const Vector<Rational>& first,
+                     const Vector<Rational>& second, const Vector<Rational>& inside);
+
+/// The orientation of origin + s first + t second whose inner normal points to the side of a point.
+/// Requires  the point off the plane, else ContractViolation
+[[nodiscard]] Orientation orientation_towards(const Vector<Rational>& inside, const Vector<Rational>& origin,
+                                              const Vector<Rational>& first, const Vector<Rational>& second);
 
 }  // namespace radcert
