@@ -1,4 +1,4 @@
-# A public header includes radcert's own headers and the standard library's, nothing else.
+# A public header includes radcert's own headers and the standard library's, nothing else, and counts once.
 # cmake -D root=<checkout> -P public_headers.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -32,6 +32,9 @@ file(GLOB_RECURSE headers "${root}/lib/radcert/*.h")
 foreach(header IN LISTS headers)
   file(READ "${header}" text)
   check("${header}" "${text}")
+  if(NOT text MATCHES "\n#pragma once\n")
+    string(APPEND complaints "${header}: no #pragma once\n")
+  endif()
 endforeach()
 if(NOT complaints STREQUAL "")
   message(FATAL_ERROR "neither radcert's nor the standard library's:\n${complaints}")
