@@ -7,6 +7,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/geometry/orientation.h"
+#include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {
@@ -37,43 +38,15 @@ std::optional<Vector<Rational>> at_corner(const Vector<ExactFunction>& image, bo
   return point;
 }
 
-Polynomial constant(const Rational& value) {
-  Polynomial result(0);
-  result(0, 0) = value;
-  return result;
-}
-
+/// Of degree 0 where the function is constant.
 Polynomial affine(const Rational& value, const Rational& by_s, const Rational& by_t) {
-  if (by_s.sign() == 0 && by_t.sign() == 0) return constant(value);
-  Polynomial result(1);
-  result(0, 0) = value;
-  result(1, 0) = by_s;
-  result(0, 1) = by_t;
-  return result;
-}
-
-Polynomial sum(const Polynomial& a, const Polynomial& b, const Rational& factor) {
-  Polynomial result(std::max(a.degree(), b.degree()));
-  for (int i = 0; i <= result.degree(); ++i)
-    for (int j = 0; i + j <= result.degree(); ++j) {
-      if (i + j <= a.degree()) result(i, j) += a(i, j);
-      if (i + j <= b.degree()) result(i, j) += factor * b(i, j);
-    }
-  return result;
-}
-
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial result(a.degree() + b.degree());
-  for (int i = 0; i <= a.degree(); ++i)
-    for (int j = 0; i + j <= a.degree(); ++j)
-      for (int k = 0; k <= b.degree(); ++k)
-        for (int l = 0; k + l <= b.degree(); ++l) result(i + k, j + l) += a(i, j) * b(k, l);
-  return result;
+  if (by_s.sign() == 0 && by_t.sign() == 0) return constant_polynomial(value);
+  return affine_polynomial(value, by_s, by_t);
 }
 
 std::optional<Polynomial> quotient(const Polynomial& a, const Polynomial& b) {
   if (b.degree() > 0 || b(0, 0).sign() == 0) return std::nullopt;
-  return product(a, constant(Rational(1) / b(0, 0)));
+  return product(a, constant_polynomial(Rational(1) / b(0, 0)));
 }
 
 /// Powers of constants beyond this are left to arithmetics that round.
@@ -82,12 +55,12 @@ constexpr long largest_exponent = 64;
 std::optional<Polynomial> whole_power(const Polynomial& a, long n, int largest_degree) {
   if (n < -largest_exponent || n > largest_exponent) return std::nullopt;
   if (n < 0) {
-    const std::optional<Polynomial> inverse = quotient(constant(1), a);
+    const std::optional<Polynomial> inverse = quotient(constant_polynomial(Rational(1)), a);
     return inverse ? whole_power(*inverse, -n, largest_degree) : std::nullopt;
   }
-  if (a.degree() == 0) return constant(power(a(0, 0), n));
+  if (a.degree() == 0) return constant_polynomial(power(a(0, 0), n));
   if (n * a.degree() > largest_degree) return std::nullopt;
-  Polynomial result = constant(1);
+  Polynomial result = constant_polynomial(Rational(1));
   for (long k = 0; k < n; ++k) result = product(result, a);
   return result;
 }
@@ -168,11 +141,15 @@ std::optional<PlanePolynomial<Rational>> polynomial_on_plane(const Expression& f
     };
     std::optional<Polynomial> value;
     switch (node.kind) {
-      case ExpressionKind::literal: value = constant(node.literal); break;
+      case ExpressionKind::literal: value = constant_polynomial(node.literal); break;
       case ExpressionKind::variable: value = variables[static_cast<std::size_t>(node.variable)]; break;
-      case ExpressionKind::negate: value = product(operand(node.left), constant(-1)); break;
-      case ExpressionKind::add: value = sum(operand(node.left), operand(node.right), 1); break;
-      case ExpressionKind::subtract: value = sum(operand(node.left), operand(node.right), -1); break;
+      case ExpressionKind::negate:
+        value = product(operand(node.left), constant_polynomial(Rational(-1)));
+        break;
+      case ExpressionKind::add: value = sum(operand(node.left), Rational(1), operand(node.right)); break;
+      case ExpressionKind::subtract:
+        value = sum(operand(node.left), Rational(-1), operand(node.right));
+        break;
       case ExpressionKind::multiply:
         if (operand(node.left).degree() + operand(node.right).degree() <= largest_degree)
           value = product(operand(node.left), operand(node.right));

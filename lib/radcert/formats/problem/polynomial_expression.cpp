@@ -9,6 +9,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/polynomial/plane_polynomial_algebra.h"
 
 namespace radcert {
 
@@ -31,42 +32,12 @@ Polynomial trimmed(const Polynomial& p) {
   return out;
 }
 
-Polynomial constant(const Rational& value) {
-  Polynomial out(0);
-  out(0, 0) = value;
-  return out;
-}
+Polynomial constant(const Rational& value) { return constant_polynomial(value); }
 
 Polynomial coordinate(int variable) {
-  Polynomial out(1);
-  if (variable == 1) {
-    out(0, 1) = 1;
-  } else if (variable == 2) {
-    out(1, 0) = 1;
-  } else {
-    out(0, 0) = 1;
-    out(1, 0) = out(0, 1) = -1;
-  }
-  return out;
-}
-
-// a + factor b.
-Polynomial sum(const Polynomial& a, const Rational& factor, const Polynomial& b) {
-  Polynomial out(std::max(a.degree(), b.degree()));
-  for (int i = 0; i <= a.degree(); ++i)
-    for (int j = 0; i + j <= a.degree(); ++j) out(i, j) += a(i, j);
-  for (int i = 0; i <= b.degree(); ++i)
-    for (int j = 0; i + j <= b.degree(); ++j) out(i, j) += factor * b(i, j);
-  return trimmed(out);
-}
-
-Polynomial product(const Polynomial& a, const Polynomial& b) {
-  Polynomial out(a.degree() + b.degree());
-  for (int i = 0; i <= a.degree(); ++i)
-    for (int j = 0; i + j <= a.degree(); ++j)
-      for (int k = 0; k <= b.degree(); ++k)
-        for (int l = 0; k + l <= b.degree(); ++l) out(i + k, j + l) += a(i, j) * b(k, l);
-  return trimmed(out);
+  if (variable == 1) return affine_polynomial<Rational>(0, 0, 1);
+  if (variable == 2) return affine_polynomial<Rational>(0, 1, 0);
+  return affine_polynomial<Rational>(1, -1, -1);
 }
 
 bool is_zero(const Polynomial& p) { return p.degree() == 0 && p(0, 0) == 0; }
@@ -96,9 +67,9 @@ public:
     switch (node.kind) {
       case ExpressionKind::literal: return constant(node.literal);
       case ExpressionKind::variable: return coordinate(node.variable);
-      case ExpressionKind::negate: return sum(constant(0), -1, at(node.left));
-      case ExpressionKind::add: return sum(at(node.left), 1, at(node.right));
-      case ExpressionKind::subtract: return sum(at(node.left), -1, at(node.right));
+      case ExpressionKind::negate: return trimmed(sum(constant(0), Rational(-1), at(node.left)));
+      case ExpressionKind::add: return trimmed(sum(at(node.left), Rational(1), at(node.right)));
+      case ExpressionKind::subtract: return trimmed(sum(at(node.left), Rational(-1), at(node.right)));
       case ExpressionKind::multiply: return bounded_product(at(node.left), at(node.right));
       case ExpressionKind::divide: return quotient(at(node.left), at(node.right));
       case ExpressionKind::power: return whole_power(at(node.left), node.whole_exponent);
@@ -115,13 +86,13 @@ private:
     if (is_zero(a) || is_zero(b)) return constant(0);
     if (a.degree() + b.degree() > largest_degree_)
       return because("has a product of degree " + std::to_string(a.degree() + b.degree()));
-    return product(a, b);
+    return trimmed(product(a, b));
   }
 
   static Outcome<Polynomial> quotient(const Polynomial& a, const Polynomial& b) {
     if (b.degree() > 0) return because("divides by a coordinate and is no polynomial");
     if (is_zero(b)) return because("divides by zero");
-    return product(a, constant(1 / b(0, 0)));
+    return trimmed(product(a, constant(1 / b(0, 0))));
   }
 
   [[nodiscard]] Outcome<Polynomial> whole_power(const Polynomial& base,
