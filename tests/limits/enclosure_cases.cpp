@@ -4,6 +4,7 @@
 #include "radcert/enclosure/interval_integral.h"
 #include "radcert/enclosure/kernel_integral.h"
 #include "radcert/enclosure/maximum.h"
+#include "radcert/enclosure/near_polynomial.h"
 #include "radcert/enclosure/square_integral.h"
 #include "radcert/hypotheses/convex_containment.h"
 #include "radcert/surface/catalogue.h"
@@ -166,6 +167,20 @@ Case crease() {
           }};
 }
 
+/// 1/(1/5 + s - s) = 5, by a polynomial near it: on large boxes s - s is wider than 1/5.
+Case five() {
+  return {.limit = "enclosure/near_polynomial: boxes of a bound on two ellipses",
+          .answer =
+              [] {
+                const auto f = []<class R>(const R& s, const R&) { return R(1) / (R(1) / R(5) + s - s); };
+                const Outcome<NearPolynomial> near = near_polynomial(plane_function(f), {}, 8);
+                if (!near) return refusal(near.reason());
+                const Rational value = near->polynomial.value(Rational(1, 3), Rational(1, 7));
+                return numbers({widened(Ball(value), Ball(near->distance))});
+              },
+          .truth = [] { return std::vector<Ball>{Ball(5)}; }};
+}
+
 Surface named_surface(const std::string& name, const std::vector<Rational>& values) {
   return find_surface(name)->make(values);
 }
@@ -198,6 +213,7 @@ std::vector<Case> enclosure_cases() {
           "hypotheses/chart_witness: points of the lattices",
           [] { return sample::dome_over_floor(Rational(9, 100)); }, "a dome with a dent"),
       crease(),
+      five(),
   };
   cases.insert(cases.end(), others.begin(), others.end());
   return cases;

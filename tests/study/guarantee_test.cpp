@@ -60,10 +60,17 @@ TEST(Guarantee, RefusesDataThatItDoesNotKnow) {
     EXPECT_EQ(refused(problem).pointer, "/reflectivity") << rho;
   }
   problem = lit_cube();
-  for (const char* emission : {"exp(x)", "x^9", "1/(2 + x)"}) {
+  for (const char* emission : {"abs(x - 1/2)", "1/x", "sqrt(x + y)", "1/(x + 1/1000)"}) {
     problem.emission = everywhere(emission);
     EXPECT_EQ(refused(problem).pointer, "/emission") << emission;
   }
+  for (const char* emission : {"exp(2*x)", "x^9", "1/(2 + x)"}) {
+    problem.emission = everywhere(emission);
+    EXPECT_NO_THROW(check_guarantee(problem, {Rational(1, 1000)})) << emission;
+    EXPECT_EQ(refused(problem, Rational::parse("2e-9").value()).pointer, "/emission") << emission;
+  }
+  problem.emission = everywhere("exp(x)*cos(y)");
+  EXPECT_NO_THROW(check_guarantee(problem, {Rational::parse("1e-6").value()}));
   problem.emission = everywhere("x^3*y^2 - z/3");
   EXPECT_NO_THROW(check_guarantee(problem, {Rational(1, 100)}));
   problem.emission = everywhere("1e-70*x");
@@ -192,6 +199,41 @@ TEST(Guarantee, IsForSolveAlone) {
   Problem problem = lit_cube();
   problem.guarantee = Guarantee{Rational(1, 100)};
   EXPECT_EQ(fault_of([&] { check(problem, 1U << 30U); }).pointer, "/guarantee");
+}
+
+TEST(Guarantee, CountsWhatThePolynomialNearAnEmissionLeaves) {
+  // Nothing reflects: u = E, with the mean log 5 of 1/(1/4 + x) on the floor. Rounding alone would leave
+  // 1e-14.
+  Problem problem = lit_cube();
+  problem.reflectivity = everywhere("0");
+  problem.emission = by_piece({{"floor", "1/(1/4 + x)"}, {"*", "0"}});
+  const SolutionEnclosure enclosure = solve_within(problem, {1}).second;
+  for (const auto& [piece, mean] : enclosure.pieces) {
+    const double truth = piece == "floor" ? std::log(5.0) : 0;
+    EXPECT_LE(std::abs(mean.value - truth), mean.radius) << piece;
+    EXPECT_LE(mean.radius, 0.25) << piece;
+    EXPECT_TRUE(mean.guaranteed);
+  }
+  const Guarantee at{1, EnclosedQuantity::values, {{Rational(1, 100), Rational(1, 2), 0}}};
+  const SolutionEnclosure values = solve_within(problem, at).second;
+  ASSERT_EQ(values.points.size(), 1U);
+  EXPECT_LE(std::abs(values.points[0].value.value - 1 / 0.26), values.points[0].value.radius);
+  EXPECT_GT(values.points[0].value.radius, 1e-9);
+}
+
+TEST(Guarantee, KeepsTheBalanceOfAnEmissionThatIsNoPolynomial) {
+  // Int u = Int E/(1 - rho) on a closed surface: 4 (e - 1) + 1 + e over 3/4 for exp(x) on the cube.
+  Problem problem = with_emission(sample_problem("cube"), "exp(x)");
+  problem.reflectivity = everywhere("1/4");
+  const SolutionEnclosure enclosure = solve_within(problem, {Rational(1, 20)}).second;
+  double sum = 0;
+  double radius = 0;
+  for (const auto& [piece, mean] : enclosure.pieces) {
+    sum += mean.value;
+    radius += mean.radius;
+  }
+  EXPECT_NEAR(sum, (5 * std::exp(1.0) - 3) / 0.75, radius);
+  EXPECT_LE(enclosure.width, 0.05);
 }
 
 TEST(Guarantee, GivesTheMeshAndTheMeans) {

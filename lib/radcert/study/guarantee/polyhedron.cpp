@@ -10,7 +10,9 @@
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/enclosure/near_polynomial.h"
 #include "radcert/hypotheses/convex_containment.h"
+#include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
 #include "radcert/study/problem.h"
@@ -20,7 +22,7 @@ namespace radcert {
 namespace {
 
 constexpr const char* what_is_enclosed =
-    "a closed convex polyhedron (cube, box, tetrahedron, octahedron, or a mesh), a sphere or an ellipsoid";
+    "a closed convex polyhedron with exact planes (of the catalogue or a mesh), a sphere or an ellipsoid";
 
 [[noreturn]] void refuse_surface(const Problem& problem, const std::string& reason) {
   throw InputError({.pointer = problem.surface.mesh ? "/surface/file" : "/surface/name",
@@ -44,27 +46,29 @@ std::vector<Panel> panels_of(const Problem& problem, const Surface& surface) {
   return std::move(panels).value();
 }
 
-/// An expression on the panels, where it is a polynomial of a degree that is allowed.
-std::vector<PlanePolynomial<Rational>> polynomials(const PiecewiseExpression& function,
-                                                   const std::string& pointer, const Surface& surface,
-                                                   const std::vector<Panel>& panels, int largest_degree) {
+/// An expression on a panel, where it is a polynomial of a degree that is allowed.
+std::optional<PlanePolynomial<Rational>> polynomial_on(const Panel& panel, const Expression& f,
+                                                       int largest_degree) {
+  const std::vector<Vector<Rational>>& c = panel.corners;
+  return polynomial_on_plane(f, c[0], c[1] - c[0], c[2] - c[0], largest_degree);
+}
+
+/// The reflectivity by panel.
+std::vector<Rational> reflectivities(const Problem& problem, const Surface& surface,
+                                     const std::vector<Panel>& panels) {
   const std::vector<std::string> names = surface.piece_names();
-  const std::string kind = largest_degree == 0
-                               ? "constant"
-                               : "a polynomial of degree " + std::to_string(largest_degree) + " or less";
-  std::vector<PlanePolynomial<Rational>> out;
+  std::vector<Rational> out;
   for (const Panel& panel : panels) {
-    const Expression& f = function.on(names[panel.piece]);
-    const std::vector<Vector<Rational>>& c = panel.corners;
-    std::optional<PlanePolynomial<Rational>> polynomial =
-        polynomial_on_plane(f, c[0], c[1] - c[0], c[2] - c[0], largest_degree);
-    if (!polynomial)
-      throw InputError({.pointer = pointer,
+    const Expression& f = problem.reflectivity.on(names[panel.piece]);
+    const std::optional<PlanePolynomial<Rational>> constant = polynomial_on(panel, f, 0);
+    if (!constant)
+      throw InputError({.pointer = "/reflectivity",
                         .value = f.text(),
-                        .problem = "is not known to be " + kind + " on piece " + names[panel.piece],
-                        .allowed = "with a guarantee: " + kind +
-                                   " on each piece, from whole numbers, decimals and fractions by + - * /"});
-    out.push_back(std::move(*polynomial));
+                        .problem = "is not known to be constant on piece " + names[panel.piece],
+                        .allowed =
+                            "with a guarantee: constant on each piece, from whole numbers, decimals and "
+                            "fractions by + - * /"});
+    out.push_back((*constant)(0, 0));
   }
   return out;
 }
@@ -85,14 +89,127 @@ Rational largest_on(const Panel& panel, const PlanePolynomial<Rational>& f) {
   return sizes.value(s, t);
 }
 
-PolyhedronProblem polyhedron_problem(const Problem& problem, const Surface& surface,
-                                     const Guarantee& guarantee) {
-  PolyhedronProblem out{.panels = panels_of(problem, surface), .reflectivity = {}, .emission = {}};
-  for (const PlanePolynomial<Rational>& rho :
-       polynomials(problem.reflectivity, "/reflectivity", surface, out.panels, 0))
-    out.reflectivity.push_back(rho(0, 0));
+/// Two sides of a panel that meet, as axes of its plane, and the rectangle of their parameters about it.
+struct PanelFrame {
+  ParameterPoint<Rational> corner;  ///< in plane_coordinates, as the sides
+  ParameterPoint<Rational> first;
+  ParameterPoint<Rational> second;
+  Rational determinant = 0;  ///< first x second
+  ParameterRectangle about = {.s_low = 0, .s_high = 0, .t_low = 0, .t_high = 0};
+
+  /// The parameters of a point.
+  [[nodiscard]] ParameterPoint<Rational> of(const ParameterPoint<Rational>& p) const {
+    const Rational s = p.s - corner.s;
+    const Rational t = p.t - corner.t;
+    return {(s * second.t - t * second.s) / determinant, (t * first.s - s * first.t) / determinant};
+  }
+  /// A polynomial of these parameters as one of plane_coordinates.
+  [[nodiscard]] PlanePolynomial<Rational> in_plane(const PlanePolynomial<Rational>& p) const {
+    const ParameterPoint<Rational> at_0 = of({0, 0});
+    const ParameterPoint<Rational> at_s = of({1, 0});
+    const ParameterPoint<Rational> at_t = of({0, 1});
+    return composed(p, affine_polynomial<Rational>(at_0.s, at_s.s - at_0.s, at_t.s - at_0.s),
+                    affine_polynomial<Rational>(at_0.t, at_s.t - at_0.t, at_t.t - at_0.t));
+  }
+};
+
+/// That with the smallest rectangle: of a parallelogram the parallelogram itself.
+PanelFrame smallest_frame(const Panel& panel) {
+  std::vector<ParameterPoint<Rational>> corners;
+  for (const Vector<Rational>& corner : panel.corners) corners.push_back(plane_coordinates(panel, corner));
+  const std::size_t n = corners.size();
+  std::optional<PanelFrame> best;
+  Rational least = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const ParameterPoint<Rational>& next = corners[(k + 1) % n];
+    const ParameterPoint<Rational>& last = corners[(k + n - 1) % n];
+    PanelFrame frame{.corner = corners[k],
+                     .first = {next.s - corners[k].s, next.t - corners[k].t},
+                     .second = {last.s - corners[k].s, last.t - corners[k].t}};
+    frame.determinant = frame.first.s * frame.second.t - frame.first.t * frame.second.s;
+    if (frame.determinant.sign() == 0) continue;
+    ParameterRectangle& about = frame.about;
+    for (const ParameterPoint<Rational>& corner : corners) {
+      const ParameterPoint<Rational> at = frame.of(corner);
+      about.s_low = std::min(about.s_low, at.s);
+      about.s_high = std::max(about.s_high, at.s);
+      about.t_low = std::min(about.t_low, at.t);
+      about.t_high = std::max(about.t_high, at.t);
+    }
+    const Rational area =
+        abs(frame.determinant) * (about.s_high - about.s_low) * (about.t_high - about.t_low);
+    if (best && !(area < least)) continue;
+    best = frame;
+    least = area;
+  }
+  expects(best.has_value(), "a panel with a corner", named("corners", n));
+  return *best;
+}
+
+/// The emission on a panel.
+struct PanelEmission {
+  PlanePolynomial<Rational> polynomial;  ///< of plane_coordinates
+  double distance = 0;                   ///< at least sup |E - the polynomial|
+  Rational size = 0;                     ///< at least sup |the polynomial|
+};
+
+/// Where E is a polynomial of degree 8 or less that one, else one near it.
+PanelEmission emission_on(const Panel& panel, const Expression& f, const std::string& piece) {
   constexpr int largest_degree = 8;
-  out.emission = polynomials(*problem.emission, "/emission", surface, out.panels, largest_degree);
+  if (std::optional<PlanePolynomial<Rational>> exact = polynomial_on(panel, f, largest_degree)) {
+    Rational size = largest_on(panel, *exact);
+    return {.polynomial = std::move(*exact), .distance = 0, .size = std::move(size)};
+  }
+  const PanelFrame frame = smallest_frame(panel);
+  const Vector<Rational>& origin = panel.corners[0];
+  const auto place = [&](const ParameterPoint<Rational>& p) {
+    return p.s * (panel.corners[1] - origin) + p.t * (panel.corners[2] - origin);
+  };
+  const Vector<Rational> corner = origin + place(frame.corner);
+  const Vector<Rational> first = place(frame.first);
+  const Vector<Rational> second = place(frame.second);
+  const auto on_plane = [&]<class R>(const R& s, const R& t) {
+    const auto coordinate = [&](const Rational& o, const Rational& u, const Rational& v) {
+      return from_rational<R>(o) + from_rational<R>(u) * s + from_rational<R>(v) * t;
+    };
+    return f.evaluate(Variables<R>{.x = coordinate(corner.x, first.x, second.x),
+                                   .y = coordinate(corner.y, first.y, second.y),
+                                   .z = coordinate(corner.z, first.z, second.z)});
+  };
+  const Outcome<NearPolynomial> near = near_polynomial(plane_function(on_plane), frame.about, largest_degree);
+  if (!near || !std::isfinite(near->size))
+    throw InputError(
+        {.pointer = "/emission",
+         .value = f.text(),
+         .problem = "has no polynomial near it on piece " + piece + ": " +
+                    (near ? std::string("its values are beyond double") : near.reason()),
+         .allowed = "with a guarantee: polynomials, and functions that are analytic about the parallelogram "
+                    "around each face"});
+  return {.polynomial = frame.in_plane(near->polynomial),
+          .distance = near->distance,
+          .size = Rational::exactly(near->size)};
+}
+
+/// A problem whose emission is polynomials, and how far its solution may be from that of the problem asked.
+struct NearProblem {
+  PolyhedronProblem polyhedron;
+  double distance = 0;  ///< at least sup |u - the solution of this problem|
+};
+
+/// Maths     u - u_p = (I - K)^-1 (E - E_p), and the norm of (I - K)^-1 in C(S) is at most 1/(1 - sup rho)
+NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, const Guarantee& guarantee) {
+  PolyhedronProblem out{.panels = panels_of(problem, surface), .reflectivity = {}, .emission = {}};
+  out.reflectivity = reflectivities(problem, surface, out.panels);
+  const std::vector<std::string> names = surface.piece_names();
+  double left_out = 0;
+  std::vector<Rational> sizes;
+  for (const Panel& panel : out.panels) {
+    const std::string& name = names[panel.piece];
+    PanelEmission emission = emission_on(panel, problem.emission->on(name), name);
+    left_out = std::max(left_out, emission.distance);
+    sizes.push_back(std::move(emission.size));
+    out.emission.push_back(std::move(emission.polynomial));
+  }
   Rational largest = 0;
   Rational sup = 0;
   for (std::size_t j = 0; j < out.panels.size(); ++j) {
@@ -102,7 +219,7 @@ PolyhedronProblem polyhedron_problem(const Problem& problem, const Surface& surf
                         .value = rho.to_text(),
                         .problem = "is not below 1, or is negative",
                         .allowed = "from 0 to below 1"});
-    const Rational emission = largest_on(out.panels[j], out.emission[j]);
+    const Rational& emission = sizes[j];
     require_normal(rho, "/reflectivity");
     require_normal(emission, "/emission");
     const std::vector<Vector<Rational>>& corners = out.panels[j].corners;
@@ -117,7 +234,15 @@ PolyhedronProblem polyhedron_problem(const Problem& problem, const Surface& surf
     largest = std::max(largest, emission);
   }
   require_width(guarantee, least_relative_width, largest / (Rational(1) - sup));
-  return out;
+  const double distance = (Ball(left_out) / Ball(Rational(1) - sup)).upper_double();
+  const double widest = guarantee.width.to_double() / 4;
+  if (!(distance <= widest))
+    throw InputError({.pointer = "/emission",
+                      .problem = "is not known to be a polynomial of degree 8 or less on each piece, and "
+                                 "those that were found near it leave " +
+                                 upper_text(distance) + " of the solution unknown",
+                      .allowed = "widths of four times that or more, or a polynomial on each piece"});
+  return {.polyhedron = std::move(out), .distance = distance};
 }
 
 /// Whether a point is nearer to the line of an edge than a thousandth of the edge's length.
@@ -181,9 +306,11 @@ public:
   EnclosedPolyhedron(const Problem& problem, const Guarantee& guarantee, Surface surface)
       : guarantee_(guarantee),
         surface_(std::move(surface)),
-        polyhedron_(polyhedron_problem(problem, surface_, guarantee)) {
-    if (guarantee.of == EnclosedQuantity::values) points_ = solution_points(guarantee, polyhedron_.panels);
-    if (guarantee.of == EnclosedQuantity::function) outside_ = distance_from_vertices(guarantee, polyhedron_);
+        near_(polyhedron_problem(problem, surface_, guarantee)) {
+    if (guarantee.of == EnclosedQuantity::values)
+      points_ = solution_points(guarantee, near_.polyhedron.panels);
+    if (guarantee.of == EnclosedQuantity::function)
+      outside_ = distance_from_vertices(guarantee, near_.polyhedron);
   }
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
@@ -197,7 +324,9 @@ public:
                   .width = now.width});
     };
     // A double from below: what is reached is then within what was asked for.
-    const double wanted = guarantee_.width.to_double() * (1 - unit_roundoff<double>());
+    const double asked = guarantee_.width.to_double() * (1 - unit_roundoff<double>());
+    const double wanted =
+        near_.distance > 0 ? (asked - 2 * near_.distance) * (1 - 16 * unit_roundoff<double>()) : asked;
     return guarantee_.of == EnclosedQuantity::function ? function(wanted, tell) : numbers(wanted, tell);
   }
 
@@ -209,8 +338,8 @@ private:
     level.unknowns = last.unknowns;
     level.mesh_size = last.mesh_size;
     // On a closed surface sup rho; enclosing rounds it as norm_of_K does.
-    level.norm_K =
-        enclosing(Ball(*std::max_element(polyhedron_.reflectivity.begin(), polyhedron_.reflectivity.end())));
+    level.norm_K = enclosing(
+        Ball(*std::max_element(near_.polyhedron.reflectivity.begin(), near_.polyhedron.reflectivity.end())));
     return level;
   }
 
@@ -218,20 +347,21 @@ private:
                                                                   const EnclosureListener& tell) const {
     const std::vector<std::string> names = surface_.piece_names();
     const bool of_values = guarantee_.of == EnclosedQuantity::values;
-    const GoalEnclosure found = of_values ? enclose_values(polyhedron_, points_, wanted, tell)
-                                          : enclose_means(polyhedron_, wanted, tell);
+    const GoalEnclosure found = of_values ? enclose_values(near_.polyhedron, points_, wanted, tell)
+                                          : enclose_means(near_.polyhedron, wanted, tell);
     if (!std::isfinite(found.width))
       throw AccuracyNotReached(of_values ? "the values of u" : "the means of u", found.hindrance);
-    SolutionEnclosure enclosure{.wanted = guarantee_, .width = found.width, .hindrance = found.hindrance};
+    SolutionEnclosure enclosure{
+        .wanted = guarantee_, .width = 2 * widened(0.5 * found.width), .hindrance = found.hindrance};
     LevelResult level = level_of(found.last);
     for (std::size_t k = 0; k < found.numbers.size(); ++k) {
+      const Approximation number = widened(found.numbers[k]);
       if (of_values) {
         const SolutionPoint& point = points_[k];
-        enclosure.points.push_back(
-            {names[polyhedron_.panels[point.panel].piece], point.at, found.numbers[k]});
+        enclosure.points.push_back({names[near_.polyhedron.panels[point.panel].piece], point.at, number});
       } else {
-        enclosure.pieces.emplace_back(names[k], found.numbers[k]);
-        level.piece_means.emplace_back(names[k], found.numbers[k]);
+        enclosure.pieces.emplace_back(names[k], number);
+        level.piece_means.emplace_back(names[k], number);
       }
     }
     return {std::move(level), std::move(enclosure)};
@@ -240,24 +370,33 @@ private:
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> function(double wanted,
                                                                    const EnclosureListener& tell) const {
     const std::vector<std::string> names = surface_.piece_names();
-    FunctionEnclosure found = enclose_function(polyhedron_, wanted, outside_, tell);
+    FunctionEnclosure found = enclose_function(near_.polyhedron, wanted, outside_, tell);
     if (!std::isfinite(found.sup)) throw AccuracyNotReached("the solution u", found.hindrance);
     SolutionEnclosure enclosure{
-        .wanted = guarantee_, .width = 2 * found.sup, .hindrance = std::move(found.hindrance)};
-    FunctionBound bound{.sup = found.sup, .outside = found.outside};
+        .wanted = guarantee_, .width = 2 * widened(found.sup), .hindrance = std::move(found.hindrance)};
+    FunctionBound bound{.sup = widened(found.sup), .outside = found.outside};
     for (const FunctionEnclosure::AtDistance& at : found.by_distance)
-      bound.by_distance.push_back({at.outside, at.sup});
+      bound.by_distance.push_back({at.outside, widened(at.sup)});
     for (std::size_t k = 0; k < names.size(); ++k)
-      bound.pieces.push_back({names[k], found.pieces[k].outside, found.pieces[k].everywhere});
+      bound.pieces.push_back(
+          {names[k], widened(found.pieces[k].outside), widened(found.pieces[k].everywhere)});
     for (const EnclosedPart& part : found.parts)
-      enclosure.patches.push_back({names[part.piece], part.corners, part.values, part.bound});
+      enclosure.patches.push_back({names[part.piece], part.corners, part.values, widened(part.bound)});
     enclosure.function = std::move(bound);
     return {level_of(found.last), std::move(enclosure)};
   }
 
+  /// What is found for the polynomial emission, for the emission itself.
+  [[nodiscard]] double widened(double radius) const {
+    return near_.distance > 0 ? (radius + near_.distance) * (1 + 2 * unit_roundoff<double>()) : radius;
+  }
+  [[nodiscard]] Approximation widened(const Approximation& number) const {
+    return {.value = number.value, .radius = widened(number.radius), .guaranteed = number.guaranteed};
+  }
+
   const Guarantee& guarantee_;
   Surface surface_;
-  PolyhedronProblem polyhedron_;
+  NearProblem near_;
   std::vector<SolutionPoint> points_;
   double outside_ = 0;
 };
