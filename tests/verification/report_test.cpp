@@ -67,9 +67,9 @@ TEST(Report, SaysHowFarEachVerdictReaches) {
   family.account.tried = {"all ellipsoids"};
   report.claims.push_back(family);
   const std::string table = report_table(report, 500);
-  EXPECT_THAT(table, HasSubstr("lemma_2_1                     supported, at 2 instances"));
-  EXPECT_THAT(table, HasSubstr("lemma_2_2                     supported, for a family"));
-  EXPECT_THAT(table, HasSubstr("node_error  contradicted  "));
+  EXPECT_THAT(table, HasSubstr("  supported, at 2 instances  supported"));
+  EXPECT_THAT(table, HasSubstr("  supported, for a family    supported"));
+  EXPECT_THAT(table, testing::Not(HasSubstr("contradicted, for all")));
   EXPECT_THAT(table, HasSubstr("2 supported (1 for a family, 1 at instances)"));
   EXPECT_THAT(report_table(report, 40), HasSubstr("ac98/lemma_2_1, at 2 instances\n"));
   const std::string markdown = report_markdown(report, "radcert verify");
