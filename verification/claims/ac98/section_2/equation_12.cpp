@@ -58,6 +58,7 @@ Finding equation_12(const Bench& bench) {
   finding.require("(11): points of U where G differs from n_P . (Q-P)/|P-Q|^3", IsExactly{0},
                   differing_on_the_sphere_around(1));
   finding.control("points of U where -G does", IsExactly{0}, differing_on_the_sphere_around(-1));
+  require_small_balls_on_ellipsoids(finding);
   const EllipsoidTip tip(1, 2, 5);
   const EllipsoidTip other(1, 2, 3);
   const EllipsoidTip sphere(1, 1, 1);
