@@ -19,17 +19,37 @@ Rational not_positive(const Function& f) {
   return negative_terms(f) == Rational(0) && differing_terms(f, 0) != Rational(0) ? 0 : 1;
 }
 
+Vector<Function> vector(const std::string& name) {
+  return {symbol(name + "x"), symbol(name + "y"), symbol(name + "z")};
+}
+
+// Any affine form.
+Vector<Function> gradient() { return vector("m"); }
+Function affine(const Vector<Function>& x) { return dot(gradient(), x) + symbol("b"); }
+
 // Terms in which an affine l(P + r w) differs from l(P) + r s, s its slope along w.
 Rational not_along_the_ray() {
-  const auto vector = [](const std::string& name) {
-    return Vector<Function>{symbol(name + "x"), symbol(name + "y"), symbol(name + "z")};
-  };
-  const Vector<Function> gradient = vector("m");
-  const auto form = [&](const Vector<Function>& x) { return dot(gradient, x) + symbol("b"); };
   const Vector<Function> p = vector("P");
   const Vector<Function> w = vector("w");
   const Function r = symbol("r");
-  return differing_terms(form(p + r * w), form(p) + r * dot(gradient, w));
+  return differing_terms(affine(p + r * w), affine(p) + r * dot(gradient(), w));
+}
+
+// Terms in which l((1-t) P + t Q) differs from (1-t) l(P) + t l(Q), the weights having a given sum, and
+// (Q-P).m from l(Q) - l(P).
+Rational not_along_the_segment(const Function& sum_of_weights) {
+  const Vector<Function> p = vector("P");
+  const Vector<Function> q = vector("Q");
+  const Function t = symbol("t");
+  const Function other = sum_of_weights - t;
+  return differing_terms(affine(other * p + t * q), other * affine(p) + t * affine(q)) +
+         differing_terms(dot(q - p, gradient()), affine(q) - affine(p));
+}
+
+// A form that is positive at P, and at Q positive, zero, or, to be rejected, negative, between them: t and u
+// = 1 - t are positive.
+Rational not_positive_between(const Function& at_q) {
+  return not_positive(symbol("u") * symbol("alpha") + symbol("t") * at_q);
 }
 
 // One more face of slope s_i = -t, where the faces before are left at R: its own exit is alpha/t, so much
@@ -69,6 +89,16 @@ void require_rays_leave_polyhedra_once(Finding& finding) {
                   never_left(symbol("alpha"), 1));
   finding.control("the same for a face with P in its plane, on an edge, and a ray to its back", IsExactly{0},
                   never_left(0, -1));
+}
+
+void require_segments_in_polyhedra(Finding& finding) {
+  finding.require("terms of l(X) - (1-t) l(P) - t l(Q) and (Q-P).m - l(Q) + l(P)", IsExactly{0},
+                  not_along_the_segment(1));
+  finding.control("the same for weights that sum to 2", IsExactly{0}, not_along_the_segment(2));
+  finding.require("forms that are not positive between P and Q, positive or zero at Q", IsExactly{0},
+                  not_positive_between(symbol("beta")) + not_positive_between(0));
+  finding.control("the same for a Q behind the face, as of a body that is not convex", IsExactly{0},
+                  not_positive_between(-symbol("beta")));
 }
 
 }  // namespace radcert::verification::ac98

@@ -19,4 +19,15 @@ namespace radcert::verification::ac98 {
 /// Limits    the logic about it is in words
 void require_rays_leave_polyhedra_once(Finding& finding);
 
+/// Requires that the segment between points P and Q of different faces of a convex polyhedron, off its edges,
+/// is inside between its ends, for polyhedra with any number of faces, and that G = 0 for P and Q of one
+/// face.
+/// Maths     X = (1-t) P + t Q, 0 < t < 1: l(X) = (1-t) l(P) + t l(Q) for each affine l. The form of each
+///           face is not negative at P and Q, and positive at one of them at least, as each is off the edges
+///           and they have no face in common. Of one face: (Q-P).n_P is l(Q) - l(P) = 0 over the size of its
+///           gradient
+/// Source    ours
+/// Result    exact: V = 1, or G V = G = 0
+void require_segments_in_polyhedra(Finding& finding);
+
 }  // namespace radcert::verification::ac98
