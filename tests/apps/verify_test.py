@@ -41,6 +41,15 @@ order   = 9.0
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn(b"order_of_the_node_error", done.stdout)
 
+    def test_what_a_run_has_found_is_kept_for_the_next_one(self):
+        # A finding that is kept brings along how long it took when it was computed.
+        runs = [json.loads(self.run_program("verify", CLAIM, *words, "--json", "-").stdout)
+                for words in ([], [], ["--fresh"])]
+        first, second, fresh = [run["timing"]["claims"] for run in runs]
+        self.assertEqual(first, second)
+        self.assertNotEqual(first, fresh)
+        self.assertEqual(runs[0]["claims"], runs[2]["claims"])
+
     def test_what_is_not_there_is_refused(self):
         for word in ["no_such_paper", "ac98/no_such_claim", "./no_such_folder"]:
             done = self.run_program("verify", word, "--out", "report")

@@ -88,6 +88,7 @@ TEST(ClaimsFile, SaysHowFarAVerdictReaches) {
   EXPECT_THAT(refusal(claim + "scope = \"some\"\n"), HasSubstr("all, family or instances"));
   EXPECT_THAT(refusal(claim + "scope = \"instances\"\n"), HasSubstr("/a/tried: is missing"));
   EXPECT_THAT(refusal(claim + "scope = \"family\"\ntried = []\n"), HasSubstr("/a/tried"));
+  EXPECT_THAT(refusal(claim + "scope = \"all\"\ntried = [\"cube\"]\n"), HasSubstr("/a/tried"));
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\nverdict = \"definition\"\nsymbol = \"s\"\nscope = \"all\"\n"),
               HasSubstr("/a/scope: "));
   const Claim at_two = read(claim + "scope = \"instances\"\ntried = [\"cube\", \"sphere\"]\n");

@@ -8,6 +8,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/formats/json/json_document.h"
 #include "tests/verification/fixtures.h"
+#include "verification/report/report_page.h"
 #include "verification/report/report_text.h"
 
 namespace radcert::verification {
@@ -51,6 +52,33 @@ TEST(Report, ShowsEveryCellBesideOurs) {
   EXPECT_THAT(table, HasSubstr("! ac98/table_1.n4.node_error  contradicted  reproduced  1.03520e-03"));
   EXPECT_THAT(table, HasSubstr("1.04E-4"));
   EXPECT_THAT(table, HasSubstr("1 differ from the record"));
+}
+
+// In the table, whether or not it is too narrow for a line a statement, in its counts, in Markdown, in JSON
+// and in what the page is made of. A cell of a table is one number, and has none.
+TEST(Report, SaysHowFarEachVerdictReaches) {
+  Report report = two_claims();
+  report.claims[0].account.scope = Scope::all;
+  report.claims[1].account.scope = Scope::instances;
+  report.claims[1].account.tried = {"cube", "sphere"};
+  ClaimReport family = report.claims[1];
+  family.label = "lemma_2_2";
+  family.account.scope = Scope::family;
+  family.account.tried = {"all ellipsoids"};
+  report.claims.push_back(family);
+  const std::string table = report_table(report, 500);
+  EXPECT_THAT(table, HasSubstr("  supported, at 2 instances  supported"));
+  EXPECT_THAT(table, HasSubstr("  supported, for a family    supported"));
+  EXPECT_THAT(table, testing::Not(HasSubstr("contradicted, for all")));
+  EXPECT_THAT(table, HasSubstr("2 supported (1 for a family, 1 at instances)"));
+  EXPECT_THAT(report_table(report, 40), HasSubstr("ac98/lemma_2_1, at 2 instances\n"));
+  const std::string markdown = report_markdown(report, "radcert verify");
+  EXPECT_THAT(markdown, HasSubstr("| lemma_2_1 | supported, at 2 instances |"));
+  EXPECT_THAT(markdown, HasSubstr("Tried: cube, sphere."));
+  const std::string json = report_json_text(report, "radcert verify");
+  EXPECT_THAT(json, HasSubstr("\"scope\": \"instances\""));
+  EXPECT_THAT(json, HasSubstr("\"scope\": \"family\""));
+  EXPECT_THAT(report_page(report, "radcert verify"), HasSubstr("all ellipsoids"));
 }
 
 TEST(Report, AsJsonIsTheSameApartFromSeconds) {

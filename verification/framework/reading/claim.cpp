@@ -241,6 +241,8 @@ void read_scope(const Place& place, Claim& claim) {
   } else {
     static_cast<void>(place.at("scope", "all, family or instances: how far the verdict reaches"));
   }
+  if (claim.scope == Scope::all && tried)
+    tried->refuse("is not allowed", "no instances beside the scope `all`, which a sample does not prove");
   if (claim.scope != Scope::all && claim.tried.empty()) {
     const std::string allowed = "an array of the instances, or of the family";
     if (tried) tried->refuse("is empty", allowed);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      0 <= Int_T G <= c area(T) = O(epsilon^2) at the tip of the ellipsoid (1,2,5) for all 0 <
-//              epsilon <= 1 at once, with the least c of (6), 25/4, and the area of T's shadow on the tangent
-//              plane, which is less than that of T; on the sphere, where all three are pi epsilon^2/4. The
-//              order 2 is not 3: Int_T G/epsilon^2 has a positive lower bound.
-// Not checked  other points; they are bounded by the same c, and T by a disk of the chart.
+// Checked      On all ellipsoids, for all P: 0 <= G <= c, the c of (6), and the area of T is at most 2 pi
+//              epsilon^2 for 0 < epsilon <= a^2/(3 c), a the shortest half axis and c the longest, by
+//              identities: ellipsoids.h. Besides at the tip of the ellipsoid (1,2,5) for all 0 < epsilon <= 1
+//              at once: 0 <= Int_T G, and Int_T G <= c area(T) up to 1/10, with the least c, 25/4, and the
+//              area of T's shadow on the tangent plane, which is less than that of T; on the sphere, where
+//              Int_T G is pi epsilon^2/4, for three. The order 2 is not 3: Int_T G/epsilon^2 has a positive
+//              limit.
+// Not checked  other surfaces.
 
+#include "verification/claims/ac98/convex_bodies/ellipsoids.h"
 #include "verification/claims/ac98/surfaces/excluded_ball.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/framework/check.h"
@@ -16,6 +20,7 @@ Finding equation_10(const Bench& bench) {
   const long panels = bench.budget == Budget::quick ? 512 : 4096;
   const BallPrecision precision(128);
   Finding finding;
+  require_small_balls_on_ellipsoids(finding);
   const Rational kernel_bound(25, 4);
   const EllipsoidTip tip(1, 2, 5);
   const Ball cap = tip.cap_over_square(1, panels);

@@ -6,7 +6,9 @@
 // and O(e^2) is what holds.
 //
 // Checked      (11): G = n_P . (Q-P)/|P-Q|^3 with the normal of the sphere around P, for all Q and n_P. (12)
-//              at the tip of the ellipsoid (1,2,5), where the curvatures differ most, for all 0 < e <= 1 at
+//              on all ellipsoids, for all P and all e, which rays need not meet the rim once for: 0 <= pi -
+//              Int_U G <= pi c^2 e^2, c the constant of (5), by identities: ellipsoids.h. Besides at the tip
+//              of the ellipsoid (1,2,5), where the curvatures differ most, for all 0 < e <= 1 at
 //              once: 0 <= (pi - Int_U G)/e^2 <= pi c^2, c = 5/2 the least constant of (5); the limit of this
 //              quotient; on the sphere, where it is pi/4, the constant of (5) being 1/2.
 // Not checked  surfaces that are no more than C^1 at P.
@@ -14,6 +16,7 @@
 #include <array>
 
 #include "radcert/kernel/geometric_kernel.h"
+#include "verification/claims/ac98/convex_bodies/ellipsoids.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
 #include "verification/claims/ac98/surfaces/excluded_ball.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
@@ -55,6 +58,7 @@ Finding equation_12(const Bench& bench) {
   finding.require("(11): points of U where G differs from n_P . (Q-P)/|P-Q|^3", IsExactly{0},
                   differing_on_the_sphere_around(1));
   finding.control("points of U where -G does", IsExactly{0}, differing_on_the_sphere_around(-1));
+  require_small_balls_on_ellipsoids(finding);
   const EllipsoidTip tip(1, 2, 5);
   const EllipsoidTip other(1, 2, 3);
   const EllipsoidTip sphere(1, 1, 1);

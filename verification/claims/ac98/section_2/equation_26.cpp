@@ -140,7 +140,7 @@ Finding equation_26_dominating_term(const Bench&) {
   finding.instead("Ku/(-(pi/2) z log z), u = eta, by the closed form" + place, whole,
                   TwoSquares<Ball>(x, tiny).distance() / half);
   const Ball found = coefficient(of_distance, z);
-  finding.show({.value = found.to_double(), .radius = 0x1p-50, .guaranteed = true});
+  finding.show(proved(found));
   return finding;
 }
 
@@ -189,7 +189,7 @@ Finding equation_26_not_c1(const Bench&) {
       finding.control("the same for the integral (25) over R_2" + place, halving, coefficient(smooth, z));
     }
   }
-  finding.show({.value = growth.to_double(), .radius = 0x1p-52, .guaranteed = true});
+  finding.show(proved(growth));
   return finding;
 }
 

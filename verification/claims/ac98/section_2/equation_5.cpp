@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // On the ellipsoid with half axes a <= b <= c and A = diag(a^-2, b^-2, c^-2), h = Q - P = |h| e: |cos
-// theta_P|/|P-Q| = e.Ae/(2|AP|), solid_angle.h, and |G| = (e.Ae)^2/(4 |AP| |AQ|). Here e.Ae <= 1/a^2 and |AP|
+// theta_P|/|P-Q| = e.Ae/(2|AP|), ellipsoids.h, and |G| = (e.Ae)^2/(4 |AP| |AQ|). Here e.Ae <= 1/a^2 and |AP|
 // >= 1/c, so that c/(2a^2) and c^2/(4a^4) serve. No less does: with P = (0,0,c) and Q in the plane of the
 // axes a and c, at the angle whose half has the tangent t, the quotient of (5) is c/(2a^2) - c t^2 (c^2 -
 // a^2)/(2a^2 (a^2 + c^2 t^2)).
@@ -19,10 +19,10 @@
 
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/geometry/vector.h"
+#include "verification/claims/ac98/convex_bodies/ellipsoids.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/smooth_bounds.h"
-#include "verification/claims/ac98/surfaces/solid_angle.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -53,31 +53,9 @@ double radius_of(const Bench& bench) {
 
 // The identities at the head of this file.
 void require_ellipsoids(Finding& finding) {
-  require_convex_ellipsoids(finding);
+  require_bounds_on_ellipsoids(finding);
   using Three = std::array<Rational, 3>;
   constexpr long values = 8;
-  // A term of 1/a^2 - e.Ae: the squares of e sum to 1, and the term is not negative where a_i >= a.
-  finding.require(
-      "terms where e^2/a^2 - e^2/a_i^2 differs from e^2 (a_i - a)(a_i + a)/(a a_i)^2", IsExactly{0},
-      differing_on_grid<3>(
-          values, [](const Three& x) { return x[0] * x[0] / (x[1] * x[1]) - x[0] * x[0] / (x[2] * x[2]); },
-          [](const Three& x) {
-            return x[0] * x[0] * (x[2] - x[1]) * (x[2] + x[1]) / (x[1] * x[1] * x[2] * x[2]);
-          }));
-  // A term of |AP|^2 - 1/c^2: the squares of p_i/a_i sum to 1, and the term is not negative where a_i <= c.
-  finding.require(
-      "terms where (p/a_i^2)^2 - (p/a_i)^2/c^2 differs from (p/a_i)^2 (c - a_i)(c + a_i)/(a_i c)^2",
-      IsExactly{0},
-      differing_on_grid<3>(
-          values,
-          [](const Three& x) {
-            const Rational of_axis = x[0] / x[1];
-            return of_axis * of_axis / (x[1] * x[1]) - of_axis * of_axis / (x[2] * x[2]);
-          },
-          [](const Three& x) {
-            const Rational of_axis = x[0] / x[1];
-            return of_axis * of_axis * (x[2] - x[1]) * (x[2] + x[1]) / (x[1] * x[1] * x[2] * x[2]);
-          }));
   // P = (0,0,c) and Q = (a sin, 0, c cos), whose inner normal at P is (0,0,-1).
   const auto quotient = [](const Three& x) {
     const auto& [a, c, t] = x;

@@ -4,13 +4,16 @@
 // space in place of S, P in one of its faces at the distance 1 from the edge, the other face is all there is
 // and the integral is pi/2; with a half space it is 0.
 //
-// Checked      G >= 0: for all pairs of points of cube, tetrahedron and octahedron, exactly. Int_S G = pi:
-//              there at random rational points, some within a millionth of an edge, to 50 digits, by the
-//              closed form of a polygon; on the sphere, the ellipsoid (1,2,5) and the closed body under
-//              two_piece(2), a square, a curved roof, two walls with curved tops and two plane ones, to 20
-//              digits by enclosed double integrals over the charts, P on one of them. The hypotheses: a point
-//              of an edge, an open box, a quarter space.
-// Not checked  points other than these: the proof is that of the paper, its steps are (8) to (12).
+// Checked      Int_S G = pi on all ellipsoids for all P, and on all bounded convex polyhedra for all P off
+//              the edges: G dS_Q is n_P.w dw for the direction w, and each w with n_P.w > 0 meets S once, as
+//              in lemma_2_1. Besides G >= 0 for all pairs of points of cube, tetrahedron and octahedron,
+//              exactly, and Int_S G there at random rational points, some within a millionth of an edge, to
+//              50 digits, by the closed form of a polygon; on the sphere, the ellipsoid (1,2,5) and the
+//              closed body under two_piece(2), a square, a curved roof, two walls with curved tops and two
+//              plane ones, to 20 digits by enclosed double integrals over the charts, P on one of them. The
+//              hypotheses: a point of an edge, an open box, a quarter space.
+// Not checked  other bodies, and other points of the body under two_piece(2): the proof is that of the paper,
+//              its steps are (8) to (12).
 
 #include <algorithm>
 #include <random>
@@ -19,8 +22,10 @@
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/two_piece.h"
+#include "verification/claims/ac98/convex_bodies/convex_polyhedra.h"
 #include "verification/claims/ac98/surfaces/polyhedra.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/ac98/surfaces/solid_angle.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -139,6 +144,9 @@ Finding equation_7(const Bench& bench) {
   const double radius = bench.budget == Budget::full ? 1e-25 : 1e-20;
   const std::size_t per_chart = quick ? 1 : 2;
   Finding finding;
+  require_kernel_by_directions(finding);
+  require_convex_ellipsoids(finding);
+  require_rays_leave_polyhedra_once(finding);
   require_on_polyhedra(finding, quick ? 6 : 60);
   const BallPrecision precision(192);
   const AgreesWith pi{.value = Ball::pi(), .within = 2 * radius};

@@ -8,17 +8,17 @@
 //
 // Checked      section_1_unoccluded: on the unit cube and the unit sphere, for rational points in pairs, in
 //              exact arithmetic, whether the points at 1/4, 1/2 and 3/4 of the segment are inside, and G
-//              where they are not. section_1_unoccluded_kernel: for all P and Q. On a convex polyhedron no
-//              corner is behind a face, and no two faces are in one plane, so that a point inside a face is
-//              in front of all other ones: if Q is not in P's face, the form l of each plane is positive at
-//              one of them at least and not negative at the other, hence positive between them, and V = 1; if
-//              it is, (Q-P).n_P = 0 and G = 0. On all ellipsoids the segment is inside, solid_angle.h.
+//              where they are not. section_1_unoccluded_kernel: for all P and Q off the edges of all convex
+//              polyhedra, V = 1 between different faces and G = 0 within one, convex_polyhedra.h. That cube,
+//              box, tetrahedron and octahedron are such: no corner is behind a face, and no two faces are in
+//              one plane. On all ellipsoids the segment is inside, solid_angle.h.
 // Not checked  other solids.
 
 #include <string>
 #include <vector>
 
 #include "radcert/kernel/geometric_kernel.h"
+#include "verification/claims/ac98/convex_bodies/convex_polyhedra.h"
 #include "verification/claims/ac98/surfaces/polyhedra.h"
 #include "verification/claims/ac98/surfaces/sample_points.h"
 #include "verification/claims/ac98/surfaces/solid_angle.h"
@@ -141,6 +141,7 @@ Finding section_1_unoccluded_kernel(const Bench&) {
   cut.faces.push_back(plane_polygon({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}).value());
   finding.control("faces in the plane of another one, the cube with half of its floor once more",
                   IsExactly{0}, faces_in_one_plane(cut));
+  require_segments_in_polyhedra(finding);
   require_convex_ellipsoids(finding);
   return finding;
 }

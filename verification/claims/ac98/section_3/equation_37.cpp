@@ -19,6 +19,7 @@
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/polynomial/real_zeros.h"
 #include "verification/claims/ac98/collocation/differing_coefficients.h"
+#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -101,8 +102,7 @@ Finding equation_37(const Bench& bench) {
   const Rational tenth(1, 10);
   finding.control("the norm for nodes with alpha = 1/7, against (37) for alpha = 1/10",
                   IsExactly{(1 + tenth) / (1 - 3 * tenth)}, norm_at_vertices(Rational(1, 7)));
-  finding.show(
-      {.value = norm_at_vertices(Rational(1, 6)).to_double(), .radius = 0x1p-51, .guaranteed = true});
+  finding.show(proved(Ball(norm_at_vertices(Rational(1, 6)))));
   return finding;
 }
 

@@ -195,8 +195,8 @@ Finding lemma_3_2(const Bench&) {
                         exceeding(errors, c * power(h, 4)));
       largest = std::max(largest, largest_ratio(errors) / power(h, 3));
     }
-  finding.remark("largest error over h^3 and the bracket", {.value = largest.to_double(), .radius = 0});
-  finding.show({.value = c.to_double(), .radius = 0x1p-52, .guaranteed = true});
+  finding.remark("largest error over h^3 and the bracket", proved(Ball(largest)));
+  finding.show(proved(Ball(c)));
   return finding;
 }
 

@@ -209,8 +209,8 @@ Finding lemma_3_3(const Bench&) {
   const Rational tiny = power(Rational(10), -6);
   finding.control("products beyond (65) with h^5 for h^4" + placed_at(tiny, corners()[0]), IsExactly{0},
                   exceeding(errors_on(halves(square(tiny, corners()[0]), true)), c * power(tiny, 5)));
-  finding.remark("largest error over h^4 and the bracket", {.value = largest.to_double(), .radius = 0});
-  finding.show({.value = c.to_double(), .radius = 0x1p-52, .guaranteed = true});
+  finding.remark("largest error over h^4 and the bracket", proved(Ball(largest)));
+  finding.show(proved(Ball(c)));
   return finding;
 }
 
@@ -429,7 +429,7 @@ Finding equation_71_reason(const Bench&) {
         if (interpolation_error(1, phi * interpolant(tau, sixth(), p_2), {tau}, sixth()) != 0) ++inexact;
   finding.require("products and triangles with Int phi_i L p_2 != Q(phi_i L p_2)", IsExactly{0},
                   Rational(inexact));
-  finding.show({.value = gap.to_double(), .radius = 0x1p-60, .guaranteed = true});
+  finding.show(proved(Ball(gap)));
   return finding;
 }
 

@@ -9,17 +9,20 @@
 // for every f of C^2 and every alpha. By (49) norm of (u - hat u_n) <= c norm of K times this for f = u(m_k)
 // on the parameter triangles, which needs charts and u in C^2.
 //
-// Checked      the median and the place of the centroid, as a polynomial identity in the corners. The bound
-//              at polynomials of degree 2, for which M is known, on two triangles, alpha = 0, 1/10 and 1/6;
-//              for interpolation by constants, whose error is O(h), it is rejected.
-// Not checked  that L reproduces linear functions, the norm of L, (49) and the norm of K: equation_34,
-//              equation_37, equation_49, equation_17.
+// Checked      the median and the place of the centroid, as a polynomial identity in the corners, b^2 and c^2
+//              being at most h^2. That L reproduces linear functions, as an identity in alpha. Beside these,
+//              from which the bound follows for every f, triangle and alpha, the bound itself at polynomials
+//              of degree 2, for which M is known, on two triangles, alpha = 0, 1/10 and 1/6; for
+//              interpolation by constants, whose error is O(h), it is rejected.
+// Not checked  Taylor's theorem; the norm of L, (49) and the norm of K: equation_37, equation_49,
+//              equation_17.
 
 #include <algorithm>
 #include <array>
 
 #include "verification/claims/ac98/surfaces/exact_identity.h"
 #include "verification/claims/ac98/surfaces/exact_plane.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -71,6 +74,26 @@ Rational over_the_bound(const Rational& a, const Rational& b, const Rational& c,
   return beyond.sign() <= 0 ? beyond : beyond * beyond - ((a - c) * (a - c) + b * b);
 }
 
+// Terms in which sum q_i l_i(x), barycentric coordinates with the sum 1, differs from x, and sum l_i(x) from
+// 1, for the nodes (33) and l_i = (x_i - alpha)/(1 - 3 alpha), or for l_i = x_i.
+Rational not_reproduced(bool at_vertices) {
+  using Function = RationalFunction;
+  const Function alpha = Function::variable("alpha");
+  const Function first = Function::variable("x1");
+  const Function second = Function::variable("x2");
+  const std::array<Function, 3> x{first, second, 1 - first - second};
+  const auto lagrange = [&](std::size_t i) {
+    return at_vertices ? x.at(i) : (x.at(i) - alpha) / (1 - 3 * alpha);
+  };
+  Rational terms = differing_terms(lagrange(0) + lagrange(1) + lagrange(2), 1);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    Function value(0);
+    for (std::size_t i = 0; i < x.size(); ++i) value += lagrange(i) * (i == k ? 1 - 2 * alpha : alpha);
+    terms += differing_terms(value, x.at(k));
+  }
+  return terms;
+}
+
 Rational quadratics_over_the_bound(const Rational& alpha, bool degree_0) {
   long count = 0;
   for (const Rational& h : {Rational(1), Rational(1, 1000)})
@@ -89,6 +112,10 @@ Finding theorem_3_1_interpolation(const Bench&) {
                   differing_medians(Rational(4, 9)));
   finding.control("triangles whose centroid is not at 1/2 of it", IsExactly{0},
                   differing_medians(Rational(1, 4)));
+  finding.require("terms in which L takes linear functions to others, all alpha", IsExactly{0},
+                  not_reproduced(false));
+  finding.control("the same for the functions of the vertices at these nodes", IsExactly{0},
+                  not_reproduced(true));
   for (const Rational& alpha : {Rational(0), Rational(1, 10), Rational(1, 6)})
     finding.require(
         "polynomials of degree 2 and triangles whose error exceeds the bound, alpha = " + alpha.to_text(),

@@ -78,10 +78,12 @@ Approximation order_on_the_cube(const Bench& bench, int finest) {
   cube.emission = on_all_pieces("x^2");
   cube.solver = {.name = "gmres", .tolerance = std::nullopt};
   const auto change = [&](int level) {
+    const LevelOutcome fine = bench.levels.level(cube, level);
+    const LevelOutcome coarse = bench.levels.level(cube, level - 1);
+    // At a corner |l_1| + |l_2| + |l_3| is 7/3.
     return Approximation{
-        .value = std::abs(value_beside_an_edge_of_the_cube(bench.levels.level(cube, level)) -
-                          value_beside_an_edge_of_the_cube(bench.levels.level(cube, level - 1))),
-        .radius = 1e-10};
+        .value = std::abs(value_beside_an_edge_of_the_cube(fine) - value_beside_an_edge_of_the_cube(coarse)),
+        .radius = 7.0 / 3 * (fine.result.solution_radius.value() + coarse.result.solution_radius.value())};
   };
   return exponent_between(change(finest - 1), change(finest));
 }

@@ -42,8 +42,10 @@ ObservedOrder order_on_the_sphere(const Bench& bench, const ZonalEmission& data,
   Problem problem = linear_problem("sphere", {}, "1/2");
   problem.emission = on_all_pieces(data.emission);
   return observed_order(over_levels(levels_from(0, last), [&](int level) {
-    Approximation largest{.value = 0, .radius = 1e-11};
-    for (const ElementValue& element : bench.levels.level(problem, level).elements)
+    const LevelOutcome outcome = bench.levels.level(problem, level);
+    // At a corner |l_1| + |l_2| + |l_3| is 7/3.
+    Approximation largest{.value = 0, .radius = 7.0 / 3 * outcome.result.solution_radius.value()};
+    for (const ElementValue& element : outcome.elements)
       for (std::size_t i = 0; i < element.corners.size(); ++i)
         largest.value = std::max(largest.value, std::abs(element.corner_values.at(i) - data.mean -
                                                          data.at(element.corners.at(i).z)));

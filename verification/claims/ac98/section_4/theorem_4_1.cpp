@@ -6,11 +6,15 @@
 // error of u - u_n falls like h^2 in Table 4 all the same, and for rho = 99/100 too.
 //
 // Checked      equation_80_table_4: the product for the data of Table 4, by balls; of Table 5 likewise.
-//              equation_81: the norms of K_n and of the inverse of I - K_n, enclosed, on the cube with rho =
-//              3/8, which (80) allows: gamma = 7/8 bounds the first and 1/(1 - gamma) = 8 the second. The
-//              error on the cube with rho = 2/5, where 1/(1 - gamma) = 15. (81) itself is (I - P_n K)(u -
-//              u_n) = u - P_n u.
-// Not checked  finer levels.
+//              equation_81, for every linear K and P_n: u - u_n = (I - P_n K)^-1 (u - P_n u), whose norms are
+//              (81), and Neumann's series for T = P_n K, both in the free algebra. As the norm of T is at
+//              most gamma < 1 by (80), the sums are Cauchy, I - T has an inverse Y, and (1 - gamma) norm of Y
+//              <= 1 by the norms of Y = I + T Y, an identity too. equation_81_cube: the norms of K_n and of
+//              the inverse of I - K_n, enclosed, on the cube with rho = 3/8, which (80) allows: gamma = 7/8
+//              bounds the first and 1/(1 - gamma) = 8 the second. The error on the cube with rho = 2/5, where
+//              1/(1 - gamma) = 15.
+// Not checked  finer levels; what is analysis in (81): that the space is complete, |a + b| <= |a| + |b| and
+//              |A a| <= |A| |a|.
 
 #include <algorithm>
 #include <array>
@@ -22,6 +26,9 @@
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/surfaces/polyhedra.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/operator_algebra.h"
+#include "verification/claims/operator_identities.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -78,7 +85,33 @@ Finding equation_80_table_4(const Bench&) {
   return finding;
 }
 
-Finding equation_81(const Bench& bench) {
+Finding equation_81(const Bench&) {
+  Finding finding;
+  require_error_by_inverse(finding);
+  require_neumann_series(finding);
+  // Y is the inverse of I - T.
+  const Operator one(1);
+  const Operator t("K");
+  const Operator y("Y");
+  const OperatorRelations inverse({{.product = "KY", .replacement = y - one},  //
+                                   {.product = "YK", .replacement = y - one}});
+  finding.require("words of (I - T)^-1 - (I + T (I - T)^-1)", IsExactly{0},
+                  inverse.differing_words(y, one + t * y));
+  finding.control("words of the same for any other operator in its place", IsExactly{0},
+                  OperatorRelations({}).differing_words(y, one + t * y));
+  // y <= 1 + gamma y: 1 less (1 - gamma) y is what is left over, e >= 0, so that 1/(1 - gamma) - y has no
+  // negative coefficient in e and in d = 1 - gamma > 0.
+  const RationalFunction d = RationalFunction::variable("d");
+  const RationalFunction e = RationalFunction::variable("e");
+  const auto norm_of_inverse = [&](const RationalFunction& left_over) { return (1 - left_over) / d; };
+  finding.require("negative coefficients of 1/(1 - gamma) - y, where y + e = 1 + gamma y", IsExactly{0},
+                  negative_terms(1 / d - norm_of_inverse(e)));
+  finding.control("the same where y = 1 + gamma y + e", IsExactly{0},
+                  negative_terms(1 / d - norm_of_inverse(-e)));
+  return finding;
+}
+
+Finding equation_81_cube(const Bench& bench) {
   const Rational rho(2, 5);
   const Rational inverse = 1 / (1 - norm_of_interpolation(Rational(1, 6)) * rho);
   const AtMost bound{.value = inverse.to_double(),
@@ -91,8 +124,9 @@ Finding equation_81(const Bench& bench) {
   for (int level = 0; level <= finest; ++level) {
     const double leg = std::ldexp(1.0, -level);
     const auto quotient = [&](const Problem& of) {
-      const double error = bench.levels.level(of, level).result.uniform_error.value().value;
-      return Approximation{.value = error / interpolation_error(leg), .radius = 1e-9};
+      const Approximation error = as_sampled(bench.levels.level(of, level).result.uniform_error.value());
+      return Approximation::estimated(error.value / interpolation_error(leg),
+                                      error.radius / interpolation_error(leg));
     };
     const std::string at = ", level " + std::to_string(level);
     finding.require("norm of (u - u_n)/norm of (u - P_n u), cube, rho = 2/5" + at, bound, quotient(problem));
@@ -114,11 +148,10 @@ Finding equation_81(const Bench& bench) {
   finding.control("norm of the inverse of I - K_n, cube, rho = 15/16, level 0", below_8, brighter.inverse);
   // (80) is false for rho near 1, and the part of the error that is constant on S grows like 1/(1 - rho).
   const Problem far_beyond = linear_problem_with_solution("cube", {}, "9999/10000", "x^2 + y^2 + z^2");
-  finding.control(
-      "norm of (u - u_n)/norm of (u - P_n u), cube, rho = 9999/10000, level 0", bound,
-      Approximation{.value = bench.levels.level(far_beyond, 0).result.uniform_error.value().value /
-                             interpolation_error(1),
-                    .radius = 1e-9});
+  const Approximation far_off = as_sampled(bench.levels.level(far_beyond, 0).result.uniform_error.value());
+  finding.control("norm of (u - u_n)/norm of (u - P_n u), cube, rho = 9999/10000, level 0", bound,
+                  Approximation::estimated(far_off.value / interpolation_error(1),
+                                           far_off.radius / interpolation_error(1)));
   return finding;
 }
 

@@ -7,15 +7,14 @@
 // determinant of the nodes is that of the lattice times (1 - 3 alpha)^(r (r + 1)(r + 2)/3), as the scaling
 // has the eigenvalue (1 - 3 alpha)^k on the k + 1 polynomials of degree k.
 //
-// Checked      L_k(m/r) = delta_km, exactly, r = 0 to 8; l_k(x) = L_k(y) as identities in alpha, L_k by
+// Checked      l_k(q_m) = delta_km for every r >= 1 and every alpha: lattice_functions.h. The library's
+//              L_k(m/r) = delta_km, exactly, r = 0 to 8; l_k(x) = L_k(y) as identities in alpha, L_k by
 //              inverting a matrix and l_k by the library's product, at as many points as settle an equality
 //              in P_r, r = 0 to 4. For r = 0 to 4 (5 beyond quick) and four alphas besides: the determinant;
 //              sum g(q_j) l_j = g for every monomial g of degree <= r on the reference triangle and on a
-//              scalene one, (27); not for s^(r+1). Rejected: the functions of the lattice at other nodes; two
-//              nodes in one place.
-// Not checked  r above 8, but by L_k: a factor of L_k(m/r) is zero if m_i < k_i for some i, and m != k has
-//              such an
-// i. (15) has g in C(S) for g in C(sigma).
+//              scalene one, (27); not for s^(r+1). Rejected: the functions of the lattice at other nodes;
+//              two nodes in one place.
+// Not checked  that P_r has the dimension f_r. (15) has g in C(S) for g in C(sigma).
 
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/polynomial/lagrange_functions.h"
@@ -23,6 +22,7 @@
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
 #include "verification/claims/ac98/collocation/differing_coefficients.h"
+#include "verification/claims/m06/section_2/lattice_functions.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -107,6 +107,7 @@ Finding equation_14(const Bench& bench) {
   const Corners sigma{{{0, 0}, {0, 1}, {1, 0}}};
   const Corners scalene{{{Rational(7, 3), -2}, {5, Rational(9, 4)}, {Rational(-1, 5), 8}}};
   Finding finding;
+  require_delta_at_the_nodes(finding);
   const IsExactly none{0};
   for (int r = 0; r <= 8; ++r) {
     const std::string of = ", r = " + std::to_string(r);

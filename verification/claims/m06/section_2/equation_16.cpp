@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Checked      As identities in alpha, for r = 0 to 8: the rule (16) integrates every polynomial of degree <=
-//              r over sigma. (28): an affine m_tau takes P_r to P_r and multiplies integrals by 2 Area, so
-//              that the rule with the nodes m_tau(q_j) and the weights 2 Area omega_j does the same over tau;
-//              on a scalene and a thin triangle once more, against the integral by Green's theorem, as
+// Checked      l_k(q_m) = delta_km for every r >= 1 and every alpha, lattice_functions.h: interpolation
+//              takes a polynomial of degree <= r to itself, and the rule is the integral of that. For r = 0
+//              to 8 as identities in alpha of the library's rule, which integrates every such polynomial
+//              over sigma. (28): an affine m_tau takes P_r to P_r and multiplies integrals by 2 Area, so
+//              that the rule with the nodes m_tau(q_j) and the weights 2 Area omega_j does the same over
+//              tau; on a scalene and a thin triangle once more, against the integral by Green's theorem, as
 //              identities in alpha for every monomial of degree <= r in x and y, r = 1 to 4. At alpha = 1/10
 //              and r >= 1 the degree is r and no more.
-// Not checked  r above 8. When it is more: alpha_0.
+// Not checked  When the degree is more: alpha_0.
 
 #include "radcert/polynomial/nodes/inset_family.h"
 #include "verification/claims/ac98/collocation/differing_coefficients.h"
 #include "verification/claims/ac98/surfaces/planar_rule.h"
+#include "verification/claims/m06/section_2/lattice_functions.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -88,6 +91,7 @@ Rational coefficients_on(const std::vector<PlanarPoint>& tau, const InsetFamily&
 
 Finding equation_16(const Bench&) {
   Finding finding;
+  require_delta_at_the_nodes(finding);
   constexpr int largest_degree = 8;
   for (int r = 0; r <= largest_degree; ++r) {
     const InsetFamily family(r);

@@ -5,17 +5,20 @@
 // (x - alpha)/(1 - 3 alpha) each of the r factors of l_k = prod (r y_i - a)/(k_i - a) is at most 2r/(1 - 3
 // alpha): |y_i| <= 1/(1 - 3 alpha), a < r. So the norm is at most f_r (2r/(1 - 3 alpha))^r, for every alpha.
 //
-// Checked      P_n is a projection: l_i(q_j) is 1 for i = j and 0 otherwise, exactly, r = 1 to 5. Its norm:
-//              (1 + alpha)/(1 - 3 alpha) for r = 1, as an identity in alpha and at three alphas; for r = 2 to
-//              5 at alpha = 1/10 enclosed by Bernstein bounds, and equal to sum |l_j| at a corner of sigma to
-//              the width of the enclosure, and below the bound. Rejected: the l_j at other nodes; alpha = 0,
-//              where the corner is not the place of the maximum; alpha near 1/3 against the bound for 1/10.
+// Checked      P_n is a projection, l_i(q_j) = delta_ij, and the bound of its norm, for every r >= 1 and
+//              every alpha: lattice_functions.h. The library's l_i at alpha = 1/10, exactly, r = 1 to 5. The
+//              norm: (1 + alpha)/(1 - 3 alpha) for r = 1, as an identity in alpha and at three alphas; for r
+//              = 2 to 5 at alpha = 1/10 enclosed by Bernstein bounds, and equal to sum |l_j| at a corner of
+//              sigma to the width of the enclosure, and below the bound. Rejected: the l_j at other nodes;
+//              alpha = 0, where the corner is not the place of the maximum; alpha near 1/3 against the bound
+//              for 1/10.
 // Not checked  that the corner is the place of the maximum for other alphas and r.
 
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "verification/claims/ac98/collocation/differing_coefficients.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/m06/section_2/lattice_functions.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -62,6 +65,8 @@ Finding equation_17(const Bench& bench) {
   const double within = 2 * tolerance.to_double();
   const BallPrecision precision(128);
   Finding finding;
+  require_delta_at_the_nodes(finding);
+  require_bound_of_the_functions(finding);
   const RationalPolynomial a = RationalPolynomial::variable();
   finding.require("r = 1: coefficients of the norm that are not those of (1 + alpha)/(1 - 3 alpha)",
                   IsExactly{0}, ac98::differing_coefficients(linear_lebesgue_constant(), {1 + a, 1}));

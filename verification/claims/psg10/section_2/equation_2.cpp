@@ -5,23 +5,25 @@
 // Checked      The change of variables, for all surfaces: v = y - x, tangents a and b at y. By the quotient
 //              rule the direction v/|v| has the derivatives (|v|^2 a - v (v.a))/|v|^3 and the same with b.
 //              Their vector product is v (v.(a x b))/|v|^4, an identity of polynomials in the nine
-//              coordinates: its length is dv = cos' dy/d^2, with cos' = n(y).(y -> x). So H dv = cos cos'/d^2
-//              dy on what x sees, V = 1 and both cosines positive. Rejected: projection from x onto a plane
-//              in the place of the sphere. K dy is dv/(4 pi), the share of all directions. (4) has H K dy:
-//              with dv the area on the unit sphere 1/(4 pi) of (2), with dv the mean over the sphere the
-//              same; the paper does not say which. The same by enclosed integrals for a disk of radius 2 seen
-//              from height 1 above its middle, rejected without the cosines. The albedo is what a surface of
-//              any beta gives back of light 1 from all sides, over beta: with rho = 2 beta (2) gives 2 pi,
-//              (4) with (5) 1/2; both are linear in rho. rho = beta/pi in (2), or 4 beta in (4) and (5),
-//              gives 1, and the kernel beta cos cos'/(pi d^2): (1) is then the radiosity equation. Rejected:
-//              H = 1.
+//              coordinates: its length is dv = cos' dy/d^2, with cos' = n(y).(y -> x). So H dv = cos
+//              cos'/d^2 dy on what x sees, V = 1 and both cosines positive. Rejected: projection from x onto
+//              a plane in the place of the sphere. K dy is dv/(4 pi), the share of all directions. (4) has H
+//              K dy: with dv the area on the unit sphere 1/(4 pi) of (2), with dv the mean over the sphere
+//              the same; the paper does not say which. The same by enclosed integrals for a disk of radius 2
+//              seen from height 1 above its middle, rejected without the cosines. The albedo is what a
+//              surface of any beta gives back of light 1 from all sides, over beta: with rho = 2 beta (2)
+//              gives 2 pi where dv is the area, 1/2 where it is the mean over the sphere, and 1 where it is
+//              the mean over the half that the surface faces, by which (4) with (5) is half of (2) and no
+//              integral over all directions is meant; (4) with (5) gives 1/2. All are linear in rho. rho =
+//              beta/pi in (2) with the area, 4 beta with the mean, or 4 beta in (4) and (5), gives 1, and
+//              the kernel beta cos cos'/(pi d^2): (1) is then the radiosity equation. Rejected: H = 1.
 // Not checked  surfaces that are not Lambertian.
 
 #include <string>
 
 #include "radcert/enclosure/interval_integral.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/claims/psg10/algebra/rational_function.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
@@ -116,12 +118,32 @@ void require_change_of_variables(Finding& finding) {
 
 Finding equation_2(const Bench&) {
   const BallPrecision precision(160);
-  const Ball all = over_directions(Ball(0));
+  // dv is the area on the unit sphere, or the mean over it: the paper does not say.
+  const Ball by_area = over_directions(Ball(0));
+  const Ball all_directions = Ball(2) * solid_angle(Ball(0));
+  const Ball by_mean = by_area / all_directions;
+  const Ball by_half = by_area / solid_angle(Ball(0));
   Finding finding;
-  finding.require("light given back by (2), over beta, rho = 2 beta", albedo(), Ball(2) * all);
-  finding.instead("light given back by (2), over beta, rho = beta/pi", albedo(), all / Ball::pi());
-  finding.control("light given back by (2), over beta, rho = beta/pi, H = 1", albedo(),
+  finding.require("light given back by (2), over beta, rho = 2 beta, dv the area", albedo(),
+                  Ball(2) * by_area);
+  finding.require("light given back by (2), over beta, rho = 2 beta, dv the mean over all directions",
+                  albedo(), Ball(2) * by_mean);
+  finding.instead("light given back by (2), over beta, rho = beta/pi, dv the area", albedo(),
+                  by_area / Ball::pi());
+  finding.instead("light given back by (2), over beta, rho = 4 beta, dv the mean over all directions",
+                  albedo(), Ball(4) * by_mean);
+  finding.instead("light given back by (2), over beta, rho = 2 beta, dv the mean over the half sphere",
+                  albedo(), Ball(2) * by_half);
+  finding.control("light given back by (2), over beta, rho = beta/pi, dv the area, H = 1", albedo(),
                   solid_angle(Ball(0)) / Ball::pi());
+  finding.control("light given back by (2), over beta, rho = 4 beta, dv the mean over all directions, H = 1",
+                  albedo(), Ball(4) * solid_angle(Ball(0)) / all_directions);
+  // The disk of equation_4: what (2) gives by the half sphere, against (4).
+  const AgreesWith printed{.value = over_disk() * factor_of_5(), .within = 1e-20};
+  finding.instead("Int H dv over the disk, dv the mean over all directions, against (4) with (5)", printed,
+                  over_directions(rim()) / all_directions);
+  finding.control("the same, dv the mean over the half sphere", printed,
+                  over_directions(rim()) / solid_angle(Ball(0)));
   return finding;
 }
 

@@ -21,7 +21,7 @@
 #include "radcert/enclosure/interval_integral.h"
 #include "radcert/scalar/dual.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/claims/psg10/algebra/rational_function.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {

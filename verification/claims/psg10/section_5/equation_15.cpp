@@ -26,9 +26,9 @@
 #include <vector>
 
 #include "radcert/meshless/radial_element.h"
-#include "verification/claims/psg10/algebra/rational_function.h"
 #include "verification/claims/psg10/ball_sites.h"
 #include "verification/claims/psg10/exact_sites.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {

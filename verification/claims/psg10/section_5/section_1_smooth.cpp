@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "radcert/meshless/mother_function.h"
-#include "verification/claims/psg10/algebra/rational_function.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {

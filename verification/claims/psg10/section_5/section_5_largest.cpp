@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "radcert/meshless/mother_function.h"
-#include "verification/claims/psg10/algebra/rational_function.h"
 #include "verification/claims/psg10/exact_sites.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {

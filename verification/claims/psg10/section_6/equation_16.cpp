@@ -2,16 +2,17 @@
 
 // The three bases.
 //
-// Checked      (16), for one to four sites at any distances r_i, identities of rational functions: the closed
-//              form without a division by zero is psi_i / sum_j psi_j, psi = 1/r^2, rejected for 1/r^4; at
-//              r_j = 0 it is delta_ij; elements sum to 1. Near a site 1 - phi_j = u Q/(1 + u Q) <= u Q, u =
-//              r_j^2 and Q the sum of 1/r_i^2 over the others, however many, so that phi_j tends to 1 and the
+// Checked      (16), for any number of sites at any distances r_i, by induction on their number, identities
+//              of rational functions: the closed form without a division by zero is psi_i / sum_j psi_j, psi
+//              = 1/r^2, rejected for 1/r^4; at r_j = 0 it is delta_ij; elements sum to 1. The library's form
+//              is that one, for one to four sites. Near a site 1 - phi_j = u Q/(1 + u Q) <= u Q, u = r_j^2
+//              and Q the sum of 1/r_i^2 over the others, however many, so that phi_j tends to 1 and the
 //              others to 0 as u does; rejected for 1/(e + r^2). Two sites at one point, as on an edge, whose
 //              normals have the cosine c: on the way to them along the first normal phi_1 is 1/(1 + c^2), at
 //              any distance. (17): 1 at the centroid; the element of another site within 90 degrees and 4
-//              alpha is positive there, so that it is not interpolated and the sum exceeds 1; rejected for K,
-//              which is 0 beyond alpha. (18): as printed, with the normals in the place of the points, all
-//              distances in a plane are 0 and all elements K(0); with the points they are the library's.
+//              alpha is positive there, so that it is not interpolated and the sum exceeds 1; rejected for
+//              K, which is 0 beyond alpha. (18): as printed, with the normals in the place of the points,
+//              all distances in a plane are 0 and all elements K(0); with the points they are the library's.
 //              Figure 6: four sites on a line in a plane, at 0, 1, 2, 3, values 1, 3, 2, 4, radii 2: the
 //              matrix phi_j(p_i) is regular for all three, by its determinant. With the values as
 //              coefficients f interpolates for Shepard's basis alone; beside the sites not for Shepard's.
@@ -25,8 +26,9 @@
 
 #include "radcert/meshless/radial_element.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/claims/psg10/algebra/rational_function.h"
+#include "verification/claims/psg10/element_lists.h"
 #include "verification/claims/psg10/exact_sites.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
@@ -46,36 +48,46 @@ Row symbols(const std::string& name, std::size_t count) {
   return row;
 }
 
-/// Terms in which the closed form that has no division by zero is not delta_ij at a site, of one to four.
-Rational not_delta() {
+/// Terms in which the closed form that has no division by zero differs from psi_i / sum_j psi_j among any
+/// number of sites, psi = S(r), or, to be rejected, S(r)^2.
+Rational not_the_formula(bool squared) {
+  const auto raw = [squared](const Function& r) {
+    return squared ? inverse_square(r) * inverse_square(r) : inverse_square(r);
+  };
+  const Function next = symbol("r");
+  const Rational otherwise = left_over_by_induction(
+      OtherSites::none(), OtherSites::any(),
+      [&](const OtherSites& before) { return before.with(next * next, raw(next)); },
+      [](const OtherSites& others) {
+        return differing_terms(others.without_one, others.product * others.inverses);
+      });
+  const Function own = symbol("r_i");
+  const OtherSites others = OtherSites::any();
+  return otherwise +
+         differing_terms(shepard_element(own * own, others), raw(own) / (raw(own) + others.inverses));
+}
+
+/// Terms in which the library's form differs from that one, for one to four sites.
+Rational not_of_library() {
   Rational terms(0);
-  for (std::size_t count = 1; count <= most_sites; ++count)
-    for (std::size_t own = 0; own < count; ++own) {
-      Row squares = symbols("u", count);
-      squares[own] = 0;
-      const Row values = shepard_values<Function>(squares);
-      for (std::size_t i = 0; i < count; ++i) terms += differing_terms(values[i], i == own ? 1 : 0);
+  for (std::size_t count = 1; count <= most_sites; ++count) {
+    const Row squares = symbols("u", count);
+    const Row values = shepard_values<Function>(squares);
+    for (std::size_t i = 0; i < count; ++i) {
+      OtherSites others = OtherSites::none();
+      for (std::size_t k = 0; k < count; ++k)
+        if (k != i) others = others.with(squares[k], 1 / squares[k]);
+      terms += differing_terms(values[i], shepard_element(squares[i], others));
     }
+  }
   return terms;
 }
 
-/// Terms in which it is not psi_i / sum_j psi_j, psi = S(r), or, to be rejected, S(r)^2; the distances are
-/// symbols.
-Rational not_the_formula(bool squared) {
-  Rational terms(0);
-  for (std::size_t count = 1; count <= most_sites; ++count) {
-    const Row distances = symbols("r", count);
-    Row squares;
-    Row raw;
-    for (const Function& r : distances) {
-      squares.push_back(r * r);
-      raw.push_back(squared ? inverse_square(r) * inverse_square(r) : inverse_square(r));
-    }
-    const Row stated = normalised(raw);
-    const Row values = shepard_values<Function>(squares);
-    for (std::size_t i = 0; i < count; ++i) terms += differing_terms(values[i], stated[i]);
-  }
-  return terms;
+/// Terms in which the closed form at a site is not delta_ij.
+Rational not_delta() {
+  const OtherSites with_own = OtherSites::any().with(0, symbol("psi_j"));
+  return differing_terms(shepard_element(0, OtherSites::any()), 1) +
+         differing_terms(shepard_element(symbol("u"), with_own), 0);
 }
 
 /// Negative coefficients of |p,p_j|^2 Q - (1 - phi_j), Q the sum of 1/|p,p_i|^2 over the others, whatever
@@ -85,19 +97,6 @@ Rational not_tending_to_one(const Function& shift) {
   const Function others = symbol("Q");
   const Function raw = 1 / (shift + own);
   return negative_terms(own * others - (1 - raw / (raw + others)));
-}
-
-/// Terms in which the elements do not sum to 1, or, not normalised, the raw ones do not.
-Rational not_one(bool normalise) {
-  Rational terms(0);
-  for (std::size_t count = 1; count <= most_sites; ++count) {
-    const Row squares = symbols("u", count);
-    Function sum(0);
-    for (const Function& value : normalise ? shepard_values<Function>(squares) : squares)
-      sum += normalise ? value : 1 / value;
-    terms += differing_terms(sum, 1);
-  }
-  return terms;
 }
 
 /// phi_1 at any distance from two sites at one point, with the normal of the first; c is the cosine of their
@@ -195,15 +194,21 @@ Ball largest_miss(const BallMatrix4& a) {
 
 Finding equation_16(const Bench&) {
   Finding finding;
-  finding.require("terms in which the elements at a site are not delta_ij", IsExactly{0}, not_delta());
-  finding.require("terms in which the elements are not psi_i over the sum of psi_j", IsExactly{0},
-                  not_the_formula(false));
+  finding.require("terms in which the elements at a site are not delta_ij, any number of sites", IsExactly{0},
+                  not_delta());
+  finding.control("the same for the element at a place that is no site", IsExactly{0},
+                  differing_terms(shepard_element(symbol("u"), OtherSites::any()), 0));
+  finding.require("terms in which the elements are not psi_i over the sum of psi_j, any number of sites",
+                  IsExactly{0}, not_the_formula(false));
   finding.control("the same, psi the fourth power of the inverse distance", IsExactly{0},
                   not_the_formula(true));
+  finding.require("terms in which the library's elements are others, one to four sites", IsExactly{0},
+                  not_of_library());
   finding.require("negative coefficients of |p,p_j|^2 Q - (1 - phi_j)", IsExactly{0}, not_tending_to_one(0));
   finding.control("the same with 1/(e + r^2) for 1/r^2", IsExactly{0}, not_tending_to_one(symbol("e")));
-  finding.require("terms in which the elements do not sum to 1", IsExactly{0}, not_one(true));
-  finding.control("terms in which the raw elements do not sum to 1", IsExactly{0}, not_one(false));
+  finding.require("terms in which any number of elements do not sum to 1", IsExactly{0},
+                  not_divided(DividedElements::total()));
+  finding.control("terms in which any number of raw elements do not sum to 1", IsExactly{0}, not_divided(1));
   return finding;
 }
 

@@ -2,26 +2,28 @@
 
 // The blocks of (24).
 //
-// Checked      (24): the right sides of (22) and (23) with unknowns b_1..b_m, d_1..d_n, their F, weights
-//              and radii, all of them symbols, m = 2, n = 3, k = 2. They are affine: the columns of R are
-//              what they give for unit vectors less what they give for 0, which is epsilon; then epsilon +
-//              R lambda is what they give for lambda. The blocks of R that take b to b and d to d are 0.
-//              Each entry is a sum of terms of one kind over j or i and s, so that larger m, n and k add
-//              terms like these. As m and n differ, no block is square. Rejected: a sphere with a dent,
-//              which lights itself; an albedo that grows with the light. section_8_blocks: R as in (24)
-//              with symbols for the entries of M and N, and its transpose, applied to unit vectors. By
-//              (24) and lambda = epsilon + R lambda band j of the disk changes b_i by M_ij, and ring i of
-//              the sphere changes d_j by N_ji: the sentence is wrong. By the transpose it is right: that
-//              is (24) with lambda as a row, or with its blocks exchanged, which the letters of (25) ask
-//              for, N_ji having the F_isj of (22), or with d before b in lambda. What the sentence says is
-//              open between the two. Rejected: the entry beside N_ji.
+// Checked      (24): the right sides of (22) and (23) with unknowns b_1..b_m, d_1..d_n, their F, weights and
+//              radii, all of them symbols, m = 2, n = 3, k = 2. They are affine: the columns of R are what
+//              they give for unit vectors less what they give for 0, which is epsilon; then epsilon + R
+//              lambda is what they give for lambda. The blocks of R that take b to b and d to d are 0. For
+//              any m, n and k by induction on the unknowns: a right side with one more unknown of the other
+//              surface, whose coefficient is any number, as the sum over s is, or of the same one, of which
+//              it does not depend. As m and n differ, no block is square. Rejected: a sphere with a dent,
+//              which lights itself; an albedo that grows with the light. section_8_blocks: R as in (24) with
+//              symbols for the entries of M and N, and its transpose, applied to unit vectors. By (24) and
+//              lambda = epsilon + R lambda band j of the disk changes b_i by M_ij, and ring i of the sphere
+//              changes d_j by N_ji: the sentence is wrong. By the transpose it is right: that is (24) with
+//              lambda as a row, or with its blocks exchanged, which the letters of (25) ask for, N_ji having
+//              the F_isj of (22), or with d before b in lambda. What the sentence says is open between the
+//              two. Rejected: the entry beside N_ji.
 // Not checked  what (25) gives for M and N: equation_25.
 
 #include <algorithm>
 #include <string>
 #include <vector>
 
-#include "verification/claims/psg10/algebra/rational_function.h"
+#include "verification/claims/induction.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
@@ -125,6 +127,27 @@ Rational terms_not_affine(const RightSides& right) {
   return terms;
 }
 
+/// A right side with any number of unknowns: what it gives for lambda, and epsilon + R lambda, whose columns
+/// are what it gives for unit vectors less what it gives for 0.
+struct RightSide {
+  Function given;
+  Function affine;
+};
+/// Terms in which the two differ for any number of unknowns, one more adding `added(x)` for its value x.
+template <class Added>
+Rational terms_not_affine_for_any_number(const Added& added) {
+  const Function emission = symbol("epsilon");
+  const Function so_far = symbol("so far");
+  const Function x = symbol("x");
+  return left_over_by_induction(
+      RightSide{emission, emission}, RightSide{so_far, so_far},
+      [&](const RightSide& before) {
+        const Function column = (emission + added(1)) - emission;
+        return RightSide{before.given + added(x), before.affine + column * x};
+      },
+      [](const RightSide& side) { return differing_terms(side.given, side.affine); });
+}
+
 Function entry_of_m(std::size_t i, std::size_t j) { return symbol("M", i, j); }
 Function entry_of_n(std::size_t j, std::size_t i) { return symbol("N", j, i); }
 
@@ -179,6 +202,13 @@ Finding equation_24(const Bench&) {
                   terms_not_affine(right_sides));
   finding.control("the same for an albedo that grows with the light", IsExactly{0},
                   terms_not_affine(with_growing_albedo));
+  const Function coefficient = symbol("coefficient");
+  finding.require("the same for any number of unknowns, one more of the other surface", IsExactly{0},
+                  terms_not_affine_for_any_number([&](const Function& x) { return coefficient * x; }));
+  finding.require("the same, one more of the same surface", IsExactly{0},
+                  terms_not_affine_for_any_number([](const Function&) { return Function(0); }));
+  finding.control("the same for any number of unknowns, the square of one", IsExactly{0},
+                  terms_not_affine_for_any_number([&](const Function& x) { return coefficient * x * x; }));
   return finding;
 }
 

@@ -20,8 +20,8 @@
 #include <array>
 #include <string>
 
-#include "verification/claims/psg10/algebra/rational_function.h"
 #include "verification/claims/psg10/section_8/ray_on_sphere.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {

@@ -9,7 +9,7 @@
 #include "radcert/scalar/rational.h"
 #include "radcert/scalar/real.h"
 
-namespace radcert::verification::psg10 {
+namespace radcert::verification {
 
 /// A polynomial of several variables with rational coefficients, exactly.
 /// Maths     sum_k a_k X^k, k over exponents of named variables; the ring Q[x, y, ...]
@@ -90,13 +90,13 @@ struct SquareRule {
 /// Result    0 proves f >= 0 wherever no variable is negative and the denominator is not 0
 [[nodiscard]] Rational negative_terms(const RationalFunction& f);
 
-}  // namespace radcert::verification::psg10
+}  // namespace radcert::verification
 
 namespace radcert {
 
 template <>
-struct Constants<verification::psg10::RationalFunction> {
-  static verification::psg10::RationalFunction from_rational(const Rational& q) { return q; }
+struct Constants<verification::RationalFunction> {
+  static verification::RationalFunction from_rational(const Rational& q) { return q; }
 };
 
 }  // namespace radcert

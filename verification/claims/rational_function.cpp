@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "verification/claims/psg10/algebra/rational_function.h"
+#include "verification/claims/rational_function.h"
 
 #include <algorithm>
 
 #include "radcert/core/contract.h"
 
-namespace radcert::verification::psg10 {
+namespace radcert::verification {
 
 Polynomial::Polynomial(const Rational& constant) { add({}, constant); }
 
@@ -108,4 +108,4 @@ Rational negative_terms(const RationalFunction& f) {
   return static_cast<long>(of(f.above) + of(f.below));
 }
 
-}  // namespace radcert::verification::psg10
+}  // namespace radcert::verification
