@@ -13,6 +13,7 @@
 #include "radcert/hypotheses/convex_containment.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
+#include "radcert/study/guarantee/means_certificate.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
 
@@ -188,7 +189,28 @@ public:
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
       const GuaranteeListener& progress) const override {
-    const auto tell = [&](const EnclosureProgress& now) {
+    return guarantee_.of == EnclosedQuantity::function ? function(wanted(), told(progress))
+                                                       : numbers(wanted(), told(progress));
+  }
+
+  [[nodiscard]] bool has_certificate() const override { return true; }
+  [[nodiscard]] CertifiedMeans certified(const GuaranteeListener& progress) const override {
+    const GoalEnclosure found = enclose_means(polyhedron_, certified_share * wanted(), told(progress), true);
+    auto [level, enclosure] = result_of(found, false);
+    CertifiedMeans out{
+        .level = std::move(level),
+        .enclosure = std::move(enclosure),
+        .certificate = means_certificate(polyhedron_, surface_.piece_names(), found.proof.get())};
+    if (out.certificate.width <= guarantee_.width)
+      out.enclosure.hindrance.clear();
+    else if (out.enclosure.hindrance.empty())
+      out.enclosure.hindrance = "the certificate has the width " + upper_text(out.certificate.width);
+    return out;
+  }
+
+private:
+  [[nodiscard]] static EnclosureListener told(const GuaranteeListener& progress) {
+    return [&progress](const EnclosureProgress& now) {
       if (progress)
         progress({.layers = now.layers,
                   .degree = now.degree,
@@ -196,12 +218,9 @@ public:
                   .samples = now.samples,
                   .width = now.width});
     };
-    // A double from below: what is reached is then within what was asked for.
-    const double wanted = guarantee_.width.to_double() * (1 - unit_roundoff<double>());
-    return guarantee_.of == EnclosedQuantity::function ? function(wanted, tell) : numbers(wanted, tell);
   }
-
-private:
+  /// A double from below: what is reached is then within what was asked for.
+  [[nodiscard]] double wanted() const { return guarantee_.width.to_double() * (1 - unit_roundoff<double>()); }
   [[nodiscard]] LevelResult level_of(const EnclosureProgress& last) const {
     LevelResult level;
     level.level = last.layers;
@@ -216,10 +235,15 @@ private:
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> numbers(double wanted,
                                                                   const EnclosureListener& tell) const {
-    const std::vector<std::string> names = surface_.piece_names();
     const bool of_values = guarantee_.of == EnclosedQuantity::values;
     const GoalEnclosure found = of_values ? enclose_values(polyhedron_, points_, wanted, tell)
                                           : enclose_means(polyhedron_, wanted, tell);
+    return result_of(found, of_values);
+  }
+
+  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> result_of(const GoalEnclosure& found,
+                                                                    bool of_values) const {
+    const std::vector<std::string> names = surface_.piece_names();
     if (!std::isfinite(found.width))
       throw AccuracyNotReached(of_values ? "the values of u" : "the means of u", found.hindrance);
     SolutionEnclosure enclosure{.wanted = guarantee_, .width = found.width, .hindrance = found.hindrance};
