@@ -11,9 +11,6 @@
 
 namespace radcert::app {
 
-namespace {
-
-/// As many digits as the radius leaves, and one more.
 DecimalForm form_of(const Approximation& number) {
   constexpr int most = 17;
   if (!(number.radius > 0)) return DecimalForm::general(most);
@@ -21,6 +18,8 @@ DecimalForm form_of(const Approximation& number) {
   const double digits = std::floor(std::log10(size)) - std::floor(std::log10(number.radius)) + 2;
   return DecimalForm::general(static_cast<int>(std::clamp(digits, 1.0, static_cast<double>(most))));
 }
+
+namespace {
 
 std::string coordinates(const Vector<Rational>& p) {
   return p.x.to_text() + "," + p.y.to_text() + "," + p.z.to_text();

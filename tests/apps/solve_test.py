@@ -75,6 +75,51 @@ class Solve(ProgramTest):
         for name in ["folder", "a.vtu", "a.ply"]:
             self.assertFalse(os.path.exists(self.path(name)), name)
 
+    def test_a_certificate_is_verified_and_refused_where_it_was_changed(self):
+        furnace = {"schema": "radcert/problem/1", "surface": {"name": "tetrahedron"}, "triangulation": {"levels": [0]},
+                   "basis": {"family": "inset", "degree": 0}, "reflectivity": "1/4", "emission": "3/4"}
+        self.write("furnace.json", furnace)
+        self.expect(0, "solve", "furnace.json", "--guarantee", "1/5", "--certificate", "c.json")
+        with open(self.path("c.json"), encoding="utf-8") as file:
+            text = file.read()
+        certificate = json.loads(text)
+        jsonschema.validate(certificate, json.loads(self.expect(0, "schema", "certificate")))
+        self.assertLessEqual(float(certificate["width"]), 0.2)
+        for mean in certificate["means"]:
+            self.assertLessEqual(abs(float(mean["midpoint"]) - 1), float(mean["radius"]), mean["piece"])
+        report = json.loads(self.expect(0, "check", "c.json", "--part", "3", "--json", "-"))
+        jsonschema.validate(report, json.loads(self.expect(0, "schema", "check")))
+        self.assertTrue(report["verified"])
+        self.assertEqual(len(report["looked_at"]), 3)
+        other = json.loads(self.expect(0, "check", "c.json", "--part", "3", "--seed", "other", "--json", "-"))
+        self.assertNotEqual(report["looked_at"], other["looked_at"])
+        table = self.expect(0, "check", "c.json", "--part", "0.01")
+        self.assertIn("verified", table)
+        # Another number without the digest that belongs to it.
+        certificate["means"][0]["midpoint"] = "0.5"
+        self.write("changed.json", certificate)
+        self.assertIn("/digest", self.expect(1, "check", "changed.json"))
+        del certificate["digest"]
+        self.write("changed.json", certificate)
+        self.expect(2, "check", "changed.json")
+        for name, wrong in [("half.json", text[:len(text) // 2]), ("empty.json", ""), ("other.json", "{}"),
+                            ("version.json", text.replace("radcert/certificate/1", "radcert/certificate/2")),
+                            ("nan.json", text.replace(certificate["coefficients"][0][:16], "7ff8000000000000", 1)),
+                            ("large.json", text.replace('"radii": [', '"radii": [1e999, ', 1)),
+                            ("short.json", text.replace('"radii": [', '"radii": [1, ', 1)),
+                            ("problem.json", json.dumps(furnace))]:
+            with open(self.path(name), "w", encoding="utf-8") as file:
+                file.write(wrong)
+            self.expect(2, "check", name)
+        for words in [["c.json", "--part", "0"], ["c.json", "--part", "1.5"], ["c.json", "--part", "x"],
+                      ["c.json", "--all", "--part", "3"], ["nothing.json"]]:
+            self.expect(2, "check", *words)
+        for words in [["--guarantee", "1/5", "--of", "values"], ["--guarantee", "1/5", "--of", "function"], []]:
+            self.expect(2, "solve", "furnace.json", *words, "--certificate", "d.json")
+        self.write("ball.json", {**furnace, "surface": {"name": "sphere"}})
+        self.expect(2, "solve", "ball.json", "--guarantee", "1/5", "--certificate", "d.json")
+        self.assertFalse(os.path.exists(self.path("d.json")))
+
     def test_errors_are_null_without_a_solution_and_ratios_are_quotients_with_one(self):
         emitted = json.loads(self.solution(self.write("p.json", small(solution=None, emission="1"))))
         for level in emitted["levels"]:

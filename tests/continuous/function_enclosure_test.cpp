@@ -109,6 +109,14 @@ TEST(LargestResiduals, BoundTheResidualEverywhere) {
     const DemandOf demand(0.02);
     const std::vector<ObserverCell> cells = observer_cells(trial, demand);
     const std::vector<double> largest = largest_residuals(trial, cells, demand);
+    // What rules miss and what a closure leaves is in every bound: a sample of the surface cannot see that.
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (cells[c].is_strip()) continue;
+      EXPECT_GT(cells[c].of_rules, 0);
+      EXPECT_GE(largest[c],
+                interpolation_gain(cells[c].nodes_s, cells[c].nodes_t) * cells[c].of_rules + cells[c].beside);
+      EXPECT_EQ(cells[c].beside > 0, cells[c].closed);
+    }
     const Transport transport(jumping.scene, trial.elements, trial.w);
     Draw draw(12);
     double closest = 0;

@@ -47,6 +47,7 @@ inline Answer verdict(std::string words, std::string note = {}) {
 inline Answer refusal(std::string why) { return {.numbers = {}, .verdict = {}, .note = std::move(why)}; }
 
 std::vector<Case> formula_cases();  ///< scalar, polynomial, geometry, surface
+std::vector<Case> certificate_cases();
 std::vector<Case> continuous_cases();
 std::vector<Case> enclosure_cases();  ///< enclosure, hypotheses
 std::vector<Case> meshless_cases();

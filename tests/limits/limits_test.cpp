@@ -95,6 +95,7 @@ void expect_nothing_false(const std::vector<Case>& cases) {
 
 TEST(Limits, LeaveFormulasTrue) { expect_nothing_false(limits::formula_cases()); }
 TEST(Limits, LeaveSolutionsTrue) { expect_nothing_false(limits::continuous_cases()); }
+TEST(Limits, LeaveCertificatesTrue) { expect_nothing_false(limits::certificate_cases()); }
 TEST(Limits, LeaveEnclosuresTrue) { expect_nothing_false(limits::enclosure_cases()); }
 TEST(Limits, LeaveMeshlessTrue) { expect_nothing_false(limits::meshless_cases()); }
 TEST(Limits, LeavePolygonsTrue) { expect_nothing_false(limits::polygon_cases()); }
@@ -105,7 +106,7 @@ TEST(Limits, HaveACaseEach) {
   std::set<std::string> covered;
   for (const auto& cases : {limits::formula_cases(), limits::enclosure_cases(), limits::meshless_cases(),
                             limits::reference_cases(), limits::polygon_cases(), limits::system_cases(),
-                            limits::continuous_cases()})
+                            limits::continuous_cases(), limits::certificate_cases()})
     for (const Case& one : cases) covered.insert(one.limit);
   std::set<std::string> names;
   for (const WorkLimit* limit : work_limits()) {

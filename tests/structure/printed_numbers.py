@@ -27,6 +27,8 @@ READS_BACK = {
     "lib/radcert/formats/problem/operator.cpp": "constants that are allowed as input",
     "lib/radcert/formats/problem/quadrature.cpp": "constants that are allowed as input",
     "lib/radcert/formats/problem/solver.cpp": "constants that are allowed as input",
+    "lib/radcert/certificate/check.cpp": "what a certificate claims",
+    "lib/radcert/formats/result/certificate_json.cpp": "a certificate, whose means have room for it",
     "lib/radcert/factors/facet_scene.cpp": "coordinates and a length of the input",
     "lib/radcert/geometry/mesh_file/parts.cpp": "a coordinate of the input",
     "lib/radcert/hypotheses/mesh_survey.cpp": "coordinates of the input",

@@ -25,12 +25,14 @@
 #include "radcert/formats/plot/svg_plot.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/problem/problem_parts.h"
+#include "radcert/formats/result/certificate_json.h"
 #include "radcert/formats/result/result_json.h"
 #include "radcert/formats/result/stored_levels.h"
 #include "radcert/formats/table/csv.h"
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/scalar/enclosing_text.h"
+#include "radcert/study/certified_means.h"
 #include "solve_table.h"
 
 namespace radcert::app {
@@ -47,6 +49,7 @@ struct SolveOptions {
   std::vector<std::string> at;
   std::string of;
   std::string outside;
+  std::string certificate;
 };
 
 Outputs checked_outputs(const Common& common, const SolveOptions& options) {
@@ -54,6 +57,7 @@ Outputs checked_outputs(const Common& common, const SolveOptions& options) {
   outputs.file("--nodes", options.nodes);
   outputs.file("--vtu", options.vtu);
   outputs.file("--ply", options.ply);
+  outputs.file("--certificate", options.certificate);
   outputs.folder("--out", options.out);
   return outputs;
 }
@@ -174,7 +178,11 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
   refuse_fields(options, *problem.guarantee);
   const Outputs outputs = checked_outputs(common, options);
   const auto limit = common.limit_threads();
-  with_source(options.problem, [&] { check_guarantee(problem, *problem.guarantee); });
+  const bool certified = !options.certificate.empty();
+  with_source(options.problem, [&] {
+    check_guarantee(problem, *problem.guarantee);
+    if (certified) check_certified(problem, *problem.guarantee);
+  });
   ProgressDisplay display(common.quiet);
   display.at(0, "the first mesh");
   const auto progress = [&](const GuaranteeProgress& now) {
@@ -183,8 +191,13 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
                  " unknowns, " + std::to_string(now.samples) + " points; width " + upper_text(now.width));
     display.at(0, "what comes after degree " + std::to_string(now.degree));
   };
-  auto [level, enclosure] =
-      with_source(options.problem, [&] { return solve_within(problem, *problem.guarantee, progress); });
+  Files files;
+  auto [level, enclosure] = with_source(options.problem, [&]() -> std::pair<LevelResult, SolutionEnclosure> {
+    if (!certified) return solve_within(problem, *problem.guarantee, progress);
+    CertifiedMeans found = certified_means(problem, *problem.guarantee, progress);
+    files.emplace_back(options.certificate, certificate_text(found.certificate, common.command));
+    return {std::move(found.level), std::move(found.enclosure)};
+  });
   const std::string hindrance = enclosure.hindrance;
   const Result result{.problem = problem,
                       .levels = {std::move(level)},
@@ -192,7 +205,6 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
                       .timing = {{}},
                       .enclosure = std::move(enclosure)};
   const std::string json = result_text(result, common.command);
-  Files files;
   if (common.json_to_file()) files.emplace_back(common.json, json);
   if (!options.vtu.empty()) files.emplace_back(options.vtu, vtu_text(*result.enclosure));
   if (!options.nodes.empty()) files.emplace_back(options.nodes, enclosure_csv(*result.enclosure));
@@ -206,6 +218,11 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
 
 ExitCode solve(const Common& common, const SolveOptions& options) {
   if (const Problem asked = problem_of(options); asked.guarantee) return enclose(common, options, asked);
+  if (!options.certificate.empty())
+    throw InputError({.source = "--certificate",
+                      .value = options.certificate,
+                      .problem = "is of an enclosure of u itself, and none is asked for",
+                      .allowed = "--guarantee beside it, or guarantee in the problem"});
   const Outputs outputs = checked_outputs(common, options);
   const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
@@ -273,6 +290,9 @@ void add_solve(Program& program) {
       "Enclose the solution of the equation itself, within this width; the mesh and the degree are "
       "chosen by radcert",
       "WIDTH");
+  command.option("--certificate", options->certificate,
+                 "Write what encloses the means on a polyhedron as a file that radcert check verifies",
+                 "FILE.json");
   command.option("--of", options->of, "What the guarantee is of: " + listed(guaranteed_quantities()), "WORD");
   command.option("--outside", options->outside,
                  "Of a function on a polyhedron: how far from the vertices the width is wanted. Default: a "

@@ -83,10 +83,11 @@ Approximation scaled(const Approximation& x, int exponent) {
 
 class Search {
 public:
-  Search(const ScaledProblem& data, const Goals& goals, double wanted)
+  Search(const ScaledProblem& data, const Goals& goals, double wanted, bool with_proof)
       : data_(data),
         goals_(goals),
         wanted_(wanted),
+        with_proof_(with_proof),
         radius_(std::min(goals.radius(0.5 * std::ldexp(wanted, -data.exponent)), largest_radius)) {
     best_.width = infinity;
     best_.numbers.assign(goals.count(), Approximation::proved(0, infinity));
@@ -179,13 +180,24 @@ private:
       best_.hindrance = "too many cells: the polyhedron is too thin, or its edges are too sharp";
       return true;
     }
-    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand);
+    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_);
     const std::vector<Approximation> of_density = goals_.of_density(trial);
     best_.width = 0;
+    std::vector<double> radii;
     for (std::size_t k = 0; k < goals_.count(); ++k) {
       const double goal = sums.norms[0] * (sums.norms[1 + k] + given.left[k]) / data_.gap * upward;
-      take(k, of_density[k] + sums.products[1 + k] + Approximation::proved(0, goal));
+      const Approximation functional = of_density[k] + sums.products[1 + k] + Approximation::proved(0, goal);
+      radii.push_back(functional.radius);
+      take(k, functional);
     }
+    if (with_proof_)
+      best_.proof = std::make_shared<const GoalProof>(GoalProof{.elements = trial.elements,
+                                                                .q = trial.q,
+                                                                .exponent = data_.exponent,
+                                                                .residuals = sums.elements,
+                                                                .norms = sums.norms,
+                                                                .radii = std::move(radii),
+                                                                .wanted = radius_});
     best_.last = {.layers = layers,
                   .degree = degree,
                   .elements = trial.elements.size(),
@@ -200,6 +212,7 @@ private:
   const ScaledProblem& data_;
   const Goals& goals_;
   double wanted_;
+  bool with_proof_;
   double radius_;  ///< for J_k
   GoalEnclosure best_;
 };
@@ -207,11 +220,11 @@ private:
 }  // namespace
 
 GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
-                            const EnclosureListener& progress) {
+                            const EnclosureListener& progress, bool with_proof) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   const ScaledProblem data(problem);
   const std::unique_ptr<Goals> goals = piece_means(data.scene, data.reflectivity);
-  return Search(data, *goals, wanted)(progress);
+  return Search(data, *goals, wanted, with_proof)(progress);
 }
 
 GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector<SolutionPoint>& points,
@@ -226,7 +239,7 @@ GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector
         value, unit_roundoff<double>() * std::abs(value) + std::numeric_limits<double>::denorm_min()));
   }
   const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, points, emission);
-  return Search(data, *goals, wanted)(progress);
+  return Search(data, *goals, wanted, false)(progress);
 }
 
 }  // namespace radcert

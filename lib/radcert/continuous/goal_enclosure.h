@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "radcert/continuous/elements/graded_elements.h"
+#include "radcert/continuous/elements/tensor_legendre.h"
 #include "radcert/continuous/enclosure_search.h"
 #include "radcert/continuous/polyhedron_problem.h"
+#include "radcert/continuous/residual.h"
 #include "radcert/scalar/approximation.h"
 
 namespace radcert {
+
+/// What an enclosure was concluded from, on the last mesh.
+/// Maths     E and u are 2^exponent times those that q[0] and what belongs to it approximate
+struct GoalProof {
+  std::vector<SectorElement> elements;
+  SectorFunctions q;
+  int exponent = 0;
+  std::vector<ElementResidual> residuals;  ///< by element
+  std::vector<double> norms;               ///< of all residuals
+  std::vector<double> radii;               ///< of J_k(u), and what was wanted of them
+  double wanted = 0;
+};
 
 /// Enclosures of numbers that depend linearly on the solution itself.
 struct GoalEnclosure {
@@ -16,6 +32,8 @@ struct GoalEnclosure {
   double width = 0;                    ///< twice the largest radius
   EnclosureProgress last;
   std::string hindrance = {};  ///< where the width is not the wanted one: what stood in the way
+  /// Where it is asked for and anything reflects.
+  std::shared_ptr<const GoalProof> proof = nullptr;
 };
 
 /// Encloses the mean of u over every piece.
@@ -36,7 +54,7 @@ struct GoalEnclosure {
 ///           ones
 /// Limits    unoccluded; what is reached where the wanted width is not is given with its reason
 [[nodiscard]] GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
-                                          const EnclosureListener& progress = {});
+                                          const EnclosureListener& progress = {}, bool with_proof = false);
 
 /// Encloses u at points.
 /// Maths     u(P) = E(P) + rho(P) J(u), J(u) = T u(P), j = G(P,.)/pi, as above

@@ -119,13 +119,16 @@ private:
     const double more = beside ? beside->bound : 0;
     const auto s = static_cast<std::size_t>(nodes_s - 1);
     const auto t = static_cast<std::size_t>(nodes_t - 1);
+    const double of_rules = in_s.interpolation[s] + in_t.interpolation[t];
     cells_.push_back(
         {.element = number_,
          .box = box,
          .nodes_s = nodes_s,
          .nodes_t = nodes_t,
          .closed = beside.has_value(),
-         .interpolation = in_s.interpolation[s] + in_t.interpolation[t] + 0.5 * more,
+         .of_rules = of_rules,
+         .beside = more,
+         .interpolation = of_rules + 0.5 * more,
          .quadrature = in_s.quadrature[s] + in_t.quadrature[t] + more * smoothness_.density_size(number_)});
     return true;
   }

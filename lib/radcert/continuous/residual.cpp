@@ -263,17 +263,83 @@ private:
 
 }  // namespace
 
-ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells,
-                           const CellDemand& demand) {
+namespace {
+
+/// What cells contribute, one by one, as few numbers.
+class SharesByCell {
+public:
+  SharesByCell(std::size_t cells, std::size_t count) : count_(count), numbers_(cells * (3 * count + 1)) {}
+
+  void put(std::size_t cell, const Share& share) {
+    double* to = numbers_.data() + cell * (3 * count_ + 1);
+    *to++ = share.missed[0];
+    for (std::size_t k = 0; k < count_; ++k) {
+      *to++ = share.squares[k];
+      *to++ = share.products[k];
+      *to++ = share.sampling[k] + share.rounding[k] + share.truncation + share.strips;
+    }
+  }
+  void add_to(Share& sum, std::size_t cell) const {
+    const double* from = numbers_.data() + cell * (3 * count_ + 1);
+    const double missed = *from++;
+    for (std::size_t k = 0; k < count_; ++k) {
+      sum.missed[k] += missed;
+      sum.squares[k] += *from++;
+      sum.products[k] += *from++;
+      sum.sampling[k] += *from++;
+    }
+  }
+
+private:
+  std::size_t count_;
+  std::vector<double> numbers_;
+};
+
+std::vector<ElementResidual> element_residuals(const Trial& trial, std::span<const ObserverCell> cells,
+                                               const ResidualOverCells& residual,
+                                               const SharesByCell& shares) {
+  const std::size_t count = trial.w.count();
+  std::vector<Share> sums(trial.elements.size(), Share(count));
+  std::vector<double> terms(trial.elements.size(), 512);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    shares.add_to(sums[cells[c].element], c);
+    terms[cells[c].element] += 1;
+  }
+  std::vector<ElementResidual> out;
+  for (std::size_t e = 0; e < trial.elements.size(); ++e) {
+    const std::vector<double> with_q = residual.products_with_q(e, trial.elements[e].box);
+    const double rounding = terms[e] * unit;
+    const double order = rounding * trial.sector(e).jacobian * trial.elements[e].box.weight() *
+                         trial.smoothness.size() * 2 * trial.smoothness.largest_residual();
+    ElementResidual own;
+    for (std::size_t k = 0; k < count; ++k) {
+      own.norms.push_back((std::sqrt(sums[e].squares[k]) + std::sqrt(sums[e].missed[k])) * (1 + rounding) *
+                          upward);
+      own.products.push_back(
+          Approximation::proved(sums[e].products[k] - with_q[k], (sums[e].sampling[k] + order) * upward));
+    }
+    out.push_back(std::move(own));
+  }
+  return out;
+}
+
+}  // namespace
+
+ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells, const CellDemand& demand,
+                           bool by_element) {
   const std::size_t count = trial.w.count();
   const ResidualOverCells residual(trial);
+  SharesByCell by_cell(by_element ? cells.size() : 0, count);
   constexpr std::size_t cells_at_a_time = 16;
   const Share total = parallel_reduce_ordered(
       cells.size(), cells_at_a_time, Share(count),
       [&](std::size_t begin, std::size_t end) {
         Share share(count);
-        for (std::size_t c = begin; c < end; ++c)
-          share = sum_of(std::move(share), residual.of_cell(cells[c], demand));
+        for (std::size_t c = begin; c < end; ++c) {
+          const Share own = residual.of_cell(cells[c], demand);
+          if (by_element) by_cell.put(c, own);
+          share = sum_of(std::move(share), own);
+        }
         return share;
       },
       sum_of);
@@ -298,6 +364,7 @@ ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cel
   sums.truncation = total.truncation;
   sums.strips = total.strips;
   sums.samples = total.samples;
+  if (by_element) sums.elements = element_residuals(trial, cells, residual, by_cell);
   return sums;
 }
 

@@ -10,6 +10,13 @@
 
 namespace radcert {
 
+/// What is proved of the residuals on one element X.
+/// Maths     norms[k] >= (Int_X rho t_k^2)^(1/2);  products[k] encloses Int_X w_k t_0
+struct ElementResidual {
+  std::vector<double> norms;
+  std::vector<Approximation> products;
+};
+
 /// What a proof needs of the residuals t_k = T w_k - q_k of a Trial.
 /// Maths     norms[k] >= (Int rho t_k^2)^(1/2);  products[k] encloses Int w_k t_0
 struct ResidualSums {
@@ -19,6 +26,7 @@ struct ResidualSums {
   double truncation = 0;  ///< from the rules of cells
   double strips = 0;      ///< from strips
   std::size_t samples = 0;
+  std::vector<ElementResidual> elements = {};  ///< where they are asked for
 };
 
 /// Sums over cells of observers.
@@ -29,7 +37,7 @@ struct ResidualSums {
 /// Requires  cells of this trial
 /// Result    norms rounded up, products proved; the same bits for any number of threads
 [[nodiscard]] ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells,
-                                         const CellDemand& demand);
+                                         const CellDemand& demand, bool by_element = false);
 
 /// The largest values of |t_0| on cells.
 /// Maths     |t| <= sum |c_ij| + n_s n_t times the samples' radius + interpolation_gain e, c the coefficients

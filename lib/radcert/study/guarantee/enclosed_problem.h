@@ -7,6 +7,7 @@
 
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/rational.h"
+#include "radcert/study/certified_means.h"
 #include "radcert/study/guarantee.h"
 #include "radcert/surface/surface.h"
 
@@ -25,6 +26,11 @@ public:
   /// Result    proved; see solve_within
   [[nodiscard]] virtual std::pair<LevelResult, SolutionEnclosure> solve(
       const GuaranteeListener& progress) const = 0;
+
+  /// Whether its means come with a certificate.
+  [[nodiscard]] virtual bool has_certificate() const { return false; }
+  /// Requires  has_certificate(), means are asked for, else ContractViolation
+  [[nodiscard]] virtual CertifiedMeans certified(const GuaranteeListener& progress) const;
 };
 
 /// The kinds of problems, by their surfaces.

@@ -4,8 +4,10 @@
 #include <string>
 #include <utility>
 
+#include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/scalar/enclosing_text.h"
+#include "radcert/study/certified_means.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
@@ -39,7 +41,23 @@ std::unique_ptr<EnclosedProblem> enclosed_problem(const Problem& problem, const 
   return enclosed_polyhedron(problem, guarantee, std::move(surface));
 }
 
+std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const Guarantee& guarantee) {
+  std::unique_ptr<EnclosedProblem> enclosed = enclosed_problem(problem, guarantee);
+  if (guarantee.of != EnclosedQuantity::means || !enclosed->has_certificate())
+    throw InputError({.source = "--certificate",
+                      .problem = guarantee.of != EnclosedQuantity::means
+                                     ? "is not made for values or a function"
+                                     : "is not made for a sphere or an ellipsoid",
+                      .allowed = "a guarantee of means on a closed convex polyhedron"});
+  return enclosed;
+}
+
 }  // namespace
+
+CertifiedMeans EnclosedProblem::certified(const GuaranteeListener& /*progress*/) const {
+  expects(has_certificate(), "a problem that has certificates");
+  throw AccuracyNotReached("the means of u", "there is no certificate");
+}
 
 std::string coordinates_text(const Vector<Rational>& p) {
   return "(" + p.x.to_text() + ", " + p.y.to_text() + ", " + p.z.to_text() + ")";
@@ -71,6 +89,15 @@ void check_guarantee(const Problem& problem, const Guarantee& guarantee) {
 std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem, const Guarantee& guarantee,
                                                        const GuaranteeListener& progress) {
   return enclosed_problem(problem, guarantee)->solve(progress);
+}
+
+CertifiedMeans certified_means(const Problem& problem, const Guarantee& guarantee,
+                               const GuaranteeListener& progress) {
+  return certified_problem(problem, guarantee)->certified(progress);
+}
+
+void check_certified(const Problem& problem, const Guarantee& guarantee) {
+  static_cast<void>(certified_problem(problem, guarantee));
 }
 
 }  // namespace radcert

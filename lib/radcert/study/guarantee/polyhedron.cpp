@@ -15,6 +15,7 @@
 #include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
+#include "radcert/study/guarantee/means_certificate.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
 
@@ -315,7 +316,30 @@ public:
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
       const GuaranteeListener& progress) const override {
-    const auto tell = [&](const EnclosureProgress& now) {
+    return guarantee_.of == EnclosedQuantity::function ? function(wanted(), told(progress))
+                                                       : numbers(wanted(), told(progress));
+  }
+
+  /// A certificate is of polynomials.
+  [[nodiscard]] bool has_certificate() const override { return near_.distance == 0; }
+  [[nodiscard]] CertifiedMeans certified(const GuaranteeListener& progress) const override {
+    const GoalEnclosure found =
+        enclose_means(near_.polyhedron, certified_share * wanted(), told(progress), true);
+    auto [level, enclosure] = result_of(found, false);
+    CertifiedMeans out{
+        .level = std::move(level),
+        .enclosure = std::move(enclosure),
+        .certificate = means_certificate(near_.polyhedron, surface_.piece_names(), found.proof.get())};
+    if (out.certificate.width <= guarantee_.width)
+      out.enclosure.hindrance.clear();
+    else if (out.enclosure.hindrance.empty())
+      out.enclosure.hindrance = "the certificate has the width " + upper_text(out.certificate.width);
+    return out;
+  }
+
+private:
+  [[nodiscard]] static EnclosureListener told(const GuaranteeListener& progress) {
+    return [&progress](const EnclosureProgress& now) {
       if (progress)
         progress({.layers = now.layers,
                   .degree = now.degree,
@@ -323,14 +347,12 @@ public:
                   .samples = now.samples,
                   .width = now.width});
     };
-    // A double from below: what is reached is then within what was asked for.
-    const double asked = guarantee_.width.to_double() * (1 - unit_roundoff<double>());
-    const double wanted =
-        near_.distance > 0 ? (asked - 2 * near_.distance) * (1 - 16 * unit_roundoff<double>()) : asked;
-    return guarantee_.of == EnclosedQuantity::function ? function(wanted, tell) : numbers(wanted, tell);
   }
-
-private:
+  /// Of the polynomial emission. A double from below: what is reached is then within what was asked for.
+  [[nodiscard]] double wanted() const {
+    const double asked = guarantee_.width.to_double() * (1 - unit_roundoff<double>());
+    return near_.distance > 0 ? (asked - 2 * near_.distance) * (1 - 16 * unit_roundoff<double>()) : asked;
+  }
   [[nodiscard]] LevelResult level_of(const EnclosureProgress& last) const {
     LevelResult level;
     level.level = last.layers;
@@ -345,10 +367,15 @@ private:
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> numbers(double wanted,
                                                                   const EnclosureListener& tell) const {
-    const std::vector<std::string> names = surface_.piece_names();
     const bool of_values = guarantee_.of == EnclosedQuantity::values;
     const GoalEnclosure found = of_values ? enclose_values(near_.polyhedron, points_, wanted, tell)
                                           : enclose_means(near_.polyhedron, wanted, tell);
+    return result_of(found, of_values);
+  }
+
+  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> result_of(const GoalEnclosure& found,
+                                                                    bool of_values) const {
+    const std::vector<std::string> names = surface_.piece_names();
     if (!std::isfinite(found.width))
       throw AccuracyNotReached(of_values ? "the values of u" : "the means of u", found.hindrance);
     SolutionEnclosure enclosure{

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/certificate/check.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "radcert/certificate/ball_transport.h"
+#include "radcert/certificate/densities.h"
+#include "radcert/certificate/element_check.h"
+#include "radcert/certificate/line_bounds.h"
+#include "radcert/certificate/polyhedron_facts.h"
+#include "radcert/certificate/scene.h"
+#include "radcert/core/digest.h"
+#include "radcert/core/parallel.h"
+#include "radcert/core/text.h"
+#include "radcert/scalar/ball.h"
+#include "radcert/scalar/enclosing_text.h"
+
+namespace radcert::certificate {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string place(const std::string& list, std::size_t number) { return list + "/" + std::to_string(number); }
+
+Rational largest_reflectivity(const MeansCertificate& c) {
+  Rational largest = 0;
+  for (const Face& face : c.faces) largest = std::max(largest, face.reflectivity);
+  return largest;
+}
+
+/// A double at least as large as a ball that is not negative.
+double above(const Ball& x) { return std::nextafter(x.upper_double(), infinity); }
+
+/// Of the claims, as balls.
+struct ClaimSums {
+  std::vector<Ball> squares;
+  std::vector<Ball> products;
+  std::vector<Ball> radii;
+};
+
+ClaimSums sums_of_claims(const MeansCertificate& c) {
+  ClaimSums out{std::vector<Ball>(c.functions()), std::vector<Ball>(c.pieces.size()),
+                std::vector<Ball>(c.pieces.size())};
+  for (const Claim& claim : c.claims) {
+    for (std::size_t k = 0; k < claim.norms.size(); ++k) out.squares[k] += power(Ball(claim.norms[k]), 2);
+    for (std::size_t k = 0; k < claim.products.size(); ++k) {
+      out.products[k] += Ball(claim.products[k]);
+      out.radii[k] += Ball(claim.radii[k]);
+    }
+  }
+  return out;
+}
+
+/// The mean over each piece from sums.
+std::vector<Ball> means_of(const MeansCertificate& c, const Sums& sums) {
+  const std::vector<Ball> areas = piece_areas(c);
+  const std::vector<Ball> densities = Densities::integrals(c);
+  const Ball gap = Ball(Rational(1) - largest_reflectivity(c));
+  std::vector<Ball> out;
+  for (std::size_t k = 0; k < c.pieces.size(); ++k) {
+    const Ball radius = Ball(sums.radii[k]) + Ball(sums.norms[0]) * Ball(sums.norms[1 + k]) / gap;
+    out.push_back(widened(densities[k] + Ball(sums.products[k]), radius) / areas[k]);
+  }
+  return out;
+}
+
+/// A bound that is proved, in words.
+std::string bound_text(double bound) {
+  return std::isfinite(bound) ? upper_text(bound, DecimalForm::general(6)) : std::string("nothing");
+}
+
+/// A claim held against what is proved in scaled units.
+/// Maths     lengths are 2^l, E and w_0 2^e times those: norms of function 0 2^(l+e), of the others 2^l,
+///           products 2^(2l+e)
+std::optional<Refusal> claim_fault(const MeansCertificate& c, std::size_t element,
+                                   const ResidualBounds& proved, int length, int size) {
+  const Claim& claim = c.claims[element];
+  const std::string pointer = place("/claims", element);
+  for (std::size_t k = 0; k < claim.norms.size(); ++k) {
+    const double norm = std::ldexp(proved.norms[k], length + (k == 0 ? size : 0));
+    if (!(norm <= claim.norms[k]))
+      return Refusal{place(pointer + "/norms", k),
+                     "claims " + shortest(claim.norms[k]) + ", and " + bound_text(norm) + " is proved"};
+  }
+  for (std::size_t k = 0; k < claim.products.size(); ++k) {
+    const double product = std::ldexp(proved.products[k], 2 * length + size);
+    const double radius = std::ldexp(proved.radii[k], 2 * length + size);
+    const bool is_known = std::isfinite(product) && std::isfinite(radius);
+    const Ball off = abs(Ball(product) - Ball(claim.products[k])) + Ball(radius);
+    if (is_known && certainly_at_most(off, Ball(claim.radii[k]))) continue;
+    std::string what = "nothing";
+    if (is_known) {
+      const EnclosingText text = enclosing_text(product, radius, DecimalForm::general(12));
+      what = text.value + " within " + text.radius;
+    }
+    return Refusal{place(pointer + "/products", k), "claims " + shortest(claim.products[k]) + " within " +
+                                                        shortest(claim.radii[k]) + ", and " + what +
+                                                        " is proved"};
+  }
+  return std::nullopt;
+}
+
+/// Of the claims on one element, in scaled units: what rules may leave.
+Allowance allowance_of(const MeansCertificate& c, const Densities& densities, std::size_t element, int length,
+                       double part) {
+  const Claim& claim = c.claims[element];
+  Allowance out{infinity, infinity};
+  for (std::size_t k = 0; k < claim.norms.size(); ++k)
+    if (!densities.vanishes(k))
+      out.norm =
+          std::min(out.norm, std::ldexp(claim.norms[k], -length - (k == 0 ? densities.exponent() : 0)));
+  for (std::size_t k = 0; k < claim.radii.size(); ++k)
+    if (!densities.vanishes(k + 1))
+      out.product = std::min(out.product, std::ldexp(claim.radii[k], -2 * length - densities.exponent()));
+  out.norm *= 0.07 * part;
+  out.product *= 0.5 * part;
+  return out;
+}
+
+std::optional<Refusal> element_fault(const MeansCertificate& c, const Scene& scene,
+                                     const Densities& densities, const ElementCheck& elements,
+                                     std::size_t element) {
+  std::optional<Refusal> fault;
+  const Face& face = c.faces[c.elements[element].face];
+  if (face.reflectivity.sign() == 0) {
+    // rho t^2 and w_k t_0 = rho y t_0 are 0.
+    const ResidualBounds nothing{std::vector<double>(c.functions()), std::vector<double>(c.pieces.size()),
+                                 std::vector<double>(c.pieces.size())};
+    return claim_fault(c, element, nothing, scene.exponent(), densities.exponent());
+  }
+  // The second time the claim is not to be refused for what rules leave.
+  for (const double part : {1.0, 0.1}) {
+    const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), part);
+    if (!(allowance.norm > 0 && allowance.product > 0))
+      return Refusal{place("/claims", element), "claims that something is exactly 0"};
+    const ResidualBounds proved = elements.bounds(element, allowance);
+    fault = claim_fault(c, element, proved, scene.exponent(), densities.exponent());
+    if (!fault) return fault;
+  }
+  return fault;
+}
+
+std::optional<Refusal> sums_fault(const MeansCertificate& c) {
+  const ClaimSums claims = sums_of_claims(c);
+  for (std::size_t k = 0; k < c.functions(); ++k)
+    if (!certainly_at_most(sqrt(claims.squares[k]), Ball(c.sums.norms[k])))
+      return Refusal{place("/sums/norms", k), "is less than what the claims sum to"};
+  for (std::size_t k = 0; k < c.pieces.size(); ++k)
+    if (!certainly_at_most(abs(claims.products[k] - Ball(c.sums.products[k])) + claims.radii[k],
+                           Ball(c.sums.radii[k])))
+      return Refusal{place("/sums/products", k), "with its radius does not hold what the claims sum to"};
+  const std::vector<Ball> means = means_of(c, c.sums);
+  for (std::size_t k = 0; k < means.size(); ++k) {
+    const Enclosure& stated = c.means[k];
+    if (!certainly_at_most(abs(means[k] - Ball(stated.midpoint)), Ball(stated.radius)))
+      return Refusal{place("/means", k),
+                     "with its radius does not hold what the sums prove, " + means[k].to_text(12)};
+    if (Rational(2) * stated.radius > c.width)
+      return Refusal{place("/means", k), "is wider than the width that is stated"};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Summed summed(const MeansCertificate& c) {
+  const ClaimSums claims = sums_of_claims(c);
+  Summed out;
+  for (const Ball& square : claims.squares) out.sums.norms.push_back(above(sqrt(square)));
+  for (std::size_t k = 0; k < c.pieces.size(); ++k) {
+    const double middle = claims.products[k].to_double();
+    out.sums.products.push_back(middle);
+    out.sums.radii.push_back(above(abs(claims.products[k] - Ball(middle)) + claims.radii[k]));
+  }
+  for (const Ball& mean : means_of(c, out.sums)) {
+    // A little wider: both may be rounded to the decimals that read back as the same doubles, and radii of
+    // balls have 30 bits.
+    const double midpoint = mean.to_double();
+    const double radius =
+        abs(mean - Ball(midpoint)).upper_double() * (1 + 0x1p-24) + std::abs(midpoint) * 0x1p-50;
+    out.means.push_back({Rational::exactly(midpoint), Rational::exactly(std::nextafter(radius, infinity))});
+  }
+  return out;
+}
+
+std::vector<std::size_t> chosen_elements(std::size_t count, const Part& part) {
+  std::vector<std::pair<std::string, std::size_t>> order;
+  for (std::size_t e = 0; e < count; ++e) order.emplace_back(sha256(part.seed + "/" + std::to_string(e)), e);
+  std::sort(order.begin(), order.end());
+  order.resize(std::min(count, part.elements));
+  std::vector<std::size_t> out;
+  for (const auto& [digest, element] : order) out.push_back(element);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+Report check(const MeansCertificate& c, const Part& part, const CheckListener& progress) {
+  Report report;
+  for (const auto& fault : {&surface_fault, &reflectivity_fault, &tiling_fault, &sums_fault}) {
+    report.refusal = fault(c);
+    if (report.refusal) return report;
+  }
+  report.looked_at = chosen_elements(c.elements.size(), part);
+  const Scene scene(c);
+  const Densities densities(c);
+  const LineBounds lines(c, scene, densities);
+  const BallTransport transport(c, scene, densities, lines);
+  const ElementCheck elements(c, scene, densities, lines, transport);
+  // A chunk after a fault is not looked at, unless it comes before it.
+  const std::size_t count = report.looked_at.size();
+  std::vector<std::optional<Refusal>> faults(count);
+  std::atomic<std::size_t> first_fault = count;
+  std::atomic<std::size_t> done = 0;
+  parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (k > first_fault) continue;
+      faults[k] = element_fault(c, scene, densities, elements, report.looked_at[k]);
+      if (faults[k])
+        for (std::size_t found = first_fault; k < found;)
+          if (first_fault.compare_exchange_weak(found, k)) break;
+      const std::size_t now = ++done;
+      if (progress) progress(now);
+    }
+  });
+  if (first_fault < count) report.refusal = faults[first_fault];
+  return report;
+}
+
+}  // namespace radcert::certificate

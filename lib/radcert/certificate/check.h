@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "radcert/certificate/means_certificate.h"
+
+namespace radcert::certificate {
+
+/// Which elements are looked at.
+struct Part {
+  std::size_t elements = 0;  ///< so many, or all where there are no more
+  std::string seed;          ///< what the choice follows from
+};
+
+struct Report {
+  std::vector<std::size_t> looked_at;  ///< elements, ascending
+  std::optional<Refusal> refusal;      ///< the first number that does not hold
+};
+
+/// The number of elements whose claims have been held against proofs.
+using CheckListener = std::function<void(std::size_t)>;
+
+/// Sums of the claims, and the means that follow from them.
+/// Maths     norms[k] = (sum norms_k^2)^(1/2), products and radii as sums; the mean over piece k is (Int_k
+///           w_0 + products[k] +- (radii[k] + norms[0] norms[1+k]/(1 - max rho)))/area. Theorem: B =
+///           rho^(1/2) T rho^(1/2) is self-adjoint in L2 and not longer than s = max rho, by Schur's test
+///           with T >= 0 symmetric and T 1 = 1. u - w_0 = (I - rho T)^-1 rho t_0, so that with j = 1 on piece
+///           k, y = j + q_k: Int j (u - w_0) = (rho^(1/2) j, (I-B)^-1 rho^(1/2) t_0) and (I-B)^-1 rho^(1/2) j
+///           = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k; w_k = rho y
+/// Requires  surface_fault, reflectivity_fault, tiling_fault found nothing
+/// Result    sums rounded outwards; the mean's radius bounds everything
+struct Summed {
+  Sums sums;
+  std::vector<Enclosure> means;
+};
+[[nodiscard]] Summed summed(const MeansCertificate& certificate);
+
+/// The elements that a part chooses.
+/// Maths     those with the least SHA-256 of seed and number
+/// Result    ascending, the same for the same seed
+[[nodiscard]] std::vector<std::size_t> chosen_elements(std::size_t count, const Part& part);
+
+/// Checks a certificate, by means that share nothing with the search that made it.
+/// Maths     surface_fault, reflectivity_fault, tiling_fault; of the elements that are looked at, the claims
+///           by ElementCheck; the stated sums are those of the claims or wider, the means those of summed or
+///           wider, the width is no less than twice the largest radius. All claims together prove the means
+/// Requires  lists of the lengths that MeansCertificate states, finite numbers
+/// Result    no refusal: what was looked at is proved, and the means are, if all claims hold. Depends on the
+///           certificate and the part alone, whatever the number of threads
+/// Limits    a claim that holds by less than the bounds here are generous is refused
+[[nodiscard]] Report check(const MeansCertificate& certificate, const Part& part,
+                           const CheckListener& progress = {});
+
+}  // namespace radcert::certificate

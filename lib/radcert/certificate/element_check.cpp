@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/certificate/element_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "radcert/certificate/gauss_rule.h"
+#include "radcert/scalar/pack.h"
+
+namespace radcert::certificate {
+
+const WorkLimit most_checked_cells("certificate/element_check: cells of an element", 20000, 0,
+                                   "parts that are not looked into: the claim is not verified");
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unit = 0x1p-53;
+constexpr int most_cell_nodes = 16;
+constexpr int deepest = 120;
+
+}  // namespace
+
+/// A part of an element with its rule, and what that leaves.
+struct ElementCheck::Cell {
+  Box box;
+  int nodes_s = 0;  ///< 0: not looked into
+  int nodes_t = 0;
+  std::optional<EdgeClosing> closing = std::nullopt;
+  double norm_left = 0;     ///< sup-like: times |X|^(1/2)
+  double product_left = 0;  ///< times |X| sup|w_k|
+};
+
+struct ElementCheck::Plan {
+  std::vector<Cell> cells;
+  double norm = 0;     ///< what cells leave of a norm, with what is not looked into
+  double product = 0;  ///< and of a product
+};
+
+/// Cuts one element.
+class ElementCheck::Cutter {
+public:
+  Cutter(const ElementCheck& check, std::size_t element, double norm, double product)
+      : lines_(check.lines_),
+        densities_(check.densities_),
+        element_(element),
+        triangle_(check.lines_.triangle(element)),
+        norm_(norm),
+        product_(product),
+        rho_(check.densities_.reflectivity(element)),
+        density_(check.densities_.size_of_w(element)) {
+    for (std::size_t k = 0; k < densities_.count(); ++k)
+      residual_ = std::max(residual_, densities_.largest_of(k) + densities_.q_size_of(element, k));
+    least_nodes_ = densities_.degree() + 1;
+    const Element& x = check.certificate_.elements[element];
+    add({.s0 = x.s0, .s1 = x.s1, .t0 = x.t0, .t1 = x.t1}, 0);
+  }
+  [[nodiscard]] Plan take() && { return std::move(plan_); }
+
+private:
+  [[nodiscard]] double area(const Box& box) const {
+    return triangle_.jacobian * (box.s1 - box.s0) * (box.t1 - box.t0) * (1 - box.middle_t()) * upward;
+  }
+  [[nodiscard]] double root(const Box& box) const { return std::sqrt(rho_ * area(box)) * upward; }
+
+  void accept(Cell cell) {
+    const double of_norm = root(cell.box) * cell.norm_left;
+    plan_.norm += of_norm * of_norm * upward;
+    plan_.product += area(cell.box) * density_ * cell.product_left * upward;
+    plan_.cells.push_back(std::move(cell));
+  }
+
+  [[nodiscard]] bool is_little(const Box& box, double sup, double part) const {
+    return root(box) * sup <= part * norm_ && area(box) * density_ * sup <= part * product_;
+  }
+
+  /// The least number of nodes that is enough in one parameter; 0 where there is none.
+  [[nodiscard]] int nodes(const PolynomialErrors& left, const Box& box, bool in_s) const {
+    for (int n = least_nodes_; n <= most_cell_nodes; ++n)
+      if (2 * left[static_cast<std::size_t>(n - 1)] * root(box) <= 0.4 * norm_ &&
+          2 * product_error(left, n, in_s) * area(box) * density_ <= 0.4 * product_)
+        return n;
+    return 0;
+  }
+  [[nodiscard]] double product_error(const PolynomialErrors& left, int n, bool in_s) const {
+    const int exact = 2 * n - densities_.degree() - (in_s ? 0 : 1);
+    return left[static_cast<std::size_t>(std::clamp(exact, 1, static_cast<int>(left.size())) - 1)];
+  }
+
+  bool try_rules(const Box& box, const PolynomialErrors& in_s, const PolynomialErrors& in_t,
+                 std::optional<EdgeClosing> closing) {
+    const int nodes_s = nodes(in_s, box, true);
+    const int nodes_t = nodes(in_t, box, false);
+    if (nodes_s == 0 || nodes_t == 0) return false;
+    const double beside = closing ? closing->beside : 0;
+    accept({.box = box,
+            .nodes_s = nodes_s,
+            .nodes_t = nodes_t,
+            .closing = std::move(closing),
+            .norm_left = (2 * (in_s[static_cast<std::size_t>(nodes_s - 1)] +
+                               in_t[static_cast<std::size_t>(nodes_t - 1)]) +
+                          beside) *
+                         upward,
+            .product_left =
+                (2 * (product_error(in_s, nodes_s, true) + product_error(in_t, nodes_t, false)) + beside) *
+                upward});
+    return true;
+  }
+
+  void add(const Box& box, int depth) {
+    if (is_little(box, residual_, 1) || depth >= deepest ||
+        plan_.cells.size() >= most_checked_cells.count()) {
+      accept({.box = box, .norm_left = residual_ * upward, .product_left = residual_ * upward});
+      return;
+    }
+    Box lower = box;
+    Box upper = box;
+    if (box.t0 == 0) {
+      bool cuts_s = false;
+      if (triangle_.beyond) {
+        std::optional<EdgeClosing> closing = lines_.closing(element_, box);
+        if (closing && is_little(box, closing->beside, 0.5)) {
+          const PolynomialErrors in_s = lines_.left(element_, box, true, &*closing);
+          const PolynomialErrors in_t = lines_.left(element_, box, false, &*closing);
+          if (try_rules(box, in_s, in_t, closing)) return;
+          cuts_s = nodes(in_s, box, true) == 0 && nodes(in_t, box, false) != 0;
+        } else {
+          cuts_s = is_little(box, lines_.short_beside(element_, box), 0.5);
+        }
+      }
+      if (cuts_s) {
+        lower.s1 = upper.s0 = box.middle_s();
+      } else {
+        lower.t1 = upper.t0 = box.t1 / 4;
+      }
+      add(lower, depth + 1);
+      add(upper, depth + 1);
+      return;
+    }
+    const PolynomialErrors in_s = lines_.left(element_, box, true, nullptr);
+    const PolynomialErrors in_t = lines_.left(element_, box, false, nullptr);
+    if (try_rules(box, in_s, in_t, std::nullopt)) return;
+    const bool lacks_s = nodes(in_s, box, true) == 0;
+    const bool lacks_t = nodes(in_t, box, false) == 0;
+    const double length = (box.s1 - box.s0) * triangle_.length;
+    const double height = (box.t1 - box.t0) * norm(triangle_.inward - box.middle_s() * triangle_.along);
+    if (lacks_s && (!lacks_t || length >= height))
+      lower.s1 = upper.s0 = box.middle_s();
+    else
+      lower.t1 = upper.t0 = box.middle_t();
+    add(lower, depth + 1);
+    add(upper, depth + 1);
+  }
+
+  const LineBounds& lines_;
+  const Densities& densities_;
+  std::size_t element_;
+  const SideTriangle& triangle_;
+  double norm_;
+  double product_;
+  double rho_;
+  double density_;
+  double residual_ = 0;
+  int least_nodes_ = 1;
+  Plan plan_;
+};
+
+ElementCheck::ElementCheck(const MeansCertificate& certificate, const Scene& scene,
+                           const Densities& densities, const LineBounds& lines,
+                           const BallTransport& transport)
+    : certificate_(certificate), scene_(scene), densities_(densities), lines_(lines), transport_(transport) {}
+
+ElementCheck::Plan ElementCheck::plan(std::size_t element, const Allowance& allowance) const {
+  Allowance share{allowance.norm / 10, allowance.product / 100};
+  Plan best;
+  constexpr int tries = 5;
+  for (int k = 0; k < tries; ++k) {
+    Plan found = Cutter(*this, element, share.norm, share.product).take();
+    found.norm = std::sqrt(found.norm);
+    const bool is_good = found.norm <= allowance.norm && found.product <= allowance.product;
+    const double too_much = std::max(found.norm / allowance.norm, found.product / allowance.product);
+    best = std::move(found);
+    if (is_good || best.cells.size() >= most_checked_cells.count()) break;
+    share.norm *= std::min(1.0, 0.7 * allowance.norm / best.norm);
+    share.product *= std::min(1.0, 0.7 * allowance.product / best.product);
+    if (!(too_much < infinity)) break;
+  }
+  return best;
+}
+
+void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowance& allowance,
+                            std::size_t cells, ResidualBounds& sums, std::vector<double>& squares) const {
+  const std::size_t count = densities_.count();
+  const Box& box = cell.box;
+  const SideTriangle& triangle = lines_.triangle(element);
+  const double area =
+      triangle.jacobian * (box.s1 - box.s0) * (box.t1 - box.t0) * (1 - box.middle_t()) * upward;
+  for (std::size_t k = 1; k < count; ++k)
+    sums.radii[k - 1] += area * densities_.size_of(element, k) * cell.product_left * upward;
+  if (cell.nodes_s == 0) return;
+
+  const Element& whole = certificate_.elements[element];
+  const GaussRule& rule_s = gauss_rule(cell.nodes_s);
+  const GaussRule& rule_t = gauss_rule(cell.nodes_t);
+  const double half_s = 0.5 * (box.s1 - box.s0);
+  const double half_t = 0.5 * (box.t1 - box.t0);
+  const auto place = [](double middle, double half, double x) {
+    return BoundedDouble::exactly(middle) + BoundedDouble::exactly(half) * BoundedDouble(x, unit);
+  };
+  std::vector<BoundedDouble> at_s;
+  std::vector<BoundedDouble> at_t;
+  for (const double x : rule_s.near_nodes) at_s.push_back(place(box.middle_s(), half_s, x));
+  for (const double x : rule_t.near_nodes) at_t.push_back(place(box.middle_t(), half_t, x));
+  Observers observers{.triangle = lines_.triangle_place(element), .s = {}, .t = {}};
+  for (const BoundedDouble& s : at_s)
+    for (const BoundedDouble& t : at_t) {
+      observers.s.push_back(s);
+      observers.t.push_back(t);
+    }
+  const double rho = densities_.reflectivity(element);
+  const double size = densities_.largest();
+  // Each cell alike, or each part of the element alike, whichever asks for less.
+  const double density = densities_.size_of_w(element);
+  const double all = triangle.jacobian * (whole.s1 - whole.s0) * (whole.t1 - whole.t0);
+  const auto number = static_cast<double>(cells);
+  const double by_cell = std::min(0.3 * allowance.norm / std::sqrt(number * rho * area),
+                                  0.3 * allowance.product / (number * area * density));
+  const double by_area =
+      std::min(0.2 * allowance.norm / std::sqrt(rho * all), 0.2 * allowance.product / (all * density));
+  const double tolerance = std::min(1e-3, std::max(by_cell, by_area) / size);
+  const std::optional<std::size_t> without =
+      cell.closing ? std::optional<std::size_t>(cell.closing->face) : std::nullopt;
+  BallTransport::Values sent = transport_(observers, tolerance, without);
+
+  const auto within = [](double from, double to, const std::vector<BoundedDouble>& at) {
+    std::vector<BoundedDouble> out;
+    for (const BoundedDouble& x : at)
+      out.push_back((BoundedDouble(2) * x - BoundedDouble::exactly(from) - BoundedDouble::exactly(to)) /
+                    (BoundedDouble::exactly(to) - BoundedDouble::exactly(from)));
+    return out;
+  };
+  const LegendreTable p_s(densities_.degree(), within(whole.s0, whole.s1, at_s));
+  const LegendreTable p_t(densities_.degree(), within(whole.t0, whole.t1, at_t));
+  const double off = densities_.error(element, p_s, p_t);
+  const std::size_t stride = densities_.stride();
+  const std::size_t powers = densities_.powers();
+  std::vector<double> w(stride);
+  std::vector<double> q(stride);
+  std::vector<double> xi(stride);
+  double xi_off = 0;
+  double xi_size = 0;
+  std::vector<double> edge_s;
+  std::vector<double> edge_t;
+  if (cell.closing) {
+    const Element& beyond = certificate_.elements[cell.closing->element];
+    std::vector<BoundedDouble> mirrored;
+    for (const BoundedDouble& s : at_s) mirrored.push_back(BoundedDouble(1) - s);
+    const LegendreTable p_xi(densities_.degree(), within(beyond.s0, beyond.s1, mirrored));
+    const LegendreTable p_edge(densities_.degree(), std::vector<BoundedDouble>{BoundedDouble(-1)});
+    xi_off = densities_.error(cell.closing->element, p_xi, p_edge);
+    for (const double x : cell.closing->edge_sizes) xi_size += x;
+    xi_size = xi_size * upward + xi_off;
+    edge_s = p_xi.values;
+    edge_t = p_edge.values;
+  }
+  double q_size = 0;
+  for (std::size_t k = 0; k < count; ++k) q_size = std::max(q_size, densities_.q_size_of(element, k));
+  std::vector<double> terms(count);
+  std::vector<double> products(count);
+  for (std::size_t i = 0; i < at_s.size(); ++i) {
+    if (cell.closing)
+      Densities::values(densities_.w(cell.closing->element), stride, &edge_s[i * powers], edge_t.data(),
+                        powers, xi);
+    for (std::size_t j = 0; j < at_t.size(); ++j) {
+      const std::size_t p = i * at_t.size() + j;
+      Densities::values(densities_.w(element), stride, &p_s.values[i * powers], &p_t.values[j * powers],
+                        powers, w);
+      Densities::values(densities_.q(element), stride, &p_s.values[i * powers], &p_t.values[j * powers],
+                        powers, q);
+      const double* const found = &sent.values[p * stride];
+      // F = sum T_i w + xi (1 - sum T_i 1): radii of both, and of xi.
+      const double rest = 1 - found[densities_.constant()];
+      double radius = sent.radii[p] + off + 8 * unit * (size + q_size);
+      if (cell.closing)
+        radius += xi_size * sent.radii[p] + xi_off * (std::abs(rest) + sent.radii[p]) + 8 * unit * xi_size;
+      radius *= upward;
+      const double weight = triangle.jacobian * half_s * half_t * (1 - at_t[j].value()) *
+                            rule_s.near_weights[i] * rule_t.near_weights[j];
+      const double weight_error = 64 * unit + 2 * at_t[j].error() / (1 - at_t[j].value());
+      const auto t = [&](std::size_t k) { return found[k] + (cell.closing ? xi[k] * rest : 0) - q[k]; };
+      const double first = t(0);
+      for (std::size_t k = 0; k < count; ++k) {
+        if (densities_.vanishes(k)) continue;
+        const double most = std::abs(t(k)) + radius;
+        squares[k] += weight * rho * most * most * upward;
+        if (k == 0) continue;
+        products[k] += weight * w[k] * first;
+        // Radii, and the rounding of the weight, the product and the sum.
+        const double own = std::abs(w[k]) * radius + off * (std::abs(first) + radius) +
+                           weight_error * std::abs(w[k]) * std::abs(first);
+        sums.radii[k - 1] += weight * own * upward;
+        terms[k] += weight * std::abs(w[k] * first);
+      }
+    }
+  }
+  // Of a sum of as many terms.
+  const double order = (static_cast<double>(at_s.size() * at_t.size()) + 16) * unit;
+  for (std::size_t k = 1; k < count; ++k) {
+    sums.products[k - 1] += products[k];
+    sums.radii[k - 1] += terms[k] * order * upward;
+  }
+}
+
+ResidualBounds ElementCheck::bounds(std::size_t element, const Allowance& allowance) const {
+  const std::size_t count = densities_.count();
+  ResidualBounds sums{.norms = std::vector<double>(count),
+                      .products = std::vector<double>(count - 1),
+                      .radii = std::vector<double>(count - 1)};
+  const Plan found = plan(element, allowance);
+  std::vector<double> squares(count);
+  double most = 0;
+  for (const Cell& cell : found.cells) {
+    add_cell(element, cell, allowance, found.cells.size(), sums, squares);
+    for (const double x : sums.products) most = std::max(most, std::abs(x));
+  }
+  for (std::size_t k = 0; k < count; ++k)
+    sums.norms[k] = densities_.vanishes(k) ? 0 : (std::sqrt(squares[k]) + found.norm) * upward;
+  // The order in which cells are summed.
+  const double order = (static_cast<double>(found.cells.size()) + 16) * unit * most;
+  for (double& radius : sums.radii) radius = (radius + order) * upward;
+  return sums;
+}
+
+}  // namespace radcert::certificate

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "radcert/certificate/ball_transport.h"
+#include "radcert/certificate/densities.h"
+#include "radcert/certificate/line_bounds.h"
+#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/scene.h"
+#include "radcert/core/work_limit.h"
+
+namespace radcert::certificate {
+
+extern const WorkLimit most_checked_cells;
+
+/// What is proved of the residuals on one element, in the scaled units of Scene and Densities.
+/// Maths     (Int_X rho t_k^2)^(1/2) <= norms[k];  |products[k] - Int_X w_(1+k) t_0| <= radii[k]
+struct ResidualBounds {
+  std::vector<double> norms;
+  std::vector<double> products;
+  std::vector<double> radii;
+};
+
+/// What is wanted of them: what rules leave may be about this much, of a norm and of a product.
+struct Allowance {
+  double norm = 0;
+  double product = 0;
+};
+
+/// Proves claims about the residuals on elements.
+/// Maths     an element is cut into cells, each with tensor Gauss nodes, n_s x n_t, more than the degree p of
+///           the functions. f = T w, or F of EdgeClosing, is within e_s and e_t of polynomials of degree n_s
+///           - 1 and n_t - 1 in its parameters (LineBounds), If interpolates it at the nodes:
+///             ||If||^2 is the Gauss sum, of degree 2 n - 1 in either parameter with 1 - t; f - If = (f - I_s
+///             f) + I_s (f - I_t f), and I_s f - f = I_s (f - p) - (f - p): ||f - If|| <= 2 |X|^(1/2) (e_s +
+///             e_t). So with f - q, since q = Iq: ||f - q|| <= (sum)^(1/2) + 2 |X|^(1/2) (e_s + e_t) |Int w f
+///             - Gauss| <= 2 |X| sup|w| (e_s + e_t) with e_s of degree 2 n_s - 1 - p, e_t of degree 2 n_t - 2
+///             - p, since Gauss' rule is exact for the product with such polynomials; w q exactly
+///           Next to an edge |T w - F| <= b adds |X|^(1/2) b and |X| sup|w| b. What is so small that it is
+///           not looked into adds |X|^(1/2) sup|t| and |X| sup|w| sup|t|, |t| <= sup|w| + sup|q| by T 1 = 1.
+///           Norms of cells are joined by Minkowski's inequality
+/// Source    ours; theorem I of the layer continuous says the same, of which no line is used here
+class ElementCheck {
+public:
+  ElementCheck(const MeansCertificate& certificate, const Scene& scene, const Densities& densities,
+               const LineBounds& lines, const BallTransport& transport);
+
+  /// Requires  a face that reflects
+  /// Result    proved, whatever the allowance; better where that is less
+  [[nodiscard]] ResidualBounds bounds(std::size_t element, const Allowance& allowance) const;
+
+private:
+  struct Cell;
+  struct Plan;
+  class Cutter;
+  [[nodiscard]] Plan plan(std::size_t element, const Allowance& allowance) const;
+  void add_cell(std::size_t element, const Cell& cell, const Allowance& allowance, std::size_t cells,
+                ResidualBounds& sums, std::vector<double>& squares) const;
+
+  const MeansCertificate& certificate_;
+  const Scene& scene_;
+  const Densities& densities_;
+  const LineBounds& lines_;
+  const BallTransport& transport_;
+};
+
+}  // namespace radcert::certificate

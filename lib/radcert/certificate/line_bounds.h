@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "radcert/certificate/densities.h"
+#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/scene.h"
+
+namespace radcert::certificate {
+
+/// The larger half axes of ellipses with the foci -1, 1 in which bounds are known.
+inline constexpr std::array<double, 16> ellipse_axes{1.04, 1.1, 1.2, 1.32, 1.5, 1.75, 2.1, 2.6,
+                                                     3.3,  4.5, 6.5, 10,   18,  40,   120, 1000};
+using EllipseBounds = std::array<double, ellipse_axes.size()>;
+
+/// What polynomials of degree N - 1 in one parameter leave of T w on a box of observers: [N - 1].
+using PolynomialErrors = std::array<double, 40>;
+
+/// T w next to an edge, without what the face beyond makes singular there.
+/// Maths     T 1 = 1, so that T w = F + T_j (w - xi), F = sum_(i != j) T_i w + xi (1 - sum_(i != j) T_i 1);
+///           the face beyond the edge is Q_j, and xi(s) = w in its element Y at the point x of the edge with
+///           the parameter s of P. |P-x| <= R, P at most H over the plane of Q_j. The kernel is at most H/(pi
+///           r^3) at the distance r, so that what is further than q sends M(q) = min(1, 2H/q) at most; up to
+///           the distance d of x from the other sides of Y |w - xi| <= l |Q-x| <= l (R + |Q-P|), l a
+///           Lipschitz constant on Y. Hence
+///             |T_j (w - xi)| <= l R + l Int_0^(d-R) M dq + 2 sup|w| M(d-R)
+struct EdgeClosing {
+  std::size_t face = 0;     ///< Q_j
+  std::size_t element = 0;  ///< Y
+  std::vector<double> edge_sizes;
+  double part = 1;    ///< the box' half length relative to that of Y
+  double beside = 0;  ///< the bound of |T_j (w - xi)|
+};
+
+/// How smooth T w is along the lines of a box of observers.
+/// Maths     T_j w on the line c + z e, z in the ellipse with the foci -1, 1 and the half axes A and B, a = A
+///           |e|, b = B |e|, c at the distance D or more from an element Y:
+///             (1) |P-Q|^2 = (P-Q).(P-Q) has two conjugate zeros in z, hence at least (r-a)^2 in size, r =
+///                 |c-Q|; n_P.(Q-P) stays as it is, since e lies in the plane of P; n_Q.(P-Q) grows by A
+///                 |e.n_Q| at most. So |G(P,Q)| <= G(c,Q) (1 + A |e.n_Q|/h) (D/(D-a))^4, h the height of c
+///                 over the plane of Y, and the integral of G(c,Q)/pi is at most 1 and at most |Y|
+///                 min(h,D)/(pi D^3)
+///             (2) where e is parallel to Q_j: P = p + i y e/|e|, Q moves to Q + i y phi e/|e|, phi = max(0,
+///                 1 - |Q-p|/r), r at most the distance of p from all borders of elements on Q_j that are not
+///                 parallel to e. Cauchy's theorem on each line along e, w being a polynomial between
+///                 borders: T_j w stays. The scalar products with normals stay, dQ gets at most
+///                 (1+theta^2)^(1/2), theta = y/r, and Im(P-Q) = y (1-phi) <= theta |p-Q|: |T_j w| <=
+///                 (1+theta^2)^(1/2) (1-theta^2)^-2 sup |w| where Q has moved. r falls by at most the way of
+///                 p: theta = b/(r^2 - a^2)^(1/2) on the ellipse, r taken at c. Q moves by no more than the
+///                 distance from the borders: a real segment in its element is the diameter of the disk it
+///                 moves in, whose image under the parameters x, y, affine or fractions of affine functions
+///                 along the line, is a disk about a part of [-1,1], where |P_i| <= (1 + sqrt(2))^i
+///           With |f| <= M in the ellipse whose half axes sum to R, truncation of the Chebyshev series, |a_k|
+///           <= 2 M R^-k, leaves 2 M R^(1-N)/(R-1) of f
+/// Source    ours; N. Trefethen, "Approximation Theory and Approximation Practice", theorem 8.1 for a_k
+/// Requires  all of it outlives this
+/// Result    rounded up, infinite where nothing is known
+class LineBounds {
+public:
+  LineBounds(const MeansCertificate& certificate, const Scene& scene, const Densities& densities);
+
+  /// Of T w, or of F where there is a closing, along s = parameter 0 or t = parameter 1.
+  [[nodiscard]] PolynomialErrors left(std::size_t element, const Box& box, bool in_s,
+                                      const EdgeClosing* closing) const;
+
+  /// Of |T_j w_k| alone for any k on the ellipses of each line, with Q_j a face of another plane.
+  [[nodiscard]] EllipseBounds on_ellipses(std::size_t element, const Box& box, bool in_s,
+                                          std::size_t face) const;
+
+  /// The closing of a box that touches its edge within the width of one element beyond; infinite `beside`
+  /// where there is none yet.
+  [[nodiscard]] std::optional<EdgeClosing> closing(std::size_t element, const Box& box) const;
+  /// The same for the middle of the box' edge alone: what a short box there would have.
+  [[nodiscard]] double short_beside(std::size_t element, const Box& box) const;
+
+  [[nodiscard]] const SideTriangle& triangle(std::size_t element) const {
+    return scene_.triangles()[triangle_[element]];
+  }
+  [[nodiscard]] std::size_t triangle_place(std::size_t element) const { return triangle_[element]; }
+  [[nodiscard]] const std::vector<std::size_t>& elements_of(std::size_t face) const { return of_face_[face]; }
+
+private:
+  [[nodiscard]] EllipseBounds bounds(std::size_t element, const Box& box, bool in_s, std::size_t face,
+                                     const EllipseBounds& xi) const;
+  [[nodiscard]] double beside(std::size_t element, const Box& box, std::size_t beyond, double half) const;
+  [[nodiscard]] std::optional<std::size_t> element_beyond(std::size_t element, double s0, double s1) const;
+  [[nodiscard]] double slide_reach(std::size_t triangle, std::size_t face, const Vector<double>& c) const;
+
+  const MeansCertificate& certificate_;
+  const Scene& scene_;
+  const Densities& densities_;
+  std::vector<std::size_t> triangle_;              ///< of each element
+  std::vector<std::vector<std::size_t>> of_face_;  ///< elements
+  std::vector<Quadrilateral> quadrilaterals_;
+  std::vector<double> area_;
+  std::vector<double> size_;  ///< sup |w| of each element
+  std::vector<double> face_size_;
+  std::vector<double> slid_size_;  ///< by face, where Q has moved
+};
+
+}  // namespace radcert::certificate

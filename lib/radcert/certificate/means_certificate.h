@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "radcert/geometry/vector.h"
+#include "radcert/scalar/rational.h"
+
+namespace radcert::certificate {
+
+/// A convex polygon of the surface, and the data on it.
+/// Maths     corners counterclockwise as seen from the inside; emission[i][j] is the coefficient of x^i y^j
+///           in E at corners[0] + x (corners[1] - corners[0]) + y (corners[2] - corners[0])
+struct Face {
+  std::size_t piece = 0;
+  std::vector<Vector<Rational>> corners;
+  Rational reflectivity;
+  std::vector<std::vector<Rational>> emission;
+};
+
+/// A part of a face on which the functions are polynomials.
+/// Maths     a + s (1-t) (b-a) + t (c-a), [s0,s1] x [t0,t1], from the side a b of the face to its centre c,
+///           the mean of its corners: side k runs from corners[k] to the next one
+struct Element {
+  std::size_t face = 0;
+  std::size_t side = 0;
+  double s0 = 0;
+  double s1 = 1;
+  double t0 = 0;
+  double t1 = 1;
+};
+
+/// What is claimed of the residuals on one element X.
+/// Maths     norms[k] >= (Int_X rho t_k^2)^(1/2), k = 0, ..., pieces;  |products[k] - Int_X w_(1+k) t_0| <=
+///           radii[k], k = 0, ..., pieces - 1
+struct Claim {
+  std::vector<double> norms;
+  std::vector<double> products;
+  std::vector<double> radii;
+};
+
+struct Enclosure {
+  Rational midpoint;
+  Rational radius;
+};
+
+/// The sums over all elements: norms, and of the products midpoint and radius.
+struct Sums {
+  std::vector<double> norms;
+  std::vector<double> products;
+  std::vector<double> radii;
+};
+
+/// What encloses the means of the solution of a radiosity equation, to be checked again.
+/// Maths     u = E + rho T u, T u(P) = (1/pi) Int G(P,Q) u(Q) dS_Q. q_0, ..., q_n are polynomials on
+///           elements: q_k = sum c_ij P_i(x) P_j(y), x = (2s - s0 - s1)/(s1 - s0), y alike, P_i Legendre's.
+///           w_0 = E + rho q_0, w_k = rho (1 on piece k, else 0, + q_k), t_k = T w_k - q_k |Int_(piece k) u -
+///           Int_(piece k) w_0 - Int w_k t_0| <= (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - max rho)
+/// Source    lib/radcert/certificate/check.h
+/// Result    plain data; nothing here is known to be true
+struct MeansCertificate {
+  std::vector<std::string> pieces;
+  std::vector<Face> faces;
+  std::vector<Element> elements;
+  int degree = 0;
+  std::vector<double> coefficients;  ///< by function, element, i, j
+  std::vector<Claim> claims;         ///< by element
+  Sums sums;
+  std::vector<Enclosure> means;  ///< by piece
+  Rational width;                ///< twice the largest radius of the means, or more
+
+  [[nodiscard]] std::size_t functions() const { return pieces.size() + 1; }
+  [[nodiscard]] std::size_t powers() const { return static_cast<std::size_t>(degree) + 1; }
+  [[nodiscard]] double coefficient(std::size_t k, std::size_t element, std::size_t i, std::size_t j) const {
+    return coefficients[((k * elements.size() + element) * powers() + i) * powers() + j];
+  }
+};
+
+/// What in a certificate does not hold.
+struct Refusal {
+  std::string pointer;  ///< the place in the file
+  std::string says;
+};
+
+}  // namespace radcert::certificate

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "radcert/certificate/means_certificate.h"
+
+namespace radcert {
+
+/// A certificate as a file.
+/// Source    formats/schema/certificate.json
+/// Requires  as many pieces, elements and claims as belong together
+/// Result    JSON on one line: exact numbers as decimals or fractions in strings, doubles so that they read
+///           back, coefficients as the 64 bits of each in hexadecimal. `digest` is digest_of the same line
+///           without it
+[[nodiscard]] std::string certificate_text(const certificate::MeansCertificate& certificate,
+                                           const std::string& command);
+
+/// A certificate that was read, and the digest of its content.
+struct ReadCertificate {
+  certificate::MeansCertificate certificate;
+  std::string digest;
+  bool digest_holds = false;  ///< whether it is the one that the file states
+};
+
+/// Reads what certificate_text wrote.
+/// Requires  nothing
+/// Result    the certificate, whose lists have the lengths that belong together, numbers finite and from
+///           1e-60 to 1e60 in size or 0 where they are data; otherwise InputError with the JSON pointer.
+///           Whether it is true is the business of certificate::check
+[[nodiscard]] ReadCertificate read_certificate(std::string_view text, const std::string& source);
+
+}  // namespace radcert

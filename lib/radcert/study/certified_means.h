@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "radcert/certificate/means_certificate.h"
+#include "radcert/study/guarantee.h"
+#include "radcert/study/result.h"
+
+namespace radcert {
+
+/// Enclosed means of a solution, with what proves them.
+struct CertifiedMeans {
+  LevelResult level;
+  SolutionEnclosure enclosure;
+  certificate::MeansCertificate certificate;  ///< encloses a little less narrowly
+};
+
+/// Encloses the means of u over the pieces, and keeps what proves it for certificate::check.
+/// Maths     solve_within for three quarters of the width, and means_certificate
+/// Requires  what check_guarantee lets pass, of means on a polyhedron, else InputError
+/// Result    as solve_within; where the certificate is wider than the width, the enclosure says so
+[[nodiscard]] CertifiedMeans certified_means(const Problem& problem, const Guarantee& guarantee,
+                                             const GuaranteeListener& progress = {});
+
+/// Refuses what certified_means cannot do.
+void check_certified(const Problem& problem, const Guarantee& guarantee);
+
+}  // namespace radcert

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/study/guarantee/means_certificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "radcert/certificate/check.h"
+
+namespace radcert {
+namespace {
+
+using certificate::MeansCertificate;
+
+std::vector<certificate::Face> faces_of(const PolyhedronProblem& problem) {
+  std::vector<certificate::Face> out;
+  for (std::size_t k = 0; k < problem.panels.size(); ++k) {
+    certificate::Face face{.piece = problem.panels[k].piece,
+                           .corners = problem.panels[k].corners,
+                           .reflectivity = problem.reflectivity[k],
+                           .emission = {}};
+    const PlanePolynomial<Rational>& f = problem.emission[k];
+    for (int i = 0; i <= f.degree(); ++i) {
+      face.emission.emplace_back();
+      for (int j = 0; i + j <= f.degree(); ++j) face.emission.back().push_back(f(i, j));
+    }
+    out.push_back(std::move(face));
+  }
+  return out;
+}
+
+/// Each side of each face.
+struct Side {
+  std::size_t face;
+  std::size_t side;
+};
+std::vector<Side> sides_of(const PolyhedronProblem& problem) {
+  std::vector<Side> out;
+  for (std::size_t k = 0; k < problem.panels.size(); ++k)
+    for (std::size_t i = 0; i < problem.panels[k].corners.size(); ++i) out.push_back({k, i});
+  return out;
+}
+
+/// The claims of a search, wider.
+class WiderClaims {
+public:
+  WiderClaims(const GoalProof& proof, const std::vector<char>& reflects, double gap)
+      : proof_(proof), reflects_(reflects), pieces_(proof.norms.size() - 1), floors_(proof.norms.size()) {
+    for (std::size_t e = 0; e < reflects.size(); ++e)
+      if (reflects[e] != 0) {
+        ++elements_;
+        if (proof.elements[e].box.t0 == 0) ++at_edges_;
+      }
+    const double room = proof.wanted * gap;
+    const double largest_dual = *std::max_element(proof.norms.begin() + 1, proof.norms.end());
+    const auto floor = [&](double own, double other) {
+      return std::max(0.3 * own, 0.1 * room / std::max(other, std::sqrt(room)));
+    };
+    for (std::size_t k = 0; k < proof.norms.size(); ++k)
+      floors_[k] = floor(proof.norms[k], k == 0 ? largest_dual : proof.norms[0]) /
+                   std::sqrt(static_cast<double>(elements_));
+  }
+
+  [[nodiscard]] certificate::Claim on(std::size_t e) const {
+    certificate::Claim claim{.norms = std::vector<double>(pieces_ + 1),
+                             .products = std::vector<double>(pieces_),
+                             .radii = std::vector<double>(pieces_)};
+    if (reflects_[e] == 0) return claim;
+    const ElementResidual& found = proof_.residuals[e];
+    for (std::size_t k = 0; k <= pieces_; ++k) {
+      const double norm = std::hypot(1.1 * found.norms[k], floors_[k]);
+      claim.norms[k] = std::ldexp(norm, k == 0 ? proof_.exponent : 0);
+    }
+    for (std::size_t k = 0; k < pieces_; ++k) {
+      const Approximation& product = found.products[1 + k];
+      double more = 0.06 / static_cast<double>(elements_);
+      if (proof_.elements[e].box.t0 == 0) more += 0.06 / static_cast<double>(at_edges_);
+      more *= std::max(proof_.radii[k], proof_.wanted);
+      claim.products[k] = std::ldexp(product.value, proof_.exponent);
+      claim.radii[k] = std::ldexp(product.radius + more, proof_.exponent);
+    }
+    return claim;
+  }
+
+private:
+  const GoalProof& proof_;
+  const std::vector<char>& reflects_;
+  std::size_t pieces_;
+  std::size_t elements_ = 0;
+  std::size_t at_edges_ = 0;
+  std::vector<double> floors_;
+};
+
+void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, MeansCertificate& out) {
+  const std::vector<Side> sides = sides_of(problem);
+  std::vector<char> reflects;
+  Rational sup = 0;
+  for (const Rational& rho : problem.reflectivity) sup = std::max(sup, rho);
+  for (const SectorElement& element : proof.elements) {
+    const Side& side = sides[element.sector];
+    out.elements.push_back({.face = side.face,
+                            .side = side.side,
+                            .s0 = element.box.s0,
+                            .s1 = element.box.s1,
+                            .t0 = element.box.t0,
+                            .t1 = element.box.t1});
+    reflects.push_back(problem.reflectivity[side.face].sign() > 0 ? 1 : 0);
+  }
+  out.degree = proof.q.degree();
+  for (std::size_t k = 0; k < out.functions(); ++k)
+    for (std::size_t e = 0; e < proof.elements.size(); ++e)
+      for (const double c : proof.q.of(e, k))
+        out.coefficients.push_back(std::ldexp(c, k == 0 ? proof.exponent : 0));
+  const WiderClaims claims(proof, reflects, (Rational(1) - sup).to_double());
+  for (std::size_t e = 0; e < proof.elements.size(); ++e) out.claims.push_back(claims.on(e));
+}
+
+/// Nothing reflects: u = E.
+void put_nothing(const PolyhedronProblem& problem, MeansCertificate& out) {
+  for (const Side& side : sides_of(problem)) {
+    out.elements.push_back({.face = side.face, .side = side.side});
+    out.claims.push_back({.norms = std::vector<double>(out.functions()),
+                          .products = std::vector<double>(out.pieces.size()),
+                          .radii = std::vector<double>(out.pieces.size())});
+  }
+  out.coefficients.resize(out.functions() * out.elements.size());
+}
+
+}  // namespace
+
+MeansCertificate means_certificate(const PolyhedronProblem& problem, const std::vector<std::string>& pieces,
+                                   const GoalProof* proof) {
+  MeansCertificate out;
+  out.pieces = pieces;
+  out.faces = faces_of(problem);
+  if (proof != nullptr)
+    put_proof(problem, *proof, out);
+  else
+    put_nothing(problem, out);
+  certificate::Summed found = certificate::summed(out);
+  out.sums = std::move(found.sums);
+  out.means = std::move(found.means);
+  double radius = 0;
+  for (const certificate::Enclosure& mean : out.means) radius = std::max(radius, mean.radius.to_double());
+  // Wider than the rounding of both to decimals.
+  out.width = Rational::exactly(2 * radius * (1 + 0x1p-40));
+  return out;
+}
+
+}  // namespace radcert

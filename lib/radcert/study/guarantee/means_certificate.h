@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "radcert/certificate/means_certificate.h"
+#include "radcert/continuous/goal_enclosure.h"
+#include "radcert/continuous/polyhedron_problem.h"
+
+namespace radcert {
+
+/// Of the width that is wanted, what a search aims at whose result becomes a certificate: the claims there
+/// are wider than what the search has proved.
+inline constexpr double certified_share = 0.75;
+
+/// What encloses means, as something that can be checked again.
+/// Maths     the claims on an element are those that the search has proved, wider: norms by a tenth and a
+///           part of the whole norm that is the same on all elements, at least a tenth of what the width has
+///           room for beside the other norm; radii of products by a twelfth of the wanted radius in all, half
+///           of it at the edges. So they hold by more than a checker's bounds are generous
+/// Requires  means of this problem, pieces by their names; the proof of enclose_means, none where nothing
+///           reflects
+/// Result    sums and means are those of certificate::summed, the width twice the largest radius
+[[nodiscard]] certificate::MeansCertificate means_certificate(const PolyhedronProblem& problem,
+                                                              const std::vector<std::string>& pieces,
+                                                              const GoalProof* proof);
+
+}  // namespace radcert

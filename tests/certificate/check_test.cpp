@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/certificate/check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+#include "radcert/core/parallel.h"
+#include "tests/certificate/samples.h"
+
+namespace radcert::certificate {
+namespace {
+
+using test::Draw;
+
+constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+
+std::string text_of(const Report& report) {
+  return report.refusal ? report.refusal->pointer + ": " + report.refusal->says : "verified";
+}
+
+bool holds(const Enclosure& mean, const Rational& value) { return abs(mean.midpoint - value) <= mean.radius; }
+
+PolyhedronProblem one_face_emits() {
+  return test::constant_problem("tetrahedron", Rational(1, 2), {1, 0, 0, 0});
+}
+
+const MeansCertificate& small() {
+  static const MeansCertificate made = test::certified_means(one_face_emits(), "tetrahedron", 0.15);
+  return made;
+}
+
+TEST(Check, VerifiesWhatTheSearchFound) {
+  const Report report = check(small(), {.elements = all, .seed = {}});
+  EXPECT_FALSE(report.refusal) << text_of(report);
+  EXPECT_EQ(report.looked_at.size(), small().elements.size());
+  EXPECT_LE(small().width, Rational(1, 5));
+  // Light that is emitted leaves by absorption: Int (1/rho - 1) u = Int E/rho, faces alike.
+  Rational middle = 0;
+  Rational radius = 0;
+  for (const Enclosure& mean : small().means) {
+    middle += mean.midpoint;
+    radius += mean.radius;
+  }
+  EXPECT_LE(abs(middle - Rational(2)), radius);
+}
+
+TEST(Check, VerifiesOnesInFurnaces) {
+  for (const auto& [name, rho] :
+       {std::pair("tetrahedron", Rational(1, 4)), std::pair("cube", Rational(2, 3))}) {
+    const PolyhedronProblem furnace = test::constant_problem(name, rho, {Rational(1) - rho});
+    const MeansCertificate c = test::certified_means(furnace, name, 0.1);
+    for (const Enclosure& mean : c.means) EXPECT_TRUE(holds(mean, 1)) << name;
+    const Report report = check(c, {.elements = 30, .seed = "furnace"});
+    EXPECT_FALSE(report.refusal) << name << " " << text_of(report);
+  }
+}
+
+TEST(Check, VerifiesFacesThatReflectDifferentlyAndPolynomials) {
+  PolyhedronProblem problem = test::constant_problem("box", Rational(3, 10), {1, 0, 2});
+  problem.reflectivity[1] = 0;
+  problem.reflectivity[4] = Rational(7, 10);
+  problem.emission[2] = PlanePolynomial<Rational>(2);
+  problem.emission[2](0, 0) = Rational(1);
+  problem.emission[2](1, 0) = Rational(-1, 3);
+  problem.emission[2](1, 1) = Rational(1, 2);
+  const MeansCertificate c = test::certified_means(problem, "box", 0.5);
+  const Report report = check(c, {.elements = 40, .seed = "box"});
+  EXPECT_FALSE(report.refusal) << text_of(report);
+}
+
+TEST(Check, TakesTheEmissionWhereNothingReflects) {
+  const PolyhedronProblem dark = test::constant_problem("cube", 0, {1, 2, 3, 4, 5, 6});
+  const MeansCertificate c = means_certificate(dark, test::names_of("cube"), nullptr);
+  EXPECT_FALSE(check(c, {.elements = all, .seed = {}}).refusal);
+  for (std::size_t k = 0; k < c.faces.size(); ++k)
+    EXPECT_TRUE(holds(c.means[c.faces[k].piece], c.faces[k].emission[0][0]));
+  EXPECT_LT(c.width, Rational::exactly(1e-12));
+}
+
+/// A change of one number, after which something that the certificate says is false, or not what follows.
+std::string change(MeansCertificate& c, Draw& draw) {
+  const auto sign = [&] { return draw() < 0.5 ? -1.0 : 1.0; };
+  const std::size_t e = draw.below(c.elements.size());
+  const std::size_t k = draw.below(c.pieces.size());
+  const std::size_t face = draw.below(c.faces.size());
+  const std::string at = " " + std::to_string(e) + " " + std::to_string(k) + " " + std::to_string(face);
+  switch (draw.below(14)) {
+    case 0: {
+      double& x = c.coefficients[draw.below(c.coefficients.size())];
+      x += sign();
+      return "coefficient" + at;
+    }
+    case 1: {
+      Vector<Rational>& corner = c.faces[face].corners[draw.below(c.faces[face].corners.size())];
+      (draw() < 0.5 ? corner.x : corner.z) += Rational(1, 1 + static_cast<long>(draw.below(1000)));
+      return "corner" + at;
+    }
+    case 2: c.claims[e].norms[draw.below(c.functions())] *= draw() < 0.5 ? 1e-4 : 1.01; return "norm" + at;
+    case 3: c.claims[e].products[k] += sign() * 3 * c.claims[e].radii[k]; return "product" + at;
+    case 4: c.claims[e].radii[k] *= draw() < 0.5 ? 1e-4 : 1.5; return "radius" + at;
+    case 5: c.sums.norms[draw.below(c.functions())] *= draw() < 0.5 ? 0.999 : 1.2; return "sum of norms" + at;
+    case 6: c.sums.products[k] += sign() * 0.01 * c.sums.radii[k]; return "sum of products" + at;
+    case 7: c.sums.radii[k] *= draw() < 0.5 ? 0.999 : 1.01; return "sum of radii" + at;
+    case 8: c.means[k].midpoint += Rational::exactly(sign() * 1e-6); return "midpoint" + at;
+    case 9: c.means[k].radius *= Rational(999999, 1000000); return "radius of a mean" + at;
+    case 10: c.width *= Rational(999, 1000); return "width" + at;
+    case 11: c.faces[face].reflectivity += Rational::exactly(sign() * 0.1); return "reflectivity" + at;
+    case 12: c.faces[face].emission[0][0] += Rational::exactly(sign() * 0.1); return "emission" + at;
+    default:
+      (draw() < 0.5 ? c.elements[e].t1 : c.elements[e].s0) *= 0.5;
+      if (c.elements[e].s0 == 0) c.elements[e].s0 = 0x1p-10;
+      return "element" + at;
+  }
+}
+
+TEST(Check, RefusesAnyNumberChanged) {
+  const char* const asked = std::getenv("RADCERT_LAWS");
+  const int changes = 100 * (asked == nullptr ? 1 : std::max(1, std::atoi(asked)));
+  Draw draw(31);
+  for (int n = 0; n < changes; ++n) {
+    MeansCertificate c = small();
+    const std::string what = change(c, draw);
+    const Report report = check(c, {.elements = all, .seed = {}});
+    EXPECT_TRUE(report.refusal) << what;
+  }
+}
+
+TEST(Check, LooksAtTheSameElementsForTheSameSeed) {
+  const std::vector<std::size_t> one = chosen_elements(100, {.elements = 10, .seed = "a"});
+  EXPECT_EQ(one, chosen_elements(100, {.elements = 10, .seed = "a"}));
+  EXPECT_NE(one, chosen_elements(100, {.elements = 10, .seed = "b"}));
+  EXPECT_EQ(one.size(), 10U);
+  EXPECT_TRUE(std::is_sorted(one.begin(), one.end()));
+  EXPECT_EQ(chosen_elements(7, {.elements = all, .seed = {}}).size(), 7U);
+}
+
+TEST(Check, SaysTheSameForAnyNumberOfThreads) {
+  MeansCertificate c = small();
+  for (const std::size_t e : {std::size_t{5}, std::size_t{20}, std::size_t{50}}) c.claims[e].norms[0] *= 1e-3;
+  const Report many = check(c, {.elements = all, .seed = {}});
+  const ThreadLimit limit(1);
+  const Report one = check(c, {.elements = all, .seed = {}});
+  ASSERT_TRUE(many.refusal && one.refusal);
+  EXPECT_EQ(text_of(many), text_of(one));
+}
+
+}  // namespace
+}  // namespace radcert::certificate

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/result/certificate_json.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "radcert/core/errors.h"
+
+namespace radcert {
+namespace {
+
+/// A tetrahedron with odd numbers; nothing here is true.
+certificate::MeansCertificate sample() {
+  certificate::MeansCertificate c;
+  c.pieces = {"one", "other"};
+  const std::vector<Vector<Rational>> p{
+      {0, 0, 0}, {Rational(1, 3), 0, 0}, {0, 1, 0}, {0, 0, Rational(-7, 2)}};
+  for (std::size_t k = 0; k < 4; ++k)
+    c.faces.push_back({.piece = k % 2,
+                       .corners = {p[k], p[(k + 1) % 4], p[(k + 2) % 4]},
+                       .reflectivity = Rational(1, 7),
+                       .emission = {{Rational(2, 3), Rational(0)}, {Rational(-5)}}});
+  c.elements = {{.face = 1, .side = 2, .s0 = 0, .s1 = 0.5, .t0 = 0.25, .t1 = 1}, {.face = 3, .side = 0}};
+  c.degree = 1;
+  for (int k = 0; k < 24; ++k) c.coefficients.push_back(0.1 * k - 1e-30);
+  c.claims.assign(2, {.norms = {1e-3, 0, 0.1}, .products = {-1e-9, 3}, .radii = {1e-300, 2}});
+  c.sums = {.norms = {1, 2, 3}, .products = {0.1, -0.2}, .radii = {2e-7, 7}};
+  c.means = {{Rational::exactly(0.1), Rational::exactly(1e-5)}, {Rational(2), Rational(1)}};
+  c.width = Rational(3);
+  return c;
+}
+
+TEST(CertificateJson, IsReadAsItWasWritten) {
+  const certificate::MeansCertificate c = sample();
+  const std::string text = certificate_text(c, "radcert test");
+  const ReadCertificate read = read_certificate(text, "c.json");
+  EXPECT_TRUE(read.digest_holds);
+  EXPECT_EQ(certificate_text(read.certificate, "radcert test"), text);
+  EXPECT_EQ(read.certificate.coefficients, c.coefficients);
+  EXPECT_EQ(read.certificate.faces[2].corners, c.faces[2].corners);
+  EXPECT_EQ(read.certificate.faces[0].emission, c.faces[0].emission);
+  EXPECT_EQ(read.certificate.claims[1].products, c.claims[1].products);
+  EXPECT_EQ(read.certificate.sums.radii, c.sums.radii);
+  EXPECT_EQ(read.certificate.elements[0].t0, 0.25);
+}
+
+TEST(CertificateJson, SeesAnyChangedDigit) {
+  const std::string text = certificate_text(sample(), "radcert test");
+  const std::size_t begin = text.find("\"problem\"");
+  int changed = 0;
+  for (std::size_t k = begin; k < text.size(); ++k) {
+    if (text[k] < '0' || text[k] > '9') continue;
+    std::string other = text;
+    other[k] = other[k] == '7' ? '3' : '7';
+    try {
+      EXPECT_FALSE(read_certificate(other, "c.json").digest_holds) << k;
+      ++changed;
+    } catch (const InputError&) {
+      // Then it is no certificate any more.
+    }
+  }
+  EXPECT_GT(changed, 300);
+}
+
+TEST(CertificateJson, RefusesWhatIsNoCertificate) {
+  const std::string text = certificate_text(sample(), "radcert test");
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string out = text;
+    const std::size_t at = out.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return out.replace(at, from.size(), to);
+  };
+  for (const std::string& wrong :
+       {std::string(),
+        std::string("{}"),
+        text.substr(0, text.size() / 3),
+        changed("certificate/1", "certificate/2"),
+        changed("\"of\": \"means\"", "\"of\": \"values\""),
+        changed("\"degree\": 1", "\"degree\": 2"),
+        changed("\"degree\": 1", "\"degree\": 13"),
+        changed("\"coefficients\": [\"", "\"coefficients\": [\"0"),
+        changed("\"coefficients\": [\"b", "\"coefficients\": [\"g"),
+        changed("\"coefficients\": [\"b", "\"coefficients\": [\"f"),
+        changed("\"1/7\"", "\"1/0\""),
+        changed("\"1/7\"", "\"1e300\""),
+        changed("\"1/7\"", "\"nan\""),
+        changed("[1, 2, 0", "[4, 2, 0"),
+        changed("[1, 2, 0", "[1, 3, 0"),
+        changed("[1, 2, 0", "[1, 2, 0.3"),
+        changed("\"norms\": [", "\"norms\": [-1,"),
+        changed("\"norms\": [0", "\"norms\": [-0"),
+        changed("\"claims\": [", "\"claims\": [{},"),
+        changed("\"pieces\": [\"one\"", "\"pieces\": [\"other\""),
+        changed("{\"piece\": \"one\", \"midpoint\"", "{\"piece\": \"other\", \"midpoint\""),
+        changed("\"means\": [", "\"means\": [1,"),
+        changed("\"digest\"", "\"digestion\"")})
+    EXPECT_THROW(static_cast<void>(read_certificate(wrong, "c.json")), InputError) << wrong.substr(0, 200);
+}
+
+}  // namespace
+}  // namespace radcert
