@@ -120,6 +120,9 @@ void add_example(Program& program);
 void add_completion(Program& program);
 void add_man(Program& program);
 
+/// The names of `radcert list WHAT`.
+std::vector<std::string> listed_names(const std::string& what);
+
 /// The words of a command line as a shell would take them: quotes where they are needed.
 std::string command_line(int count, const char* const* words);
 

@@ -41,7 +41,9 @@ std::string factors_table(const FactorReport& report) {
   const FactorMatrix& matrix = report.matrix;
   std::string out = fmt::format("{}: {} triangles, {} surfaces by {}\n", report.name, report.triangles,
                                 report.names.size(), report.by);
-  std::vector<std::vector<std::string>> rows{{"surface", "area", "+-", "row sum", "+-"}};
+  if (report.front) out += "front of a triangle: " + *report.front + "\n";
+  std::vector<std::vector<std::string>> rows{
+      {"surface", report.unit ? "area (" + *report.unit + "^2)" : "area", "+-", "row sum", "+-"}};
   if (report.open) rows.front().insert(rows.front().end(), {"to space", "+-"});
   constexpr std::size_t most_rows = 20;
   for (std::size_t i = 0; i < std::min(matrix.rows.size(), most_rows); ++i) {
@@ -53,8 +55,10 @@ std::string factors_table(const FactorReport& report) {
   }
   out += aligned(rows, radii_of(rows.front()));
   if (matrix.rows.size() > most_rows) out += fmt::format("... and {} more\n", matrix.rows.size() - most_rows);
-  out += fmt::format("pairs of triangles facing each other: {} wholly seen, {} hidden, {} mixed\n",
-                     matrix.whole_pairs, matrix.hidden_pairs, matrix.mixed_pairs);
+  out += matrix.rays > 0
+             ? fmt::format("{} rays\n", matrix.rays)
+             : fmt::format("pairs of triangles facing each other: {} wholly seen, {} hidden, {} mixed\n",
+                           matrix.whole_pairs, matrix.hidden_pairs, matrix.mixed_pairs);
   out += "largest radius of a factor: " + upper_text(matrix.largest_radius()) + ", " +
          (matrix.guaranteed ? "guaranteed" : "estimated") + "\n";
   if (!report.open)
@@ -79,7 +83,7 @@ std::string comparison_table(const std::vector<FactorComparison>& pairs) {
   std::string out = fmt::format("compared: {} agree, {} differ, {} undecided; the largest differences\n",
                                 count[0], count[1], count[2]);
   std::vector<std::vector<std::string>> rows{
-      {"from", "to", "ours", "+-", "theirs", "+-", "apart at most", "verdict"}};
+      {"from", "to", "ours", "+-", "theirs", "+-", "apart at most", "verdict", "cause"}};
   constexpr std::size_t most_rows = 10;
   for (std::size_t k = 0; k < std::min(pairs.size(), most_rows); ++k) {
     const FactorComparison& pair = pairs[k];
@@ -87,7 +91,7 @@ std::string comparison_table(const std::vector<FactorComparison>& pairs) {
     push(rows.back(), pair.ours, digits_of_factors);
     push(rows.back(), {.value = pair.theirs.value, .radius = pair.theirs.halfwidth}, digits_of_factors);
     const Rational apart = abs(Rational::exactly(pair.ours.value) - Rational::exactly(pair.theirs.value));
-    rows.back().insert(rows.back().end(), {upper_text(apart), agreement_word(pair.agreement)});
+    rows.back().insert(rows.back().end(), {upper_text(apart), agreement_word(pair.agreement), pair.cause});
   }
   return out + aligned(rows, radii_of(rows.front()));
 }

@@ -7,6 +7,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/formats/json/json_reader.h"
+#include "radcert/geometry/mesh_file/mesh_file.h"
 
 namespace radcert::app {
 
@@ -17,7 +18,7 @@ const SurfaceDescription& surface_named(const std::string& name) {
   throw InputError({.source = "surface",
                     .value = name,
                     .problem = with_nearest_word("is no surface", name, names),
-                    .allowed = listed(names) + ", or a file in .off, .obj, .ply, .stl"});
+                    .allowed = listed(names) + ", or a file in " + mesh_file_endings()});
 }
 
 MeshRepair repair_of(const std::vector<std::string>& words) {
@@ -26,6 +27,21 @@ MeshRepair repair_of(const std::vector<std::string>& words) {
     if (std::find(known.begin(), known.end(), word) == known.end())
       throw InputError({.source = "--repair", .value = word, .allowed = listed(known)});
   return repair_named(words);
+}
+
+std::optional<std::string> unit_of_lengths(const std::string& word) {
+  if (word.empty()) return std::nullopt;
+  const std::vector<std::string> known{"mm", "cm", "m", "in"};
+  if (std::find(known.begin(), known.end(), word) == known.end())
+    throw InputError({.source = "--unit", .value = word, .allowed = listed(known)});
+  return word;
+}
+
+FrontRule front_of(const std::string& word) {
+  const std::vector<std::string> known(front_words.begin(), front_words.end());
+  const auto at = std::find(known.begin(), known.end(), word);
+  if (at == known.end()) throw InputError({.source = "--front", .value = word, .allowed = listed(known)});
+  return static_cast<FrontRule>(at - known.begin());
 }
 
 }  // namespace radcert::app

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "radcert/geometry/mesh_repair.h"
+#include "radcert/hypotheses/front.h"
 #include "radcert/surface/catalogue.h"
 #include "radcert/surface/surface.h"
 
@@ -17,5 +19,20 @@ const SurfaceDescription& surface_named(const std::string& name);
 
 /// The repairs of these words; InputError for any other.
 MeshRepair repair_of(const std::vector<std::string>& words);
+
+/// The rule of this word; InputError for any other.
+FrontRule front_of(const std::string& word);
+
+/// The unit of lengths, or nothing where the word is empty; InputError for a word that is none.
+std::optional<std::string> unit_of_lengths(const std::string& word);
+
+/// What help says of --unit.
+inline const std::string unit_help =
+    "The unit of the coordinates, which areas carry: mm, cm, m, in; nothing is converted";
+
+/// What help says of --front.
+inline const std::string front_help =
+    "Where light travels from a triangle of a mesh: right-hand, from where its corners run counterclockwise, "
+    "left-hand, or auto: inside of closed scenes, right-hand in open ones; default auto";
 
 }  // namespace radcert::app

@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import unittest
+from decimal import Decimal, localcontext
 from fractions import Fraction
 
 import jsonschema
@@ -160,6 +161,31 @@ class Basis(ProgramTest):
         self.assertLess(abs(15 * x * x - 14 * x + 1), Fraction(1, 10**57))
         self.refuse(with_number(["0.2", "0.3"]), "/numbers/x/between", "holds no zero of 15 x^2 - 14 x + 1")
         self.refuse(with_number(["0", "1"]), "/numbers/x/between", "holds 2 zeros")
+
+    def test_radons_seven_points_have_precision_five(self):
+        # a, b = (6 -+ sqrt 15)/21, the zeros of 21 x^2 - 12 x + 1; the space is that of degree 2 and a bubble.
+        space = ["1", "x1", "x2", "x1*x2", "x2*x3", "x1*x3", "x1*x2*x3"]
+        orbit = [["1-2*{0}", "{0}", "{0}"], ["{0}", "1-2*{0}", "{0}"], ["{0}", "{0}", "1-2*{0}"]]
+        nodes = [["1/3"] * 3] + [[x.format(n) for x in node] for n in ("x", "y") for node in orbit]
+        polynomial = ["1", "-12", "21"]
+        self.write("radon.json", {"schema": "radcert/nodes/1", "space": space, "nodes": nodes,
+                                  "numbers": {"x": {"polynomial": polynomial, "between": ["0.1", "0.11"]},
+                                              "y": {"polynomial": polynomial, "between": ["0.46", "0.48"]}}})
+        out = self.expect(0, "basis", "radon.json")
+        self.assertRegex(out, r"precision, triangle +5 \(exact, for the algebraic nodes\); misses s\^6 by")
+        self.assertNotIn("rounding of the nodes", out)
+        # The same in 16 decimals.
+        with localcontext() as context:
+            context.prec = 40
+            places = Decimal(10) ** -16
+            values = [((6 + sign * Decimal(15).sqrt()) / 21).quantize(places) for sign in (-1, 1)]
+            rounded = [["1/3"] * 3]
+            for t in values:
+                rounded += [[str(1 - 2 * t if k == at else t) for k in range(3)] for at in range(3)]
+        self.write("rounded.json", {"schema": "radcert/nodes/1", "space": space, "nodes": rounded})
+        out = self.expect(0, "basis", "rounded.json")
+        self.assertRegex(out, r"precision, triangle +3 \(exact\); misses s\^4 by .*, likely the rounding of the nodes' "
+                              r"decimals")
 
     def test_the_symmetric_sets_are_shipped_as_the_program_writes_them(self):
         for degree in range(1, 7):

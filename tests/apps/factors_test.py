@@ -43,10 +43,10 @@ def box(low, high, parts=1, inwards=False):
     return faces
 
 
-# Counterclockwise as seen from below and from above: open meshes are taken to be seen from outside.
-OBSTRUCTED = [[(0.0, 0.0, 0.0), (0.0, 1.0, 0.0), (1.0, 1.0, 0.0), (1.0, 0.0, 0.0)],
-              [(0.0, 0.0, 1.0), (1.0, 0.0, 1.0), (1.0, 1.0, 1.0), (0.0, 1.0, 1.0)],
-              [(0.0, 0.0, 0.5), (0.5, 0.0, 0.5), (0.5, 0.5, 0.5), (0.0, 0.5, 0.5)]]
+# Counterclockwise as seen from where their light is: below and above face each other.
+OBSTRUCTED = [[(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)],
+              [(0.0, 0.0, 1.0), (0.0, 1.0, 1.0), (1.0, 1.0, 1.0), (1.0, 0.0, 1.0)],
+              [(0.0, 0.0, 0.5), (0.0, 0.5, 0.5), (0.5, 0.5, 0.5), (0.5, 0.0, 0.5)]]
 UNIT = (0.0, 0.0, 0.0), (1.0, 1.0, 1.0)
 INNER = (0.25, 0.25, 0.25), (0.75, 0.75, 0.75)
 
@@ -121,7 +121,8 @@ class Factors(ProgramTest):
         for words in ([], ["--certified"]):
             for faces, seen in (([inner, outer], 2), (cube + [inner, outer], None)):
                 self.write("body.off", off(faces))
-                self.expect(0, "factors", "body.off", "--space", "--out", "body.csv", *words)
+                self.expect(0, "factors", "body.off", "--space", "--front", "left-hand", "--out", "body.csv",
+                            *words)
                 last = f"piece_{len(faces) - 1}/1", f"piece_{len(faces)}/1"
                 found = [row for row in self.rows("body.csv") if {row["from"], row["to"]} == set(last)]
                 self.assertEqual(len(found), seen or 0)
@@ -156,6 +157,66 @@ class Factors(ProgramTest):
         for piece in (b"piece_1", b"piece_2"):
             self.assertIn(piece + b" sees nothing: its normals are probably reversed", done.stderr)
 
+    def factors_by_piece(self, name, *words):
+        self.expect(0, "factors", name, "--by", "piece", "--out", "out.csv", *words)
+        return {(row["from"], row["to"]): float(row["factor"]) for row in self.rows("out.csv")}
+
+    def test_open_scenes_are_read_as_the_file_has_them(self):
+        # Ground with its normal up and a box with normals outward, as in ordinary CAD; in a room the same faces
+        # exchange the same.
+        ground = [(-2.0, -2.0, 0.0), (2.0, -2.0, 0.0), (2.0, 2.0, 0.0), (-2.0, 2.0, 0.0)]
+        body = box((-0.5, -0.5, 0.25), (0.5, 0.5, 1.25))
+        self.write("site.off", off([ground] + body))
+        site = self.factors_by_piece("site.off", "--space")
+        self.write("room.off", off([ground] + body + box((-9.0, -9.0, -1.0), (9.0, 9.0, 9.0), inwards=True)))
+        room = self.factors_by_piece("room.off", "--space")
+        boxes = [f"piece_{k}" for k in range(2, 8)]
+        self.assertGreater(sum(site.get(("piece_1", b), 0) for b in boxes), 0.05)
+        for a in ["piece_1", *boxes]:
+            for b in ["piece_1", *boxes]:
+                self.assertAlmostEqual(site.get((a, b), 0), room.get((a, b), 0), delta=1e-4)
+                if a in boxes and b in boxes:
+                    self.assertNotIn((a, b), site)
+
+    def test_plates_exchange_where_their_fronts_face(self):
+        fin = [(2.0, 0.0, 0.0), (2.0, 0.0, 1.0), (2.0, 1.0, 1.0), (2.0, 1.0, 0.0)]
+        facing = OBSTRUCTED[:2]
+        back_to_back = [face[::-1] for face in facing]
+        for faces, option, expected in ((facing, "auto", OPPOSITE), (facing + [fin], "auto", OPPOSITE),
+                                        (back_to_back, "auto", 0), (back_to_back + [fin], "right-hand", 0),
+                                        (back_to_back, "left-hand", OPPOSITE), (facing + [fin], "left-hand", 0)):
+            self.write("plates.off", off(faces))
+            factors = self.factors_by_piece("plates.off", "--space", "--front", option)
+            self.assertAlmostEqual(factors.get(("piece_1", "piece_2"), 0), expected, delta=1e-12)
+
+    def test_bodies_that_can_be_read_both_ways_are_refused(self):
+        self.write("bodies.off", off(box(*UNIT) + box((2.0, 0.0, 0.0), (3.0, 1.0, 1.0))))
+        for words in ([], ["--space"]):
+            done = self.run_program("factors", "bodies.off", *words)
+            self.assertEqual(done.returncode, 2)
+            for word in (b"front right-hand", b"front left-hand", b"2 closed bodies"):
+                self.assertIn(word, done.stderr)
+        outside = self.factors_by_piece("bodies.off", "--space", "--front", "right-hand")
+        east = [pair for pair, value in outside.items() if abs(value - OPPOSITE) < 1e-12]
+        self.assertEqual(len(east), 2)
+        self.assertEqual(len(outside), 2)
+        inside = self.factors_by_piece("bodies.off", "--front", "left-hand")
+        self.assertEqual(len(inside), 60)
+        for words in (["--front", "right-hand"], ["--front", "left-hand", "--space"], ["--front", "up"]):
+            self.expect(2, "factors", "bodies.off", *words)
+        # The right-hand rule has the light inside, as a closed scene would: two rooms.
+        self.write("rooms.off", off(box(*UNIT, inwards=True) +
+                                    box((2.0, 0.0, 0.0), (3.0, 1.0, 1.0), inwards=True)))
+        self.assertEqual(len(self.factors_by_piece("rooms.off")), 60)
+        self.expect(2, "factors", "cube", "--front", "left-hand")
+
+    def test_the_front_of_a_closed_room_need_not_be_given(self):
+        for inwards in (False, True):
+            self.write("room.off", off(box(*UNIT, inwards=inwards)))
+            self.assertEqual(len(self.factors_by_piece("room.off")), 30)
+            report = json.loads(self.expect(0, "factors", "room.off", "--json", "-"))
+            self.assertEqual(report["front"], "right-hand" if inwards else "left-hand")
+
     def test_wrong_words_are_refused(self):
         for words in (["cubes"], ["cube", "--by", "side"], ["cube", "--level", "x"], ["cube", "--accuracy", "2"],
                       ["sphere"], ["cube", "--out", "no/folder.csv"], ["cube", "--compare", "missing.csv"]):
@@ -177,6 +238,62 @@ class Factors(ProgramTest):
         self.write("bad.csv", text.replace("0.199825", "0.199925", 1))
         out = self.expect(1, "factors", "cube", "--by", "piece", "--compare", "bad.csv")
         self.assertIn("compared: 29 agree, 1 differ, 0 undecided", out)
+
+    def test_a_comparison_takes_a_matrix_and_a_tolerance_and_says_why(self):
+        self.expect(0, "factors", "cube", "--by", "piece", "--out", "exact.csv")
+        exact = {(row["from"], row["to"]): float(row["factor"]) for row in self.rows("exact.csv")}
+        names = [row["name"] for row in self.rows("exact.surfaces.csv")]
+
+        def matrix(change):
+            lines = ["," + ",".join(names)]
+            lines += [",".join([a, *(f"{change(a, b, exact.get((a, b), 0.0)):.9f}" for b in names)]) for a in names]
+            return "\r\n".join(lines) + "\r\n"
+
+        self.write("good.csv", matrix(lambda a, b, x: x))
+        compare = ("factors", "cube", "--by", "piece", "--compare")
+        self.assertIn("36 agree, 0 differ", self.expect(0, *compare, "good.csv"))
+        self.write("bad.csv", matrix(lambda a, b, x: 1.001 * x if (a, b) == (names[0], names[1]) else x))
+        self.assertIn("35 agree, 1 differ", self.expect(1, *compare, "bad.csv", "--differences", "d.csv"))
+        worst = self.rows("d.csv")[0]
+        self.assertEqual((worst["from"], worst["to"], worst["verdict"]), (names[0], names[1], "differs"))
+        self.assertAlmostEqual(float(worst["difference"]), 0.001 * OPPOSITE, delta=1e-8)
+        self.assertEqual(worst["cause"], "reciprocity broken")
+        self.assertEqual(len(self.rows("d.csv")), 36)
+        with open(self.path("d.svg")) as file:
+            self.assertEqual(file.read().count('class="differs"'), 1)
+        for tolerance, code in (("1e-4", 1), ("3e-4", 0), ("0.05%", 1), ("0.2%", 0), ("1e-4,0.2%", 0)):
+            self.expect(code, *compare, "bad.csv", "--tolerance", tolerance)
+        report = json.loads(self.expect(1, *compare, "bad.csv", "--json", "-"))
+        jsonschema.validate(report, json.loads(self.expect(0, "schema", "factors")))
+        self.assertEqual(report["comparison"]["worst"][0]["cause"], "reciprocity broken")
+        for words in (["--tolerance", "1e-3"], ["--compare", "good.csv", "--tolerance", "x"],
+                      ["--compare", "good.csv", "--tolerance", "1e-3,1e-4"], ["--differences", "d.csv"]):
+            self.expect(2, "factors", "cube", "--by", "piece", *words)
+
+    def test_an_occlusion_that_was_missed_is_named(self):
+        self.write("open.off", off(OBSTRUCTED))
+        self.write("unoccluded.csv", f"from,to,factor\npiece_1,piece_2,{OPPOSITE:.9f}\n")
+        out = self.expect(1, "factors", "open.off", "--space", "--by", "piece", "--compare", "unoccluded.csv",
+                          "--differences", "d.csv")
+        self.assertIn("occlusion missed", out)
+        causes = {(row["from"], row["to"]): row["cause"] for row in self.rows("d.csv")}
+        self.assertEqual(causes["piece_1", "piece_2"], "occlusion missed")
+
+    def test_rays_agree_with_pairs(self):
+        self.write("cubes.off", off(box(*UNIT) + box(*INNER, inwards=True)))
+        words = ("factors", "cubes.off", "--by", "piece")
+        self.expect(0, *words, "--accuracy", "1e-4", "--out", "pairs.csv")
+        out = self.expect(0, *words, "--rays", "--accuracy", "5e-3", "--out", "rays.csv")
+        self.assertRegex(out, r"[0-9]+ rays\n")
+        pairs = {(row["from"], row["to"]): float(row["factor"]) for row in self.rows("pairs.csv")}
+        rays = {(row["from"], row["to"]): row for row in self.rows("rays.csv")}
+        self.assertTrue(set(pairs) <= set(rays))
+        for pair, row in rays.items():
+            self.assertLess(abs(float(row["factor"]) - pairs.get(pair, 0)), float(row["radius"]) + 1e-4, pair)
+            self.assertLess(float(row["radius"]), 5.1e-3)
+            self.assertEqual(row["guaranteed"], "false")
+        self.expect(2, *words, "--rays", "--certified")
+        self.expect(2, *words, "--rays", "--accuracy", "1e-8")
 
     def test_groups_are_rows(self):
         corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]

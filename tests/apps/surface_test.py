@@ -133,7 +133,8 @@ class SurfaceCommand(ProgramTest):
             self.assertTrue(report["closed"])
             self.assertEqual(report["euler_characteristic"], 2)
             self.assertEqual(report["orientation"],
-                             {"consistent": True, "counterclockwise_from": "outside", "known_by": "volume"})
+                             {"consistent": True, "counterclockwise_from": "outside", "known_by": "volume", "front": "left-hand",
+                              "encloses": True, "undecided": None})
 
     def test_convex_solids_are_certified(self):
         for solid in (CUBE, TETRAHEDRON, octahedron()):
@@ -186,6 +187,52 @@ class SurfaceCommand(ProgramTest):
         self.assertIn([[0, 0, 1], [1, 0, 1]], report["open_edges"]["first"])
         text = self.expect(0, "surface", "mesh.off")
         self.assertIn("(0, 0, 1) to (1, 0, 1)", text)
+
+    def test_an_open_mesh_is_read_as_its_file_has_it(self):
+        open_cube = (CUBE[0], CUBE[1][:1] + CUBE[1][2:])
+        self.write("mesh.off", off(open_cube))
+        problem = {"schema": "radcert/problem/1", "surface": {"file": "mesh.off"}, "triangulation": {"levels": [0]},
+                   "basis": {"family": "inset", "degree": 0}, "reflectivity": "1/2", "emission": "1"}
+        self.write("problem.json", problem)
+        said = self.run_program("solve", "problem.json")
+        self.assertEqual(said.returncode, 2)
+        for word in (b"right-hand", b"left-hand", b"/surface/file"):
+            self.assertIn(word, said.stderr)
+        self.write("problem.json", dict(problem, surface={"file": "mesh.off", "front": "left-hand"}))
+        result = json.loads(self.expect(0, "solve", "problem.json", "--json", "-"))
+        self.assertEqual(result["problem"]["surface"]["front"], "left-hand")
+        self.assertGreater(result["levels"][0]["norm_K"]["value"], 0.1)
+        self.write("problem.json", dict(problem, surface={"file": "mesh.off", "front": "up"}))
+        self.assertIn(b"/surface/front", self.run_program("solve", "problem.json").stderr)
+        report = self.report_of("mesh.off", "--front", "left-hand")
+        self.assertEqual(report["orientation"]["known_by"], "choice")
+        self.assertEqual(report["containment"]["verdict"], "certified")
+
+    def test_pieces_have_area_normal_centroid_and_box(self):
+        long = moved(CUBE, lambda x, y, z: (4 * x + 1, 3 * y, 2 * z))
+        for inwards in (False, True):
+            solid = (long[0], [tuple(reversed(face)) if inwards else face for face in long[1]])
+            report = self.report(solid)
+            floor = next(piece for piece in report["pieces"] if piece["box"] == [[1, 0, 0], [5, 3, 0]])
+            self.assertEqual(floor["area"], 12)
+            self.assertEqual(floor["normal"], [0, 0, 1])  # into the room, either way
+            self.assertEqual(floor["centroid"], [3, 1.5, 0])
+            self.assertEqual(sorted(piece["area"] for piece in report["pieces"]), [6, 6, 8, 8, 12, 12])
+            self.assertIsNone(report["unit"])
+        text = self.expect(0, "surface", "mesh.off", "--unit", "mm")
+        self.assertRegex(text, r"piece +triangles +area \(mm\^2\)")
+        self.assertRegex(text, r"12 +0 +\(0, 0, 1\) +\(3, 1.5, 0\) +\(1, 0, 0\) to \(5, 3, 0\)")
+        self.assertEqual(self.report_of("mesh.off", "--unit", "cm")["unit"], "cm")
+        self.expect(2, "surface", "mesh.off", "--unit", "ft")
+        ball = self.report_of("mesh.off", "--angle", "180")["pieces"]
+        self.assertEqual(len(ball), 1)
+        self.assertIsNone(ball[0]["normal"])
+        self.assertEqual(self.report_of("cube")["pieces"][0]["area"], 1)
+        self.assertIsNone(self.report_of("sphere")["pieces"][0]["area"])
+        out = self.expect(0, "factors", "mesh.off", "--unit", "m", "--by", "piece", "--out", "f.csv")
+        self.assertIn("area (m^2)", out)
+        with open(self.path("f.surfaces.csv"), newline="") as file:
+            self.assertEqual({row.rsplit(",", 1)[1] for row in file.read().splitlines()[1:]}, {"m^2"})
 
     def test_nothing_is_mended_unless_asked(self):
         faces = [tuple(reversed(f)) if i == 3 else f for i, f in enumerate(CUBE[1])]

@@ -185,6 +185,38 @@ TEST(FactorMatrix, ProvesEachNumberWhereThatIsAsked) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(FactorMatrix, GivesRowsAwayAsItWouldKeepThem) {
+  const TriangleMesh mesh = sample::cube_in_cube(0.25);
+  const FacetScene scene(mesh);
+  const FactorUnits units = sample::by_face(mesh);
+  const FactorMatrix kept = matrix_of(scene, units, {.accuracy = 1e-3});
+  std::vector<ConfigurationFactor> given;
+  const FactorMatrix streamed =
+      factor_matrix(scene, units, {.accuracy = 1e-3}, {.row = [&](std::span<const ConfigurationFactor> row) {
+                      given.insert(given.end(), row.begin(), row.end());
+                    }});
+  EXPECT_TRUE(streamed.entries.empty());
+  EXPECT_EQ(streamed.entry_count, kept.entries.size());
+  EXPECT_EQ(streamed.largest_radius(), kept.largest_radius());
+  ASSERT_EQ(given.size(), kept.entries.size());
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    EXPECT_EQ(given[k].from, kept.entries[k].from);
+    EXPECT_EQ(given[k].to, kept.entries[k].to);
+    EXPECT_EQ(given[k].factor.value, kept.entries[k].factor.value);
+  }
+}
+
+TEST(FactorMatrix, PlansItsMemory) {
+  const FactorMesh mesh = cube(2);
+  const FacetScene scene(mesh.mesh);
+  const FactorUnits units = factor_units(mesh, FactorUnit::triangle);
+  const FactorPlan all = factor_plan(scene, units, {}, FactorsKept::all);
+  const FactorPlan rows = factor_plan(scene, units, {}, FactorsKept::none);
+  EXPECT_EQ(all.pairs, 192U * 191 / 2);
+  EXPECT_GT(all.seconds, 0);
+  EXPECT_EQ(all.memory.total() - rows.memory.total(), 192U * 192 * sizeof(ConfigurationFactor));
+}
+
 TEST(FactorMatrix, StopsWhenAskedTo) {
   const FacetScene scene(sample::cube_in_cube(0.25));
   request_interruption();

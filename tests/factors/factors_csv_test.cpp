@@ -24,7 +24,9 @@ TEST(FactorsCsv, ReadsWhatItWrites) {
   ASSERT_EQ(claims.size(), 2U);
   EXPECT_EQ(claims.at({"a", "b \"x\", y"}).value, 0.25);
   EXPECT_EQ(claims.at({"a", "b \"x\", y"}).halfwidth, 1e-9);
-  EXPECT_NE(factor_surfaces_csv(sample_matrix(), names).find("a,2,0.25,1e-09,\r\n"), std::string::npos);
+  EXPECT_NE(factor_surfaces_csv(sample_matrix(), names, {}).find("a,2,0.25,1e-09,,\r\n"), std::string::npos);
+  EXPECT_NE(factor_surfaces_csv(sample_matrix(), names, "mm").find("a,2,0.25,1e-09,,mm^2\r\n"),
+            std::string::npos);
 }
 
 TEST(FactorsCsv, TakesHalfAUnitOfTheLastDigitWhereThereIsNoRadius) {
@@ -49,21 +51,16 @@ TEST(FactorsCsv, RefusesWithThePlace) {
     EXPECT_THROW(static_cast<void>(parse_factors(text, "a test", names)), InputError) << text;
 }
 
-TEST(FactorComparison, AgreesDiffersOrIsUndecidedAgainstTheRadius) {
-  const FactorMatrix matrix = sample_matrix();
-  const ClaimedFactors claims{
-      {{"a", names[1]}, {0.25, 1e-8}}, {{names[1], "a"}, {0.6, 1e-8}}, {{"a", "a"}, {0, 1e-8}}};
-  const auto pairs = compared(matrix, names, claims);
-  ASSERT_EQ(pairs.size(), 3U);
-  EXPECT_EQ(pairs[0].agreement, Agreement::differs);
-  EXPECT_EQ(pairs[0].from, names[1]);
-  EXPECT_EQ(pairs[1].agreement, Agreement::agrees);
-  EXPECT_EQ(pairs[2].agreement, Agreement::agrees);
-  const auto finer = compared(matrix, names, {{{"a", names[1]}, {0.25, 1e-12}}});
-  // What the other leaves out is zero.
-  EXPECT_EQ(finer[0].agreement, Agreement::differs);
-  EXPECT_EQ(finer[1].agreement, Agreement::undecided);
-  EXPECT_THROW(static_cast<void>(compared(matrix, names, {{{"c", "a"}, {0, 0}}})), InputError);
+TEST(FactorsCsv, ReadsAMatrixWithNamesAboutIt) {
+  const ClaimedFactors claims =
+      parse_factors("from,a,\"b \"\"x\"\", y\"\na,0,0.25\n\"b \"\"x\"\", y\",0.5,\n", "a test", names);
+  EXPECT_EQ(claims.size(), 4U);
+  EXPECT_EQ(claims.at({"a", names[1]}).value, 0.25);
+  EXPECT_DOUBLE_EQ(claims.at({"a", names[1]}).halfwidth, 0.005);
+  EXPECT_EQ(claims.at({names[1], "a"}).value, 0.5);
+  EXPECT_EQ(claims.at({names[1], names[1]}).value, 0);
+  for (const char* text : {"from,a,c\na,0,0\n", "from,a,a\na,0,0\n", "from,a\na,0,0\n", "from,a\na,x\n"})
+    EXPECT_THROW(static_cast<void>(parse_factors(text, "a test", names)), InputError) << text;
 }
 
 }  // namespace

@@ -35,6 +35,15 @@ TEST(VtuText, HasThreePointsOfItsOwnAndOneCellAnElement) {
             (std::vector<std::string>{"0.3333333333333333", "2", "3", "4", "5", "-6"}));
 }
 
+TEST(VtuText, HasALegendOfPiecesThatNeedsNoStrings) {
+  auto elements = test::sample_level().elements;
+  elements[0].piece = "a <b> & \"c\"";
+  const std::string text = vtu_text(elements);
+  EXPECT_EQ(text.find("type=\"String\""), std::string::npos);
+  EXPECT_EQ(words(text, "piece 0: a &lt;b&gt; &amp; &quot;c&quot;"), (std::vector<std::string>{"0"}));
+  EXPECT_EQ(words(text, "piece 1: " + elements[1].piece), (std::vector<std::string>{"1"}));
+}
+
 TEST(VtuText, HasTheErrorWhereItIsKnown) {
   const auto elements = test::sample_level().elements;
   EXPECT_EQ(vtu_text(elements).find("Name=\"error\""), std::string::npos);

@@ -14,8 +14,10 @@ namespace {
 
 using testing::HasSubstr;
 
-MeshSurvey survey_of(const sample::Polyhedron& solid, const MeshRepair& repair = {}) {
-  return survey_mesh(parse_mesh_file(sample::off_text(solid), "sample.off"), default_sharp_degrees, repair);
+MeshSurvey survey_of(const sample::Polyhedron& solid, const MeshRepair& repair = {},
+                     FrontRule rule = FrontRule::automatic) {
+  return survey_mesh(parse_mesh_file(sample::off_text(solid), "sample.off"), default_sharp_degrees, repair,
+                     rule);
 }
 
 sample::Polyhedron reversed(sample::Polyhedron solid) {
@@ -26,43 +28,111 @@ sample::Polyhedron reversed(sample::Polyhedron solid) {
 TEST(MeshSurvey, FindsTheInnerSideWhicheverWayTheFacesRun) {
   for (const sample::Polyhedron& solid : {sample::cube(), sample::octahedron(), sample::sphere(2)}) {
     const MeshSurvey outside = survey_of(solid);
-    EXPECT_EQ(outside.orientation, Orientation::against_the_cross_product);
+    EXPECT_EQ(outside.front.orientation, Orientation::against_the_cross_product);
     const MeshSurvey inside = survey_of(reversed(solid));
-    EXPECT_EQ(inside.orientation, Orientation::along_the_cross_product);
+    EXPECT_EQ(inside.front.orientation, Orientation::along_the_cross_product);
     for (const MeshSurvey& survey : {outside, inside}) {
-      EXPECT_EQ(survey.inner_side, InnerSide::by_volume);
+      EXPECT_EQ(survey.front.known_by, InnerSide::by_volume);
       EXPECT_EQ(survey.containment.verdict, Containment::certified);
       EXPECT_FALSE(survey.obstacle().has_value());
     }
   }
+}
+
+TEST(MeshSurvey, TrustsTheFileOfAnOpenMesh) {
   sample::Polyhedron open = sample::cube();
   open.faces.pop_back();
-  EXPECT_EQ(survey_of(open).orientation, Orientation::against_the_cross_product);
-  EXPECT_EQ(survey_of(reversed(open)).orientation, Orientation::along_the_cross_product);
-  EXPECT_EQ(survey_of(open).inner_side, InnerSide::by_certificate);
-  EXPECT_FALSE(survey_of(open).topology.closed());
+  for (const bool inwards : {false, true}) {
+    const MeshSurvey survey = survey_of(inwards ? reversed(open) : open);
+    EXPECT_EQ(survey.front.orientation, Orientation::along_the_cross_product);
+    EXPECT_EQ(survey.front.known_by, InnerSide::by_file);
+    EXPECT_FALSE(survey.topology.closed());
+    EXPECT_FALSE(survey.front.encloses);
+    EXPECT_EQ(survey.looks_away, !inwards);
+    EXPECT_EQ(survey.containment.verdict == Containment::certified, inwards);
+    EXPECT_EQ(survey.obstacle().has_value(), !inwards);
+  }
+  EXPECT_THAT(*survey_of(open).obstacle(), testing::AllOf(HasSubstr("right-hand"), HasSubstr("left-hand")));
+  const MeshSurvey chosen = survey_of(open, {}, FrontRule::left_hand);
+  EXPECT_EQ(chosen.front.orientation, Orientation::against_the_cross_product);
+  EXPECT_EQ(chosen.front.known_by, InnerSide::by_choice);
+  EXPECT_FALSE(chosen.obstacle().has_value());
+  EXPECT_EQ(chosen.containment.verdict, Containment::certified);
+}
+
+TEST(MeshSurvey, ReadsClosedBodiesBothWaysOnlyWhereToldTo) {
+  const sample::Polyhedron two =
+      sample::together(sample::cube(), sample::column({{3, 3}, {4, 3}, {3, 4}}, 1), false);
+  EXPECT_THAT(*survey_of(two).obstacle(), HasSubstr("2 closed bodies beside each other"));
+  EXPECT_FALSE(survey_of(reversed(two)).obstacle().has_value());
+  EXPECT_TRUE(survey_of(reversed(two)).front.encloses);
+  for (const bool inwards : {false, true})
+    for (const FrontRule rule : {FrontRule::right_hand, FrontRule::left_hand}) {
+      const MeshSurvey survey = survey_of(inwards ? reversed(two) : two, {}, rule);
+      EXPECT_TRUE(survey.front.misoriented.empty());
+      EXPECT_FALSE(survey.front.undecided.has_value());
+      EXPECT_EQ(survey.front.encloses, inwards == (rule == FrontRule::right_hand));
+      EXPECT_EQ(survey.surface("two").closed, survey.front.encloses);
+    }
+  // A room with a box in it: as a room without being asked; else outside of the room, and in the box.
+  const sample::Polyhedron room = sample::cube_in_cube(0.5, {0.25, 0.25, 0.25});
+  EXPECT_TRUE(survey_of(room, {}, FrontRule::left_hand).front.encloses);
+  EXPECT_TRUE(survey_of(room, {}, FrontRule::right_hand).front.misoriented.empty());
+  EXPECT_FALSE(survey_of(room, {}, FrontRule::right_hand).front.encloses);
+  for (const FrontRule rule : {FrontRule::right_hand, FrontRule::left_hand})
+    EXPECT_FALSE(
+        survey_of(sample::cube_in_cube(0.5, {0.25, 0.25, 0.25}, false), {}, rule).front.misoriented.empty());
+  // Corners given once for each face are one corner.
+  sample::Polyhedron apart = sample::cube();
+  apart.vertices.insert(apart.vertices.end(), apart.vertices.begin(), apart.vertices.end());
+  for (std::size_t& v : apart.faces[2]) v += 8;
+  EXPECT_EQ(survey_of(apart).front.known_by, InnerSide::by_volume);
+  EXPECT_EQ(survey_of(apart).front.orientation, Orientation::against_the_cross_product);
+}
+
+TEST(MeshSurvey, RefusesToGuessAtEdgesOfManyTriangles) {
+  // Two cubes with an edge in common, and a cube with a fin at one of its edges.
+  sample::Polyhedron two = sample::cube();
+  const sample::Polyhedron other = sample::cube();
+  std::vector<std::size_t> number;
+  for (const Vector<double>& v : other.vertices) {
+    const Vector<double> moved{v.x + 1, v.y + 1, v.z};
+    const auto found = std::find(two.vertices.begin(), two.vertices.end(), moved);
+    number.push_back(static_cast<std::size_t>(found - two.vertices.begin()));
+    if (found == two.vertices.end()) two.vertices.push_back(moved);
+  }
+  for (auto face : other.faces) {
+    for (std::size_t& v : face) v = number[v];
+    two.faces.push_back(face);
+  }
+  EXPECT_TRUE(survey_of(two).front.undecided.has_value());
+  EXPECT_FALSE(survey_of(reversed(two)).front.undecided.has_value());
+  EXPECT_TRUE(survey_of(reversed(two)).front.encloses);
+  EXPECT_FALSE(survey_of(two, {}, FrontRule::right_hand).front.encloses);
+  EXPECT_TRUE(survey_of(two, {}, FrontRule::left_hand).front.encloses);
 }
 
 TEST(MeshSurvey, KnowsWhetherARoomAndWhatIsInItHaveOneInside) {
   const Vector<double> middle{0.25, 0.25, 0.25};
   const sample::Polyhedron room = sample::cube_in_cube(0.5, middle);
-  EXPECT_TRUE(survey_of(room).misoriented.empty());
+  EXPECT_TRUE(survey_of(room).front.misoriented.empty());
   EXPECT_FALSE(survey_of(room).obstacle().has_value());
-  EXPECT_TRUE(survey_of(reversed(room)).misoriented.empty());
+  EXPECT_TRUE(survey_of(reversed(room)).front.misoriented.empty());
   // The box in the room runs the same way as the room: its inner normals point into the box.
   const MeshSurvey faulty = survey_of(sample::cube_in_cube(0.5, middle, false));
-  EXPECT_EQ(faulty.misoriented, (std::vector<std::size_t>{12}));
+  EXPECT_EQ(faulty.front.misoriented, (std::vector<std::size_t>{12}));
   EXPECT_THAT(*faulty.obstacle(),
               testing::ContainsRegex("first with a corner at \\(0.[27]5, 0.[27]5, 0.[27]5\\)"));
-  EXPECT_EQ(survey_of(reversed(sample::cube_in_cube(0.5, middle, false))).misoriented,
+  EXPECT_EQ(survey_of(reversed(sample::cube_in_cube(0.5, middle, false))).front.misoriented,
             (std::vector<std::size_t>{12}));
   // Two rooms side by side, and a room in a box in a room.
   EXPECT_TRUE(survey_of(sample::together(sample::cube(), sample::column({{3, 3}, {4, 3}, {3, 4}}, 1), false))
-                  .misoriented.empty());
+                  .front.misoriented.empty());
   sample::Polyhedron within = sample::cube();
   for (Vector<double>& v : within.vertices) v = Vector<double>{0.375, 0.375, 0.375} + 0.25 * v;
-  EXPECT_TRUE(survey_of(sample::together(room, within, false)).misoriented.empty());
-  EXPECT_EQ(survey_of(sample::together(room, within, true)).misoriented, (std::vector<std::size_t>{24}));
+  EXPECT_TRUE(survey_of(sample::together(room, within, false)).front.misoriented.empty());
+  EXPECT_EQ(survey_of(sample::together(room, within, true)).front.misoriented,
+            (std::vector<std::size_t>{24}));
 }
 
 TEST(MeshSurvey, NamesTheObstacle) {
@@ -93,7 +163,7 @@ TEST(MeshSurvey, NamesTheObstacle) {
        std::vector<Vector<double>>{{0.25, 0.125, 0}, {0.25, 0.5, 0}, {0.5, 0.125, 0}})
     doubled.vertices.push_back(v);
   doubled.faces.push_back({8, 9, 10});
-  EXPECT_EQ(survey_of(doubled).containment.verdict, Containment::certified);
+  EXPECT_EQ(survey_of(doubled, {}, FrontRule::left_hand).containment.verdict, Containment::certified);
   EXPECT_THAT(*survey_of(doubled).obstacle(), HasSubstr("overlap"));
 
   sample::Polyhedron needle = sample::tetrahedron();

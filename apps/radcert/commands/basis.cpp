@@ -216,12 +216,23 @@ std::string title(const BasisRecord& record) {
          (record.alpha ? ", alpha " + *record.alpha : std::string());
 }
 
+/// Whether nodes that a file gives as fractions miss a monomial by so little that others, which do not, were
+/// rounded to them.
+bool is_likely_rounding(const EnclosedPrecision& precision, PrecisionProof proof) {
+  constexpr double least = 1e-15;
+  return proof == PrecisionProof::exact && certainly_less(abs(precision.defect), Ball(least));
+}
+
 std::string precision_text(const EnclosedPrecision& precision, PrecisionProof proof) {
   const char* how = "exact";
   if (proof == PrecisionProof::algebraic) how = "exact, for the algebraic nodes";
   if (proof == PrecisionProof::certificate) how = "proved, for the true nodes beside these";
-  return std::to_string(precision.degree) + " (" + how + "); misses " + precision.first_failure.to_text() +
-         " by " + precision.defect.to_text(6);
+  std::string out = std::to_string(precision.degree) + " (" + how + "); misses " +
+                    precision.first_failure.to_text() + " by " + precision.defect.to_text(6);
+  if (is_likely_rounding(precision, proof))
+    out +=
+        ", likely the rounding of the nodes' decimals: numbers of a polynomial keep irrational nodes exact";
+  return out;
 }
 
 std::string weights_text(const BasisFacts& facts) {

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,13 +19,17 @@
 #include "named_surface.h"
 #include "output.h"
 #include "progress.h"
+#include "radcert/core/atomic_file.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/result_store.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
+#include "radcert/factors/exchange_area.h"
 #include "radcert/factors/factor_mesh.h"
+#include "radcert/factors/ray_factors.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/result/factors_json.h"
+#include "radcert/formats/table/factor_comparison.h"
 #include "radcert/formats/table/factors_csv.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/surface/catalogue.h"
@@ -38,8 +45,13 @@ struct FactorsOptions {
   std::string accuracy;
   std::string out;
   std::string compare;
+  std::string tolerance;
+  std::string differences;
   std::vector<std::string> repair;
+  std::string front = "auto";
+  std::string unit;
   bool certified = false;
+  bool rays = false;
   bool space = false;
 };
 
@@ -64,60 +76,21 @@ int level_of(const std::string& text) {
   return level;
 }
 
-double accuracy_of(const std::string& text, bool certified) {
+double accuracy_of(const FactorsOptions& options) {
   constexpr double usual_of_certified = 1e-9;
-  if (text.empty()) return certified ? usual_of_certified : FactorDemand{}.accuracy;
+  const std::string& text = options.accuracy;
+  if (text.empty())
+    return options.rays ? RayDemand{}.accuracy
+                        : (options.certified ? usual_of_certified : FactorDemand{}.accuracy);
   const std::optional<double> accuracy = parse_double(text);
-  constexpr double least = 1e-12;
+  const double least = options.rays ? 1e-6 : 1e-12;
   constexpr double most = 0.1;
   if (!accuracy || *accuracy < least || *accuracy > most)
-    throw InputError({.source = "--accuracy", .value = text, .allowed = "a number from 1e-12 to 0.1"});
+    throw InputError(
+        {.source = "--accuracy",
+         .value = text,
+         .allowed = options.rays ? "with --rays a number from 1e-6 to 0.1" : "a number from 1e-12 to 0.1"});
   return *accuracy;
-}
-
-/// A mesh, a text that says which, and what was mended in it.
-struct NamedMesh {
-  FactorMesh mesh;
-  std::string identity;
-  std::vector<std::string> mended;
-};
-
-NamedMesh mesh_of_file(const FactorsOptions& options) {
-  if (!options.level.empty())
-    throw InputError(
-        {.source = "--level", .problem = "is for surfaces of the catalogue", .allowed = "no mesh file"});
-  const MeshSurvey survey = survey_mesh(options.name, default_sharp_degrees, repair_of(options.repair));
-  if (!survey.defects.degenerate_triangles.empty()) {
-    const auto corners = survey.mesh.corners(survey.defects.degenerate_triangles.front());
-    throw InputError({.source = options.name,
-                      .problem = "has a triangle with its corners on one line: " + point_text(corners[0]) +
-                                 ", " + point_text(corners[1]) + ", " + point_text(corners[2]),
-                      .allowed = "triangles with an area"});
-  }
-  if (!survey.misoriented.empty())
-    throw InputError({.source = options.name,
-                      .problem = "has reversed normals: the triangles connected with the one at " +
-                                 point_text(survey.mesh.corners(survey.misoriented.front())[0]) +
-                                 " look away from where the light of the others is",
-                      .allowed = "bodies within a room run the other way round than the room"});
-  return {factor_mesh(survey), survey.digest + " repair " + listed(options.repair), survey.mended};
-}
-
-NamedMesh mesh_of_catalogue(const FactorsOptions& options) {
-  if (!options.repair.empty())
-    throw InputError(
-        {.source = "--repair", .problem = "is for meshes", .allowed = "a file in .off, .obj, .ply, .stl"});
-  const Surface surface = default_surface(surface_named(options.name));
-  for (const Chart& chart : surface.charts)
-    if (!chart.facts().plane)
-      throw InputError(
-          {.source = "surface",
-           .value = options.name,
-           .problem = "is curved",
-           .allowed = "surfaces of plane pieces, or a mesh file: then the factors are those of its facets"});
-  return {factor_mesh(surface, level_of(options.level)),
-          options.name + " " + std::to_string(level_of(options.level)),
-          {}};
 }
 
 /// What makes the numbers meaningless is the input's fault, with coordinates.
@@ -132,6 +105,72 @@ void require_scene(const std::string& name, const TriangleMesh& mesh) {
   throw InputError({.source = name,
                     .problem = faults.front().words + more,
                     .allowed = "triangles that have a vertex or a side in common, or nothing"});
+}
+
+/// A mesh, a text that says which, and what was mended in it.
+struct NamedMesh {
+  FactorMesh mesh;
+  std::string identity;
+  std::vector<std::string> mended;
+  /// Where light travels, and whether it leaves a mesh without an open edge; of the catalogue it is known.
+  std::string front{};
+  bool in_the_open = false;
+};
+
+NamedMesh mesh_of_file(const FactorsOptions& options) {
+  if (!options.level.empty())
+    throw InputError(
+        {.source = "--level", .problem = "is for surfaces of the catalogue", .allowed = "no mesh file"});
+  const MeshSurvey survey =
+      survey_mesh(options.name, default_sharp_degrees, repair_of(options.repair), front_of(options.front));
+  if (!survey.defects.degenerate_triangles.empty()) {
+    const auto corners = survey.mesh.corners(survey.defects.degenerate_triangles.front());
+    throw InputError({.source = options.name,
+                      .problem = "has a triangle with its corners on one line: " + point_text(corners[0]) +
+                                 ", " + point_text(corners[1]) + ", " + point_text(corners[2]),
+                      .allowed = "triangles with an area"});
+  }
+  require_scene(options.name, survey.mesh);
+  if (survey.front.undecided && survey.topology.disagreeing_edges.empty())
+    throw InputError(
+        {.source = options.name,
+         .problem = *survey.front.undecided,
+         .allowed = "--front right-hand or --front left-hand, where a file can be read both ways"});
+  if (!survey.front.misoriented.empty())
+    throw InputError({.source = options.name,
+                      .problem = "has reversed normals: the triangles connected with the one at " +
+                                 point_text(survey.mesh.corners(survey.front.misoriented.front())[0]) +
+                                 " look away from where the light of the others is",
+                      .allowed = "bodies within a room run the other way round than the room"});
+  const bool right = survey.front.orientation == Orientation::along_the_cross_product;
+  const std::string front = right ? "right-hand" : "left-hand";
+  return {.mesh = factor_mesh(survey),
+          .identity = survey.digest + " repair " + listed(options.repair) + " front " + front,
+          .mended = survey.mended,
+          .front = front,
+          .in_the_open = !survey.front.encloses};
+}
+
+NamedMesh mesh_of_catalogue(const FactorsOptions& options) {
+  if (!options.repair.empty())
+    throw InputError(
+        {.source = "--repair", .problem = "is for meshes", .allowed = "a file in " + mesh_file_endings()});
+  if (options.front != "auto")
+    throw InputError(
+        {.source = "--front", .problem = "is for meshes", .allowed = "a file in " + mesh_file_endings()});
+  const Surface surface = default_surface(surface_named(options.name));
+  for (const Chart& chart : surface.charts)
+    if (!chart.facts().plane)
+      throw InputError(
+          {.source = "surface",
+           .value = options.name,
+           .problem = "is curved",
+           .allowed = "surfaces of plane pieces, or a mesh file: then the factors are those of its facets"});
+  NamedMesh named{.mesh = factor_mesh(surface, level_of(options.level)),
+                  .identity = options.name + " " + std::to_string(level_of(options.level)),
+                  .mended = {}};
+  require_scene(options.name, named.mesh.mesh);
+  return named;
 }
 
 std::string edge_text(const FacetScene& scene, std::size_t edge) {
@@ -151,12 +190,20 @@ void require_orientation(const std::string& name, const FacetScene& scene) {
 }
 
 /// Whether light can leave; then --space must have been given.
-bool is_open(const FactorsOptions& options, const FacetScene& scene) {
+bool is_open(const FactorsOptions& options, const NamedMesh& named, const FacetScene& scene) {
   const std::vector<std::size_t>& open = scene.topology().open_edges;
+  if (open.empty() && named.in_the_open) {
+    if (options.space) return true;
+    throw InputError({.source = options.name,
+                      .problem = "has closed bodies, and with front " + named.front +
+                                 " its light is outside of them and leaves",
+                      .allowed = "--space for what leaves, or another --front"});
+  }
   if (open.empty()) {
     if (options.space)
-      throw InputError(
-          {.source = "--space", .problem = "is for open scenes: " + options.name + " is closed"});
+      throw InputError({.source = "--space",
+                        .problem = "is for open scenes: " + options.name + " is closed, its light is inside",
+                        .allowed = "with a mesh --front right-hand or left-hand, whichever has it outside"});
     return false;
   }
   if (options.space) return true;
@@ -173,6 +220,10 @@ bool is_open(const FactorsOptions& options, const FacetScene& scene) {
 std::vector<std::string> warnings(const FactorReport& report) {
   std::vector<std::string> out;
   const FactorMatrix& matrix = report.matrix;
+  if (matrix.entry_count == 0 && report.front)
+    out.push_back("nothing sees anything with front " + *report.front + "; --front " +
+                  (*report.front == "right-hand" ? "left-hand" : "right-hand") +
+                  " reads the file the other way");
   for (std::size_t i = 0; i < matrix.rows.size(); ++i)
     if (matrix.rows[i].sum.value == 0 && matrix.rows[i].sum.radius == 0)
       out.push_back(report.names[i] + " sees nothing: its normals are probably reversed");
@@ -210,47 +261,111 @@ std::vector<std::string> failures(const FactorReport& report, const std::optiona
   return out;
 }
 
-/// The name of FILE.surfaces.csv beside FILE.csv.
-std::string surfaces_file(const std::string& out) {
+/// FILE of FILE.csv.
+std::string stem_of(const std::string& out) {
   const std::string ending = ".csv";
-  const std::string stem = out.ends_with(ending) ? out.substr(0, out.size() - ending.size()) : out;
-  return stem + ".surfaces.csv";
+  return out.ends_with(ending) ? out.substr(0, out.size() - ending.size()) : out;
 }
 
-void say_plan(const Common& common, const FactorPlan& plan) {
-  if (!common.quiet)
-    say(fmt::format("{} pairs of triangles: about {} and {} seconds\n", plan.pairs,
-                    byte_text(plan.memory.total()), nearest_text(plan.seconds, DecimalForm::general(2))));
+/// "1e-4", "1%", or both, parted by a comma.
+FactorTolerance tolerance_of(const std::string& text) {
+  FactorTolerance out;
+  if (text.empty()) return out;
+  std::string_view rest = text;
+  while (!rest.empty()) {
+    std::string_view part = rest.substr(0, rest.find(','));
+    rest.remove_prefix(std::min(rest.size(), part.size() + 1));
+    const bool relative = part.ends_with('%');
+    if (relative) part.remove_suffix(1);
+    const std::optional<double> number = parse_double(part);
+    double& place = relative ? out.relative : out.absolute;
+    constexpr double percent = 0.01;
+    if (!number || *number <= 0 || *number > (relative ? 100 : 1) || place != 0)
+      throw InputError({.source = "--tolerance",
+                        .value = text,
+                        .allowed = "a positive number, a percentage such as 1%, or both, parted by a comma"});
+    place = relative ? percent * *number : *number;
+  }
+  return out;
 }
+
+/// The factor of two rows as if nothing stood between them, where it is not too much work.
+UnoccludedFactor unoccluded_factor(const FacetScene& scene, const FactorUnits& units) {
+  auto members = std::make_shared<std::vector<std::vector<std::size_t>>>(units.names.size());
+  for (std::size_t t = 0; t < units.of_triangle.size(); ++t) (*members)[units.of_triangle[t]].push_back(t);
+  constexpr std::size_t most_pairs = 200'000;  // of triangles, in all
+  auto left = std::make_shared<std::size_t>(most_pairs);
+  return [&scene, members, left](std::size_t from, std::size_t to) -> std::optional<double> {
+    const auto& mine = (*members)[from];
+    const auto& others = (*members)[to];
+    if (mine.size() * others.size() > *left) return std::nullopt;
+    *left -= mine.size() * others.size();
+    double sum = 0;
+    double area = 0;
+    for (const std::size_t i : mine) {
+      area += scene.area(i);
+      for (const std::size_t j : others) {
+        const FacetPair pair = scene.pair(i, j);
+        if (pair.sight != PairSight::nothing) sum += exchange_area(pair.first, pair.second).value;
+      }
+    }
+    return sum / area;
+  };
+}
+
+void say_plan(const Common& common, const FactorPlan& plan, const std::string& what) {
+  if (!common.quiet)
+    say(fmt::format("{} {}: about {} and {} seconds\n", plan.pairs, what, byte_text(plan.memory.total()),
+                    nearest_text(plan.seconds, DecimalForm::general(2))));
+}
+
+/// What the factors are written to.
+struct FactorSinks {
+  FactorsKept kept = FactorsKept::all;
+  /// Takes rows where they are not kept.
+  std::function<void(std::span<const ConfigurationFactor>)> row{};
+  MemoryPlan memory{};  ///< what is made of kept factors
+};
 
 FactorMatrix computed(const Common& common, const FacetScene& scene, const FactorUnits& units,
-                      const FactorDemand& demand, const std::string& identity, ResultStore& store) {
-  const FactorPlan plan = factor_plan(scene, units, demand);
-  say_plan(common, plan);
+                      const FactorDemand& demand, bool by_rays, const std::string& identity,
+                      const FactorSinks& sinks, ResultStore& store) {
+  const RayDemand rays{.accuracy = demand.accuracy, .open_to_space = demand.open_to_space};
+  FactorPlan plan = by_rays ? ray_plan(scene, units, rays) : factor_plan(scene, units, demand, sinks.kept);
+  for (const MemoryPlan::Item& item : sinks.memory.items()) plan.memory.add(item.name, 1, item.bytes);
+  say_plan(common, plan, by_rays ? "rays" : "pairs of triangles");
   plan.memory.require(common.memory_limit());
   ProgressDisplay progress(common.quiet);
   progress.at(0, "factors", plan.seconds);
-  return factor_matrix(scene, units, demand,
-                       {.at = [&](double fraction) { progress.at(fraction, "factors"); },
-                        .key = "factors\n" + std::string(source_digest()) + "\n" + identity,
-                        .store = &store});
+  const FactorProgress report{.at = [&](double fraction) { progress.at(fraction, "factors"); },
+                              .key = "factors\n" + std::string(source_digest()) + "\n" + identity,
+                              .store = &store,
+                              .row = sinks.row};
+  return by_rays ? ray_factors(scene, units, rays, report) : factor_matrix(scene, units, demand, report);
 }
 
 ExitCode factors(const Common& common, const FactorsOptions& options) {
   const auto limit = common.limit_threads();
   Outputs outputs(common);
   outputs.file("--out", options.out);
-  const FactorUnit unit = unit_of(options.by);
-  FactorDemand demand{.certified = options.certified,
-                      .accuracy = accuracy_of(options.accuracy, options.certified)};
+  outputs.file("--differences", options.differences);
+  for (const auto& [option, given] : {std::pair("--tolerance", !options.tolerance.empty()),
+                                      std::pair("--differences", !options.differences.empty())})
+    if (given && options.compare.empty())
+      throw InputError({.source = option, .problem = "is for a comparison", .allowed = "with --compare"});
+  const FactorTolerance tolerance = tolerance_of(options.tolerance);
+  const FactorUnit by = unit_of(options.by);
+  const std::optional<std::string> unit = unit_of_lengths(options.unit);
+  FactorDemand demand{.certified = options.certified, .accuracy = accuracy_of(options)};
+  if (options.rays && options.certified)
+    throw InputError({.source = "--rays", .problem = "proves nothing", .allowed = "without --certified"});
 
   const NamedMesh named =
       is_mesh_file_name(options.name) ? mesh_of_file(options) : mesh_of_catalogue(options);
-  require_scene(options.name, named.mesh.mesh);
   const FacetScene scene(named.mesh.mesh);
   require_orientation(options.name, scene);
-  demand.open_to_space = is_open(options, scene);
-  const FactorUnits units = factor_units(named.mesh, unit);
+  demand.open_to_space = is_open(options, named, scene);
+  const FactorUnits units = factor_units(named.mesh, by);
   std::optional<ClaimedFactors> claimed;
   if (!options.compare.empty()) claimed = read_factors(options.compare, units.names);
 
@@ -259,14 +374,32 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
                       .by = options.by,
                       .triangles = scene.facet_count(),
                       .open = demand.open_to_space,
+                      .unit = unit,
+                      .front = named.front.empty() ? std::nullopt : std::optional(named.front),
                       .facets_only = named.mesh.pieces_bend,
                       .names = units.names,
                       .matrix = {},
                       .warnings = {},
                       .comparison = std::nullopt};
   ResultStore store = common.store();
+  AtomicFile out(options.out);
+  FactorsCsv csv(units.names);
+  FactorSinks sinks;
+  const bool asked_for_json = common.json_to_stdout() || common.json_to_file();
+  if (asked_for_json || claimed) {
+    const std::uint64_t entries = std::uint64_t{units.names.size()} * units.names.size();
+    constexpr std::uint64_t bytes_of_json = 1024;
+    constexpr std::uint64_t bytes_of_comparison = 512;
+    if (asked_for_json) sinks.memory.add("JSON", entries, bytes_of_json);
+    if (claimed) sinks.memory.add("comparison", entries, bytes_of_comparison);
+  } else {
+    sinks.kept = FactorsKept::none;
+    sinks.row = [&](std::span<const ConfigurationFactor> row) {
+      if (!options.out.empty()) out.put(csv.rows(row));
+    };
+  }
   try {
-    report.matrix = computed(common, scene, units, demand, named.identity, store);
+    report.matrix = computed(common, scene, units, demand, options.rays, named.identity, sinks, store);
   } catch (const Interrupted&) {
     const auto status = store.status();
     say("radcert: interrupted; finished rows are " +
@@ -277,15 +410,27 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   report.warnings = warnings(report);
   for (const std::string& done : named.mended) report.warnings.push_back("mended: " + done);
   for (const std::string& warning : report.warnings) say("radcert: warning: " + warning + "\n");
-  if (claimed)
-    report.comparison =
-        with_source(options.compare, [&] { return compared(report.matrix, report.names, *claimed); });
-  if (!options.out.empty())
-    outputs.write({{options.out, factors_csv(report.matrix, report.names)},
-                   {surfaces_file(options.out), factor_surfaces_csv(report.matrix, report.names)}});
+  if (claimed) {
+    report.comparison = with_source(
+        options.compare, [&] { return compared(report.matrix, report.names, *claimed, tolerance); });
+    explain(*report.comparison, report.matrix, report.names, *claimed, unoccluded_factor(scene, units));
+    if (!options.differences.empty()) {
+      outputs.write({{options.differences, comparison_csv(*report.comparison)}});
+      if (report.names.size() <= comparison_picture_rows)
+        outputs.write(
+            {{stem_of(options.differences) + ".svg", comparison_svg(*report.comparison, report.names)}});
+    }
+  }
+  if (!options.out.empty()) {
+    // Where rows were kept, all of them; else the header line of a matrix without any.
+    out.put(csv.rows(report.matrix.entries));
+    out.keep();
+    outputs.write({{stem_of(options.out) + ".surfaces.csv",
+                    factor_surfaces_csv(report.matrix, report.names, report.unit)}});
+  }
   print_result(common,
                factors_table(report) + (report.comparison ? comparison_table(*report.comparison) : ""),
-               factors_report(report).pretty() + "\n");
+               asked_for_json ? factors_report(report).pretty() + "\n" : "");
   const bool differs = report.comparison && std::any_of(report.comparison->begin(), report.comparison->end(),
                                                         [](const FactorComparison& pair) {
                                                           return pair.agreement == Agreement::differs;
@@ -299,15 +444,20 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
 }  // namespace
 
 void add_factors(Program& program) {
-  Subcommand command = program.add("factors", "Area-to-area configuration factors, closure, reciprocity");
+  Subcommand command = program.add(
+      "factors", "Area-to-area configuration factors (view factors, form factors), closure, reciprocity");
   auto options = std::make_shared<FactorsOptions>();
   command.word("SURFACE", options->name,
-               "A surface of plane pieces (cube, box, tetrahedron, octahedron, ...), or a mesh in .off, "
-               ".obj, .ply, .stl",
+               "A surface of plane pieces (cube, box, tetrahedron, octahedron, ...), or a mesh in " +
+                   mesh_file_endings(),
                "NAME or FILE");
   command.option("--by", options->by, "What a row stands for: triangle, piece or group; default triangle",
                  "WHAT");
   command.flag("--certified", options->certified, "Prove each radius");
+  command.flag(
+      "--rays", options->rays,
+      "Integrate whole rows by rays, for scenes of thousands of triangles by group or piece: radii are "
+      "estimates, default accuracy 1e-4");
   command.option("--out", options->out,
                  "Write from,to,factor,radius,guaranteed, and FILE.surfaces.csv beside it", "FILE.csv");
   command.flag("--space", options->space,
@@ -322,9 +472,22 @@ void add_factors(Program& program) {
                "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, "
                "holes; without it nothing is mended",
                "WHAT,...");
-  command.option("--compare", options->compare,
-                 "Hold the factors against those of a file: columns from,to,factor, or View3D's output",
-                 "OTHER.csv");
+  command.option("--unit", options->unit, unit_help, "UNIT");
+  command.option("--front", options->front, front_help, "WHICH");
+  command.option(
+      "--compare", options->compare,
+      "Hold the factors against those of a file: columns from,to,factor, a matrix with names about "
+      "it, or View3D's output",
+      "OTHER.csv");
+  command.option(
+      "--tolerance", options->tolerance,
+      "How far these may be off beside their last digit: 1e-4, 1%, or both, parted by a comma; the "
+      "larger counts",
+      "X,Y%");
+  command.option("--differences", options->differences,
+                 "Write all pairs, the largest difference first, with verdict and a guess at the cause, and "
+                 "FILE.svg, the matrix with what differs marked",
+                 "FILE.csv");
   command.fresh_flag(program.common());
   command.footer(
       "A factor is what part of the light that leaves `from`, everywhere alike, arrives at `to`. Exact zeros "

@@ -198,6 +198,14 @@ ExitCode print_list(const Common& common, const std::string& what) {
 
 }  // namespace
 
+std::vector<std::string> listed_names(const std::string& what) {
+  std::vector<std::string> out;
+  for (const auto& [name, make] : lists)
+    if (name == what)
+      for (const Entry& entry : make()) out.push_back(entry.name);
+  return out;
+}
+
 void add_list(Program& program) {
   Subcommand command = program.add("list", "What there is, a line each, with parameters and defaults");
   auto what = std::make_shared<std::string>();

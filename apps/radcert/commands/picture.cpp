@@ -118,11 +118,16 @@ FigureWish wish_of(const Common& common, const PictureOptions& options, const Fi
   return wish;
 }
 
-/// A file that is not SVG by its name is a PNG file; plots are no raster.
+/// Files are SVG or PNG by their name; plots are no raster.
 void require_format(const PictureOptions& options, const FigureKind& kind) {
   if (options.out.empty())
     throw InputError(
         {.source = "picture", .problem = "without --out", .allowed = "--out FILE.svg, --out FILE.png"});
+  if (!is_svg(options.out) && !options.out.ends_with(".png"))
+    throw InputError({.source = "--out",
+                      .value = options.out,
+                      .problem = "has no ending of a picture that is written",
+                      .allowed = kind.has_rays ? "FILE.svg, FILE.png" : "FILE.svg"});
   if (!kind.has_rays && !is_svg(options.out))
     throw InputError({.source = "--out",
                       .value = options.out,

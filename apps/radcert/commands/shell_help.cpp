@@ -58,7 +58,16 @@ std::vector<std::string> words_of(const std::string& command) {
     for (const verification::psg10::FigureKind& kind : verification::psg10::figure_kinds())
       out.emplace_back(kind.name);
   if (command == "completion") out = {"bash"};
+  if (command == "verify") out = listed_names("claims");
+  if (command == "reference") out = listed_names("references");
+  if (command == "surface" || command == "factors") out = listed_names("surfaces");
+  if (command == "basis") out = {"inset", "symmetric"};
   return out;
+}
+
+/// Whether it may be the name of a file or a folder as well.
+bool takes_files(const std::string& command) {
+  return command == "verify" || command == "surface" || command == "factors" || command == "basis";
 }
 
 /// What bash is to offer after an option: folders, files, the words of a choice, or nothing.
@@ -72,6 +81,8 @@ std::string completion_of(const CLI::Option& option) {
     if (name == "budget") return "COMPREPLY=($(compgen -W 'quick standard full' -- \"$word\"))";
     if (name == "direct") return "COMPREPLY=($(compgen -W 'basis exact' -- \"$word\"))";
     if (name == "by") return "COMPREPLY=($(compgen -W 'triangle piece group' -- \"$word\"))";
+    if (name == "front") return "COMPREPLY=($(compgen -W 'auto right-hand left-hand' -- \"$word\"))";
+    if (name == "unit") return "COMPREPLY=($(compgen -W 'mm cm m in' -- \"$word\"))";
   }
   return "COMPREPLY=()";
 }
@@ -90,12 +101,14 @@ std::string bash_script(const CLI::App& program) {
         values += "        " + joined(own, "|") + ") " + completion_of(*option) + "; return ;;\n";
     }
     const std::vector<std::string> words = words_of(command->get_name());
-    cases += "    " + command->get_name() + ")\n      case $previous in\n" + values +
-             "      esac\n      if [[ $word == -* ]]; then\n        COMPREPLY=($(compgen -W '" +
-             joined(dashed, " ") + "' -- \"$word\"))\n      else\n        " +
-             (words.empty() ? std::string("compopt -o filenames; COMPREPLY=($(compgen -f -- \"$word\"))")
-                            : "COMPREPLY=($(compgen -W '" + joined(words, " ") + "' -- \"$word\"))") +
-             "\n      fi ;;\n";
+    cases +=
+        "    " + command->get_name() + ")\n      case $previous in\n" + values +
+        "      esac\n      if [[ $word == -* ]]; then\n        COMPREPLY=($(compgen -W '" +
+        joined(dashed, " ") + "' -- \"$word\"))\n      else\n        " +
+        (words.empty() ? std::string("compopt -o filenames; COMPREPLY=($(compgen -f -- \"$word\"))")
+                       : "COMPREPLY=($(compgen -W '" + joined(words, " ") + "' -- \"$word\")" +
+                             (takes_files(command->get_name()) ? " $(compgen -f -- \"$word\")" : "") + ")") +
+        "\n      fi ;;\n";
   }
   return "# radcert " + std::string(version()) +
          " in bash: source <(radcert completion bash)\n"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "named_surface.h"
 #include "output.h"
 #include "radcert/core/text.h"
+#include "radcert/factors/factor_mesh.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/result/surface_json.h"
 #include "radcert/scalar/enclosing_text.h"
@@ -29,6 +31,8 @@ struct SurfaceOptions {
   std::string name;
   std::string angle;
   std::vector<std::string> repair;
+  std::string front = "auto";
+  std::string unit;
   std::string write;
 };
 
@@ -96,6 +100,38 @@ void piece_rows(Rows& rows, const MeshSurvey& survey) {
     rows.push_back({"", "a piece of several planes stays a polyhedron: its charts are flat"});
 }
 
+void orientation_rows(Rows& rows, const MeshSurvey& survey) {
+  const MeshTopology& topology = survey.topology;
+  if (!topology.disagreeing_edges.empty()) {
+    const MeshEdge& first = topology.edges[topology.disagreeing_edges.front()];
+    rows.push_back({"orientation", several(topology.disagreeing_edges.size(), "edge", "edges") +
+                                       " between triangles that run against each other, the first " +
+                                       point_text(survey.mesh.vertices[first.from]) + " to " +
+                                       point_text(survey.mesh.vertices[first.to])});
+    return;
+  }
+  if (survey.front.undecided) {
+    rows.push_back({"orientation", "undecided: it " + *survey.front.undecided});
+    return;
+  }
+  const bool right = survey.front.orientation == Orientation::along_the_cross_product;
+  const std::string front = right ? "right-hand" : "left-hand";
+  switch (survey.front.known_by) {
+    case InnerSide::by_volume:
+      rows.push_back({"orientation", "counterclockwise as seen from " +
+                                         std::string(right ? "inside" : "outside") +
+                                         ", by the sign of the volume: front " + front});
+      return;
+    case InnerSide::by_file:
+      rows.push_back({"orientation", "front " + front + ", as the file has it"});
+      if (survey.looks_away)
+        rows.push_back(
+            {"", "all of it looks away from the rest; with --front left-hand the light is inside"});
+      return;
+    case InnerSide::by_choice: rows.push_back({"orientation", "front " + front + ", as asked for"}); return;
+  }
+}
+
 void topology_rows(Rows& rows, const MeshSurvey& survey) {
   const MeshTopology& topology = survey.topology;
   const auto at = [&](std::size_t vertex) { return point_text(survey.mesh.vertices[vertex]); };
@@ -115,17 +151,7 @@ void topology_rows(Rows& rows, const MeshSurvey& survey) {
   }
   rows.push_back({"connected", several(topology.component_count, "component", "components")});
   rows.push_back({"Euler", fmt::format("V - E + F = {}", topology.characteristic)});
-  const std::string side =
-      survey.orientation == Orientation::against_the_cross_product ? "outside" : "inside";
-  const std::string how = survey.inner_side == InnerSide::by_volume        ? "the sign of the volume"
-                          : survey.inner_side == InnerSide::by_certificate ? "the convex hull"
-                                                                           : "convention";
-  if (topology.disagreeing_edges.empty())
-    rows.push_back({"orientation", "counterclockwise as seen from " + side + ", by " + how});
-  else
-    rows.push_back({"orientation", several(topology.disagreeing_edges.size(), "edge", "edges") +
-                                       " between triangles that run against each other, the first " +
-                                       edge_text(topology.disagreeing_edges.front())});
+  orientation_rows(rows, survey);
 
   Rows defects;
   const MeshDefects& found = survey.defects;
@@ -208,6 +234,52 @@ void containment_rows(Rows& rows, const ConvexContainment& containment) {
                                                    : "above the file's precision: no matter of rounding"});
 }
 
+std::string rounded_point(const Vector<double>& p) {
+  constexpr int digits = 6;
+  // A sum with 0 makes -0 what it is.
+  return "(" + about(p.x + 0.0, digits) + ", " + about(p.y + 0.0, digits) + ", " + about(p.z + 0.0, digits) +
+         ")";
+}
+
+/// A line for each piece, of a file with very many of the first ones.
+std::string measures_text(const std::vector<std::string>& names, std::span<const PieceMeasures> measures,
+                          const std::optional<std::string>& unit) {
+  constexpr std::size_t most_pieces = 100;
+  constexpr int digits = 10;
+  Rows rows{{"piece", "triangles", unit ? "area (" + *unit + "^2)" : "area", "+-", "normal to the front",
+             "centroid", "box"}};
+  for (std::size_t i = 0; i < std::min(measures.size(), most_pieces); ++i) {
+    const PieceMeasures& m = measures[i];
+    const EnclosingText area = enclosing_text(m.area.value, m.area.radius, DecimalForm::general(digits));
+    rows.push_back({names[i], std::to_string(m.triangles), area.value, area.radius,
+                    m.normal ? rounded_point(*m.normal) : "several planes", rounded_point(m.centroid),
+                    point_text(m.box.low) + " to " + point_text(m.box.high)});
+  }
+  std::string out = "\n" + aligned_left(rows);
+  if (measures.size() > most_pieces)
+    out += fmt::format("... and {} more; --json has all\n", measures.size() - most_pieces);
+  return out;
+}
+
+/// Of the pieces of a mesh, normals to its front.
+std::vector<PieceMeasures> measures_of(const MeshSurvey& survey) {
+  if (!survey.components) return {};
+  std::vector<PieceMeasures> out =
+      piece_measures(survey.mesh, survey.components->of_piece, survey.pieces.size());
+  if (survey.front.orientation == Orientation::against_the_cross_product)
+    for (PieceMeasures& piece : out)
+      if (piece.normal) piece.normal = -*piece.normal;
+  return out;
+}
+
+/// Of the pieces of a surface of plane charts.
+std::vector<PieceMeasures> measures_of(const Surface& surface) {
+  for (const Chart& chart : surface.charts)
+    if (!chart.facts().plane) return {};
+  const FactorMesh mesh = factor_mesh(surface, 0);
+  return piece_measures(mesh.mesh, mesh.piece, mesh.piece_names.size());
+}
+
 std::string mesh_text(const std::string& file, const MeshSurvey& survey) {
   Rows rows{{"surface", file}};
   file_rows(rows, survey);
@@ -266,25 +338,34 @@ std::string off_text(const TriangleMesh& mesh) {
 ExitCode show_mesh(const Common& common, const SurfaceOptions& options) {
   Outputs outputs(common);
   outputs.file("--write", options.write);
-  const MeshSurvey survey = survey_mesh(options.name, degrees_of(options.angle), repair_of(options.repair));
+  const std::optional<std::string> unit = unit_of_lengths(options.unit);
+  const MeshSurvey survey = survey_mesh(options.name, degrees_of(options.angle), repair_of(options.repair),
+                                        front_of(options.front));
   if (!options.write.empty()) outputs.write({{options.write, off_text(survey.mesh)}});
-  print_result(common, mesh_text(options.name, survey),
-               surface_report(options.name, survey, common.command).pretty() + "\n");
+  const std::vector<PieceMeasures> measures = measures_of(survey);
+  print_result(common,
+               mesh_text(options.name, survey) +
+                   (measures.empty() ? "" : measures_text(survey.pieces, measures, unit)),
+               surface_report(options.name, survey, measures, unit, common.command).pretty() + "\n");
   return ExitCode::done;
 }
 
 ExitCode show_catalogue(const Common& common, const SurfaceOptions& options) {
   const SurfaceDescription& description = surface_named(options.name);
+  const std::optional<std::string> unit = unit_of_lengths(options.unit);
   for (const auto& [option, given] :
        {std::pair("--angle", !options.angle.empty()), std::pair("--repair", !options.repair.empty()),
-        std::pair("--write", !options.write.empty())})
+        std::pair("--front", options.front != "auto"), std::pair("--write", !options.write.empty())})
     if (given)
       throw InputError(
-          {.source = option, .problem = "is for meshes", .allowed = "a file in .off, .obj, .ply, .stl"});
+          {.source = option, .problem = "is for meshes", .allowed = "a file in " + mesh_file_endings()});
   const Surface surface = default_surface(description);
   const ConvexContainment containment = convex_containment(surface);
-  print_result(common, catalogue_text(surface, containment),
-               surface_report(surface, containment, common.command).pretty() + "\n");
+  const std::vector<PieceMeasures> measures = measures_of(surface);
+  print_result(common,
+               catalogue_text(surface, containment) +
+                   (measures.empty() ? "" : measures_text(surface.piece_names(), measures, unit)),
+               surface_report(surface, containment, measures, unit, common.command).pretty() + "\n");
   return ExitCode::done;
 }
 
@@ -297,10 +378,11 @@ ExitCode show(const Common& common, const SurfaceOptions& options) {
 
 void add_surface(Program& program) {
   Subcommand command = program.add(
-      "surface", "Smooth pieces, border, orientation, convex-containment certificate, mesh quality");
+      "surface",
+      "Pieces with areas and normals, border, orientation, convex-containment certificate, mesh quality");
   auto options = std::make_shared<SurfaceOptions>();
   command.word("SURFACE", options->name,
-               "A surface of radcert list surfaces, or a mesh in .off, .obj, .ply, .stl", "NAME or FILE");
+               "A surface of radcert list surfaces, or a mesh in " + mesh_file_endings(), "NAME or FILE");
   command.option("--angle", options->angle,
                  "Edges whose triangles' normals make a larger angle part two pieces; default 30", "DEGREES");
   command.list(
@@ -308,6 +390,8 @@ void add_surface(Program& program) {
       "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, holes; "
       "without it nothing is mended",
       "WHAT,...");
+  command.option("--front", options->front, front_help, "WHICH");
+  command.option("--unit", options->unit, unit_help, "UNIT");
   command.option("--write", options->write, "Write the triangles, mended if asked, as an OFF file",
                  "FILE.off");
   command.footer(

@@ -13,6 +13,7 @@
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace radcert {
 
@@ -97,50 +98,79 @@ private:
   bool kept_ = false;
 };
 
-void write_directly(const std::filesystem::path& path, std::string_view content) {
-  Descriptor out(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (out.number() < 0)
-    throw EnvironmentError(path.string(), "cannot be opened for writing: " + reason_of(errno));
-  int error = write_all(out.number(), content);
-  const int closing = out.close();
-  if (error == 0) error = closing;
-  if (error != 0) throw EnvironmentError(path.string(), "cannot be written: " + reason_of(error));
-}
-
 }  // namespace
 
-void write_atomically(const std::filesystem::path& path, std::string_view content) {
-  if (path.filename().empty() || has_null(path))
-    throw InputError({.value = path.string(), .problem = "is not a file name"});
-  std::filesystem::path target = path;
+/// The file while it is written: a temporary, or what the path names where that is a device or a pipe.
+struct AtomicFile::Open {
+  std::filesystem::path target;
   std::optional<mode_t> old_rights;
-  struct stat status {};
-  if (::stat(path.c_str(), &status) == 0) {
-    if (S_ISDIR(status.st_mode)) throw EnvironmentError(path.string(), "cannot be written: it is a folder");
-    if (!S_ISREG(status.st_mode)) return write_directly(path, content);
-    old_rights = status.st_mode & 07777U;
-    std::error_code failed;
-    if (std::filesystem::path resolved = std::filesystem::canonical(path, failed); !failed) target = resolved;
-  }
+  std::optional<Temporary> temporary;
+  std::optional<Descriptor> out;
+};
 
-  Temporary temporary(target, 0666);
-  if (temporary.error() != 0)
-    throw EnvironmentError(path.string(), "cannot be written: " + reason_of(temporary.error()));
-  Descriptor out(temporary.descriptor());
-  int error = write_all(out.number(), content);
-  if (error == 0 && old_rights && ::fchmod(out.number(), *old_rights) != 0) error = errno;
-  if (error == 0) error = flush_to_disk(out.number());
-  const int closing = out.close();
+AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {}
+AtomicFile::~AtomicFile() = default;
+
+void AtomicFile::open() {
+  if (open_) return;
+  if (path_.filename().empty() || has_null(path_))
+    throw InputError({.value = path_.string(), .problem = "is not a file name"});
+  auto opened = std::make_unique<Open>();
+  opened->target = path_;
+  struct stat status {};
+  if (::stat(path_.c_str(), &status) == 0) {
+    if (S_ISDIR(status.st_mode)) throw EnvironmentError(path_.string(), "cannot be written: it is a folder");
+    if (!S_ISREG(status.st_mode)) {
+      opened->out.emplace(::open(path_.c_str(), O_WRONLY | O_CLOEXEC));
+      if (opened->out->number() < 0)
+        throw EnvironmentError(path_.string(), "cannot be opened for writing: " + reason_of(errno));
+      open_ = std::move(opened);
+      return;
+    }
+    opened->old_rights = status.st_mode & 07777U;
+    std::error_code failed;
+    if (std::filesystem::path resolved = std::filesystem::canonical(path_, failed); !failed)
+      opened->target = resolved;
+  }
+  opened->temporary.emplace(opened->target, 0666);
+  if (opened->temporary->error() != 0)
+    throw EnvironmentError(path_.string(), "cannot be written: " + reason_of(opened->temporary->error()));
+  opened->out.emplace(opened->temporary->descriptor());
+  open_ = std::move(opened);
+}
+
+void AtomicFile::put(std::string_view piece) {
+  open();
+  if (const int error = write_all(open_->out->number(), piece); error != 0)
+    throw EnvironmentError(path_.string(), "cannot be written: " + reason_of(error));
+}
+
+void AtomicFile::keep() {
+  open();
+  Open& file = *open_;
+  const int descriptor = file.out->number();
+  int error = 0;
+  if (file.old_rights && ::fchmod(descriptor, *file.old_rights) != 0) error = errno;
+  if (error == 0 && file.temporary) error = flush_to_disk(descriptor);
+  const int closing = file.out->close();
   if (error == 0) error = closing;
-  if (error == 0 && std::rename(temporary.name().c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) throw EnvironmentError(path.string(), "cannot be written: " + reason_of(error));
-  temporary.keep();
+  if (error == 0 && file.temporary && std::rename(file.temporary->name().c_str(), file.target.c_str()) != 0)
+    error = errno;
+  if (error != 0) throw EnvironmentError(path_.string(), "cannot be written: " + reason_of(error));
+  if (!file.temporary) return;
+  file.temporary->keep();
 
   // The name, too, is to survive a power cut; where the folder cannot be flushed the file is complete all the
   // same.
-  const std::filesystem::path folder = target.parent_path().empty() ? "." : target.parent_path();
+  const std::filesystem::path folder = file.target.parent_path().empty() ? "." : file.target.parent_path();
   const Descriptor holder(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (holder.number() >= 0) flush_to_disk(holder.number());
+}
+
+void write_atomically(const std::filesystem::path& path, std::string_view content) {
+  AtomicFile file(path);
+  file.put(content);
+  file.keep();
 }
 
 std::string read_file(const std::filesystem::path& path, std::uint64_t limit_bytes) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -17,6 +18,27 @@ namespace radcert {
 /// Limits    a killed process may leave one `.<name>.<process>.<n>.tmp`, never half a file; a device or pipe
 ///           is written directly, which is not atomic
 void write_atomically(const std::filesystem::path& path, std::string_view content);
+
+/// The same for a content that comes piece by piece and need not be held in memory.
+/// Requires  as write_atomically
+/// Result    the file is there, as a whole, once keep() has returned; without it, or after a failure, the old
+///           file is unchanged and no temporary is left
+class AtomicFile {
+public:
+  /// Nothing is opened before the first piece.
+  explicit AtomicFile(std::filesystem::path path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+  void put(std::string_view piece);
+  void keep();
+
+private:
+  struct Open;
+  void open();
+  std::filesystem::path path_;
+  std::unique_ptr<Open> open_;
+};
 
 /// The content of a file that the user named.
 /// Requires  nothing

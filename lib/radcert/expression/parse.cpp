@@ -220,6 +220,7 @@ void check_characters(std::string_view text) {
     stop(longest_text, "longer than " + std::to_string(longest_text) + " characters");
   for (std::size_t byte = 0; byte < text.size(); ++byte) {
     const auto letter = static_cast<unsigned char>(text[byte]);
+    if (text.substr(byte, 2) == "**") stop(byte, "a power is written with ^: x^2");
     if (letter >= 0x7F || (letter < 0x20 && letter != '\t')) {
       stop(byte, "a character that no expression has: " + quotation(text.substr(byte, 1)));
     }

@@ -9,6 +9,7 @@
 
 #include "radcert/closed_form/polygon_to_polygon.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/interrupt.h"
 #include "radcert/factors/shadow_exchange.h"
 #include "radcert/geometry/orientation.h"
 
@@ -104,6 +105,7 @@ Ball certified_exchange_area(const FacetScene& scene, std::size_t first, std::si
   const Ball anything = hull(nothing, unoccluded);
   std::map<std::size_t, Solid> solids;
   for (const std::size_t k : pair.occluders) {
+    throw_if_interrupted();
     const ConvexOccluder& occluder = scene.occluders()[k];
     const OccludingSide side =
         scene.solid_is_body(occluder.solid) ? OccludingSide::front : OccludingSide::both;

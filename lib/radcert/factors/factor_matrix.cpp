@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -51,6 +52,16 @@ std::vector<RowBlock> row_blocks(std::size_t triangles) {
     blocks.push_back(std::move(block));
   }
   return blocks;
+}
+
+/// A step that goes through all of `count` places, far apart at first: what is done then stands for the rest,
+/// whatever order the triangles have.
+std::size_t spreading_stride(std::size_t count) {
+  constexpr double golden = 0.6180339887498949;
+  std::size_t stride =
+      std::max<std::size_t>(1, static_cast<std::size_t>(golden * static_cast<double>(count)));
+  while (std::gcd(stride, count) != 1) ++stride;
+  return stride;
 }
 
 std::string bits_text(double x) {
@@ -109,46 +120,71 @@ public:
     const std::size_t high = std::max(a, b);
     return sums_[high * (high + 1) / 2 + low];
   }
+  [[nodiscard]] const Approximation& at(std::size_t a, std::size_t b) const {
+    const std::size_t high = std::max(a, b);
+    return sums_[high * (high + 1) / 2 + std::min(a, b)];
+  }
   [[nodiscard]] std::size_t size() const { return units_; }
+  /// Of the whole matrix, those that are not exactly zero.
+  [[nodiscard]] std::size_t entry_count() const {
+    std::size_t count = 0;
+    for (std::size_t high = 0, k = 0; high < units_; ++high)
+      for (std::size_t low = 0; low <= high; ++low, ++k)
+        if (sums_[k].value != 0 || sums_[k].radius != 0) count += low == high ? 1 : 2;
+    return count;
+  }
 
 private:
   std::size_t units_;
   std::vector<Approximation> sums_;
 };
 
-/// The ball's own midpoint keeps no more digits than the radius leaves; the quotient of values keeps
-/// reciprocity.
-Approximation quotient(const Approximation& exchange, const Approximation& area) {
-  const double value = exchange.value / area.value;
-  return {value, abs(ball_of(exchange) / ball_of(area) - Ball(value)).upper_double(),
-          exchange.guaranteed && area.guaranteed};
+/// One row of the matrix, its area known.
+struct FinishedRow {
+  std::vector<ConfigurationFactor> factors;
+  Approximation sum = Approximation::exact(0);
+  double reciprocity_defect = 0;
+};
+
+FinishedRow finished_row(const FactorMatrix& matrix, const ExchangeSums& sums, std::size_t i) {
+  FinishedRow out;
+  const Approximation& area = matrix.rows[i].area;
+  for (std::size_t j = 0; j < sums.size(); ++j) {
+    Approximation exchange = sums.at(i, j);
+    if (exchange.value == 0 && exchange.radius == 0) continue;
+    // Both orders of two triangles of one unit.
+    if (i == j) exchange = exchange + exchange;
+    const Approximation factor = exchange_over_area(exchange, area);
+    out.factors.push_back({i, j, factor});
+    out.sum += factor;
+    const Approximation& other = matrix.rows[j].area;
+    const double back = exchange_over_area(exchange, other).value;
+    out.reciprocity_defect =
+        std::max(out.reciprocity_defect, reciprocity_defect(area.value, factor.value, other.value, back));
+  }
+  return out;
 }
 
-/// A bound of |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J) for these doubles: in double the products of which it is
-/// the difference would be rounded to the same number.
-double reciprocity_defect(double area, double factor, double other_area, double back) {
-  const Ball difference = Ball(area) * Ball(factor) - Ball(other_area) * Ball(back);
-  return (abs(difference) / sqrt(Ball(area) * Ball(other_area))).upper_double();
-}
-
-void finish(FactorMatrix& matrix, ExchangeSums& sums, const FactorDemand& demand) {
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    FactorRow& row = matrix.rows[i];
-    for (std::size_t j = 0; j < sums.size(); ++j) {
-      Approximation exchange = sums.at(i, j);
-      if (exchange.value == 0 && exchange.radius == 0) continue;
-      // Both orders of two triangles of one unit.
-      if (i == j) exchange = exchange + exchange;
-      const Approximation factor = quotient(exchange, row.area);
-      matrix.entries.push_back({i, j, factor});
-      row.sum += factor;
-      const Approximation& other = matrix.rows[j].area;
-      const double back = quotient(exchange, other).value;
-      matrix.largest_reciprocity_defect =
-          std::max(matrix.largest_reciprocity_defect,
-                   reciprocity_defect(row.area.value, factor.value, other.value, back));
+void finish(FactorMatrix& matrix, const ExchangeSums& sums, const FactorDemand& demand,
+            const FactorProgress& progress) {
+  constexpr std::size_t entries_of_block = std::size_t{1} << 18U;
+  const std::size_t size = sums.size();
+  const std::size_t block = std::max<std::size_t>(1, entries_of_block / std::max<std::size_t>(1, size));
+  if (!progress.row) matrix.entries.reserve(sums.entry_count());
+  const long bits = BallPrecision::current();
+  std::vector<FinishedRow> rows;
+  for (std::size_t first = 0; first < size; first += block) {
+    rows.assign(std::min(block, size - first), {});
+    parallel_for(rows.size(), 1, [&](std::size_t begin, std::size_t end) {
+      const BallPrecision inside(bits);
+      for (std::size_t k = begin; k < end; ++k) rows[k] = finished_row(matrix, sums, first + k);
+    });
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      FactorRow& row = matrix.rows[first + k];
+      row.sum = rows[k].sum;
+      if (demand.open_to_space) row.to_space = Approximation::exact(1) + -row.sum;
+      matrix.take(rows[k].factors, rows[k].reciprocity_defect, progress.row);
     }
-    if (demand.open_to_space) row.to_space = Approximation::exact(1) + -row.sum;
   }
 }
 
@@ -174,11 +210,148 @@ std::vector<PairExchange> block_pairs(const FacetScene& scene, const FactorDeman
 
 }  // namespace
 
+Approximation exchange_over_area(const Approximation& exchange, const Approximation& area) {
+  // The ball's own midpoint keeps no more digits than the radius leaves; the quotient of values keeps
+  // reciprocity.
+  const double value = exchange.value / area.value;
+  return {value, abs(ball_of(exchange) / ball_of(area) - Ball(value)).upper_double(),
+          exchange.guaranteed && area.guaranteed};
+}
+
+double reciprocity_defect(double area, double factor, double other_area, double back) {
+  const Ball difference = Ball(area) * Ball(factor) - Ball(other_area) * Ball(back);
+  return (abs(difference) / sqrt(Ball(area) * Ball(other_area))).upper_double();
+}
+
+void FactorMatrix::take(std::span<const ConfigurationFactor> row, double defect,
+                        const std::function<void(std::span<const ConfigurationFactor>)>& sink) {
+  for (const ConfigurationFactor& entry : row)
+    largest_given_radius = std::max(largest_given_radius, entry.factor.radius);
+  largest_reciprocity_defect = std::max(largest_reciprocity_defect, defect);
+  entry_count += row.size();
+  if (sink) {
+    sink(row);
+  } else {
+    entries.insert(entries.end(), row.begin(), row.end());
+  }
+}
+
 double FactorMatrix::largest_radius() const {
-  double largest = 0;
+  double largest = largest_given_radius;
   for (const ConfigurationFactor& entry : entries) largest = std::max(largest, entry.factor.radius);
   return largest;
 }
+
+namespace {
+
+/// Pairs evenly spread over the matrix, timed.
+class PairSamples {
+public:
+  PairSamples(const FacetScene& scene, const FactorDemand& demand) : scene_(scene), demand_(demand) {}
+
+  /// Most pairs take next to no time and few take nearly all of it: how many light passes between is found
+  /// from many samples, what they take from fewer, until the mean is known to a tenth.
+  [[nodiscard]] double seconds_of_all(std::uint64_t pairs) {
+    constexpr std::uint64_t most_sights = 32768;
+    constexpr std::uint64_t least_sights = 64;
+    constexpr double seconds_of_sights = 1.5;
+    constexpr std::size_t batch = 64;
+    const auto wanted = static_cast<std::size_t>(std::clamp(pairs, least_sights, most_sights));
+    const auto start = Clock::now();
+    while (sights_.size() < wanted && since(start) < seconds_of_sights)
+      look(std::min(batch, wanted - sights_.size()));
+    const double of_sight = mean(sights_);
+    const double share = static_cast<double>(seen_.size()) / static_cast<double>(sights_.size());
+    const double threads = static_cast<double>(thread_count());
+    double all = of_sight * static_cast<double>(pairs) / threads;
+    const auto timing = Clock::now();
+    for (std::size_t next = 0; next < seen_.size(); next += batch) {
+      time(next, std::min(batch, seen_.size() - next));
+      all = (of_sight + share * mean(exchanges_)) * static_cast<double>(pairs) / threads;
+      constexpr double least_seconds = 3;
+      constexpr double most_seconds = 30;
+      constexpr double part_of_all = 0.01;
+      constexpr double relative_error = 0.1;
+      if (since(timing) > std::clamp(part_of_all * all, least_seconds, most_seconds)) break;
+      if (exchanges_.size() >= 4 * batch && error_of_mean(exchanges_) < relative_error * mean(exchanges_))
+        break;
+    }
+    return all;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  using Pair = std::pair<std::size_t, std::size_t>;
+
+  static double since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  }
+  static double mean(const std::vector<double>& x) {
+    return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(std::max<std::size_t>(1, x.size()));
+  }
+  static double error_of_mean(const std::vector<double>& x) {
+    const double middle = mean(x);
+    double squares = 0;
+    for (const double one : x) squares += (one - middle) * (one - middle);
+    const auto count = static_cast<double>(x.size());
+    return std::sqrt(squares / count / count);
+  }
+
+  /// The additive sequence of the plastic number's powers fills the square of rows and columns evenly,
+  /// whatever the mesh's order.
+  [[nodiscard]] Pair pair(std::size_t k) const {
+    constexpr double row_step = 0.7548776662466927;
+    constexpr double column_step = 0.5698402909980532;
+    const std::size_t n = scene_.facet_count();
+    const auto place = [k](double step, std::size_t count) {
+      const double turns = static_cast<double>(k + 1) * step;
+      return std::min(static_cast<std::size_t>((turns - std::floor(turns)) * static_cast<double>(count)),
+                      count - 1);
+    };
+    const std::size_t row = place(row_step, n);
+    return {row, (row + 1 + place(column_step, n - 1)) % n};
+  }
+
+  void look(std::size_t count) {
+    const std::size_t first = sights_.size();
+    sights_.resize(first + count);
+    std::vector<char> sees(count, 0);
+    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto [row, column] = pair(first + k);
+        const auto start = Clock::now();
+        const PairSight sight = scene_.pair(row, column).sight;
+        sights_[first + k] = since(start);
+        sees[k] = sight == PairSight::whole || sight == PairSight::mixed ? 1 : 0;
+      }
+    });
+    for (std::size_t k = 0; k < count; ++k)
+      if (sees[k] != 0) seen_.push_back(pair(first + k));
+  }
+
+  /// What is done beyond looking.
+  void time(std::size_t first, std::size_t count) {
+    exchanges_.resize(first + count);
+    const long bits = BallPrecision::current();
+    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+      const BallPrecision inside(bits);
+      for (std::size_t k = begin; k < end; ++k) {
+        const auto [row, column] = seen_[first + k];
+        const auto start = Clock::now();
+        static_cast<void>(pair_exchange(scene_, row, column, demand_));
+        exchanges_[first + k] = since(start);
+      }
+    });
+  }
+
+  const FacetScene& scene_;
+  const FactorDemand& demand_;
+  std::vector<double> sights_;     ///< seconds
+  std::vector<double> exchanges_;  ///< seconds
+  std::vector<Pair> seen_;
+};
+
+}  // namespace
 
 double FactorMatrix::closure_defect(std::size_t row) const { return std::abs(rows[row].sum.value - 1); }
 
@@ -209,42 +382,19 @@ PairExchange pair_exchange(const FacetScene& scene, std::size_t first, std::size
   return out;
 }
 
-FactorPlan factor_plan(const FacetScene& scene, const FactorUnits& units, const FactorDemand& demand) {
-  using Clock = std::chrono::steady_clock;
+FactorPlan factor_plan(const FacetScene& scene, const FactorUnits& units, const FactorDemand& demand,
+                       FactorsKept kept) {
   FactorPlan plan;
   const std::uint64_t n = scene.facet_count();
   const std::uint64_t m = units.names.size();
   plan.pairs = n * (n - 1) / 2;
+  constexpr std::uint64_t bytes_of_triangle = 2048;
+  plan.memory.add("scene", n, bytes_of_triangle);
+  constexpr std::uint64_t bytes_of_pair = sizeof(PairExchange) + 64;
+  plan.memory.add("pairs at a time", std::max<std::uint64_t>(pairs_of_block, n), bytes_of_pair);
   plan.memory.add("exchange areas", m * (m + 1) / 2, sizeof(Approximation));
-  plan.memory.add("factors", m * m, sizeof(ConfigurationFactor));
-  plan.memory.add("table", m * m, 64);
-  if (plan.pairs == 0) return plan;
-  // The additive sequence of the plastic number's powers fills the square of rows and columns evenly,
-  // whatever the mesh's order.
-  constexpr double row_step = 0.7548776662466927;
-  constexpr double column_step = 0.5698402909980532;
-  // Few pairs may take nearly all of the time: one in fifty is timed, of small scenes 64.
-  constexpr std::uint64_t most_samples = 4096;
-  constexpr std::uint64_t least_samples = 64;
-  constexpr double most_seconds = 2;
-  const std::uint64_t wanted = std::clamp(plan.pairs / 50, least_samples, most_samples);
-  const auto start = Clock::now();
-  double seconds = 0;
-  std::uint64_t samples = 0;
-  const auto place = [](std::uint64_t k, double step, std::uint64_t count) {
-    const double turns = static_cast<double>(k) * step;
-    return std::min(static_cast<std::uint64_t>((turns - std::floor(turns)) * static_cast<double>(count)),
-                    count - 1);
-  };
-  while (samples < wanted && seconds < most_seconds) {
-    ++samples;
-    const std::uint64_t row = place(samples, row_step, n);
-    const std::uint64_t column = (row + 1 + place(samples, column_step, n - 1)) % n;
-    static_cast<void>(pair_exchange(scene, row, column, demand));
-    seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  }
-  plan.seconds = seconds / static_cast<double>(samples) * static_cast<double>(plan.pairs) /
-                 static_cast<double>(thread_count());
+  if (kept == FactorsKept::all) plan.memory.add("factors", m * m, sizeof(ConfigurationFactor));
+  if (plan.pairs > 0) plan.seconds = PairSamples(scene, demand).seconds_of_all(plan.pairs);
   return plan;
 }
 
@@ -264,7 +414,10 @@ FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units, co
   ExchangeSums sums(units.names.size());
   std::size_t done = 0;
   const std::size_t all = std::max<std::size_t>(scene.facet_count() * (scene.facet_count() - 1) / 2, 1);
-  for (const RowBlock& block : row_blocks(scene.facet_count())) {
+  const std::vector<RowBlock> blocks = row_blocks(scene.facet_count());
+  const std::size_t stride = spreading_stride(blocks.size());
+  for (std::size_t turn = 0; turn < blocks.size(); ++turn) {
+    const RowBlock& block = blocks[turn * stride % blocks.size()];
     throw_if_interrupted();
     std::optional<std::vector<PairExchange>> pairs;
     if (progress.store != nullptr)
@@ -287,7 +440,7 @@ FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units, co
     done += block.pairs;
     progress.at(static_cast<double>(done) / static_cast<double>(all));
   }
-  finish(matrix, sums, demand);
+  finish(matrix, sums, demand, progress);
   return matrix;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,12 +61,18 @@ struct FactorMatrix {
   std::size_t whole_pairs = 0;  ///< of triangles
   std::size_t hidden_pairs = 0;
   std::size_t mixed_pairs = 0;
+  std::uint64_t rays = 0;           ///< of ray_factors; then pairs are not counted
+  std::size_t entry_count = 0;      ///< of entries, or of those that were given to FactorProgress::row
+  double largest_given_radius = 0;  ///< of them
   double largest_reciprocity_defect =
       0;  ///< bounds |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J) of the doubles as given, rounded up
   [[nodiscard]] double largest_radius() const;
   /// The row whose sum is farthest from 1.
   [[nodiscard]] std::size_t worst_row() const;
   [[nodiscard]] double closure_defect(std::size_t row) const;
+  /// The next row: kept in entries, or given to the sink where there is one.
+  void take(std::span<const ConfigurationFactor> row, double reciprocity_defect,
+            const std::function<void(std::span<const ConfigurationFactor>)>& sink);
 };
 
 /// Where a computation of a matrix reports its progress and keeps finished rows.
@@ -74,7 +81,12 @@ struct FactorProgress {
   std::function<void(double)> at = [](double) {};
   std::string key{};             ///< all that the numbers depend on; the demand is added
   ResultStore* store = nullptr;  ///< finished blocks of rows are kept there and not computed again
+  /// Called with the factors of one row after the other; where it is set, FactorMatrix::entries stays empty.
+  std::function<void(std::span<const ConfigurationFactor>)> row{};
 };
+
+/// Whether a matrix holds its factors, or gives them away row by row.
+enum class FactorsKept { all, none };
 
 /// An estimate of the time that a matrix will take, found by computing some of its pairs.
 struct FactorPlan {
@@ -83,9 +95,10 @@ struct FactorPlan {
   std::uint64_t pairs = 0;
 };
 
-/// Pairs evenly spread over the matrix are timed; what they take on average is taken for all.
+/// Pairs evenly spread over the matrix are timed, those between which light passes until their mean is known
+/// to a tenth, or for 3 seconds or a hundredth of the whole; what they take on average is taken for all.
 [[nodiscard]] FactorPlan factor_plan(const FacetScene& scene, const FactorUnits& units,
-                                     const FactorDemand& demand);
+                                     const FactorDemand& demand, FactorsKept kept);
 
 /// The direct exchange area of two triangles of a scene.
 /// Maths     A_i F_ij
@@ -104,8 +117,15 @@ struct FactorPlan {
 ///           ContractViolation
 /// Result    the same bits for any number of threads, and whether rows came from the store or not;
 ///           Interrupted where the user asked to stop: finished blocks of rows are in the store
-/// Limits    holds two doubles for each pair of units
+/// Limits    holds two doubles for each pair of units, and each factor unless FactorProgress::row takes it
 [[nodiscard]] FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units,
                                          const FactorDemand& demand, const FactorProgress& progress);
+
+/// The factor of an exchange area, such that A_I F_IJ = A_J F_JI but for rounding.
+[[nodiscard]] Approximation exchange_over_area(const Approximation& exchange, const Approximation& area);
+
+/// A bound of |A_I F_IJ - A_J F_JI| / sqrt(A_I A_J) for these doubles: in double the products of which it is
+/// the difference would be rounded to the same number.
+[[nodiscard]] double reciprocity_defect(double area, double factor, double other_area, double back);
 
 }  // namespace radcert

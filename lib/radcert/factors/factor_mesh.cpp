@@ -58,7 +58,7 @@ FactorMesh factor_mesh(const MeshSurvey& survey) {
                  .piece = survey.components->of_piece,
                  .piece_names = survey.pieces,
                  .pieces_bend = false};
-  if (survey.orientation == Orientation::against_the_cross_product)
+  if (survey.front.orientation == Orientation::against_the_cross_product)
     for (VertexTriple& triangle : out.mesh.triangles) std::swap(triangle[1], triangle[2]);
   std::vector<std::optional<std::size_t>> plane(survey.pieces.size());
   for (std::size_t t = 0; t < out.piece.size(); ++t) {

@@ -6,7 +6,6 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
-#include "radcert/hypotheses/nesting.h"
 #include "radcert/surface/mesh_surface.h"
 
 namespace radcert {
@@ -31,31 +30,19 @@ bool agrees(const MeshTopology& topology) {
   return topology.disagreeing_edges.empty() && topology.crowded_edges.empty();
 }
 
-/// Finds the inner side and, with it, whether S lies in the boundary of its hull.
+/// Whether S lies in the boundary of its hull, its inner normals inwards.
 void decide_containment(MeshSurvey& survey) {
   const double unit = survey.precision.unit;
   if (!agrees(survey.topology)) {
     survey.containment.reason = "the triangles do not agree which side is which";
     return;
   }
-  if (survey.topology.closed()) {
-    const int sign = volume_sign(survey.mesh);
-    survey.orientation =
-        sign < 0 ? Orientation::along_the_cross_product : Orientation::against_the_cross_product;
-    survey.inner_side = sign == 0 ? InnerSide::by_convention : InnerSide::by_volume;
-    survey.containment = convex_containment(survey.mesh, survey.orientation, unit);
+  survey.containment = convex_containment(survey.mesh, survey.front.orientation, unit);
+  if (survey.topology.closed() || survey.front.known_by != InnerSide::by_file ||
+      survey.containment.verdict == Containment::certified)
     return;
-  }
-  survey.containment = convex_containment(survey.mesh, survey.orientation, unit);
-  if (survey.containment.verdict == Containment::certified) {
-    survey.inner_side = InnerSide::by_certificate;
-    return;
-  }
-  ConvexContainment reversed = convex_containment(survey.mesh, Orientation::along_the_cross_product, unit);
-  if (reversed.verdict != Containment::certified) return;
-  survey.containment = std::move(reversed);
-  survey.orientation = Orientation::along_the_cross_product;
-  survey.inner_side = InnerSide::by_certificate;
+  survey.looks_away = convex_containment(survey.mesh, Orientation::against_the_cross_product, unit).verdict ==
+                      Containment::certified;
 }
 
 std::string several(std::size_t count, const std::string& one, const std::string& many) {
@@ -79,23 +66,28 @@ std::optional<std::string> MeshSurvey::obstacle() const {
   if (!defects.crossing.empty())
     return "has triangles that cross or overlap, " + several(defects.crossing.size(), "pair", "pairs") +
            (defects.crossing.size() == most_crossings.count() ? " or more" : "");
-  if (!misoriented.empty())
-    return "has " + several(misoriented.size(), "component", "components") +
+  if (!front.misoriented.empty())
+    return "has " + several(front.misoriented.size(), "component", "components") +
            " whose inner side is not the inside of the body, the first with a corner at " +
-           point_text(mesh.vertices[mesh.triangles[misoriented.front()][0]]) +
+           point_text(mesh.vertices[mesh.triangles[front.misoriented.front()][0]]) +
            ": the triangles of a body within a room run the other way round";
+  if (front.undecided) return *front.undecided;
+  if (looks_away)
+    return "is open, and by the right-hand rule, as its file has it, all of it looks away from the rest: "
+           "with "
+           "front right-hand nothing sees anything; with front left-hand the light is on the inner side";
   return std::nullopt;
 }
 
 Surface MeshSurvey::surface(const std::string& name) const {
   expects(components.has_value(), "a mesh without degenerate triangles");
   return mesh_surface(name, mesh, components->of_piece, pieces,
-                      {.orientation = orientation,
-                       .closed = topology.closed(),
+                      {.orientation = front.orientation,
+                       .closed = front.encloses,
                        .unoccluded = containment.verdict == Containment::certified});
 }
 
-MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& repair) {
+MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& repair, FrontRule rule) {
   MeshSurvey survey;
   survey.format = file.format;
   survey.precision = file.precision;
@@ -124,15 +116,15 @@ MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& r
   survey.components = smooth_components(survey.mesh, survey.topology, degrees);
   survey.pieces = piece_names(survey.mesh, *survey.components);
   survey.planes = plane_classes(survey.mesh);
+  survey.front = mesh_front(survey.mesh, survey.topology, survey.defects, rule);
   decide_containment(survey);
-  if (survey.inner_side == InnerSide::by_volume && survey.defects.crossing.empty())
-    survey.misoriented = misoriented_components(survey.mesh, survey.topology, survey.orientation);
   return survey;
 }
 
-MeshSurvey survey_mesh(const std::filesystem::path& path, double degrees, const MeshRepair& repair) {
+MeshSurvey survey_mesh(const std::filesystem::path& path, double degrees, const MeshRepair& repair,
+                       FrontRule rule) {
   const MeshFile file = read_mesh_file(path);
-  return with_source(path.string(), [&] { return survey_mesh(file, degrees, repair); });
+  return with_source(path.string(), [&] { return survey_mesh(file, degrees, repair, rule); });
 }
 
 }  // namespace radcert

@@ -15,21 +15,15 @@
 #include "radcert/geometry/plane_classes.h"
 #include "radcert/geometry/smooth_components.h"
 #include "radcert/hypotheses/convex_containment.h"
+#include "radcert/hypotheses/front.h"
 
 namespace radcert {
-
-/// How the inner side of a mesh was found.
-enum class InnerSide {
-  by_volume,       ///< the mesh is closed: the side of the body
-  by_certificate,  ///< it is open and lies in the boundary of its convex hull: the side of the hull
-  by_convention,   ///< neither: triangles are taken to run counterclockwise as seen from outside
-};
 
 /// A mesh file with all that radcert decides about it.
 /// Maths     see the parts
 /// Result    defects, topology and the rest are those of the mesh after what was asked to be mended.
-///           components, planes and certificate are there only where no triangle is degenerate; orientation
-///           tells where the inner normals point; misoriented: of closed meshes without other faults
+///           components, planes and certificate are there only where no triangle is degenerate; front tells
+///           where the inner normals point
 struct MeshSurvey {
   std::string format;
   CoordinatePrecision precision;
@@ -43,11 +37,11 @@ struct MeshSurvey {
   TriangleMesh mesh;
   MeshTopology topology;
   MeshDefects defects;
-  std::vector<std::size_t> misoriented;  ///< first triangles of components: see misoriented_components
   MeshQuality quality;
   double degrees = 0;
-  Orientation orientation = Orientation::against_the_cross_product;
-  InnerSide inner_side = InnerSide::by_convention;
+  MeshFront front;
+  /// Whether an open mesh looks away from its hull, as its file has it: then nothing sees anything.
+  bool looks_away = false;
   std::optional<SmoothComponents> components;
   std::vector<std::string> pieces;  ///< names, in the order of components->of_piece
   std::optional<PlaneClasses> planes;
@@ -65,13 +59,14 @@ inline constexpr double default_sharp_degrees = 30;
 /// Reads a mesh file and decides everything about it.
 /// Maths     see MeshSurvey
 /// Requires  0 <= degrees <= 180
-/// Result    InputError, with the file, for what read_mesh_file refuses, for a face that is not plane unless
-///           repair.triangulate cuts it, for a surface that is not orientable, and for a mesh of which
-///           mending leaves nothing
+/// Result    rule: see mesh_front. InputError, with the file, for what read_mesh_file refuses, for a face
+///           that is not plane unless repair.triangulate cuts it, for a surface that is not orientable, and
+///           for a mesh of which mending leaves nothing
 [[nodiscard]] MeshSurvey survey_mesh(const std::filesystem::path& path, double degrees,
-                                     const MeshRepair& repair);
+                                     const MeshRepair& repair, FrontRule rule = FrontRule::automatic);
 
 /// The same for a file that was read.
-[[nodiscard]] MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& repair);
+[[nodiscard]] MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& repair,
+                                     FrontRule rule = FrontRule::automatic);
 
 }  // namespace radcert

@@ -67,7 +67,7 @@ long winding_number(const TriangleMesh& mesh, const Component& component, const 
 }  // namespace
 
 std::vector<std::size_t> misoriented_components(const TriangleMesh& mesh, const MeshTopology& topology,
-                                                Orientation orientation) {
+                                                Orientation orientation, LightOf light) {
   const long outwards = orientation == Orientation::against_the_cross_product ? 1 : -1;
   const std::vector<Component> components = components_of(mesh, topology);
   TriangleMesh part{.vertices = mesh.vertices, .triangles = {}, .group = {}, .group_names = {}, .face = {}};
@@ -79,10 +79,21 @@ std::vector<std::size_t> misoriented_components(const TriangleMesh& mesh, const 
     const Vector<double>& vertex = mesh.vertices[part.triangles.front()[0]];
     for (const Component& other : components)
       if (&other != &own) inside += outwards * winding_number(mesh, other, vertex);
-    if (inside != 1) faulty.push_back(own.triangles.front());
+    if (inside != (light == LightOf::rooms ? 1 : 0)) faulty.push_back(own.triangles.front());
   }
   std::sort(faulty.begin(), faulty.end());
   return faulty;
+}
+
+std::size_t outermost_components(const TriangleMesh& mesh, const MeshTopology& topology) {
+  const std::vector<Component> components = components_of(mesh, topology);
+  return static_cast<std::size_t>(
+      std::count_if(components.begin(), components.end(), [&](const Component& own) {
+        const Vector<double>& vertex = mesh.vertices[mesh.triangles[own.triangles.front()][0]];
+        return std::all_of(components.begin(), components.end(), [&](const Component& other) {
+          return &other == &own || winding_number(mesh, other, vertex) == 0;
+        });
+      }));
 }
 
 }  // namespace radcert

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/hypotheses/front.h"
 #include "radcert/scalar/rational.h"
 #include "radcert/study/guarantee.h"
 #include "radcert/study/method.h"
@@ -24,6 +25,7 @@ struct MeshChoice {
   std::vector<std::string> repair;         ///< what was to be mended
   std::vector<std::string> mended;         ///< what was, in words
   std::shared_ptr<const Surface> surface;  ///< one whose triangles do not cross
+  FrontRule front = FrontRule::automatic;  ///< where its light is to be
 };
 
 /// The surface of a problem: a name of the catalogue and the values of its parameters, in the catalogue's

@@ -5,6 +5,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/text.h"
+#include "radcert/formats/plot/svg_elements.h"
 
 namespace radcert {
 
@@ -42,14 +43,14 @@ void data_arrays(std::string& out, const UnstructuredGrid::Data& data, std::size
   }
 }
 
-/// VTK's ASCII string arrays: the codes of the letters, each name ended by 0.
-std::string letter_codes(const std::vector<std::string>& names) {
-  std::string out;
-  for (const std::string& name : names) {
-    for (const char c : name) out += std::to_string(static_cast<unsigned char>(c)) + " ";
-    out += "0 ";
-  }
-  return out;
+/// The names of pieces as the names of arrays with their numbers: few readers but VTK's know arrays of
+/// strings.
+void legend(std::string& out, const std::vector<std::string>& names) {
+  for (std::size_t k = 0; k < names.size(); ++k)
+    data_array(
+        out, "Int32",
+        " Name=\"piece " + std::to_string(k) + ": " + svg::escaped(names[k]) + "\" NumberOfTuples=\"1\"",
+        [&] { out += std::to_string(k); });
 }
 
 }  // namespace
@@ -64,9 +65,7 @@ std::string vtu_text(const UnstructuredGrid& grid) {
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n"
       "<UnstructuredGrid>\n<FieldData>\n";
-  data_array(out, "String",
-             " Name=\"piece_names\" NumberOfTuples=\"" + std::to_string(grid.piece_names.size()) + "\"",
-             [&] { out += letter_codes(grid.piece_names); });
+  legend(out, grid.piece_names);
   out += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(grid.points.size()) +
          "\" NumberOfCells=\"" + std::to_string(cells) + "\">\n<PointData";
   if (!grid.at_points.empty()) out += " Scalars=\"" + grid.at_points.front().first + "\"";

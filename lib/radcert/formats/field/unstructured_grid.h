@@ -25,7 +25,8 @@ struct UnstructuredGrid {
 
 /// Maths     VTK's XML format UnstructuredGrid, ASCII
 /// Requires  as many points and numbers as the cells have; finite numbers, else ContractViolation
-/// Result    a .vtu text; the names of pieces in a field array
+/// Result    a .vtu text; a field array "piece 3: floor" for each piece, which holds its number: a legend
+///           that programs without arrays of strings read as well
 std::string vtu_text(const UnstructuredGrid& grid);
 
 }  // namespace radcert

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -18,7 +19,7 @@ namespace {
 const std::vector<std::string> occluded_surfaces = {"torus", "sphere_over_disk", "concentric_spheres"};
 
 /// What a problem with a mesh may state beside the file.
-const std::vector<std::string> mesh_keys = {"file", "angle", "repair", "digest"};
+const std::vector<std::string> mesh_keys = {"file", "angle", "repair", "front", "digest"};
 
 Rational read_angle(const JsonReader& surface) {
   const std::string allowed = "an angle in degrees, from 0 to 180";
@@ -38,6 +39,14 @@ std::vector<std::string> read_repair(const JsonReader& surface) {
   return words;
 }
 
+FrontRule read_front(const JsonReader& surface) {
+  const auto given = surface.find("front");
+  if (!given) return FrontRule::automatic;
+  const std::vector<std::string> known(front_words.begin(), front_words.end());
+  const auto at = std::find(known.begin(), known.end(), given->word(known));
+  return static_cast<FrontRule>(at - known.begin());
+}
+
 SurfaceChoice read_mesh(const JsonReader& surface, const JsonReader& file,
                         const std::filesystem::path& folder) {
   surface.require_object(mesh_keys);
@@ -46,15 +55,18 @@ SurfaceChoice read_mesh(const JsonReader& surface, const JsonReader& file,
                   .angle = read_angle(surface),
                   .repair = read_repair(surface),
                   .mended = {},
-                  .surface = nullptr};
+                  .surface = nullptr,
+                  .front = read_front(surface)};
   const std::filesystem::path path = folder / mesh.file;
   if (!is_mesh_file_name(mesh.file))
-    file.refuse("has no name of a mesh file", "names in .off, .obj, .ply, .stl");
+    file.refuse("has no name of a mesh file", "names in " + mesh_file_endings());
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     file.refuse("is not there", "a mesh file, its name relative to the problem's folder");
-  const MeshSurvey survey = survey_mesh(path, mesh.angle.to_double(), repair_named(mesh.repair));
+  const MeshSurvey survey = survey_mesh(path, mesh.angle.to_double(), repair_named(mesh.repair), mesh.front);
   require_digest(surface, survey.digest);
+  if (survey.front.undecided || survey.looks_away)
+    file.refuse(*survey.obstacle(), "\"front\": \"right-hand\" or \"left-hand\" beside the file");
   if (const auto obstacle = survey.obstacle())
     file.refuse(*obstacle,
                 "a mesh of triangles that neither cross nor run against each other; see radcert surface " +
@@ -133,6 +145,7 @@ JsonValue surface_json(const SurfaceChoice& surface) {
     out.set("file", surface.mesh->file);
     out.set("angle", exact_json(surface.mesh->angle));
     out.set("repair", json_array(surface.mesh->repair));
+    out.set("front", std::string(front_words[static_cast<std::size_t>(surface.mesh->front)]));
     out.set("digest", surface.mesh->digest);
     return out;
   }

@@ -27,7 +27,8 @@ JsonValue comparison_json(const std::vector<FactorComparison>& pairs) {
                                   {"radius", pair.ours.radius},
                                   {"theirs", pair.theirs.value},
                                   {"halfwidth", pair.theirs.halfwidth},
-                                  {"verdict", agreement_word(pair.agreement)}}));
+                                  {"verdict", agreement_word(pair.agreement)},
+                                  {"cause", pair.cause.empty() ? JsonValue() : JsonValue(pair.cause)}}));
   }
   out.set("worst", std::move(worst));
   return out;
@@ -48,11 +49,14 @@ JsonValue factors_report(const FactorReport& report) {
   out.set("by", report.by);
   out.set("triangles", report.triangles);
   out.set("open", report.open);
+  out.set("unit", report.unit);
+  out.set("front", report.front);
   out.set("facets_only", report.facets_only);
   out.set("guaranteed", matrix.guaranteed);
   out.set("pairs", JsonValue::object({{"whole", matrix.whole_pairs},
                                       {"hidden", matrix.hidden_pairs},
                                       {"mixed", matrix.mixed_pairs}}));
+  out.set("rays", matrix.rays);
   out.set("largest_radius", matrix.largest_radius());
   out.set("reciprocity_defect", matrix.largest_reciprocity_defect);
   out.set("closure_defect", report.open ? JsonValue() : JsonValue(closure_bound(matrix)));

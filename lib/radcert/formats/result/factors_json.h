@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "radcert/formats/json/json_value.h"
-#include "radcert/formats/table/factors_csv.h"
+#include "radcert/formats/table/factor_comparison.h"
 
 namespace radcert {
 
@@ -18,6 +18,9 @@ struct FactorReport {
   std::string by;  ///< "triangle", "piece", "group"
   std::size_t triangles = 0;
   bool open = false;
+  std::optional<std::string> unit = std::nullopt;  ///< of lengths, where it is known
+  /// Of a mesh: from which side light leaves its triangles, "right-hand" or "left-hand"
+  std::optional<std::string> front = std::nullopt;
   bool facets_only = false;  ///< the mesh may stand for something round: the numbers are those of its facets
   std::vector<std::string> names;
   FactorMatrix matrix;

@@ -113,7 +113,7 @@ JsonValue defects_json(const MeshSurvey& survey) {
        {"disagreeing_edges", counted_json(survey.topology.disagreeing_edges, edge_at)},
        {"crowded_edges", counted_json(survey.topology.crowded_edges, edge_at)},
        {"pinched_vertices", counted_json(survey.topology.pinched_vertices, at)},
-       {"misoriented_components", counted_json(survey.misoriented, number)}});
+       {"misoriented_components", counted_json(survey.front.misoriented, number)}});
 }
 
 JsonValue quality_json(const MeshQuality& quality) {
@@ -129,17 +129,31 @@ JsonValue quality_json(const MeshQuality& quality) {
 std::string inner_side_word(InnerSide side) {
   switch (side) {
     case InnerSide::by_volume: return "volume";
-    case InnerSide::by_certificate: return "certificate";
-    case InnerSide::by_convention: return "convention";
+    case InnerSide::by_file: return "file";
+    case InnerSide::by_choice: return "choice";
   }
   return {};
 }
 
-JsonValue piece_json(const std::string& name, std::size_t charts, std::size_t component) {
-  return JsonValue::object({{"name", name}, {"charts", charts}, {"smooth_component", component}});
+JsonValue piece_json(const std::string& name, std::size_t charts, std::size_t component,
+                     const PieceMeasures* measures) {
+  JsonValue out = JsonValue::object({{"name", name}, {"charts", charts}, {"smooth_component", component}});
+  const JsonValue unknown;
+  out.set("area", measures == nullptr ? unknown : JsonValue(measures->area.value));
+  out.set("area_radius", measures == nullptr ? unknown : JsonValue(measures->area.radius));
+  out.set("normal", measures == nullptr || !measures->normal ? unknown : point_json(*measures->normal));
+  out.set("centroid", measures == nullptr ? unknown : point_json(measures->centroid));
+  out.set("box", measures == nullptr
+                     ? unknown
+                     : JsonValue::array({point_json(measures->box.low), point_json(measures->box.high)}));
+  return out;
 }
 
-JsonValue pieces_json(const MeshSurvey& survey) {
+const PieceMeasures* measures_of(std::span<const PieceMeasures> measures, std::size_t piece) {
+  return piece < measures.size() ? &measures[piece] : nullptr;
+}
+
+JsonValue pieces_json(const MeshSurvey& survey, std::span<const PieceMeasures> measures) {
   if (!survey.components) return {};
   std::vector<std::size_t> triangles(survey.pieces.size(), 0);
   std::vector<std::size_t> component(survey.pieces.size(), 0);
@@ -149,24 +163,27 @@ JsonValue pieces_json(const MeshSurvey& survey) {
   }
   JsonValue out = JsonValue::array();
   for (std::size_t i = 0; i < survey.pieces.size(); ++i)
-    out.push(piece_json(survey.pieces[i], triangles[i], component[i]));
+    out.push(piece_json(survey.pieces[i], triangles[i], component[i], measures_of(measures, i)));
   return out;
 }
 
 }  // namespace
 
-JsonValue surface_report(const std::string& file, const MeshSurvey& survey, const std::string& command) {
+JsonValue surface_report(const std::string& file, const MeshSurvey& survey,
+                         std::span<const PieceMeasures> measures, const std::optional<std::string>& unit,
+                         const std::string& command) {
   const auto at = [&](std::size_t vertex) { return point_json(survey.mesh.vertices[vertex]); };
   const auto& components = survey.components;
   JsonValue out = document_head("surface", command);
   out.set("name", file);
   out.set("kind", "mesh");
+  out.set("unit", unit);
   out.set("file", file_json(survey));
   out.set("vertices", survey.topology.used_vertices);
   out.set("triangles", survey.mesh.triangles.size());
   out.set("angle", survey.degrees);
   out.set("smooth_components", components ? JsonValue(components->count) : JsonValue());
-  out.set("pieces", pieces_json(survey));
+  out.set("pieces", pieces_json(survey, measures));
   out.set("edges", components ? JsonValue(components->lines.size()) : JsonValue());
   out.set("corners", components ? counted_json(components->corners, at) : JsonValue());
   out.set("planes", survey.planes ? JsonValue(survey.planes->count()) : JsonValue());
@@ -180,8 +197,12 @@ JsonValue surface_report(const std::string& file, const MeshSurvey& survey, cons
           JsonValue::object(
               {{"consistent", survey.topology.disagreeing_edges.empty()},
                {"counterclockwise_from",
-                survey.orientation == Orientation::against_the_cross_product ? "outside" : "inside"},
-               {"known_by", inner_side_word(survey.inner_side)}}));
+                survey.front.orientation == Orientation::against_the_cross_product ? "outside" : "inside"},
+               {"known_by", inner_side_word(survey.front.known_by)},
+               {"front", survey.front.orientation == Orientation::along_the_cross_product ? "right-hand"
+                                                                                          : "left-hand"},
+               {"encloses", survey.front.encloses},
+               {"undecided", survey.front.undecided}}));
   out.set("defects", defects_json(survey));
   out.set("containment", containment_json(survey.containment, nullptr));
   out.set("unoccluded", survey.containment.verdict == Containment::certified ? JsonValue(true) : JsonValue());
@@ -192,11 +213,13 @@ JsonValue surface_report(const std::string& file, const MeshSurvey& survey, cons
 }
 
 JsonValue surface_report(const Surface& surface, const ConvexContainment& containment,
+                         std::span<const PieceMeasures> measures, const std::optional<std::string>& unit,
                          const std::string& command) {
   const JsonValue unknown;
   JsonValue out = document_head("surface", command);
   out.set("name", surface.name);
   out.set("kind", "catalogue");
+  out.set("unit", unit);
   for (const char* key : {"file", "vertices", "triangles", "angle"}) out.set(key, unknown);
   const std::vector<std::string> names = surface.piece_names();
   out.set("smooth_components", names.size());
@@ -204,7 +227,7 @@ JsonValue surface_report(const Surface& surface, const ConvexContainment& contai
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto charts = std::count_if(surface.charts.begin(), surface.charts.end(),
                                       [&](const Chart& chart) { return chart.facts().piece == names[i]; });
-    pieces.push(piece_json(names[i], static_cast<std::size_t>(charts), i));
+    pieces.push(piece_json(names[i], static_cast<std::size_t>(charts), i, measures_of(measures, i)));
   }
   out.set("pieces", std::move(pieces));
   for (const char* key : {"edges", "corners", "planes"}) out.set(key, unknown);

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "radcert/formats/json/json_value.h"
@@ -22,6 +23,9 @@ public:
   explicit CsvTable(std::span<const std::string_view> columns);
   void add(std::span<const JsonValue> row);
   [[nodiscard]] const std::string& text() const { return text_; }
+  /// What has been added since the last call, the header line first: for tables that are written as they
+  /// grow.
+  [[nodiscard]] std::string take() { return std::exchange(text_, {}); }
 
 private:
   std::size_t columns_;

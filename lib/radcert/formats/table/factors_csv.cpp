@@ -92,7 +92,29 @@ double half_a_unit(std::string_view text) {
   return 0.5 * std::pow(10.0, exponent);
 }
 
-ClaimedFactors parse_csv(std::string_view text) {
+/// A matrix with names about it, of which the first line was read.
+ClaimedFactors parse_matrix(CsvRows& rows, const std::vector<std::string>& head) {
+  ClaimedFactors out;
+  while (const auto row = rows.next()) {
+    if (row->size() != head.size())
+      throw InputError({.pointer = line_text(rows.line()),
+                        .value = std::to_string(row->size()) + " cells",
+                        .allowed = std::to_string(head.size()) + ", as in the first line"});
+    for (std::size_t k = 1; k < head.size(); ++k) {
+      const std::string& cell = (*row)[k];
+      const ClaimedFactor claim =
+          cell.empty() ? ClaimedFactor{}
+                       : ClaimedFactor{.value = number_at(cell, rows.line()), .halfwidth = half_a_unit(cell)};
+      if (!out.emplace(std::pair(row->front(), head[k]), claim).second)
+        throw InputError({.pointer = line_text(rows.line()),
+                          .value = row->front() + " to " + head[k],
+                          .problem = "occurs twice"});
+    }
+  }
+  return out;
+}
+
+ClaimedFactors parse_csv(std::string_view text, std::span<const std::string> names) {
   CsvRows rows(text);
   const auto head = rows.next();
   const auto column = [&](std::string_view name) -> std::optional<std::size_t> {
@@ -105,10 +127,17 @@ ClaimedFactors parse_csv(std::string_view text) {
   const auto to = column("to");
   const auto factor = column("factor");
   const auto radius = column("radius");
-  if (!from || !to || !factor)
+  if (!from || !to || !factor) {
+    const std::set<std::string> known(names.begin(), names.end());
+    if (head && head->size() > 1 && std::all_of(head->begin() + 1, head->end(), [&](const std::string& name) {
+          return known.contains(name);
+        }))
+      return parse_matrix(rows, *head);
     throw InputError({.pointer = line_text(1),
                       .problem = "has not the columns of a file of factors",
-                      .allowed = "from, to, factor and, if known, radius; or the output of View3D"});
+                      .allowed = "from, to, factor and, if known, radius; a matrix whose first line has the "
+                                 "names of the surfaces; or the output of View3D"});
+  }
   ClaimedFactors out;
   while (const auto row = rows.next()) {
     if (row->size() != head->size())
@@ -185,26 +214,42 @@ ClaimedFactors parse_view3d(std::string_view text, std::span<const std::string> 
 
 }  // namespace
 
-std::string factors_csv(const FactorMatrix& matrix, std::span<const std::string> names) {
-  constexpr std::array<std::string_view, 5> columns = {"from", "to", "factor", "radius", "guaranteed"};
-  CsvTable table(columns);
-  for (const ConfigurationFactor& entry : matrix.entries) {
-    const std::array<JsonValue, columns.size()> row = {names[entry.from], names[entry.to], entry.factor.value,
-                                                       entry.factor.radius, entry.factor.guaranteed};
-    table.add(row);
+namespace {
+
+constexpr std::array<std::string_view, 5> factor_columns = {"from", "to", "factor", "radius", "guaranteed"};
+
+}  // namespace
+
+FactorsCsv::FactorsCsv(std::span<const std::string> names) : names_(names), table_(factor_columns) {}
+
+std::string FactorsCsv::rows(std::span<const ConfigurationFactor> factors) {
+  for (const ConfigurationFactor& entry : factors) {
+    const std::array<JsonValue, factor_columns.size()> row = {names_[entry.from], names_[entry.to],
+                                                              entry.factor.value, entry.factor.radius,
+                                                              entry.factor.guaranteed};
+    table_.add(row);
   }
-  return table.text();
+  return table_.take();
 }
 
-std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std::string> names) {
-  constexpr std::array<std::string_view, 5> columns = {"name", "area", "row_sum", "row_radius", "to_space"};
+std::string factors_csv(const FactorMatrix& matrix, std::span<const std::string> names) {
+  return FactorsCsv(names).rows(matrix.entries);
+}
+
+std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std::string> names,
+                                const std::optional<std::string>& unit) {
+  constexpr std::array<std::string_view, 6> columns = {"name",       "area",     "row_sum",
+                                                       "row_radius", "to_space", "area_unit"};
   CsvTable table(columns);
   for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
     const FactorRow& line = matrix.rows[i];
     const std::array<JsonValue, columns.size()> row = {
-        names[i], line.area.value, line.sum.value,
+        names[i],
+        line.area.value,
+        line.sum.value,
         line.to_space ? std::max(line.sum.radius, line.to_space->radius) : line.sum.radius,
-        line.to_space ? JsonValue(line.to_space->value) : JsonValue()};
+        line.to_space ? JsonValue(line.to_space->value) : JsonValue(),
+        unit ? JsonValue(*unit + "^2") : JsonValue()};
     table.add(row);
   }
   return table.text();
@@ -212,59 +257,14 @@ std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std:
 
 ClaimedFactors parse_factors(std::string_view text, const std::string& source,
                              std::span<const std::string> names) {
-  return with_source(
-      source, [&] { return text.starts_with("View3D") ? parse_view3d(text, names) : parse_csv(text); });
+  return with_source(source, [&] {
+    return text.starts_with("View3D") ? parse_view3d(text, names) : parse_csv(text, names);
+  });
 }
 
 ClaimedFactors read_factors(const std::filesystem::path& path, std::span<const std::string> names) {
   constexpr std::uint64_t largest = std::uint64_t{1} << 30;
   return parse_factors(read_file(path, largest), path.string(), names);
-}
-
-double FactorComparison::difference() const { return std::abs(ours.value - theirs.value); }
-
-std::vector<FactorComparison> compared(const FactorMatrix& matrix, std::span<const std::string> names,
-                                       const ClaimedFactors& claimed) {
-  const std::set<std::string> known(names.begin(), names.end());
-  for (const auto& [pair, claim] : claimed)
-    for (const std::string& name : {pair.first, pair.second})
-      if (!known.contains(name))
-        throw InputError(
-            {.value = name, .problem = "is no surface here", .allowed = "the names of the rows of --out"});
-  std::map<std::pair<std::string, std::string>, FactorComparison> pairs;
-  const auto place = [&](const std::string& from, const std::string& to) -> FactorComparison& {
-    FactorComparison& pair = pairs[{from, to}];
-    pair.from = from;
-    pair.to = to;
-    return pair;
-  };
-  for (const ConfigurationFactor& entry : matrix.entries)
-    place(names[entry.from], names[entry.to]).ours = entry.factor;
-  for (const auto& [pair, claim] : claimed) place(pair.first, pair.second).theirs = claim;
-  std::vector<FactorComparison> out;
-  for (auto& [key, pair] : pairs) {
-    const Ball distance = abs(Ball(pair.ours.value) - Ball(pair.theirs.value));
-    const Ball radius(pair.ours.radius);
-    const Ball halfwidth(pair.theirs.halfwidth);
-    if (certainly_at_most(distance + radius, halfwidth))
-      pair.agreement = Agreement::agrees;
-    else if (certainly_less(halfwidth, distance - radius))
-      pair.agreement = Agreement::differs;
-    out.push_back(pair);
-  }
-  std::stable_sort(out.begin(), out.end(), [](const FactorComparison& a, const FactorComparison& b) {
-    return a.difference() > b.difference();
-  });
-  return out;
-}
-
-std::string agreement_word(Agreement agreement) {
-  switch (agreement) {
-    case Agreement::agrees: return "agrees";
-    case Agreement::differs: return "differs";
-    case Agreement::undecided: return "undecided";
-  }
-  return {};
 }
 
 }  // namespace radcert

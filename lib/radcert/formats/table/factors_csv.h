@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "radcert/factors/factor_matrix.h"
+#include "radcert/formats/table/csv.h"
 
 namespace radcert {
 
@@ -21,9 +22,23 @@ namespace radcert {
 ///           as the same double: the radius holds for that double
 [[nodiscard]] std::string factors_csv(const FactorMatrix& matrix, std::span<const std::string> names);
 
-/// The rows of a matrix as CSV: the columns name, area, row_sum, row_radius, to_space; the last is empty
-/// unless asked for, and the radius is that of both, the wider.
-[[nodiscard]] std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std::string> names);
+/// The same, row by row.
+class FactorsCsv {
+public:
+  explicit FactorsCsv(std::span<const std::string> names);
+  /// The text of these factors, before the first ones the header line.
+  [[nodiscard]] std::string rows(std::span<const ConfigurationFactor> factors);
+
+private:
+  std::span<const std::string> names_;
+  CsvTable table_;
+};
+
+/// The rows of a matrix as CSV: the columns name, area, row_sum, row_radius, to_space, area_unit; to_space is
+/// empty unless asked for, and the radius is that of both sums, the wider. area_unit is the square of the
+/// unit of lengths, "mm^2", empty where it is not known.
+[[nodiscard]] std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std::string> names,
+                                              const std::optional<std::string>& unit);
 
 /// A factor from another source, to be compared.
 /// Maths     what is claimed: value +- halfwidth
@@ -37,9 +52,10 @@ struct ClaimedFactor {
 using ClaimedFactors = std::map<std::pair<std::string, std::string>, ClaimedFactor>;
 
 /// A file of factors.
-/// Source    CSV with columns from, to, factor and, if there, radius, in any order, others ignored; or the
-///           text output of View3D: a line "View3D <version> 0 <...> <surfaces>", the areas, the square
-///           matrix by rows, emissivities
+/// Source    CSV with columns from, to, factor and, if there, radius, in any order, others ignored; CSV as a
+///           matrix: a line with a cell that is ignored and the names of columns, then lines with the name of
+///           a row and its factors, an empty cell being 0; or the text output of View3D: a line "View3D
+///           <version> 0 <...> <surfaces>", the areas, the square matrix by rows, emissivities
 /// Requires  `names`: whose rows View3D's are, in this order
 /// Result    InputError with the file, the line, the value and what is allowed
 /// Limits    1 GiB; of View3D its text with a square matrix, format 0
@@ -49,35 +65,5 @@ using ClaimedFactors = std::map<std::pair<std::string, std::string>, ClaimedFact
 /// The same from a text; `source` names it in messages.
 [[nodiscard]] ClaimedFactors parse_factors(std::string_view text, const std::string& source,
                                            std::span<const std::string> names);
-
-/// How a claimed value compares with a number with a radius.
-enum class Agreement {
-  agrees,     ///< all that our factor may be lies within the claim
-  differs,    ///< none of it does
-  undecided,  ///< our radius is too large to tell, or the claim's digits are finer than it
-};
-
-/// One pair of surfaces in two matrices.
-struct FactorComparison {
-  std::string from;
-  std::string to;
-  Approximation ours = Approximation::exact(0);  ///< zero where the matrix has no entry
-  ClaimedFactor theirs;
-  Agreement agreement = Agreement::undecided;
-  [[nodiscard]] double difference() const;
-};
-
-/// Every pair that either matrix has, the largest differences first.
-/// Maths     with d = |ours - theirs|, r our radius, h their halfwidth: agrees if d + r <= h, differs if d -
-///           r > h, else undecided
-/// Requires  a name for each row
-/// Result    InputError, without a source, for a name that no surface has
-/// Limits    the comparison of the doubles is proved; a claim is the doubles nearest to its decimals
-[[nodiscard]] std::vector<FactorComparison> compared(const FactorMatrix& matrix,
-                                                     std::span<const std::string> names,
-                                                     const ClaimedFactors& claimed);
-
-/// "agrees", "differs", "undecided".
-[[nodiscard]] std::string agreement_word(Agreement agreement);
 
 }  // namespace radcert

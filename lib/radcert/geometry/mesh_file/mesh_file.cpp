@@ -16,8 +16,13 @@ namespace radcert {
 namespace {
 
 using Parse = MeshFile (*)(std::string_view);
-constexpr std::array<std::pair<std::string_view, Parse>, 4> formats{
-    {{".off", parse_off}, {".obj", parse_obj}, {".ply", parse_ply}, {".stl", parse_stl}}};
+constexpr std::array<std::pair<std::string_view, Parse>, 7> formats{{{".off", parse_off},
+                                                                     {".obj", parse_obj},
+                                                                     {".ply", parse_ply},
+                                                                     {".stl", parse_stl},
+                                                                     {".msh", parse_msh},
+                                                                     {".vtk", parse_vtk},
+                                                                     {".vs3", parse_vs3}}};
 constexpr std::uint64_t largest_file = std::uint64_t{4} << 30;
 
 Parse parser_of(const std::string& name) {
@@ -37,12 +42,18 @@ std::string MeshFile::face_text(std::size_t face) const {
 
 bool is_mesh_file_name(const std::string& name) { return parser_of(name) != nullptr; }
 
+std::string mesh_file_endings() {
+  std::string out;
+  for (const auto& [ending, parse] : formats) out += (out.empty() ? "" : ", ") + std::string(ending);
+  return out;
+}
+
 MeshFile parse_mesh_file(std::string_view bytes, const std::string& name) {
   return with_source(name, [&] {
     const Parse parse = parser_of(name);
     if (parse == nullptr)
       throw InputError(
-          {.problem = "has no name of a mesh file", .allowed = "names in .off, .obj, .ply, .stl"});
+          {.problem = "has no name of a mesh file", .allowed = "names in " + mesh_file_endings()});
     if (bytes.empty()) throw InputError({.problem = "is empty", .allowed = "a mesh with faces"});
     MeshFile mesh = parse(bytes);
     mesh.digest = digest_of(bytes);

@@ -30,7 +30,7 @@ struct CoordinatePrecision {
 ///           is below vertices.size(), and a face has at least three different corners, none twice
 /// Limits    texture, colours and normals are left out
 struct MeshFile {
-  std::string format;  ///< "OFF", "OBJ", "PLY, ASCII", "PLY, binary", "STL, ASCII", "STL, binary"
+  std::string format;  ///< "OFF", "OBJ", "PLY, ASCII", "PLY, binary", "STL, ASCII", "MSH 4.1", ...
   std::vector<Vector<double>> vertices;
   std::vector<std::size_t> corner;
   std::vector<std::size_t> face_begin{0};
@@ -48,16 +48,20 @@ struct MeshFile {
 };
 
 /// A mesh from a file.
-/// Source    the formats OFF (Geomview), OBJ (Wavefront), PLY (Stanford) and STL (3D Systems); own readers:
-///           those of CGAL give no line of what is wrong, no group, no number of printed digits
-/// Requires  a name that ends in .off, .obj, .ply or .stl
-/// Result    OBJ: groups from o, g and usemtl, joined by "/"; STL: from solid. InputError with the file, the
-///           line or byte, the value and what is allowed: for words that are no decimal number, numbers that
-///           are not finite, beyond 1e60 or so small that a double holds 0 in their place, lines with more or
-///           fewer numbers than their kind has, for faces with a corner that is missing, repeated or not
-///           there, for a file without faces, a text that is no STL, a file that ends too early or goes on
-///           too long
-/// Limits    files up to 4 GiB; OFF and OBJ as text, a vertex or a face a line
+/// Source    the formats OFF (Geomview), OBJ (Wavefront), PLY (Stanford), STL (3D Systems), MSH (Gmsh), VTK
+///           (legacy) and VS3 (View3D); own readers: those of CGAL give no line of what is wrong, no group,
+///           no number of printed digits
+/// Requires  a name that ends in one of mesh_file_endings()
+/// Result    OBJ: groups from o, g and usemtl, joined by "/"; STL: from solid; MSH: the physical groups of
+///           surfaces; VS3: the names of surfaces, what is combined with another having its name. InputError
+///           with the file, the line or byte, the value and what is allowed: for words that are no decimal
+///           number, numbers that are not finite, beyond 1e60 or so small that a double holds 0 in their
+///           place, lines with more or fewer numbers than their kind has, for faces with a corner that is
+///           missing, repeated or not there, for a file without faces, a text that is no STL, a file that
+///           ends too early or goes on too long
+/// Limits    files up to 4 GiB; OFF and OBJ as text, a vertex or a face a line; MSH of the versions 2.2 and
+///           4.1 and VTK as text, with triangles, quadrangles and polygons of first order; of VS3 neither
+///           surfaces within a base nor obstructions
 [[nodiscard]] MeshFile read_mesh_file(const std::filesystem::path& path);
 
 /// The same from the bytes of a file; `name` stands in messages, and its ending names the format.
@@ -65,5 +69,8 @@ struct MeshFile {
 
 /// Whether a name ends like that of a mesh file.
 [[nodiscard]] bool is_mesh_file_name(const std::string& name);
+
+/// ".off, .obj, ...".
+[[nodiscard]] std::string mesh_file_endings();
 
 }  // namespace radcert

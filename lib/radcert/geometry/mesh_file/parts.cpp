@@ -121,6 +121,8 @@ void MeshBuilder::join_vertices() {
 MeshFile MeshBuilder::finish(const std::string& format, std::optional<int> bits) {
   if (mesh_.vertices.empty()) refuse_mesh("", std::nullopt, "has no vertices", "a mesh with faces");
   if (mesh_.face_count() == 0) refuse_mesh("", std::nullopt, "has no faces", "a mesh with faces");
+  // As the file counts its vertices.
+  const std::size_t first = format == "OBJ" ? 1 : 0;
   std::vector<std::size_t> sorted;
   for (std::size_t k = 0; k < mesh_.face_count(); ++k) {
     const auto begin = mesh_.corner.begin() + static_cast<std::ptrdiff_t>(mesh_.face_begin[k]);
@@ -129,15 +131,15 @@ MeshFile MeshBuilder::finish(const std::string& format, std::optional<int> bits)
     sorted.assign(begin, end);
     std::sort(sorted.begin(), sorted.end());
     if (sorted.back() >= mesh_.vertices.size())
-      refuse_mesh(place, std::to_string(sorted.back()),
-                  "is the index, counted from 0, of a vertex that is not there",
-                  "indices from 0 to " + std::to_string(mesh_.vertices.size() - 1) +
-                      " (counted from 1 in OBJ files)");
+      refuse_mesh(place, std::to_string(sorted.back() + first),
+                  "is the index, counted from " + std::to_string(first) + ", of a vertex that is not there",
+                  "indices from " + std::to_string(first) + " to " +
+                      std::to_string(mesh_.vertices.size() - 1 + first));
     const auto repeated = std::adjacent_find(sorted.begin(), sorted.end());
     // Joined corners of an STL triangle are a degenerate face, which is reported as such.
     if (repeated != sorted.end() && mesh_.joined_corners == 0)
-      refuse_mesh(place, std::to_string(*repeated),
-                  "is the index, counted from 0, of two corners of one face",
+      refuse_mesh(place, std::to_string(*repeated + first),
+                  "is the index, counted from " + std::to_string(first) + ", of two corners of one face",
                   "faces whose corners are different vertices");
   }
   double largest = 0;

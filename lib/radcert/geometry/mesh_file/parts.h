@@ -71,10 +71,13 @@ long long whole_number(std::string_view text, const std::string& place, const st
 [[noreturn]] void refuse_mesh(const std::string& place, std::optional<std::string> value,
                               const std::string& problem, const std::string& allowed);
 
-/// The four formats.
+/// The formats.
 MeshFile parse_off(std::string_view bytes);
 MeshFile parse_obj(std::string_view bytes);
 MeshFile parse_ply(std::string_view bytes);
 MeshFile parse_stl(std::string_view bytes);
+MeshFile parse_msh(std::string_view bytes);
+MeshFile parse_vtk(std::string_view bytes);
+MeshFile parse_vs3(std::string_view bytes);
 
 }  // namespace radcert

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/formats/table/factor_comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "radcert/core/contract.h"
+#include "radcert/core/errors.h"
+#include "radcert/formats/plot/svg_elements.h"
+#include "radcert/formats/table/csv.h"
+
+namespace radcert {
+
+namespace {
+
+Agreement agreement_of(const Approximation& ours, const ClaimedFactor& theirs,
+                       const FactorTolerance& tolerance) {
+  const Ball distance = abs(Ball(ours.value) - Ball(theirs.value));
+  const Ball radius(ours.radius);
+  const Ball size = abs(Ball(ours.value));
+  const Ball fixed = max(Ball(theirs.halfwidth), Ball(tolerance.absolute));
+  const Ball relative(tolerance.relative);
+  if (certainly_at_most(distance + radius, max(fixed, relative * max(Ball(0), size - radius))))
+    return Agreement::agrees;
+  if (certainly_less(max(fixed, relative * (size + radius)), distance - radius)) return Agreement::differs;
+  return Agreement::undecided;
+}
+
+/// Both matrices by the numbers of the rows.
+class TwoMatrices {
+public:
+  TwoMatrices(const FactorMatrix& matrix, std::span<const std::string> names, const ClaimedFactors& claimed)
+      : matrix_(matrix) {
+    for (std::size_t i = 0; i < names.size(); ++i) numbers_.emplace(names[i], i);
+    for (const ConfigurationFactor& entry : matrix.entries) ours_[{entry.from, entry.to}] = entry.factor;
+    for (const auto& [pair, claim] : claimed) theirs_[{number(pair.first), number(pair.second)}] = claim;
+  }
+
+  [[nodiscard]] std::size_t size() const { return matrix_.rows.size(); }
+  [[nodiscard]] std::size_t number(const std::string& name) const { return numbers_.at(name); }
+  [[nodiscard]] double area(std::size_t i) const { return matrix_.rows[i].area.value; }
+  [[nodiscard]] double total_area() const {
+    double sum = 0;
+    for (const FactorRow& row : matrix_.rows) sum += row.area.value;
+    return sum;
+  }
+  [[nodiscard]] Approximation ours(std::size_t i, std::size_t j) const {
+    const auto found = ours_.find({i, j});
+    return found == ours_.end() ? Approximation::exact(0) : found->second;
+  }
+  [[nodiscard]] ClaimedFactor theirs(std::size_t i, std::size_t j) const {
+    const auto found = theirs_.find({i, j});
+    return found == theirs_.end() ? ClaimedFactor{} : found->second;
+  }
+
+  /// Whether the claim would be this number, up to what is left of the difference.
+  [[nodiscard]] bool fits(std::size_t i, std::size_t j, double number, double radius) const {
+    constexpr double part = 0.02;
+    const ClaimedFactor claim = theirs(i, j);
+    return std::abs(claim.value - number) <=
+           std::max(claim.halfwidth + radius, part * std::abs(claim.value - ours(i, j).value));
+  }
+
+  /// Whether the rows of two surfaces fit once these have changed places.
+  [[nodiscard]] bool fit_swapped(std::size_t one, std::size_t other) const {
+    const auto swapped = [&](std::size_t k) { return k == one ? other : k == other ? one : k; };
+    constexpr double part = 0.02;
+    double largest = 0;
+    for (const std::size_t row : {one, other})
+      for (std::size_t k = 0; k < size(); ++k)
+        largest = std::max(largest, std::abs(theirs(row, k).value - ours(row, k).value));
+    for (const std::size_t row : {one, other})
+      for (std::size_t k = 0; k < size(); ++k) {
+        const Approximation expected = ours(swapped(row), swapped(k));
+        const ClaimedFactor claim = theirs(row, k);
+        if (std::abs(claim.value - expected.value) >
+            std::max(claim.halfwidth + expected.radius, part * largest))
+          return false;
+      }
+    return true;
+  }
+
+private:
+  const FactorMatrix& matrix_;
+  std::map<std::string, std::size_t> numbers_;
+  std::map<std::pair<std::size_t, std::size_t>, Approximation> ours_;
+  std::map<std::pair<std::size_t, std::size_t>, ClaimedFactor> theirs_;
+};
+
+/// For each surface the one with which it may have been swapped.
+std::map<std::size_t, std::size_t> swapped_surfaces(const TwoMatrices& both,
+                                                    const std::set<std::size_t>& of) {
+  constexpr std::size_t most = 300;
+  std::map<std::size_t, std::size_t> out;
+  if (both.size() > most) return out;
+  for (const std::size_t one : of)
+    for (std::size_t other = 0; other < both.size() && !out.contains(one); ++other)
+      if (one != other && both.fit_swapped(one, other)) out.emplace(one, other);
+  return out;
+}
+
+std::string cause_of(const TwoMatrices& both, std::size_t i, std::size_t j,
+                     const std::map<std::size_t, std::size_t>& swapped, std::span<const std::string> names,
+                     const UnoccludedFactor& unoccluded) {
+  for (const std::size_t one : {i, j})
+    if (const auto found = swapped.find(one); found != swapped.end())
+      return names[one] + " and " + names[found->second] + " swapped";
+  const Approximation ours = both.ours(i, j);
+  const Approximation back = both.ours(j, i);
+  const auto fits = [&](double number, double radius) { return both.fits(i, j, number, radius); };
+  if (i != j && fits(back.value, back.radius)) return "transposed";
+  if (fits(both.area(i) * ours.value, both.area(i) * ours.radius))
+    return "exchange area: not divided by the area";
+  const double share = both.area(i) / both.total_area();
+  if (fits(share * ours.value, share * ours.radius)) return "divided by the area of the scene";
+  if (fits(std::numbers::pi * ours.value, std::numbers::pi * ours.radius)) return "without 1/pi";
+  if (const auto seen = unoccluded(i, j); seen && fits(*seen, 1e-9 * *seen)) return "occlusion missed";
+  const ClaimedFactor there = both.theirs(i, j);
+  const ClaimedFactor and_back = both.theirs(j, i);
+  if (std::abs(both.area(i) * there.value - both.area(j) * and_back.value) >
+      1.01 * (both.area(i) * there.halfwidth + both.area(j) * and_back.halfwidth))
+    return "reciprocity broken";
+  return {};
+}
+
+}  // namespace
+
+double FactorComparison::difference() const { return std::abs(ours.value - theirs.value); }
+
+std::vector<FactorComparison> compared(const FactorMatrix& matrix, std::span<const std::string> names,
+                                       const ClaimedFactors& claimed, const FactorTolerance& tolerance) {
+  const std::set<std::string> known(names.begin(), names.end());
+  for (const auto& [pair, claim] : claimed)
+    for (const std::string& name : {pair.first, pair.second})
+      if (!known.contains(name))
+        throw InputError(
+            {.value = name, .problem = "is no surface here", .allowed = "the names of the rows of --out"});
+  std::map<std::pair<std::string, std::string>, FactorComparison> pairs;
+  const auto place = [&](const std::string& from, const std::string& to) -> FactorComparison& {
+    FactorComparison& pair = pairs[{from, to}];
+    pair.from = from;
+    pair.to = to;
+    return pair;
+  };
+  for (const ConfigurationFactor& entry : matrix.entries)
+    place(names[entry.from], names[entry.to]).ours = entry.factor;
+  for (const auto& [pair, claim] : claimed) place(pair.first, pair.second).theirs = claim;
+  std::vector<FactorComparison> out;
+  for (auto& [key, pair] : pairs) {
+    pair.agreement = agreement_of(pair.ours, pair.theirs, tolerance);
+    out.push_back(pair);
+  }
+  std::stable_sort(out.begin(), out.end(), [](const FactorComparison& a, const FactorComparison& b) {
+    return a.difference() > b.difference();
+  });
+  return out;
+}
+
+void explain(std::vector<FactorComparison>& pairs, const FactorMatrix& matrix,
+             std::span<const std::string> names, const ClaimedFactors& claimed,
+             const UnoccludedFactor& unoccluded) {
+  const TwoMatrices both(matrix, names, claimed);
+  std::set<std::size_t> differing;
+  for (const FactorComparison& pair : pairs)
+    if (pair.agreement == Agreement::differs) {
+      differing.insert(both.number(pair.from));
+      differing.insert(both.number(pair.to));
+    }
+  const std::map<std::size_t, std::size_t> swapped = swapped_surfaces(both, differing);
+  for (FactorComparison& pair : pairs)
+    if (pair.agreement == Agreement::differs)
+      pair.cause = cause_of(both, both.number(pair.from), both.number(pair.to), swapped, names, unoccluded);
+}
+
+std::string agreement_word(Agreement agreement) {
+  switch (agreement) {
+    case Agreement::agrees: return "agrees";
+    case Agreement::differs: return "differs";
+    case Agreement::undecided: return "undecided";
+  }
+  return {};
+}
+
+std::string comparison_csv(std::span<const FactorComparison> pairs) {
+  constexpr std::array<std::string_view, 10> columns = {
+      "from", "to", "ours", "radius", "guaranteed", "theirs", "halfwidth", "difference", "verdict", "cause"};
+  CsvTable table(columns);
+  for (const FactorComparison& pair : pairs) {
+    const std::array<JsonValue, columns.size()> row = {
+        pair.from,
+        pair.to,
+        pair.ours.value,
+        pair.ours.radius,
+        pair.ours.guaranteed,
+        pair.theirs.value,
+        pair.theirs.halfwidth,
+        pair.difference(),
+        agreement_word(pair.agreement),
+        pair.cause.empty() ? JsonValue() : JsonValue(pair.cause)};
+    table.add(row);
+  }
+  return table.text();
+}
+
+std::string comparison_svg(std::span<const FactorComparison> pairs, std::span<const std::string> names) {
+  expects(names.size() <= comparison_picture_rows, "a matrix that a picture can show",
+          named("rows", names.size()));
+  std::map<std::string, std::size_t> numbers;
+  for (std::size_t i = 0; i < names.size(); ++i) numbers.emplace(names[i], i);
+  constexpr double letters = 11;
+  constexpr double most_of_matrix = 800;
+  constexpr double largest_cell = 28;
+  constexpr double gap = 8;
+  const double cell =
+      std::min(largest_cell, most_of_matrix / static_cast<double>(std::max<std::size_t>(1, names.size())));
+  const bool named_rows = cell >= letters;
+  double margin = gap;
+  if (named_rows)
+    for (const std::string& name : names) margin = std::max(margin, svg::text_width(name, letters) + 2 * gap);
+  const double side = cell * static_cast<double>(names.size());
+  double largest = 0;
+  for (const FactorComparison& pair : pairs) largest = std::max(largest, pair.ours.value);
+  std::string out = svg::head(
+      margin + side + gap, margin + side + gap, "Configuration factors compared",
+      "Rows are from, columns to. The darker, the larger the factor; red: differs, amber: undecided.",
+      ".radcert .paper{fill:#fff}.radcert text{font:11px sans-serif}.radcert .differs{fill:#d62728}.radcert "
+      ".undecided{fill:#ffbf00}"
+      ".radcert .grid{fill:none;stroke:#888}");
+  for (const FactorComparison& pair : pairs) {
+    const std::size_t row = numbers.at(pair.from);
+    const std::size_t column = numbers.at(pair.to);
+    std::string colour;
+    if (pair.agreement == Agreement::agrees) {
+      constexpr double darkest = 180;
+      const double share = largest > 0 ? std::clamp(pair.ours.value / largest, 0.0, 1.0) : 0;
+      const std::string level = std::to_string(255 - static_cast<int>(darkest * share));
+      colour = " fill=\"rgb(" + level + "," + level + ",255)\"";
+    } else {
+      colour = " class=\"" + agreement_word(pair.agreement) + "\"";
+    }
+    out += "  <rect" + svg::attribute("x", margin + cell * static_cast<double>(column)) +
+           svg::attribute("y", margin + cell * static_cast<double>(row)) + svg::attribute("width", cell) +
+           svg::attribute("height", cell) + colour + "><title>" +
+           svg::escaped(pair.from + " to " + pair.to + ": " + JsonValue(pair.ours.value).compact() +
+                        " here, " + JsonValue(pair.theirs.value).compact() + " there, " +
+                        agreement_word(pair.agreement) + (pair.cause.empty() ? "" : ", " + pair.cause)) +
+           "</title></rect>\n";
+  }
+  out += "  <rect class=\"grid\"" + svg::attribute("x", margin) + svg::attribute("y", margin) +
+         svg::attribute("width", side) + svg::attribute("height", side) + "/>\n";
+  if (named_rows)
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const double at = margin + cell * (static_cast<double>(i) + 0.5);
+      out += svg::text(gap, at + letters / 3, names[i]);
+      out += svg::text(0, 0, names[i],
+                       " transform=\"translate(" + svg::coordinate(at + letters / 3) + " " +
+                           svg::coordinate(margin - gap) + ") rotate(-90)\"");
+    }
+  return out + std::string(svg::foot);
+}
+
+}  // namespace radcert
