@@ -11,6 +11,7 @@
 
 #include "radcert/collocation/certified/certified_operator.h"
 #include "radcert/collocation/certified/exact_nodes.h"
+#include "radcert/quadrature/certified/disk_bound.h"
 #include "radcert/quadrature/certified/kernel_rule.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/rational.h"
@@ -143,6 +144,27 @@ TEST(RoundedVector, IsOffByTheLengthOfAllThreeErrors) {
   EXPECT_GE(length(2e-3, 3e-3, 6e-3), 7e-3);
   EXPECT_GE(length(6e-3, 2e-3, 3e-3), 7e-3);
   EXPECT_LE(length(3e-3, 6e-3, 2e-3), 7e-3 * (1 + 1e-9));
+}
+
+TEST(DiskBound, BoundsTheKernelFromTheNearestPoint) {
+  // On the line of P and c, with both normals along it, the kernel is 1/|w|^2, and the nearest point is d - L -
+  // E away; e alone turns w by E.
+  for (const double d : {1.0, 1e-3, 300.0})
+    for (const double linear : {0.0, 0.1, 0.4, 0.9})
+      for (const double rest : {0.0, 0.01, 0.05}) {
+        const double bound = DiskBound{.linear = linear * d, .rest = rest * d, .weight = 3}.scaled(d);
+        const double nearest = 1 - linear - rest;
+        if (nearest > 0) {
+          EXPECT_GE(bound, 3 / (nearest * nearest)) << linear << " " << rest;
+        }
+        // Across the line: |w.w| falls to d^2 - L^2 where |w|^2 grows to d^2 + L^2.
+        const double less = 1 - (linear + rest) * (linear + rest);
+        const double more = 1 + (linear + rest) * (linear + rest);
+        EXPECT_GE(bound, 3 * more / (less * less)) << linear << " " << rest;
+        EXPECT_TRUE(linear + rest > 0.1 || bound <= 3.001 * (1 + 9 * (linear + rest)));
+      }
+  EXPECT_TRUE(std::isinf((DiskBound{.linear = 1, .rest = 0, .weight = 1}.scaled(1))));
+  EXPECT_TRUE(std::isinf((DiskBound{.linear = 0, .rest = 0.42, .weight = 1}.scaled(1))));
 }
 
 }  // namespace

@@ -301,6 +301,20 @@ TEST(VerifiedSystem, CountsWhatUnderflowsInEveryProduct) {
   EXPECT_LE(enclosure.radius[1], 0.01 * enclosure.values[1]);
 }
 
+TEST(VerifiedSystem, RoundsSumsOfSizesUp) {
+  // u_0 is the sum of all, whose radii but the first are lost beside it, one by one.
+  constexpr std::size_t n = 600;
+  constexpr double lost = 0x1.fffffp-54;
+  Matrix<double> k(n, n);
+  Values radius(n, lost);
+  radius[0] = 1;
+  for (std::size_t j = 1; j < n; ++j) k(0, j) = 1;
+  const VerifiedSolution enclosure = verified_system(k)->solve(Values(n), radius).value();
+  EXPECT_GE(Rational::exactly(enclosure.radius[0]),
+            1 + Rational(static_cast<long>(n - 1)) * Rational::exactly(lost));
+  EXPECT_LE(enclosure.radius[0], 1 + 1e-9);
+}
+
 TEST(VerifiedSystem, CountsTheRoundingOfTheDiagonal) {
   // The inverse of 1 - 2^-60 is computed as 1, and 1 - (1 - 2^-60) as 0.
   Matrix<double> k(1, 1);
