@@ -151,6 +151,100 @@ TEST(BoundedDouble, CountsWhatUnderflowsInItsBound) {
   EXPECT_FALSE(std::isfinite(atan2(BoundedDouble(1e200, 1e190), BoundedDouble(1e200, 0)).error()));
 }
 
+TEST(BoundedDouble, ContainsTheValuesOfWideNumbers) {
+  // Errors of the size of the number itself: the first order does not bound what they do.
+  for (const double value : {0.5, 1.0, 2.0, 7.0})
+    for (const double part : {0.1, 0.5, 0.9, 0.99}) {
+      const BoundedDouble x(value, part * value);
+      for (const double end : {-1.0, 1.0}) {
+        const Wide at = Wide(value) + Wide(end * part * value);
+        EXPECT_TRUE(encloses(exp(x), exp(at))) << value << " " << part;
+        EXPECT_TRUE(encloses(log(x), log(at))) << value << " " << part;
+        EXPECT_TRUE(encloses(sqrt(x), sqrt(at))) << value << " " << part;
+        EXPECT_TRUE(encloses(atan(x), atan(at))) << value << " " << part;
+        EXPECT_TRUE(encloses(BoundedDouble(1) / x, Wide(1) / at)) << value << " " << part;
+      }
+      EXPECT_TRUE(std::isfinite(log(x).error()) && std::isfinite(atan(x).error()));
+    }
+}
+
+TEST(BoundedDouble, PassesErrorsOnRoundedUp) {
+  // Beside a value of 0 nothing hides how the errors are added and multiplied.
+  std::mt19937_64 random(13);
+  const auto unit = [&] { return std::ldexp(static_cast<double>(random() >> 11U), -53); };
+  for (int trial = 0; trial < 300; ++trial) {
+    const double first = unit();
+    const double second = unit();
+    const BoundedDouble sum = BoundedDouble(1, first) - BoundedDouble(1, second);
+    EXPECT_GE(Wide(sum.error()), Wide(first) + Wide(second));
+    const double value = unit();
+    const BoundedDouble product = BoundedDouble(0, first) * BoundedDouble(value, second);
+    EXPECT_GE(Wide(product.error()), Wide(first) * (Wide(value) + Wide(second)));
+    EXPECT_LE(product.error(), first * (value + second) * (1 + 1e-14));
+  }
+}
+
+/// The angle of (x, y) in (-pi, pi].
+Wide angle_of(const Wide& y, const Wide& x) {
+  const Wide half = Wide::pi() / Wide(2);
+  if (abs(y) > abs(x)) return (y > Wide(0) ? half : -half) - atan(x / y);
+  if (x > Wide(0)) return atan(y / x);
+  return atan(y / x) + (y < Wide(0) ? -Wide::pi() : Wide::pi());
+}
+
+TEST(BoundedDouble, ContainsAnglesOfPoints) {
+  std::mt19937_64 random(14);
+  const auto part = [&] { return std::ldexp(static_cast<double>(random() >> 11U), -52) - 1; };
+  double narrowest = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double x = part();
+    const double y = part();
+    const double size = std::abs(x) + std::abs(y);
+    const double off_x = trial % 3 == 0 ? 0 : size * std::ldexp(1.0, -8 - static_cast<int>(random() % 40));
+    const double off_y = trial % 3 == 1 ? 0 : size * std::ldexp(1.0, -8 - static_cast<int>(random() % 40));
+    const BoundedDouble angle = atan2(BoundedDouble(y, off_y), BoundedDouble(x, off_x));
+    if (!std::isfinite(angle.error())) {
+      // The ray to the left may be met.
+      EXPECT_TRUE(x - off_x <= 0 && std::abs(y) <= off_y) << x << " " << y;
+      continue;
+    }
+    for (const double s : {-1.0, 1.0})
+      for (const double t : {-1.0, 1.0}) {
+        const Wide exact = angle_of(Wide(y) + Wide(s * off_y), Wide(x) + Wide(t * off_x));
+        ASSERT_TRUE(encloses(angle, exact)) << y << " +- " << off_y << ", " << x << " +- " << off_x;
+        narrowest = std::max(narrowest, (abs(Wide(angle.value()) - exact) / Wide(angle.error())).to_double());
+      }
+  }
+  EXPECT_GT(narrowest, 0.8);
+}
+
+TEST(BoundedDouble, ContainsTheDilogarithm) {
+  using Fine = Mpfr<50>;
+  std::mt19937_64 random(15);
+  const auto unit = [&] { return std::ldexp(static_cast<double>(random() >> 11U), -53); };
+  for (int trial = 0; trial < 400; ++trial) {
+    // Near the branch point at 1, and anywhere; off by much and by little, or not at all.
+    const bool near_one = trial % 2 == 0;
+    const double radius = near_one ? 1 - (trial % 4 == 0 ? 0 : unit() * 1e-3) : unit();
+    const double angle =
+        near_one ? (2 * unit() - 1) * std::ldexp(1.0, -static_cast<int>(random() % 20)) : 6 * unit() - 3;
+    const double off_radius =
+        trial % 3 == 0 || trial % 5 == 0 ? 0 : std::ldexp(1.0, -4 - static_cast<int>(random() % 40));
+    const double off_angle =
+        trial % 3 == 1 || trial % 5 == 0 ? 0 : std::ldexp(1.0, -4 - static_cast<int>(random() % 40));
+    const BoundedDouble found =
+        dilogarithm_imaginary(BoundedDouble(radius, off_radius), BoundedDouble(angle, off_angle));
+    for (const double s : {-1.0, 0.0, 1.0})
+      for (const double t : {-1.0, 0.0, 1.0}) {
+        const Fine of_radius = Fine(radius) + Fine(s * off_radius);
+        if (of_radius < Fine(0) || of_radius > Fine(1)) continue;
+        const Fine exact = dilogarithm_imaginary(of_radius, Fine(angle) + Fine(t * off_angle));
+        ASSERT_LE(abs(Fine(found.value()) - exact), Fine(found.error()))
+            << radius << " +- " << off_radius << ", " << angle << " +- " << off_angle;
+      }
+  }
+}
+
 TEST(BoundedDouble, IsNotSmallerThanItsSmallestSize) {
   const BoundedDouble x(1, 0x1p-54);
   EXPECT_LE(Wide(x.smallest_size()), Wide(1) - Wide(0x1p-54));

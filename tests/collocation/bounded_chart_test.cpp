@@ -92,6 +92,17 @@ TEST(BoundedChart, EnclosesTheChart) {
     expect_enclosed(chart, true, random);
 }
 
+TEST(BoundedChart, CountsWhatADoubleIsTooCoarseFor) {
+  // A number that is not 0 but to which 0 is the nearest double, and one of no normal double.
+  for (const int exponent : {-1100, -1075, -1060, -1022}) {
+    const Ball number = Ball(3) * power(Ball(2), exponent);
+    const BoundedDouble found = bounded(number);
+    EXPECT_TRUE(ball_around(found).contains(number)) << exponent;
+    EXPECT_GT(found.error(), 0) << exponent;
+  }
+  EXPECT_EQ(bounded(Ball(0)).error(), 0);
+}
+
 TEST(BoundedChart, ConvertsBallsBothWays) {
   const BallPrecision precision(100);
   const Ball third = Ball(1) / Ball(3);

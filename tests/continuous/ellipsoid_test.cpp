@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/continuous/ellipsoid/ellipsoid_enclosure.h"
+#include "radcert/enclosure/gauss_legendre.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@
 
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
+#include "radcert/enclosure/gauss_legendre.h"
 #include "radcert/expression/parse.h"
 #include "tests/continuous/ellipsoid_judge.h"
 #include "tests/continuous/scenes.h"
@@ -528,6 +530,37 @@ TEST(BoundBetween, HoldsForPolynomialsBetweenThePoints) {
     }
     EXPECT_LT(worst, 0.999);
   }
+}
+
+TEST(BoundBetween, IsAttainedOnAGreatCircle) {
+  // cos(n phi) on the equator, seen at the distance d from where it is 1.
+  for (const int degree : {1, 2, 7, 30})
+    for (const double part : {0.01, 0.3, 0.9, 1.4}) {
+      const double distance = part / degree;
+      const double bound = bound_between(std::cos(degree * distance), degree, distance);
+      EXPECT_GE(bound, 1 - 1e-15) << degree << " " << part;
+      EXPECT_LE(bound, 1 + 1e-9) << degree << " " << part;
+    }
+}
+
+TEST(SphereRule, MissesNoLessThanGaussRuleMayMiss) {
+  // Of functions that are bounded by 1 on meridians, and constant on rows.
+  for (const double strip : {0.5, 1.0, 3.0})
+    for (const double tolerance : {1e-1, 1e-2, 1e-3}) {
+      const SphereRule rule = sphere_rule({.meridian_strip = strip,
+                                           .meridian = [](double) { return 1.0; },
+                                           .row_strip = [](double, double) { return 1.0; },
+                                           .row = [](double, double, double) { return 0.0; }},
+                                          tolerance);
+      ASSERT_TRUE(rule.exists());
+      std::vector<double> heights = rule.cos_psi;
+      std::sort(heights.begin(), heights.end());
+      const auto nodes = static_cast<int>(std::unique(heights.begin(), heights.end()) - heights.begin());
+      // The mean is half the integral. The widest ellipse of all is not taken.
+      EXPECT_GE(rule.error, 0.5 * gauss_error_factor(nodes, std::exp(strip)).lower_double())
+          << strip << " " << nodes;
+      EXPECT_LE(rule.error, 0.5 * tolerance * (1 + 1e-9));
+    }
 }
 
 TEST(SurfaceMean, IsTheMeanOverTheSurface) {

@@ -10,12 +10,14 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <utility>
 #include <vector>
 
 #include "radcert/continuous/transport/source_rule.h"
+#include "tests/continuous/scenes.h"
 
 namespace radcert {
 namespace {
@@ -774,6 +776,80 @@ TEST(KernelInEllipse, BoundsTheKernelAlongSources) {
   }
   EXPECT_GT(any.quotient, 0.6);
   EXPECT_GT(short_lines.quotient, 0.95);
+}
+
+TEST(RuleOfSources, ErrsAtLeastAsItsMathsSays) {
+  // The bounds of kernel, function and area element on the two ellipses, put together here once more.
+  Chance chance(105);
+  int found = 0;
+  for (int i = 0; i < 3000; ++i) {
+    SeenPart part;
+    part.area = chance.scale(1e-4, 10);
+    part.half_s = part.half_t = chance.scale(1e-3, 1);
+    part.to_s = part.to_t = part.half_s * chance.scale(2, 100);
+    part.part_s = part.part_t = chance.between(0.05, 1);
+    part.jacobian_part = chance.between(0, 1);
+    const double height = chance.scale(1e-3, 10);
+    const std::array<double, 3> sizes{chance.scale(0.1, 10), chance.scale(0.1, 10), chance.scale(0.1, 10)};
+    const double allowed = chance.scale(1e-12, 1e-3);
+    for (const bool in_s : {true, false}) {
+      const RuleChoice rule =
+          in_s ? rule_in_s(part, height, sizes, allowed) : rule_in_t(part, height, sizes, allowed);
+      if (rule.nodes == 0) continue;
+      ++found;
+      double least = std::numeric_limits<double>::infinity();
+      for (const double share : {0.5, 0.7}) {
+        const double reach = share * part.to_s;
+        const double axis = reach / part.half_s;
+        if (!(axis > 1)) continue;
+        const double rho = axis + std::sqrt(axis * axis - 1);
+        const double of_part = 1 + part.part_s * (axis - 1);
+        const double growth = of_part + std::sqrt(of_part * of_part - 1);
+        const double function = sizes[0] + growth * (sizes[1] + growth * sizes[2]);
+        const double element = in_s ? 1 : 1 + part.jacobian_part * axis;
+        const double kernel = std::min(part.to_s, height) / std::pow(part.to_s - reach, 3);
+        const double n = rule.nodes;
+        const double factor = (2 + 2 / (4 * n * n - 1)) * std::pow(rho, -2 * n) / (1 - std::pow(rho, -2));
+        least = std::min(least, factor * part.area / std::numbers::pi * kernel * element * function);
+      }
+      EXPECT_GE(rule.error, least * (1 - 1e-12)) << i;
+      EXPECT_LE(rule.error, 1.26 * allowed) << i;  // for one node, whose factor is 8/3 and not 32/15
+    }
+  }
+  EXPECT_GT(found, 2000);
+}
+
+TEST(SeenPart, BoundsWhatEveryObserverSees) {
+  const SectorScene scene(test::panels_of("tetrahedron"));
+  const std::vector<SectorElement> elements = graded_elements(scene, 2);
+  Chance chance(106);
+  double nearest = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    std::vector<Vector<double>> points;
+    for (int k = 0; k < 5; ++k)
+      points.push_back({chance.between(2, 2.3), chance.between(-1, 1), chance.between(-0.2, 0.2)});
+    const ObserverBall ball = ball_about(points, scene.extent());
+    const SectorBox& box = elements[e].box;
+    const SeenPart part = seen_part(scene, elements[e], box, ball);
+    const Sector& sector = scene.sectors()[elements[e].sector];
+    EXPECT_GE(part.half_s, 0.5 * (1 - box.t0) * (box.s1 - box.s0) * norm(sector.b - sector.a));
+    for (const double s : {box.s0, box.s1})
+      EXPECT_GE(part.half_t, 0.5 * (box.t1 - box.t0) * norm(sector.c - sector.point(s, 0)));
+    EXPECT_GE(part.area, sector.jacobian * box.weight());
+    for (const Vector<double>& p : points) {
+      EXPECT_LE(norm(p - ball.centre), ball.radius);
+      for (int k = 0; k <= 8; ++k) {
+        const double s = box.s0 + (box.s1 - box.s0) * k / 8;
+        const double t = box.t0 + (box.t1 - box.t0) * k / 8;
+        const double to_s = norm(p - sector.point(box.middle_s(), t));
+        const double to_t = norm(p - sector.point(s, box.middle_t()));
+        EXPECT_LE(part.to_s, to_s);
+        EXPECT_LE(part.to_t, to_t);
+        nearest = std::max({nearest, part.to_s / to_s, part.to_t / to_t});
+      }
+    }
+  }
+  EXPECT_GT(nearest, 0.8);
 }
 
 }  // namespace

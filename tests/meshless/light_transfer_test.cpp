@@ -214,6 +214,36 @@ TEST(NeumannSeries, BoundsItsErrorAgainstRandomSolutions) {
     }
 }
 
+TEST(NeumannSeries, CountsTheRoundingsOfThePowerThatContracts) {
+  // A rotation, for which R R is taken, and beside it x = 1 + sum b_j y_j, y_j = c_j x. What R R makes of the
+  // latter, sum b_j c_j, loses all products but the first.
+  constexpr std::size_t others = 200;
+  constexpr std::size_t n = 3 + others;
+  constexpr double b = 0x1p-28;
+  constexpr double c = 0x1.fffp-28;
+  Matrix<double> r(n, n);
+  r(0, 0) = r(1, 0) = r(1, 1) = 0.6;
+  r(0, 1) = -0.6;
+  r(2, 3) = r(3, 2) = 0.6875;
+  for (std::size_t j = 4; j < n; ++j) {
+    r(2, j) = b;
+    r(j, 2) = c;
+  }
+  const auto series = NeumannSeries::make(r);
+  ASSERT_TRUE(series);
+  EXPECT_EQ(series->power(), 2U);
+  std::vector<double> e(n);
+  e[2] = 1;
+  const auto solution = series->solve(e, std::nullopt);
+  ASSERT_TRUE(solution);
+  const Rational first(11, 16);
+  const Rational product =
+      first * first + Rational(static_cast<long>(others - 1)) * Rational::exactly(b) * Rational::exactly(c);
+  const Rational off = abs(1 / (1 - product) - Rational::exactly(solution->values[2]));
+  EXPECT_LE(off, Rational::exactly(solution->error_bound));
+  EXPECT_GE(Rational(100) * off, Rational::exactly(solution->error_bound));
+}
+
 TEST(NeumannSeries, RefusesWhatDiverges) {
   const auto swap = NeumannSeries::make(matrix_of(2, {0, 4, 1, 0}));
   ASSERT_FALSE(swap);

@@ -24,6 +24,24 @@ TEST(Approximation, SumsEncloseAndBallsGoInAndOut) {
   EXPECT_THROW(static_cast<void>(enclosing(Ball(1) / Ball(0))), ContractViolation);
 }
 
+TEST(Approximation, OfASumHasAtLeastTheSumOfTheRadiiAndItsRounding) {
+  std::mt19937_64 random(10);
+  const auto unit = [&] { return std::ldexp(static_cast<double>(random() >> 11U), -53); };
+  for (int trial = 0; trial < 400; ++trial) {
+    // Values from 0, where the radii alone are rounded, to those beside which radii are nothing.
+    const double size = trial % 4 == 0 ? 0 : std::ldexp(1.0, static_cast<int>(random() % 100) - 50);
+    const Approximation a = Approximation::proved(size * unit(), unit());
+    const Approximation b = Approximation::proved(-size * unit(), unit());
+    const Approximation sum = a + b;
+    const Rational rounded =
+        abs(Rational::exactly(a.value) + Rational::exactly(b.value) - Rational::exactly(sum.value));
+    const Rational least = Rational::exactly(a.radius) + Rational::exactly(b.radius) + rounded;
+    EXPECT_GE(Rational::exactly(sum.radius), least)
+        << a.value << " " << a.radius << " " << b.value << " " << b.radius;
+    EXPECT_LE(sum.radius, (a.radius + b.radius + 0x1p-53 * std::abs(sum.value)) * (1 + 1e-14));
+  }
+}
+
 TEST(Approximation, KnowsNothingOfItsErrorUnlessItIsTold) {
   const Approximation unknown;
   EXPECT_FALSE(unknown.has_radius());

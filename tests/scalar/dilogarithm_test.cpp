@@ -222,5 +222,21 @@ TEST(DilogarithmImaginary, RefusesWhatLiesOutside) {
   EXPECT_EQ(dilogarithm_imaginary(Ball::failed("as it was"), Ball(1)).failure(), "as it was");
 }
 
+TEST(DilogarithmImaginary, HasABoundWhereItCannotTellTheAngleFromATurn) {
+  // An angle 10^-60 beyond a whole turn, seen with fewer digits than that.
+  Ball angle;
+  Ball truth;
+  {
+    const BallPrecision precision(400);
+    angle = (2 * Ball::pi() + Ball(Rational(1) / power(Rational(10), 60))).midpoint();
+    truth = dilogarithm_imaginary(Ball(1), angle);
+  }
+  const BallPrecision precision(64);
+  const Ball found = dilogarithm_imaginary(Ball(1), angle);
+  EXPECT_TRUE(overlaps(found, truth)) << found.to_text() << " " << truth.to_text();
+  EXPECT_TRUE(truth.accurate_bits() > 50);
+  EXPECT_LE(found.radius(), 1e-15);
+}
+
 }  // namespace
 }  // namespace radcert

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "radcert/core/work_limit.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/functions/divided_difference.h"
 #include "radcert/scalar/functions/power_difference.h"
@@ -102,6 +104,26 @@ TEST(PowerDifference, EnclosesThoseOfAllPointsOfWideBalls) {
     }
   }
   EXPECT_GT(finite, 2000);
+}
+
+const WorkLimit& limit_named(const std::string& name) {
+  for (const WorkLimit* limit : work_limits())
+    if (limit->name() == name) return *limit;
+  throw std::runtime_error("no limit of work has the name " + name);
+}
+
+TEST(PowerDifference, BoundsWhatItsSeriesLeavesOut) {
+  // One term alone: what is left out is of its size, and for negative exponents larger.
+  const LoweredWorkLimit one(
+      limit_named("scalar/power_difference: terms of the binomial series for each bit"), 0);
+  for (const Rational& exponent :
+       {Rational(-3), Rational(-1, 2), Rational(1, 2), Rational(3, 2), Rational(7, 3)})
+    for (const double step : {-0.7, -0.5, -0.25, 0.25, 0.5, 0.7}) {
+      const Ball bend = bend_of_power(Ball(1), Ball(1 + Rational::exactly(step)), Ball(step), Ball(exponent));
+      const Truth value = truth(Fine(1), Fine(1) + Fine(step), Fine(exponent));
+      EXPECT_TRUE(bend.is_finite() && contains(bend, value.bend))
+          << exponent.to_text() << " " << step << ": " << bend.to_text() << " " << value.bend.to_text(20);
+    }
 }
 
 TEST(DividedDifferenceBall, EnclosesRootsPowersAndQuotients) {

@@ -112,6 +112,69 @@ TEST(TaylorModel, DiffersFromTheFunctionByNoMoreThanItsRemainder) {
   }
 }
 
+/// Whether the polynomial, which is a constant, differs from a number by no more than the remainder.
+bool contains(const TaylorModel& model, const ComplexBall& number) {
+  return certainly_at_most((number - in_balls(model.centre())).magnitude(), Ball(model.remainder()));
+}
+
+TEST(TaylorModel, OfAConstantHoldsItsRounding) {
+  Draw draw(42);
+  int judged = 0;
+  for (const Function& f : functions())
+    for (int trial = 0; trial < 60; ++trial) {
+      const ComplexDouble x{0.25 + draw.unit(), trial % 2 == 0 ? 0 : draw.unit() - 0.5};
+      const ComplexDouble y{1.5 + draw.unit(), trial % 2 == 0 ? 0 : draw.unit() - 0.5};
+      const TaylorModel model = f.model(TaylorModel::variable_u(x, 0), TaylorModel::variable_v(y, 0));
+      if (!model.is_finite()) continue;
+      ++judged;
+      const BallPrecision precision(200);
+      EXPECT_TRUE(contains(model, f.exact(in_balls(x), in_balls(y))))
+          << f.name << " " << x.real << " " << y.real;
+    }
+  EXPECT_GT(judged, 500);
+  // One function alone, whose own rounding nothing else hides.
+  for (int trial = 0; trial < 200; ++trial) {
+    const ComplexDouble x{0.25 + draw.unit(), trial % 2 == 0 ? 0 : draw.unit() - 0.5};
+    const TaylorModel model = TaylorModel::variable_u(x, 0);
+    const BallPrecision precision(200);
+    const ComplexBall at = in_balls(x);
+    EXPECT_TRUE(contains(sqrt(model), sqrt(at)) && contains(reciprocal(model), reciprocal(at))) << x.real;
+    EXPECT_TRUE(contains(exp(model), exp(at)) && contains(log(model), log(at))) << x.real << " " << x.imag;
+    EXPECT_TRUE(contains(sin(model), sin(at)) && contains(atan(model), atan(at))) << x.real << " " << x.imag;
+  }
+}
+
+TEST(TaylorModel, TakesAWideBallWhole) {
+  // All that is not known stands in the remainder: a function sees its ends.
+  for (const double middle : {1.0, 3.0})
+    for (const double part : {0.1, 0.5}) {
+      const Ball ball = hull(Ball(middle * (1 - part)), Ball(middle * (1 + 2 * part)));
+      const TaylorModel x(ball);
+      for (const Ball& end : {ball.lower(), ball.upper()}) {
+        const ComplexBall at(end);
+        EXPECT_TRUE(contains(x, at));
+        EXPECT_LE(end.upper_double(), x.magnitude_bound());
+        EXPECT_TRUE(contains(x * x, at * at)) << middle << " " << part;
+        EXPECT_TRUE(contains(x * TaylorModel(Ball(7)) - x, at * ComplexBall(6))) << middle << " " << part;
+        const auto holds = [&](const TaylorModel& model, const ComplexBall& number) {
+          EXPECT_TRUE(!model.is_finite() || contains(model, number)) << middle << " " << part;
+        };
+        holds(sqrt(x), sqrt(at));
+        holds(reciprocal(x), reciprocal(at));
+        holds(log(x), log(at));
+        holds(exp(x), exp(at));
+        holds(sin(x), sin(at));
+        holds(atan(x), atan(at));
+        const TaylorModel both = hull(x, TaylorModel(Ball(-5)));
+        EXPECT_TRUE(contains(both, at) && contains(both, ComplexBall(Ball(-5))));
+      }
+    }
+  const TaylorModel wide =
+      hull(TaylorModel(widened(Ball(0), Ball(1))), TaylorModel(widened(Ball(0), Ball(2))));
+  EXPECT_GE(wide.remainder(), 2);
+  EXPECT_FALSE(certainly_positive(TaylorModel(widened(Ball(1), Ball(2)))));
+}
+
 TEST(TaylorModel, IsOfTheFifthOrder) {
   for (const Function& f : functions()) {
     const auto remainder = [&](double radius) {

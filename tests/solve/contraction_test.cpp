@@ -76,6 +76,40 @@ TEST(FindContraction, HoldsForEveryMatrixWithinTheRadii) {
   }
 }
 
+/// All rows alike: `first`, then numbers that the sums round, each by nearly half a unit of `first`.
+Matrix<double> rows_of_sums_that_round(std::size_t n, double first, double other) {
+  return test::matrix(n, [&](std::size_t, std::size_t j) { return j == 0 ? first : other; });
+}
+
+TEST(FindContraction, RoundsThetaUpOverAllProductsOfARow) {
+  // Each number after the first is lost.
+  constexpr std::size_t n = 300;
+  constexpr double lost = 0x1.fffffp-55;
+  const auto found = find_contraction(rows_of_sums_that_round(n, 0.5, lost));
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->least_weight(), 1);
+  const Rational sum = Rational(1, 2) + Rational(n - 1) * Rational::exactly(lost);
+  EXPECT_GE(Rational::exactly(found->theta()), sum);
+  EXPECT_LE(Rational::exactly(found->theta()), sum + Rational(30) * power(Rational(2), -53));
+}
+
+TEST(FindContraction, KnowsTheSpectralRadiusFromBelow) {
+  // Each number after the first counts nearly twice. The spectral radius is the sum of a row.
+  constexpr std::size_t n = 300;
+  constexpr double doubled = 0x1.00001p-53;
+  const auto found = find_contraction(rows_of_sums_that_round(n, 1, doubled));
+  ASSERT_FALSE(found);
+  const Rational sum = 1 + Rational(n - 1) * Rational::exactly(doubled);
+  EXPECT_LE(Rational::exactly(found.reason().radius_from_below), sum);
+  EXPECT_GE(Rational::exactly(found.reason().radius_from_below),
+            sum - Rational(30) * power(Rational(2), -53));
+  // And with radii that of the least matrix.
+  const auto wide = find_contraction(two_by_two(0.75, 0.75, 0.75, 0.75), Values{0.25, 0.25});
+  ASSERT_FALSE(wide);
+  EXPECT_LE(wide.reason().radius_from_below, 1.25);
+  EXPECT_GE(wide.reason().radius_from_below, 1.25 * (1 - 1e-14));
+}
+
 TEST(FindContraction, IsTheMaximumNormWhereTheRowSumsAreEqual) {
   std::mt19937_64 random(33);
   const Matrix<double> k =
@@ -168,6 +202,17 @@ TEST(Contraction, BoundsTheInverseAndIsAttained) {
         }
       }
   EXPECT_GT(sharpest, 0.999);
+}
+
+TEST(Contraction, RoundsItsBoundsUp) {
+  std::mt19937_64 random(36);
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto found = find_contraction(two_by_two(0, std::abs(test::uniform(random)), 0.3, 0.1));
+    if (!found) continue;
+    const double norm = std::abs(test::uniform(random));
+    const Rational least = Rational::exactly(norm) / (1 - Rational::exactly(found->theta()));
+    EXPECT_GE(Rational::exactly(found->inverse_bound(norm)), least);
+  }
 }
 
 TEST(Contraction, CallsVectorsInfiniteThatAreNotFinite) {

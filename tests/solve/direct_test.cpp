@@ -12,6 +12,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/scalar/rational.h"
+#include "radcert/solve/linear_solver.h"
 
 namespace radcert {
 namespace {
@@ -160,6 +161,21 @@ TEST(DirectSolver, RefusesWhatIsNotSquareAndSidesOfAnotherSize) {
   EXPECT_THROW(DirectSolver(Matrix<double>(2, 3)), ContractViolation);
   EXPECT_THROW(DirectSolver(Matrix<double>()), ContractViolation);
   EXPECT_THROW(static_cast<void>(DirectSolver(Matrix<double>(2, 2)).solve(Values{1})), ContractViolation);
+}
+
+TEST(DirectSolver, BoundsSolutionsWhereNothingContracts) {
+  // (1 - 3/2) u = e with a row that is known within 1/4: u = -2 e, and up to -4 e.
+  Matrix<double> k(1, 1);
+  k(0, 0) = 1.5;
+  const Values radius{0.25};
+  const Values e{1};
+  const Values e_radius{0};
+  const Outcome<LinearSolution> found = find_linear_solver("direct")->solve(
+      {.k = k, .row_radius = radius, .e = e, .e_radius = e_radius, .contraction = nullptr}, std::nullopt);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->values[0], -2);
+  EXPECT_GE(found->radius, 2);
+  EXPECT_LE(found->radius, 2 + 1e-12);
 }
 
 }  // namespace

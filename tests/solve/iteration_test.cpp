@@ -311,5 +311,58 @@ TEST(ResidualBounds, BoundTheExactResidual) {
   }
 }
 
+/// The exact residual, entry by entry, within the bounds of the computed one.
+void expect_bounded_residual(const Matrix<double>& k, const Values& v, const Values& e) {
+  const Contraction contraction = find_contraction(k).value();
+  Values r(v.size());
+  accurate_residual(k, v, e, r);
+  const Values bounds = residual_bounds(k, contraction, v, e, r);
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    Rational exact = Rational::exactly(e[i]) - Rational::exactly(v[i]);
+    for (std::size_t j = 0; j < v.size(); ++j) exact += Rational::exactly(k(i, j)) * Rational::exactly(v[j]);
+    EXPECT_LE(abs(exact), Rational::exactly(bounds[i])) << i;
+  }
+}
+
+TEST(ResidualBounds, CountTheRoundingOfALargeResidual) {
+  std::mt19937_64 random(53);
+  for (int trial = 0; trial < 20; ++trial)
+    expect_bounded_residual(test::random_matrix(random, 3, 0.9, false), test::random_values(random, 3),
+                            test::random_values(random, 3));
+}
+
+TEST(ResidualBounds, CountWhatCancelsInAProduct) {
+  // Row 0 is 2^-2 (1 + 2^-60 + 2^-120 - 2^-60 - 1), computed as 0, of a v that is 0 there.
+  Matrix<double> k(6, 6);
+  const Values row{0, 0.25, 0x1p-62, 0x1p-122, -0x1p-62, -0.25};
+  for (std::size_t j = 0; j < 6; ++j) k(0, j) = row[j];
+  expect_bounded_residual(k, {0, 1, 1, 1, 1, 1}, {0, 1, 1, 1, 1, 1});
+}
+
+TEST(ResidualBounds, CountWhatUnderflows) {
+  Matrix<double> k(2, 2);
+  k(0, 1) = 0x1p-540;
+  expect_bounded_residual(k, {0, 0x1p-540}, {0, 0x1p-540});
+}
+
+/// Half of the identity, said to be off by a millionth.
+class HalfOfAll final : public ProductOperator {
+public:
+  [[nodiscard]] std::size_t size() const override { return 2; }
+  void multiply(std::span<const double> x, std::span<double> y) const override {
+    for (std::size_t i = 0; i < 2; ++i) y[i] = x[i] / 2;
+  }
+  void multiply_sizes(std::span<const double> x, std::span<double> y) const override { multiply(x, y); }
+  void multiply_accurately(std::span<const double> x, std::span<double> y) const override { multiply(x, y); }
+  [[nodiscard]] double rounding() const override { return 1e-6; }
+};
+
+TEST(ResidualBounds, CountWhatAnOperatorIsOffBy) {
+  const HalfOfAll half;
+  const Contraction contraction = find_contraction(half).value();
+  const Values bounds = residual_bounds(half, contraction, Values{2, 8}, Values{1, 4}, Values{0, 0});
+  for (const double bound : bounds) EXPECT_NEAR(bound, 8e-6, 1e-12);
+}
+
 }  // namespace
 }  // namespace radcert

@@ -283,6 +283,45 @@ TEST(VerifiedSystem, CountsWhatUnderflows) {
   EXPECT_LE(enclosure.radius[0], 0x1p-1000);
 }
 
+TEST(VerifiedSystem, CountsWhatUnderflowsInEveryProduct) {
+  // u_0 is the sum of 100 products that lose half of the least number each, and u_1 is 1000 u_0.
+  constexpr std::size_t n = 102;
+  constexpr double factor = 0x1p-537;
+  const double value = 1000.4921875 * factor;
+  Matrix<double> k(n, n);
+  Values e(n);
+  k(1, 0) = 1000;
+  for (std::size_t j = 2; j < n; ++j) {
+    k(0, j) = factor;
+    e[j] = value;
+  }
+  const VerifiedSolution enclosure = verified_system(k)->solve(e).value();
+  const Rational u_0 = Rational(100) * Rational::exactly(factor) * Rational::exactly(value);
+  EXPECT_LE(abs(1000 * u_0 - Rational::exactly(enclosure.values[1])), Rational::exactly(enclosure.radius[1]));
+  EXPECT_LE(enclosure.radius[1], 0.01 * enclosure.values[1]);
+}
+
+TEST(VerifiedSystem, RoundsSumsOfSizesUp) {
+  // u_0 is the sum of all, whose radii but the first are lost beside it, one by one.
+  constexpr std::size_t n = 600;
+  constexpr double lost = 0x1.fffffp-54;
+  Matrix<double> k(n, n);
+  Values radius(n, lost);
+  radius[0] = 1;
+  for (std::size_t j = 1; j < n; ++j) k(0, j) = 1;
+  const VerifiedSolution enclosure = verified_system(k)->solve(Values(n), radius).value();
+  EXPECT_GE(Rational::exactly(enclosure.radius[0]),
+            1 + Rational(static_cast<long>(n - 1)) * Rational::exactly(lost));
+  EXPECT_LE(enclosure.radius[0], 1 + 1e-9);
+}
+
+TEST(VerifiedSystem, CountsTheRoundingOfTheDiagonal) {
+  // The inverse of 1 - 2^-60 is computed as 1, and 1 - (1 - 2^-60) as 0.
+  Matrix<double> k(1, 1);
+  k(0, 0) = 0x1p-60;
+  EXPECT_GE(verified_system(k)->theta(), 0x1p-60);
+}
+
 TEST(VerifiedSystem, DoesNotMindTheScalingOfColumns) {
   std::mt19937_64 random(44);
   for (int trial = 0; trial < 20; ++trial) {

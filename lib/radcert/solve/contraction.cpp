@@ -7,6 +7,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/scalar/real.h"
+#include "radcert/solve/rounding.h"
 
 namespace radcert {
 namespace {
@@ -53,10 +54,9 @@ struct ContractionSearch {
   /// The image of the weights and a theta for them, rounded up.
   double measure(std::span<const double> weights) {
     k.multiply_sizes(weights, image);
-    // The exact sum is at most that of the machine over (1 - u)^n, and (1 - u)^-n <= 1 + (n + 1) u for n <=
-    // 2^26; what has underflowed is less than a denormal number a term.
+    // What has underflowed is less than a denormal number a term.
     const auto n = static_cast<double>(k.rows());
-    const double sums_upward = 1 + (n + 8) * unit;
+    const double sums_upward = upward_of_sums(k.rows());
     const double underflow = n * std::numeric_limits<double>::denorm_min();
     double least = infinity;
     for (std::size_t i = 0; i < image.size(); ++i) {
@@ -109,8 +109,7 @@ struct ContractionSearch {
 
 Outcome<Contraction, NoContraction> find_contraction(const SystemMatrix& k,
                                                      std::span<const double> row_radius, long most_steps) {
-  constexpr std::size_t most_rows = std::size_t{1} << 26U;
-  expects(k.rows() == k.columns() && k.rows() > 0 && k.rows() <= most_rows, "a square matrix",
+  expects(k.rows() == k.columns() && k.rows() > 0 && k.rows() <= longest_sum, "a square matrix",
           named("rows", k.rows()), named("columns", k.columns()));
   expects(row_radius.empty() || row_radius.size() == k.rows(), "a radius a row or none",
           named("radii", row_radius.size()));

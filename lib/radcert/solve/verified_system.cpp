@@ -17,6 +17,7 @@
 #include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/solve/product.h"
+#include "radcert/solve/rounding.h"
 
 namespace radcert {
 namespace {
@@ -27,8 +28,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double underflow = std::numeric_limits<double>::denorm_min();
 /// Enough for a handful of roundings.
 constexpr double upward = 1 + 8 * unit;
-/// (1 - u)^-n <= 1 + (n + 1) u up to here.
-constexpr std::size_t most_rows = std::size_t{1} << 26U;
 /// The columns of a product of matrices that a thread takes at a time.
 constexpr std::size_t columns_at_a_time = 64;
 
@@ -51,12 +50,9 @@ Values sizes_times(const Matrix<double>& a, std::span<const double> x) {
   Values y(a.rows());
   multiply_sizes(a, x, y);
   const auto n = static_cast<double>(a.columns());
-  for (double& value : y) value = value * (1 + (n + 8) * unit) + n * underflow;
+  for (double& value : y) value = value * upward_of_sums(a.columns()) + n * underflow;
   return y;
 }
-
-/// A bound of n u / (1 - n u).
-double rounding_of_sums(std::size_t n) { return (static_cast<double>(n) + 2) * unit; }
 
 Values sizes(std::span<const double> x) {
   Values y(x.begin(), x.end());
@@ -248,7 +244,7 @@ Outcome<VerifiedSolution> VerifiedSystem::solve(std::span<const double> e,
 
 Outcome<VerifiedSystem> verified_system(Matrix<double> k, Matrix<double> k_radius) {
   const std::size_t n = k.rows();
-  expects(n == k.columns() && n > 0 && n <= most_rows, "a square matrix", named("rows", n),
+  expects(n == k.columns() && n > 0 && n <= longest_sum, "a square matrix", named("rows", n),
           named("columns", k.columns()));
   expects(k_radius.rows() == k_radius.columns() && (k_radius.rows() == 0 || k_radius.rows() == n),
           "a radius for every entry, or none", named("rows", k_radius.rows()),

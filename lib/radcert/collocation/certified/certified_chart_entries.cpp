@@ -110,16 +110,13 @@ private:
   double inverse_scale_;
 };
 
-/// An integral and its radius times rho/pi.
+/// An integral and its radius times rho/pi. Zeros are exact.
 void scale_by_reflectivity(double reflectivity, double& value, double& radius) {
-  const double factor = reflectivity * std::numbers::inv_pi;
-  const bool vanishes = factor == 0 || (value == 0 && radius == 0);
-  value *= factor;
-  // The factor and the product are rounded, 1/pi as well: three units of the entry. Zeros are exact.
-  radius = vanishes
-               ? 0
-               : (std::abs(factor) * radius * (1 + 8 * unit) + 4 * unit * std::abs(value)) * (1 + 8 * unit) +
-                     4 * std::numeric_limits<double>::denorm_min();
+  const bool vanishes = reflectivity == 0 || (value == 0 && radius == 0);
+  const Approximation entry =
+      vanishes ? Approximation::exact(0) : certified_entry(reflectivity, value, radius);
+  value = entry.value;
+  radius = entry.radius;
 }
 
 CertifiedEntries entries_to_be(std::size_t n) {

@@ -142,9 +142,11 @@ double IntegralErrors::bound(std::span<const double> integrals) const {
 Approximation certified_entry(double reflectivity, double integral, double error) {
   const double factor = reflectivity * std::numbers::inv_pi;
   const double entry = factor * integral;
-  // The factor and the product are rounded, 1/pi as well: three units of the entry.
-  return Approximation::proved(
-      entry, (std::abs(factor) * error * upward + 4 * unit * std::abs(entry)) * upward + 4 * underflow);
+  // The factor and the product are rounded, 1/pi as well: three units of the entry. A factor below the normal
+  // numbers is off by half of the least of all, and so may be what is multiplied with it.
+  const double relative = std::abs(factor) * error * upward + 4 * unit * std::abs(entry);
+  return Approximation::proved(entry,
+                               relative * upward + underflow * (std::abs(integral) + error + 4) * upward);
 }
 
 }  // namespace radcert

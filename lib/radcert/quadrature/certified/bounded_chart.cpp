@@ -37,10 +37,9 @@ ParameterPoint<Ball> parameters_around(const ParameterPoint<BoundedDouble>& at) 
 BoundedDouble bounded(const Ball& x) {
   if (!x.is_finite()) return {0, infinity};
   const double value = x.to_double();
-  // The midpoint to the nearest double, which may be a subnormal one.
+  // The midpoint to the nearest double, which may be a subnormal one, or 0 where the midpoint is not.
   constexpr double unit = unit_roundoff<double>();
-  const double rounding =
-      value == 0 && x.is_exact() ? 0 : unit * std::abs(value) + std::numeric_limits<double>::min();
+  const double rounding = certainly_zero(x) ? 0 : unit * std::abs(value) + std::numeric_limits<double>::min();
   return {value, (x.radius() + rounding) * up};
 }
 

@@ -12,6 +12,7 @@
 #include "radcert/core/interrupt.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/geometry/plane_polygon.h"
+#include "radcert/quadrature/certified/disk_bound.h"
 #include "radcert/quadrature/certified/integral_from_within.h"
 #include "radcert/quadrature/certified/kernel_rule.h"
 
@@ -101,26 +102,6 @@ struct SquareToElement {
   }
   ParameterPoint<R> parameters(const Barycentric<R>& b) const {
     return b.x[0] * corners[0] + b.x[1] * corners[1] + b.x[2] * corners[2];
-  }
-};
-
-/// What a Taylor model says of the integrand for all P that are far enough: see CertifiedKernelSums.
-struct DiskBound {
-  std::size_t ellipse;
-  double linear;   ///< L
-  double rest;     ///< E
-  double weight;   ///< of |area normal| times Jacobian times max |f_j|
-  double allowed;  ///< the same times what an error may be relative to instead of max |f_j|
-
-  /// d^2 times the bound of the integrand, infinity where there is none.
-  double scaled(double d) const {
-    const double nearest = (d - linear) * down;
-    if (!(nearest > 0)) return infinity;
-    const double farthest = (d + linear) * up;
-    const double least = nearest * nearest * down - (2 * farthest * rest + rest * rest) * up;
-    if (!(least > 0)) return infinity;
-    const double ratio = (farthest + rest) * d / least;
-    return ratio * ratio * weight * up;
   }
 };
 
