@@ -6,8 +6,7 @@
 namespace radcert::verification::ac98 {
 
 /// Requires the bounds of both cosines, and of G, on all ellipsoids with half axes a <= b <= c, A =
-///          diag(a^-2,
-/// b^-2, c^-2).
+/// diag(a^-2, b^-2, c^-2).
 /// Maths     with Q = P + h, h = |h| e: (Q-P).n_P/|P-Q| = |h| e.Ae/(2 |AP|), as in require_convex_ellipsoids.
 ///           Here e.Ae <= 1/a^2 and |AP| >= 1/c, so that |cos theta_P| <= c/(2a^2) |P-Q| and 0 <= G <=
 ///           c^2/(4a^4): sums over the coordinates of terms that are not negative
