@@ -105,7 +105,8 @@ TEST(Papers, HoldTheirSentencesAndTheirEntriesTogether) {
     if (const auto own = root.find("own"))
       for (const JsonReader& statement : own->elements("statements of our own"))
         take_entries(statement.at("entry", "labels"));
-    for (const std::string& label : labels) EXPECT_TRUE(used.contains(label)) << paper.key << "/" << label;
+    for (const std::string& label : labels)
+      EXPECT_TRUE(used.contains(label)) << paper.key << "/" << label << " stands in no entry of " << file;
   }
 }
 
