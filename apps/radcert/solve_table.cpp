@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "output.h"
@@ -128,22 +129,55 @@ std::string order_line(const OrderFit& fit) {
   return out + "\n";
 }
 
+/// What was taken at which levels where the problem leaves it open, "gmres" or "direct (levels 0, 1), gmres
+/// (levels 2)".
+std::string taken(const Result& result, std::string LevelResult::*what) {
+  std::vector<std::pair<std::string, std::vector<int>>> by_name;
+  for (const LevelResult& level : result.levels) {
+    if (by_name.empty() || by_name.back().first != level.*what) by_name.push_back({level.*what, {}});
+    by_name.back().second.push_back(level.level);
+  }
+  if (by_name.size() == 1) return by_name.front().first;
+  std::string out;
+  for (const auto& [name, levels] : by_name)
+    out += (out.empty() ? "" : ", ") + name + (levels.size() == 1 ? " (level " : " (levels ") +
+           numbers(levels) + ")";
+  return out;
+}
+
+/// What `auto` has chosen; empty where it was not asked for, or where the choice is the common one.
+std::string choice_lines(const Result& result) {
+  std::string out;
+  if (result.problem.matrix.name == "auto" &&
+      std::any_of(result.levels.begin(), result.levels.end(),
+                  [](const LevelResult& level) { return level.matrix_form != "dense"; }))
+    out += "Operator: " + taken(result, &LevelResult::matrix_form) + "\n";
+  if (result.problem.solver.name == "auto" &&
+      std::any_of(result.levels.begin(), result.levels.end(),
+                  [](const LevelResult& level) { return !level.iteration; }))
+    out += "Solver: " + taken(result, &LevelResult::solver) + "\n";
+  return out;
+}
+
 /// How an iterative solver came to u_n, level by level; empty for another.
 std::string iteration_line(const Result& result) {
   std::string iterations;
+  std::string solver;
   double contraction = 0;
   double error_bound = 0;
+  // The rounding of couplings is estimated.
+  bool is_proved = true;
   for (const LevelResult& level : result.levels) {
-    if (!level.iteration) return {};
+    if (!level.iteration) continue;
+    solver = level.solver;
     iterations += (iterations.empty() ? "" : ", ") + std::to_string(level.iteration->iterations);
     contraction = std::max(contraction, level.iteration->contraction);
     error_bound = std::max(error_bound, level.iteration->error_bound);
+    is_proved = is_proved && level.matrix_form == "dense";
   }
-  // The rounding of couplings is estimated.
-  const bool is_proved = result.problem.matrix.name == "dense";
+  if (iterations.empty()) return {};
   const std::string theta = contraction < 1 ? upper_text_below_one(contraction, 3) : upper_text(contraction);
-  return "Iterations of " + result.problem.solver.name + ": " + iterations + "; contraction at most " +
-         theta +
+  return "Iterations of " + solver + ": " + iterations + "; contraction at most " + theta +
          (is_proved ? ", error of the linear system at most " : ", error of the linear system about ") +
          upper_text(error_bound) + "\n";
 }
@@ -188,7 +222,7 @@ std::string solve_table(const Result& result) {
   std::string out = level_table(result, with_errors) + "\n" + means_table(result) + "\n";
   for (const OrderFit& fit : result.orders)
     if (with_errors && (!fit.levels.empty() || !fit.left_out.empty())) out += order_line(fit);
-  out += iteration_line(result);
+  out += choice_lines(result) + iteration_line(result);
   if (!with_errors) out += "No solution is given, so there are no errors to show.\n";
   if (nodes_are_guaranteed(result))
     out += guarantee_text(result);

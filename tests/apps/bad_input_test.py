@@ -26,8 +26,8 @@ PROBLEMS = {
     "an unknown surface": (small(surface={"name": "two_peice"}), "/surface/name", "did you mean two_piece?"),
     "a surface of a later version": (small(surface={"name": "torus"}), "/surface/name", "not available"),
     "an unknown basis": (small(basis={"family": "outset"}), "/basis/family", "allowed: inset"),
-    "an unknown solver": (small(solver={"name": "lu"}), "/solver/name", "allowed: direct"),
-    "a misspelt solver": (small(solver={"name": "gmers"}), "/solver/name", "allowed: direct, gmres, neumann, "),
+    "an unknown solver": (small(solver={"name": "lu"}), "/solver/name", "allowed: auto, direct"),
+    "a misspelt solver": (small(solver={"name": "gmers"}), "/solver/name", "allowed: auto, direct, gmres, neumann, "),
     "a tolerance of 0": (small(solver={"name": "gmres", "tolerance": 0}), "/solver/tolerance", "4.440892098500626e-16"),
     "a negative tolerance": (small(solver={"name": "neumann", "tolerance": "-1e-9"}), "/solver/tolerance", "below 1"),
     "a tolerance beyond double": (small(solver={"name": "gmres", "tolerance": "1e-16"}), "/solver/tolerance", "double"),
@@ -138,11 +138,12 @@ class BadInput(ProgramTest):
 
     def test_a_plan_counts_the_second_matrix_of_direct_only(self):
         bytes_between = "150000000"  # a matrix of 3072 unknowns has 75 million bytes
-        name = self.write("problem.json", triangulation([4]))
+        name = self.write("problem.json", {**triangulation([4]), "solver": {"name": "direct"}})
         self.assertIn("/triangulation/levels/0", self.refused(name, "--max-memory", bytes_between))
         # Within the limit: refused for what is looked at later.
-        iterated = {**triangulation([4]), "solver": {"name": "gmres"}, "solution": "1/(z-z)"}
-        self.assertIn("/solution", self.refused(self.write("problem.json", iterated), "--max-memory", bytes_between))
+        for solver in ["gmres", "auto"]:
+            iterated = {**triangulation([4]), "solver": {"name": solver}, "solution": "1/(z-z)"}
+            self.assertIn("/solution", self.refused(self.write("problem.json", iterated), "--max-memory", bytes_between))
 
     def test_a_file_that_is_not_there_is_refused(self):
         self.refused("missing.json")

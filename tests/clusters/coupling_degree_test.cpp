@@ -84,12 +84,14 @@ double interpolation_error(const Surface& surface, const ParameterTriangle& a, c
 }
 
 TEST(CouplingDegree, EstimatesWhatInterpolationLeavesOut) {
+  const ModeSizes everywhere;
   for (const Surface& surface :
        {cube(), ellipsoid(1, Rational(3, 2), 2), ellipsoid(1, 2, 5), cylinder(1, 2)}) {
     const std::vector<ParameterTriangle> clusters = triangulate(surface, 2).triangles;
     const ClusterOutlines outlines(surface.charts, clusters);
     for (const double share : {1e-5, 1e-8, 1e-11}) {
-      CouplingLook look(outlines, {.share = share, .functions_size = 1, .largest_degree = 20});
+      const CouplingDemand demand{.share = share, .functions_size = 1, .largest_degree = 20};
+      CouplingLook look(outlines, demand, everywhere);
       std::size_t coupled = 0;
       double errors = 0;
       double estimates = 0;
@@ -122,7 +124,9 @@ TEST(CouplingDegree, IsNoneForClustersThatTouch) {
   const Surface surface = ellipsoid(1, Rational(3, 2), 2);
   const std::vector<ParameterTriangle> clusters = triangulate(surface, 3).triangles;
   const ClusterOutlines outlines(surface.charts, clusters);
-  CouplingLook look(outlines, {.share = 1e-6, .functions_size = 1, .largest_degree = 20});
+  const CouplingDemand demand{.share = 1e-6, .functions_size = 1, .largest_degree = 20};
+  const ModeSizes everywhere;
+  CouplingLook look(outlines, demand, everywhere);
   for (std::size_t parent = 0; parent < clusters.size(); parent += 4)
     for (std::size_t c = 0; c < 3; ++c) EXPECT_FALSE(look(parent + c, parent + 3));
 }
@@ -133,8 +137,9 @@ TEST(CouplingDegree, GrowsWithTheAccuracy) {
   const ClusterOutlines outlines(surface.charts, clusters);
   int before = -1;
   for (const double share : {1e-4, 1e-7, 1e-10}) {
-    const auto found =
-        CouplingLook(outlines, {.share = share, .functions_size = 1, .largest_degree = 20})(0, 33);
+    const CouplingDemand demand{.share = share, .functions_size = 1, .largest_degree = 20};
+    const ModeSizes everywhere;
+    const auto found = CouplingLook(outlines, demand, everywhere)(0, 33);
     ASSERT_TRUE(found);
     EXPECT_GT(found->degree, before);
     before = found->degree;

@@ -55,7 +55,7 @@ TEST(ParseProblem, FillsInWhatTheFormatSays) {
   EXPECT_EQ(problem.surface.parameters[0].value, Rational(2));
   const std::string text = problem_text(problem);
   for (const char* part : {"\"geometry\": \"exact\"", "\"pattern\": \"published\"", "\"grading\": 1",
-                           "\"solver\": {\"name\": \"direct\"}"})
+                           "\"solver\": {\"name\": \"auto\"}"})
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
 }
 
@@ -111,7 +111,8 @@ TEST(ProblemJson, WritesMeshlessBasesSoThatTheyAreReadBack) {
 
 TEST(ParseProblem, ReadsTheSolverAndItsTolerance) {
   const auto solver = [](const std::string& text) { return parse_problem(with("solver", text), "").solver; };
-  EXPECT_EQ(test::sample_problem().solver.name, "direct");
+  EXPECT_EQ(test::sample_problem().solver.name, "auto");
+  EXPECT_EQ(test::sample_problem().matrix.name, "auto");
   EXPECT_EQ(solver(R"({"name": "direct"})").name, "direct");
   EXPECT_EQ(test::sample_problem().quadrature.tolerance, Rational(1, 10000000000000));
   EXPECT_EQ(parse_problem(with("quadrature", R"({"tolerance": "1e-6"})"), "").quadrature.tolerance,
@@ -207,6 +208,7 @@ TEST(ProblemText, StatesTheSameProblemAgain) {
       with("quadrature", R"({"tolerance": "1e-6"})"),
       with("operator", R"({"name": "h2", "tolerance": "1e-9"})"),
       with("operator", R"({"name": "auto"})"),
+      with("operator", R"({"name": "auto", "tolerance": "1e-9"})"),
       with("operator", R"({"name": "dense"})"),
       with("quadrature", R"({"tolerance": 1e-6})"),
       with("solver", R"({"name": "neumann"})"),

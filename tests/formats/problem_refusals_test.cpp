@@ -182,6 +182,7 @@ const Refusal refusals[] = {
     {"solver", R"({"name": "lu"})", "/solver/name", "is unknown"},
     {"solver", "\"direct\"", "/solver", "is a string"},
     {"solver", R"({"name": "direct", "tolerance": 1})", "/solver/tolerance", "is not for"},
+    {"solver", R"({"name": "auto", "tolerance": "1e-9"})", "/solver/tolerance", "is not for"},
     {"solver", R"({"name": "verified", "tolerance": "1e-9"})", "/solver/tolerance", "is not for"},
 };
 

@@ -35,11 +35,26 @@ TEST(ResultJson, HasTheKeysOfTheFormatInItsOrder) {
   EXPECT_EQ(*json.find("radcert")->string(), version());
   EXPECT_EQ(*json.find("command")->string(), "radcert solve p.json");
   const JsonValue& level = json.find("levels")->elements()->front();
-  EXPECT_EQ(keys(level), (std::vector<std::string>{
-                             "level", "elements", "unknowns", "mesh_size", "discretisation_error",
-                             "node_error", "uniform_error", "discretisation_ratio", "node_ratio",
-                             "discretisation_order", "node_order", "piece_means", "norm_K", "planned_bytes",
-                             "iteration", "verified", "solution_radius", "means_radius"}));
+  EXPECT_EQ(keys(level), (std::vector<std::string>{"level",
+                                                   "elements",
+                                                   "unknowns",
+                                                   "mesh_size",
+                                                   "discretisation_error",
+                                                   "node_error",
+                                                   "uniform_error",
+                                                   "discretisation_ratio",
+                                                   "node_ratio",
+                                                   "discretisation_order",
+                                                   "node_order",
+                                                   "piece_means",
+                                                   "norm_K",
+                                                   "planned_bytes",
+                                                   "operator",
+                                                   "solver",
+                                                   "iteration",
+                                                   "verified",
+                                                   "solution_radius",
+                                                   "means_radius"}));
   EXPECT_EQ(keys(*level.find("iteration")),
             (std::vector<std::string>{"iterations", "contraction", "error_bound"}));
   EXPECT_EQ(keys(*level.find("verified")), (std::vector<std::string>{"theta", "solution_radius"}));

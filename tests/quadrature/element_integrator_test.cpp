@@ -112,6 +112,19 @@ TEST(ElementIntegrator, RowsSumToPiOnSeamsAndCornersOfTheOctahedron) {
         expect_pi(surface, 3, at, 1, degree, 0, 1e-12);
 }
 
+TEST(ElementIntegrator, RowsSumToPiBesideSeamsAndRims) {
+  // Beside a seam the neighbouring chart continues to the collocation point; across the rim of a thin
+  // ellipsoid the other side is nearer than the way round it.
+  for (const Surface& surface : {ellipsoid(1, 2, 5), ellipsoid(1, 1, Rational(1, 20))})
+    for (const int level : {1, 2, 3})
+      for (const ParameterPoint<double>& at :
+           {ParameterPoint<double>{0.2083333333333333, 0.08333333333333333},
+            {0.01, 0.4},
+            {0.3, 1e-5},
+            {0.6, 0.399}})
+        expect_pi(surface, 6, at, level, 1, 1.0 / 6, 1e-12);
+}
+
 TEST(ElementIntegrator, IsAQuarterOfTheAreaOnTheSphereOctantByOctant) {
   const Surface surface = sphere();
   const InsetBasis<double> constant(0, 0);

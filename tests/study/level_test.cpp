@@ -216,6 +216,7 @@ const std::vector<std::string> iterations =
 TEST(SolveLevel, HasTheSameSolutionByEverySolver) {
   for (const Problem& surface : {sample_problem("cube"), sample_problem("two_piece", {{"p", 2}})}) {
     Problem problem = with_solution(surface, "exp(x)*cos(y) + z");
+    problem.solver.name = "direct";
     const LevelOutcome direct = solve_level(problem, 0, reference::applied_operator);
     EXPECT_FALSE(direct.result.iteration);
     for (const std::string& name : iterations) {
@@ -236,6 +237,31 @@ TEST(SolveLevel, HasTheSameSolutionByEverySolver) {
       EXPECT_LE(result.node_error->radius, direct.result.node_error->radius * 3);
     }
   }
+}
+
+TEST(SolveLevel, IteratesWhereAContractionIsFoundIfTheSolverIsLeftOpen) {
+  Problem problem = with_solution(sample_problem("cube"), "exp(x)*cos(y) + z");
+  const LevelOutcome open = solve_level(problem, 0, reference::applied_operator);
+  EXPECT_EQ(open.result.solver, "gmres");
+  EXPECT_EQ(open.result.matrix_form, "dense");
+  ASSERT_TRUE(open.result.iteration);
+  problem.solver.name = "gmres";
+  const LevelOutcome named = solve_level(problem, 0, reference::applied_operator);
+  for (std::size_t i = 0; i < open.nodes.size(); ++i)
+    EXPECT_EQ(open.nodes[i].u_n.value, named.nodes[i].u_n.value);
+  // Quadratics change sign so much that no weights are found below the norm 0.95.
+  Problem hard = with_solution(with_basis(sample_problem("cube"), 2, Rational(1, 6)), "1 + x");
+  hard.reflectivity = everywhere("0.95");
+  const LevelOutcome eliminated = solve_level(hard, 0, reference::applied_operator);
+  EXPECT_EQ(eliminated.result.solver, "direct");
+  EXPECT_FALSE(eliminated.result.iteration);
+  hard.solver.name = "direct";
+  EXPECT_EQ(solve_level(hard, 0, reference::applied_operator).result.node_error->value,
+            eliminated.result.node_error->value);
+  hard.solver.name = "auto";
+  hard.matrix.name = "h2";
+  EXPECT_EQ(fault_of([&] { static_cast<void>(solve_level(hard, 0, reference::applied_operator)); }).pointer,
+            "/solver/name");
 }
 
 TEST(SolveLevel, PutsTheToleranceOfAnIterationIntoTheRadius) {

@@ -42,7 +42,7 @@ InputFault refused(const Problem& problem) {
 TEST(MatrixForm, LeavesTheSolutionWithinItsRadius) {
   constexpr int level = 4;
   const LevelOutcome dense = solve_level(held_as(on_ellipsoid(), "dense"), level, no_route);
-  for (const char* solver : {"gmres", "neumann"}) {
+  for (const char* solver : {"gmres", "neumann", "auto"}) {
     const LevelOutcome clusters = solve_level(held_as(on_ellipsoid(), "h2", solver), level, no_route);
     ASSERT_EQ(dense.nodes.size(), clusters.nodes.size());
     EXPECT_EQ(clusters.result.norm_K.value, dense.result.norm_K.value);
@@ -56,6 +56,8 @@ TEST(MatrixForm, LeavesTheSolutionWithinItsRadius) {
     }
     EXPECT_LT(largest, 1e-6);
     ASSERT_TRUE(clusters.result.iteration);
+    EXPECT_EQ(clusters.result.matrix_form, "h2");
+    EXPECT_EQ(clusters.result.solver, std::string(solver) == "auto" ? "gmres" : solver);
     EXPECT_LT(clusters.result.iteration->contraction, 1);
     for (std::size_t i = 0; i < dense.result.piece_means.size(); ++i)
       EXPECT_NEAR(clusters.result.piece_means[i].second.value, dense.result.piece_means[i].second.value,

@@ -56,7 +56,7 @@ TEST(MeshlessLevel, IsTheClosedFormOfEqualLightsInASphere) {
   // u_i (1 + rho/n) = E_i + rho S/n, S = sum u_j = sum E_i / (1 + rho/n - rho).
   Meshless basis = with_sites(MeshlessFamily::shepard, UniformLevels{.count = 60, .seed = 3});
   basis.weights = WeightRule::mean_density;
-  for (const char* solver : {"direct", "neumann"}) {
+  for (const char* solver : {"auto", "direct", "neumann"}) {
     Problem problem = with_emission(meshless(basis), "2 + z");
     problem.solver.name = solver;
     const LevelOutcome outcome = solve_level(problem, 0, no_route);

@@ -16,6 +16,7 @@ using testing::with_basis;
 std::uint64_t planned(std::uint64_t elements, int degree, const std::string& solver) {
   Problem problem = with_basis(sample_problem("cube"), degree, Rational(1, 6));
   problem.solver.name = solver;
+  problem.matrix.name = "dense";
   return level_plan(problem, elements).total();
 }
 
@@ -29,6 +30,7 @@ TEST(LevelPlan, HoldsTheMatrixAndWhatItsSolverAddsToIt) {
     EXPECT_EQ(total("neumann"), total("direct") - matrix);
     EXPECT_EQ(total("verified"), total("neumann") + 4 * matrix);
     EXPECT_EQ(total("gmres"), total("neumann") + unknowns * 65 * sizeof(double));
+    EXPECT_EQ(total("auto"), total("gmres"));
   }
 }
 

@@ -125,7 +125,8 @@ TEST(Check, RefusesLevelsThatAreNotAscendingWholeNumbers) {
 }
 
 TEST(Check, RefusesAbsurdLevelsNamingTheBytes) {
-  const Problem problem = sample_problem("cube");
+  Problem problem = sample_problem("cube");
+  problem.matrix.name = "dense";
   for (const int level : {13, 20, 40, std::numeric_limits<int>::max()}) {
     const InputFault fault =
         expect_refused(with_levels(problem, {0, level}), "/triangulation/levels/1", std::to_string(level),
@@ -148,7 +149,8 @@ TEST(Check, RefusesALevelExactlyIfItsPlanExceedsTheMemory) {
 
 TEST(Check, RefusesALevelByWhatItsSolverNeeds) {
   Problem problem = with_levels(sample_problem("cube"), {0, 3});
-  const Problem by_direct = problem;
+  Problem by_direct = problem;
+  by_direct.solver.name = "direct";
   problem.solver.name = "gmres";
   const std::uint64_t between = level_plan(problem, 768).total();
   expect_refused(by_direct, "/triangulation/levels/1", "3", between);

@@ -27,6 +27,33 @@ std::vector<double> truncation_of_leaves(const ClusterTree& tree,
   return left_out;
 }
 
+/// The schemes of the near entries, coarser by powers of ten where little of a row is near.
+/// Maths     an entry is wanted to the tolerance relative to its row's Int |G|, an integrator gives it
+///           relative to the element's. On surfaces that hide nothing Int |G| <= pi, so that no more than
+///           pi - Int_far G is left for the near elements of a row: with ten times the tolerance where that
+///           is a tenth of pi, the errors of all of them stay within the tolerance of the row
+NearEntries::Schemes near_schemes(const ClusterOperator::Setting& setting,
+                                  const std::shared_ptr<const IntegrationScheme<double>>& finest,
+                                  std::span<const double> far, std::size_t unknowns_of_leaf) {
+  constexpr std::size_t most = 3;
+  NearEntries::Schemes schemes{.schemes = {finest},
+                               .of_leaf = std::vector<std::size_t>(far.size() / unknowns_of_leaf)};
+  for (double coarser = 10; schemes.schemes.size() <= most; coarser *= 10) {
+    const double tolerance = coarser * setting.integrals.entry();
+    if (tolerance > Tolerance::coarsest) break;
+    schemes.schemes.push_back(std::make_shared<const IntegrationScheme<double>>(
+        setting.surface, setting.basis, Tolerance(tolerance)));
+  }
+  for (std::size_t leaf = 0; leaf < schemes.of_leaf.size(); ++leaf) {
+    const auto rows = far.subspan(leaf * unknowns_of_leaf, unknowns_of_leaf);
+    // As far as `far` is known: within the couplings' tolerance.
+    const double near = 1 - *std::min_element(rows.begin(), rows.end()) / pi<double>() + setting.far.row();
+    std::size_t& which = schemes.of_leaf[leaf];
+    for (double share = near * 10; share <= 1 && which + 1 < schemes.schemes.size(); share *= 10) ++which;
+  }
+  return schemes;
+}
+
 }  // namespace
 
 ClusterTolerance::ClusterTolerance(double row) : row_(row) {
@@ -71,7 +98,8 @@ ClusterOperator::ClusterOperator(const Setting& setting) {
   const std::vector<Chart>& charts = setting.surface.charts;
   CouplingDemand demand{.share = setting.far.share(tree.levels()),
                         .functions_size = size_of_functions(setting.basis),
-                        .largest_degree = setting.far.largest_degree()};
+                        .largest_degree = setting.far.largest_degree(),
+                        .nodes = setting.basis.nodes()};
   ClusterPairs pairs;
   std::vector<double> left_out;
   for (double largest = 0;;) {
@@ -91,10 +119,11 @@ ClusterOperator::ClusterOperator(const Setting& setting) {
 
   factors_.reserve(unknowns);
   for (const double rho : setting.reflectivity) factors_.push_back(rho / pi<double>());
-  NearEntries::RowSums near = near_->fill(scheme, setting.triangulation, setting.nodes, factors_);
-  row_radius_ = std::move(near.radius);
   std::vector<double> far(unknowns);
   couplings_->multiply(ClusterDensity::one, {}, far);
+  NearEntries::RowSums near = near_->fill(near_schemes(setting, scheme, far, unknowns_of_leaf),
+                                          setting.triangulation, setting.nodes, factors_);
+  row_radius_ = std::move(near.radius);
   // Values at nodes, transfers and sums amplify a rounding by less than this: Lebesgue constants up to 66,
   // and G from rounded points.
   constexpr double amplification = 256;

@@ -53,6 +53,7 @@ private:
 /// Requires  a uniform triangulation of this level without obstacle_to_clusters; one node a function and
 ///           element, one reflectivity in [0,1] a node; surface and nodes outlive this
 /// Result    what couplings leave out of a row is within the tolerance: their shares are reduced until it is.
+///           Near entries are integrated to the tolerance of their row: coarser where little of it is near.
 ///           Radii are estimates, as those of CollocationMatrix. The same bits for any number of threads;
 ///           Interrupted when asked to stop
 /// Limits    couplings in double

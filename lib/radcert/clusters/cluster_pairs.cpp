@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "radcert/clusters/mode_tables.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 
@@ -15,6 +16,14 @@ void append_children(const NearPair& pair, std::vector<NearPair>& finer) {
   for (std::uint32_t i = 0; i < 4; ++i)
     for (std::uint32_t j = pair.a == pair.b ? i : 0; j < 4; ++j)
       finer.push_back({4 * pair.a + i, 4 * pair.b + j});
+}
+
+/// The sizes of modes at the nodes of all elements of a cluster; over the whole triangle where these are
+/// many.
+ModeSizes sizes_at_nodes(const std::vector<Barycentric<double>>& nodes, int refinements) {
+  constexpr int most_refinements = 4;
+  if (nodes.empty() || refinements > most_refinements) return ModeSizes();
+  return ModeSizes(points_of_parts(refinements, nodes));
 }
 
 }  // namespace
@@ -33,10 +42,12 @@ ClusterPairs divide_pairs(const std::vector<Chart>& charts, const ClusterTree& t
       if (!in_plane(roots[a].chart, roots[b].chart)) now.push_back({a, b});
   for (std::size_t l = 0; l < tree.levels(); ++l) {
     const ClusterOutlines outlines(charts, tree.level(l));
+    const ModeSizes sizes =
+        sizes_at_nodes(demand.nodes, tree.refinements() + static_cast<int>(tree.levels() - 1 - l));
     std::vector<std::optional<CouplingDegree>> found(now.size());
     constexpr std::size_t pairs_at_a_time = 16;
     parallel_for(now.size(), pairs_at_a_time, [&](std::size_t begin, std::size_t end) {
-      CouplingLook look(outlines, demand);
+      CouplingLook look(outlines, demand, sizes);
       for (std::size_t i = begin; i < end; ++i)
         if (now[i].a != now[i].b) found[i] = look(now[i].a, now[i].b);
     });

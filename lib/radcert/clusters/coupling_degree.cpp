@@ -37,20 +37,42 @@ const std::array<Barycentric<double>, ClusterOutlines::samples>& sample_points()
   return points;
 }
 
-/// What lies beyond the degrees that were looked at: a geometric series from the last two of them, with the
-/// ratio of these to the two before, or the expected one where that is larger.
-double beyond(const std::vector<double>& by_degree, double expected_ratio) {
-  const std::size_t last = by_degree.size() - 1;
-  const double now = by_degree[last] + by_degree[last - 1];
-  const double before = last >= 3 ? by_degree[last - 2] + by_degree[last - 3] : now;
+/// A geometric series from the last two terms, with the ratio of these to the two before, or the expected one
+/// where that is larger.
+double series_beyond(double last, double before_last, double before, double first, double expected_ratio) {
+  const double now = last + before_last;
+  const double earlier = before + first;
   constexpr double slowest = 0.9;
-  const double ratio = std::min(slowest, std::max(expected_ratio, before > 0 ? std::sqrt(now / before) : 0));
+  const double ratio =
+      std::min(slowest, std::max(expected_ratio, earlier > 0 ? std::sqrt(now / earlier) : 0));
   return now * ratio / (1 - ratio);
 }
 
 Vector<Pack> broadcast(const Vector<double>& v) { return {Pack(v.x), Pack(v.y), Pack(v.z)}; }
 
 }  // namespace
+
+ModeSizes::ModeSizes(std::span<const Barycentric<double>> points)
+    : of_mode(mode_count(largest_mode_degree), 0.0), of_degree(largest_mode_degree + 1, 0.0) {
+  std::vector<double> modes(of_mode.size());
+  const auto take = [&](const Barycentric<double>& x) {
+    triangle_modes<double>(largest_mode_degree, x, modes);
+    for (std::size_t m = 0, n = 0; m < of_degree.size(); ++m) {
+      double squares = 0;
+      for (std::size_t i = 0; i <= m; ++i, ++n) {
+        of_mode[n] = std::max(of_mode[n], std::abs(modes[n]));
+        squares += modes[n] * modes[n];
+      }
+      of_degree[m] = std::max(of_degree[m], std::sqrt(squares));
+    }
+  };
+  for (const Barycentric<double>& x : points) take(x);
+  if (!points.empty()) return;
+  constexpr int lattice = 40;
+  for (int a = 0; a <= lattice; ++a)
+    for (int b = 0; a + b <= lattice; ++b)
+      take({{double(a) / lattice, double(b) / lattice, double(lattice - a - b) / lattice}});
+}
 
 ClusterOutlines::ClusterOutlines(const std::vector<Chart>& charts,
                                  const std::vector<ParameterTriangle>& clusters)
@@ -96,47 +118,61 @@ std::optional<int> CouplingLook::degree_by_distance(std::size_t a, std::size_t b
   return std::min(demand_.largest_degree, static_cast<int>(degree));
 }
 
-void CouplingLook::look(std::size_t a, std::size_t b, int degree, Profile& profile) {
-  const ModeTables& tables = ModeTables::instance();
-  const ModeInterpolation& interpolation = tables.interpolation(degree);
+void CouplingLook::look(std::size_t a, std::size_t b, int degree, View& view) const {
+  const ModeInterpolation& interpolation = ModeTables::instance().interpolation(degree);
   const std::size_t k = interpolation.nodes.size();
-  nodes_.clear();
-  nodes_.add(k);
-  nodes_.place(0, outlines_.chart(a), outlines_.triangle(a), interpolation.nodes);
-  constexpr std::size_t samples = ClusterOutlines::samples;
-  const std::size_t seen = b * samples;
+  view.nodes.clear();
+  view.nodes.add(k);
+  view.nodes.place(0, outlines_.chart(a), outlines_.triangle(a), interpolation.nodes);
+  const std::size_t seen = b * ClusterOutlines::samples;
   const Vector<Pack> from = outlines_.points().points(seen);
   const Vector<Pack> normal = -outlines_.points().normals(seen);
-  const Pack weight = outlines_.points().weights(seen);
-  if (kernel_.size() < k) kernel_.resize(k);
+  view.weight = outlines_.points().weights(seen);
+  if (view.kernel.size() < k) view.kernel.resize(k);
   for (std::size_t i = 0; i < k; ++i)
-    kernel_[i] =
-        kernel_terms<Pack>(from - broadcast(nodes_.point(i)), normal, broadcast(nodes_.normal(i))).value();
+    view.kernel[i] =
+        kernel_terms<Pack>(from - broadcast(view.nodes.point(i)), normal, broadcast(view.nodes.normal(i)))
+            .value();
+  view.degree = degree;
+  view.by_degree.assign(static_cast<std::size_t>(degree) + 1, std::nullopt);
+}
 
-  profile.as_target.assign(static_cast<std::size_t>(degree) + 1, 0);
-  profile.as_source.assign(static_cast<std::size_t>(degree) + 1, 0);
-  std::size_t n = 0;
-  for (int m = 0; m <= degree; ++m) {
-    Pack sizes(0.0);
-    Pack target_squares(0.0);
-    Pack squares(0.0);
-    for (int i = 0; i <= m; ++i, ++n) {
-      Pack target(0.0);
-      Pack source(0.0);
-      const double* row = interpolation.values_of_modes_transposed.column(n).data();
-      for (std::size_t node = 0; node < k; ++node) {
-        const Pack factor(row[node]);
-        target = fma(factor, kernel_[node], target);
-        source = fma(factor * Pack(nodes_.weight(node)), kernel_[node], source);
-      }
-      sizes += abs(target) * Pack(tables.largest_value(n));
-      target_squares += target * target;
-      squares += source * source;
+const CouplingLook::Contribution& CouplingLook::contribution(View& view, std::size_t degree) const {
+  std::optional<Contribution>& known = view.by_degree[degree];
+  if (known) return *known;
+  const ModeInterpolation& interpolation = ModeTables::instance().interpolation(view.degree);
+  const std::size_t k = interpolation.nodes.size();
+  Pack sizes(0.0);
+  Pack target_squares(0.0);
+  Pack squares(0.0);
+  const std::size_t first = degree * (degree + 1) / 2;
+  for (std::size_t n = first; n <= first + degree; ++n) {
+    Pack target(0.0);
+    Pack source(0.0);
+    const double* row = interpolation.values_of_modes_transposed.column(n).data();
+    for (std::size_t node = 0; node < k; ++node) {
+      const Pack factor(row[node]);
+      target = fma(factor, view.kernel[node], target);
+      source = fma(factor * Pack(view.nodes.weight(node)), view.kernel[node], source);
     }
-    const Pack by_squares = Pack(std::pow(m + 1, 1.5)) * sqrt(target_squares);
-    profile.as_target[static_cast<std::size_t>(m)] = (min(sizes, by_squares) * weight).sum() / samples;
-    profile.as_source[static_cast<std::size_t>(m)] = std::sqrt(squares.largest());
+    sizes += abs(target) * Pack(sizes_.of_mode[n]);
+    target_squares += target * target;
+    squares += source * source;
   }
+  const Pack by_squares = Pack(sizes_.of_degree[degree]) * sqrt(target_squares);
+  constexpr double samples = ClusterOutlines::samples;
+  return known.emplace(Contribution{.as_target = (min(sizes, by_squares) * view.weight).sum() / samples,
+                                    .as_source = std::sqrt(squares.largest())});
+}
+
+CouplingLook::Contribution CouplingLook::beyond(View& view, double expected_ratio) const {
+  const std::size_t last = view.by_degree.size() - 1;
+  const auto of = [&](double Contribution::*which) {
+    return series_beyond(contribution(view, last).*which, contribution(view, last - 1).*which,
+                         contribution(view, last - 2).*which, contribution(view, last - 3).*which,
+                         expected_ratio);
+  };
+  return {.as_target = of(&Contribution::as_target), .as_source = of(&Contribution::as_source)};
 }
 
 std::optional<CouplingDegree> CouplingLook::operator()(std::size_t a, std::size_t b) {
@@ -152,15 +188,19 @@ std::optional<CouplingDegree> CouplingLook::operator()(std::size_t a, std::size_
     look(b, a, degree, in_b_);
     const auto last = static_cast<std::size_t>(degree);
     std::optional<CouplingDegree> best;
-    double target_a = beyond(in_a_.as_target, ratio);
-    double target_b = beyond(in_b_.as_target, ratio);
-    double source_a = std::pow(beyond(in_a_.as_source, ratio), 2);
-    double source_b = std::pow(beyond(in_b_.as_source, ratio), 2);
+    const Contribution rest_a = beyond(in_a_, ratio);
+    const Contribution rest_b = beyond(in_b_, ratio);
+    double target_a = rest_a.as_target;
+    double target_b = rest_b.as_target;
+    double source_a = std::pow(rest_a.as_source, 2);
+    double source_b = std::pow(rest_b.as_source, 2);
     for (std::size_t p = last; p-- > 0;) {
-      target_a += in_a_.as_target[p + 1];
-      target_b += in_b_.as_target[p + 1];
-      source_a += std::pow(in_a_.as_source[p + 1], 2);
-      source_b += std::pow(in_b_.as_source[p + 1], 2);
+      const Contribution& left_a = contribution(in_a_, p + 1);
+      const Contribution& left_b = contribution(in_b_, p + 1);
+      target_a += left_a.as_target;
+      target_b += left_b.as_target;
+      source_a += std::pow(left_a.as_source, 2);
+      source_b += std::pow(left_b.as_source, 2);
       const CouplingDegree found{.degree = static_cast<int>(p),
                                  .error_a = factor * (target_a + std::sqrt(source_b)),
                                  .error_b = factor * (target_b + std::sqrt(source_a))};

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "radcert/clusters/cluster_points.h"
@@ -45,11 +46,24 @@ struct CouplingDegree {
   double error_b = 0;
 };
 
+/// How large the modes are where the values of a coupling are wanted.
+/// Maths     of_mode[n] = max |D_n|,  of_degree[m] = max of the root of the sum of D_n^2 over the modes of
+///           degree m, both over points of the triangle
+/// Result    rounded; without points over the whole triangle: max |D_n| as a lattice of 40 intervals a side
+///           shows it, and (m+1)^(3/2), which is reached at the vertices
+struct ModeSizes {
+  explicit ModeSizes(std::span<const Barycentric<double>> points = {});
+  std::vector<double> of_mode;
+  std::vector<double> of_degree;
+};
+
 /// What is demanded of a coupling.
 struct CouplingDemand {
   double share;           ///< the largest error_a and error_b
   double functions_size;  ///< the root of the mean of (sum_j |l_j|)^2
   int largest_degree;     ///< at most largest_mode_degree - 2
+  /// The nodes of an element, in its coordinates: only there values are wanted. Empty: everywhere.
+  std::vector<Barycentric<double>> nodes = {};
 };
 
 /// Decides whether two clusters of one level couple by polynomials, and of which degree.
@@ -63,40 +77,50 @@ struct CouplingDemand {
 ///           left out, and those not looked at as a geometric series, stay within the share. Over the source
 ///           the root of the sum of their squares counts, the largest of the eight points; for P, as the
 ///           mean over the eight points of the source, degree by degree, the sum of |mode| max|D_n| or
-///           (m+1)^(3/2) times the root of the sum of their squares, the least: sum D_n^2 over the modes of
-///           degree m is (m+1)^3 at the vertices and nowhere larger. Three times that, for interpolation in
-///           both clusters instead of projection
+///           the largest root of sum D_n^2 times the root of the sum of their squares, the least; see
+///           ModeSizes. Three times that, for interpolation in both clusters instead of projection
 /// Source    Lie norm: L(u+iv)^2 = |u|^2 + |v|^2 + 2 sqrt(|u|^2 |v|^2 - (u.v)^2), under which every zero of
 ///           (D-w).(D-w), D real, has L(w) >= |D|; Wang, Xiang (2012) for the rate. On curved charts the rate
 ///           is a guess that the look at the modes replaces
-/// Requires  0 < share
+/// Requires  0 < share; outlines, demand and sizes outlive this
 /// Result    estimated; nothing where the degree would exceed the largest, or the clusters are too near
 /// Limits    for one thread: holds scratch
 class CouplingLook {
 public:
-  CouplingLook(const ClusterOutlines& outlines, const CouplingDemand& demand)
-      : outlines_(outlines), demand_(demand) {}
+  CouplingLook(const ClusterOutlines& outlines, const CouplingDemand& demand, const ModeSizes& sizes)
+      : outlines_(outlines), demand_(demand), sizes_(sizes) {}
 
   std::optional<CouplingDegree> operator()(std::size_t a, std::size_t b);
 
 private:
-  /// What the modes of one degree contribute, by degree.
-  struct Profile {
-    std::vector<double> as_target;
-    std::vector<double> as_source;
+  /// What the modes of one degree contribute.
+  struct Contribution {
+    double as_target = 0;
+    double as_source = 0;
+  };
+  /// A cluster seen from eight points of another: G at its nodes, and from that its modes, as far as they
+  /// are asked for.
+  struct View {
+    ClusterPoints nodes;
+    std::vector<Pack> kernel;
+    Pack weight{0.0};
+    int degree = 0;
+    std::vector<std::optional<Contribution>> by_degree;
   };
   /// The rate rho at which G falls in cluster a seen from b; 1 where there is none.
   [[nodiscard]] double rate(std::size_t a, std::size_t b) const;
   /// The degree that the rate asks for.
   [[nodiscard]] std::optional<int> degree_by_distance(std::size_t a, std::size_t b) const;
-  void look(std::size_t a, std::size_t b, int degree, Profile& profile);
+  void look(std::size_t a, std::size_t b, int degree, View& view) const;
+  const Contribution& contribution(View& view, std::size_t degree) const;
+  /// What lies beyond the degrees that are looked at.
+  Contribution beyond(View& view, double expected_ratio) const;
 
   const ClusterOutlines& outlines_;
-  CouplingDemand demand_;
-  ClusterPoints nodes_;
-  std::vector<Pack> kernel_;
-  Profile in_a_;
-  Profile in_b_;
+  const CouplingDemand& demand_;
+  const ModeSizes& sizes_;
+  View in_a_;
+  View in_b_;
 };
 
 }  // namespace radcert

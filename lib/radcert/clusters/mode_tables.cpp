@@ -144,6 +144,9 @@ ModeTables::ModeTables() {
   const std::size_t rows = padded<double>(modes);
   std::vector<double> in_parent(modes);
   std::vector<double> in_child(modes);
+  std::vector<std::size_t> first_of_degree;  // by mode
+  for (std::size_t degree = 0; degree <= largest_mode_degree; ++degree)
+    first_of_degree.insert(first_of_degree.end(), degree + 1, degree * (degree + 1) / 2);
   const TriangleRule<double> rule = mean_rule(2 * largest_mode_degree);
   const auto children = children_of_triangle(whole);
   for (std::size_t c = 0; c < children.size(); ++c) {
@@ -151,27 +154,24 @@ ModeTables::ModeTables() {
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       triangle_modes<double>(largest_mode_degree, point_in(children[c], rule.points[q]), in_parent);
       triangle_modes<double>(largest_mode_degree, rule.points[q], in_child);
-      for (int degree = 0; degree <= largest_mode_degree; ++degree)
-        for (std::size_t n = mode_count(degree) - static_cast<std::size_t>(degree) - 1;
-             n < mode_count(degree); ++n)
-          for (std::size_t m = 0; m < mode_count(degree); ++m)
-            up(n, m) += rule.weights[q] * in_parent[n] * in_child[m];
+      for (std::size_t m = 0; m < modes; ++m) {
+        const double factor = rule.weights[q] * in_child[m];
+        double* column = up.column(m).data();
+        for (std::size_t n = first_of_degree[m]; n < modes; ++n) column[n] += factor * in_parent[n];
+      }
     }
     Matrix<double>& down = to_child_[c] = Matrix<double>(rows, modes);
     for (std::size_t n = 0; n < modes; ++n)
       for (std::size_t m = 0; m < modes; ++m) down(m, n) = up(n, m);
   }
+}
 
-  constexpr int lattice = 40;
-  largest_values_.assign(modes, 0);
-  for (int a = 0; a <= lattice; ++a)
-    for (int b = 0; a + b <= lattice; ++b) {
-      const Barycentric<double> x{
-          {double(a) / lattice, double(b) / lattice, double(lattice - a - b) / lattice}};
-      triangle_modes<double>(largest_mode_degree, x, in_parent);
-      for (std::size_t n = 0; n < modes; ++n)
-        largest_values_[n] = std::max(largest_values_[n], std::abs(in_parent[n]));
-    }
+std::vector<Barycentric<double>> points_of_parts(int refinements,
+                                                 std::span<const Barycentric<double>> points) {
+  std::vector<Barycentric<double>> found;
+  for (const Corners& part : refined_parts(refinements))
+    for (const Barycentric<double>& x : points) found.push_back(point_in(part, x));
+  return found;
 }
 
 LeafTables::LeafTables(const TriangleBasis<double>& basis, int refinements, int degree)

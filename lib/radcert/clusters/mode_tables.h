@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "radcert/core/matrix.h"
@@ -41,8 +42,6 @@ public:
   /// From moments of the children to those of the parent, without the factor 1/4 of the area.
   [[nodiscard]] const Matrix<double>& to_parent(std::size_t child) const { return to_parent_[child]; }
   [[nodiscard]] const Matrix<double>& to_child(std::size_t child) const { return to_child_[child]; }
-  /// The largest |D_n| on the triangle, as far as a lattice of 40 intervals a side shows it.
-  [[nodiscard]] double largest_value(std::size_t mode) const { return largest_values_[mode]; }
 
 private:
   ModeTables();
@@ -50,13 +49,18 @@ private:
   std::vector<ModeInterpolation> interpolations_;
   std::array<Matrix<double>, 4> to_parent_;
   std::array<Matrix<double>, 4> to_child_;
-  std::vector<double> largest_values_;
 };
 
 /// The corners of the four children of a triangle in its barycentric coordinates.
 /// Source    see Triangulation
 std::array<std::array<Barycentric<double>, 3>, 4> children_of_triangle(
     const std::array<Barycentric<double>, 3>& corners);
+
+/// Points of each of the parts that some symmetric refinements make of a triangle, in its coordinates.
+/// Requires  0 <= refinements
+/// Result    part by part, in the order of Triangulation
+std::vector<Barycentric<double>> points_of_parts(int refinements,
+                                                 std::span<const Barycentric<double>> points);
 
 /// Constants of all leaves: clusters of 4^refinements elements.
 /// Maths     moments(n, k p + j) = mean over the leaf of l_j on its element k times D_n, 0 elsewhere;

@@ -91,11 +91,12 @@ NearEntries::NearEntries(const std::vector<NearPair>& pairs, std::size_t leaves,
               sources_.begin() + static_cast<std::ptrdiff_t>(first_[leaf + 1]));
 }
 
-NearEntries::RowSums NearEntries::fill(const std::shared_ptr<const IntegrationScheme<double>>& scheme,
-                                       const Triangulation& triangulation,
+NearEntries::RowSums NearEntries::fill(const Schemes& schemes, const Triangulation& triangulation,
                                        std::span<const CollocationPoint<double>> nodes,
                                        std::span<const double> factors) {
-  const std::size_t functions = scheme->basis().size();
+  expects(!schemes.schemes.empty() && schemes.of_leaf.size() == leaves_, "a scheme for every leaf",
+          named("leaves", leaves_));
+  const std::size_t functions = schemes.schemes.front()->basis().size();
   const std::size_t elements = unknowns_ / functions;
   expects(nodes.size() == leaves_ * unknowns_ && factors.size() == nodes.size() &&
               triangulation.triangles.size() == leaves_ * elements,
@@ -106,20 +107,30 @@ NearEntries::RowSums NearEntries::fill(const std::shared_ptr<const IntegrationSc
   const auto first_source = [this](std::size_t leaf) {
     return sources_.begin() + static_cast<std::ptrdiff_t>(first_[leaf]);
   };
+  std::vector<std::vector<CollocationPointBlock<double>>> blocks(leaves_);
+  parallel_for(leaves_, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t leaf = begin; leaf < end; ++leaf)
+      blocks[leaf] = observer_blocks(nodes.subspan(leaf * unknowns_, unknowns_));
+  });
   parallel_for(leaves_, 1, [&](std::size_t begin, std::size_t end) {
     BlockIntegral<double> integral;
     for (std::size_t source = begin; source < end; ++source) {
       const std::vector<std::uint32_t> targets(first_source(source), first_source(source + 1));
       for (std::size_t k = 0; k < elements; ++k) {
-        ElementIntegrator<double> element(scheme, triangulation.triangles[source * elements + k]);
+        std::vector<std::unique_ptr<ElementIntegrator<double>>> by_scheme(schemes.schemes.size());
         for (const std::uint32_t target : targets) {
+          const std::size_t which = schemes.of_leaf[target];
+          if (!by_scheme[which])
+            by_scheme[which] = std::make_unique<ElementIntegrator<double>>(
+                schemes.schemes[which], triangulation.triangles[source * elements + k]);
+          ElementIntegrator<double>& element = *by_scheme[which];
           // Nearness is mutual, so that the source stands in the target's list.
           const auto number = static_cast<std::size_t>(
               std::lower_bound(first_source(target), first_source(target + 1), source) - sources_.begin());
           double* to = entries_.data() + number * rows_ * unknowns_ + k * functions * rows_;
           const auto of_leaf = nodes.subspan(target * unknowns_, unknowns_);
           const double* factor = &factors[target * unknowns_];
-          for (const CollocationPointBlock<double>& block : observer_blocks(of_leaf)) {
+          for (const CollocationPointBlock<double>& block : blocks[target]) {
             element.integrate(block, of_leaf, integral);
             for (std::size_t lane = 0; lane < block.count; ++lane) {
               const std::size_t i = block.first + lane;

@@ -21,8 +21,8 @@ namespace radcert {
 ///           leaves
 /// Source    [ac98, (40)]; ElementIntegrator, as in the dense assembly
 /// Requires  as many nodes as elements times functions; near pairs of leaves of `unknowns` each
-/// Result    a dense block a pair of leaves, by columns, its rows padded; each entry to the scheme's
-///           tolerance. The same bits for any number of threads; Interrupted when asked to stop
+/// Result    a dense block a pair of leaves, by columns, its rows padded; each entry to the tolerance of its
+///           row's scheme. The same bits for any number of threads; Interrupted when asked to stop
 class NearEntries {
 public:
   /// What a row's near entries sum to beside themselves.
@@ -33,10 +33,15 @@ public:
 
   NearEntries(const std::vector<NearPair>& pairs, std::size_t leaves, std::size_t unknowns_of_leaf);
 
+  /// Schemes of one surface and basis with tolerances of their own, and which of them the rows of each leaf
+  /// take.
+  struct Schemes {
+    std::vector<std::shared_ptr<const IntegrationScheme<double>>> schemes;
+    std::vector<std::size_t> of_leaf;
+  };
   /// Integrates all entries.
-  RowSums fill(const std::shared_ptr<const IntegrationScheme<double>>& scheme,
-               const Triangulation& triangulation, std::span<const CollocationPoint<double>> nodes,
-               std::span<const double> factors);
+  RowSums fill(const Schemes& schemes, const Triangulation& triangulation,
+               std::span<const CollocationPoint<double>> nodes, std::span<const double> factors);
 
   /// y_i += sum_j entries(i, j) x_j; for each row in a fixed order.
   void add_product(std::span<const double> x, std::span<double> y) const;

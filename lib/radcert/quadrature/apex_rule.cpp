@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <complex>
+#include <numbers>
 #include <vector>
 
 #include "radcert/core/lazy_table.h"
@@ -15,18 +16,24 @@
 namespace radcert {
 namespace {
 
-/// Where the orders start for the finest tolerance, and for any.
+/// Where the orders start for the finest tolerance, and for any; fewer where the chart changes evenly over
+/// the whole element. Elsewhere rules of few points may agree on what both miss.
 constexpr int first_order_at_finest = 6;
 constexpr int smallest_first_order = 4;
+constexpr int least_order_even = 3;
+/// The largest number of points in a variable.
 template <Real R>
-constexpr int last_order = std::is_same_v<R, double> ? 22 : 70;
+constexpr int finest = std::is_same_v<R, double> ? 34 : 100;
+constexpr int order_step_even = 3;
 constexpr int order_step = 6;
 /// The finer rule has this many points more in each variable. Where the chart is not analytic, or does not
-/// change evenly, the rules converge so slowly that two points more leave an error larger than the
-/// difference.
+/// change evenly, the rules converge so slowly that fewer leave an error larger than the difference.
+constexpr int check_step_even = 1;
 constexpr int check_step_analytic = 2;
 constexpr int check_step_slow = 6;
+/// The least Bernstein ellipse of an interval of m, and of one of the argument of sinh.
 constexpr double admissible_ellipse = 3.0;
+constexpr double admissible_ellipse_stretched = 1.9;
 const WorkLimit deepest_bisection("quadrature/apex_rule: bisections of a side", 60, 0,
                                   "all that the element may hold joins the radius");
 const WorkLimit deepest_halving("quadrature/apex_rule: halvings of a rectangle", 40, 0,
@@ -78,12 +85,22 @@ Nodes<R> make_nodes(int points, bool graded) {
 
 template <Real R>
 const Nodes<R>& nodes(int points, bool graded) {
-  constexpr std::size_t sizes = last_order<R> + check_step_slow + 1;
+  constexpr std::size_t sizes = finest<R> + 1;
   constexpr int most_graded = std::is_same_v<R, double> ? 32 : 80;
   static LazyTable<Nodes<R>, 2 * sizes> tables;
   const int n = graded ? std::min(points, most_graded) : points;
   return tables.at((graded ? sizes : 0) + static_cast<std::size_t>(n),
                    [&] { return make_nodes<R>(n, graded); });
+}
+
+/// Both ends of [0,1] and its middle.
+template <Real R>
+const Nodes<R>& three_points() {
+  static const Nodes<R> points{.count = 3,
+                               .from_zero = {R(0), R(1) / R(2), R(1)},
+                               .from_one = {R(1), R(1) / R(2), R(0)},
+                               .weights = {R(1), R(1), R(1)}};
+  return points;
 }
 
 /// Where the rays from the collocation point through the side (a, b) enter or leave the element.
@@ -116,164 +133,287 @@ struct ApexTriangle {
   }
 };
 
-/// A rectangle of the variables (l, m).
+/// What runs along a side (a, b): m itself, or, stretched, x of m = foot + height sinh x.
+/// Maths     |DF(p) w|^2 on the side is |DF(p) (b-a)|^2 ((m-foot)^2 + height^2), a multiple of cosh^2 x: of
+///           its zeros, m = foot +- i height, those of cosh are left, x = +- i pi/2 and farther ones. The
+///           ray's direction is w = w_c + (m-c) (b-a), c the point of [0,1] next to the foot
+template <Real R>
+class SideVariable {
+public:
+  SideVariable() = default;
+  SideVariable(const Vector<R>& start, const Vector<R>& side, bool stretched) : stretched_(stretched) {
+    const R squared = dot(side, side);
+    foot_ = -dot(start, side) / squared;
+    height_ = norm(cross(start, side)) / squared;
+    reference_ = std::min(std::max(foot_, R(0)), R(1));
+  }
+
+  R first() const { return inverse(R(0)); }
+  R last() const { return inverse(R(1)); }
+  /// The place of the ray c, 0 <= c <= 1.
+  const R& reference() const { return reference_; }
+  /// m - c of a value of the variable.
+  R from_reference(const R& x) const {
+    using std::exp;
+    if (!stretched_) return x - reference_;
+    const R e = exp(x);
+    return (foot_ - reference_) + height_ / R(2) * (e - R(1) / e);
+  }
+  /// dm/dx.
+  R slope(const R& x) const {
+    using std::exp;
+    if (!stretched_) return R(1);
+    const R e = exp(x);
+    return height_ / R(2) * (e + R(1) / e);
+  }
+  /// The pole of a kernel, of positive imaginary part.
+  std::complex<double> pole() const {
+    if (stretched_) return {0, std::numbers::pi / 2};
+    return {nearest_double<R>(foot_), nearest_double<R>(height_)};
+  }
+  /// The value that belongs to m.
+  R inverse(const R& m) const {
+    using std::abs;
+    using std::log;
+    using std::sqrt;
+    if (!stretched_) return m;
+    const R y = (m - foot_) / height_;
+    const R size = abs(y);
+    const R x = log(size + sqrt(R(1) + y * y));
+    return y < R(0) ? R(-x) : x;
+  }
+
+private:
+  bool stretched_ = false;
+  R foot_{};
+  R height_{};
+  R reference_{};
+};
+
+/// A rectangle of the variables: l from 0 at the cut to 1 at the side, and that of the side.
 template <Real R>
 struct Rectangle {
-  R l0, l1, m0, m1;
+  R l0, l1, x0, x1;
+};
+
+/// The numbers of points in both variables.
+struct Orders {
+  int radial;
+  int across;
+};
+
+/// The points of a rule on a rectangle: w, barycentric coordinates, weights; padded to whole blocks.
+template <Real R>
+struct ApexPoints {
+  std::vector<R> w_s, w_t, weight;
+  std::array<std::vector<R>, 3> at;
+  std::size_t count = 0;
+
+  void resize(std::size_t points) {
+    count = points;
+    for (std::vector<R>* each : {&w_s, &w_t, &weight, &at[0], &at[1], &at[2]})
+      each->resize(padded<R>(points));
+  }
+  void pad() {
+    for (std::size_t i = count; i < weight.size(); ++i) {
+      for (std::vector<R>* each : {&w_s, &w_t, &at[0], &at[1], &at[2]}) (*each)[i] = (*each)[count - 1];
+      weight[i] = R(0);
+    }
+  }
 };
 
 template <Real R>
 class ApexIntegrator {
 public:
-  ApexIntegrator(const CollocationPoint<R>& p, const Chart& chart, const TriangleBasis<R>& basis,
-                 const Tolerance& tolerance)
+  ApexIntegrator(const CollocationPoint<R>& p, const Chart& chart, const ElementShape& shape,
+                 const TriangleBasis<R>& basis, const Tolerance& tolerance)
       : p_(p),
         formula_(chart.in<B>()),
-        scalar_formula_(chart.in<R>()),
         basis_(basis),
         tolerance_(tolerance),
-        first_order_(first_order(tolerance)),
+        shape_(shape),
         singular_(chart.facts().singular != SingularLine::none),
-        check_step_(singular_ ? check_step_slow : check_step_analytic),
+        even_(!singular_ && shape.unevenness < uneven_for_few_points),
+        slow_(singular_),
         at_p_(chart.in<R>().frame(p.at.at)) {}
 
   CheckedSums<R> integrate(const ApexTriangle<R>& triangle) {
     CheckedSums<R> result(basis_.size());
-    integrate_sides(triangle, R(0), R(1), 0, result);
+    const ParameterPoint<R> along_side = triangle.to_b - triangle.to_a;
+    side_ = SideVariable<R>(along(triangle.to_a), along(along_side), even_);
+    integrate_sides(triangle, side_.first(), side_.last(), 0, result);
     return result;
   }
 
 private:
   using B = typename Block<R>::Type;
 
+  /// One value of the side's variable.
+  struct Ray {
+    ParameterPoint<R> w;  ///< to the side
+    R weight;
+    R cut;
+    std::array<R, 3> at;  ///< barycentric coordinates on the side
+  };
+
+  /// Bisects the side until its Bernstein ellipse stays clear of the poles.
+  void integrate_sides(const ApexTriangle<R>& triangle, const R& x0, const R& x1, int depth,
+                       CheckedSums<R>& result) {
+    const double rho = ellipse(triangle, x0, x1);
+    if (!(rho >= (even_ ? admissible_ellipse_stretched : admissible_ellipse))) {
+      if (depth >= deepest_bisection_) {
+        result.complete = false;
+        return;
+      }
+      const R middle = (x0 + x1) / R(2);
+      integrate_sides(triangle, x0, middle, depth + 1, result);
+      integrate_sides(triangle, middle, x1, depth + 1, result);
+      return;
+    }
+    integrate_rectangle(triangle, {R(0), R(1), x0, x1}, rho, 0, result);
+  }
+
+  /// The smaller ellipse about [x0,x1] of those through the zeros of |DF(p) w|^2 and through the pole of the
+  /// cut.
+  double ellipse(const ApexTriangle<R>& triangle, const R& x0, const R& x1) const {
+    const auto middle = nearest_double<R>((x0 + x1) / R(2));
+    const auto half = nearest_double<R>((x1 - x0) / R(2));
+    const double rho = bernstein_radius((side_.pole() - middle) / half);
+    if (triangle.extent == Extent::to_side) return rho;
+    const R change = triangle.slope_a - triangle.slope_b;
+    if (change == R(0)) return rho;
+    const auto pole_of_cut = nearest_double<R>(side_.inverse(triangle.slope_a / change));
+    return std::min(rho, bernstein_radius({(pole_of_cut - middle) / half, 0}));
+  }
+
+  Vector<R> along(const ParameterPoint<R>& w) const { return w.s * at_p_.tangent_s + w.t * at_p_.tangent_t; }
+
+  void integrate_rectangle(const ApexTriangle<R>& triangle, const Rectangle<R>& area, double rho, int depth,
+                           CheckedSums<R>& result) {
+    if (++rectangles_ > most_rectangles_) {
+      result.complete = false;
+      return;
+    }
+    Evenness evenness{shape_.turn, shape_.unevenness, shape_.unevenness};
+    if (!even_) {
+      evenness = evenness_of(triangle, area);
+      if (evenness.largest() >= uneven_for_any_rule) {
+        if (depth >= deepest_halving_) {
+          result.complete = false;
+          return;
+        }
+        for (const Rectangle<R>& half :
+             evenness.along_l >= evenness.along_x ? halves_along_l(area) : halves_along_x(area))
+          integrate_rectangle(triangle, half, rho, depth + 1, result);
+        return;
+      }
+    }
+    // Where a part of the element is steep, its neighbours are not yet smooth for a rule of few points.
+    slow_ = slow_ || evenness.largest() >= uneven_for_close_rules;
+    const Orders first = first_orders(evenness, rho);
+    const int step = slow_ ? check_step_slow : even_ ? check_step_even : check_step_analytic;
+    KernelSums<R> coarse = sums(triangle, area, first, false);
+    Orders orders{first.radial + step, first.across + std::max(step, across_step(rho))};
+    while (true) {
+      CheckedSums<R> fine(sums(triangle, area, orders, true));
+      if (compare(fine, coarse)) {
+        result += fine;
+        return;
+      }
+      // The next rule is finer in both variables, or the two would agree on what one of them leaves out.
+      const int more = even_ ? order_step_even : order_step;
+      if (std::max(orders.radial, orders.across) + more > finest<R>) {
+        if (depth >= deepest_halving_) {
+          result.complete = false;
+          return;
+        }
+        for (const Rectangle<R>& half : halves(triangle, area, orders, fine.sums))
+          integrate_rectangle(triangle, half, rho, depth + 1, result);
+        return;
+      }
+      coarse = fine.sums;
+      orders = {orders.radial + more, orders.across + more};
+    }
+  }
+
+  /// How the chart's normal changes over a rectangle.
+  struct Evenness {
+    double turn;     ///< the largest change, relative to the largest normal
+    double along_l;  ///< unevenness
+    double along_x;
+    [[nodiscard]] double largest() const { return std::max(along_l, along_x); }
+  };
+
+  /// The orders that the error model asks for. Along a ray the chord's square has zeros where the chart has
+  /// turned by about i: the normal turns by `turn` over the element, rho is taken as 16/turn; a part of
+  /// the normal that grows quadratically, by 4 unevenness, asks for 4/sqrt(unevenness).
+  Orders first_orders(const Evenness& evenness, double rho) const {
+    constexpr int last = finest<R> - check_step_slow;
+    const int across = points_for(rho, basis_.degree(), tolerance_.intended_truncation());
+    if (!even_) return {first_order(tolerance_), std::clamp(across, smallest_first_order, last)};
+    constexpr double least_rate = 1.5;
+    constexpr double largest_rate = 1e4;
+    const double rate = std::clamp(
+        std::min(16 / std::max(evenness.turn, 1e-4), 4 / std::sqrt(std::max(evenness.largest(), 1e-8))),
+        least_rate, largest_rate);
+    const int radial = points_for(rate, basis_.degree() + 1, tolerance_.intended_truncation());
+    return {std::clamp(radial, least_order_even, last), std::clamp(across, least_order_even + 1, last)};
+  }
+
+  /// Along rays of an element over which the chart changes less evenly.
   static int first_order(const Tolerance& tolerance) {
     const double digits =
         std::log(tolerance.intended_truncation()) / std::log(Tolerance().intended_truncation());
     return std::max(smallest_first_order, static_cast<int>(std::ceil(digits * first_order_at_finest)));
   }
 
-  /// Bisects the side until its Bernstein ellipse stays clear of the poles.
-  void integrate_sides(const ApexTriangle<R>& triangle, const R& m0, const R& m1, int depth,
-                       CheckedSums<R>& result) {
-    const double rho = ellipse(triangle, m0, m1);
-    if (!(rho >= admissible_ellipse)) {
-      if (depth >= deepest_bisection_) {
-        result.complete = false;
-        return;
-      }
-      const R middle = (m0 + m1) / R(2);
-      integrate_sides(triangle, m0, middle, depth + 1, result);
-      integrate_sides(triangle, middle, m1, depth + 1, result);
-      return;
-    }
-    integrate_rectangle(triangle, {R(0), R(1), m0, m1},
-                        points_for(rho, basis_.degree(), tolerance_.intended_truncation()), 0, result);
-  }
-
-  /// The smaller ellipse about [m0,m1] of those through the zeros of |DF(p) w(m)|^2, a quadratic in m, and
-  /// through the pole of the cut.
-  double ellipse(const ApexTriangle<R>& triangle, const R& m0, const R& m1) const {
-    const Vector<R> start = along(triangle.to_a);
-    const Vector<R> side = along(triangle.to_b - triangle.to_a);
-    const auto squared = nearest_double<R>(dot(side, side));
-    const double real_part = -nearest_double<R>(dot(start, side)) / squared;
-    const double imaginary_part = nearest_double<R>(norm(cross(start, side))) / squared;
-    const auto middle = nearest_double<R>((m0 + m1) / R(2));
-    const auto half = nearest_double<R>((m1 - m0) / R(2));
-    const double rho = bernstein_radius({(real_part - middle) / half, imaginary_part / half});
-    if (triangle.extent == Extent::to_side) return rho;
-    const auto change = nearest_double<R>(triangle.slope_a - triangle.slope_b);
-    if (change == 0) return rho;
-    const double pole_of_cut = nearest_double<R>(triangle.slope_a) / change;
-    return std::min(rho, bernstein_radius({(pole_of_cut - middle) / half, 0}));
-  }
-
-  Vector<R> along(const ParameterPoint<R>& w) const { return w.s * at_p_.tangent_s + w.t * at_p_.tangent_t; }
-
-  void integrate_rectangle(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int across, int depth,
-                           CheckedSums<R>& result) {
-    CheckedSums<R> best(basis_.size());
-    if (++rectangles_ > most_rectangles_) {
-      result.complete = false;
-      return;
-    }
-    if (const auto halves = halves_of_uneven(triangle, area)) {
-      if (depth >= deepest_halving_) {
-        result.complete = false;
-        return;
-      }
-      for (const Rectangle<R>& half : *halves) integrate_rectangle(triangle, half, across, depth + 1, result);
-      return;
-    }
-    for (int order = first_order_; order <= last_order<R>; order += order_step) {
-      const int side_order = std::clamp(across + order - first_order_, 4, last_order<R>);
-      best.sums = sums(triangle, area, order + check_step_, side_order + check_step_);
-      const KernelSums<R> coarser = sums(triangle, area, order, side_order);
-      if (compare(best, coarser)) {
-        result += best;
-        return;
-      }
-    }
-    if (depth >= deepest_halving_) {
-      result.complete = false;
-      return;
-    }
-    for (const Rectangle<R>& half : halves(triangle, area, across, best.sums))
-      integrate_rectangle(triangle, half, across, depth + 1, result);
+  static int across_step(double rho) {
+    constexpr double steep = 5;
+    return rho >= steep ? 1 : 2;
   }
 
   static std::array<Rectangle<R>, 2> halves_along_l(const Rectangle<R>& area) {
     const R l = (area.l0 + area.l1) / R(2);
-    return {Rectangle<R>{area.l0, l, area.m0, area.m1}, Rectangle<R>{l, area.l1, area.m0, area.m1}};
+    return {Rectangle<R>{area.l0, l, area.x0, area.x1}, Rectangle<R>{l, area.l1, area.x0, area.x1}};
   }
-  static std::array<Rectangle<R>, 2> halves_along_m(const Rectangle<R>& area) {
-    const R m = (area.m0 + area.m1) / R(2);
-    return {Rectangle<R>{area.l0, area.l1, area.m0, m}, Rectangle<R>{area.l0, area.l1, m, area.m1}};
+  static std::array<Rectangle<R>, 2> halves_along_x(const Rectangle<R>& area) {
+    const R x = (area.x0 + area.x1) / R(2);
+    return {Rectangle<R>{area.l0, area.l1, area.x0, x}, Rectangle<R>{area.l0, area.l1, x, area.x1}};
   }
 
-  /// The normal at a point of a rectangle, from_cut of the way from the cut to the side on the ray m.
-  Vector<R> normal_at(const ApexTriangle<R>& triangle, const R& from_cut, const R& m) const {
-    const R other = R(1) - m;
-    R l = from_cut;
-    if (triangle.extent != Extent::to_side) {
-      const R cut = triangle.offset / (other * triangle.slope_a + m * triangle.slope_b);
-      l = cut + from_cut * (R(1) - cut);
+  /// The normals at three times three points of a rectangle.
+  Evenness evenness_of(const ApexTriangle<R>& triangle, const Rectangle<R>& area) {
+    place(triangle, area, three_points<R>(), three_points<R>());
+    std::array<Vector<R>, 9> normal;
+    for (std::size_t at = 0; at < points_.weight.size(); at += Block<R>::lanes) {
+      const Frame<B> frame = formula_.frame(parameters(at));
+      for (std::size_t lane = 0; lane < Block<R>::lanes && at + lane < normal.size(); ++lane)
+        normal[at + lane] = {Block<R>::lane(frame.area_normal.x, lane),
+                             Block<R>::lane(frame.area_normal.y, lane),
+                             Block<R>::lane(frame.area_normal.z, lane)};
     }
-    ParameterPoint<R> w = l * (other * triangle.to_a + m * triangle.to_b);
-    if (singular_) w.s = std::max(w.s, -p_.at.at.s);
-    return scalar_formula_.frame(p_.at.at + w).area_normal;
-  }
-
-  /// The halves of a rectangle on which the chart does not change evenly along three lines of either
-  /// direction; sets the step of checks.
-  std::optional<std::array<Rectangle<R>, 2>> halves_of_uneven(const ApexTriangle<R>& triangle,
-                                                              const Rectangle<R>& area) {
-    std::array<std::array<Vector<R>, 3>, 3> normal;  // by l, by m
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t k = 0; k < 3; ++k)
-        normal[i][k] = normal_at(triangle, area.l0 + R(static_cast<int>(i)) / R(2) * (area.l1 - area.l0),
-                                 area.m0 + R(static_cast<int>(k)) / R(2) * (area.m1 - area.m0));
     R along_l = R(0);
-    R along_m = R(0);
+    R along_x = R(0);
+    R largest = R(0);
+    R change = R(0);
     for (std::size_t k = 0; k < 3; ++k) {
-      along_l = std::max(along_l, unevenness(normal[0][k], normal[1][k], normal[2][k]));
-      along_m = std::max(along_m, unevenness(normal[k][0], normal[k][1], normal[k][2]));
+      along_l = std::max(along_l, unevenness(normal[k], normal[3 + k], normal[6 + k]));
+      along_x = std::max(along_x, unevenness(normal[3 * k], normal[3 * k + 1], normal[3 * k + 2]));
     }
-    const R largest = std::max(along_l, along_m);
-    if (!(largest < R(uneven_for_close_rules))) check_step_ = check_step_slow;
-    if (!(largest < R(uneven_for_any_rule)))
-      return along_l >= along_m ? halves_along_l(area) : halves_along_m(area);
-    return std::nullopt;
+    for (const Vector<R>& each : normal) {
+      largest = std::max(largest, norm(each));
+      change = std::max(change, norm(each - normal[4]));
+    }
+    const double turn = largest > R(0) ? 2 * nearest_double<R>(change / largest) : HUGE_VAL;
+    return {turn, nearest_double<R>(along_l), nearest_double<R>(along_x)};
   }
 
   /// The rectangle cut across the variable in which fewer points cost more.
-  std::array<Rectangle<R>, 2> halves(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int across,
-                                     const KernelSums<R>& best) const {
-    const int fine = last_order<R> + check_step_;
-    const int side = std::clamp(across + last_order<R> - first_order_, 4, last_order<R>);
-    const R by_l = largest_difference(sums(triangle, area, last_order<R> / 2, side + check_step_), best);
-    const R by_m = largest_difference(sums(triangle, area, fine, side / 2), best);
-    return by_l > by_m ? halves_along_l(area) : halves_along_m(area);
+  std::array<Rectangle<R>, 2> halves(const ApexTriangle<R>& triangle, const Rectangle<R>& area,
+                                     const Orders& orders, const KernelSums<R>& best) {
+    const R by_l = largest_difference(sums(triangle, area, {orders.radial / 2, orders.across}, false), best);
+    const R by_x = largest_difference(sums(triangle, area, {orders.radial, orders.across / 2}, false), best);
+    return by_l > by_x ? halves_along_l(area) : halves_along_x(area);
   }
 
   static R largest_difference(const KernelSums<R>& a, const KernelSums<R>& b) {
@@ -298,67 +438,112 @@ private:
     return largest_difference <= R(tolerance_.converged()) * largest_size_ + noise;
   }
 
-  /// A point of a ray.
-  struct OnRay {
-    B l;
-    B rest;    ///< 1 - l
-    B length;  ///< of the ray between cut and side, in l
-  };
-
-  /// The point of ray m that lies from_cut of the way from the cut to the side.
-  static OnRay along_ray(const ApexTriangle<R>& triangle, const B& m, const B& other, const B& from_cut,
-                         const B& from_side) {
-    if (triangle.extent == Extent::to_side) return {from_cut, from_side, B(R(1))};
-    const B cut = B(triangle.offset) / (other * B(triangle.slope_a) + m * B(triangle.slope_b));
-    const B rest_of_cut = B(R(1)) - cut;
-    const B length = triangle.extent == Extent::up_to_side ? rest_of_cut : -rest_of_cut;
-    return {from_side * cut + from_cut, from_side * rest_of_cut, length};
+  /// Writes the points of a product rule on a rectangle.
+  void place(const ApexTriangle<R>& triangle, const Rectangle<R>& area, const Nodes<R>& l_nodes,
+             const Nodes<R>& x_nodes) {
+    const R& c = side_.reference();
+    const R other = R(1) - c;
+    const ParameterPoint<R> w_c = other * triangle.to_a + c * triangle.to_b;
+    const ParameterPoint<R> w_side = triangle.to_b - triangle.to_a;
+    const R slope_c = other * triangle.slope_a + c * triangle.slope_b;
+    const R slope_side = triangle.slope_b - triangle.slope_a;
+    std::array<R, 3> at_c;
+    std::array<R, 3> at_side;
+    for (std::size_t i = 0; i < 3; ++i) {
+      at_c[i] = other * triangle.at_a.x[i] + c * triangle.at_b.x[i];
+      at_side[i] = triangle.at_b.x[i] - triangle.at_a.x[i];
+    }
+    const R jacobian = triangle.size() * (area.l1 - area.l0) * (area.x1 - area.x0);
+    points_.resize(l_nodes.count * x_nodes.count);
+    rays_.resize(x_nodes.count);
+    for (std::size_t k = 0; k < x_nodes.count; ++k) {
+      const R x = area.x0 + (area.x1 - area.x0) * x_nodes.from_zero[k];
+      const R m = side_.from_reference(x);
+      Ray& ray = rays_[k];
+      ray = {w_c + m * w_side, x_nodes.weights[k] * side_.slope(x) * jacobian, R(0), {}};
+      R slope = slope_c + m * slope_side;
+      for (std::size_t j = 0; j < 3; ++j) ray.at[j] = at_c[j] + m * at_side[j];
+      if (!even_) {  // m itself: by its distances from both ends
+        const R from_end = (R(1) - area.x1) + (area.x1 - area.x0) * x_nodes.from_one[k];
+        ray.w = from_end * triangle.to_a + x * triangle.to_b;
+        slope = from_end * triangle.slope_a + x * triangle.slope_b;
+        for (std::size_t j = 0; j < 3; ++j)
+          ray.at[j] = from_end * triangle.at_a.x[j] + x * triangle.at_b.x[j];
+      }
+      if (triangle.extent != Extent::to_side) ray.cut = triangle.offset / slope;
+    }
+    std::size_t e = 0;
+    for (std::size_t i = 0; i < l_nodes.count; ++i) {
+      const R from_cut = area.l0 + (area.l1 - area.l0) * l_nodes.from_zero[i];
+      const R from_side = (R(1) - area.l1) + (area.l1 - area.l0) * l_nodes.from_one[i];
+      for (const Ray& ray : rays_) {
+        const R rest_of_cut = R(1) - ray.cut;
+        const R length = triangle.extent == Extent::beyond_side ? R(-rest_of_cut) : rest_of_cut;
+        const R l = from_side * ray.cut + from_cut;
+        const R rest = from_side * rest_of_cut;
+        points_.w_s[e] = l * ray.w.s;
+        points_.w_t[e] = l * ray.w.t;
+        points_.weight[e] = l * length * l_nodes.weights[i] * ray.weight;
+        for (std::size_t j = 0; j < 3; ++j) points_.at[j][e] = rest * triangle.at_p.x[j] + l * ray.at[j];
+        ++e;
+      }
+    }
+    points_.pad();
   }
 
-  KernelSums<R> sums(const ApexTriangle<R>& triangle, const Rectangle<R>& area, int radial,
-                     int across) const {
+  /// w at a block of points.
+  ParameterPoint<B> step(std::size_t at) const {
     using std::max;
-    const Nodes<R>& l_nodes = nodes<R>(radial, singular_);
-    const Nodes<R>& m_nodes = nodes<R>(across, singular_);
-    const R jacobian = triangle.size() * (area.l1 - area.l0) * (area.m1 - area.m0);
+    ParameterPoint<B> w{Block<R>::load(&points_.w_s[at]), Block<R>::load(&points_.w_t[at])};
+    if (singular_) w.s = max(w.s, B(-p_.at.at.s));  // rounding must not cross the line s = 0
+    return w;
+  }
+  ParameterPoint<B> parameters(std::size_t at) const {
+    return ParameterPoint<B>{B(p_.at.at.s), B(p_.at.at.t)} + step(at);
+  }
+
+  /// Without bounds only the values are summed up: enough for a rule that others are compared with.
+  KernelSums<R> sums(const ApexTriangle<R>& triangle, const Rectangle<R>& area, const Orders& orders,
+                     bool with_bounds) {
+    const Nodes<R>& l_nodes = nodes<R>(orders.radial, singular_);
+    const Nodes<R>& x_nodes = nodes<R>(orders.across, singular_);
+    place(triangle, area, l_nodes, x_nodes);
     const ParameterPoint<B> at_p{B(p_.at.at.s), B(p_.at.at.t)};
     const Vector<B> normal_p{B(p_.normal.x), B(p_.normal.y), B(p_.normal.z)};
     KernelSumsByLane<R> by_lane(basis_.size());
     std::array<B, KernelSums<R>::most_functions> values;
-    for (std::size_t i = 0; i < l_nodes.count; ++i) {
-      const B from_cut = B(area.l0 + (area.l1 - area.l0) * l_nodes.from_zero[i]);
-      const B from_side = B((R(1) - area.l1) + (area.l1 - area.l0) * l_nodes.from_one[i]);
-      const B l_weight = B(l_nodes.weights[i] * jacobian);
-      for (std::size_t k = 0; k < m_nodes.weights.size(); k += Block<R>::lanes) {
-        const B m = B(area.m0) + B(area.m1 - area.m0) * Block<R>::load(&m_nodes.from_zero[k]);
-        const B other = B(R(1) - area.m1) + B(area.m1 - area.m0) * Block<R>::load(&m_nodes.from_one[k]);
-        const auto [l, rest, length] = along_ray(triangle, m, other, from_cut, from_side);
-        ParameterPoint<B> w{l * (other * B(triangle.to_a.s) + m * B(triangle.to_b.s)),
-                            l * (other * B(triangle.to_a.t) + m * B(triangle.to_b.t))};
-        if (singular_) w.s = max(w.s, -at_p.s);  // rounding must not cross the line s = 0
-        const Frame<B> q = formula_.frame(at_p + w);
-        const RoundedKernel<B> g = rounded_kernel<B>(formula_.chord(at_p, w), normal_p, q.area_normal);
-        const B weight = l * length * l_weight * Block<R>::load(&m_nodes.weights[k]);
-        Barycentric<B> x;
-        for (std::size_t c = 0; c < 3; ++c)
-          x.x[c] =
-              rest * B(triangle.at_p.x[c]) + l * (other * B(triangle.at_a.x[c]) + m * B(triangle.at_b.x[c]));
-        basis_.values(x, std::span<B>(values));
-        by_lane.add(weight * g.value, weight * g.lean, [&values](std::size_t j) { return values[j]; });
+    for (std::size_t at = 0; at < points_.weight.size(); at += Block<R>::lanes) {
+      const ParameterPoint<B> w = step(at);
+      const Frame<B> q = formula_.frame(at_p + w);
+      const Chord<B> chord = formula_.chord(at_p, w);
+      const B weight = Block<R>::load(&points_.weight[at]);
+      Barycentric<B> x;
+      for (std::size_t j = 0; j < 3; ++j) x.x[j] = Block<R>::load(&points_.at[j][at]);
+      basis_.values(x, std::span<B>(values));
+      if (!with_bounds) {
+        by_lane.add_values(weight * chord_kernel<B>(chord, normal_p, q.area_normal),
+                           [&values](std::size_t j) -> const B& { return values[j]; });
+        continue;
       }
+      const RoundedKernel<B> g = rounded_kernel<B>(chord, normal_p, q.area_normal);
+      by_lane.add(weight * g.value, weight * g.lean,
+                  [&values](std::size_t j) -> const B& { return values[j]; });
     }
-    return by_lane.sums(l_nodes.count + m_nodes.count);
+    return by_lane.sums(l_nodes.count + x_nodes.count);
   }
 
   const CollocationPoint<R>& p_;
   const ChartIn<B>& formula_;
-  const ChartIn<R>& scalar_formula_;
   const TriangleBasis<R>& basis_;
   const Tolerance& tolerance_;
-  int first_order_;
+  ElementShape shape_;
   bool singular_;
-  int check_step_;
+  bool even_;  ///< whether the chart changes so evenly over the element that its parts need no look
+  bool slow_;  ///< whether rules are compared at a greater distance
   Frame<R> at_p_;
+  SideVariable<R> side_;
+  ApexPoints<R> points_;
+  std::vector<Ray> rays_;
   R largest_size_{};
   std::size_t rectangles_ = 0;
   const std::size_t most_rectangles_ = most_rectangles.count();
@@ -417,9 +602,9 @@ std::vector<ApexTriangle<R>> seen_from(const ParameterPoint<R>& p, const Element
 
 template <Real R>
 CheckedSums<R> integrate_around(const CollocationPoint<R>& p, const Chart& chart,
-                                const ElementPart<R>& element, const TriangleBasis<R>& basis,
-                                const Tolerance& tolerance) {
-  ApexIntegrator<R> integrator(p, chart, basis, tolerance);
+                                const ElementPart<R>& element, const ElementShape& shape,
+                                const TriangleBasis<R>& basis, const Tolerance& tolerance) {
+  ApexIntegrator<R> integrator(p, chart, shape, basis, tolerance);
   CheckedSums<R> result(basis.size());
   for (const ApexTriangle<R>& triangle : seen_from(p.at.at, element))
     result += integrator.integrate(triangle);
@@ -427,10 +612,10 @@ CheckedSums<R> integrate_around(const CollocationPoint<R>& p, const Chart& chart
 }
 
 template CheckedSums<double> integrate_around<double>(const CollocationPoint<double>&, const Chart&,
-                                                      const ElementPart<double>&,
+                                                      const ElementPart<double>&, const ElementShape&,
                                                       const TriangleBasis<double>&, const Tolerance&);
 template CheckedSums<Mpfr<50>> integrate_around<Mpfr<50>>(const CollocationPoint<Mpfr<50>>&, const Chart&,
-                                                          const ElementPart<Mpfr<50>>&,
+                                                          const ElementPart<Mpfr<50>>&, const ElementShape&,
                                                           const TriangleBasis<Mpfr<50>>&, const Tolerance&);
 
 }  // namespace radcert

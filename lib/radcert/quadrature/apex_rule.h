@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "radcert/quadrature/even_shape.h"
 #include "radcert/quadrature/kernel_sums.h"
 #include "radcert/quadrature/tolerance.h"
 
@@ -53,27 +54,32 @@ void share_largest_difference(CheckedSums<R>& checked, const R& intended) {
 /// point's own curved chart.
 /// Maths     the element is split at p into triangles (p, a, b); with w = l ((1-m) (a-p) + m (b-p)) and dt ds
 ///           = |..| l dl dm the integrand G(F(p), F(p+w)) l_j J is analytic in (l, m): bounded, but not
-///           smooth, at p itself, it is smooth along rays. Gauss-Legendre in both; the m-interval is bisected
-///           until the zeros of |DF(p) w(m)|^2, where the integrand has its nearest poles, are far from it in
-///           terms of its Bernstein ellipse
-/// Source    triangle coordinates: Duffy; G is bounded: [ac98, (5)-(6)]; (Q-P).n_P by divided differences:
-///           see Chord
+///           smooth, at p itself, it is smooth along rays. The zeros of |DF(p) w(m)|^2, its nearest poles,
+///           are m = f +- i h, f the foot of p on the side and h its distance in lengths of the side, both
+///           as the tangents at p have it; with m = f + h sinh x they become x = +- i pi/2, however near the
+///           side passes p. Gauss-Legendre in l and x, on charts that do not change evenly over the element
+///           in l and m, of orders that follow from the turn of the normal and from the Bernstein ellipse
+///           of the interval, which is bisected where that is narrow; two products of rules are compared,
+///           and finer ones taken while they differ
+/// Source    triangle coordinates: Duffy; sinh: Johnston, Elliott (2005); G is bounded: [ac98, (5)-(6)];
+///           (Q-P).n_P by divided differences: see Chord
 /// Requires  p on the chart of the element, in it or outside: then the rays from p run between its near and
-///           far sides; the chart is not flat (there G = 0)
+///           far sides; the chart is not flat (there G = 0); `shape` is that of the element
 /// Result    the integral; `difference` compares two orders. Not complete where two orders still differ after
-///           40 halvings, or in the first 300 rectangles
+///           40 halvings, or in the first 1000 rectangles
 /// Limits    on a chart that is not analytic on a line both variables are graded towards their ends
 template <Real R>
 CheckedSums<R> integrate_around(const CollocationPoint<R>& p, const Chart& chart,
-                                const ElementPart<R>& element, const TriangleBasis<R>& basis,
-                                const Tolerance& tolerance);
+                                const ElementPart<R>& element, const ElementShape& shape,
+                                const TriangleBasis<R>& basis, const Tolerance& tolerance);
 
 extern template CheckedSums<double> integrate_around<double>(const CollocationPoint<double>&, const Chart&,
-                                                             const ElementPart<double>&,
+                                                             const ElementPart<double>&, const ElementShape&,
                                                              const TriangleBasis<double>&, const Tolerance&);
 
 extern template CheckedSums<Mpfr<50>> integrate_around<Mpfr<50>>(const CollocationPoint<Mpfr<50>>&,
                                                                  const Chart&, const ElementPart<Mpfr<50>>&,
+                                                                 const ElementShape&,
                                                                  const TriangleBasis<Mpfr<50>>&,
                                                                  const Tolerance&);
 

@@ -43,7 +43,7 @@ std::optional<ParameterPoint<R>> parameters_on(const Chart& chart, const Element
                                    (ss * by_t - st * by_s) / determinant};
     const bool found = norm(rest) <= close;
     x = x + change;  // once more when it is close already: then x is as good as P
-    if (found) return contains(cell, x) ? std::optional(x) : std::nullopt;
+    if (found) return x;
   }
   return std::nullopt;
 }

@@ -8,11 +8,11 @@
 
 namespace radcert {
 
-/// The parameters of a point that lies on a cell of another chart of the same smooth piece, as nodes on seams
-/// do.
-/// Maths     x in the cell with F(x) = P, by Gauss-Newton on |F(x) - P|^2
-/// Result    x if |F(x) - P| is below 64 roundings of |P|'s size and x lies in the cell up to 1e-12 of its
-///           size; else nothing
+/// The parameters of a point that lies on or beside a cell of another chart of the same smooth piece, as
+/// nodes on seams and next to them do.
+/// Maths     x with F(x) = P, by Gauss-Newton on |F(x) - P|^2 from the middle of the cell; x may lie outside
+///           the chart's domain, where F is the analytic continuation of the chart's formula
+/// Result    x if |F(x) - P| is below 64 roundings of |P|'s size; else nothing
 /// Limits    chooses a rule and decides nothing about geometry: nothing is told too where the steps do not
 ///           end. P is then integrated by bisection, which never comes to an end where P is on the cell: what
 ///           is left counts as incomplete, and the radius of ElementIntegral holds all that the element may

@@ -50,7 +50,7 @@ ElementIntegrator<R>::ElementIntegrator(std::shared_ptr<const IntegrationScheme<
       chart_index_(triangle.chart),
       element_(whole_element<R>(triangle)),
       ball_(ball_about(element_)),
-      unevenness_(unevenness_of(element_)),
+      shape_(shape_of(element_)),
       extent_(largest_coordinate(ball_.centre) + ball_.radius),
       kept_(ConicalRules<R>::largest_order + 1) {}
 
@@ -70,18 +70,24 @@ typename ElementIntegrator<R>::BoundingBall ElementIntegrator<R>::ball_about(
 }
 
 template <Real R>
-double ElementIntegrator<R>::unevenness_of(const ElementPart<R>& cell) const {
-  if (chart_.facts().plane) return 0;
+ElementShape ElementIntegrator<R>::shape_of(const ElementPart<R>& cell) const {
+  if (chart_.facts().plane) return {};
   const auto normal = [&](const ParameterPoint<R>& at) { return chart_.in<R>().frame(at).area_normal; };
-  std::array<Vector<R>, 3> at_corner;
-  for (std::size_t i = 0; i < 3; ++i) at_corner[i] = normal(cell.vertices[i]);
-  R largest = R(0);
+  std::array<Vector<R>, 6> at;  // corners, and the middles of the sides that begin there
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const ParameterPoint<R> middle = (R(1) / R(2)) * (cell.vertices[i] + cell.vertices[j]);
-    largest = std::max(largest, unevenness(at_corner[i], normal(middle), at_corner[j]));
+    at[i] = normal(cell.vertices[i]);
+    at[3 + i] = normal((R(1) / R(2)) * (cell.vertices[i] + cell.vertices[(i + 1) % 3]));
   }
-  return nearest_double<R>(largest);
+  R uneven = R(0);
+  R change = R(0);
+  R largest = R(0);
+  for (std::size_t i = 0; i < 3; ++i)
+    uneven = std::max(uneven, unevenness(at[i], at[3 + i], at[(i + 1) % 3]));
+  for (std::size_t i = 0; i < 6; ++i) {
+    largest = std::max(largest, norm(at[i]));
+    for (std::size_t k = 0; k < i; ++k) change = std::max(change, norm(at[i] - at[k]));
+  }
+  return {largest > R(0) ? nearest_double<R>(change / largest) : 0, nearest_double<R>(uneven)};
 }
 
 template <Real R>
@@ -119,7 +125,7 @@ std::optional<CheckedSums<R>> ElementIntegrator<R>::try_piece(const CollocationP
                                                               double ratio, const R& extent,
                                                               Insistence insist) {
   using std::abs;
-  const int check_step = scheme_->check_step(chart_.facts(), unevenness_);
+  const int check_step = scheme_->check_step(chart_.facts(), shape_.unevenness);
   const int last = ConicalRules<R>::largest_order - check_step;
   int order = std::min(scheme_->order_by_model(ratio), last);
   while (true) {
@@ -168,7 +174,7 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const CollocationPoint<R>& p
     const auto ratio = nearest_double<R>(distance / fresh.radius);
     const bool admissible = ratio >= (whole ? admissible_ratio_of_whole : admissible_ratio);
     if (admissible && distance - fresh.radius >= told_apart &&
-        (whole ? unevenness_ : unevenness_of(piece.cell)) < uneven_for_any_rule) {
+        (whole ? shape_ : shape_of(piece.cell)).unevenness < uneven_for_any_rule) {
       const Insistence insist = piece.failures == failures ? Insistence::rounding : Insistence::none;
       const R extent = extent_for(coordinate, p.at.chart, distance + fresh.radius);
       const auto checked = try_piece(p, piece.cell, whole, ratio, extent, insist);
@@ -222,13 +228,14 @@ ElementIntegral<R> ElementIntegrator<R>::integrate(const CollocationPoint<R>& p)
   const Tolerance& tolerance = scheme_->tolerance();
   if (p.at.chart == chart_index_) {
     if (contains(element_, p.at.at) || (chart_.facts().singular == SingularLine::none && is_near(p.point)))
-      return with_radius(integrate_around(p, chart_, element_, basis(), tolerance));
+      return with_radius(integrate_around(p, chart_, element_, shape_, basis(), tolerance));
   } else if (scheme_->surface().charts_join_smoothly && own.facts().piece == chart_.facts().piece &&
              norm(p.point - ball_.centre) < R(2) * ball_.radius) {
-    if (const auto at = parameters_on(chart_, element_, p.point, extent_)) {
+    const auto at = parameters_on(chart_, element_, p.point, extent_);
+    if (at && (contains(element_, *at) || (shape_.unevenness < uneven_for_few_points && is_near(p.point)))) {
       CollocationPoint<R> seen = p;
       seen.at = {chart_index_, *at};
-      return with_radius(integrate_around(seen, chart_, element_, basis(), tolerance));
+      return with_radius(integrate_around(seen, chart_, element_, shape_, basis(), tolerance));
     }
   }
   return with_radius(integrate_away(p));
@@ -291,7 +298,7 @@ void ElementIntegrator<R>::integrate_far_by_comparison(const CollocationPointBlo
   using std::abs;
   using std::max;
   const Tolerance& tolerance = scheme_->tolerance();
-  const int step = scheme_->check_step(chart_.facts(), unevenness_);
+  const int step = scheme_->check_step(chart_.facts(), shape_.unevenness);
   const B noise = B(R(4) * unit_roundoff<R>() * view_->area) * bounds.lean;
   B excess = B(R(0));
   B largest_relative = B(R(0));
@@ -337,13 +344,13 @@ void ElementIntegrator<R>::integrate(const CollocationPointBlock<R>& block,
   const R extent = extent_for(block.extent, block.chart, distance + block.radius + ball_.radius);
   const bool told_apart =
       distance - block.radius - ball_.radius >= least_distance(std::max(extent_, block.extent));
-  if (!(ratio >= admissible_ratio_of_block) || !told_apart || unevenness_ >= uneven_for_any_rule) {
+  if (!(ratio >= admissible_ratio_of_block) || !told_apart || shape_.unevenness >= uneven_for_any_rule) {
     for (std::size_t lane = 0; lane < block.count; ++lane) integrate_lane(block, observers, lane, integral);
     return;
   }
   if (!view_) view_.emplace(kept(ConicalRules<R>::smallest_order + 2), ball_.centre);
   const FarBounds<R> bounds(block, *view_, ball_.centre, ball_.radius, extent);
-  const FarRule rule = scheme_->far_rule(chart_.facts(), ratio, unevenness_);
+  const FarRule rule = scheme_->far_rule(chart_.facts(), ratio, shape_.unevenness);
   if (rule.compared_with)
     integrate_far_by_comparison(block, observers, bounds, *rule.compared_with, integral);
   else

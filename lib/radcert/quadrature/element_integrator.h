@@ -39,7 +39,8 @@ struct BlockIntegral {
 /// Maths     far: conical Gauss rules on the element, of an order chosen from the ratio of distance and size;
 ///           near: the longest side is bisected until the pieces are far in terms of their own size, and
 ///           change evenly (even_shape.h); near and around a collocation point on the element's own curved
-///           chart: integrate_around; on the element's own plane: exactly 0.  What a rule leaves out:
+///           chart, or on another one of its smooth piece where the chart's formula continues to P:
+///           integrate_around; on the element's own plane: exactly 0.  What a rule leaves out:
 ///           flat_rule_bound on plane elements seen from afar, elsewhere the difference of two rules.  A
 ///           piece that rounding does not tell apart from P, or that bisection does not reach, is left out:
 ///           then |Int G l_j| over it is at most max|l_j| Int |G| dS, and Int |G| dS <= pi over what each ray
@@ -91,7 +92,7 @@ private:
 
   const TriangleBasis<R>& basis() const { return scheme_->basis(); }
   BoundingBall ball_about(const ElementPart<R>& cell) const;
-  double unevenness_of(const ElementPart<R>& cell) const;
+  ElementShape shape_of(const ElementPart<R>& cell) const;
   bool is_near(const Vector<R>& p) const;
   /// The largest coordinate in the bounds of rounding, for points within `reach` of P.
   R extent_for(const R& coordinate, std::size_t chart_of_p, const R& reach) const;
@@ -120,7 +121,7 @@ private:
   std::size_t chart_index_;
   ElementPart<R> element_;
   BoundingBall ball_;
-  double unevenness_;
+  ElementShape shape_;
   R extent_{};
   std::optional<FarView<R>> view_;
   std::vector<Piece> pending_;

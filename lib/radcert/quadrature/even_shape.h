@@ -24,8 +24,17 @@ R unevenness(const Vector<R>& a, const Vector<R>& m, const Vector<R>& b) {
   return off > R(0) ? R(off / largest) : R(0);
 }
 
-/// From here on two rules of an element are compared at a greater distance, and the element is halved: the
-/// first as soon as convergence may be slow, the second where it may not have begun.
+/// How the normal of a chart changes over a cell, as its corners and the middles of its sides tell it.
+/// Maths     turn = max |N - N'| / max |N|;  unevenness, the largest along a side
+struct ElementShape {
+  double turn = 0;
+  double unevenness = 0;
+};
+
+/// From here on the parts of an element are looked at before rules on them are compared, rules are compared
+/// at a greater distance, and the element is halved: the second as soon as convergence may be slow, the third
+/// where it may not have begun.
+inline constexpr double uneven_for_few_points = 0.05;
 inline constexpr double uneven_for_close_rules = 0.2;
 inline constexpr double uneven_for_any_rule = 0.45;
 

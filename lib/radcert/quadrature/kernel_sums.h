@@ -56,12 +56,18 @@ public:
     total_ = total_ + g;
     total_size_ = total_size_ + abs(g);
     for (std::size_t j = 0; j < functions_; ++j) {
-      const B l = basis(j);
+      const B& l = basis(j);  // no copy: one of 64 bytes stalls the loads that follow
       const B term = g * l;
       value_[j] = value_[j] + term;
       size_[j] = size_[j] + abs(term);
       tilt_[j] = tilt_[j] + lean * abs(l);
     }
+  }
+
+  /// Adds to the values alone.
+  template <class Basis>
+  void add_values(const B& g, const Basis& basis) {
+    for (std::size_t j = 0; j < functions_; ++j) value_[j] = multiply_add(g, basis(j), value_[j]);
   }
 
   KernelSums<R> sums(std::size_t points) const {

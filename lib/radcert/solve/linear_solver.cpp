@@ -16,6 +16,10 @@ const LinearSolver* find_linear_solver(std::string_view name) {
   return nullptr;
 }
 
+const LinearSolver& chosen(const LinearSolver& solver, bool contracts) {
+  return solver.choose ? *find_linear_solver(solver.choose(contracts)) : solver;
+}
+
 std::vector<std::string> solver_names(const std::function<bool(const LinearSolver&)>& condition) {
   std::vector<std::string> names;
   for (const LinearSolver& solver : linear_solvers())

@@ -45,15 +45,20 @@ struct LinearSolver {
   std::string name;
   /// Whether it stops at a tolerance, by an error bound; such a solver asks for a contraction.
   bool iterates = false;
+  /// Of a solver that leaves the choice open: the name of the one that it takes, from whether a contraction
+  /// was found: one that iterates where there is one, and another elsewhere, whose memory is planned then.
+  std::function<std::string_view(bool contracts)> choose = {};
   /// Adds its memory beside the matrix.
   std::function<void(MemoryPlan& plan, std::uint64_t unknowns)> plan = {};
   /// Solves a system of finite numbers, which only those that iterate take as an operator; a reason in words
-  /// where the system has no solution within bounds. None: the solver proves, and needs a matrix whose
-  /// entries are enclosed (verified_system).
+  /// where the system has no solution within bounds. None: the solver chooses another, or proves, and
+  /// needs a matrix whose entries are enclosed (verified_system).
   std::function<Outcome<LinearSolution>(const LinearSystem& system, std::optional<double> tolerance)> solve =
       {};
 
-  [[nodiscard]] bool proves() const { return !solve; }
+  [[nodiscard]] bool proves() const { return !solve && !choose; }
+  /// Whether it may take a system that is known by its products alone.
+  [[nodiscard]] bool takes_products() const { return iterates || choose; }
 };
 
 /// The solvers that radcert knows by name.
@@ -63,6 +68,9 @@ struct LinearSolver {
 
 /// The solver of that name, or null.
 [[nodiscard]] const LinearSolver* find_linear_solver(std::string_view name);
+
+/// The solver that is taken where `solver` was asked for: itself, or the one that it chooses.
+[[nodiscard]] const LinearSolver& chosen(const LinearSolver& solver, bool contracts);
 
 /// The names of the solvers that a condition holds for, in the order of the list.
 [[nodiscard]] std::vector<std::string> solver_names(

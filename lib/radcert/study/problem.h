@@ -60,7 +60,7 @@ struct InterpolatedGeometry {
 
 /// How the linear system of a level is solved, and how well.
 struct SolverChoice {
-  std::string name = "direct";  ///< of linear_solvers()
+  std::string name = "auto";  ///< of linear_solvers()
   /// Of a solver that iterates, relative to max |u_n|; absent: until rounding ends the descent
   std::optional<Rational> tolerance = std::nullopt;
 };
@@ -68,9 +68,11 @@ struct SolverChoice {
 /// How the collocation matrix is held.
 struct OperatorChoice {
   /// Of operator_names(): all its entries, couplings of clusters beside near entries, or what suits a level
-  std::string name = "dense";
+  std::string name = "auto";
   /// Of clusters: what couplings may leave out of a row, relative to the row of a closed surface
   Rational tolerance = Rational(1) / power(Rational(10), 12);
+
+  bool operator==(const OperatorChoice&) const = default;
 };
 
 /// How well the collocation integrals are taken.

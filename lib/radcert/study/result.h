@@ -43,6 +43,8 @@ struct LevelResult {
   /// changed. Proved with `verified`, an estimate else; absent: not known.
   std::optional<double> solution_radius = std::nullopt;
   Approximation norm_K;
+  std::string matrix_form = "dense";         ///< how the matrix was held: dense or h2, which `auto` chooses
+  std::string solver = {};                   ///< the one that was taken, which `auto` chooses
   std::optional<IterationReport> iteration;  ///< of `gmres` and `neumann`
   std::optional<VerifiedReport> verified;    ///< of `verified`
   std::uint64_t planned_bytes = 0;

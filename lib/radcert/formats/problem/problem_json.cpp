@@ -76,7 +76,7 @@ JsonValue problem_json(const Problem& problem) {
   if (problem.emission) out.set("emission", piecewise_json(*problem.emission));
   out.set("quadrature", quadrature_json(problem.quadrature));
   // As it was before there were others, so that what has been stored is still found.
-  if (problem.matrix.name != "dense") out.set("operator", operator_json(problem.matrix));
+  if (problem.matrix != OperatorChoice{}) out.set("operator", operator_json(problem.matrix));
   out.set("solver", solver_json(problem.solver));
   if (problem.guarantee) out.set("guarantee", guarantee_json(*problem.guarantee));
   return out;

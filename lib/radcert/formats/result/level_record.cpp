@@ -171,6 +171,8 @@ LevelResult read_level_result(const JsonReader& level) {
   out.node_order = number_or_null_at(level, "node_order");
   out.norm_K = read_approximation(level.at("norm_K", "a norm"));
   out.planned_bytes = level.at("planned_bytes", "a number").unsigned_whole("a number");
+  out.matrix_form = level.at("operator", "a name").string("a name");
+  out.solver = level.at("solver", "a name").string("a name");
   out.iteration = read_iteration(level.at("iteration", "a report or null"));
   out.verified = read_verified(level.at("verified", "a report or null"));
   out.solution_radius = number_or_null_at(level, "solution_radius");

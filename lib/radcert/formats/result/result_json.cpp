@@ -124,6 +124,8 @@ JsonValue level_json(const LevelResult& level) {
   out.set("piece_means", std::move(means));
   out.set("norm_K", approximation_json(level.norm_K));
   out.set("planned_bytes", level.planned_bytes);
+  out.set("operator", level.matrix_form);
+  out.set("solver", level.solver);
   out.set("iteration", iteration_json(level.iteration));
   out.set("verified", verified_json(level.verified, level.solution_radius));
   out.set("solution_radius", finite_or_null(level.solution_radius));

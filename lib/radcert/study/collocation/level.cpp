@@ -67,7 +67,7 @@ public:
   Level(const Problem& problem, int level)
       : problem_(problem),
         choice_(triangle_basis_of(problem.method)),
-        solver_(*find_linear_solver(problem.solver.name)),
+        solver_(find_linear_solver(problem.solver.name)),
         basis_(triangle_basis(choice_)),
         geometry_(problem, level, basis_),
         rho_(reflectivity_at_nodes(problem.reflectivity, surface_, nodes_)) {
@@ -180,7 +180,7 @@ private:
   }
 
   [[noreturn]] void refuse(const std::string& reason) const {
-    throw AccuracyNotReached("level " + std::to_string(outcome_.result.level) + ", solver " + solver_.name,
+    throw AccuracyNotReached("level " + std::to_string(outcome_.result.level) + ", solver " + solver_->name,
                              reason);
   }
 
@@ -219,17 +219,23 @@ private:
   void find_weights() {
     const Stopwatch watch;
     Outcome<Contraction, NoContraction> found = find_contraction(matrix(), matrix_.row_radius);
-    if (found)
-      contraction_ = std::move(found).value();
-    else if (solver_.iterates)
+    if (found) contraction_ = std::move(found).value();
+    solver_ = &chosen(*solver_, contraction_.has_value());
+    outcome_.result.solver = solver_->name;
+    if (!found && (solver_->iterates || clusters_))
       throw InputError({.pointer = "/solver/name",
-                        .value = solver_.name,
+                        .value = problem_.solver.name,
                         .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
                                    ": the collocation matrix, known within " +
                                    upper_text(largest(matrix_.row_radius)) + " a row, contracts by " +
                                    upper_text(found.reason().theta, DecimalForm::general(6)) +
                                    " at best, which is not below 1",
                         .allowed = clusters_ ? "direct, with the operator dense" : "direct"});
+    if (solver_->name != problem_.solver.name && !solver_->iterates) {
+      MemoryPlan more;
+      solver_->plan(more, nodes_.size());
+      more.require(available_memory());
+    }
     outcome_.timing.solve_seconds += watch.seconds();
   }
 
@@ -237,12 +243,12 @@ private:
     const Stopwatch watch;
     const std::optional<double> tolerance =
         problem_.solver.tolerance ? std::optional(problem_.solver.tolerance->to_double()) : std::nullopt;
-    Outcome<LinearSolution> found = solver_.solve({.k = matrix(),
-                                                   .row_radius = matrix_.row_radius,
-                                                   .e = emission_,
-                                                   .e_radius = emission_radius_,
-                                                   .contraction = contraction_ ? &*contraction_ : nullptr},
-                                                  tolerance);
+    Outcome<LinearSolution> found = solver_->solve({.k = matrix(),
+                                                    .row_radius = matrix_.row_radius,
+                                                    .e = emission_,
+                                                    .e_radius = emission_radius_,
+                                                    .contraction = contraction_ ? &*contraction_ : nullptr},
+                                                   tolerance);
     if (!found) refuse(found.reason());
     u_n_ = std::move(found->values);
     outcome_.result.iteration = found->iteration;
@@ -256,7 +262,7 @@ private:
   static constexpr double unit = unit_roundoff<double>();
   const Problem& problem_;
   const TriangleBasisChoice& choice_;
-  const LinearSolver& solver_;
+  const LinearSolver* solver_;  ///< the one asked for, until the one that is taken is known
   TriangleBasis<double> basis_;
   double largest_sum_ = sum_of_largest(basis_);
   LevelGeometry geometry_;

@@ -9,6 +9,7 @@
 #include "radcert/collocation/nodes.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/study/collocation/matrix_form.h"
 #include "radcert/triangulation/conforming_charts.h"
 #include "radcert/triangulation/interpolated_surface.h"
 
@@ -90,6 +91,8 @@ LevelResult level_header(const Problem& problem, int level, const LevelGeometry&
   header.elements = geometry.data().triangulation.triangles.size();
   header.unknowns = unknowns;
   header.mesh_size = geometry.mesh_size();
+  header.matrix_form = takes_clusters(problem, unknowns) ? "h2" : "dense";
+  header.solver = problem.solver.name;
   header.planned_bytes = level_plan(problem, header.elements).total();
   return header;
 }

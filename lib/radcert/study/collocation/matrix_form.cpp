@@ -29,10 +29,10 @@ std::optional<Obstacle> obstacle(const Problem& problem, const Surface& surface)
   if (const auto on_surface = obstacle_to_clusters(surface))
     return dense_for("the surface " + surface.name + ": " + *on_surface);
   const LinearSolver* solver = find_linear_solver(problem.solver.name);
-  if (solver != nullptr && !solver->iterates)
+  if (solver != nullptr && !solver->takes_products())
     return Obstacle{"has no entries for the solver " + problem.solver.name,
-                    "dense, or a solver that iterates: " +
-                        listed(solver_names([](const LinearSolver& each) { return each.iterates; }))};
+                    "dense, or a solver that needs none: " +
+                        listed(solver_names([](const LinearSolver& each) { return each.takes_products(); }))};
   return std::nullopt;
 }
 

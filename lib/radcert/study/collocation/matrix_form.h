@@ -19,7 +19,7 @@ inline constexpr std::uint64_t most_dense_unknowns = 8192;
 
 /// Refuses a form that is not known, and `h2` where it does not serve the problem: a method that is no
 /// collocation on triangles, an interpolated geometry, a graded triangulation, a surface with an
-/// obstacle_to_clusters, a solver that does not iterate, a tolerance outside that of ClusterTolerance.
+/// obstacle_to_clusters, a solver that needs entries, a tolerance outside that of ClusterTolerance.
 /// Result    returns, or throws InputError at the place in the problem
 void check_operator(const Problem& problem, const Surface& surface);
 

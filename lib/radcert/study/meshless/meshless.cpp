@@ -37,8 +37,9 @@ void check_choice(const Problem& problem, const Meshless& method) {
   if (problem.geometry)
     refuse_input("/geometry/interpolated", std::to_string(problem.geometry->degree),
                  "asks for interpolated elements, which a meshless basis has none of", "exact");
-  if (problem.solver.name != "direct" && problem.solver.name != "neumann")
-    refuse_input("/solver/name", problem.solver.name, "is not for meshless bases", "direct, neumann");
+  const std::string& solver = problem.solver.name;
+  if (solver != "auto" && solver != "direct" && solver != "neumann")
+    refuse_input("/solver/name", solver, "is not for meshless bases", "auto, direct, neumann");
   if (const auto* apart = std::get_if<PoissonDiskLevels>(&method.sites);
       apart != nullptr && apart->separation <= Rational(0))
     refuse_input("/basis/sites/poisson_disk", apart->separation.to_text(), "is not allowed", "a number > 0");
@@ -144,7 +145,7 @@ void check(const Problem& problem, const Meshless& method, const Surface& surfac
     const std::uint64_t sites = planned_sites(method.sites, level, area);
     return LevelSize{.count = sites,
                      .counted = "sites",
-                     .memory = meshless_plan(sites, method, problem.solver.name == "direct")};
+                     .memory = meshless_plan(sites, method, problem.solver.name != "neumann")};
   });
 }
 

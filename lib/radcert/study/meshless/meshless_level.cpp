@@ -87,7 +87,8 @@ public:
     result.level = level;
     result.elements = result.unknowns = sites.size();
     result.mesh_size = site_spacing(choice_.sites, level, surface_area(surface_));
-    result.planned_bytes = meshless_plan(sites.size(), choice_, problem.solver.name == "direct").total();
+    result.planned_bytes = meshless_plan(sites.size(), choice_, problem.solver.name != "neumann").total();
+    result.solver = problem.solver.name == "neumann" ? "neumann" : "direct";
   }
 
   MeshlessLevel(const MeshlessLevel&) = delete;
@@ -182,7 +183,7 @@ private:
     const std::vector<double> epsilon = system_ ? system_->solve(emission_) : emission_;
     double growth = 0;        // of errors of values at the sites
     double system_error = 0;  // of the coefficients
-    if (problem_.solver.name == "direct") {
+    if (outcome_.result.solver == "direct") {
       const DirectSolver solver(series.matrix());
       coefficients_ = solver.solve(epsilon);
       growth = solver.inverse_norm();
