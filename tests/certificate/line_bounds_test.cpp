@@ -113,8 +113,8 @@ std::size_t lonely_face(const Bench& bench, std::size_t otherwise) {
   return otherwise;
 }
 
-/// On ellipses that do not reach the face, where the integral is that over real points; from one small element
-/// alone, whose distance counts, and from whole faces.
+/// On ellipses that do not reach the face, where the integral is that over real points; from one small
+/// element alone, whose distance counts, and from whole faces.
 TEST(LineBounds, HoldAtComplexPoints) {
   double closest = 0;
   double closest_slid = 0;
