@@ -82,6 +82,45 @@ TEST(Check, TakesTheEmissionWhereNothingReflects) {
   EXPECT_LT(c.width, Rational::exactly(1e-12));
 }
 
+/// By hand: faces of the area a, S = 4 a, d = b = 1/4.
+TEST(Summed, IsWhatTheTheoremSays) {
+  const MeansCertificate c = test::furnace_certificate("tetrahedron", 0.25, 0.25, 1.2, 0.02);
+  double area = 0;
+  for (const Element& x : c.elements) area += test::element_area(c, x);
+  const double a = area / 4;
+  const double first = 1.2 * 0.125 * std::sqrt(area / 2);
+  const double dual = 0.625 * std::sqrt(area / 2);
+  for (std::size_t k = 0; k < c.pieces.size(); ++k) {
+    EXPECT_NEAR(c.sums.norms[0], first, 1e-12 * first);
+    EXPECT_NEAR(c.sums.norms[1 + k], dual, 1e-12 * dual);
+    EXPECT_NEAR(c.sums.products[k], 0.125 * a, 1e-12 * a);
+    EXPECT_NEAR(c.sums.radii[k], 0.02 * area, 1e-12 * area);
+    EXPECT_NEAR(c.means[k].midpoint.to_double(), 1, 1e-12);
+    const double radius = (0.02 * area + 2 * first * dual) / a;
+    EXPECT_NEAR(c.means[k].radius.to_double(), radius, 1e-6 * radius);
+    EXPECT_GE(c.means[k].radius.to_double(), radius * (1 - 1e-12));
+  }
+}
+
+/// The residual of u = 1 - d in a furnace is d/2 on every face: claims hold just above that, and not below.
+TEST(Check, IsSharpWhereResidualsAreKnown) {
+  for (const std::string name : {"tetrahedron", "cube"}) {
+    const Part part{.elements = 6, .seed = "sharp"};
+    const Report above = check(test::furnace_certificate(name, 0.25, 0.25, 1.02, 1e-3), part);
+    EXPECT_FALSE(above.refusal) << name << " " << text_of(above);
+    EXPECT_TRUE(check(test::furnace_certificate(name, 0.25, 0.25, 0.999, 1e-3), part).refusal) << name;
+    MeansCertificate shifted = test::furnace_certificate(name, 0.25, 0.25, 1.02, 1e-3);
+    const std::size_t e = chosen_elements(shifted.elements.size(), part)[3];
+    shifted.claims[e].products[1] += 1.05 * shifted.claims[e].radii[1];
+    shifted.sums.radii[1] *= 1.05;
+    shifted.means[1].radius *= Rational(2);
+    shifted.width *= Rational(2);
+    const Report report = check(shifted, part);
+    ASSERT_TRUE(report.refusal) << name;
+    EXPECT_EQ(report.refusal->pointer, "/claims/" + std::to_string(e) + "/products/1");
+  }
+}
+
 /// A change of one number, after which something that the certificate says is false, or not what follows.
 std::string change(MeansCertificate& c, Draw& draw) {
   const auto sign = [&] { return draw() < 0.5 ? -1.0 : 1.0; };
@@ -92,7 +131,7 @@ std::string change(MeansCertificate& c, Draw& draw) {
   switch (draw.below(14)) {
     case 0: {
       double& x = c.coefficients[draw.below(c.coefficients.size())];
-      x += sign();
+      x += sign() * 0.5;
       return "coefficient" + at;
     }
     case 1: {
@@ -100,9 +139,14 @@ std::string change(MeansCertificate& c, Draw& draw) {
       (draw() < 0.5 ? corner.x : corner.z) += Rational(1, 1 + static_cast<long>(draw.below(1000)));
       return "corner" + at;
     }
-    case 2: c.claims[e].norms[draw.below(c.functions())] *= draw() < 0.5 ? 1e-4 : 1.01; return "norm" + at;
+    case 2: {
+      // A residual of 0 is never claimed; half of the first one is less than there is.
+      const std::size_t function = draw.below(c.functions());
+      c.claims[e].norms[function] *= draw() < 0.5 ? 1.01 : function == 0 ? 0.5 : 0;
+      return "norm" + at;
+    }
     case 3: c.claims[e].products[k] += sign() * 3 * c.claims[e].radii[k]; return "product" + at;
-    case 4: c.claims[e].radii[k] *= draw() < 0.5 ? 1e-4 : 1.5; return "radius" + at;
+    case 4: c.claims[e].radii[k] *= draw() < 0.5 ? 0 : 1.5; return "radius" + at;
     case 5: c.sums.norms[draw.below(c.functions())] *= draw() < 0.5 ? 0.999 : 1.2; return "sum of norms" + at;
     case 6: c.sums.products[k] += sign() * 0.01 * c.sums.radii[k]; return "sum of products" + at;
     case 7: c.sums.radii[k] *= draw() < 0.5 ? 0.999 : 1.01; return "sum of radii" + at;
@@ -121,9 +165,11 @@ std::string change(MeansCertificate& c, Draw& draw) {
 TEST(Check, RefusesAnyNumberChanged) {
   const char* const asked = std::getenv("RADCERT_LAWS");
   const int changes = 100 * (asked == nullptr ? 1 : std::max(1, std::atoi(asked)));
+  const MeansCertificate whole = test::furnace_certificate("tetrahedron", 0.25, 0.25, 1.2, 0.02);
+  ASSERT_FALSE(check(whole, {.elements = all, .seed = {}}).refusal);
   Draw draw(31);
   for (int n = 0; n < changes; ++n) {
-    MeansCertificate c = small();
+    MeansCertificate c = whole;
     const std::string what = change(c, draw);
     const Report report = check(c, {.elements = all, .seed = {}});
     EXPECT_TRUE(report.refusal) << what;
@@ -140,7 +186,7 @@ TEST(Check, LooksAtTheSameElementsForTheSameSeed) {
 }
 
 TEST(Check, SaysTheSameForAnyNumberOfThreads) {
-  MeansCertificate c = small();
+  MeansCertificate c = test::furnace_certificate("tetrahedron", 0.25, 0.25, 1.2, 0.02);
   for (const std::size_t e : {std::size_t{5}, std::size_t{20}, std::size_t{50}}) c.claims[e].norms[0] *= 1e-3;
   const Report many = check(c, {.elements = all, .seed = {}});
   const ThreadLimit limit(1);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "radcert/certificate/check.h"
 #include "radcert/certificate/means_certificate.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/continuous/polyhedron_problem.h"
@@ -61,6 +65,44 @@ inline certificate::MeansCertificate bare_certificate(const std::string& surface
           out.coefficients.push_back((draw() - 0.25) /
                                      static_cast<double>(1U << static_cast<unsigned>(2 * (i + j))));
   return out;
+}
+
+/// The area of an element.
+inline double element_area(const certificate::MeansCertificate& c, const certificate::Element& x) {
+  const std::vector<Vector<Rational>>& p = c.faces[x.face].corners;
+  Vector<Rational> sum;
+  for (const Vector<Rational>& corner : p) sum = sum + corner;
+  const Vector<Rational> inward = Rational(1, static_cast<long>(p.size())) * sum - p[x.side];
+  const Vector<Rational> turned = cross(p[(x.side + 1) % p.size()] - p[x.side], inward);
+  const double jacobian = std::sqrt(dot(turned, turned).to_double());
+  return jacobian * (x.s1 - x.s0) * (x.t1 - x.t0) * (1 - 0.5 * (x.t0 + x.t1));
+}
+
+/// A certificate of u = 1 in a furnace, whose functions and residuals are known exactly.
+/// Maths     rho = E = 1/2, q_0 = 1 - d: w_0 = 1 - d/2 and t_0 = d/2 by T 1 = 1. q_k = b: w_k = (1 on piece
+///           k, else 0, + b)/2, |t_k| <= (1 + b)/2. Claims on an element X: norms slack d/2 (|X|/2)^(1/2)
+///           and (1 + b)/2 (|X|/2)^(1/2); Int w_k t_0 = w_k |X| d/2, within room |X|
+inline certificate::MeansCertificate furnace_certificate(const std::string& surface, double d, double b,
+                                                         double slack, double room) {
+  certificate::MeansCertificate c = bare_certificate(surface, 2, 0, 1);
+  for (certificate::Face& face : c.faces) face.emission = {{Rational(1, 2)}};
+  for (std::size_t i = 0; i < c.coefficients.size(); ++i)
+    c.coefficients[i] = i < c.elements.size() ? 1 - d : b;
+  for (const certificate::Element& x : c.elements) {
+    const double area = element_area(c, x);
+    certificate::Claim claim{.norms = std::vector<double>(c.functions(), 0.5 * (1 + b) * std::sqrt(area / 2)),
+                             .products = {},
+                             .radii = std::vector<double>(c.pieces.size(), room * area)};
+    claim.norms[0] = slack * 0.5 * d * std::sqrt(area / 2);
+    for (std::size_t k = 0; k < c.pieces.size(); ++k)
+      claim.products.push_back(0.5 * ((c.faces[x.face].piece == k ? 1 : 0) + b) * area * 0.5 * d);
+    c.claims.push_back(std::move(claim));
+  }
+  certificate::Summed found = certificate::summed(c);
+  c.sums = std::move(found.sums);
+  c.means = std::move(found.means);
+  for (const certificate::Enclosure& mean : c.means) c.width = std::max(c.width, Rational(2) * mean.radius);
+  return c;
 }
 
 }  // namespace radcert::test

@@ -121,6 +121,15 @@ Allowance allowance_of(const MeansCertificate& c, const Densities& densities, st
   return out;
 }
 
+/// Whether something is claimed to be exactly 0 that no rounded computation could prove.
+std::optional<Refusal> zero_fault(const MeansCertificate& c, const Scene& scene, const Densities& densities,
+                                  std::size_t element) {
+  if (c.faces[c.elements[element].face].reflectivity.sign() == 0) return std::nullopt;
+  const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), 1);
+  if (allowance.norm > 0 && allowance.product > 0) return std::nullopt;
+  return Refusal{place("/claims", element), "claims that something is exactly 0"};
+}
+
 std::optional<Refusal> element_fault(const MeansCertificate& c, const Scene& scene,
                                      const Densities& densities, const ElementCheck& elements,
                                      std::size_t element) {
@@ -135,8 +144,6 @@ std::optional<Refusal> element_fault(const MeansCertificate& c, const Scene& sce
   // The second time the claim is not to be refused for what rules leave.
   for (const double part : {1.0, 0.1}) {
     const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), part);
-    if (!(allowance.norm > 0 && allowance.product > 0))
-      return Refusal{place("/claims", element), "claims that something is exactly 0"};
     const ResidualBounds proved = elements.bounds(element, allowance);
     fault = claim_fault(c, element, proved, scene.exponent(), densities.exponent());
     if (!fault) return fault;
@@ -207,6 +214,8 @@ Report check(const MeansCertificate& c, const Part& part, const CheckListener& p
   report.looked_at = chosen_elements(c.elements.size(), part);
   const Scene scene(c);
   const Densities densities(c);
+  for (const std::size_t element : report.looked_at)
+    if (report.refusal = zero_fault(c, scene, densities, element); report.refusal) return report;
   const LineBounds lines(c, scene, densities);
   const BallTransport transport(c, scene, densities, lines);
   const ElementCheck elements(c, scene, densities, lines, transport);
