@@ -347,9 +347,8 @@ std::vector<double> unit_areas(const FacetScene& scene, const FactorUnits& units
 
 /// The points of a row when it will be done: the standard error of these integrands, which jump in four
 /// dimensions, falls as the points to the -5/8.
-constexpr double usual_rate = 5.0 / 8;
-double final_points(std::uint64_t points, double radius, const RayDemand& demand, double rate = usual_rate) {
-  const double power = 1 / rate;
+double final_points(std::uint64_t points, double radius, const RayDemand& demand) {
+  constexpr double power = 8.0 / 5;
   const double more = std::max(1.0, std::pow(radius / demand.accuracy, power));
   const double steps = std::ceil(std::log(more) / std::log(growth));
   return std::min(static_cast<double>(demand.most_points),
@@ -395,34 +394,17 @@ FactorPlan ray_plan(const FacetScene& scene, const FactorUnits& units, const Ray
   const std::uint64_t m = units.names.size();
   plan.memory.add("hits", m * m, (replicates + 1) * sizeof(std::uint64_t));
   plan.memory.add("factors", m * m, sizeof(ConfigurationFactor) + 64);
-  // Two rounds: how fast the radii fall differs from scene to scene.
-  constexpr std::uint64_t second_points = 4 * first_points;
+  constexpr std::uint64_t points_of_plan = 4 * first_points;
   RayCounts counts(scene, units);
-  const std::vector<double> areas = unit_areas(scene, units);
-  const auto radii = [&] {
-    std::vector<double> out;
-    for (std::size_t i = 0; i < counts.size(); ++i)
-      out.push_back(largest_radius({counts, areas, i}, counts.size()));
-    return out;
-  };
   const auto start = Clock::now();
-  for (std::size_t i = 0; i < counts.size(); ++i) counts.extend(i, first_points);
-  const std::vector<double> first = radii();
-  for (std::size_t i = 0; i < counts.size(); ++i) counts.extend(i, second_points);
+  for (std::size_t i = 0; i < counts.size(); ++i) counts.extend(i, points_of_plan);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  const std::vector<double> second = radii();
-  double rate = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    rate += std::log(first[i] / second[i]) / std::log(4.0) / static_cast<double>(counts.size());
-  constexpr double slowest = 0.5;  // that of independent points
-  constexpr double fastest = 0.9;
-  rate = std::clamp(rate, slowest, fastest);
+  const std::vector<double> areas = unit_areas(scene, units);
   double points = 0;
   for (std::size_t i = 0; i < counts.size(); ++i)
-    points += first[i] <= demand.accuracy ? static_cast<double>(first_points)
-                                          : final_points(second_points, second[i], demand, rate);
+    points += final_points(points_of_plan, largest_radius({counts, areas, i}, counts.size()), demand);
   plan.pairs = static_cast<std::uint64_t>(points) * replicates;
-  plan.seconds = seconds * points / static_cast<double>(second_points * m);
+  plan.seconds = seconds * points / static_cast<double>(points_of_plan * m);
   return plan;
 }
 
