@@ -39,9 +39,9 @@ std::set<std::size_t> radii_of(const std::vector<std::string>& head) {
 
 std::string factors_table(const FactorReport& report) {
   const FactorMatrix& matrix = report.matrix;
-  std::string out = fmt::format("{}: {} triangles, {} surfaces by {}\n", report.name, report.triangles,
-                                report.names.size(), report.by);
-  if (report.front) out += "front of a triangle: " + *report.front + "\n";
+  std::string out =
+      fmt::format("{}: {} triangles, {} surfaces by {}{}\n", report.name, report.triangles,
+                  report.names.size(), report.by, report.front ? ", front " + *report.front : std::string());
   std::vector<std::vector<std::string>> rows{
       {"surface", report.unit ? "area (" + *report.unit + "^2)" : "area", "+-", "row sum", "+-"}};
   if (report.open) rows.front().insert(rows.front().end(), {"to space", "+-"});

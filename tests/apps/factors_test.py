@@ -295,6 +295,42 @@ class Factors(ProgramTest):
         self.expect(2, *words, "--rays", "--certified")
         self.expect(2, *words, "--rays", "--accuracy", "1e-8")
 
+    def obj(self, name, groups):
+        """A mesh with these groups of quadrangles; equal points are one vertex."""
+        numbers = {}
+        faces = []
+        for group, quadrangles in groups.items():
+            faces.append(f"g {group}")
+            faces += ["f " + " ".join(str(numbers.setdefault(corner, len(numbers) + 1)) for corner in face)
+                      for face in quadrangles]
+        lines = ["v " + " ".join(repr(x) for x in corner) for corner in numbers] + faces
+        return self.write(name, "\n".join(lines) + "\n")
+
+    def test_plates_have_two_sides_where_that_is_asked_for(self):
+        # A plate in the middle of a room: both sides see the room alone, and the room sees what they leave.
+        plate = [(0.25, 0.25, 0.5), (0.75, 0.25, 0.5), (0.75, 0.75, 0.5), (0.25, 0.75, 0.5)]
+        self.obj("room.obj", {"room": box(*UNIT, inwards=True), "plate": [plate]})
+        for more in (["--accuracy", "1e-5"], ["--rays", "--accuracy", "5e-3"]):
+            self.expect(0, "factors", "room.obj", "--front", "right-hand", "--two-sided", "plate", "--by", "group",
+                        "--out", "room.csv", *more)
+            factors = {(row["from"], row["to"]): float(row["factor"]) for row in self.rows("room.csv")}
+            delta = 5e-3 if "--rays" in more else 2e-5
+            for side in ("plate", "plate back"):
+                self.assertAlmostEqual(factors[side, "room"], 1, delta=delta)
+                self.assertAlmostEqual(factors["room", side], 0.25 / 6, delta=delta)
+            self.assertAlmostEqual(factors["room", "room"], 1 - 0.5 / 6, delta=delta)
+            self.assertNotIn(("plate", "plate back"), factors)
+        # Between two squares it hides what it did before, and its back sees what lies behind it.
+        self.obj("open.obj", {"low": OBSTRUCTED[:1], "high": OBSTRUCTED[1:2], "plate": OBSTRUCTED[2:]})
+        self.expect(0, "factors", "open.obj", "--space", "--two-sided", "plate", "--by", "group", "--out", "open.csv")
+        factors = {(row["from"], row["to"]): float(row["factor"]) for row in self.rows("open.csv")}
+        self.assertAlmostEqual(factors["low", "high"], OBSTRUCTION, delta=1e-5)
+        self.assertAlmostEqual(factors["plate", "low"], factors["plate back", "high"], delta=1e-12)
+        self.assertNotIn(("plate", "high"), factors)
+        self.assertNotIn(("plate back", "low"), factors)
+        for words in (["--two-sided", "wall"], ["--two-sided", "plate", "--certified"]):
+            self.expect(2, "factors", "open.obj", "--space", *words)
+
     def test_groups_are_rows(self):
         corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
         numbers = {tuple(map(float, corner)): k + 1 for k, corner in enumerate(corners)}

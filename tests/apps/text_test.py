@@ -149,7 +149,7 @@ class Text(ProgramTest):
         lines = text.splitlines()
         start = next(i for i, line in enumerate(lines) if line.startswith("compared"))
         head = cells(lines[start + 1])
-        self.assertEqual(head, ["from", "to", "ours", "+-", "theirs", "+-", "apart at most", "verdict"])
+        self.assertEqual(head, ["from", "to", "ours", "+-", "theirs", "+-", "apart at most", "verdict", "cause"])
         for line, pair in zip(lines[start + 2:], report["comparison"]["worst"]):
             row = cells(line)
             self.pair(head, row, "ours", {"value": pair["ours"], "radius": pair["radius"]})

@@ -137,7 +137,7 @@ TEST(ParseExpression, SaysWhereAndWhatWasExpected) {
       {"1+*2", 3, "expected a number"},
       {"1^", 3, "expected a number"},
       {"x^+2", 3, "expected a number"},
-      {"x**2", 3, "expected a number"},
+      {"x**2", 2, "a power is written with ^"},
       {"1 - foo", 5, "unknown name \"foo\"; known: x, y, z, pi, sqrt"},
       {"sinx", 1, "unknown name"},
       {"Sin(x)", 1, "unknown name"},

@@ -49,6 +49,7 @@ struct FactorsOptions {
   std::string differences;
   std::vector<std::string> repair;
   std::string front = "auto";
+  std::vector<std::string> two_sided;
   std::string unit;
   bool certified = false;
   bool rays = false;
@@ -121,8 +122,8 @@ NamedMesh mesh_of_file(const FactorsOptions& options) {
   if (!options.level.empty())
     throw InputError(
         {.source = "--level", .problem = "is for surfaces of the catalogue", .allowed = "no mesh file"});
-  const MeshSurvey survey =
-      survey_mesh(options.name, default_sharp_degrees, repair_of(options.repair), front_of(options.front));
+  const MeshSurvey survey = survey_mesh(options.name, default_sharp_degrees, repair_of(options.repair),
+                                        front_of(options.front), options.two_sided);
   if (!survey.defects.degenerate_triangles.empty()) {
     const auto corners = survey.mesh.corners(survey.defects.degenerate_triangles.front());
     throw InputError({.source = options.name,
@@ -130,7 +131,13 @@ NamedMesh mesh_of_file(const FactorsOptions& options) {
                                  ", " + point_text(corners[1]) + ", " + point_text(corners[2]),
                       .allowed = "triangles with an area"});
   }
-  require_scene(options.name, survey.mesh);
+  if (options.two_sided.empty()) {
+    require_scene(options.name, survey.mesh);
+  } else {
+    // The backs are doubled triangles, which are no fault.
+    require_scene(options.name,
+                  survey_mesh(options.name, default_sharp_degrees, repair_of(options.repair)).mesh);
+  }
   if (survey.front.undecided && survey.topology.disagreeing_edges.empty())
     throw InputError(
         {.source = options.name,
@@ -145,7 +152,8 @@ NamedMesh mesh_of_file(const FactorsOptions& options) {
   const bool right = survey.front.orientation == Orientation::along_the_cross_product;
   const std::string front = right ? "right-hand" : "left-hand";
   return {.mesh = factor_mesh(survey),
-          .identity = survey.digest + " repair " + listed(options.repair) + " front " + front,
+          .identity = survey.digest + " repair " + listed(options.repair) + " front " + front +
+                      " two-sided " + listed(options.two_sided),
           .mended = survey.mended,
           .front = front,
           .in_the_open = !survey.front.encloses};
@@ -155,6 +163,10 @@ NamedMesh mesh_of_catalogue(const FactorsOptions& options) {
   if (!options.repair.empty())
     throw InputError(
         {.source = "--repair", .problem = "is for meshes", .allowed = "a file in " + mesh_file_endings()});
+  if (!options.two_sided.empty())
+    throw InputError({.source = "--two-sided",
+                      .problem = "is for groups of a mesh",
+                      .allowed = "a file in " + mesh_file_endings()});
   if (options.front != "auto")
     throw InputError(
         {.source = "--front", .problem = "is for meshes", .allowed = "a file in " + mesh_file_endings()});
@@ -357,6 +369,9 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   const FactorUnit by = unit_of(options.by);
   const std::optional<std::string> unit = unit_of_lengths(options.unit);
   FactorDemand demand{.certified = options.certified, .accuracy = accuracy_of(options)};
+  if (!options.two_sided.empty() && options.certified)
+    throw InputError(
+        {.source = "--two-sided", .problem = "is not served with --certified", .allowed = "estimated radii"});
   if (options.rays && options.certified)
     throw InputError({.source = "--rays", .problem = "proves nothing", .allowed = "without --certified"});
 
@@ -472,6 +487,11 @@ void add_factors(Program& program) {
                "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, "
                "holes; without it nothing is mended",
                "WHAT,...");
+  command.list(
+      "--two-sided", options->two_sided,
+      "Groups of a mesh that are plates without thickness: light leaves their backs too, as rows of \"NAME "
+      "back\"",
+      "GROUP,...");
   command.option("--unit", options->unit, unit_help, "UNIT");
   command.option("--front", options->front, front_help, "WHICH");
   command.option(

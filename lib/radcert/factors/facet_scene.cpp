@@ -305,6 +305,11 @@ void FacetScene::find_occluders() {
   const PlaneClasses classes = plane_classes(scene_.mesh());
   std::vector<std::vector<std::size_t>> members(classes.count());
   for (std::size_t t = 0; t < facet_count(); ++t) members[classes.of_triangle[t]].push_back(t);
+  std::set<Loop> shapes;
+  const auto sorted = [](Loop loop) {
+    std::sort(loop.begin(), loop.end());
+    return loop;
+  };
   for (const std::vector<std::size_t>& triangles : members) {
     const std::array<Point, 3> plane = scene_.corners(triangles.front());
     if (sides(plane, scene_.mesh().vertices) != 3U) continue;
@@ -319,6 +324,8 @@ void FacetScene::find_occluders() {
     for (std::size_t i = 0; i < triangles.size(); ++i)
       for (std::size_t k = 0; k < 3; ++k) owner[{parts[i][k], parts[i][(k + 1) % 3]}] = triangles[i];
     for (const Loop& loop : convex_parts(joiner, parts)) {
+      // Both sides of a plate are one occluder.
+      if (!shapes.insert(sorted(loop)).second) continue;
       occluders_.push_back({.corners = joiner.corners(loop), .plane = scene_.plane(triangles.front())});
       // One of the occluder's own: several bodies may have faces in one plane.
       occluder_triangle_.push_back(owner.at({loop[0], loop[1]}));
@@ -346,9 +353,12 @@ void FacetScene::find_solids() {
   for (std::size_t t = 0; t < facet_count(); ++t) members[topology.component[t]].push_back(t);
   for (std::size_t c = 0; c < topology.component_count; ++c) {
     if (!is_convex[c]) continue;
-    // Looking outwards with nothing of itself in front: a convex body seen from outside. Exact, and quadratic
-    // only in planes.
+    // Looking outwards with nothing of itself in front: a convex body seen from outside, unless it is a plate
+    // with both of its sides. Exact, and quadratic only in planes.
     std::set<std::size_t> seen;
+    const std::size_t plane = scene_.plane(members[c].front());
+    is_convex[c] = std::any_of(members[c].begin(), members[c].end(),
+                               [&](std::size_t t) { return scene_.plane(t) != plane; });
     for (const std::size_t t : members[c]) {
       if (!is_convex[c] || !seen.insert(oriented.of_triangle[t]).second) continue;
       for (const std::size_t other : members[c])

@@ -62,6 +62,7 @@ public:
     // Zero in a step makes infinities, which the comparisons below take as they should; 0 * infinity is no
     // number, and std::min and std::max then keep their first argument.
     const Point inverse{1 / ray.step.x, 1 / ray.step.y, 1 / ray.step.z};
+    const std::size_t plane = scene_.scene().plane(ray.triangle);
     double nearest = nowhere;
     std::optional<Hit> hit;
     tree_.search(
@@ -75,7 +76,8 @@ public:
           return from <= to ? -from : -nowhere;
         },
         [&](std::size_t t) {
-          if (t != ray.triangle) meet(t, ray, nearest, hit);
+          // What lies in the plane from which the ray starts is not met, nor is the other side of a plate.
+          if (scene_.scene().plane(t) != plane) meet(t, ray, nearest, hit);
           return -nearest;
         });
     return hit;
@@ -108,9 +110,13 @@ private:
     const double along = dot(normal, ray.step);
     if (along == 0) return;
     const double distance = dot(normal, a) / along;
-    if (!(distance > 0) || distance >= nearest) return;
+    const bool front = along < 0;
+    // Both sides of a plate are met at once: the one that looks at the ray counts.
+    constexpr double roundings = 0x1p-40;
+    const bool together = hit && std::abs(distance - nearest) <= roundings * nearest;
+    if (!(distance > 0) || (together ? hit->front || !front : distance >= nearest)) return;
     nearest = distance;
-    hit = Hit{t, along < 0};
+    hit = Hit{t, front};
   }
 
   const FacetScene& scene_;
@@ -388,16 +394,17 @@ FactorPlan ray_plan(const FacetScene& scene, const FactorUnits& units, const Ray
   const std::uint64_t m = units.names.size();
   plan.memory.add("hits", m * m, (replicates + 1) * sizeof(std::uint64_t));
   plan.memory.add("factors", m * m, sizeof(ConfigurationFactor) + 64);
+  constexpr std::uint64_t points_of_plan = 4 * first_points;
   RayCounts counts(scene, units);
   const auto start = Clock::now();
-  for (std::size_t i = 0; i < counts.size(); ++i) counts.extend(i, first_points);
+  for (std::size_t i = 0; i < counts.size(); ++i) counts.extend(i, points_of_plan);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const std::vector<double> areas = unit_areas(scene, units);
   double points = 0;
   for (std::size_t i = 0; i < counts.size(); ++i)
-    points += final_points(first_points, largest_radius({counts, areas, i}, counts.size()), demand);
+    points += final_points(points_of_plan, largest_radius({counts, areas, i}, counts.size()), demand);
   plan.pairs = static_cast<std::uint64_t>(points) * replicates;
-  plan.seconds = seconds * points / static_cast<double>(first_points * m);
+  plan.seconds = seconds * points / static_cast<double>(points_of_plan * m);
   return plan;
 }
 

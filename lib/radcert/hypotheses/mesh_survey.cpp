@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/hypotheses/mesh_survey.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "radcert/core/contract.h"
@@ -24,6 +25,27 @@ void require_orientable(const TriangleMesh& mesh, const MeshTopology& topology) 
                         "closes a way around the surface that comes back with its sides exchanged: the "
                         "surface is not orientable and has no inner normals",
                     .allowed = "orientable surfaces"});
+}
+
+/// The backs of these groups as triangles of their own.
+void add_backs(TriangleMesh& mesh, const std::vector<std::string>& two_sided) {
+  for (const std::string& name : two_sided) {
+    const auto found = std::find(mesh.group_names.begin(), mesh.group_names.end(), name);
+    if (found == mesh.group_names.end() || name.empty())
+      throw InputError(
+          {.value = name, .problem = "is no group of this mesh", .allowed = listed(mesh.group_names)});
+    const auto group = static_cast<std::size_t>(found - mesh.group_names.begin());
+    const std::size_t back = mesh.group_names.size();
+    mesh.group_names.push_back(name + " back");
+    const std::size_t count = mesh.triangles.size();
+    for (std::size_t t = 0; t < count; ++t) {
+      if (mesh.group[t] != group) continue;
+      const VertexTriple front = mesh.triangles[t];
+      mesh.triangles.push_back({front[0], front[2], front[1]});
+      mesh.group.push_back(back);
+      mesh.face.push_back(mesh.face[t]);
+    }
+  }
 }
 
 bool agrees(const MeshTopology& topology) {
@@ -87,7 +109,8 @@ Surface MeshSurvey::surface(const std::string& name) const {
                        .unoccluded = containment.verdict == Containment::certified});
 }
 
-MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& repair, FrontRule rule) {
+MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& repair, FrontRule rule,
+                       const std::vector<std::string>& two_sided) {
   MeshSurvey survey;
   survey.format = file.format;
   survey.precision = file.precision;
@@ -105,9 +128,10 @@ MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& r
   survey.mended.insert(survey.mended.end(), mended.done.begin(), mended.done.end());
   if (survey.mesh.triangles.empty())
     throw InputError({.problem = "has no triangle that is not degenerate", .allowed = "a mesh with faces"});
+  survey.defects = mesh_defects(survey.mesh);
+  add_backs(survey.mesh, two_sided);
   survey.topology = mesh_topology(survey.mesh);
   require_orientable(survey.mesh, survey.topology);
-  survey.defects = mesh_defects(survey.mesh);
   survey.quality = mesh_quality(survey.mesh);
   if (!survey.defects.degenerate_triangles.empty()) {
     survey.containment.reason = "degenerate triangles have no normals";
@@ -122,9 +146,9 @@ MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& r
 }
 
 MeshSurvey survey_mesh(const std::filesystem::path& path, double degrees, const MeshRepair& repair,
-                       FrontRule rule) {
+                       FrontRule rule, const std::vector<std::string>& two_sided) {
   const MeshFile file = read_mesh_file(path);
-  return with_source(path.string(), [&] { return survey_mesh(file, degrees, repair, rule); });
+  return with_source(path.string(), [&] { return survey_mesh(file, degrees, repair, rule, two_sided); });
 }
 
 }  // namespace radcert

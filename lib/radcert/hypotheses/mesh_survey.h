@@ -59,14 +59,18 @@ inline constexpr double default_sharp_degrees = 30;
 /// Reads a mesh file and decides everything about it.
 /// Maths     see MeshSurvey
 /// Requires  0 <= degrees <= 180
-/// Result    rule: see mesh_front. InputError, with the file, for what read_mesh_file refuses, for a face
-///           that is not plane unless repair.triangulate cuts it, for a surface that is not orientable, and
-///           for a mesh of which mending leaves nothing
+/// Result    rule: see mesh_front. two_sided: groups whose triangles have a second front, on their back:
+///           there a triangle that runs the other way is added, of the group "NAME back"; defects are those
+///           without these. InputError, with the file, for what read_mesh_file refuses, for a face that is
+///           not plane unless repair.triangulate cuts it, for a surface that is not orientable, and for a
+///           mesh of which mending leaves nothing
 [[nodiscard]] MeshSurvey survey_mesh(const std::filesystem::path& path, double degrees,
-                                     const MeshRepair& repair, FrontRule rule = FrontRule::automatic);
+                                     const MeshRepair& repair, FrontRule rule = FrontRule::automatic,
+                                     const std::vector<std::string>& two_sided = {});
 
 /// The same for a file that was read.
 [[nodiscard]] MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& repair,
-                                     FrontRule rule = FrontRule::automatic);
+                                     FrontRule rule = FrontRule::automatic,
+                                     const std::vector<std::string>& two_sided = {});
 
 }  // namespace radcert
