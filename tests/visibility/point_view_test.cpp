@@ -289,6 +289,18 @@ TEST(PointView, CutsByTheHorizon) {
   EXPECT_EQ(seen, Rational(3));  // one face and four halves, a face having the area 1 in its parameters
 }
 
+TEST(PointView, IsHiddenByWhatReachesInByAHair) {
+  // A triangle that stands before the source's side x = 0 from the left, and reaches across it by `hair`.
+  for (const double hair : {0x1p-52, 0x1p-50, -0x1p-52, 0.0}) {
+    TriangleMesh mesh;
+    mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0.5}, {hair, 0.25, 0.5}, {-1, 0.5, 0.5}};
+    mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+    const Scene scene(std::move(mesh));
+    const Viewpoint from{{0, 0.25, 1}, {0, 0, -1}, std::nullopt};
+    EXPECT_EQ(visible_region(scene, from, 0).sight, hair > 0 ? Sight::part : Sight::whole) << hair;
+  }
+}
+
 TEST(PointView, IsNotCutByTheHorizonOfItsOwnPlane) {
   // Rounding puts P above or below the floor: the walls stay whole either way.
   const Scene room = sample::cube_room();
