@@ -139,6 +139,17 @@ TEST(Certify, EnclosesTheSameNodesFromAFarStart) {
       EXPECT_TRUE(overlaps(proof->rule.points[j].x[i], widened(Ball(sharp[j].x[i]), Ball(ten_to_minus(60)))));
 }
 
+TEST(Certify, RefusesABoxInWhichTheZeroIsNot) {
+  for (const int degree : {1, 2}) {
+    SymmetricNodes rough = symmetric_nodes(degree);
+    for (SymmetricOrbit& orbit : rough.orbits)
+      if (orbit.size == 3 && !orbit.is_held) orbit.a += ten_to_minus(20);
+    EXPECT_TRUE(certify(rough, ten_to_minus(18))) << degree;
+    EXPECT_FALSE(certify(rough, ten_to_minus(21))) << degree;
+    EXPECT_FALSE(certify(rough, ten_to_minus(22))) << degree;
+  }
+}
+
 TEST(SymmetricNodes, RefuseWhatIsOutOfRange) {
   EXPECT_THROW(static_cast<void>(symmetric_nodes(0)), ContractViolation);
   EXPECT_THROW(static_cast<void>(symmetric_nodes(7)), ContractViolation);

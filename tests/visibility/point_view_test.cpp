@@ -289,6 +289,28 @@ TEST(PointView, CutsByTheHorizon) {
   EXPECT_EQ(seen, Rational(3));  // one face and four halves, a face having the area 1 in its parameters
 }
 
+TEST(PointView, IsHiddenByWhatReachesInByAHair) {
+  // Triangles that stand before the source's side x = 0 from the left, and reach across it by `hair`; others far
+  // to the right, so that those are in boxes of their own.
+  for (const double hair : {0x1p-52, 0x1p-50, -0x1p-52, 0.0}) {
+    TriangleMesh mesh;
+    const auto add = [&mesh](const Vector<double>& a, const Vector<double>& b, const Vector<double>& c) {
+      const std::size_t first = mesh.vertices.size();
+      mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
+      mesh.triangles.push_back({first, first + 1, first + 2});
+    };
+    add({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    for (int k = 0; k < 32; ++k) {
+      const double z = 0.3 + 0.01 * k;
+      add({-1, 0, z}, {hair, 0.25, z}, {-1, 0.5, z});
+      add({5.0 + k, 0, 0}, {5.5 + k, 0, 0}, {5.0 + k, 1, 0});
+    }
+    const Scene scene(std::move(mesh));
+    const Viewpoint from{{0, 0.25, 1}, {0, 0, -1}, std::nullopt};
+    EXPECT_EQ(visible_region(scene, from, 0).sight, hair > 0 ? Sight::part : Sight::whole) << hair;
+  }
+}
+
 TEST(PointView, IsNotCutByTheHorizonOfItsOwnPlane) {
   // Rounding puts P above or below the floor: the walls stay whole either way.
   const Scene room = sample::cube_room();

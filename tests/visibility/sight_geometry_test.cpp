@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "radcert/geometry/orientation.h"
 #include "tests/visibility/exact_sight.h"
 #include "tests/visibility/sample_scenes.h"
 
@@ -99,6 +100,37 @@ TEST(SightGeometry, KnowsTheSignsThatRationalNumbersHave) {
   }
   EXPECT_GT(close, 50);
   EXPECT_GT(backwards, 50);
+}
+
+TEST(SightGeometry, KnowsOnWhichSideThePlaneOfNearlyAllPasses) {
+  // Triangles whose planes pass P within the rounding of their last corner.
+  Numbers random(76);
+  const auto number = [&] { return 2 * (random.fraction() + 0x1p-20 * random.fraction()) - 1; };
+  const Vector<double> eye{0.3, -0.7, 0.9};
+  TriangleMesh mesh;
+  constexpr std::size_t count = 20000;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vector<double> a{number(), number(), number()};
+    const Vector<double> b{number(), number(), number()};
+    const double along = number();
+    const double across = number();
+    mesh.vertices.insert(mesh.vertices.end(), {a, b, eye + along * (a - eye) + across * (b - eye)});
+    mesh.triangles.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+  }
+  const Scene scene(std::move(mesh));
+  SightGeometry geometry(scene, {eye, {0, 0, 1}, std::nullopt});
+  std::size_t turned = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [a, b, c] = scene.vertices(k);
+    const auto corners = scene.corners(k);
+    const int exact = -orientation(corners[0], corners[1], corners[2], eye);
+    geometry.clear();
+    const Side side = geometry.side(a, b);
+    EXPECT_EQ(geometry.sign_at(side, c), exact) << k;
+    const double rounded = dot(cross(corners[0] - eye, corners[1] - eye), corners[2] - eye);
+    turned += rounded * exact < 0 ? 1U : 0U;
+  }
+  EXPECT_GT(turned, count / 20);
 }
 
 TEST(SightGeometry, RoundsParametersAsItSays) {
