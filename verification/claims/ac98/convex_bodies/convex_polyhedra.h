@@ -6,8 +6,7 @@
 namespace radcert::verification::ac98 {
 
 /// Requires that a ray from a point P of a face of a bounded convex polyhedron, off its edges, into the side
-///          of
-/// its normal leaves the body once: for polyhedra with any number of faces, by induction on that.
+/// of its normal leaves the body once: for polyhedra with any number of faces, by induction on that.
 /// Maths     the body is {l_i >= 0}, l_i affine, P with l_0(P) = 0 and l_i(P) = alpha_i > 0 for i > 0. Along
 ///           P + r w, r > 0, l_i is alpha_i + r s_i. R is the least alpha_i/(-s_i) of the s_i < 0 so far:
 ///           all l_i are positive for r < R, and one is negative for r > R. With one more face this holds
