@@ -244,6 +244,24 @@ double FactorMatrix::largest_radius() const {
 
 namespace {
 
+/// What one entry of the matrix takes once its exchange area is known.
+double seconds_of_entry() {
+  constexpr int count = 256;
+  constexpr double seconds_of_writing = 2e-6;  // a line of a table, on one thread
+  const Approximation area = Approximation::proved(0.3, 0x1p-55);
+  double sum = 0;
+  const auto start = std::chrono::steady_clock::now();
+  for (int k = 1; k <= count; ++k) {
+    const Approximation exchange = Approximation::estimated(1e-3 / k, 1e-12);
+    const double factor = exchange_over_area(exchange, area).value;
+    const double back = exchange_over_area(exchange, area).value;
+    sum += reciprocity_defect(area.value, factor, area.value, back);
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  expects(sum >= 0, "defects that are not negative");
+  return seconds / count / static_cast<double>(thread_count()) + seconds_of_writing;
+}
+
 /// Pairs evenly spread over the matrix, timed.
 class PairSamples {
 public:
@@ -261,7 +279,7 @@ public:
     while (sights_.size() < wanted && since(start) < seconds_of_sights)
       look(std::min(batch, wanted - sights_.size()));
     const double of_sight = mean(sights_);
-    const double share = static_cast<double>(seen_.size()) / static_cast<double>(sights_.size());
+    const double share = share_that_sees();
     const double threads = static_cast<double>(thread_count());
     double all = of_sight * static_cast<double>(pairs) / threads;
     const auto timing = Clock::now();
@@ -277,6 +295,11 @@ public:
         break;
     }
     return all;
+  }
+
+  /// Of the pairs that were looked at, those between which light passes.
+  [[nodiscard]] double share_that_sees() const {
+    return static_cast<double>(seen_.size()) / static_cast<double>(std::max<std::size_t>(1, sights_.size()));
   }
 
 private:
@@ -394,7 +417,12 @@ FactorPlan factor_plan(const FacetScene& scene, const FactorUnits& units, const 
   plan.memory.add("pairs at a time", std::max<std::uint64_t>(pairs_of_block, n), bytes_of_pair);
   plan.memory.add("exchange areas", m * (m + 1) / 2, sizeof(Approximation));
   if (kept == FactorsKept::all) plan.memory.add("factors", m * m, sizeof(ConfigurationFactor));
-  if (plan.pairs > 0) plan.seconds = PairSamples(scene, demand).seconds_of_all(plan.pairs);
+  if (plan.pairs == 0) return plan;
+  PairSamples samples(scene, demand);
+  plan.seconds = samples.seconds_of_all(plan.pairs);
+  // The entries, each divided, looked at and written.
+  const double of_pairs = 2 * samples.share_that_sees() * static_cast<double>(plan.pairs);
+  plan.seconds += seconds_of_entry() * std::min(of_pairs, static_cast<double>(m) * static_cast<double>(m));
   return plan;
 }
 
