@@ -9,6 +9,11 @@
 #include <limits>
 #include <string>
 
+#include "radcert/certificate/ball_transport.h"
+#include "radcert/certificate/densities.h"
+#include "radcert/certificate/element_check.h"
+#include "radcert/certificate/line_bounds.h"
+#include "radcert/certificate/scene.h"
 #include "radcert/core/parallel.h"
 #include "tests/certificate/samples.h"
 
@@ -118,6 +123,26 @@ TEST(Check, IsSharpWhereResidualsAreKnown) {
     const Report report = check(shifted, part);
     ASSERT_TRUE(report.refusal) << name;
     EXPECT_EQ(report.refusal->pointer, "/claims/" + std::to_string(e) + "/products/1");
+  }
+}
+
+/// Int_X w_k t_0 = w_k |X| d/2 where the functions are constants; cells at edges are closed.
+TEST(ElementCheck, EnclosesProductsThatAreKnown) {
+  const MeansCertificate c = test::furnace_certificate("cube", 0.25, 0.25, 1.2, 0.02);
+  const Scene scene(c);
+  const Densities densities(c);
+  const LineBounds lines(c, scene, densities);
+  const BallTransport transport(c, scene, densities, lines);
+  const ElementCheck elements(c, scene, densities, lines, transport);
+  const double scale = std::ldexp(1.0, -2 * scene.exponent() - densities.exponent());
+  for (const std::size_t e : {std::size_t{1}, std::size_t{3}}) {
+    const double area = test::element_area(c, c.elements[e]);
+    const ResidualBounds found = elements.bounds(e, {.norm = 1e-2, .product = 1e-5 * area * scale});
+    for (std::size_t k = 0; k < c.pieces.size(); ++k) {
+      EXPECT_LE(std::abs(found.products[k] - c.claims[e].products[k] * scale), found.radii[k])
+          << e << " " << k;
+      EXPECT_LE(found.radii[k], 1e-4 * area * scale) << e << " " << k;
+    }
   }
 }
 
