@@ -90,23 +90,6 @@ ModeInterpolation make_interpolation(int degree) {
     for (std::size_t a = 0; a < k; ++a)
       result.modes_of_values(n, a) = result.values_of_modes_transposed(a, n) =
           static_cast<double>(modes[n * k + a]);
-
-  std::vector<double> at(k);
-  result.lebesgue_constant = 1;
-  constexpr int lattice = 30;
-  for (int first = 0; first <= lattice; ++first)
-    for (int second = 0; second <= std::min(first, lattice - first); ++second) {
-      const Barycentric<double> x{
-          {double(first) / lattice, double(second) / lattice, double(lattice - first - second) / lattice}};
-      triangle_modes<double>(degree, x, at);
-      double sum = 0;
-      for (std::size_t a = 0; a < k; ++a) {
-        double value = 0;
-        for (std::size_t n = 0; n < k; ++n) value += at[n] * result.modes_of_values(n, a);
-        sum += std::abs(value);
-      }
-      result.lebesgue_constant = std::max(result.lebesgue_constant, sum);
-    }
   return result;
 }
 

@@ -21,7 +21,6 @@ struct ModeInterpolation {
   std::vector<Barycentric<double>> nodes;
   Matrix<double> modes_of_values;
   Matrix<double> values_of_modes_transposed;  ///< V^-T: from moments to weights of the nodes
-  double lebesgue_constant;                   ///< at the points of a lattice of 30 intervals a side
 };
 
 /// Constants of all triangles: interpolation of each degree, and what takes modes of a triangle to those of
@@ -38,7 +37,6 @@ public:
   [[nodiscard]] const ModeInterpolation& interpolation(int degree) const {
     return interpolations_[static_cast<std::size_t>(degree)];
   }
-  [[nodiscard]] double lebesgue_constant(int degree) const { return interpolation(degree).lebesgue_constant; }
   /// From moments of the children to those of the parent, without the factor 1/4 of the area.
   [[nodiscard]] const Matrix<double>& to_parent(std::size_t child) const { return to_parent_[child]; }
   [[nodiscard]] const Matrix<double>& to_child(std::size_t child) const { return to_child_[child]; }
