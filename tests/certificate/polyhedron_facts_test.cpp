@@ -88,6 +88,12 @@ TEST(TilingFault, SeesGapsAndOverlaps) {
     MeansCertificate twice = whole;
     twice.elements.push_back(whole.elements[e]);
     EXPECT_TRUE(tiling_fault(twice));
+    // A gap and an overlap of one size.
+    const Element& x = whole.elements[e];
+    MeansCertificate mirrored = whole;
+    mirrored.elements[e].s0 = 1 - x.s1;
+    mirrored.elements[e].s1 = 1 - x.s0;
+    EXPECT_EQ(tiling_fault(mirrored).has_value(), x.s0 != 1 - x.s1) << e;
     MeansCertificate elsewhere = whole;
     elsewhere.elements[e].side = (elsewhere.elements[e].side + 1) % 3;
     EXPECT_TRUE(tiling_fault(elsewhere));
