@@ -290,8 +290,8 @@ TEST(PointView, CutsByTheHorizon) {
 }
 
 TEST(PointView, IsHiddenByWhatReachesInByAHair) {
-  // Triangles that stand before the source's side x = 0 from the left, and reach across it by `hair`; others far
-  // to the right, so that those are in boxes of their own.
+  // Triangles that stand before the source's side x = 0 from the left, and reach across it by `hair`; others
+  // far to the right, so that those are in boxes of their own.
   for (const double hair : {0x1p-52, 0x1p-50, -0x1p-52, 0.0}) {
     TriangleMesh mesh;
     const auto add = [&mesh](const Vector<double>& a, const Vector<double>& b, const Vector<double>& c) {
