@@ -147,8 +147,8 @@ TEST(RoundedVector, IsOffByTheLengthOfAllThreeErrors) {
 }
 
 TEST(DiskBound, BoundsTheKernelFromTheNearestPoint) {
-  // On the line of P and c, with both normals along it, the kernel is 1/|w|^2, and the nearest point is d - L
-  // - E away; e alone turns w by E.
+  // On the line of P and c, with both normals along it, the kernel is 1/|w|^2, and the nearest point is
+  // d - L - E away; e alone turns w by E.
   for (const double d : {1.0, 1e-3, 300.0})
     for (const double linear : {0.0, 0.1, 0.4, 0.9})
       for (const double rest : {0.0, 0.01, 0.05}) {

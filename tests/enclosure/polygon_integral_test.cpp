@@ -201,5 +201,27 @@ TEST(BoundOnEllipse, BoundsTheFunctionOnTheEllipse) {
   EXPECT_LE(other.bound, 40);
 }
 
+TEST(IntegralOverSquares, HoldsTheErrorOfTheRuleInEitherVariable) {
+  // A pole beside the square in one variable, and nothing in the other: one of the two errors alone.
+  int narrow = 0;
+  for (const bool in_x : {true, false})
+    for (const double gap : {0.03, 0.1, 0.5, 2.0})
+      for (const double radius : {1e-1, 1e-2, 1e-3, 1e-4, 1e-6}) {
+        const auto f = [in_x, gap]<class R>(const R& x, const R& y) {
+          return R(1) / ((in_x ? x : y) + from_rational<R>(Rational::exactly(gap)));
+        };
+        const std::vector<SquareFunction> functions{
+            {.in_balls = [f](const Ball& x, const Ball& y) { return f(x, y); },
+             .in_models = [f](const TaylorModel& x, const TaylorModel& y) { return f(x, y); }}};
+        const Enclosure found = integral_over_squares(functions, {.radius = radius});
+        ASSERT_TRUE(found) << found.reason().why;
+        const Ball truth = log(Ball(1 + Rational(1) / Rational::exactly(gap)));
+        EXPECT_TRUE(found->value.contains(truth)) << in_x << " " << gap << " " << radius << ": "
+                                                  << found->value.to_text() << " " << truth.to_text();
+        narrow += found->value.radius() < 0.5 * radius ? 1 : 0;
+      }
+  EXPECT_GT(narrow, 10);
+}
+
 }  // namespace
 }  // namespace radcert

@@ -17,8 +17,7 @@ namespace {
 constexpr Orientation along = Orientation::along_the_cross_product;
 constexpr Orientation against = Orientation::against_the_cross_product;
 
-/// Whether the profile of a chart that states the ruling (0, 1, 0) is proved to bend to the side of its
-/// normal.
+/// Whether the profile of a chart that states the ruling (0, 1, 0) is proved to bend to its normal's side.
 bool is_convex(const Vector<ExactFunction>& image, Orientation orientation) {
   ChartFacts facts{.name = "ruled", .piece = "ruled", .orientation = orientation};
   facts.structure.ruling = Vector<Rational>{0, 1, 0};

@@ -12,7 +12,8 @@
 A fault is an entry of faults/<layer>.toml: the file, what is wrong, the text that stands there once, what takes its
 place, and the tests that must fail, "<program>:<filter of GoogleTest>", of which the first program that sees the fault
 is enough. `sources` names those that are compiled where a header is changed that many read: a test that uses it alone
-need not rebuild the library. `missed` gives the reason why no test fails. The checkout and the build are not touched:
+need not rebuild the library. `missed` gives the reason why no test fails; `judged = false` is said of one that has not
+been planted yet: --unjudged plants those alone, and nothing else counts them. The checkout and the build are not touched:
 the sources that see the changed file are compiled into a scratch folder, and the test program is linked with them. Exit
 code 0 where every fault is as recorded, 1 where one is not, 2 where an entry is wrong.
 """
@@ -31,7 +32,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 # A fault may make a loop endless; the slowest tests of a program take less than a minute.
 MOST_SECONDS = 300
-KEYS = {"file", "what", "find", "put", "tests", "sources", "missed"}
+KEYS = {"file", "what", "find", "put", "tests", "sources", "missed", "judged"}
 
 
 class WrongEntry(Exception):
@@ -231,11 +232,14 @@ def main():
     parser.add_argument("--count", type=int, help="so many of them")
     parser.add_argument("--turn", default="0",
                         help="which: a number in hexadecimal, or `commit`: that of the checkout, 0 where there is none")
+    parser.add_argument("--unjudged", action="store_true", help="those alone of which nothing is recorded yet")
     parser.add_argument("--list", action="store_true", help="print what is recorded as tables, and plant nothing")
     options = parser.parse_args()
     faults = [fault for fault in read_faults(options.page) if options.only in fault["file"] or options.only in fault["what"]]
     for fault in faults:
         changed_text(fault)
+    unjudged = [fault for fault in faults if not fault.get("judged", True)]
+    faults = unjudged if options.unjudged else [fault for fault in faults if fault.get("judged", True)]
     if options.list:
         print(tables(faults))
         return 0

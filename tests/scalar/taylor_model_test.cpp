@@ -141,6 +141,10 @@ TEST(TaylorModel, OfAConstantHoldsItsRounding) {
     EXPECT_TRUE(contains(sqrt(model), sqrt(at)) && contains(reciprocal(model), reciprocal(at))) << x.real;
     EXPECT_TRUE(contains(exp(model), exp(at)) && contains(log(model), log(at))) << x.real << " " << x.imag;
     EXPECT_TRUE(contains(sin(model), sin(at)) && contains(atan(model), atan(at))) << x.real << " " << x.imag;
+    const TaylorModel number(Ball(x.real));
+    const ComplexBall there(Ball(x.real));
+    EXPECT_TRUE(contains(sqrt(number), sqrt(there)) && contains(reciprocal(number), reciprocal(there)));
+    EXPECT_TRUE(contains(exp(number), exp(there)) && contains(log(number), log(there)));
   }
 }
 

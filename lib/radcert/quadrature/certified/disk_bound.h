@@ -9,8 +9,8 @@ namespace radcert {
 /// What a Taylor model of a part of a chart says of the kernel's integrand for all P that are far enough.
 /// Maths     Q = c + r + e on a disk, r a real vector times one complex number and real ones, |r| <= L, e
 ///           complex, |e| <= E. With w = Q - P and d = |c - P| > L: w.w has the two factors of a real line
-///           for c - P + r, each at least d - L, so that |w.w| >= (d-L)^2 - 2 (d+L) E - E^2, and |w| <= d + L
-///           + E: |G| <= (|w| / |w.w|)^2 times |area normal|
+///           for c - P + r, each at least d - L, so that |w.w| >= (d-L)^2 - 2 (d+L) E - E^2, and |w| is at
+///           most d + L + E: |G| <= (|w| / |w.w|)^2 times |area normal|
 /// Source    see CertifiedKernelSums
 /// Result    rounded up
 struct DiskBound {
