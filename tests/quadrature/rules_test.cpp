@@ -146,7 +146,7 @@ TEST(PointsFor, ReachTheIntendedTruncationAndNoMore) {
   }
 }
 
-TEST(ChartInverse, FindsPointsOfASeamAndRefusesOthers) {
+TEST(ChartInverse, FindsPointsOfASeamOnAndBesideCellsAndRefusesOthers) {
   const Surface surface = ellipsoid(1, 2, 5);
   const auto cell = [](const ParameterPoint<double>& a, const ParameterPoint<double>& b,
                        const ParameterPoint<double>& c) {
@@ -167,8 +167,12 @@ TEST(ChartInverse, FindsPointsOfASeamAndRefusesOthers) {
     const Vector<double> above = 1.001 * seam;
     EXPECT_FALSE(parameters_on(surface.charts[1], whole, above, 5.0).has_value()) << s;
     const ElementPart<double> half = cell({0.5, 0.5}, {0.5, 0}, {1, 0});
+    const auto beside = parameters_on(surface.charts[1], half, seam, 5.0);
+    ASSERT_TRUE(beside.has_value()) << s;
+    EXPECT_NEAR(beside->s, s, 1e-13);
+    EXPECT_NEAR(beside->t, 1 - s, 1e-13);
     if (std::abs(s - 0.5) > 1e-3) {
-      EXPECT_EQ(parameters_on(surface.charts[1], half, seam, 5.0).has_value(), s > 0.5) << s;
+      EXPECT_EQ(contains(half, *beside), s > 0.5) << s;
     }
   }
 }
