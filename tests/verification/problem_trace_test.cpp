@@ -61,7 +61,8 @@ TEST(RecordedLevels, TakeTheLevelsOfSeveralSolversTogether) {
   };
   BySolver source;
   RecordedLevels levels(source);
-  const Problem direct = flat_problem({0});
+  Problem direct = flat_problem({0});
+  direct.solver.name = "direct";
   Problem verified = direct;
   verified.solver.name = "verified";
   for (const int level : {0, 1, 2}) static_cast<void>(levels.level(direct, level));

@@ -2,6 +2,7 @@
 
 // radcert picture NAME: a figure of [psg10] as an SVG or PNG file.
 #include <charconv>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -118,12 +119,13 @@ FigureWish wish_of(const Common& common, const PictureOptions& options, const Fi
   return wish;
 }
 
-/// Files are SVG or PNG by their name; plots are no raster.
+/// Files are SVG or PNG by their ending, PNG where they have none; plots are no raster.
 void require_format(const PictureOptions& options, const FigureKind& kind) {
   if (options.out.empty())
     throw InputError(
         {.source = "picture", .problem = "without --out", .allowed = "--out FILE.svg, --out FILE.png"});
-  if (!is_svg(options.out) && !options.out.ends_with(".png"))
+  const std::filesystem::path ending = std::filesystem::path(options.out).extension();
+  if (!is_svg(options.out) && !ending.empty() && ending != ".png")
     throw InputError({.source = "--out",
                       .value = options.out,
                       .problem = "has no ending of a picture that is written",
