@@ -49,6 +49,15 @@ TEST(SurfaceFault, SeesAnyCornerThatMoves) {
   }
 }
 
+TEST(SurfaceFault, EndsBeforeItLooksAtFacesOfManyCorners) {
+  MeansCertificate c = bare_certificate("cube", 2, 1, 1);
+  c.faces[0].corners.clear();
+  constexpr int many = 100000;
+  for (int i = 0; i < many; ++i) c.faces[0].corners.push_back({i, Rational(i) * Rational(i), 0});
+  ASSERT_TRUE(surface_fault(c));
+  EXPECT_NE(surface_fault(c)->says.find("more than are looked at"), std::string::npos);
+}
+
 TEST(SurfaceFault, SeesWhatIsMissingTurnedOrTwice) {
   const MeansCertificate whole = bare_certificate("cube", 2, 1, 1);
   for (std::size_t f = 0; f < whole.faces.size(); ++f) {

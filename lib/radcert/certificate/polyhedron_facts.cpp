@@ -23,11 +23,16 @@ Vector<Rational> normal_of(const Face& face) {
 using Key = std::array<Rational, 3>;
 Key key(const Vector<Rational>& p) { return {p.x, p.y, p.z}; }
 
+/// Of one face: the test of convexity takes the square of it.
+constexpr std::size_t most_corners = 2000;
+
 std::optional<Refusal> polygon_fault(const Face& face, std::size_t number) {
   const std::string pointer = face_pointer(number) + "/corners";
   const Vector<Rational> normal = normal_of(face);
   if (is_zero(normal)) return Refusal{pointer, "the first three corners lie on a line"};
   const std::size_t n = face.corners.size();
+  if (n > most_corners)
+    return Refusal{pointer, "are more than are looked at, " + std::to_string(most_corners)};
   for (std::size_t i = 0; i < n; ++i) {
     const Vector<Rational>& a = face.corners[i];
     const Vector<Rational>& b = face.corners[(i + 1) % n];
