@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// radcert check FILE.json: a certificate verified again, by means that share nothing with what made it.
+// radcert check FILE.json: a certificate verified again, by means that share no function with what made it.
 #include <algorithm>
 #include <memory>
 #include <optional>

@@ -45,14 +45,16 @@ struct Summed {
 /// Result    ascending, the same for the same seed
 [[nodiscard]] std::vector<std::size_t> chosen_elements(std::size_t count, const Part& part);
 
-/// Checks a certificate, by means that share nothing with the search that made it.
+/// Checks a certificate, by means that share no function with the search that made it.
 /// Maths     surface_fault, reflectivity_fault, tiling_fault; of the elements that are looked at, the claims
 ///           by ElementCheck; the stated sums are those of the claims or wider, the means those of summed or
 ///           wider, the width is no less than twice the largest radius. All claims together prove the means
 /// Requires  lists of the lengths that MeansCertificate states, finite numbers
 /// Result    no refusal: what was looked at is proved, and the means are, if all claims hold. Depends on the
 ///           certificate and the part alone, whatever the number of threads
-/// Limits    a claim that holds by less than the bounds here are generous is refused
+/// Limits    a claim that holds by less than the bounds here are generous is refused. Sums over the nodes of
+///           rules are the same formula as in the search, written a second time: a test holds them against
+///           closed forms in balls
 [[nodiscard]] Report check(const MeansCertificate& certificate, const Part& part,
                            const CheckListener& progress = {});
 
