@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/scalar/mpfr_real.h"
 #include "tests/surface/sample_surfaces.h"
 
 namespace radcert {
@@ -17,37 +18,37 @@ namespace {
 using testing::sample_points;
 using testing::sample_surfaces;
 using testing::SampleSurface;
-using Long = long double;
+/// Of the truth.
+using Long = Mpfr<50>;
 
-Vector<Long> widened(const Vector<double>& x) { return {x.x, x.y, x.z}; }
+Vector<Long> widened(const Vector<double>& x) { return {Long(x.x), Long(x.y), Long(x.z)}; }
+ParameterPoint<Long> widened(const ParameterPoint<double>& at) { return {Long(at.s), Long(at.t)}; }
+double size(const Vector<Long>& x) { return norm(x).to_double(); }
 
-/// Calls the visitor with each chart in both arithmetics and each of its sample points.
+/// Calls the visitor with each chart, its formula in 50 digits, and each of its sample points.
 void for_each_point(
     const std::function<void(const Chart&, const ChartIn<Long>&, const ParameterPoint<double>&,
                              const std::string& where)>& visit) {
   for (const SampleSurface& sample : sample_surfaces()) {
     const Surface surface = sample.make();
-    ASSERT_EQ(surface.chart_count(), sample.charts.size()) << sample.entry;
     for (std::size_t j = 0; j < surface.chart_count(); ++j)
       for (const ParameterPoint<double>& at : sample_points(surface.charts[j].facts().domain))
-        visit(surface.charts[j], *sample.charts[j], at,
+        visit(surface.charts[j], surface.charts[j].in<Long>(), at,
               sample.entry + " " + surface.charts[j].facts().name + " " + std::to_string(at.s) + " " +
                   std::to_string(at.t));
   }
 }
 
-TEST(Chart, FrameAgreesWithLongDouble) {
+TEST(Chart, FrameAgreesWithFiftyDigits) {
   for_each_point([](const Chart& chart, const ChartIn<Long>& formula, const ParameterPoint<double>& at,
                     const std::string& where) {
     const Frame<double> frame = chart.in<double>().frame(at);
-    const Frame<Long> truth = formula.frame({at.s, at.t});
-    EXPECT_LE(norm(widened(frame.point) - truth.point), 4e-16L * (1 + norm(truth.point))) << where;
-    EXPECT_LE(norm(widened(frame.tangent_s) - truth.tangent_s), 1e-15L * (1 + norm(truth.tangent_s)))
-        << where;
-    EXPECT_LE(norm(widened(frame.tangent_t) - truth.tangent_t), 1e-15L * (1 + norm(truth.tangent_t)))
-        << where;
-    EXPECT_LE(norm(widened(frame.area_normal) - truth.area_normal),
-              2e-15L * (1 + norm(truth.tangent_s) * norm(truth.tangent_t)))
+    const Frame<Long> truth = formula.frame(widened(at));
+    EXPECT_LE(size(widened(frame.point) - truth.point), 4e-16 * (1 + size(truth.point))) << where;
+    EXPECT_LE(size(widened(frame.tangent_s) - truth.tangent_s), 1e-15 * (1 + size(truth.tangent_s))) << where;
+    EXPECT_LE(size(widened(frame.tangent_t) - truth.tangent_t), 1e-15 * (1 + size(truth.tangent_t))) << where;
+    EXPECT_LE(size(widened(frame.area_normal) - truth.area_normal),
+              2e-15 * (1 + size(truth.tangent_s) * size(truth.tangent_t)))
         << where;
   });
 }
@@ -55,15 +56,19 @@ TEST(Chart, FrameAgreesWithLongDouble) {
 TEST(Chart, TangentsAreDerivatives) {
   for_each_point([](const Chart& chart, const ChartIn<Long>& formula, const ParameterPoint<double>& at,
                     const std::string& where) {
-    constexpr Long h = 1e-6L;
     if (chart.facts().singular == SingularLine::s_zero && at.s < 0.1) return;
+    const Long h(0x1p-40);
+    const Long none;
     // Formulas go on a little beyond their domain, except at a singular line.
-    const Frame<Long> frame = formula.frame({at.s, at.t});
-    const auto point = [&](Long s, Long t) { return formula.frame({at.s + s, at.t + t}).point; };
-    const Vector<Long> by_s = (1 / (2 * h)) * (point(h, 0) - point(-h, 0));
-    const Vector<Long> by_t = (1 / (2 * h)) * (point(0, h) - point(0, -h));
-    EXPECT_LE(norm(by_s - frame.tangent_s), 2e-9L * (1 + norm(by_s))) << where;
-    EXPECT_LE(norm(by_t - frame.tangent_t), 2e-9L * (1 + norm(by_t))) << where;
+    const Frame<Long> frame = formula.frame(widened(at));
+    const auto point = [&](const Long& s, const Long& t) {
+      return formula.frame({Long(at.s) + s, Long(at.t) + t}).point;
+    };
+    const Long factor = Long(1) / (Long(2) * h);
+    const Vector<Long> by_s = factor * (point(h, none) - point(-h, none));
+    const Vector<Long> by_t = factor * (point(none, h) - point(none, -h));
+    EXPECT_LE(size(by_s - frame.tangent_s), 1e-20 * (1 + size(by_s))) << where;
+    EXPECT_LE(size(by_t - frame.tangent_t), 1e-20 * (1 + size(by_t))) << where;
   });
 }
 
@@ -93,30 +98,22 @@ std::vector<ParameterPoint<double>> steps_from(const ParameterPoint<double>& at)
   return steps;
 }
 
-TEST(Chart, ChordAgreesWithThePointsAndNormalsOfLongDouble) {
+TEST(Chart, ChordAgreesWithThePointsAndNormalsOfFiftyDigits) {
   for_each_point([](const Chart& chart, const ChartIn<Long>& formula, const ParameterPoint<double>& at,
                     const std::string& where) {
+    const Frame<Long> p = formula.frame(widened(at));
     for (const ParameterPoint<double>& w : steps_from(at)) {
       if (w.s == 0 && w.t == 0) continue;
       const Chord<double> chord = chart.in<double>().chord(at, w);
-      const Frame<Long> p = formula.frame({at.s, at.t});
-      const Frame<Long> q = formula.frame({static_cast<Long>(at.s) + w.s, static_cast<Long>(at.t) + w.t});
+      const Frame<Long> q = formula.frame(widened(at) + widened(w));
       const Vector<Long> difference = q.point - p.point;
-      const Long length = norm(difference);
-      const Long step = std::hypot(static_cast<Long>(w.s), static_cast<Long>(w.t));
-      // Long double loses what it must in the difference and in the products; the chord loses nothing.
-      const Long lost = 4e-19L * (1 + norm(p.point)) / length;
-      EXPECT_LE(norm(widened(chord.difference) - difference), (8e-15L + lost) * length)
-          << where << " step " << step;
+      const std::string step = where + " step " + std::to_string(w.s) + " " + std::to_string(w.t);
+      EXPECT_LE(size(widened(chord.difference) - difference), 8e-15 * size(difference)) << step;
       const Long depth_p = dot(difference, unit_normal(p));
       const Long depth_q = -dot(difference, unit_normal(q));
-      const Long bends = norm(widened(chord.bend_p)) + norm(widened(chord.bend_q));
-      EXPECT_LE(std::abs(dot(widened(chord.bend_p), unit_normal(p)) - depth_p),
-                2e-14L * bends + lost * length)
-          << where << " step " << step;
-      EXPECT_LE(std::abs(dot(widened(chord.bend_q), unit_normal(q)) - depth_q),
-                2e-14L * bends + lost * length)
-          << where << " step " << step;
+      const double bends = norm(chord.bend_p) + norm(chord.bend_q);
+      EXPECT_LE(abs(dot(widened(chord.bend_p), unit_normal(p)) - depth_p).to_double(), 2e-14 * bends) << step;
+      EXPECT_LE(abs(dot(widened(chord.bend_q), unit_normal(q)) - depth_q).to_double(), 2e-14 * bends) << step;
     }
   });
 }
