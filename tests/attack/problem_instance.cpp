@@ -14,6 +14,7 @@
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/reference/operator_integral.h"
+#include "radcert/solve/linear_solver.h"
 
 namespace radcert::attack {
 namespace {
@@ -113,7 +114,7 @@ Problem problem_of(const ProblemInstance& x) {
   problem.method = Collocation{basis_choice(x)};
   problem.reflectivity = expression_of(x.reflectivity);
   problem.solver = {.name = x.solver, .tolerance = std::nullopt};
-  if (x.solver != "direct") problem.solver.tolerance = x.solver_tolerance;
+  if (find_linear_solver(x.solver)->iterates()) problem.solver.tolerance = x.solver_tolerance;
   if (x.solution.empty())
     problem.emission = expression_of(x.emission);
   else
@@ -219,7 +220,9 @@ void draw_method(Draw& draw, ProblemInstance& x) {
     default: break;
   }
   if (x.degree < 2 && x.nodes.empty() && draw.below(10) == 0) x.level = 1;
-  x.solver = std::vector{"direct", "gmres", "neumann"}[draw.below(3)];
+  const std::vector<std::string> solvers =
+      solver_names([](const LinearSolver& each) { return each.iterates() || each.eliminate; });
+  x.solver = solvers[draw.below(solvers.size())];
   if (draw.below(4) == 0)
     x.solver_tolerance =
         std::vector{Rational(1, 1000), Rational(1, 100000000), Rational(9, 10)}[draw.below(3)];

@@ -13,6 +13,7 @@
 #include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/direct.h"
 #include "radcert/solve/gmres.h"
+#include "radcert/solve/linear_solver.h"
 #include "radcert/solve/neumann.h"
 #include "tests/solve/systems.h"
 
@@ -23,28 +24,23 @@ using test::Values;
 
 constexpr double unit = unit_roundoff<double>();
 
-using Solver = Outcome<IterativeSolution, NotReached> (*)(const SystemMatrix&, const Contraction&,
-                                                          std::span<const double>, std::optional<double>);
-
-struct NamedSolver {
-  const char* name;
-  Solver solve;
-};
-
-void PrintTo(const NamedSolver& solver, std::ostream* out) { *out << solver.name; }
-
-class Iteration : public testing::TestWithParam<NamedSolver> {
+/// Each of the solvers that iterate.
+class Iteration : public testing::TestWithParam<std::string> {
 protected:
+  static Outcome<IterativeSolution, NotReached> solve(const SystemProducts& k, const Contraction& contraction,
+                                                      const Values& e, std::optional<double> tolerance) {
+    return find_linear_solver(GetParam())->iterate(k, contraction, e, tolerance);
+  }
   static Outcome<IterativeSolution, NotReached> solve(const Matrix<double>& k, const Values& e,
                                                       std::optional<double> tolerance = std::nullopt) {
-    return GetParam().solve(k, find_contraction(k).value(), e, tolerance);
+    return solve(k, find_contraction(k).value(), e, tolerance);
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(All, Iteration,
-                         testing::Values(NamedSolver{"neumann", solve_by_neumann},
-                                         NamedSolver{"gmres", solve_by_gmres}),
-                         [](const auto& solver) { return std::string(solver.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, Iteration, testing::ValuesIn(solver_names([](const LinearSolver& solver) {
+                           return solver.iterates();
+                         })),
+                         [](const auto& solver) { return solver.param; });
 
 /// What is left where nothing is demanded: 4 u (1 + theta)/(1 - theta)^2 by theory, in the contraction's own
 /// norm.
@@ -61,7 +57,7 @@ TEST_P(Iteration, BoundsItsErrorOnRandomMatrices) {
         const Matrix<double> k = test::random_matrix(random, n, row_sum, positive);
         const Values e = test::random_values(random, n);
         const Contraction contraction = find_contraction(k).value();
-        const auto solution = GetParam().solve(k, contraction, e, std::nullopt);
+        const auto solution = solve(k, contraction, e, std::nullopt);
         ASSERT_TRUE(solution) << n << " " << row_sum;
         const double reference = test::long_rounding(contraction.theta(), test::max_abs(solution->values));
         EXPECT_LE(test::largest_error(test::long_solution(k, e), solution->values),
@@ -84,7 +80,7 @@ TEST_P(Iteration, BoundsItsErrorExactly) {
         const Values e = test::random_values(random, n);
         const std::vector<Rational> u = test::exact_solution(k, e).value();
         for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(1e-3)}) {
-          const auto solution = GetParam().solve(k, *contraction, e, tolerance);
+          const auto solution = solve(k, *contraction, e, tolerance);
           ASSERT_TRUE(solution);
           for (std::size_t i = 0; i < n; ++i)
             EXPECT_LE(abs(u[i] - Rational::exactly(solution->values[i])),
@@ -104,7 +100,7 @@ TEST_P(Iteration, AgreesWithEliminationOnCollocationMatrices) {
           const CollocationMatrix<double> k = test::collocation_matrix(surface, level, degree, rho);
           const Contraction contraction = find_contraction(k.entries, k.row_radius).value();
           const Values e = test::random_values(random, k.entries.rows());
-          const auto solution = GetParam().solve(k.entries, contraction, e, std::nullopt);
+          const auto solution = solve(k.entries, contraction, e, std::nullopt);
           ASSERT_TRUE(solution);
           const double size = test::max_abs(solution->values);
           const double error = test::largest_error(test::long_solution(k.entries, e), solution->values);
@@ -227,7 +223,7 @@ TEST_P(Iteration, BoundsItsErrorWhereRowSumsExceedOne) {
   const auto contraction = find_contraction(k);
   ASSERT_TRUE(contraction);
   const Values e = test::random_values(random, 20);
-  const auto solution = GetParam().solve(k, *contraction, e, 1e-8);
+  const auto solution = solve(k, *contraction, e, 1e-8);
   ASSERT_TRUE(solution);
   EXPECT_LE(test::largest_error(test::long_solution(k, e), solution->values), solution->error_bound);
   EXPECT_LE(solution->error_bound, 1e-8 * test::max_abs(solution->values));
@@ -252,7 +248,7 @@ TEST_P(Iteration, StopsWhenAskedTo) {
   const Matrix<double> k = test::matrix(4, [](std::size_t, std::size_t) { return 0.2; });
   const Contraction contraction = find_contraction(k).value();
   request_interruption();
-  EXPECT_THROW(static_cast<void>(GetParam().solve(k, contraction, Values(4, 1), std::nullopt)), Interrupted);
+  EXPECT_THROW(static_cast<void>(solve(k, contraction, Values(4, 1), std::nullopt)), Interrupted);
   clear_interruption();
 }
 
@@ -265,14 +261,14 @@ TEST_P(Iteration, RefusesWhatDoesNotFit) {
                ContractViolation);
 }
 
-TEST(Neumann, TakesNoMoreStepsThanItsContractionPlans) {
+TEST_P(Iteration, TakesNoMoreStepsThanItsContractionPlans) {
   std::mt19937_64 random(50);
   for (const double row_sum : {0.2, 0.6, 0.9}) {
     const Matrix<double> k = test::random_matrix(random, 60, row_sum, true);
     const Contraction contraction = find_contraction(k).value();
     const Values e(60, 1.0);
     for (const double tolerance : {1e-3, 1e-6, 1e-12}) {
-      const auto solution = solve_by_neumann(k, contraction, e, tolerance);
+      const auto solution = solve(k, contraction, e, tolerance);
       ASSERT_TRUE(solution);
       // ||r_m||_w <= theta^(m+1) ||e||_w must fall to (1 - theta) tolerance |v|, |v| >= 1.
       const double goal = (1 - contraction.theta()) * tolerance / contraction.norm(e);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "radcert/solve/linear_solver.h"
 #include "radcert/study/collocation/collocation.h"
 #include "radcert/study/study.h"
 #include "tests/study/problems.h"
@@ -42,7 +43,8 @@ InputFault refused(const Problem& problem) {
 TEST(MatrixForm, LeavesTheSolutionWithinItsRadius) {
   constexpr int level = 4;
   const LevelOutcome dense = solve_level(held_as(on_ellipsoid(), "dense"), level, no_route);
-  for (const char* solver : {"gmres", "neumann", "auto"}) {
+  for (const std::string& solver :
+       solver_names([](const LinearSolver& each) { return each.takes_products(); })) {
     const LevelOutcome clusters = solve_level(held_as(on_ellipsoid(), "h2", solver), level, no_route);
     ASSERT_EQ(dense.nodes.size(), clusters.nodes.size());
     EXPECT_EQ(clusters.result.norm_K.value, dense.result.norm_K.value);
@@ -57,7 +59,7 @@ TEST(MatrixForm, LeavesTheSolutionWithinItsRadius) {
     EXPECT_LT(largest, 1e-6);
     ASSERT_TRUE(clusters.result.iteration);
     EXPECT_EQ(clusters.result.matrix_form, "h2");
-    EXPECT_EQ(clusters.result.solver, std::string(solver) == "auto" ? "gmres" : solver);
+    EXPECT_EQ(clusters.result.solver, solver == "auto" ? "gmres" : solver);
     EXPECT_LT(clusters.result.iteration->contraction, 1);
     for (std::size_t i = 0; i < dense.result.piece_means.size(); ++i)
       EXPECT_NEAR(clusters.result.piece_means[i].second.value, dense.result.piece_means[i].second.value,
@@ -77,8 +79,9 @@ TEST(MatrixForm, IsRefusedByNameWhereItDoesNotServe) {
     left_open.matrix.name = "auto";
     EXPECT_FALSE(takes_clusters(left_open, 1000000)) << what;
   };
-  expect_obstacle(held_as(on_ellipsoid(), "h2", "direct"), "solver direct");
-  expect_obstacle(held_as(on_ellipsoid(), "h2", "verified"), "solver verified");
+  for (const std::string& solver :
+       solver_names([](const LinearSolver& each) { return !each.takes_products(); }))
+    expect_obstacle(held_as(on_ellipsoid(), "h2", solver), "solver " + solver);
   Problem graded = problem;
   graded.triangulation.grading = 2;
   expect_obstacle(graded, "graded");

@@ -52,11 +52,9 @@ Outcome<LinearSolution> eliminate(const LinearSystem& system) {
 }  // namespace
 
 LinearSolver direct_entry() {
-  return {
-      .name = "direct",
-      .plan = [](MemoryPlan& plan,
-                 std::uint64_t n) { plan.add("factors of I - K", saturated_product(n, n), sizeof(double)); },
-      .solve = [](const LinearSystem& system, std::optional<double>) { return eliminate(system); }};
+  return {.name = "direct", .eliminate = eliminate, .plan = [](MemoryPlan& plan, std::uint64_t n) {
+            plan.add("factors of I - K", saturated_product(n, n), sizeof(double));
+          }};
 }
 
 /// The factors take the place of the matrix.

@@ -34,7 +34,7 @@ void subtract(std::span<double> y, double factor, std::span<const double> x) {
 /// GMRES from zero for (I - K) d = r, with room for its vectors.
 class Krylov {
 public:
-  Krylov(const SystemMatrix& k, double least_weight)
+  Krylov(const SystemProducts& k, double least_weight)
       : k_(k),
         least_weight_(least_weight),
         vectors_(k.rows(), std::min(k.rows(), krylov_dimension.count()) + 1),
@@ -124,7 +124,7 @@ private:
     for (std::size_t i = 0; i < m; ++i) subtract(d, -scale * right_[i], vectors_.column(i));
   }
 
-  SystemMatrix k_;
+  SystemProducts k_;
   double least_weight_;
   Matrix<double> vectors_;
   Matrix<double> hessenberg_;
@@ -137,7 +137,7 @@ private:
 const WorkLimit krylov_dimension("solve/gmres: vectors", 64, 1,
                                  "begun anew; refused with the bound reached where that stands still");
 
-Outcome<IterativeSolution, NotReached> solve_by_gmres(const SystemMatrix& k, const Contraction& contraction,
+Outcome<IterativeSolution, NotReached> solve_by_gmres(const SystemProducts& k, const Contraction& contraction,
                                                       std::span<const double> e,
                                                       std::optional<double> tolerance) {
   Krylov krylov(k, contraction.least_weight());
@@ -147,18 +147,10 @@ Outcome<IterativeSolution, NotReached> solve_by_gmres(const SystemMatrix& k, con
 }
 
 LinearSolver gmres_entry() {
-  return {.name = "gmres",
-          .iterates = true,
-          .plan =
-              [](MemoryPlan& plan, std::uint64_t n) {
-                plan.add("Krylov vectors", n,
-                         (std::min<std::uint64_t>(n, krylov_dimension.count()) + 1) * sizeof(double));
-              },
-          .solve =
-              [](const LinearSystem& system, std::optional<double> tolerance) {
-                return iterated(system, solve_by_gmres(system.k, *system.contraction, system.e, tolerance),
-                                tolerance);
-              }};
+  return {.name = "gmres", .iterate = solve_by_gmres, .plan = [](MemoryPlan& plan, std::uint64_t n) {
+            plan.add("Krylov vectors", n,
+                     (std::min<std::uint64_t>(n, krylov_dimension.count()) + 1) * sizeof(double));
+          }};
 }
 
 }  // namespace radcert

@@ -26,7 +26,7 @@ extern const WorkLimit krylov_dimension;
 /// Limits    holds krylov_dimension + 1 vectors and no second matrix. Written out here, because library
 ///           versions stop by the 2-norm of a residual that they update and do not compute, and sum in an
 ///           order that depends on the machine
-Outcome<IterativeSolution, NotReached> solve_by_gmres(const SystemMatrix& k, const Contraction& contraction,
+Outcome<IterativeSolution, NotReached> solve_by_gmres(const SystemProducts& k, const Contraction& contraction,
                                                       std::span<const double> e,
                                                       std::optional<double> tolerance = std::nullopt);
 

@@ -20,7 +20,7 @@ double max_abs(std::span<const double> values) {
   return size;
 }
 
-void bound_residual(const SystemMatrix& k, const Contraction& contraction, std::span<const double> v,
+void bound_residual(const SystemProducts& k, const Contraction& contraction, std::span<const double> v,
                     std::span<const double> e, std::span<const double> residual, std::span<double> bounds) {
   const double product_rounding = k.rounding() * max_abs(v);
   const auto n = static_cast<double>(v.size());
@@ -86,7 +86,7 @@ struct Descent {
 
 }  // namespace
 
-std::vector<double> residual_bounds(const SystemMatrix& k, const Contraction& contraction,
+std::vector<double> residual_bounds(const SystemProducts& k, const Contraction& contraction,
                                     std::span<const double> v, std::span<const double> e,
                                     std::span<const double> residual) {
   std::vector<double> bounds(v.size());
@@ -94,7 +94,7 @@ std::vector<double> residual_bounds(const SystemMatrix& k, const Contraction& co
   return bounds;
 }
 
-Outcome<IterativeSolution, NotReached> iterate(const SystemMatrix& k, const Contraction& contraction,
+Outcome<IterativeSolution, NotReached> iterate(const SystemProducts& k, const Contraction& contraction,
                                                std::span<const double> e, std::optional<double> tolerance,
                                                const Correction& correction) {
   expects(e.size() == k.rows() && contraction.weights().size() == k.rows(),

@@ -56,7 +56,7 @@ struct Correction {
 ///           threads; Interrupted when asked to stop
 /// Limits    a bound of the error of the linear system alone, whose matrix and right-hand side are taken as
 ///           exact. For an operator a bound as far as its rounding() is one
-Outcome<IterativeSolution, NotReached> iterate(const SystemMatrix& k, const Contraction& contraction,
+Outcome<IterativeSolution, NotReached> iterate(const SystemProducts& k, const Contraction& contraction,
                                                std::span<const double> e, std::optional<double> tolerance,
                                                const Correction& correction);
 
@@ -67,7 +67,7 @@ Outcome<IterativeSolution, NotReached> iterate(const SystemMatrix& k, const Cont
 /// Requires  vectors of the contraction's size; `residual` from accurate_residual
 /// Result    rounded up
 /// Limits    as accurate_residual
-std::vector<double> residual_bounds(const SystemMatrix& k, const Contraction& contraction,
+std::vector<double> residual_bounds(const SystemProducts& k, const Contraction& contraction,
                                     std::span<const double> v, std::span<const double> e,
                                     std::span<const double> residual);
 

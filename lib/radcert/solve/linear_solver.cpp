@@ -36,8 +36,11 @@ std::vector<double> defects(const LinearSystem& system, std::span<const double> 
   return residual_sizes;
 }
 
-Outcome<LinearSolution> iterated(const LinearSystem& system, Outcome<IterativeSolution, NotReached> solution,
-                                 std::optional<double> tolerance) {
+Outcome<LinearSolution> solution_of(const LinearSystem& system, const LinearSolver& solver,
+                                    std::optional<double> tolerance) {
+  if (!solver.iterates()) return solver.eliminate(system);
+  const Contraction& contraction = *system.contraction;
+  auto solution = solver.iterate(system.k, contraction, system.e, tolerance);
   if (!solution) {
     const NotReached& best = solution.reason();
     const std::string demanded =
@@ -46,7 +49,6 @@ Outcome<LinearSolution> iterated(const LinearSystem& system, Outcome<IterativeSo
                    " iterations the error bound is " + upper_text(best.error_bound) +
                    " where |u_n| <= " + upper_text(best.size));
   }
-  const Contraction& contraction = *system.contraction;
   LinearSolution result{.values = std::move(solution->values),
                         .iteration = IterationReport{.iterations = solution->iterations,
                                                      .contraction = contraction.theta(),

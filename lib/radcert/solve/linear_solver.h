@@ -43,22 +43,25 @@ struct LinearSolution {
 /// How the linear system of a level may be solved.
 struct LinearSolver {
   std::string name;
-  /// Whether it stops at a tolerance, by an error bound; such a solver asks for a contraction.
-  bool iterates = false;
+  /// Of a solver that iterates: stops at a tolerance, by an error bound, as `iterate` does, and asks for a
+  /// contraction and for products alone.
+  std::function<Outcome<IterativeSolution, NotReached>(
+      const SystemProducts& k, const Contraction& contraction, std::span<const double> e,
+      std::optional<double> tolerance)>
+      iterate = {};
+  /// Of a solver that reads the entries of the matrix: a reason in words where the system has no solution
+  /// within bounds. A solver that has neither this nor `iterate` chooses another, or proves, and needs a
+  /// matrix whose entries are enclosed (verified_system).
+  std::function<Outcome<LinearSolution>(const LinearSystem& system)> eliminate = {};
   /// Of a solver that leaves the choice open: the name of the one that it takes, from whether a contraction
   /// was found: one that iterates where there is one, and another elsewhere, whose memory is planned then.
   std::function<std::string_view(bool contracts)> choose = {};
   /// Adds its memory beside the matrix.
   std::function<void(MemoryPlan& plan, std::uint64_t unknowns)> plan = {};
-  /// Solves a system of finite numbers, which only those that iterate take as an operator; a reason in words
-  /// where the system has no solution within bounds. None: the solver chooses another, or proves, and
-  /// needs a matrix whose entries are enclosed (verified_system).
-  std::function<Outcome<LinearSolution>(const LinearSystem& system, std::optional<double> tolerance)> solve =
-      {};
-
-  [[nodiscard]] bool proves() const { return !solve && !choose; }
+  [[nodiscard]] bool iterates() const { return iterate != nullptr; }
+  [[nodiscard]] bool proves() const { return !iterate && !eliminate && !choose; }
   /// Whether it may take a system that is known by its products alone.
-  [[nodiscard]] bool takes_products() const { return iterates || choose; }
+  [[nodiscard]] bool takes_products() const { return iterate || choose; }
 };
 
 /// The solvers that radcert knows by name.
@@ -81,10 +84,11 @@ struct LinearSolver {
 [[nodiscard]] std::vector<double> defects(const LinearSystem& system, std::span<const double> v,
                                           std::vector<double> residual_sizes);
 
-/// The outcome of an iteration: the solution with the radius over all systems within the radii, or
-/// in words how far it came.
-[[nodiscard]] Outcome<LinearSolution> iterated(const LinearSystem& system,
-                                               Outcome<IterativeSolution, NotReached> solution,
-                                               std::optional<double> tolerance);
+/// Solves a system of finite numbers by a solver that iterates or eliminates.
+/// Requires  for one that iterates a contraction; `tolerance` is for such a solver alone
+/// Result    the solution with the radius over all systems within the radii; else a reason in words, of an
+///           iteration how far it came
+[[nodiscard]] Outcome<LinearSolution> solution_of(const LinearSystem& system, const LinearSolver& solver,
+                                                  std::optional<double> tolerance);
 
 }  // namespace radcert

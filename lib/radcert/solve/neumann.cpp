@@ -5,7 +5,8 @@
 
 namespace radcert {
 
-Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemMatrix& k, const Contraction& contraction,
+Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemProducts& k,
+                                                        const Contraction& contraction,
                                                         std::span<const double> e,
                                                         std::optional<double> tolerance) {
   const auto residual_itself = [](std::span<double>, double) { return std::size_t{1}; };
@@ -13,14 +14,7 @@ Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemMatrix& k, c
 }
 
 LinearSolver neumann_entry() {
-  return {.name = "neumann",
-          .iterates = true,
-          .plan = [](MemoryPlan&, std::uint64_t) {},
-          .solve =
-              [](const LinearSystem& system, std::optional<double> tolerance) {
-                return iterated(system, solve_by_neumann(system.k, *system.contraction, system.e, tolerance),
-                                tolerance);
-              }};
+  return {.name = "neumann", .iterate = solve_by_neumann, .plan = [](MemoryPlan&, std::uint64_t) {}};
 }
 
 }  // namespace radcert

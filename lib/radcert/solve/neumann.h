@@ -17,7 +17,8 @@ namespace radcert {
 /// Result    as iterate; `iterations` counts reflections, at most log(goal)/log(theta) of them but for
 ///           rounding
 /// Limits    slow where the spectral radius of K is near 1: GMRES needs a fraction of the products
-Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemMatrix& k, const Contraction& contraction,
+Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemProducts& k,
+                                                        const Contraction& contraction,
                                                         std::span<const double> e,
                                                         std::optional<double> tolerance = std::nullopt);
 

@@ -12,32 +12,32 @@ namespace radcert {
 
 const Matrix<double>& SystemMatrix::entries() const {
   expects(has_entries(), "a matrix of entries");
-  return *entries_;
+  return *stored();
 }
 
-void SystemMatrix::multiply(std::span<const double> x, std::span<double> y) const {
+void SystemProducts::multiply(std::span<const double> x, std::span<double> y) const {
   if (entries_)
     radcert::multiply(*entries_, x, y);
   else
     products_->multiply(x, y);
 }
 
-void SystemMatrix::multiply_sizes(std::span<const double> x, std::span<double> y) const {
+void SystemProducts::multiply_sizes(std::span<const double> x, std::span<double> y) const {
   if (entries_)
     radcert::multiply_sizes(*entries_, x, y);
   else
     products_->multiply_sizes(x, y);
 }
 
-void SystemMatrix::accurate_product(std::span<const double> x, std::span<double> y) const {
+void SystemProducts::accurate_product(std::span<const double> x, std::span<double> y) const {
   if (entries_)
     std::ranges::copy(radcert::accurate_product(*entries_, x), y.begin());
   else
     products_->multiply_accurately(x, y);
 }
 
-void SystemMatrix::accurate_residual(std::span<const double> v, std::span<const double> e,
-                                     std::span<double> r) const {
+void SystemProducts::accurate_residual(std::span<const double> v, std::span<const double> e,
+                                       std::span<double> r) const {
   if (entries_) {
     radcert::accurate_residual(*entries_, v, e, r);
     return;

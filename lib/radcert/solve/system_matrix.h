@@ -28,21 +28,19 @@ public:
   [[nodiscard]] virtual double rounding() const = 0;
 };
 
-/// The matrix of a linear system for those who iterate: one of entries, or an operator.
+/// The products of a system's matrix, be it one of entries or an operator: all that an iteration may ask for,
+/// so that each serves both.
 /// Requires  what it is made of outlives it
 /// Result    a reference; with entries the functions of product.h and accurate_dot.h, to the bit
-class SystemMatrix {
+class SystemProducts {
 public:
-  SystemMatrix(const Matrix<double>& entries)  // NOLINT(google-explicit-constructor): a view
+  SystemProducts(const Matrix<double>& entries)  // NOLINT(google-explicit-constructor): a view
       : entries_(&entries) {}
-  SystemMatrix(const ProductOperator& products)  // NOLINT(google-explicit-constructor): a view
+  SystemProducts(const ProductOperator& products)  // NOLINT(google-explicit-constructor): a view
       : products_(&products) {}
 
   [[nodiscard]] std::size_t rows() const { return entries_ ? entries_->rows() : products_->size(); }
   [[nodiscard]] std::size_t columns() const { return entries_ ? entries_->columns() : products_->size(); }
-  [[nodiscard]] bool has_entries() const { return entries_ != nullptr; }
-  /// ContractViolation where there are none.
-  [[nodiscard]] const Matrix<double>& entries() const;
 
   void multiply(std::span<const double> x, std::span<double> y) const;
   void multiply_sizes(std::span<const double> x, std::span<double> y) const;
@@ -54,9 +52,22 @@ public:
   /// descriptions say of entries: 0 there, an estimate for operators.
   [[nodiscard]] double rounding() const { return entries_ ? 0 : products_->rounding(); }
 
+protected:
+  [[nodiscard]] const Matrix<double>* stored() const { return entries_; }
+
 private:
   const Matrix<double>* entries_ = nullptr;
   const ProductOperator* products_ = nullptr;
+};
+
+/// A system's matrix with its entries where there are some.
+class SystemMatrix : public SystemProducts {
+public:
+  using SystemProducts::SystemProducts;
+
+  [[nodiscard]] bool has_entries() const { return stored() != nullptr; }
+  /// ContractViolation where there are none.
+  [[nodiscard]] const Matrix<double>& entries() const;
 };
 
 }  // namespace radcert

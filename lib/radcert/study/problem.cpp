@@ -69,10 +69,10 @@ void check_solver(const SolverChoice& choice) {
     refuse_input("/solver/name", choice.name, "is not a known solver", listed(solver_names()));
   if (!choice.tolerance) return;
   const Rational& tolerance = *choice.tolerance;
-  if (!solver->iterates)
+  if (!solver->iterates())
     refuse_input(
         "/solver/tolerance", tolerance.to_text(), "is not for " + choice.name,
-        listed(solver_names([](const LinearSolver& each) { return each.iterates; })) + " with a tolerance");
+        listed(solver_names([](const LinearSolver& each) { return each.iterates(); })) + " with a tolerance");
   if (tolerance < Rational::exactly(least_tolerance) || tolerance >= Rational(1))
     refuse_input("/solver/tolerance", tolerance.to_text(), "is not allowed",
                  "a number from " + shortest(least_tolerance) + ", about what double can hold, to below 1");

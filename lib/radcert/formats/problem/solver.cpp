@@ -26,18 +26,18 @@ Rational read_tolerance(const JsonReader& tolerance) {
 }  // namespace
 
 std::vector<std::string> solvers_without_tolerance() {
-  return solver_names([](const LinearSolver& solver) { return !solver.iterates; });
+  return solver_names([](const LinearSolver& solver) { return !solver.iterates(); });
 }
 
 SolverChoice read_solver(const JsonReader& solver) {
   solver.require_object({"name", "tolerance"});
   const std::vector<std::string> names = solver_names();
   SolverChoice choice{.name = solver.at("name", "one of " + listed(names)).word(names)};
-  if (!find_linear_solver(choice.name)->iterates) {
+  if (!find_linear_solver(choice.name)->iterates()) {
     if (const auto tolerance = solver.find("tolerance"))
-      tolerance->refuse(
-          "is not for " + choice.name,
-          listed(solver_names([](const LinearSolver& each) { return each.iterates; })) + " with a tolerance");
+      tolerance->refuse("is not for " + choice.name,
+                        listed(solver_names([](const LinearSolver& each) { return each.iterates(); })) +
+                            " with a tolerance");
     return choice;
   }
   if (const auto tolerance = solver.find("tolerance")) {
@@ -50,7 +50,7 @@ SolverChoice read_solver(const JsonReader& solver) {
 JsonValue solver_json(const SolverChoice& solver) {
   JsonValue out = JsonValue::object();
   out.set("name", solver.name);
-  if (find_linear_solver(solver.name)->iterates)
+  if (find_linear_solver(solver.name)->iterates())
     out.set("tolerance",
             solver.tolerance ? exact_json(*solver.tolerance) : JsonValue(as_far_as_double_holds));
   return out;

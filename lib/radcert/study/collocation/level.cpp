@@ -222,7 +222,7 @@ private:
     if (found) contraction_ = std::move(found).value();
     solver_ = &chosen(*solver_, contraction_.has_value());
     outcome_.result.solver = solver_->name;
-    if (!found && (solver_->iterates || clusters_))
+    if (!found && (solver_->iterates() || clusters_))
       throw InputError({.pointer = "/solver/name",
                         .value = problem_.solver.name,
                         .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
@@ -231,7 +231,7 @@ private:
                                    upper_text(found.reason().theta, DecimalForm::general(6)) +
                                    " at best, which is not below 1",
                         .allowed = clusters_ ? "direct, with the operator dense" : "direct"});
-    if (solver_->name != problem_.solver.name && !solver_->iterates) {
+    if (solver_->name != problem_.solver.name && !solver_->iterates()) {
       MemoryPlan more;
       solver_->plan(more, nodes_.size());
       more.require(available_memory());
@@ -243,12 +243,12 @@ private:
     const Stopwatch watch;
     const std::optional<double> tolerance =
         problem_.solver.tolerance ? std::optional(problem_.solver.tolerance->to_double()) : std::nullopt;
-    Outcome<LinearSolution> found = solver_->solve({.k = matrix(),
-                                                    .row_radius = matrix_.row_radius,
-                                                    .e = emission_,
-                                                    .e_radius = emission_radius_,
-                                                    .contraction = contraction_ ? &*contraction_ : nullptr},
-                                                   tolerance);
+    Outcome<LinearSolution> found = solution_of({.k = matrix(),
+                                                 .row_radius = matrix_.row_radius,
+                                                 .e = emission_,
+                                                 .e_radius = emission_radius_,
+                                                 .contraction = contraction_ ? &*contraction_ : nullptr},
+                                                *solver_, tolerance);
     if (!found) refuse(found.reason());
     u_n_ = std::move(found->values);
     outcome_.result.iteration = found->iteration;
@@ -287,7 +287,7 @@ private:
 }  // namespace
 
 LevelOutcome solve(const Problem& problem, const Collocation&, int level, const OperatorRoute& route) {
-  if (find_linear_solver(problem.solver.name)->proves()) return verified_level(problem, level);
+  if (find_linear_solver(problem.solver.name)->proves()) return verified_level(problem, level, route);
   return Level(problem, level).compute(route);
 }
 
