@@ -13,6 +13,7 @@
 #include "radcert/collocation/certified/certified_entries.h"
 #include "radcert/core/errors.h"
 #include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/reference/operator_integral.h"
 #include "radcert/study/collocation/verified_level.h"
 #include "radcert/surface/mesh_surface.h"
 #include "tests/attack/attack.h"
@@ -218,7 +219,7 @@ Problem problem_of(const Pair& pair) {
 Judgement judge_solution(const Pair& pair) {
   std::vector<NodeValue> nodes;
   try {
-    nodes = verified_level(problem_of(pair), 0).nodes;
+    nodes = verified_level(problem_of(pair), 0, reference::applied_operator).nodes;
   } catch (const AccuracyNotReached&) {
     return Judgement::refused();
   }

@@ -19,6 +19,7 @@
 #include "radcert/core/parallel.h"
 #include "radcert/geometry/orientation.h"
 #include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/reference/operator_integral.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/surface/mesh_surface.h"
 #include "tests/geometry/sample_meshes.h"
@@ -28,6 +29,7 @@ namespace {
 
 using testing::by_piece;
 using testing::everywhere;
+using ::testing::HasSubstr;
 using testing::sample_problem;
 using testing::with_basis;
 using testing::with_emission;
@@ -42,9 +44,13 @@ Problem verified(Problem problem) {
   return problem;
 }
 
+LevelOutcome proved_level(const Problem& problem, int level) {
+  return verified_level(problem, level, reference::applied_operator);
+}
+
 std::string refusal(const Problem& problem, int level = 0) {
   try {
-    static_cast<void>(verified_level(problem, level));
+    static_cast<void>(proved_level(problem, level));
   } catch (const AccuracyNotReached& error) {
     return error.what();
   }
@@ -283,7 +289,7 @@ TEST(VerifiedLevel, EnclosesTheSolutionInHundredDigitsAndLittleElse) {
   std::vector<double> widths;
   for (int trial = 0; trial < 200; ++trial) {
     const Tetrahedron t = random_tetrahedron(random);
-    const LevelOutcome level = verified_level(t.problem(), 0);
+    const LevelOutcome level = proved_level(t.problem(), 0);
     const std::string what = "trial " + std::to_string(trial);
     const BallPrecision scope(digits_in_bits);
     const Digits truth(t);
@@ -320,7 +326,7 @@ TEST(VerifiedLevel, EnclosesTheSolutionInHundredDigitsAndLittleElse) {
 TEST(VerifiedLevel, ContainsTheCellsOfTheCube) {
   // The figures of the cube at two levels, to more digits than printed, by solvers whose radii are estimates.
   Problem cube = verified(with_solution(sample_problem("cube"), "x^2 + y^2 + z^2"));
-  const LevelResult result = verified_level(cube, 1).result;
+  const LevelResult result = proved_level(cube, 1).result;
   EXPECT_NEAR(result.discretisation_error->value, 1.03521011e-3, 1e-10);
   EXPECT_LT(result.discretisation_error->radius, 1e-13);
   EXPECT_LT(result.node_error->radius, 1e-12);
@@ -332,7 +338,7 @@ TEST(VerifiedLevel, IsExactForPolynomialsOfTheBasis) {
   for (const char* name : {"cube", "two_squares", "tetrahedron"}) {
     const Problem problem =
         verified(with_solution(with_basis(sample_problem(name), 1, Rational(1, 10)), "1 + x - 2*y/3 + z"));
-    const LevelResult result = verified_level(problem, 0).result;
+    const LevelResult result = proved_level(problem, 0).result;
     for (const Approximation& figure : {*result.discretisation_error, *result.node_error}) {
       EXPECT_LE(figure.value, figure.radius) << name;
       EXPECT_LT(figure.radius, 1e-11) << name;
@@ -351,10 +357,10 @@ Problem on_roof(int power, int degree_of_geometry) {
 }
 
 TEST(VerifiedLevel, IsThatOfTheSurfaceWhereTheInterpolantIs) {
-  const LevelResult exact = verified_level(on_roof(2, 0), 0).result;
-  const LevelResult quadratic = verified_level(on_roof(2, 2), 0).result;
-  const LevelResult cubic_roof = verified_level(on_roof(3, 0), 0).result;
-  const LevelResult its_interpolant = verified_level(on_roof(3, 2), 0).result;
+  const LevelResult exact = proved_level(on_roof(2, 0), 0).result;
+  const LevelResult quadratic = proved_level(on_roof(2, 2), 0).result;
+  const LevelResult cubic_roof = proved_level(on_roof(3, 0), 0).result;
+  const LevelResult its_interpolant = proved_level(on_roof(3, 2), 0).result;
   for (const auto figure : {&LevelResult::discretisation_error, &LevelResult::node_error}) {
     const auto distance = [figure](const LevelResult& a, const LevelResult& b) {
       return std::abs((a.*figure)->value - (b.*figure)->value);
@@ -378,7 +384,7 @@ TEST(VerifiedLevel, HasTheSameBitsForEveryNumberOfThreads) {
   const auto with_threads = [&](std::size_t threads) {
     const ThreadLimit limit(threads);
     std::vector<double> numbers;
-    for (const NodeValue& node : verified_level(problem, 0).nodes) {
+    for (const NodeValue& node : proved_level(problem, 0).nodes) {
       numbers.push_back(node.u_n.value);
       numbers.push_back(node.u_n.radius);
     }
@@ -388,7 +394,6 @@ TEST(VerifiedLevel, HasTheSameBitsForEveryNumberOfThreads) {
 }
 
 TEST(VerifiedLevel, RefusesWhatHasNoGuarantee) {
-  using ::testing::HasSubstr;
   Problem interpolated = verified(sample_problem("sphere"));
   interpolated.geometry = InterpolatedGeometry{};
   EXPECT_THAT(refusal(interpolated), HasSubstr("interpolated geometry is not known exactly"));
@@ -445,6 +450,28 @@ Problem room_problem(const sample::Polyhedron& room, Orientation orientation) {
   return problem;
 }
 
+TEST(VerifiedLevel, IsRefusedWhereTheSecondRouteContradictsIt) {
+  // A route that is off by a millionth at the last node alone.
+  for (const Problem& surface : {sample_problem("cube"), sample_problem("sphere", {{"radius", 1}})}) {
+    const Problem problem = verified(with_solution(surface, "1 + x*y"));
+    const LevelOutcome level = proved_level(problem, 0);
+    const Vector<double> last = level.nodes.back().point;
+    const auto off = [&](const Surface& s, const SurfaceFunction& u) -> AppliedOperator {
+      return [&s, route = reference::applied_operator(s, u), last](const SurfacePoint<double>& p) {
+        Approximation found = route(p);
+        if (norm(s.charts[p.chart].in<double>().frame(p.at).point - last) < 1e-12) found.value += 1e-6;
+        return found;
+      };
+    };
+    try {
+      static_cast<void>(verified_level(problem, 0, off));
+      ADD_FAILURE() << "no exception";
+    } catch (const AccuracyNotReached& error) {
+      EXPECT_THAT(error.what(), HasSubstr("second route"));
+    }
+  }
+}
+
 TEST(VerifiedLevel, HoldsWherePartsHideEachOther) {
   const auto no_route = [](const Surface&, const SurfaceFunction&) -> AppliedOperator { return {}; };
   const sample::Polyhedron outwards = sample::l_shaped_room();
@@ -455,14 +482,14 @@ TEST(VerifiedLevel, HoldsWherePartsHideEachOther) {
                               room_problem(sample::cube_in_cube(0.5, {0.25, 0.125, 0.0625}),
                                            Orientation::against_the_cross_product)}) {
     // Int G V = pi in a closed room: u = 1 for E = 1 - rho.
-    const LevelOutcome one = verified_level(verified(with_emission(room, "1/2")), 0);
+    const LevelOutcome one = proved_level(verified(with_emission(room, "1/2")), 0);
     for (const NodeValue& node : one.nodes) {
       EXPECT_LE(std::abs(node.u_n.value - 1), node.u_n.radius);
       EXPECT_LE(node.u_n.radius, 1e-11);
     }
     // The other matrix is integrated otherwise: point by point, over parts with rounded corners.
     const Problem lit = with_emission(room, "1 + x*y + z^2");
-    const LevelOutcome proved = verified_level(verified(lit), 0);
+    const LevelOutcome proved = proved_level(verified(lit), 0);
     const LevelOutcome estimated = solve_level(lit, 0, no_route);
     double largest = 0;
     for (std::size_t i = 0; i < proved.nodes.size(); ++i) {
@@ -487,10 +514,9 @@ TEST(VerifiedLevel, HoldsWherePartsHideEachOther) {
 TEST(VerifiedLevel, RefusesInputThatIsWrongAsOtherSolversDo) {
   Problem problem = verified(sample_problem("cube"));
   problem.reflectivity = everywhere("2*x");
-  EXPECT_EQ(testing::fault_of([&] { static_cast<void>(verified_level(problem, 0)); }).pointer,
-            "/reflectivity");
+  EXPECT_EQ(testing::fault_of([&] { static_cast<void>(proved_level(problem, 0)); }).pointer, "/reflectivity");
   const Problem undefined = verified(with_solution(sample_problem("cube"), "log(x)"));
-  EXPECT_EQ(testing::fault_of([&] { static_cast<void>(verified_level(undefined, 0)); }).pointer, "/solution");
+  EXPECT_EQ(testing::fault_of([&] { static_cast<void>(proved_level(undefined, 0)); }).pointer, "/solution");
 }
 
 }  // namespace

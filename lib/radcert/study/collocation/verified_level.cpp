@@ -23,6 +23,7 @@
 #include "radcert/hypotheses/convex_containment.h"
 #include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball_precision.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/verified_system.h"
 #include "radcert/study/collocation/exact_interpolant.h"
 #include "radcert/study/collocation/level_geometry.h"
@@ -197,7 +198,7 @@ public:
   VerifiedLevel(const VerifiedLevel&) = delete;
   VerifiedLevel& operator=(const VerifiedLevel&) = delete;
 
-  LevelOutcome compute() && {
+  LevelOutcome compute(const OperatorRoute& route) && {
     require_exact_geometry();
     find_data();
     const Stopwatch assembly;
@@ -208,7 +209,7 @@ public:
     scale_row_entries(matrix, rho_);
     outcome_.timing.assembly_seconds = assembly.seconds();
     std::vector<Ball> defect;
-    if (problem_.solution) defect = discretisation(matrix);
+    if (problem_.solution) defect = discretisation(matrix, route);
     const Stopwatch solution;
     solve(std::move(matrix), defect);
     outcome_.timing.solve_seconds = solution.seconds();
@@ -397,10 +398,37 @@ private:
     return balls;
   }
 
+  /// On curved charts the entries of the matrix and Int_S G u dS come from the same sums, where a fault would
+  /// pass unseen. The route shares nothing with them, as the build sees to: at nodes that are spread over the
+  /// surface it has to find the same, to half of the digits of double, as it takes the nodes as rounded and
+  /// its radius is an estimate.
+  void require_second_route(const std::vector<Ball>& integrals, const OperatorRoute& route) const {
+    constexpr std::size_t most_compared = 8;
+    const std::size_t count = std::min(most_compared, nodes_.size());
+    const SurfaceFunction u(*problem_.solution, surface_);
+    const AppliedOperator second = route(surface_, u);
+    const double apart = std::sqrt(std::numeric_limits<double>::epsilon()) * pi<double>() * size_of_u();
+    std::vector<std::string> faults(count);
+    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const std::size_t i = count > 1 ? k * (nodes_.size() - 1) / (count - 1) : 0;
+        const Approximation found = second(geometry_.data().nodes[i].at);
+        if (found.has_radius() &&
+            !overlaps(integrals[i], ball_of(Approximation::proved(found.value, found.radius + apart))))
+          faults[k] = "the integral of G u at node " + std::to_string(i) + " is enclosed by " +
+                      integrals[i].to_text() + ", and by the second route it is " +
+                      nearest_text(found.value, DecimalForm::general(17));
+      }
+    });
+    for (const std::string& fault : faults)
+      if (!fault.empty()) refuse(fault);
+  }
+
   /// K(I - P_n)u at the nodes; E = u - Ku is found with it.
-  std::vector<Ball> discretisation(const CertifiedEntries& matrix) {
+  std::vector<Ball> discretisation(const CertifiedEntries& matrix, const OperatorRoute& route) {
     const Stopwatch watch;
     const std::vector<Ball> integrals = integrals_ ? *integrals_ : operator_at_nodes();
+    require_second_route(integrals, route);
     outcome_.timing.operator_seconds = watch.seconds();
     std::vector<Ball> difference = enclosed_product(matrix, u_);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -463,9 +491,9 @@ private:
 
 }  // namespace
 
-LevelOutcome verified_level(const Problem& problem, int level) {
+LevelOutcome verified_level(const Problem& problem, int level, const OperatorRoute& route) {
   require_provable(problem, level);
-  return VerifiedLevel(problem, level).compute();
+  return VerifiedLevel(problem, level).compute(route);
 }
 
 }  // namespace radcert

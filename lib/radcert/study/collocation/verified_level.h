@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "radcert/study/operator_route.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/study.h"
 
@@ -26,6 +27,6 @@ namespace radcert {
 ///           problem's quadrature tolerance asks for, or up to 64 times as wide where double holds no more
 /// Limits    uniform_error, piece_means and, on open surfaces, norm_K are not proved. The superconvergent
 ///           alpha of an odd degree is the rational number within 10^-100 that stands for it
-LevelOutcome verified_level(const Problem& problem, int level);
+LevelOutcome verified_level(const Problem& problem, int level, const OperatorRoute& route);
 
 }  // namespace radcert
