@@ -12,7 +12,7 @@ Operator t() { return Operator("K"); }
 Operator sum() { return Operator("Z"); }    // S_k
 Operator power() { return Operator("Y"); }  // T^(k+1)
 
-// What k gives.
+// What k gives; Y Z = Z Y follows from it, as Y = I + K Z - Z and K Z = Z K.
 OperatorRelations at_k() {
   return OperatorRelations({{.product = "KZ", .replacement = sum() + power() - one},
                             {.product = "ZK", .replacement = sum() + power() - one},

@@ -10,7 +10,9 @@
 #include <numbers>
 
 #include "radcert/expression/parse.h"
+#include "radcert/formats/result/stored_levels.h"
 #include "radcert/reference/operator_integral.h"
+#include "radcert/study/study.h"
 #include "verification/claims/ac98/collocation/element_function.h"
 #include "verification/framework/check.h"
 

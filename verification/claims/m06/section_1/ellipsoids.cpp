@@ -25,7 +25,8 @@
 #include "radcert/enclosure/polygon_integral.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/claims/m06/many_variables.h"
+#include "verification/claims/m06/rank_one_inverse.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {
@@ -37,16 +38,14 @@ Finding theorem_2_4_a(const Bench& bench);
 namespace radcert::verification::m06 {
 namespace {
 
-using Variables = std::array<ManyVariables, 3>;
+using Variables = std::array<Polynomial, 3>;
 
-Variables variables(std::size_t first) {
-  return {ManyVariables::variable(first), ManyVariables::variable(first + 1),
-          ManyVariables::variable(first + 2)};
+Variables variables(const std::string& name) {
+  return {Polynomial::variable(name + "1"), Polynomial::variable(name + "2"),
+          Polynomial::variable(name + "3")};
 }
 
-ManyVariables product(const Variables& a, const Variables& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+Polynomial product(const Variables& a, const Variables& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // A v for A = diag(inverse).
 Variables times(const Variables& inverse, const Variables& v) {
@@ -55,27 +54,27 @@ Variables times(const Variables& inverse, const Variables& v) {
 
 // 4 (-h.AP) (h.BQ) less (h.Ah)^2 - (Q.AQ - P.AP)^2; B = A, or not.
 Rational terms_of_kernel(bool same_ellipsoid) {
-  const Variables a = variables(0);
-  const Variables p = variables(3);
-  const Variables h = variables(6);
+  const Variables a = variables("a");
+  const Variables p = variables("p");
+  const Variables h = variables("h");
   const Variables other = same_ellipsoid ? a : Variables{a[1], a[0], a[2]};
   const Variables q{p[0] + h[0], p[1] + h[1], p[2] + h[2]};
-  const ManyVariables from_p = -product(h, times(a, p));
-  const ManyVariables from_q = product(h, times(other, q));
-  const ManyVariables bend = product(h, times(a, h));
-  const ManyVariables off = product(q, times(a, q)) - product(p, times(a, p));
-  return (4 * from_p * from_q - (bend * bend - off * off)).terms();
+  const Polynomial from_p = -product(h, times(a, p));
+  const Polynomial from_q = product(h, times(other, q));
+  const Polynomial bend = product(h, times(a, h));
+  const Polynomial off = product(q, times(a, q)) - product(p, times(a, p));
+  return differing_terms(4 * from_p * from_q - (bend * bend - off * off), 0);
 }
 
 // A_1 |h|^2 - h.Ah - (A_1 - A_2) h_2^2 - (A_1 - A_3) h_3^2, and the like for |AP|^2 - A_3 P.AP.
 Rational terms_of_sums_of_squares() {
-  const Variables a = variables(0);
-  const Variables h = variables(6);
-  const ManyVariables largest = a[0] * product(h, h) - product(h, times(a, h)) - (a[0] - a[1]) * h[1] * h[1] -
-                                (a[0] - a[2]) * h[2] * h[2];
-  const ManyVariables smallest = product(times(a, h), times(a, h)) - a[2] * product(h, times(a, h)) -
-                                 (a[0] - a[2]) * a[0] * h[0] * h[0] - (a[1] - a[2]) * a[1] * h[1] * h[1];
-  return largest.terms() + smallest.terms();
+  const Variables a = variables("a");
+  const Variables h = variables("h");
+  const Polynomial largest = a[0] * product(h, h) - product(h, times(a, h)) - (a[0] - a[1]) * h[1] * h[1] -
+                             (a[0] - a[2]) * h[2] * h[2];
+  const Polynomial smallest = product(times(a, h), times(a, h)) - a[2] * product(h, times(a, h)) -
+                              (a[0] - a[2]) * a[0] * h[0] * h[0] - (a[1] - a[2]) * a[1] * h[1] * h[1];
+  return differing_terms(largest, 0) + differing_terms(smallest, 0);
 }
 
 struct AreaElement {
@@ -97,34 +96,11 @@ Ball area_of_sphere(int radius) {
   return area;
 }
 
-// (1 - p) (u - rho M(u) - E) for u = E + rho e/(1 - p), e = M(E), p = M(rho): M(u) (1 - p) = (1 - p) e + p e;
-// or for a wrong u with 1 + p.
-Rational terms_of_solution(int sign) {
-  const ManyVariables data = ManyVariables::variable(0);
-  const ManyVariables rho = ManyVariables::variable(1);
-  const ManyVariables e = ManyVariables::variable(2);
-  const ManyVariables p = ManyVariables::variable(3);
-  const ManyVariables factor = 1 + sign * p;
-  const ManyVariables u = factor * data + rho * e;
-  const ManyVariables mean = factor * e + p * e;
-  return (u - rho * mean - factor * data).terms();
-}
-
 // (1 - m)(1 - p) [1/(1 - m) - 1 - m/(1 - p)] - m (m - p), or with m (p - m).
 Rational terms_of_inequality(int sign) {
-  const ManyVariables m = ManyVariables::variable(0);
-  const ManyVariables p = ManyVariables::variable(1);
-  return ((1 - p) - (1 - m) * (1 - p) - m * (1 - m) - sign * m * (m - p)).terms();
-}
-
-// (1 - p) (E + rho M(E)/(1 - p) - u) for E = u - rho M(u), M(E) = M(u) (1 - p): there is no other u.
-Rational terms_of_uniqueness(int sign) {
-  const ManyVariables u = ManyVariables::variable(0);
-  const ManyVariables rho = ManyVariables::variable(1);
-  const ManyVariables m = ManyVariables::variable(2);
-  const ManyVariables p = ManyVariables::variable(3);
-  const ManyVariables factor = 1 + sign * p;
-  return (factor * (u - rho * m) + rho * (m - p * m) - factor * u).terms();
+  const Polynomial m = Polynomial::variable("m");
+  const Polynomial p = Polynomial::variable("p");
+  return differing_terms((1 - p) - (1 - m) * (1 - p) - m * (1 - m) - sign * m * (m - p), 0);
 }
 
 }  // namespace
@@ -155,11 +131,11 @@ Finding lemma_1_c(const Bench& bench) {
 Finding theorem_3_a(const Bench& bench) {
   const IsExactly none{0};
   Finding finding = ac98::theorem_2_4_a(bench);
-  finding.require("terms of u - K u - E on the unit sphere, any E and rho", none, terms_of_solution(-1));
-  finding.control("the same for E + rho M(E)/(1 + M(rho))", none, terms_of_solution(1));
+  finding.require("terms of u - K u - E on the unit sphere, any E and rho", none, terms_of_right_inverse(-1));
+  finding.control("the same for E + rho M(E)/(1 + M(rho))", none, terms_of_right_inverse(1));
   finding.require("terms of E + rho M(E)/(1 - M(rho)) - u for E = u - K u, any u", none,
-                  terms_of_uniqueness(-1));
-  finding.control("the same with 1 + M(rho)", none, terms_of_uniqueness(1));
+                  terms_of_left_inverse(-1));
+  finding.control("the same with 1 + M(rho)", none, terms_of_left_inverse(1));
   finding.require("terms of 1/(1 - m) - 1 - m/(1 - p) less m (m - p)/((1 - m)(1 - p))", none,
                   terms_of_inequality(1));
   finding.control("the same less m (p - m)/((1 - m)(1 - p))", none, terms_of_inequality(-1));

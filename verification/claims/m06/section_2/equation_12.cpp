@@ -56,11 +56,11 @@ Rational points_apart(const Surface& surface, int level, Numbering numbering) {
 
 // Four times the determinant of each child less that of the parent, any triangle.
 Rational terms_of_quarters(const Rational& part) {
-  const TriangleOf<ManyVariables> parent = any_triangle();
+  const TriangleOf<Polynomial> parent = any_triangle();
   Rational terms = 0;
-  for (const TriangleOf<ManyVariables>& child : children(parent, part))
-    terms +=
-        (4 * twice_area(child[0], child[1], child[2]) - twice_area(parent[0], parent[1], parent[2])).terms();
+  for (const TriangleOf<Polynomial>& child : children(parent, part))
+    terms += differing_terms(
+        4 * twice_area(child[0], child[1], child[2]) - twice_area(parent[0], parent[1], parent[2]), 0);
   return terms;
 }
 

@@ -18,7 +18,7 @@
 #include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "verification/claims/ac98/collocation/differing_coefficients.h"
-#include "verification/claims/m06/many_variables.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -33,14 +33,14 @@ RationalPolynomial printed_coordinate(int i, int r) {
 
 // r c_i with the variables i, j, m, r and alpha; `three` for the 3 in (13).
 struct Letters {
-  ManyVariables i = ManyVariables::variable(0);
-  ManyVariables j = ManyVariables::variable(1);
-  ManyVariables m = ManyVariables::variable(2);
-  ManyVariables r = ManyVariables::variable(3);
-  ManyVariables alpha = ManyVariables::variable(4);
+  Polynomial i = Polynomial::variable("i");
+  Polynomial j = Polynomial::variable("j");
+  Polynomial m = Polynomial::variable("m");
+  Polynomial r = Polynomial::variable("r");
+  Polynomial alpha = Polynomial::variable("alpha");
   int three = 3;
 
-  [[nodiscard]] ManyVariables scaled(const ManyVariables& index) const {
+  [[nodiscard]] Polynomial scaled(const Polynomial& index) const {
     return index + (r - three * index) * alpha;
   }
 };
@@ -49,22 +49,22 @@ struct Letters {
 Rational terms_of_third(int three) {
   Letters x;
   x.three = three;
-  return (x.r - x.scaled(x.i) - x.scaled(x.j) - x.scaled(x.r - x.i - x.j)).terms();
+  return differing_terms(x.r - x.scaled(x.i) - x.scaled(x.j) - x.scaled(x.r - x.i - x.j), 0);
 }
 
 // r (c_i - c_m) - (1 - 3 alpha)(i - m), and r (c_i - alpha) - (1 - 3 alpha) i.
 Rational terms_of_differences(int three) {
   Letters x;
   x.three = three;
-  return (x.scaled(x.i) - x.scaled(x.m) - (1 - 3 * x.alpha) * (x.i - x.m)).terms() +
-         (x.scaled(x.i) - x.r * x.alpha - (1 - 3 * x.alpha) * x.i).terms();
+  return differing_terms(x.scaled(x.i) - x.scaled(x.m) - (1 - 3 * x.alpha) * (x.i - x.m), 0) +
+         differing_terms(x.scaled(x.i) - x.r * x.alpha - (1 - 3 * x.alpha) * x.i, 0);
 }
 
 // f_r - f_(r-1) - (r + 1), f_r = (r + 1)(r + more)/2.
 Rational terms_of_count(int more) {
-  const ManyVariables r = Letters().r;
-  const ManyVariables half = Rational(1, 2);
-  return (half * (r + 1) * (r + more) - half * r * (r + more - 1) - (r + 1)).terms();
+  const Polynomial r = Letters().r;
+  const Polynomial half = Rational(1, 2);
+  return differing_terms(half * (r + 1) * (r + more) - half * r * (r + more - 1) - (r + 1), 0);
 }
 
 using Node = std::array<Rational, 3>;

@@ -6,23 +6,24 @@
 
 namespace radcert::verification::m06 {
 
-TriangleOf<ManyVariables> any_triangle() {
-  TriangleOf<ManyVariables> v;
+TriangleOf<Polynomial> any_triangle() {
+  TriangleOf<Polynomial> v;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t c = 0; c < 2; ++c) v[i][c] = ManyVariables::variable(2 * i + c);
+    for (std::size_t c = 0; c < 2; ++c)
+      v[i][c] = Polynomial::variable("v" + std::to_string(i) + std::to_string(c));
   return v;
 }
 
 Rational terms_of_halved_sides(const Rational& part) {
-  const TriangleOf<ManyVariables> parent = any_triangle();
-  const std::array<TriangleOf<ManyVariables>, 4> all = children(parent, part);
+  const TriangleOf<Polynomial> parent = any_triangle();
+  const std::array<TriangleOf<Polynomial>, 4> all = children(parent, part);
   Rational terms = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const ManyVariables half = Rational(k == 3 ? -1 : 1, 2);
+    const Polynomial half = Rational(k == 3 ? -1 : 1, 2);
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t c = 0; c < 2; ++c)
-        terms +=
-            (all[k][(i + 1) % 3][c] - all[k][i][c] - half * (parent[(i + 1) % 3][c] - parent[i][c])).terms();
+        terms += differing_terms(
+            all[k][(i + 1) % 3][c] - all[k][i][c] - half * (parent[(i + 1) % 3][c] - parent[i][c]), 0);
   }
   return terms;
 }

@@ -9,7 +9,7 @@
 #include "radcert/scalar/rational.h"
 #include "radcert/surface/surface.h"
 #include "radcert/triangulation/triangulation.h"
-#include "verification/claims/m06/many_variables.h"
+#include "verification/claims/rational_function.h"
 
 namespace radcert::verification::m06 {
 
@@ -45,7 +45,7 @@ R twice_area(const CornerOf<R>& a, const CornerOf<R>& b, const CornerOf<R>& c) {
 }
 
 /// A triangle with six variables for its coordinates.
-[[nodiscard]] TriangleOf<ManyVariables> any_triangle();
+[[nodiscard]] TriangleOf<Polynomial> any_triangle();
 
 /// How the sides of the children differ from halves of those of their parent, for any triangle.
 /// Result    the terms that are left of child's side -+ parent's side/2, all sides of all children: zero if

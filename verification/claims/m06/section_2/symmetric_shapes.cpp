@@ -88,71 +88,72 @@ Ball largest_ratio(const Domain& domain) {
 
 // Heron: 4 (twice the area)^2 = (a+b+c)(b+c-a)(c+a-b)(a+b-c), the right side in the squares of the sides.
 Rational terms_of_heron() {
-  const TriangleOf<ManyVariables> v = any_triangle();
-  const auto square = [](const CornerOf<ManyVariables>& p, const CornerOf<ManyVariables>& q) {
-    const ManyVariables dx = q[0] - p[0];
-    const ManyVariables dy = q[1] - p[1];
+  const TriangleOf<Polynomial> v = any_triangle();
+  const auto square = [](const CornerOf<Polynomial>& p, const CornerOf<Polynomial>& q) {
+    const Polynomial dx = q[0] - p[0];
+    const Polynomial dy = q[1] - p[1];
     return dx * dx + dy * dy;
   };
-  const ManyVariables a = square(v[1], v[2]);
-  const ManyVariables b = square(v[2], v[0]);
-  const ManyVariables c = square(v[0], v[1]);
-  const ManyVariables area = twice_area(v[0], v[1], v[2]);
-  return (4 * area * area - (2 * a * b + 2 * b * c + 2 * c * a - a * a - b * b - c * c)).terms();
+  const Polynomial a = square(v[1], v[2]);
+  const Polynomial b = square(v[2], v[0]);
+  const Polynomial c = square(v[0], v[1]);
+  const Polynomial area = twice_area(v[0], v[1], v[2]);
+  return differing_terms(4 * area * area - (2 * a * b + 2 * b * c + 2 * c * a - a * a - b * b - c * c), 0);
 }
 
 // With 16 A^2 = (a+b+c)(b+c-a)(c+a-b)(a+b-c), h* = A/s and cos theta = (b^2+c^2-a^2)/(2bc): h*^2 (1 + cos
 // theta) = (s - apart)^2 (1 - cos theta), which is h* = (s - apart) tan(theta/2), times 32 s^2 b c.
-Rational terms_of_tangent(const ManyVariables& twice_apart) {
-  const ManyVariables a = ManyVariables::variable(0);
-  const ManyVariables b = ManyVariables::variable(1);
-  const ManyVariables c = ManyVariables::variable(2);
-  const ManyVariables twice_s = a + b + c;
-  const ManyVariables area = twice_s * (b + c - a) * (c + a - b) * (a + b - c);
-  const ManyVariables tangent = twice_s - twice_apart;
-  const ManyVariables cosine = b * b + c * c - a * a;
-  return (area * (2 * b * c + cosine) - twice_s * twice_s * tangent * tangent * (2 * b * c - cosine)).terms();
+Rational terms_of_tangent(const Polynomial& twice_apart) {
+  const Polynomial a = Polynomial::variable("a");
+  const Polynomial b = Polynomial::variable("b");
+  const Polynomial c = Polynomial::variable("c");
+  const Polynomial twice_s = a + b + c;
+  const Polynomial area = twice_s * (b + c - a) * (c + a - b) * (a + b - c);
+  const Polynomial tangent = twice_s - twice_apart;
+  const Polynomial cosine = b * b + c * c - a * a;
+  return differing_terms(
+      area * (2 * b * c + cosine) - twice_s * twice_s * tangent * tangent * (2 * b * c - cosine), 0);
 }
 
 // 2 (c - (s - a)) = c + a - b, which is not negative.
 Rational terms_of_longest() {
-  const ManyVariables a = ManyVariables::variable(0);
-  const ManyVariables b = ManyVariables::variable(1);
-  const ManyVariables c = ManyVariables::variable(2);
-  return (2 * c - (b + c - a) - (c + a - b)).terms();
+  const Polynomial a = Polynomial::variable("a");
+  const Polynomial b = Polynomial::variable("b");
+  const Polynomial c = Polynomial::variable("c");
+  return differing_terms(2 * c - (b + c - a) - (c + a - b), 0);
 }
 
-const ManyVariables& lattice_i() {
-  static const ManyVariables i = ManyVariables::variable(0);
+const Polynomial& lattice_i() {
+  static const Polynomial i = Polynomial::variable("i");
   return i;
 }
-const ManyVariables& lattice_j() {
-  static const ManyVariables j = ManyVariables::variable(1);
+const Polynomial& lattice_j() {
+  static const Polynomial j = Polynomial::variable("j");
   return j;
 }
 
-TriangleOf<ManyVariables> upright(const ManyVariables& i, const ManyVariables& j) {
+TriangleOf<Polynomial> upright(const Polynomial& i, const Polynomial& j) {
   return {{{i, j}, {i + 1, j}, {i, j + 1}}};
 }
-TriangleOf<ManyVariables> turned(const ManyVariables& i, const ManyVariables& j) {
+TriangleOf<Polynomial> turned(const Polynomial& i, const Polynomial& j) {
   return {{{i + 1, j + 1}, {i, j + 1}, {i + 1, j}}};
 }
 
-Rational terms_apart(const TriangleOf<ManyVariables>& a, const TriangleOf<ManyVariables>& b) {
+Rational terms_apart(const TriangleOf<Polynomial>& a, const TriangleOf<Polynomial>& b) {
   Rational terms = 0;
   for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t c = 0; c < 2; ++c) terms += (a[k][c] - b[k][c]).terms();
+    for (std::size_t c = 0; c < 2; ++c) terms += differing_terms(a[k][c], b[k][c]);
   return terms;
 }
 
 // The children of the upright and of the turned triangle at (i,j), lengths doubled, against those of the
 // lattice.
 Rational terms_of_lattice(const Rational& part) {
-  const ManyVariables i = 2 * lattice_i();
-  const ManyVariables j = 2 * lattice_j();
-  const auto doubled = [](TriangleOf<ManyVariables> t) {
-    for (CornerOf<ManyVariables>& corner : t)
-      for (ManyVariables& coordinate : corner) coordinate = 2 * coordinate;
+  const Polynomial i = 2 * lattice_i();
+  const Polynomial j = 2 * lattice_j();
+  const auto doubled = [](TriangleOf<Polynomial> t) {
+    for (CornerOf<Polynomial>& corner : t)
+      for (Polynomial& coordinate : corner) coordinate = 2 * coordinate;
     return t;
   };
   const auto of_upright = children(doubled(upright(lattice_i(), lattice_j())), part);
@@ -166,9 +167,9 @@ Rational terms_of_lattice(const Rational& part) {
 // The turned triangle at (i,j) less the half turn of the upright one at (i + di, j + dj) about ((2i + 1 +
 // di)/2, (2j + 1 + dj)/2).
 Rational terms_of_half_turn(int di, int dj) {
-  TriangleOf<ManyVariables> image = upright(lattice_i() + di, lattice_j() + dj);
-  const std::array<ManyVariables, 2> sum{2 * lattice_i() + 1 + di, 2 * lattice_j() + 1 + dj};
-  for (CornerOf<ManyVariables>& corner : image)
+  TriangleOf<Polynomial> image = upright(lattice_i() + di, lattice_j() + dj);
+  const std::array<Polynomial, 2> sum{2 * lattice_i() + 1 + di, 2 * lattice_j() + 1 + dj};
+  for (CornerOf<Polynomial>& corner : image)
     for (std::size_t c = 0; c < 2; ++c) corner[c] = sum[c] - corner[c];
   return terms_apart(image, turned(lattice_i(), lattice_j()));
 }
@@ -177,16 +178,16 @@ Rational terms_of_half_turn(int di, int dj) {
 // of a parallelogram about the middle of its diagonal.
 Rational common_vertices(int di, int dj) {
   long count = 0;
-  for (const CornerOf<ManyVariables>& a : turned(lattice_i(), lattice_j()))
-    for (const CornerOf<ManyVariables>& b : upright(lattice_i() + di, lattice_j() + dj))
-      if ((a[0] - b[0]).terms() == 0 && (a[1] - b[1]).terms() == 0) ++count;
+  for (const CornerOf<Polynomial>& a : turned(lattice_i(), lattice_j()))
+    for (const CornerOf<Polynomial>& b : upright(lattice_i() + di, lattice_j() + dj))
+      if (differing_terms(a[0], b[0]) == 0 && differing_terms(a[1], b[1]) == 0) ++count;
   return {count};
 }
 
 Rational terms_of_count(int turned_fewer) {
-  const ManyVariables n = ManyVariables::variable(0);
-  const ManyVariables half = Rational(1, 2);
-  return (half * n * (n + 1) - half * n * (n - turned_fewer) - n).terms();
+  const Polynomial n = Polynomial::variable("n");
+  const Polynomial half = Rational(1, 2);
+  return differing_terms(half * n * (n + 1) - half * n * (n - turned_fewer) - n, 0);
 }
 
 // Of the triangles inside a coarse one, those that are left when pairs with a common side of one direction
@@ -239,8 +240,8 @@ Finding equation_33(const Bench&) {
   for (int level = 0; level < levels; ++level)
     for (const Domain& domain : domains(level))
       finding.require("largest r(tau)" + named(domain, level), coarse, largest_ratio(domain));
-  const ManyVariables a = ManyVariables::variable(0);
-  const ManyVariables b = ManyVariables::variable(1);
+  const Polynomial a = Polynomial::variable("a");
+  const Polynomial b = Polynomial::variable("b");
   const IsExactly none{0};
   finding.require("terms of Heron's formula, any triangle", none, terms_of_heron());
   finding.require("terms of h* = (s - a) tan(theta/2), a the side that faces theta", none,

@@ -21,39 +21,18 @@
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/claims/m06/many_variables.h"
+#include "verification/claims/m06/rank_one_inverse.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {
 
-// (1 - q)(g - R M(g) - f) for g = f + R e/(1 - q), e = M(f), q = M(R); or for a wrong g with 1 + q.
-Rational terms_of_inverse(int sign) {
-  const ManyVariables f = ManyVariables::variable(0);
-  const ManyVariables r = ManyVariables::variable(1);
-  const ManyVariables e = ManyVariables::variable(2);
-  const ManyVariables q = ManyVariables::variable(3);
-  const ManyVariables factor = 1 + sign * q;
-  const ManyVariables g = factor * f + r * e;
-  const ManyVariables mean = factor * e + q * e;
-  return (g - r * mean - factor * f).terms();
-}
-
-// (1 - q)(Y (f - R e) - f) for Y g = g + R M(g)/(1 - q), M(f - R e) = e - q e; or with 1 + q.
-Rational terms_of_left_inverse(int sign) {
-  const ManyVariables f = ManyVariables::variable(0);
-  const ManyVariables r = ManyVariables::variable(1);
-  const ManyVariables e = ManyVariables::variable(2);
-  const ManyVariables q = ManyVariables::variable(3);
-  const ManyVariables factor = 1 + sign * q;
-  return (factor * (f - r * e) + r * (e - q * e) - factor * f).terms();
-}
-
 // (1 - q) [1 + R/(1 - q)] - 1: zero for R = q.
 Rational terms_of_norm(bool constant) {
-  const ManyVariables q = ManyVariables::variable(0);
-  const ManyVariables r = constant ? q : ManyVariables::variable(1);
-  return ((1 - q) + r - 1).terms();
+  const Polynomial q = Polynomial::variable("q");
+  const Polynomial r = constant ? q : Polynomial::variable("R");
+  return differing_terms((1 - q) + r, 1);
 }
 
 // rho = (2 + z^3)/4, a constant 1/2, or 1/4 above and 1/2 below z = 0.
@@ -88,8 +67,9 @@ Ball jump(Reflectivity kind, const Rational& alpha, const Rational& t) {
 Finding theorem_4_inverses(const Bench&) {
   const IsExactly none{0};
   Finding finding;
-  finding.require("terms of (I - P_n K)(f + R M(f)/(1 - q)) - f, unit sphere", none, terms_of_inverse(-1));
-  finding.control("the same for f + R M(f)/(1 + q)", none, terms_of_inverse(1));
+  finding.require("terms of (I - P_n K)(f + R M(f)/(1 - q)) - f, unit sphere", none,
+                  terms_of_right_inverse(-1));
+  finding.control("the same for f + R M(f)/(1 + q)", none, terms_of_right_inverse(1));
   finding.require("terms of Y (I - P_n K) f - f, Y g = g + R M(g)/(1 - q)", none, terms_of_left_inverse(-1));
   finding.control("the same for Y g = g + R M(g)/(1 + q)", none, terms_of_left_inverse(1));
   finding.require("terms of (1 - rho)(1 + rho/(1 - rho)) - 1", none, terms_of_norm(true));

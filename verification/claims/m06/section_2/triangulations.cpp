@@ -187,9 +187,9 @@ Rational wrong_parts_of_sides(const Rational& part) {
 
 // A + part (B - A) less B + part (A - B), for any two points.
 Rational terms_of_turned_division(const Rational& part) {
-  const ManyVariables a = ManyVariables::variable(0);
-  const ManyVariables b = ManyVariables::variable(1);
-  return (a + ManyVariables(part) * (b - a) - (b + ManyVariables(part) * (a - b))).terms();
+  const Polynomial a = Polynomial::variable("a");
+  const Polynomial b = Polynomial::variable("b");
+  return differing_terms(a + Polynomial(part) * (b - a), b + Polynomial(part) * (a - b));
 }
 
 // What all three have in common: the step of the induction, and the library.

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "radcert/polynomial/plane_polynomial.h"
-#include "verification/claims/m06/many_variables.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -118,18 +118,18 @@ Rational derivatives_off(int k, int power) {
 
 // (x + y)^k/k! less sum x^i y^j/(i! j!), or less sum x^i y^j/k!.
 Rational terms_of_taylor(int k, bool with_factorials) {
-  const ManyVariables x = ManyVariables::variable(0);
-  const ManyVariables y = ManyVariables::variable(1);
-  const auto to_the = [](const ManyVariables& base, int n) {
-    ManyVariables result = 1;
+  const Polynomial x = Polynomial::variable("x");
+  const Polynomial y = Polynomial::variable("y");
+  const auto to_the = [](const Polynomial& base, int n) {
+    Polynomial result = 1;
     for (int i = 0; i < n; ++i) result = result * base;
     return result;
   };
-  ManyVariables rest = ManyVariables(1 / factorial(k)) * to_the(x + y, k);
+  Polynomial rest = Polynomial(1 / factorial(k)) * to_the(x + y, k);
   for (int i = 0; i <= k; ++i)
-    rest += ManyVariables(-1 / (with_factorials ? factorial(i) * factorial(k - i) : factorial(k))) *
-            to_the(x, i) * to_the(y, k - i);
-  return rest.terms();
+    rest = rest + Polynomial(-1 / (with_factorials ? factorial(i) * factorial(k - i) : factorial(k))) *
+                      to_the(x, i) * to_the(y, k - i);
+  return differing_terms(rest, 0);
 }
 
 }  // namespace

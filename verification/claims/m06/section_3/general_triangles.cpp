@@ -22,9 +22,9 @@
 
 #include "verification/claims/ac98/surfaces/exact_plane.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
-#include "verification/claims/m06/many_variables.h"
 #include "verification/claims/m06/section_3/interpolation_error.h"
 #include "verification/claims/mean_value_bounds.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -35,9 +35,9 @@ using ac98::PlanarPoint;
 
 // 2 (x^2 + y^2) - (x + y)^2 - (x - y)^2, or with x^2 + y^2 once.
 Rational terms_of_norms(int factor) {
-  const ManyVariables x = ManyVariables::variable(0);
-  const ManyVariables y = ManyVariables::variable(1);
-  return (factor * (x * x + y * y) - (x + y) * (x + y) - (x - y) * (x - y)).terms();
+  const Polynomial x = Polynomial::variable("x");
+  const Polynomial y = Polynomial::variable("y");
+  return differing_terms(factor * (x * x + y * y) - (x + y) * (x + y) - (x - y) * (x - y), 0);
 }
 
 // The largest size at the vertices of derivatives of one order: those of monomials have their largest there,

@@ -8,7 +8,7 @@
 //              Rejected: hat u_n with twice the K of the problem, which leaves K u_n over.
 // Not checked  the norm of K: equation_6.
 
-#include "verification/claims/m06/many_variables.h"
+#include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -17,12 +17,12 @@ namespace {
 // u - hat u_n - K (u - u_n), with u = E + K u, hat u_n = E + factor K u_n; K u and K u_n are letters of their
 // own, as K is linear.
 Rational terms_of_iterate(int factor) {
-  const ManyVariables emission = ManyVariables::variable(0);
-  const ManyVariables k_u = ManyVariables::variable(1);
-  const ManyVariables k_u_n = ManyVariables::variable(2);
-  const ManyVariables u = emission + k_u;
-  const ManyVariables iterate = emission + factor * k_u_n;
-  return (u - iterate - (k_u - k_u_n)).terms();
+  const Polynomial emission = Polynomial::variable("emission");
+  const Polynomial k_u = Polynomial::variable("k_u");
+  const Polynomial k_u_n = Polynomial::variable("k_u_n");
+  const Polynomial u = emission + k_u;
+  const Polynomial iterate = emission + factor * k_u_n;
+  return differing_terms(u - iterate - (k_u - k_u_n), 0);
 }
 
 }  // namespace
