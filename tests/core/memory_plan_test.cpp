@@ -61,7 +61,7 @@ public:
     radcert::write_atomically(folder_ / name, content);
     return *this;
   }
-  [[nodiscard]] std::uint64_t available() const { return available_memory(folder_.path()); }
+  [[nodiscard]] std::uint64_t available() const { return available_memory(folder_.path().string()); }
 
 private:
   radcert::test::TemporaryFolder folder_;

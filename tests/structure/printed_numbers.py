@@ -60,7 +60,6 @@ READS_BACK = {
 # Files that may use std::to_chars or a string stream.
 OTHER_TEXT = {
     "lib/radcert/core/text.cpp": "shortest()",
-    "lib/radcert/core/contract.h": "a value of the caller's own type, in what is thrown",
     "lib/radcert/core/memory_plan.cpp": "a file of the system, as text",
     "lib/radcert/factors/factor_matrix.cpp": "the bits of a double in base 16, for a store",
 }

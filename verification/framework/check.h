@@ -6,10 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/core/result_store.h"
-#include "radcert/formats/result/stored_levels.h"
-#include "radcert/study/study.h"
+#include "radcert/study/operator_route.h"
 #include "verification/framework/finding.h"
+
+namespace radcert {
+class LevelSource;
+class ResultStore;
+struct Problem;
+}  // namespace radcert
 
 namespace radcert::verification {
 

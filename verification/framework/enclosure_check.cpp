@@ -11,8 +11,10 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/formats/problem/problem_json.h"
+#include "radcert/formats/result/stored_levels.h"
 #include "radcert/reference/reference_value.h"
 #include "radcert/scalar/ball_precision.h"
+#include "radcert/study/study.h"
 
 namespace radcert::verification {
 namespace {

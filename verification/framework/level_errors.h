@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "radcert/formats/result/stored_levels.h"
+#include "radcert/study/study.h"
 #include "radcert/triangulation/triangulation.h"
 #include "verification/framework/check.h"
 #include "verification/framework/observed_order.h"

@@ -11,6 +11,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
+#include "radcert/core/result_store.h"
 #include "verification/framework/stored_finding.h"
 
 namespace radcert::verification {

@@ -5,8 +5,6 @@
 
 #include <concepts>
 #include <initializer_list>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -51,17 +49,12 @@ concept TextByFunction = requires(const T& value) {
   { to_text(value) } -> std::convertible_to<std::string>;
 };
 
-template <class T>
-concept TextByStream = requires(std::ostream& out, const T& value) {
-  out << value;
-};
-
 }  // namespace detail
 
 /// A value as text for a message.
 /// Requires  nothing
 /// Result    text quoted and escaped; a double in its shortest exact form; else member to_text(),
-///           to_text(value), operator<<, the number of an enumerator
+///           to_text(value), the number of an enumerator
 /// Limits    a type with none of these shows as `(a value without text)`
 template <class T>
 [[nodiscard]] std::string description(const T& value) {
@@ -81,12 +74,6 @@ template <class T>
     return to_text(value);
   } else if constexpr (std::is_enum_v<T>) {
     return std::to_string(static_cast<std::underlying_type_t<T>>(value));
-  } else if constexpr (detail::TextByStream<T>) {
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out.precision(17);
-    out << value;
-    return out.str();
   } else {
     return "(a value without text)";
   }

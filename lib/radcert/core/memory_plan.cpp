@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -103,15 +104,16 @@ void MemoryPlan::require(std::uint64_t limit_bytes) const {
                     .allowed = "at most " + exactly(limit_bytes)});
 }
 
-std::uint64_t available_memory(const std::filesystem::path& system_root) {
+std::uint64_t available_memory(const std::string& system_root) {
+  const std::filesystem::path root = system_root;
   std::uint64_t least = without_bound;
-  if (const auto kib = number_after(content(system_root / "proc/meminfo"), "MemAvailable:")) {
+  if (const auto kib = number_after(content(root / "proc/meminfo"), "MemAvailable:")) {
     least = checked_multiply(*kib, 1024).value_or(without_bound);
   }
-  const std::filesystem::path mount = system_root / "sys/fs/cgroup";
+  const std::filesystem::path mount = root / "sys/fs/cgroup";
   const CgroupFiles v1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file "};
   const CgroupFiles v2{"memory.max", "memory.current", "inactive_file "};
-  std::istringstream lines(content(system_root / "proc/self/cgroup").value_or(""));
+  std::istringstream lines(content(root / "proc/self/cgroup").value_or(""));
   for (std::string line; std::getline(lines, line);) {
     // <number>:<controllers>:<path>; version 2 has no controllers here.
     const std::size_t first = line.find(':');

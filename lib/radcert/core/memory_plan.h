@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -37,7 +36,7 @@ private:
 /// Result    bytes, an estimate of this moment; 2^64 - 1 where the system says nothing
 /// Limits    other processes may take it first. `system_root` stands for "/" (a test gives a folder of its
 ///           own)
-[[nodiscard]] std::uint64_t available_memory(const std::filesystem::path& system_root = "/");
+[[nodiscard]] std::uint64_t available_memory(const std::string& system_root = "/");
 
 /// Bytes for people: "1.5 GiB", "37 bytes".
 [[nodiscard]] std::string byte_text(std::uint64_t bytes);

@@ -4,11 +4,12 @@
 #include <functional>
 
 #include "radcert/scalar/approximation.h"
-#include "radcert/surface/surface.h"
-#include "radcert/surface/surface_function.h"
 #include "radcert/surface/surface_point.h"
 
 namespace radcert {
+
+struct Surface;
+class SurfaceFunction;
 
 /// The operator applied to one density.
 /// Maths     P -> Int_S G(P,Q) u(Q) dS_Q

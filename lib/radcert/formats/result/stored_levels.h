@@ -6,10 +6,11 @@
 #include <functional>
 #include <utility>
 
-#include "radcert/core/result_store.h"
 #include "radcert/study/study.h"
 
 namespace radcert {
+
+class ResultStore;
 
 /// Where those who compare levels get them from.
 /// Requires  a problem that check() lets pass

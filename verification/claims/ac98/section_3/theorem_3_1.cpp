@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "radcert/expression/parse.h"
+#include "radcert/formats/result/stored_levels.h"
 #include "verification/claims/ac98/collocation/element_function.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"

@@ -26,7 +26,9 @@
 
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/core/contract.h"
+#include "radcert/formats/result/stored_levels.h"
 #include "radcert/polynomial/rational_polynomial.h"
+#include "radcert/study/study.h"
 #include "verification/claims/ac98/collocation/edge_value.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"

@@ -25,6 +25,7 @@
 
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/enclosure/square_integral.h"
+#include "radcert/formats/result/stored_levels.h"
 #include "radcert/polynomial/rational_polynomial.h"
 #include "radcert/scalar/real.h"
 #include "verification/claims/ac98/collocation/known_problems.h"

@@ -18,6 +18,8 @@
 #include <string>
 #include <tuple>
 
+#include "radcert/formats/result/stored_levels.h"
+#include "radcert/study/study.h"
 #include "verification/claims/ac98/collocation/edge_value.h"
 #include "verification/claims/ac98/collocation/element_function.h"
 #include "verification/claims/ac98/collocation/known_problems.h"

@@ -15,6 +15,8 @@
 #include <functional>
 #include <string>
 
+#include "radcert/formats/result/stored_levels.h"
+#include "radcert/study/study.h"
 #include "verification/claims/ac98/collocation/edge_value.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/framework/level_errors.h"

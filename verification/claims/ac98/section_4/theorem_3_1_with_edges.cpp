@@ -19,6 +19,7 @@
 #include <cmath>
 #include <string>
 
+#include "radcert/formats/result/stored_levels.h"
 #include "radcert/surface/catalogue.h"
 #include "verification/claims/ac98/collocation/edge_value.h"
 #include "verification/claims/ac98/collocation/element_function.h"

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <string>
 
+#include "radcert/formats/result/stored_levels.h"
 #include "radcert/surface/catalogue.h"
 #include "verification/claims/ac98/collocation/inverse_norm.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
