@@ -54,6 +54,7 @@ Outcome<LinearSolution> eliminate(const LinearSystem& system) {
 LinearSolver direct_entry() {
   return {
       .name = "direct",
+      .summary = "elimination; radii are estimates",
       .plan = [](MemoryPlan& plan,
                  std::uint64_t n) { plan.add("factors of I - K", saturated_product(n, n), sizeof(double)); },
       .solve = [](const LinearSystem& system, std::optional<double>) { return eliminate(system); }};

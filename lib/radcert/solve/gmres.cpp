@@ -148,6 +148,7 @@ Outcome<IterativeSolution, NotReached> solve_by_gmres(const SystemMatrix& k, con
 
 LinearSolver gmres_entry() {
   return {.name = "gmres",
+          .summary = "GMRES; a proved bound of the linear system's error stops it",
           .iterates = true,
           .plan =
               [](MemoryPlan& plan, std::uint64_t n) {

@@ -43,6 +43,7 @@ struct LinearSolution {
 /// How the linear system of a level may be solved.
 struct LinearSolver {
   std::string name;
+  std::string summary;  ///< one line
   /// Whether it stops at a tolerance, by an error bound; such a solver asks for a contraction.
   bool iterates = false;
   /// Of a solver that leaves the choice open: the name of the one that it takes, from whether a contraction

@@ -14,6 +14,7 @@ Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemMatrix& k, c
 
 LinearSolver neumann_entry() {
   return {.name = "neumann",
+          .summary = "reflection by reflection, the Neumann series; a proved bound stops it",
           .iterates = true,
           .plan = [](MemoryPlan&, std::uint64_t) {},
           .solve =
