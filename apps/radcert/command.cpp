@@ -29,8 +29,10 @@ std::optional<std::uint64_t> bytes(std::string_view text) {
   const auto number = positive(text, suffix);
   if (!number) return std::nullopt;
   if (suffix.empty()) return number;
-  const std::size_t power = std::string_view("kMG").find(suffix);
-  if (suffix.size() != 1 || power == std::string_view::npos) return std::nullopt;
+  // 4G, 4GB and 4GiB all mean 4 times 1024^3: a limit that is meant in thousands is a little less strict.
+  const std::size_t power = std::string_view("kMGT").find(suffix.front());
+  const std::string_view rest = suffix.substr(1);
+  if (power == std::string_view::npos || !(rest.empty() || rest == "B" || rest == "iB")) return std::nullopt;
   return checked_multiply(*number, std::uint64_t{1} << (10 * (power + 1)));
 }
 
@@ -88,7 +90,8 @@ std::uint64_t Common::memory_limit() const {
   if (!limit)
     throw InputError({.source = "--max-memory",
                       .value = max_memory,
-                      .allowed = "a positive whole number of bytes; k, M or G behind it count in 1024s"});
+                      .allowed = "a positive whole number of bytes, or of k, M, G or T as in 4G, 4GB or "
+                                 "4GiB, which count in 1024s"});
   return std::min(available, *limit);
 }
 
@@ -157,8 +160,8 @@ Subcommand Program::add(const std::string& name, const std::string& summary) {
   Subcommand command = add_plain(name, summary);
   command.option("--json", common_.json, "Write the result as JSON to FILE, - for stdout", "FILE");
   command.option("--threads", common_.threads, "Use at most N threads; the numbers do not depend on it", "N");
-  command.option("--max-memory", common_.max_memory, "Refuse what would need more; default: what is there",
-                 "BYTES");
+  command.option("--max-memory", common_.max_memory,
+                 "Refuse what would need more, as 4GB; default: what is there", "BYTES");
   command.flag("--quiet", common_.quiet, "Say nothing about progress");
   return command;
 }

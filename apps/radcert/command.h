@@ -120,6 +120,9 @@ void add_example(Program& program);
 void add_completion(Program& program);
 void add_man(Program& program);
 
+/// What WHAT may be in `radcert list WHAT`.
+std::vector<std::string> list_names();
+
 /// The names of `radcert list WHAT`.
 std::vector<std::string> listed_names(const std::string& what);
 

@@ -48,16 +48,16 @@ std::vector<std::string> ranks(const EqualCost& compared) {
   return out;
 }
 
-std::string left_out_text(const Experiment& experiment, std::span<const Result> results) {
+std::string left_out_text(const Experiment& experiment, std::span<const Result> results,
+                          std::vector<int> OrderFit::*levels, const std::string& why) {
   std::string out;
   for (std::size_t i = 0; i < results.size(); ++i)
     for (const OrderFit& fit : results[i].orders) {
-      if (fit.quantity != "node_error" || fit.left_out.empty()) continue;
-      out += (out.empty() ? "" : "; ") + experiment.combinations[i].name + ": level";
-      for (const int level : fit.left_out) out += " " + std::to_string(level);
+      if (fit.quantity != "node_error" || (fit.*levels).empty()) continue;
+      out += "\n  " + experiment.combinations[i].name + ": level";
+      for (const int level : fit.*levels) out += " " + std::to_string(level);
     }
-  return out.empty() ? out
-                     : "Left out of the orders, because the radius exceeds 5 % of the error: " + out + "\n";
+  return out.empty() ? out : "Left out of the orders, " + why + ":" + out + "\n";
 }
 
 /// The combinations of one question, the best at equal unknowns first.
@@ -97,7 +97,10 @@ std::string experiment_table(const Experiment& experiment, std::span<const Resul
          "solved.\nsample: max |u-u_n| over a sample of S. Orders with the spread of the slopes between "
          "levels; no "
          "guarantee.\n" +
-         left_out_text(experiment, results);
+         left_out_text(experiment, results, &OrderFit::left_out,
+                       "because the radius exceeds 5 % of the error") +
+         left_out_text(experiment, results, &OrderFit::pre_asymptotic,
+                       "because no steady slope begins there");
 }
 
 }  // namespace radcert::app

@@ -122,8 +122,13 @@ std::string numbers(const std::vector<int>& levels) {
 std::string order_line(const OrderFit& fit) {
   const std::string name = fit.quantity == "node_error" ? "|u-u_n| at the nodes" : "|K(I-P_n)u|";
   std::string out = "Order of " + name + " in h: ";
-  out += fitted_order_text(fit, " +- ").value_or("not fitted");
+  const bool is_unsteady = !fit.order && fit.levels.empty() && !fit.pre_asymptotic.empty();
+  out +=
+      fitted_order_text(fit, " +- ")
+          .value_or(is_unsteady ? "not fitted, the slopes from level to level are not steady" : "not fitted");
   if (!fit.levels.empty()) out += " (levels " + numbers(fit.levels) + ")";
+  if (!fit.pre_asymptotic.empty() && !is_unsteady)
+    out += "; left out as pre-asymptotic: " + numbers(fit.pre_asymptotic);
   if (!fit.left_out.empty())
     out += "; left out, because the radius exceeds 5 % of the error: " + numbers(fit.left_out);
   return out + "\n";
@@ -221,7 +226,8 @@ std::string solve_table(const Result& result) {
   const bool with_errors = result.problem.solution.has_value();
   std::string out = level_table(result, with_errors) + "\n" + means_table(result) + "\n";
   for (const OrderFit& fit : result.orders)
-    if (with_errors && (!fit.levels.empty() || !fit.left_out.empty())) out += order_line(fit);
+    if (with_errors && (!fit.levels.empty() || !fit.left_out.empty() || !fit.pre_asymptotic.empty()))
+      out += order_line(fit);
   out += choice_lines(result) + iteration_line(result);
   if (!with_errors) out += "No solution is given, so there are no errors to show.\n";
   if (nodes_are_guaranteed(result))

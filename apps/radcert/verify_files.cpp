@@ -6,9 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "plot_files.h"
 #include "radcert/formats/plot/convergence_plot.h"
-#include "radcert/formats/plot/latex_plot.h"
-#include "radcert/formats/plot/svg_plot.h"
 #include "radcert/formats/table/csv.h"
 #include "radcert/formats/table/latex_table.h"
 
@@ -63,17 +62,14 @@ std::string verdicts_latex(const verification::Report& report) {
 Files verify_files(const verification::Report& report, const std::filesystem::path& folder) {
   Files files = {{folder / "errors.csv", problem_levels_csv(report)},
                  {folder / "table.tex", verdicts_latex(report)}};
-  std::vector<Plot> plots;
+  std::vector<NamedPlot> plots;
   for (std::size_t i = 0; i < report.problems.size(); ++i) {
     const verification::ProblemTrace& problem = report.problems[i];
-    Plot plot = convergence_plot(
-        problem.name, {.name = problem.name, .levels = problem.levels, .orders = problem.orders, .row = i},
-        "problem");
-    if (plot.curves.empty()) continue;
-    files.emplace_back(folder / ("errors_of_problem_" + std::to_string(i) + ".svg"), svg_text(plot));
-    plots.push_back(std::move(plot));
+    Plot plot = convergence_plot(problem.name,
+                                 {.name = problem.name, .levels = problem.levels, .orders = problem.orders});
+    if (!plot.curves.empty()) plots.push_back({"errors_of_problem_" + std::to_string(i), std::move(plot)});
   }
-  if (!plots.empty()) files.emplace_back(folder / "plot.tex", latex_plots_text(plots, "errors.csv"));
+  for (auto& file : plot_files(folder, plots)) files.push_back(std::move(file));
   return files;
 }
 

@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import unittest
 from decimal import Decimal, localcontext
 from fractions import Fraction
@@ -183,6 +184,20 @@ class Basis(ProgramTest):
             for t in values:
                 rounded += [[str(1 - 2 * t if k == at else t) for k in range(3)] for at in range(3)]
         self.write("rounded.json", {"schema": "radcert/nodes/1", "space": space, "nodes": rounded})
+        # The same decimals with a certificate: the precision is that of the true nodes beside them.
+        certificate = {"method": "krawczyk", "precision": 5, "radius": "1e-15",
+                       "orbits": [{"size": 1, "held": False}, {"size": 3, "held": False}, {"size": 3, "held": False}]}
+        self.write("certified.json", {"schema": "radcert/nodes/1", "space": space, "nodes": rounded,
+                                      "certificate": certificate})
+        certified = self.expect(0, "basis", "certified.json")
+        self.assertRegex(certified, r"precision, triangle +5 \(proved, for the true nodes beside these\); misses s\^6 by")
+        pattern = r"(?m)^order .*$"
+        self.assertEqual(re.findall(pattern, certified), re.findall(pattern, out))
+        for wrong in ({**certificate, "precision": 6}, {**certificate, "radius": "1e-18"},
+                      {**certificate, "orbits": certificate["orbits"][:2]}):
+            self.write("wrong.json", {"schema": "radcert/nodes/1", "space": space, "nodes": rounded,
+                                      "certificate": wrong})
+            self.assertEqual(self.run_program("basis", "wrong.json").returncode, 2)
         out = self.expect(0, "basis", "rounded.json")
         self.assertRegex(out, r"precision, triangle +3 \(exact\); misses s\^4 by .*, likely the rounding of the nodes' "
                               r"decimals")

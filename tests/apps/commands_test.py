@@ -68,7 +68,7 @@ class Commands(ProgramTest):
 
     def test_every_list_is_valid_json_and_a_line_an_entry(self):
         schema = self.schema("list")
-        for what in ["surfaces", "bases", "claims", "references"]:
+        for what in ["surfaces", "bases", "solvers", "claims", "references"]:
             listed = json.loads(self.expect(0, "list", what, "--json", "-"))
             jsonschema.validate(listed, schema)
             text = self.expect(0, "list", what)
@@ -76,6 +76,23 @@ class Commands(ProgramTest):
                 self.assertIn(entry["name"], text)
             if listed["entries"]:
                 self.assertEqual(len(text.splitlines()), len(listed["entries"]))
+
+    def test_every_parameter_of_a_surface_has_a_meaning(self):
+        for entry in json.loads(self.expect(0, "list", "surfaces", "--json", "-"))["entries"]:
+            for parameter in entry["parameters"]:
+                self.assertTrue(parameter["meaning"], (entry["name"], parameter["name"]))
+        self.assertIn("c = 5 (the half axis along z, ", self.expect(0, "list", "surfaces"))
+
+    def test_every_solver_listed_can_be_asked_for(self):
+        names = [entry["name"] for entry in json.loads(self.expect(0, "list", "solvers", "--json", "-"))["entries"]]
+        self.assertTrue({"auto", "direct", "verified"} <= set(names))
+        problem = json.loads(self.expect(0, "example", "problem"))
+        for name in names:
+            self.write("problem.json", {**problem, "solver": {"name": name}, "triangulation": {"levels": [0]}})
+            self.expect(0, "solve", "problem.json")
+
+    def test_view_factors_are_found_by_their_other_names(self):
+        self.assertIn("view factors", " ".join(self.expect(0, "--help").split()))
 
     def test_every_surface_listed_can_be_used_with_its_defaults(self):
         problem = json.loads(self.expect(0, "example", "problem"))

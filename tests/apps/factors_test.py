@@ -306,6 +306,51 @@ class Factors(ProgramTest):
         lines = ["v " + " ".join(repr(x) for x in corner) for corner in numbers] + faces
         return self.write(name, "\n".join(lines) + "\n")
 
+    def test_what_bodies_cover_of_faces_takes_no_part(self):
+        # A cupboard on the floor of a room and against a wall: by itself, and with the floor and the wall cut by hand.
+        room, cupboard = ((0, 0, 0), (4, 3, 2.5)), ((1, 2.5, 0), (1.75, 3, 2))
+        walls = box(*room, inwards=True)
+        body = box(*cupboard)
+        self.obj("contact.obj", {"floor": walls[4:5], "rest": walls[:4] + walls[5:], "cupboard": body})
+        lines = [(0, 1, 1.75, 4), (0, 2.5, 3), (0, 2, 2.5)]
+        cut = {"floor": [], "rest": [], "cupboard": []}
+        for face in walls:
+            axis = next(k for k in range(3) if len({corner[k] for corner in face}) == 1)
+            first, second = (axis + 1) % 3, (axis + 2) % 3
+            for low, high in zip(lines[first], lines[first][1:]):
+                for left, right in zip(lines[second], lines[second][1:]):
+                    at = lambda k, face=face, axis=axis, low=low, high=high, left=left, right=right: tuple(
+                        float(face[0][axis] if i == axis else
+                              (low, high)[face[k][i] > 0] if i == (axis + 1) % 3 else (left, right)[face[k][i] > 0])
+                        for i in range(3))
+                    cell = [at(k) for k in range(4)]
+                    middle = [sum(corner[k] for corner in cell) / 4 for k in range(3)]
+                    is_floor = axis == 2 and face[0][2] == 0
+                    if all(cupboard[0][k] <= middle[k] <= cupboard[1][k] for k in range(3)):
+                        continue
+                    cut["floor" if is_floor else "rest"].append(cell)
+        for face in body:
+            if {corner[2] for corner in face} != {0.0} and {corner[1] for corner in face} != {3.0}:
+                cut["cupboard"].append(face)
+        self.obj("cut.obj", cut)
+        tables = []
+        for name in ("contact.obj", "cut.obj"):
+            done = self.run_program("factors", name, "--by", "group", "--out", "f.csv", "--accuracy", "1e-6")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            if name == "contact.obj":
+                self.assertIn(b"contact of ", done.stderr)
+            with open(self.path("f.surfaces.csv"), newline="", encoding="utf-8") as file:
+                areas = {row["name"]: float(row["area"]) for row in csv.DictReader(file)}
+            tables.append((areas, {(row["from"], row["to"]): float(row["factor"]) for row in self.rows("f.csv")}))
+        (areas, factors), (cut_areas, cut_factors) = tables
+        self.assertAlmostEqual(areas["floor"], 12 - 0.375, delta=1e-12)
+        for name, area in cut_areas.items():
+            self.assertAlmostEqual(areas[name], area, delta=1e-12)
+        for pair, factor in cut_factors.items():
+            self.assertAlmostEqual(factors[pair], factor, delta=5e-6, msg=pair)
+        pieces = json.loads(self.expect(0, "surface", "contact.obj", "--json", "-"))
+        self.assertTrue(pieces["closed"])
+
     def test_plates_have_two_sides_where_that_is_asked_for(self):
         # A plate in the middle of a room: both sides see the room alone, and the room sees what they leave.
         plate = [(0.25, 0.25, 0.5), (0.75, 0.25, 0.5), (0.75, 0.75, 0.5), (0.25, 0.75, 0.5)]

@@ -20,7 +20,7 @@ class Files(ProgramTest):
 
     def test_a_folder_gets_its_files_and_nothing_else(self):
         self.expect(0, "solve", "problem.json", "--out", "a/b")
-        names = ["cite.bib", "errors.csv", "errors_against_h.svg", "nodes.csv", "plot.tex", "provenance.json",
+        names = ["cite.bib", "errors.csv", "errors_against_h.svg", "errors_against_h.tex", "nodes.csv", "plot.tex", "provenance.json",
                  "solution.json", "solution.ply", "solution.vtu", "table.tex"]
         self.assertEqual(self.entries(), ["a", "a/b"] + ["a/b/" + name for name in names] + ["problem.json"])
 

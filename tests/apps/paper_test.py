@@ -19,19 +19,21 @@ DOCUMENT = r"""\documentclass{article}
 \usepackage{array,booktabs,siunitx,longtable,pgfplots}
 \pgfplotsset{compat=1.18}
 \begin{document}
-\input{table}
+Some words before. \input{out/table} %s
 
+Some words after.
 %s
 \nocite{*}
 \bibliographystyle{plain}
-\bibliography{cite}
+\bibliography{out/cite}
 \end{document}
 """
 
 TRIAL = {"schema": "radcert/experiment/1", "name": "two_bases",
          "base": {key: value for key, value in SMALL.items() if key not in ("schema", "basis")},
          "vary": {"basis": [{"family": "inset", "degree": 0}, {"family": "inset", "degree": 1, "alpha": "1/6"}],
-                  "quadrature": [{"tolerance": "1e-10"}, {"tolerance": "1e-12"}]}}
+                  "quadrature": [{"tolerance": "1e-10"}, {"tolerance": "1e-12"}]},
+         "labels": {"basis": ["P0", "P1"]}, "fit_from": 0}
 
 CLAIMS = """
 [order_of_the_node_error]
@@ -121,15 +123,28 @@ class Paper(ProgramTest):
         self.solve()
         with open(self.path("out/errors.csv"), newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file, strict=True))
-        lines = [line.split(" & ") for line in self.text("table.tex").splitlines() if re.match(r" *[0-9]+ &", line)]
+        lines = [line.strip(" \\").split(" & ") for line in self.text("table.tex").splitlines()
+                 if re.match(r" *[0-9]+ &", line)]
         self.assertEqual(len(lines), len(rows))
         for line, row in zip(lines, rows):
-            for place, key in [(4, "discretisation_error"), (6, "node_error")]:
+            for place, key in [(3, "discretisation_error"), (5, "node_error")]:
+                if row[key[:-5] + "order"]:
+                    self.assertAlmostEqual(float(line[place + 1].strip("$")), float(row[key[:-5] + "order"]), delta=0.006)
                 midpoint, radius = parenthesised(line[place])
                 self.assertLess(abs(Fraction(float(row[key])) - midpoint) + Fraction(float(row[key + "_radius"])),
                                 radius)
                 self.assertLess(radius, midpoint / 400)
         xml.fromstring(self.content("errors_against_h.svg"))
+
+    def test_names_in_tables_have_no_commas(self):
+        for make in (self.experiment, self.verify):
+            shutil.rmtree(self.path("out"), ignore_errors=True)
+            make()
+            with open(self.path("out/errors.csv"), newline="", encoding="utf-8") as file:
+                names = {row["name"] for row in csv.DictReader(file, strict=True)}
+            self.assertTrue(names)
+            for name in names:
+                self.assertNotIn(",", name)
 
     def test_verify_writes_the_levels_that_its_checks_solved(self):
         self.verify()
@@ -164,19 +179,28 @@ class Paper(ProgramTest):
                 make()
                 plots = os.path.exists(self.path("out/plot.tex"))
                 self.assertEqual(plots, name != "emission")
-                self.write("out/paper.tex", DOCUMENT % (r"\input{plot}" if plots else ""))
+                each = sorted(entry[:-4] for entry in os.listdir(self.path("out"))
+                              if entry.endswith(".tex") and entry not in ("plot.tex", "table.tex"))
+                self.assertEqual(bool(each), plots)
+                for alone in each:
+                    self.assertIn(alone + ".svg", os.listdir(self.path("out")))
+                figures = "\n".join(r"\begin{figure}\input{out/%s}\end{figure}" % alone for alone in each[:6])
+                self.write("paper.tex", DOCUMENT % (r"\input{out/plot}" if plots else "", figures))
                 for command in [["pdflatex"], ["bibtex"], ["pdflatex"]]:
                     options = ["-interaction=nonstopmode", "-halt-on-error"] if command == ["pdflatex"] else []
-                    done = subprocess.run([*command, *options, "paper"], cwd=self.path("out"), timeout=300,
+                    done = subprocess.run([*command, *options, "paper"], cwd=self.folder, timeout=300,
                                           stdin=subprocess.DEVNULL, capture_output=True, check=False)
                     self.assertEqual(done.returncode, 0, done.stdout.decode(errors="replace")[-3000:])
-                log = self.content("paper.log").decode(errors="replace")
-                self.assertNotIn("undefined", log)
-                self.assertNotIn("has no coordinates", log)
-                self.assertTrue(self.content("paper.pdf").startswith(b"%PDF"))
+                with open(self.path("paper.log"), encoding="utf-8", errors="replace") as file:
+                    log = file.read()
+                # Nothing reaches over the right edge of the text, nor over the lower one.
+                self.assertEqual(re.findall(r"Overfull.*", log), [])
+                self.assertEqual(re.findall(r".*undefined.*|.*has no coordinates.*", log), [])
+                with open(self.path("paper.pdf"), "rb") as file:
+                    self.assertTrue(file.read().startswith(b"%PDF"))
                 if pictures:
                     os.makedirs(pictures, exist_ok=True)
-                    shutil.copy(self.path("out/paper.pdf"), os.path.join(pictures, f"paper_of_{name}.pdf"))
+                    shutil.copy(self.path("paper.pdf"), os.path.join(pictures, f"paper_of_{name}.pdf"))
 
 
 if __name__ == "__main__":

@@ -44,6 +44,24 @@ const colours = (page, selector) => page.evaluate((where) => {
   return seen.size;
 }, selector);
 
+/** What part of the height of a canvas its picture takes: its opaque pixels. */
+const drawnHeight = (page, selector) => page.evaluate((where) => {
+  const canvas = document.querySelector(where);
+  const flat = document.createElement("canvas");
+  flat.width = canvas.width;
+  flat.height = canvas.height;
+  const ink = flat.getContext("2d");
+  ink.drawImage(canvas, 0, 0);
+  const { data } = ink.getImageData(0, 0, flat.width, flat.height);
+  let [top, bottom] = [flat.height, 0];
+  for (let i = 3; i < data.length; i += 4) {
+    if (data[i] < 250) continue;
+    const row = Math.floor((i >> 2) / flat.width);
+    [top, bottom] = [Math.min(top, row), Math.max(bottom, row)];
+  }
+  return (bottom - top) / flat.height;
+}, selector);
+
 try {
   const page = await open();
   await shot(page, "index");
@@ -77,6 +95,8 @@ try {
     await page.waitForSelector("p.says");
     assert.notEqual(await page.locator("h1").textContent(), "There is no such statement in this report");
     assert.equal(await page.locator(".katex-error").count(), 0, link);
+    const text = await page.locator("main").innerText();
+    assert.doesNotMatch(text, /e\+00|± 0(?![.\d])/, link);
     assert.ok((await page.locator("code").allTextContents()).some((text) => text.startsWith("radcert verify ")), link);
     await page.locator(".home").click();
     await page.waitForSelector(".statements");
@@ -85,6 +105,8 @@ try {
   // A statement without cells, in the dark.
   await page.goto(`${address}#/ac98/equation_37`);
   await page.waitForSelector(".formula .katex");
+  assert.ok(await page.locator("p.says sub").count() > 0, "P_n stands as it is typed");
+  assert.match(await page.locator("p.says").innerText(), /α/);
   await shot(page, "statement");
   await page.locator("#theme").click();
   assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
@@ -95,6 +117,13 @@ try {
   await page.goto(`${address}#/ac98/table_4`);
   await page.waitForSelector(".plot svg");
   assert.ok(await page.locator(".plot svg circle").count() > 4, "the plot is blank");
+  // One problem has two levels: one curve, one colour, and a legend that says what is its own.
+  for (const plot of await page.locator(".plot svg").all()) {
+    const looks = await plot.locator("g[class^=c]").evaluateAll((list) => list.map((each) => each.getAttribute("class")));
+    assert.deepEqual([...new Set(looks)].length, 1);
+    assert.equal(await plot.locator("text", { hasText: "order" }).count(), 1);
+    assert.ok((await plot.locator("text", { hasText: "order" }).textContent()).length < 40, "the legend is long");
+  }
   const ink = () => page.locator(".plot svg text").first().evaluate((text) => getComputedStyle(text).fill);
   const inkOnWhite = await ink();
   await page.locator("#theme").click();
@@ -107,6 +136,7 @@ try {
   await page.waitForSelector(".space canvas");
   await page.waitForTimeout(500);
   assert.ok(await colours(page, ".space canvas") > 50, "the view in space is blank");
+  assert.ok(await drawnHeight(page, ".space canvas") > 0.75, "the view in space is small");
   await shot(page, "space");
   const before = await page.locator(".space canvas").screenshot();
   await page.locator(".space canvas").focus();
@@ -125,6 +155,13 @@ try {
   const phone = await open({ viewport: { width: 390, height: 800 }, colorScheme: "dark" });
   assert.ok(await phone.evaluate(() => document.documentElement.scrollWidth <= innerWidth + 1), "a phone has to scroll sideways");
   await shot(phone, "phone");
+  await phone.goto(`${address}#/ac98/table_4`);
+  await phone.waitForSelector(".cards .chip");
+  for (const chip of await phone.locator(".cards .chip").all()) {
+    const box = await chip.boundingBox();
+    assert.ok(box.x >= 0 && box.x + box.width <= 390, "a verdict is beside the screen of a phone");
+  }
+  await shot(phone, "phone_table");
   const paper = await open();
   await paper.emulateMedia({ media: "print" });
   assert.equal(await paper.locator(".filters").first().isVisible(), false);

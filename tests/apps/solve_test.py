@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What solve says does not depend on how it is run."""
+import hashlib
 import json
 import os
 import shutil
@@ -8,7 +9,7 @@ import unittest
 
 import jsonschema
 
-from program import EXAMPLES, ProgramTest, small
+from program import EXAMPLES, RADCERT, ProgramTest, small
 
 
 def without_circumstances(text):
@@ -40,6 +41,26 @@ class Solve(ProgramTest):
             again = json.loads(self.solution(self.write("again.json", result["problem"])))
             self.assertEqual(again["levels"], result["levels"])
             self.assertEqual(again["problem"], result["problem"])
+
+    def test_a_problem_is_read_from_the_standard_input(self):
+        text = json.dumps(small()).encode()
+        self.write("problem.json", text)
+        self.expect(0, "solve", "problem.json", "--json", "file.json")
+        run = lambda content: subprocess.run([RADCERT, "solve", "-", "--out", "out", "--json", "piped.json"], input=content,
+                                             cwd=self.folder, env=self.environment(), capture_output=True, check=False)
+        done = run(text)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        results = []
+        for name in ("file.json", "piped.json"):
+            with open(self.path(name), encoding="utf-8") as file:
+                results.append(json.load(file))
+        self.assertEqual(results[0]["levels"], results[1]["levels"])
+        with open(self.path("out/provenance.json"), encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["inputs"],
+                             [{"name": "-", "digest": "sha256-" + hashlib.sha256(text).hexdigest()}])
+        done = run(b'{"schema": "radcert/problem/1"}')
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"standard input: /surface", done.stderr)
 
     def test_a_guarantee_is_kept_or_refused(self):
         cube = {"schema": "radcert/problem/1", "surface": {"name": "tetrahedron"}, "triangulation": {"levels": [0]},

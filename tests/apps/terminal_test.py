@@ -121,6 +121,13 @@ class Terminal(ProgramTest):
         self.assertEqual(self.completions("radcert", "schema", "prob"), ["problem"])
         self.assertEqual(self.completions("radcert", "solve", "prob"), ["problem.json"])
         self.assertEqual(self.completions("radcert", "solve", "--out", ""), ["folder"])
+        self.assertEqual(self.completions("radcert", "verify", "ac98/equation_37"), ["ac98/equation_37"])
+        self.assertIn("ac98", self.completions("radcert", "verify", "ac9"))
+        self.assertEqual(self.completions("radcert", "list", "so"), ["solvers"])
+        self.assertEqual(self.completions("radcert", "solve", "--of", "m"), ["means"])
+        self.assertIn("cube_opposite_faces", self.completions("radcert", "reference", "cube_"))
+        self.assertIn("two_piece", self.completions("radcert", "surface", "two_"))
+        self.assertEqual(self.completions("radcert", "basis", "symm"), ["symmetric"])
         self.assertEqual(self.run_program("completion", "fish").returncode, 2)
 
 

@@ -41,6 +41,32 @@ order   = 9.0
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn(b"order_of_the_node_error", done.stdout)
 
+    def test_a_statement_of_a_folder_of_ones_own_is_verified_alone(self):
+        os.mkdir(self.path("own"))
+        self.write("own/two_piece.json", self.expect(0, "example", "two_piece"))
+        claim = """
+[{}]
+covers  = []
+says    = "the error at the nodes falls"
+needs   = []
+check   = "order"
+verdict = "supported"
+problem = "two_piece.json"
+control = "two_piece.json"
+quantity = "node_error"
+order   = 1.0
+"""
+        self.write("own/claims.toml", claim.format("first") + claim.format("second"))
+        for word in ["./own/second", "own/second", self.path("own/second")]:
+            done = self.run_program("verify", word, "--json", "-", "--out", "report")
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+            self.assertEqual([each["label"] for each in json.loads(done.stdout)["claims"]], ["second"])
+            with open(self.path("report/provenance.json"), encoding="utf-8") as file:
+                self.assertEqual([os.path.basename(each["name"]) for each in json.load(file)["inputs"]], ["claims.toml"])
+        for word in ["./own/third", "./own/first/more"]:
+            done = self.run_program("verify", word)
+            self.assertEqual(done.returncode, 2, word)
+
     def test_what_a_run_has_found_is_kept_for_the_next_one(self):
         # A finding that is kept brings along how long it took when it was computed.
         runs = [json.loads(self.run_program("verify", CLAIM, *words, "--json", "-").stdout)

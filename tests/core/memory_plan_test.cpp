@@ -33,8 +33,8 @@ TEST(MemoryPlan, AddsUpAndNamesTheLargest) {
   EXPECT_EQ(plan.total(), 9040U);
   EXPECT_EQ(refusal(plan, 9040), "");
   EXPECT_EQ(refusal(plan, 9039),
-            "needs 9040 bytes (8.9 KiB) of memory, most of it for matrix: 8000 bytes (7.9 KiB); allowed: at "
-            "most 9039 bytes (8.9 KiB)");
+            "needs 8.9 KiB (9040 bytes) of memory, most of it for matrix: 7.9 KiB (8000 bytes); allowed: at "
+            "most 8.9 KiB (9039 bytes)");
 }
 
 TEST(MemoryPlan, NeverWrapsRound) {

@@ -36,16 +36,15 @@ std::vector<LevelResult> levels(int count, double node_order, double discretisat
   return out;
 }
 
-Plot plot_of(std::string title, const std::vector<LevelResult>& levels, std::vector<OrderFit> orders = {},
-             std::string key = {}, std::optional<std::size_t> row = std::nullopt) {
-  return convergence_plot(std::move(title), {.name = "", .levels = levels, .orders = orders, .row = row},
-                          std::move(key));
+Plot plot_of(std::string title, const std::vector<LevelResult>& levels, std::vector<OrderFit> orders = {}) {
+  return convergence_plot(std::move(title), {.name = "", .levels = levels, .orders = orders});
 }
 
-const PlotCurve& curve(const Plot& plot, const std::string& column) {
+const PlotCurve& curve(const Plot& plot, const std::string& kind) {
   for (const PlotCurve& one : plot.curves)
-    if (one.column == column) return one;
-  throw std::out_of_range(column);
+    for (const ErrorKind& known : error_kinds())
+      if (known.name == kind && one.name == in_words(known)) return one;
+  throw std::out_of_range(kind);
 }
 
 TEST(ConvergencePlot, HasACurveForEachErrorThatIsThereTwice) {
@@ -108,21 +107,21 @@ TEST(ConvergencePlots, AreAgainstHAndAgainstTheUnknowns) {
   const std::vector<Plot> plots = plots_of_two_methods();
   ASSERT_EQ(plots.size(), 4U);
   for (const Plot& plot : plots) {
-    const bool in_h = plot.x.column == "mesh_size";
+    const bool in_h = plot.x.name == "mesh size h";
     ASSERT_EQ(plot.curves.size(), 2U);
     EXPECT_EQ(plot.curves[1].points[2].x, in_h ? 0.25 : 192);
-    if (plot.curves[0].column == "node_error") {
+    if (plot.y.name == in_words(error_kinds()[1])) {
       EXPECT_NEAR(*plot.curves[0].exponent, in_h ? 4 : -2, 1e-12);
     }
   }
   EXPECT_EQ(
-      std::count_if(plots.begin(), plots.end(), [](const Plot& plot) { return plot.x.column == "unknowns"; }),
+      std::count_if(plots.begin(), plots.end(), [](const Plot& plot) { return plot.x.name == "unknowns"; }),
       2);
 }
 
 TEST(SlopeTriangles, FallWithTheUnknownsOnTheFreeSides) {
   for (const Plot& plot : plots_of_two_methods()) {
-    if (plot.x.column != "unknowns" || plot.curves[0].column != "node_error") continue;
+    if (plot.x.name != "unknowns" || plot.y.name != in_words(error_kinds()[1])) continue;
     const auto triangles = slope_triangles(plot);
     ASSERT_EQ(triangles.size(), 2U);
     for (const SlopeTriangle& triangle : triangles) {
@@ -135,22 +134,48 @@ TEST(SlopeTriangles, FallWithTheUnknownsOnTheFreeSides) {
   }
 }
 
-TEST(LatexPlots, TakeTheUnknownsFromTheirColumn) {
-  const std::string text = latex_plots_text(plots_of_two_methods(), "errors.csv");
-  EXPECT_NE(text.find("x=unknowns,y=node_error,restrict expr to domain={\\thisrow{combination}}{1:1}"),
-            std::string::npos);
-  EXPECT_NE(text.find("xlabel={unknowns $N$}"), std::string::npos);
-  EXPECT_NE(text.find("x=mesh_size,y=node_error"), std::string::npos);
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
 }
 
-TEST(LatexPlots, ReadTheColumnsAndRowsOfTheTable) {
-  const std::vector<Plot> plots = {plot_of("a_b", levels(3, 4, 2), {}, "problem", 7),
-                                   plot_of("", levels(3, 4, 2))};
-  const std::string text = latex_plots_text(plots, "errors.csv");
-  EXPECT_NE(text.find("y=node_error,restrict expr to domain={\\thisrow{problem}}{7:7}"), std::string::npos);
-  EXPECT_NE(text.find("y=discretisation_error]{\\jobname-errors.csv}"), std::string::npos);
+TEST(LatexPlots, HoldAllOfTheirPointsAndReadNoFile) {
+  const std::string text = latex_plot_text(plot_of("a_b", levels(3, 4, 2)));
+  EXPECT_NE(text.find("(0.25,0.000390625)"), std::string::npos) << text;
   EXPECT_NE(text.find("a\\_\\allowbreak{}b"), std::string::npos);
-  EXPECT_EQ(text.find("y=uniform_error"), std::string::npos);
+  for (const char* reading : {"table[", ".csv", "openin", "jobname"})
+    EXPECT_EQ(text.find(reading), std::string::npos) << reading;
+}
+
+TEST(LatexPlots, AreOnePictureEachOrAParagraphEach) {
+  const std::vector<Plot> plots = plots_of_two_methods();
+  EXPECT_EQ(count(latex_plot_text(plots.front()), "\\begin{tikzpicture}"), 1U);
+  EXPECT_EQ(count(latex_plot_text(plots.front()), "\\par"), 0U);
+  const std::string text = latex_plots_text(plots);
+  EXPECT_EQ(count(text, "\\begin{tikzpicture}"), plots.size());
+  EXPECT_EQ(count(text, "\\par\\medskip\\noindent"), plots.size());
+  EXPECT_LT(text.find("\\par"), text.find("\\begin{tikzpicture}"));
+}
+
+TEST(ConvergencePlot, ShowsAProblemAlikeInThePlotsOfAllErrors) {
+  auto first = levels(3, 4, 2);
+  const auto second = levels(3, 4, 2);
+  for (LevelResult& level : first) level.node_error->value = 0;
+  const ErrorHistory problems[] = {{.name = "one", .levels = first, .orders = {}},
+                                   {.name = "two", .levels = second, .orders = {}}};
+  const Plot node = convergence_plot("t", error_kinds()[1], ErrorAgainst::mesh_size, problems);
+  ASSERT_EQ(node.curves.size(), 1U);
+  EXPECT_EQ(node.number_of(0), 1U);
+  EXPECT_NE(svg_text(node).find("class=\"c1\""), std::string::npos);
+  EXPECT_EQ(svg_text(node).find("class=\"c0\""), std::string::npos);
+  EXPECT_NE(latex_plot_text(node).find("radcert1,mark=square*"), std::string::npos);
+}
+
+TEST(ConvergencePlot, SaysWhereNoOrderIsSteady) {
+  auto given = levels(3, 4, 2);
+  given[1].discretisation_error->value = 1e-6;
+  EXPECT_EQ(curve(plot_of("t", given), "discretisation_error").fit, "no steady order");
 }
 
 TEST(LatexPlots, HaveThePointsThatNoTableHas) {
@@ -159,10 +184,10 @@ TEST(LatexPlots, HaveThePointsThatNoTableHas) {
             .y = {.name = "y", .logarithmic = false},
             .curves = {{.name = "a_b", .points = {{1, 2}, {3, 0.5}}, .style = CurveStyle::thin}},
             .marks = {{.x = 2, .name = "here"}}};
-  const auto text = [&] { return latex_plots_text({&plot, 1}, "errors.csv"); };
+  const auto text = [&] { return latex_plot_text(plot); };
   EXPECT_NE(text().find("\\begin{axis}"), std::string::npos);
   EXPECT_NE(text().find("xmin=0,xmax=4,"), std::string::npos);
-  EXPECT_NE(text().find("mark=none] coordinates {(1,2)(3,0.5)};"), std::string::npos);
+  EXPECT_NE(text().find("mark=none] coordinates {\n  (1,2)\n  (3,0.5)};"), std::string::npos);
   EXPECT_NE(text().find("{here}"), std::string::npos);
   plot.y.logarithmic = true;
   EXPECT_NE(text().find("\\begin{semilogyaxis}"), std::string::npos);
@@ -178,8 +203,8 @@ TEST(ConvergencePlot, NamesTheOrdersInItsLegend) {
 TEST(ConvergencePlot, ComparesProblemsByOneError) {
   const auto one = levels(3, 4, 2);
   const auto single = levels(1, 4, 2);
-  const ErrorHistory problems[] = {{.name = "one", .levels = one, .orders = {}, .row = {}},
-                                   {.name = "a single level", .levels = single, .orders = {}, .row = {}}};
+  const ErrorHistory problems[] = {{.name = "one", .levels = one, .orders = {}},
+                                   {.name = "a single level", .levels = single, .orders = {}}};
   const Plot plot = convergence_plot("t", error_kinds()[0], ErrorAgainst::unknowns, problems);
   ASSERT_EQ(plot.curves.size(), 1U);
   EXPECT_EQ(plot.curves[0].name, "one");

@@ -52,6 +52,40 @@ TEST(Experiment, IsTheProductOfItsListsTheLastRunningFastest) {
   EXPECT_EQ(questions(experiment), (std::vector<std::vector<std::size_t>>{{0, 1, 2}, {3, 4, 5}}));
 }
 
+std::string with_labels(const std::string& labels, const std::string& fit_from = "1") {
+  return head + base + R"(, "vary": )" + vary + R"(, "labels": )" + labels + R"(, "fit_from": )" + fit_from +
+         "}";
+}
+
+TEST(Experiment, TakesShortNamesAndALevelToBeginFitsWith) {
+  const Experiment experiment =
+      parse_experiment(with_labels(R"({"basis": ["P0", "P1 at 0.1", "P1 at 1/6"]})"), "trial.json");
+  EXPECT_EQ(experiment.combinations[1].name, "two_piece; p 2; P1 at 0.1");
+  EXPECT_EQ(experiment.combinations[5].name, "cube; P1 at 1/6");
+  for (const Combination& combination : experiment.combinations)
+    EXPECT_EQ(combination.problem.fit_from, std::optional<int>(1));
+  const auto pointer = [](const std::string& text) -> std::string {
+    try {
+      static_cast<void>(parse_experiment(text, "trial.json"));
+    } catch (const InputError& error) {
+      return error.fault().pointer;
+    }
+    return "not refused";
+  };
+  EXPECT_EQ(pointer(with_labels(R"({"basis": ["P0", "P1"]})")), "/labels/basis");
+  EXPECT_EQ(pointer(with_labels(R"({"basis": ["a", "b, c", "d"]})")), "/labels/basis/1");
+  EXPECT_EQ(pointer(with_labels(R"({"solver": ["a"]})")), "/labels/solver");
+  EXPECT_EQ(pointer(with_labels(R"({"basis": ["a", "b", "c"]})", "31")), "/fit_from");
+}
+
+TEST(Experiment, HasNoCommaInANameOfItsTable) {
+  const Experiment experiment = parse_experiment(experiment_text(base, vary), "trial.json");
+  for (const Combination& combination : experiment.combinations) {
+    EXPECT_EQ(combination.name.find(','), std::string::npos) << combination.name;
+    EXPECT_EQ(combination.name.find('"'), std::string::npos) << combination.name;
+  }
+}
+
 TEST(Experiment, StatesTheProblemsThatFilesOfTheirOwnWould) {
   const Experiment experiment = parse_experiment(experiment_text(base, vary), "trial.json");
   const Problem alone = parse_problem(R"json({"schema": "radcert/problem/1", "surface": {"name": "cube"},

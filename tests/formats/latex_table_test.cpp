@@ -94,15 +94,42 @@ TEST(LevelsLatex, HasARowALevelAndDashesForWhatIsAbsent) {
   const LevelResult level = test::sample_level().result;
   Result result{.problem = test::sample_problem(), .levels = {level, level}, .orders = {}, .timing = {}};
   const std::string text = levels_latex(result);
-  EXPECT_EQ(count(text, "3 & 2 & 6 & 0.1000 & 3.333(1)e-1 & -- & 1.000 & --"), 2U) << text;
+  EXPECT_EQ(count(text, "3 & 6 & 0.1000 & 3.333(1)e-1 & -- & 1.000 & --"), 2U) << text;
+  EXPECT_EQ(count(text, "EOC"), 3U);
   EXPECT_EQ(text.find("Fitted"), std::string::npos);
   result.orders = {
       {.quantity = "node_error", .order = 3.987, .halfwidth = 0.111, .levels = {1, 2, 3}, .left_out = {}}};
-  EXPECT_NE(levels_latex(result).find("$3.99 \\pm 0.12$"), std::string::npos);
+  EXPECT_NE(levels_latex(result).find("$3.99 \\pm 0.12$ on levels 1--3"), std::string::npos);
+  result.levels[1].node_order = 3.875;
+  EXPECT_NE(levels_latex(result).find("1.000 & $3.88$"), std::string::npos);
   result.orders.front().levels = {1, 2};
   EXPECT_NE(levels_latex(result).find("$3.99$"), std::string::npos);
   result.problem.solution.reset();
   EXPECT_NE(levels_latex(result).find("-1.0000000e300"), std::string::npos);
+}
+
+TEST(CombinationsLatex, HasTheLevelsOfEachCombinationUnderItsName) {
+  const LevelResult level = test::sample_level().result;
+  Experiment experiment{.name = "two", .varied = {}, .combinations = {}};
+  std::vector<Result> results;
+  for (const char* name : {"first", "second_one"}) {
+    experiment.combinations.push_back({.name = name, .choice = {}, .problem = test::sample_problem()});
+    results.push_back(
+        {.problem = test::sample_problem(), .levels = {level, level}, .orders = {}, .timing = {}});
+  }
+  results.back().orders = {{.quantity = "node_error",
+                            .order = {},
+                            .halfwidth = {},
+                            .levels = {},
+                            .left_out = {},
+                            .pre_asymptotic = {0, 1, 2}}};
+  const std::string text = combinations_latex(experiment, results);
+  EXPECT_EQ(count(text, "3 & 6 & 0.1000 & "), 4U) << text;
+  EXPECT_LT(text.find("first"), text.find("second\\_"));
+  EXPECT_NE(text.find("none, the slopes are not steady"), std::string::npos);
+  EXPECT_NE(text.find("\\begin{tabular}"), std::string::npos);
+  for (int k = 0; k < 40; ++k) results.front().levels.push_back(level);
+  EXPECT_NE(combinations_latex(experiment, results).find("\\begin{longtable}"), std::string::npos);
 }
 
 }  // namespace

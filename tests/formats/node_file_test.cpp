@@ -123,6 +123,10 @@ TEST(NodeFile, RefusesSpacesWithTheReason) {
             "a function of the space other than zero vanishes at all 4 nodes"},
            {file_text(R"(["x1", "x2", "x3^2", "x1*x2*x3"])"),
             "does not contain the constants: the interpolant of 1"},
+           {R"({"schema": "radcert/nodes/1", "space": ["1"], "nodes": [["1/3", "1/3", "1/3"]],
+               "certificate": {"method": "krawczyk", "precision": 2, "radius": "1e-9",
+                               "orbits": [{"size": 1, "held": false}]}})",
+            "1 unknowns for the 2 invariant polynomials"},
            {R"({"schema": "radcert/nodes/1", "degree": 1, "space": ["1"], "nodes": []})",
             "stands beside a space"}}) {
     const std::string message = refusal(text);

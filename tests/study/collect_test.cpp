@@ -71,18 +71,52 @@ TEST(Collect, TakesMeshSizesAndNotLevelsForOrders) {
 }
 
 TEST(Collect, FitsByLeastSquaresAndSpansTheSuccessiveOrders) {
-  // log2 of the errors: 0, -1, -4: successive orders 1 and 3, the regression line through three equidistant
-  // points 2.
+  // log2 of the errors: 0, -2, -4.75 at 0, 1, 2: successive orders 2 and 2.75, the regression line through
+  // three equidistant points 2.375.
+  const Result result = collect(sample_problem("sphere"),
+                                {level(0, 1, 1), level(1, 0.25, 0.25), level(2, std::exp2(-4.75), 1)}, {});
+  EXPECT_NEAR(result.orders[0].order.value(), 2.375, 1e-14);
+  EXPECT_NEAR(result.orders[0].halfwidth.value(), 0.375, 1e-14);
+  EXPECT_TRUE(result.orders[0].pre_asymptotic.empty());
+}
+
+TEST(Collect, LeavesOutPreAsymptoticLevels) {
+  // log2 of the errors: 3, 0, -1, -4, -6, -8: slopes 3, 1, 3, 2, 2. From level 1 on 2.1 +- 1.1, from level 2
+  // on 2.3 +- 0.7, from level 3 on 2.
+  std::vector<LevelResult> levels;
+  for (const double power : {3.0, 0.0, -1.0, -4.0, -6.0, -8.0})
+    levels.push_back(level(static_cast<int>(levels.size()), std::exp2(power), std::exp2(power)));
+  const Result result = collect(sample_problem("sphere"), levels, {});
+  for (const OrderFit& fit : result.orders) {
+    EXPECT_EQ(fit.levels, (std::vector<int>{3, 4, 5}));
+    EXPECT_EQ(fit.pre_asymptotic, (std::vector<int>{0, 1, 2}));
+    EXPECT_NEAR(fit.order.value(), 2, 1e-14);
+    EXPECT_NEAR(fit.halfwidth.value(), 0, 1e-14);
+  }
+}
+
+TEST(Collect, FitsNoOrderToSlopesThatAreNotSteady) {
+  // Slopes 12.4 and -0.9: 5.75 +- 6.65 would be no order.
   const Result result =
-      collect(sample_problem("sphere"), {level(0, 1, 1), level(1, 0.5, 0.5), level(2, 0.0625, 0.0625)}, {});
-  EXPECT_NEAR(result.orders[0].order.value(), 2, 1e-14);
-  EXPECT_NEAR(result.orders[0].halfwidth.value(), 1, 1e-14);
-  // 0, -1, -4, -6 at 0, 1, 2, 3: slope 2.1
-  const Result four = collect(
-      sample_problem("sphere"),
-      {level(0, 1, 1), level(1, 0.5, 0.5), level(2, 0.0625, 0.0625), level(3, 0.015625, 0.015625)}, {});
-  EXPECT_NEAR(four.orders[1].order.value(), 2.1, 1e-14);
-  EXPECT_NEAR(four.orders[1].halfwidth.value(), 1.1, 1e-14);
+      collect(sample_problem("sphere"),
+              {level(0, 1, 1), level(1, std::exp2(-12.4), 1), level(2, std::exp2(-11.5), 1)}, {});
+  EXPECT_EQ(result.orders[0].order, std::nullopt);
+  EXPECT_EQ(result.orders[0].halfwidth, std::nullopt);
+  EXPECT_TRUE(result.orders[0].levels.empty());
+  EXPECT_EQ(result.orders[0].pre_asymptotic, (std::vector<int>{0, 1, 2}));
+}
+
+TEST(Collect, BeginsWithTheLevelThatTheProblemNames) {
+  Problem problem = sample_problem("sphere");
+  problem.fit_from = 1;
+  // Slopes 0, 1 and 4: taken as they are from level 1 on.
+  const Result result = collect(
+      problem, {level(0, 1, 1), level(1, 1, 1), level(2, 0.5, 0.5), level(3, std::exp2(-5), std::exp2(-5))},
+      {});
+  EXPECT_EQ(result.orders[0].levels, (std::vector<int>{1, 2, 3}));
+  EXPECT_EQ(result.orders[0].pre_asymptotic, std::vector<int>{0});
+  EXPECT_NEAR(result.orders[0].order.value(), 2.5, 1e-14);
+  EXPECT_NEAR(result.orders[0].halfwidth.value(), 1.5, 1e-14);
 }
 
 TEST(Collect, LeavesOutAndNamesALevelWhoseRadiusExceedsFivePercent) {

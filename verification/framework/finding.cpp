@@ -32,6 +32,38 @@ Ends ends_of(const Approximation& observed) {
 
 void require_slack(double slack) { expects(slack >= 0, "slack >= 0", named("slack", slack)); }
 
+/// A number of which no digit says nothing: as many as its radius leaves, and no more than twelve; all of its
+/// own where it is exact.
+EnclosingText readable(const Approximation& observed) {
+  constexpr int most = 12;
+  constexpr int all = 17;
+  if (observed.radius == 0) return enclosing_text(observed.value, 0, DecimalForm::general(all));
+  if (observed.value == 0) return enclosing_text(0, observed.radius, DecimalForm::general(1));
+  const double places =
+      std::floor(std::log10(std::abs(observed.value))) - std::floor(std::log10(observed.radius));
+  const int digits = static_cast<int>(std::clamp(places + 2, 2.0, static_cast<double>(most)));
+  return enclosing_text(observed.value, observed.radius, DecimalForm::general(digits));
+}
+
+/// A decimal that is exactly its number, without zeros behind it.
+std::string without_zeros(const std::string& text) {
+  const std::size_t e = std::min(text.find('e'), text.size());
+  std::string mantissa = text.substr(0, e);
+  if (mantissa.find('.') != std::string::npos) {
+    mantissa.erase(mantissa.find_last_not_of('0') + 1);
+    if (mantissa.back() == '.') mantissa.pop_back();
+  }
+  const std::string power = text.substr(e);
+  return power.find_first_of("123456789") == std::string::npos ? mantissa : mantissa + power;
+}
+
+/// The two texts of a number; without a radius where the first is the number itself.
+void show(Evidence& evidence, const std::string& value, const std::string& radius) {
+  const bool exact = radius == "0";
+  evidence.value = exact ? without_zeros(value) : value;
+  evidence.radius = exact ? std::nullopt : std::optional(radius);
+}
+
 Evidence line(const std::string& what, const Approximation& observed, std::string allowed, Standing standing,
               double slack) {
   Evidence evidence{.what = what,
@@ -42,9 +74,8 @@ Evidence line(const std::string& what, const Approximation& observed, std::strin
                     .number = observed.value,
                     .proved = observed.guaranteed && slack == 0};
   if (settles(observed)) {
-    const EnclosingText text = enclosing_text(observed.value, observed.radius, DecimalForm::scientific(12));
-    evidence.value = text.value;
-    evidence.radius = text.radius;
+    const EnclosingText text = readable(observed);
+    show(evidence, text.value, text.radius);
   } else {
     evidence.value = shortest(observed.value);
   }
@@ -111,8 +142,7 @@ Evidence line(const std::string& what, const Ball& observed, int digits, std::st
       .proved = true};
   if (observed.is_finite()) {
     const BallDecimal text = observed.decimal(digits);
-    evidence.value = text.midpoint;
-    evidence.radius = text.radius;
+    show(evidence, text.midpoint, text.radius);
   }
   return evidence;
 }
@@ -283,8 +313,8 @@ void Finding::add(const std::string& what, const LiesIn& statement, const Ball& 
 
 void Finding::remark(std::string what, const Approximation& observed) {
   if (settles(observed)) {
-    const EnclosingText text = enclosing_text(observed.value, observed.radius, DecimalForm::scientific(12));
-    what += ": " + text.value + " +- " + text.radius;
+    const EnclosingText text = readable(observed);
+    what += ": " + text.value + (text.radius == "0" ? "" : " +- " + text.radius);
   } else {
     what += ": " + shortest(observed.value);
   }

@@ -14,13 +14,17 @@ namespace {
 std::string parameters_text(const SurfaceChoice& surface) {
   std::string out;
   for (const SurfaceParameter& parameter : surface.parameters)
-    out += (out.empty() ? "" : ", ") + parameter.name + " = " + parameter.value.to_text();
+    out += (out.empty() ? "" : "; ") + parameter.name + " = " + parameter.value.to_text();
   return out.empty() ? "" : " (" + out + ")";
 }
 
 std::string method_text(const Method& method) {
   const TriangleBasisChoice* triangles = find_triangle_basis(method);
-  if (triangles == nullptr) return listed(method_words(method));
+  if (triangles == nullptr) {
+    std::string out;
+    for (const std::string& word : method_words(method)) out += (out.empty() ? "" : "; ") + word;
+    return out;
+  }
   const TriangleBasisChoice& basis = *triangles;
   switch (basis.family) {
     case NodeFamily::file: return "nodes of " + basis.file;
@@ -29,7 +33,7 @@ std::string method_text(const Method& method) {
   }
   std::string out = "degree " + std::to_string(basis.degree);
   if (basis.alpha && basis.degree > 0)
-    out += ", alpha " + (basis.alpha_is_near ? "= alpha_0" : "= " + basis.alpha->to_text());
+    out += "; alpha " + (basis.alpha_is_near ? "= alpha_0" : "= " + basis.alpha->to_text());
   return out;
 }
 
@@ -83,6 +87,8 @@ std::size_t RecordedLevels::index_of(const Problem& problem) {
   Problem same = problem;
   same.triangulation.levels = {0};
   same.solver = {};
+  same.label.clear();
+  same.fit_from.reset();
   std::string text = problem_text(same);
   const auto known = std::find_if(problems_.begin(), problems_.end(),
                                   [&](const ProblemTrace& trace) { return trace.text == text; });

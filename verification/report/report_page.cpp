@@ -145,17 +145,43 @@ std::string plot_name(const ErrorKind& kind, std::span<const std::size_t> proble
   return name + (against == ErrorAgainst::mesh_size ? ":mesh_size" : ":unknowns");
 }
 
+// Of the titles of problems, whose parts semicolons separate, what not all of them have in common.
+std::vector<std::string> short_names(const Report& report, std::span<const std::size_t> problems) {
+  std::vector<std::vector<std::string>> parts;
+  for (const std::size_t i : problems) {
+    std::vector<std::string>& own = parts.emplace_back();
+    const std::string& name = report.problems[i].name;
+    for (std::size_t at = 0; at <= name.size();) {
+      const std::size_t end = std::min(name.find("; ", at), name.size());
+      own.push_back(name.substr(at, end - at));
+      at = end + 2;
+    }
+  }
+  const auto is_common = [&](const std::string& part) {
+    return std::all_of(parts.begin(), parts.end(), [&](const std::vector<std::string>& each) {
+      return std::find(each.begin(), each.end(), part) != each.end();
+    });
+  };
+  std::vector<std::string> names;
+  for (const std::vector<std::string>& own : parts) {
+    std::string& name = names.emplace_back();
+    for (const std::string& part : own)
+      if (!is_common(part)) name += (name.empty() ? "" : "; ") + part;
+  }
+  return names;
+}
+
 // Each error of the problems of each statement against h, where one of them has two levels; the page shows
 // what it needs.
 std::map<std::string, std::string> plots_of(const Report& report) {
   std::map<std::string, std::string> plots;
   for (const ClaimReport& claim : report.claims) {
+    const std::vector<std::string> names = short_names(report, claim.problems);
     std::vector<ErrorHistory> problems;
-    for (const std::size_t i : claim.problems)
-      problems.push_back({.name = report.problems[i].name,
-                          .levels = report.problems[i].levels,
-                          .orders = report.problems[i].orders,
-                          .row = i});
+    for (std::size_t k = 0; k < claim.problems.size(); ++k)
+      problems.push_back({.name = names[k],
+                          .levels = report.problems[claim.problems[k]].levels,
+                          .orders = report.problems[claim.problems[k]].orders});
     for (const ErrorKind& kind : error_kinds()) {
       const std::string name = plot_name(kind, claim.problems, ErrorAgainst::mesh_size);
       if (plots.contains(name)) continue;

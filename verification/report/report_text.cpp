@@ -36,6 +36,10 @@ bool is_finite(const Approximation& m) { return std::isfinite(m.value) && std::i
 
 std::string ours_text(const std::optional<Approximation>& ours) {
   if (!ours || !is_finite(*ours)) return "";
+  if (ours->radius == 0)
+    if (const EnclosingText text = enclosing_text(ours->value, 0, DecimalForm::general(6));
+        text.radius == "0")
+      return text.value;
   const EnclosingText text = enclosing_text(ours->value, ours->radius, DecimalForm::scientific(6));
   return text.value + " ± " + text.radius;
 }

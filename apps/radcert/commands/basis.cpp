@@ -94,12 +94,7 @@ BasisFacts decided(const Outcome<BasisFacts>& facts) {
 }
 
 BasisFacts facts_with(const LagrangeFunctions& functions, const SymmetricCertificate& certificate) {
-  BasisFacts facts =
-      decided(at_true_nodes(basis_facts(functions, norm_tolerance()), functions, certificate.rule.points));
-  facts.triangle = certificate.triangle;
-  facts.parallelogram = certificate.parallelogram;
-  facts.proof = PrecisionProof::certificate;
-  return facts;
+  return decided(certified_facts(basis_facts(functions, norm_tolerance()), functions, certificate));
 }
 
 BasisRecord superconvergent_record(int degree) {

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,16 +16,16 @@
 #include "experiment_table.h"
 #include "origin.h"
 #include "output.h"
+#include "plot_files.h"
 #include "progress.h"
 #include "radcert/core/result_store.h"
 #include "radcert/formats/plot/experiment_plots.h"
-#include "radcert/formats/plot/latex_plot.h"
-#include "radcert/formats/plot/svg_plot.h"
 #include "radcert/formats/problem/experiment_file.h"
 #include "radcert/formats/result/experiment_json.h"
 #include "radcert/formats/result/stored_levels.h"
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/reference/operator_integral.h"
+#include "radcert/study/expected_seconds.h"
 #include "radcert/study/study.h"
 #include "verification/report/report_page.h"
 
@@ -49,11 +51,13 @@ double work(const Problem& problem, int level) {
   return functions * functions * std::pow(16.0, level);
 }
 
-double work(const Experiment& experiment) {
-  double all = 0;
+/// The works of all levels, in the order in which they are solved.
+std::vector<double> works(const Experiment& experiment) {
+  std::vector<double> out;
   for (const Combination& combination : experiment.combinations)
-    for (const int level : combination.problem.triangulation.levels) all += work(combination.problem, level);
-  return all;
+    for (const int level : combination.problem.triangulation.levels)
+      out.push_back(work(combination.problem, level));
+  return out;
 }
 
 std::size_t level_count(const Experiment& experiment) {
@@ -68,8 +72,10 @@ std::size_t level_count(const Experiment& experiment) {
 Finished solve_all(const Experiment& experiment, const std::string& source, StoredLevels& levels,
                    bool quiet) {
   ProgressDisplay progress(quiet);
-  const double all = work(experiment);
+  const std::vector<double> all_works = works(experiment);
+  const double all = std::accumulate(all_works.begin(), all_works.end(), 0.0);
   double done = 0;
+  ExpectedSeconds expected;
   Finished finished;
   try {
     for (const Combination& combination : experiment.combinations) {
@@ -78,11 +84,15 @@ Finished solve_all(const Experiment& experiment, const std::string& source, Stor
       std::vector<LevelResult> results;
       std::vector<LevelTiming> timing;
       for (const int level : problem.triangulation.levels) {
-        progress.at(done / all, combination.name + ", level " + std::to_string(level));
+        progress.at(done / all, combination.name + "; level " + std::to_string(level),
+                    expected.of(std::span(all_works).subspan(finished.levels)));
         with_combination(combination, source, [&] {
           const LevelOutcome outcome = levels.level(problem, level);
           results.push_back(outcome.result);
           timing.push_back(outcome.timing);
+          expected.finished(work(problem, level), outcome.timing.assembly_seconds +
+                                                      outcome.timing.operator_seconds +
+                                                      outcome.timing.solve_seconds);
         });
         done += work(problem, level);
         ++finished.levels;
@@ -103,12 +113,8 @@ Files paper_files(const Common& common, const ExperimentOptions& options, const 
                   std::span<const Result> results) {
   const std::filesystem::path folder = options.out;
   Files files = {{folder / "table.tex", combinations_latex(experiment, results)}};
-  std::vector<Plot> plots;
-  for (NamedPlot& named : experiment_plots(experiment, results)) {
-    files.emplace_back(folder / (named.name + ".svg"), svg_text(named.plot));
-    plots.push_back(std::move(named.plot));
-  }
-  if (!plots.empty()) files.emplace_back(folder / "plot.tex", latex_plots_text(plots, "errors.csv"));
+  for (auto& file : plot_files(folder, experiment_plots(experiment, results)))
+    files.push_back(std::move(file));
   std::vector<Problem> problems;
   std::vector<std::string> references;
   for (const Combination& combination : experiment.combinations) {
@@ -171,8 +177,8 @@ void add_experiment(Program& program) {
                "FILE.json");
   command.option(
       "--out", options->out,
-      "Write to DIR: experiment.json, experiment.html, errors.csv, timing.csv, plots (SVG), table.tex, "
-      "plot.tex, cite.bib, provenance.json",
+      "Write to DIR: experiment.json, experiment.html, errors.csv, timing.csv, table.tex, each plot as .svg "
+      "and .tex, plot.tex with all of them, cite.bib, provenance.json",
       "DIR");
   command.fresh_flag(program.common());
   command.footer(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// radcert list surfaces, bases, claims, references: what there is, a line each.
+// radcert list surfaces, bases, solvers, claims, references: what there is, a line each.
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,6 +12,7 @@
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/reference/reference_value.h"
+#include "radcert/solve/linear_solver.h"
 #include "radcert/surface/catalogue.h"
 #include "verification/claims/psg10/figures/sphere_over_disk_records.h"
 #include "verification/framework/reading/paper.h"
@@ -26,6 +27,7 @@ struct EntryParameter {
   std::string name;
   std::string allowed;
   std::string default_text;  ///< empty: it must be given
+  std::string meaning{};     ///< empty: the name says it
 };
 
 /// One line of a list.
@@ -40,7 +42,8 @@ std::vector<Entry> surfaces() {
   for (const SurfaceDescription& surface : surface_catalogue()) {
     Entry line{.name = surface.name, .summary = surface.summary + "; pieces " + listed(surface.pieces)};
     for (const ParameterDescription& parameter : surface.parameters)
-      line.parameters.push_back({parameter.name, parameter.requirement, parameter.default_text});
+      line.parameters.push_back(
+          {parameter.name, parameter.requirement, parameter.default_text, parameter.meaning});
     out.push_back(line);
   }
   return out;
@@ -99,6 +102,18 @@ std::vector<Entry> bases() {
        .parameters = own_meshless_parameters()}};
 }
 
+std::vector<Entry> solvers() {
+  std::vector<Entry> out;
+  for (const LinearSolver& solver : linear_solvers()) {
+    Entry line{.name = solver.name, .summary = solver.summary};
+    if (solver.iterates)
+      line.parameters.push_back({"tolerance", "from 2^-51 to below 1, or rounding", "rounding",
+                                 "what may be left of the system's error, relative to max |u_n|"});
+    out.push_back(line);
+  }
+  return out;
+}
+
 std::vector<Entry> claims() {
   std::vector<Entry> out;
   for (const verification::Paper& paper : verification::embedded_paper_list()) {
@@ -140,11 +155,16 @@ std::vector<Entry> references() {
 }
 
 const std::vector<std::pair<std::string, std::function<std::vector<Entry>()>>> lists = {
-    {"surfaces", surfaces}, {"bases", bases}, {"claims", claims}, {"references", references}};
+    {"surfaces", surfaces},
+    {"bases", bases},
+    {"solvers", solvers},
+    {"claims", claims},
+    {"references", references}};
 
 std::string parameter_text(const EntryParameter& parameter) {
   const std::string value = parameter.default_text.empty() ? "" : " = " + parameter.default_text;
-  return parameter.name + value + " (" + parameter.allowed + ")";
+  return parameter.name + value + " (" + parameter.meaning + (parameter.meaning.empty() ? "" : ", ") +
+         parameter.allowed + ")";
 }
 
 std::string text(const std::string& what, const std::vector<Entry>& lines) {
@@ -169,6 +189,7 @@ std::string json(const Common& common, const std::string& what, const std::vecto
                  {"parameters", json_array(line.parameters, [](const EntryParameter& parameter) {
                     return JsonValue::object(
                         {{"name", parameter.name},
+                         {"meaning", parameter.meaning.empty() ? JsonValue() : JsonValue(parameter.meaning)},
                          {"allowed", parameter.allowed},
                          {"default",
                           parameter.default_text.empty() ? JsonValue() : JsonValue(parameter.default_text)}});
@@ -197,6 +218,8 @@ ExitCode print_list(const Common& common, const std::string& what) {
 }
 
 }  // namespace
+
+std::vector<std::string> list_names() { return names(); }
 
 std::vector<std::string> listed_names(const std::string& what) {
   std::vector<std::string> out;

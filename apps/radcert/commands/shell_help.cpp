@@ -4,6 +4,7 @@
 // page.
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,7 +14,9 @@
 #include "output.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/version.h"
+#include "radcert/formats/problem/problem_parts.h"
 #include "radcert/formats/schema/schemas.h"
+#include "radcert/geometry/mesh_repair.h"
 #include "verification/claims/psg10/figures/figure.h"
 
 namespace radcert::app {
@@ -53,12 +56,17 @@ std::vector<std::string> words_of(const std::string& command) {
     for (const Example& example : examples()) out.emplace_back(example.name);
     for (const Example& example : experiment_examples()) out.emplace_back(example.name);
   }
-  if (command == "list") out = {"surfaces", "bases", "claims", "references"};
+  if (command == "list") out = list_names();
   if (command == "picture")
     for (const verification::psg10::FigureKind& kind : verification::psg10::figure_kinds())
       out.emplace_back(kind.name);
   if (command == "completion") out = {"bash"};
-  if (command == "verify") out = listed_names("claims");
+  if (command == "verify") {
+    out = listed_names("claims");
+    std::set<std::string> papers;
+    for (const std::string& claim : out) papers.insert(claim.substr(0, claim.find('/')));
+    out.insert(out.end(), papers.begin(), papers.end());
+  }
   if (command == "reference") out = listed_names("references");
   if (command == "surface" || command == "factors") out = listed_names("surfaces");
   if (command == "basis") out = {"inset", "symmetric"};
@@ -82,6 +90,12 @@ std::string completion_of(const CLI::Option& option) {
     if (name == "direct") return "COMPREPLY=($(compgen -W 'basis exact' -- \"$word\"))";
     if (name == "by") return "COMPREPLY=($(compgen -W 'triangle piece group' -- \"$word\"))";
     if (name == "front") return "COMPREPLY=($(compgen -W 'auto right-hand left-hand' -- \"$word\"))";
+    if (name == "of")
+      return "COMPREPLY=($(compgen -W '" + joined(guaranteed_quantities(), " ") + "' -- \"$word\"))";
+    if (name == "repair")
+      return "COMPREPLY=($(compgen -W '" +
+             joined(std::vector<std::string>(repair_words.begin(), repair_words.end()), " ") +
+             "' -- \"$word\"))";
     if (name == "unit") return "COMPREPLY=($(compgen -W 'mm cm m in' -- \"$word\"))";
   }
   return "COMPREPLY=()";

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert solve PROBLEM.json: one problem over its levels.
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -15,14 +17,16 @@
 #include "enclosure_table.h"
 #include "origin.h"
 #include "output.h"
+#include "plot_files.h"
 #include "progress.h"
+#include "radcert/core/atomic_file.h"
+#include "radcert/core/digest.h"
 #include "radcert/core/result_store.h"
 #include "radcert/formats/field/element_errors.h"
 #include "radcert/formats/field/ply.h"
 #include "radcert/formats/field/vtu.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/plot/convergence_plot.h"
-#include "radcert/formats/plot/latex_plot.h"
-#include "radcert/formats/plot/svg_plot.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/problem/problem_parts.h"
 #include "radcert/formats/result/certificate_json.h"
@@ -33,6 +37,7 @@
 #include "radcert/reference/operator_integral.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/certified_means.h"
+#include "radcert/study/expected_seconds.h"
 #include "solve_table.h"
 
 namespace radcert::app {
@@ -74,16 +79,19 @@ std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& lev
   for (const int level : problem.triangulation.levels) all += work(level);
   double done = 0;
   std::vector<LevelOutcome> finished;
+  ExpectedSeconds expected;
   try {
     for (const int level : problem.triangulation.levels) {
-      const LevelTiming last = finished.empty() ? LevelTiming{} : finished.back().timing;
-      const double last_seconds = last.assembly_seconds + last.operator_seconds + last.solve_seconds;
-      const double expected =
-          finished.empty() ? 0 : last_seconds * (all - done) / work(finished.back().result.level);
-      progress.at(done / all, "level " + std::to_string(level), expected);
+      std::vector<double> rest;
+      for (const int other : problem.triangulation.levels)
+        if (other >= level) rest.push_back(work(other));
+      progress.at(done / all, "level " + std::to_string(level), expected.of(rest));
       const std::size_t computed = levels.computed();
       finished.push_back(levels.level(problem, level));
       done += work(level);
+      const LevelTiming& timing = finished.back().timing;
+      expected.finished(work(level),
+                        timing.assembly_seconds + timing.operator_seconds + timing.solve_seconds);
       const LevelResult& result = finished.back().result;
       progress.note("level " + std::to_string(level) + ": " + std::to_string(result.elements) +
                     " elements, " + std::to_string(result.unknowns) + " unknowns" +
@@ -95,9 +103,31 @@ std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& lev
   return finished;
 }
 
+/// The text of a problem, and where it is from: a file, or "-", the standard input.
+struct ProblemText {
+  std::string source;  ///< as messages name it
+  std::string text;
+  InputDigest digest;
+};
+
+ProblemText text_of_problem(const std::string& name) {
+  if (name != "-") {
+    std::string text = with_source(name, [&] { return read_file(name, json_size_limit); });
+    return {.source = name, .text = text, .digest = {.name = name, .digest = digest_of(text)}};
+  }
+  std::string text;
+  std::array<char, 65536> part{};
+  while (std::cin.read(part.data(), part.size()) || std::cin.gcount() > 0) {
+    text.append(part.data(), static_cast<std::size_t>(std::cin.gcount()));
+    if (text.size() > json_size_limit) break;  // which parse_problem refuses
+  }
+  const std::string digest = digest_of(text);
+  return {.source = "standard input", .text = std::move(text), .digest = {.name = name, .digest = digest}};
+}
+
 /// What --out writes.
 Files files_of(const Common& common, const SolveOptions& options, const Result& result,
-               std::span<const LevelOutcome> levels, const std::string& json) {
+               std::span<const LevelOutcome> levels, const std::string& json, const InputDigest& read) {
   const std::filesystem::path folder = options.out;
   const auto& elements = levels.back().elements;
   const auto errors = corner_errors(result.problem, elements);
@@ -107,14 +137,17 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
                  {folder / "solution.vtu", vtu_text(elements, errors)},
                  {folder / "solution.ply", ply_text(elements, errors)},
                  {folder / "table.tex", levels_latex(result)}};
-  const Plot plot =
-      convergence_plot("Errors of " + std::filesystem::path(options.problem).filename().string(),
-                       {.name = {}, .levels = result.levels, .orders = result.orders, .row = std::nullopt});
-  if (!plot.curves.empty()) {
-    files.emplace_back(folder / "plot.tex", latex_plots_text({&plot, 1}, "errors.csv"));
-    files.emplace_back(folder / "errors_against_h.svg", svg_text(plot));
-  }
-  std::vector<InputDigest> inputs = {input_digest(options.problem)};
+  const std::string name =
+      result.problem.label.empty()
+          ? (options.problem == "-" ? std::string("the problem")
+                                    : std::filesystem::path(options.problem).filename().string())
+          : result.problem.label;
+  const NamedPlot plot{
+      "errors_against_h",
+      convergence_plot("Errors of " + name, {.name = {}, .levels = result.levels, .orders = result.orders})};
+  if (!plot.plot.curves.empty())
+    for (auto& file : plot_files(folder, {&plot, 1})) files.push_back(std::move(file));
+  std::vector<InputDigest> inputs = {read};
   for (InputDigest& named : inputs_named_in({&result.problem, 1})) inputs.push_back(std::move(named));
   for (auto& file : origin_files(folder, common, references_of(result.problem), std::move(inputs),
                                  seed_of({&result.problem, 1})))
@@ -131,8 +164,8 @@ JsonValue coordinates_json(const std::string& text) {
 }
 
 /// The problem with what --guarantee, --of and --at say in place of its own words.
-Problem problem_of(const SolveOptions& options) {
-  Problem problem = read_problem(options.problem);
+Problem problem_of(const SolveOptions& options, const ProblemText& given) {
+  Problem problem = parse_problem(given.text, given.source);
   if (options.guarantee.empty() && options.of.empty() && options.at.empty() && options.outside.empty())
     return problem;
   JsonValue guarantee = JsonValue::object();
@@ -174,12 +207,13 @@ void refuse_fields(const SolveOptions& options, const Guarantee& guarantee) {
                                               : "--json beside a guarantee of means"});
 }
 
-ExitCode enclose(const Common& common, const SolveOptions& options, const Problem& problem) {
+ExitCode enclose(const Common& common, const SolveOptions& options, const Problem& problem,
+                 const std::string& source) {
   refuse_fields(options, *problem.guarantee);
   const Outputs outputs = checked_outputs(common, options);
   const auto limit = common.limit_threads();
   const bool certified = !options.certificate.empty();
-  with_source(options.problem, [&] {
+  with_source(source, [&] {
     check_guarantee(problem, *problem.guarantee);
     if (certified) check_certified(problem, *problem.guarantee);
   });
@@ -192,7 +226,7 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
     display.at(0, "what comes after degree " + std::to_string(now.degree));
   };
   Files files;
-  auto [level, enclosure] = with_source(options.problem, [&]() -> std::pair<LevelResult, SolutionEnclosure> {
+  auto [level, enclosure] = with_source(source, [&]() -> std::pair<LevelResult, SolutionEnclosure> {
     if (!certified) return solve_within(problem, *problem.guarantee, progress);
     CertifiedMeans found = certified_means(problem, *problem.guarantee, progress);
     files.emplace_back(options.certificate, certificate_text(found.certificate, common.command));
@@ -217,7 +251,9 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
 }
 
 ExitCode solve(const Common& common, const SolveOptions& options) {
-  if (const Problem asked = problem_of(options); asked.guarantee) return enclose(common, options, asked);
+  const ProblemText given = text_of_problem(options.problem);
+  const Problem problem = problem_of(options, given);
+  if (problem.guarantee) return enclose(common, options, problem, given.source);
   if (!options.certificate.empty())
     throw InputError({.source = "--certificate",
                       .value = options.certificate,
@@ -226,13 +262,12 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   const Outputs outputs = checked_outputs(common, options);
   const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
-  const Problem problem = read_problem(options.problem);
-  with_source(options.problem, [&] { check(problem, memory); });
+  with_source(given.source, [&] { check(problem, memory); });
 
   ResultStore store = common.store();
   StoredLevels levels(store, solve_with(reference::applied_operator, memory));
   const std::vector<LevelOutcome> finished =
-      with_source(options.problem, [&] { return solve_levels(problem, levels, common.quiet); });
+      with_source(given.source, [&] { return solve_levels(problem, levels, common.quiet); });
   const std::size_t asked = problem.triangulation.levels.size();
   if (finished.size() < asked) return interrupted(finished.size(), asked, store);
 
@@ -246,7 +281,7 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
 
   const std::string json = result_text(result, common.command);
   Files files;
-  if (!options.out.empty()) files = files_of(common, options, result, finished, json);
+  if (!options.out.empty()) files = files_of(common, options, result, finished, json, given.digest);
   if (common.json_to_file()) files.emplace_back(common.json, json);
   if (!options.nodes.empty()) files.emplace_back(options.nodes, nodes_csv(finished));
   const auto& elements = finished.back().elements;
@@ -267,7 +302,8 @@ void add_solve(Program& program) {
   Subcommand command =
       program.add("solve", "Solve one problem over its levels: errors, ratios, orders, seconds, memory");
   auto options = std::make_shared<SolveOptions>();
-  command.word("PROBLEM", options->problem, "A problem file; see radcert example problem", "FILE.json");
+  command.word("PROBLEM", options->problem,
+               "A problem file, or - for the standard input; see radcert example problem", "FILE.json");
   command.option(
       "--nodes", options->nodes,
       "Write the values at the nodes of every level as CSV; with a guarantee of values or a function, "
@@ -282,8 +318,8 @@ void add_solve(Program& program) {
                  "FILE.ply");
   command.option(
       "--out", options->out,
-      "Write to DIR: solution.json, .vtu and .ply, errors.csv, nodes.csv; table.tex, plot.tex and plots "
-      "(SVG) of the errors, cite.bib, provenance.json",
+      "Write to DIR: solution.json, .vtu and .ply, errors.csv, nodes.csv; table.tex, plot.tex, the plot of "
+      "the errors as .svg and .tex, cite.bib, provenance.json",
       "DIR");
   command.option(
       "--guarantee", options->guarantee,

@@ -59,8 +59,17 @@ std::vector<InputDigest> inputs_of(const std::vector<std::string>& words) {
     const bool embedded = std::any_of(papers.begin(), papers.end(), [&](const EmbeddedFile& each) {
       return each.path.starts_with(word + "/");
     });
-    const auto file = std::filesystem::path(word) / "claims.toml";
-    if (!embedded && std::filesystem::is_regular_file(file)) out.push_back(input_digest(file));
+    if (embedded) continue;
+    const std::filesystem::path path = word;
+    for (const std::filesystem::path& folder : {path, path.parent_path()}) {
+      const auto file = folder / "claims.toml";
+      if (!std::filesystem::is_regular_file(file)) continue;
+      const InputDigest one = input_digest(file);
+      if (std::none_of(out.begin(), out.end(),
+                       [&](const InputDigest& each) { return each.name == one.name; }))
+        out.push_back(one);
+      break;
+    }
   }
   return out;
 }
@@ -119,7 +128,7 @@ void add_verify(Program& program) {
   Subcommand command = program.add("verify", "Run the claims and hold each verdict against its record");
   auto options = std::make_shared<VerifyOptions>();
   command.words("WHAT", options->words,
-                "KEY, KEY/CLAIM, or a folder with claims.toml; all papers if none is named");
+                "KEY, a folder with claims.toml, or one of these with /CLAIM; all papers if none is named");
   command.option_with_default("--budget", options->budget,
                               "quick (each paper in under 2 minutes), standard or full");
   command.option(

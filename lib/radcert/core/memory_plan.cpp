@@ -95,7 +95,7 @@ void MemoryPlan::require(std::uint64_t limit_bytes) const {
   if (needed <= limit_bytes && needed != without_bound) return;
   const auto exactly = [](std::uint64_t bytes) {
     return bytes == without_bound ? "2^64 bytes or more"
-                                  : std::to_string(bytes) + " bytes (" + byte_text(bytes) + ")";
+                                  : byte_text(bytes) + " (" + std::to_string(bytes) + " bytes)";
   };
   const auto largest = std::max_element(items_.begin(), items_.end(),
                                         [](const Item& a, const Item& b) { return a.bytes < b.bytes; });

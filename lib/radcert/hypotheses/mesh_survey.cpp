@@ -7,6 +7,8 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/geometry/contacts/mesh_contacts.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/surface/mesh_surface.h"
 
 namespace radcert {
@@ -46,6 +48,26 @@ void add_backs(TriangleMesh& mesh, const std::vector<std::string>& two_sided) {
       mesh.face.push_back(mesh.face[t]);
     }
   }
+}
+
+/// Takes out what bodies that stand on faces cover; the front is decided before, for it says what is a body,
+/// and must be the same behind.
+std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule) {
+  if (survey.defects.crossing.empty() || !survey.defects.degenerate_triangles.empty()) return std::nullopt;
+  const Orientation orientation =
+      mesh_front(survey.mesh, mesh_topology(survey.mesh), survey.defects, rule).orientation;
+  Outcome<UncoveredMesh> uncovered =
+      without_contacts(survey.mesh, orientation == Orientation::along_the_cross_product);
+  if (!uncovered) throw InputError({.problem = uncovered.reason()});
+  if (uncovered->contacts.empty()) return std::nullopt;
+  const auto name = [](const std::string& group) { return group.empty() ? std::string("a face") : group; };
+  for (const MeshContact& contact : uncovered->contacts)
+    survey.mended.push_back("contact of " + name(contact.one) + " and " + name(contact.other) +
+                            ": an area of " + nearest_text(contact.area, DecimalForm::general(6)) +
+                            " of each is covered and takes no part");
+  survey.mesh = std::move(uncovered->mesh);
+  survey.defects = mesh_defects(survey.mesh);
+  return orientation;
 }
 
 bool agrees(const MeshTopology& topology) {
@@ -129,6 +151,7 @@ MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& r
   if (survey.mesh.triangles.empty())
     throw InputError({.problem = "has no triangle that is not degenerate", .allowed = "a mesh with faces"});
   survey.defects = mesh_defects(survey.mesh);
+  const std::optional<Orientation> before = uncover(survey, rule);
   add_backs(survey.mesh, two_sided);
   survey.topology = mesh_topology(survey.mesh);
   require_orientable(survey.mesh, survey.topology);
@@ -141,6 +164,10 @@ MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& r
   survey.pieces = piece_names(survey.mesh, *survey.components);
   survey.planes = plane_classes(survey.mesh);
   survey.front = mesh_front(survey.mesh, survey.topology, survey.defects, rule);
+  if (before && *before != survey.front.orientation)
+    throw InputError(
+        {.problem = "has faces that touch, and with what they cover taken out its front is another",
+         .allowed = "--front right-hand or --front left-hand"});
   decide_containment(survey);
   return survey;
 }

@@ -2,6 +2,8 @@
 #include "radcert/polynomial/basis_facts.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/nodes/lattice.h"
@@ -88,6 +90,25 @@ Outcome<BasisFacts> at_true_nodes(BasisFacts facts, const LagrangeFunctions& fun
   facts.norm.upper /= 1 - e;
   facts.condition /= 1 - e;
   return facts;
+}
+
+Outcome<BasisFacts> certified_facts(BasisFacts facts, const LagrangeFunctions& functions,
+                                    const SymmetricCertificate& certificate) {
+  if (facts.degree > facts.reproduced + 1)
+    return because(
+        "functions of degree " + std::to_string(facts.degree) + " with all polynomials of degree " +
+        std::to_string(facts.reproduced) +
+        " alone: what a certificate says of a rule does not decide what products miss; \"numbers\" "
+        "with polynomials do");
+  Outcome<BasisFacts> moved = at_true_nodes(std::move(facts), functions, certificate.rule.points);
+  if (!moved) return moved;
+  moved->triangle = certificate.triangle;
+  moved->parallelogram = certificate.parallelogram;
+  moved->proof = PrecisionProof::certificate;
+  if (moved->products)
+    moved->products = ProductPrecision{.triangle = certificate.triangle.degree,
+                                       .parallelogram = certificate.parallelogram.degree};
+  return moved;
 }
 
 EnclosedPrecision precision_at_superconvergent_inset(int degree, Region region) {

@@ -54,6 +54,20 @@ struct BasisFacts {
 /// The degrees of product_precision, for any basis.
 [[nodiscard]] ProductPrecision product_precision(const BasisFacts& facts);
 
+/// The facts of nodes that a certificate is about, from those at nodes beside them.
+/// Maths     at_true_nodes; precision as the certificate has it. The products of a space of one's own: let R
+///           be the degree of precision of the rule, m that of the space, r that up to which it has all
+///           polynomials, m <= r + 1, and deg q + deg p <= R. For deg p <= r P p = p, and nothing is missed.
+///           Else deg q <= R - r - 1, q P p has a degree of at most R, and Int q P p = sum_j w_j (q p)(q_j) =
+///           Int q p. With q = 1 and p the monomial that the rule misses, Int (p - P p) is what it misses:
+///           the degree is R. Over parallelograms monomials q p about the centre of odd degree change their
+///           sign under the half turn, and q P p with them: nothing is missed, and the degree is that of the
+///           rule
+/// Requires  facts of these functions; a certificate of their nodes, with their space if they have one
+/// Result    proof: certificate; a reason where at_true_nodes has one, and for a space with m > r + 1
+[[nodiscard]] Outcome<BasisFacts> certified_facts(BasisFacts facts, const LagrangeFunctions& functions,
+                                                  const SymmetricCertificate& certificate);
+
 /// Everything about nodes, in exact arithmetic.
 /// Maths     see BasisFacts
 /// Requires  tolerance > 0 for the norm, else ContractViolation

@@ -7,6 +7,7 @@ namespace radcert {
 /// instead adds its plan then.
 LinearSolver auto_entry() {
   return {.name = "auto",
+          .summary = "gmres where an error bound for it is found, else direct",
           .choose = [](bool contracts) -> std::string_view { return contracts ? "gmres" : "direct"; },
           .plan = [](MemoryPlan& plan, std::uint64_t n) { find_linear_solver("gmres")->plan(plan, n); }};
 }

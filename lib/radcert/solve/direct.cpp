@@ -52,7 +52,10 @@ Outcome<LinearSolution> eliminate(const LinearSystem& system) {
 }  // namespace
 
 LinearSolver direct_entry() {
-  return {.name = "direct", .eliminate = eliminate, .plan = [](MemoryPlan& plan, std::uint64_t n) {
+  return {.name = "direct",
+          .summary = "elimination; radii are estimates",
+          .eliminate = eliminate,
+          .plan = [](MemoryPlan& plan, std::uint64_t n) {
             plan.add("factors of I - K", saturated_product(n, n), sizeof(double));
           }};
 }

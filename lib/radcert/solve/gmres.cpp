@@ -147,7 +147,10 @@ Outcome<IterativeSolution, NotReached> solve_by_gmres(const SystemProducts& k, c
 }
 
 LinearSolver gmres_entry() {
-  return {.name = "gmres", .iterate = solve_by_gmres, .plan = [](MemoryPlan& plan, std::uint64_t n) {
+  return {.name = "gmres",
+          .summary = "GMRES; a proved bound of the linear system's error stops it",
+          .iterate = solve_by_gmres,
+          .plan = [](MemoryPlan& plan, std::uint64_t n) {
             plan.add("Krylov vectors", n,
                      (std::min<std::uint64_t>(n, krylov_dimension.count()) + 1) * sizeof(double));
           }};

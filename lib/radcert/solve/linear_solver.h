@@ -43,6 +43,7 @@ struct LinearSolution {
 /// How the linear system of a level may be solved.
 struct LinearSolver {
   std::string name;
+  std::string summary;  ///< one line
   /// Of a solver that iterates: stops at a tolerance, by an error bound, as `iterate` does, and asks for a
   /// contraction and for products alone.
   std::function<Outcome<IterativeSolution, NotReached>(

@@ -14,7 +14,10 @@ Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemProducts& k,
 }
 
 LinearSolver neumann_entry() {
-  return {.name = "neumann", .iterate = solve_by_neumann, .plan = [](MemoryPlan&, std::uint64_t) {}};
+  return {.name = "neumann",
+          .summary = "reflection by reflection, the Neumann series; a proved bound stops it",
+          .iterate = solve_by_neumann,
+          .plan = [](MemoryPlan&, std::uint64_t) {}};
 }
 
 }  // namespace radcert

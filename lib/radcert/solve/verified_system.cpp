@@ -269,10 +269,13 @@ Outcome<VerifiedSystem> verified_system(Matrix<double> k, Matrix<double> k_radiu
 }
 
 LinearSolver verified_system_entry() {
-  return {.name = "verified", .plan = [](MemoryPlan& plan, std::uint64_t n) {
-            plan.add("radii, inverse and defect of I - K, and a copy to work on",
-                     saturated_product(saturated_product(n, n), 4), sizeof(double));
-          }};
+  return {
+      .name = "verified",
+      .summary = "elimination in balls: every error at the nodes is proved, or the reason why not is given",
+      .plan = [](MemoryPlan& plan, std::uint64_t n) {
+        plan.add("radii, inverse and defect of I - K, and a copy to work on",
+                 saturated_product(saturated_product(n, n), 4), sizeof(double));
+      }};
 }
 
 }  // namespace radcert

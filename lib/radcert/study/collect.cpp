@@ -23,9 +23,10 @@ std::optional<double> order(const std::optional<double>& error_ratio, double h_b
   return std::log(*error_ratio) / std::log(h_before / h_now);
 }
 
-/// The power law through the levels whose figures are trustworthy. Two levels meet every power law: no
-/// spread.
-OrderFit fit(const std::string& quantity, FigureOfLevel figure, const std::vector<LevelResult>& levels) {
+/// The power law through the levels whose figures are trustworthy, from `fit_from` on, else from where the
+/// slopes are steady. Two levels meet every power law: no spread.
+OrderFit fit(const std::string& quantity, FigureOfLevel figure, const std::vector<LevelResult>& levels,
+             std::optional<int> fit_from) {
   OrderFit result{.quantity = quantity, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
   std::vector<CostPoint> points;
   for (const LevelResult& level : levels) {
@@ -33,12 +34,23 @@ OrderFit fit(const std::string& quantity, FigureOfLevel figure, const std::vecto
     if (!e) continue;
     const bool trustworthy =
         e->value > 0 && std::isfinite(e->value) && e->radius <= largest_relative_radius * e->value;
-    (trustworthy ? result.levels : result.left_out).push_back(level.level);
-    if (trustworthy) points.push_back({.cost = level.mesh_size, .error = e->value});
+    if (!trustworthy) {
+      result.left_out.push_back(level.level);
+    } else if (fit_from && level.level < *fit_from) {
+      result.pre_asymptotic.push_back(level.level);
+    } else {
+      result.levels.push_back(level.level);
+      points.push_back({.cost = level.mesh_size, .error = e->value});
+    }
   }
-  if (const std::optional<PowerLaw> law = power_law(points)) {
-    result.order = law->exponent;
-    result.halfwidth = law->halfwidth.value_or(0);
+  const AsymptoticLaw found =
+      fit_from ? AsymptoticLaw{.from = 0, .law = power_law(points)} : asymptotic_law(points);
+  const auto first = result.levels.begin() + static_cast<std::ptrdiff_t>(found.from);
+  result.pre_asymptotic.insert(result.pre_asymptotic.end(), result.levels.begin(), first);
+  result.levels.erase(result.levels.begin(), first);
+  if (found.law) {
+    result.order = found.law->exponent;
+    result.halfwidth = found.law->halfwidth.value_or(0);
   }
   return result;
 }
@@ -59,8 +71,10 @@ Result collect(const Problem& problem, std::vector<LevelResult> levels, std::vec
   }
   Result result{.problem = problem, .levels = std::move(levels), .orders = {}, .timing = std::move(timing)};
   if (problem.solution) {
-    result.orders.push_back(fit("discretisation_error", &LevelResult::discretisation_error, result.levels));
-    result.orders.push_back(fit("node_error", &LevelResult::node_error, result.levels));
+    const std::optional<int>& from = problem.fit_from;
+    result.orders.push_back(
+        fit("discretisation_error", &LevelResult::discretisation_error, result.levels, from));
+    result.orders.push_back(fit("node_error", &LevelResult::node_error, result.levels, from));
   }
   return result;
 }

@@ -64,6 +64,19 @@ std::optional<PowerLaw> power_law(std::span<const CostPoint> points) {
   return law;
 }
 
+AsymptoticLaw asymptotic_law(std::span<const CostPoint> points) {
+  constexpr std::size_t fewest = 3;
+  constexpr double steady = 0.5;
+  constexpr double relatively_steady = 0.25;
+  if (points.size() < fewest) return {.from = 0, .law = power_law(points)};
+  for (std::size_t from = 0; from + fewest <= points.size(); ++from) {
+    const std::optional<PowerLaw> law = power_law(points.subspan(from));
+    if (law && *law->halfwidth <= std::max(steady, relatively_steady * std::abs(law->exponent)))
+      return {.from = from, .law = law};
+  }
+  return {.from = points.size(), .law = std::nullopt};
+}
+
 std::optional<double> error_at(std::span<const CostPoint> points, double cost) {
   require_positive(points);
   const std::vector<CostPoint> curve = ascending(points);

@@ -29,6 +29,22 @@ struct PowerLaw {
 /// Limits    the halfwidth says how steady the slope is, not how near the limit: no guarantee
 [[nodiscard]] std::optional<PowerLaw> power_law(std::span<const CostPoint> points);
 
+/// The power law that points follow in the end, and where it begins.
+struct AsymptoticLaw {
+  std::size_t from = 0;         ///< the points before it are pre-asymptotic
+  std::optional<PowerLaw> law;  ///< through the points from there on
+};
+
+/// The power law of the finest points, without those whose slopes are not yet steady.
+/// Maths     from is the least k such that the power law through the points k, k+1, ... has a halfwidth of at
+///           most max(1/2, |exponent|/4), three points at least
+/// Source    ours
+/// Requires  as power_law, points in the order of refinement
+/// Result    at most two points: from = 0, and their power law. No such k: from is the number of points, and
+///           there is no law
+/// Limits    steady slopes say nothing about the limit: no guarantee
+[[nodiscard]] AsymptoticLaw asymptotic_law(std::span<const CostPoint> points);
+
 /// The error of a method at a cost between those of its levels.
 /// Maths     log error is linear in log cost between two successive points
 /// Requires  positive finite costs and errors, else ContractViolation; costs ascend, as points that do not

@@ -13,8 +13,7 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
                   const std::function<LevelSize(int level, std::uint64_t triangles)>& size_of) {
   const std::vector<int>& levels = problem.triangulation.levels;
   if (levels.empty()) refuse_input("/triangulation/levels", "[]", "is empty", "at least one level");
-  const std::string allowed =
-      "a plan within " + std::to_string(memory_limit) + " bytes (" + byte_text(memory_limit) + ")";
+  const std::string allowed = "a plan within " + byte_text(memory_limit);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const std::string pointer = "/triangulation/levels/" + std::to_string(i);
     const std::string value = std::to_string(levels[i]);
@@ -30,7 +29,7 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
     if (needed <= memory_limit) continue;
     const bool fits = needed != std::numeric_limits<std::uint64_t>::max();
     refuse_input(pointer, value,
-                 "needs " + (fits ? std::to_string(needed) : "more than 2^64") + " bytes (" +
+                 "needs " + (fits ? byte_text(needed) : "more than 2^64 bytes") + " of memory (" +
                      std::to_string(size.count) + " " + size.counted + ")",
                  allowed);
   }

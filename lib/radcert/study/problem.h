@@ -100,6 +100,8 @@ struct Problem {
   /// Where given, the solution of the equation itself is enclosed; what is said of triangulation, method,
   /// quadrature and solver does not matter then
   std::optional<Guarantee> guarantee = std::nullopt;
+  std::string label = {};                      ///< a short name for tables and plots; empty: none
+  std::optional<int> fit_from = std::nullopt;  ///< the first level of fitted orders; absent: see collect
 };
 
 /// The surface that a problem names, or its mesh. Requires the name of an unoccluded surface of the catalogue

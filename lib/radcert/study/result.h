@@ -51,13 +51,15 @@ struct LevelResult {
 };
 
 /// A fitted order: slope of log error over log h, least squares, halfwidth from the spread of the successive
-/// orders.
+/// orders. See asymptotic_law for the levels that it begins with.
 struct OrderFit {
   std::string quantity;  ///< "discretisation_error" or "node_error"
   std::optional<double> order;
   std::optional<double> halfwidth;
   std::vector<int> levels;    ///< that took part
   std::vector<int> left_out;  ///< whose radius exceeds 5 % of their error
+  /// Coarser than those that took part: before the problem's fit_from, or with slopes that are not steady yet
+  std::vector<int> pre_asymptotic = {};
   std::string model = "h^p";
 };
 

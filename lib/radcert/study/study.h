@@ -60,7 +60,8 @@ LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute&
 /// Source    the columns "Ratio" of [ac98, Tables 1-5]
 /// Requires  levels ascending
 /// Result    exact functions of the levels' figures, rounded
-/// Limits    a level whose radius exceeds 5 % of its error is left out of the fit and named
+/// Limits    a level whose radius exceeds 5 % of its error is left out of the fit and named, and so are the
+///           coarse ones before the problem's fit_from, or without one those that asymptotic_law leaves out
 Result collect(const Problem& problem, std::vector<LevelResult> levels, std::vector<LevelTiming> timing);
 
 }  // namespace radcert

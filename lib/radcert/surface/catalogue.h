@@ -17,7 +17,7 @@ struct ParameterDescription {
   std::string requirement;  ///< what is allowed, in words: "a number >= 1"
   std::string default_text;
   std::function<bool(const Rational&)> admits;
-  std::string meaning = {};  ///< in words, where the name does not say it
+  std::string meaning = {};  ///< in words: "the edge along x"
 };
 
 /// A surface of the catalogue: what it is called, what it takes, how it is made.

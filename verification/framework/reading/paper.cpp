@@ -101,6 +101,21 @@ bool Selected::wants_part_of(std::string_view label) const {
                                      [&](const std::string& part) { return begins_label(part, label); });
 }
 
+namespace {
+
+/// Asks for a statement of a paper, which a word of the command line names.
+void add_label(Selected& selected, const std::string& word, const std::string& label) {
+  if (!exists(selected.paper, label))
+    throw InputError({.source = "verify",
+                      .value = word,
+                      .problem = "is not a statement of " +
+                                 (selected.paper.folder.empty() ? "this paper" : selected.paper.folder),
+                      .allowed = label_list(selected.paper) + ", or a cell of a table"});
+  selected.labels.push_back(label);
+}
+
+}  // namespace
+
 std::vector<Selected> select(std::span<const std::string> words) {
   std::vector<Paper> embedded = embedded_paper_list();
   std::vector<Selected> selected;
@@ -126,20 +141,24 @@ std::vector<Selected> select(std::span<const std::string> words) {
       if (label.empty()) {
         whole[key] = true;
       } else {
-        if (!exists(*paper, label))
-          throw InputError({.source = "verify",
-                            .value = word,
-                            .problem = "is not a statement of this paper",
-                            .allowed = label_list(*paper) + ", or a cell of a table"});
-        selected[here].labels.push_back(label);
+        add_label(selected[here], word, label);
       }
       continue;
     }
     std::error_code ignored;
-    if (std::filesystem::is_directory(word, ignored)) {
-      const std::string id = "./" + std::filesystem::weakly_canonical(word, ignored).string();
-      static_cast<void>(entry(id, [&] { return read_paper(word); }));
-      whole[id] = true;
+    const std::size_t last = word.rfind('/');
+    const bool is_whole = std::filesystem::is_directory(word, ignored);
+    const std::string folder = is_whole || last == std::string::npos ? word : word.substr(0, last);
+    const bool has_claims =
+        last != std::string::npos &&
+        std::filesystem::is_regular_file(std::filesystem::path(folder) / "claims.toml", ignored);
+    if (is_whole || has_claims) {
+      const std::string id = "./" + std::filesystem::weakly_canonical(folder, ignored).string();
+      const std::size_t here = entry(id, [&] { return read_paper(folder); });
+      if (is_whole)
+        whole[id] = true;
+      else
+        add_label(selected[here], word, word.substr(last + 1));
       continue;
     }
     std::string keys;
@@ -147,7 +166,7 @@ std::vector<Selected> select(std::span<const std::string> words) {
     throw InputError({.source = "verify",
                       .value = word,
                       .problem = "is neither a paper nor a folder",
-                      .allowed = keys + ", one of these with /CLAIM, or a folder that holds claims.toml"});
+                      .allowed = keys + ", a folder that holds claims.toml, or one of these with /CLAIM"});
   }
   for (const auto& [id, all] : whole)
     if (all) selected[place.at(id)].labels.clear();

@@ -51,8 +51,8 @@ struct Selected {
   [[nodiscard]] bool wants_part_of(std::string_view label) const;
 };
 
-/// What words of a command line select: KEY, KEY/CLAIM, KEY/TABLE.CELL, or a folder of the user's own; none:
-/// every paper.
+/// What words of a command line select: KEY or a folder of the user's own, with /CLAIM or /TABLE.CELL behind
+/// it a statement or a part of a table; none: every paper.
 /// Source    apps/radcert/README.md
 /// Requires  nothing
 /// Result    papers in the order in which they were first named; InputError for a word that is none of these,

@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/formats/field/unstructured_grid.h"
 
+#include <zlib.h>
+
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <string_view>
 
 #include "radcert/core/contract.h"
 #include "radcert/core/text.h"
+#include "radcert/formats/plot/base64.h"
 #include "radcert/formats/plot/svg_elements.h"
 
 namespace radcert {
@@ -20,37 +28,94 @@ std::size_t points_of(UnstructuredGrid::Cell cell) {
   return 4;
 }
 
-std::string decimal(double value) {
-  expects(std::isfinite(value), "a finite number", named("value", value));
-  return shortest(value);
+/// The numbers as they are in memory, which is the order of bytes that the file names.
+template <class T>
+std::string bytes_of(const std::vector<T>& numbers) {
+  static_assert(std::endian::native == std::endian::little);
+  std::string out(numbers.size() * sizeof(T), '\0');
+  if (!numbers.empty()) std::memcpy(out.data(), numbers.data(), out.size());
+  return out;
 }
 
-/// A data array whose content `write` appends.
-template <class Write>
-void data_array(std::string& out, const std::string& type, const std::string& attributes,
-                const Write& write) {
-  out += "<DataArray type=\"" + type + "\"" + attributes + " format=\"ascii\">\n";
-  write();
-  out += "\n</DataArray>\n";
-}
-
-void data_arrays(std::string& out, const UnstructuredGrid::Data& data, std::size_t size) {
-  for (const auto& [name, values] : data) {
-    expects(values.size() == size, "a number for every point or cell", named("numbers", values.size()));
-    data_array(out, "Float64", " Name=\"" + name + "\"", [&, &numbers = values] {
-      for (const double value : numbers) out += decimal(value) + " ";
-    });
+/// Bytes as VTK packs them: the number of blocks, their size, that of a last smaller one, the sizes of the
+/// deflated blocks, in base64; then these, in base64.
+std::string deflated(std::string_view bytes) {
+  constexpr std::size_t block = std::size_t{1} << 20U;
+  std::vector<std::uint64_t> head = {(bytes.size() + block - 1) / block, block, bytes.size() % block};
+  std::string packed;
+  for (std::size_t at = 0; at < bytes.size(); at += block) {
+    const std::string_view plain = bytes.substr(at, block);
+    uLongf length = compressBound(plain.size());
+    std::string one(length, '\0');
+    const int status = compress(reinterpret_cast<Bytef*>(one.data()), &length,
+                                reinterpret_cast<const Bytef*>(plain.data()), plain.size());
+    if (status != Z_OK) throw std::bad_alloc();  // the buffer is as large as zlib asks for
+    head.push_back(length);
+    packed.append(one, 0, length);
   }
+  return base64(bytes_of(head)) + base64(packed);
 }
+
+std::string number_text(double value) { return shortest(value); }
+template <class T>
+std::string number_text(T value) {
+  return std::to_string(value);
+}
+
+/// The data arrays of a file: as text where they stand, or all together at its end.
+class DataArrays {
+public:
+  explicit DataArrays(bool appended) : is_appended_(appended) {}
+
+  template <class T>
+  void add(std::string& out, const std::string& type, const std::string& attributes,
+           const std::vector<T>& numbers) {
+    out += "<DataArray type=\"" + type + "\"" + attributes;
+    if (is_appended_) {
+      out += " format=\"appended\" offset=\"" + std::to_string(appended_.size()) + "\"/>\n";
+      appended_ += deflated(bytes_of(numbers));
+      return;
+    }
+    out += " format=\"ascii\">\n";
+    for (std::size_t k = 0; k < numbers.size(); ++k)
+      out += number_text(numbers[k]) + (k % 12 == 11 ? "\n" : " ");
+    out += "\n</DataArray>\n";
+  }
+
+  void add(std::string& out, const UnstructuredGrid::Data& data, std::size_t size) {
+    for (const auto& [name, values] : data) {
+      expects(values.size() == size, "a number for every point or cell", named("numbers", values.size()));
+      for (const double value : values)
+        expects(std::isfinite(value), "a finite number", named("value", value));
+      add(out, "Float64", " Name=\"" + name + "\"", values);
+    }
+  }
+
+  [[nodiscard]] std::string at_the_end() const {
+    return is_appended_ ? "<AppendedData encoding=\"base64\">\n_" + appended_ + "\n</AppendedData>\n"
+                        : std::string();
+  }
+
+private:
+  bool is_appended_;
+  std::string appended_;
+};
 
 /// The names of pieces as the names of arrays with their numbers: few readers but VTK's know arrays of
 /// strings.
-void legend(std::string& out, const std::vector<std::string>& names) {
+void legend(std::string& out, const std::vector<std::string>& names, DataArrays& arrays) {
   for (std::size_t k = 0; k < names.size(); ++k)
-    data_array(
+    arrays.add(
         out, "Int32",
         " Name=\"piece " + std::to_string(k) + ": " + svg::escaped(names[k]) + "\" NumberOfTuples=\"1\"",
-        [&] { out += std::to_string(k); });
+        std::vector<std::int32_t>{static_cast<std::int32_t>(k)});
+}
+
+/// 0, 1, 2, ... times a step, from a start.
+std::vector<std::int64_t> steps(std::size_t count, std::size_t start, std::size_t step) {
+  std::vector<std::int64_t> out;
+  for (std::size_t k = 0; k < count; ++k) out.push_back(static_cast<std::int64_t>(start + step * k));
+  return out;
 }
 
 }  // namespace
@@ -60,38 +125,38 @@ std::string vtu_text(const UnstructuredGrid& grid) {
   const std::size_t cells = grid.pieces.size();
   expects(grid.points.size() == cells * points_a_cell, "the points of every cell",
           named("points", grid.points.size()));
+  const bool appended = cells >= grid.appended_from;
+  DataArrays arrays(appended);
   std::string out =
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n"
-      "<UnstructuredGrid>\n<FieldData>\n";
-  legend(out, grid.piece_names);
+      "header_type=\"UInt64\"" +
+      std::string(appended ? " compressor=\"vtkZLibDataCompressor\"" : "") +
+      ">\n<UnstructuredGrid>\n<FieldData>\n";
+  legend(out, grid.piece_names, arrays);
   out += "</FieldData>\n<Piece NumberOfPoints=\"" + std::to_string(grid.points.size()) +
          "\" NumberOfCells=\"" + std::to_string(cells) + "\">\n<PointData";
   if (!grid.at_points.empty()) out += " Scalars=\"" + grid.at_points.front().first + "\"";
   out += ">\n";
-  data_arrays(out, grid.at_points, grid.points.size());
+  arrays.add(out, grid.at_points, grid.points.size());
   out += "</PointData>\n<CellData Scalars=\"piece\">\n";
-  data_array(out, "Int32", " Name=\"piece\"", [&] {
-    for (const std::size_t piece : grid.pieces) out += std::to_string(piece) + " ";
-  });
-  data_arrays(out, grid.on_cells, cells);
+  arrays.add(out, "Int32", " Name=\"piece\"",
+             std::vector<std::int32_t>(grid.pieces.begin(), grid.pieces.end()));
+  arrays.add(out, grid.on_cells, cells);
   out += "</CellData>\n<Points>\n";
-  data_array(out, "Float64", " Name=\"points\" NumberOfComponents=\"3\"", [&] {
-    for (const Vector<double>& point : grid.points)
-      out += decimal(point.x) + " " + decimal(point.y) + " " + decimal(point.z) + "\n";
-  });
+  std::vector<double> coordinates;
+  for (const Vector<double>& point : grid.points)
+    for (const double x : {point.x, point.y, point.z}) {
+      expects(std::isfinite(x), "a finite number", named("coordinate", x));
+      coordinates.push_back(x);
+    }
+  arrays.add(out, "Float64", " Name=\"points\" NumberOfComponents=\"3\"", coordinates);
   out += "</Points>\n<Cells>\n";
-  data_array(out, "Int64", " Name=\"connectivity\"", [&] {
-    for (std::size_t point = 0; point < grid.points.size(); ++point) out += std::to_string(point) + " ";
-  });
-  data_array(out, "Int64", " Name=\"offsets\"", [&] {
-    for (std::size_t cell = 1; cell <= cells; ++cell) out += std::to_string(points_a_cell * cell) + " ";
-  });
-  data_array(out, "UInt8", " Name=\"types\"", [&] {
-    for (std::size_t cell = 0; cell < cells; ++cell) out += std::to_string(static_cast<int>(grid.cell)) + " ";
-  });
-  out += "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  arrays.add(out, "Int64", " Name=\"connectivity\"", steps(grid.points.size(), 0, 1));
+  arrays.add(out, "Int64", " Name=\"offsets\"", steps(cells, points_a_cell, points_a_cell));
+  arrays.add(out, "UInt8", " Name=\"types\"",
+             std::vector<std::uint8_t>(cells, static_cast<std::uint8_t>(grid.cell)));
+  out += "</Cells>\n</Piece>\n</UnstructuredGrid>\n" + arrays.at_the_end() + "</VTKFile>\n";
   return out;
 }
 

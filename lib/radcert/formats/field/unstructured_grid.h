@@ -21,9 +21,12 @@ struct UnstructuredGrid {
   std::vector<std::size_t> pieces;  ///< of each cell
   Data at_points;                   ///< the first is what is shown
   Data on_cells;
+  std::size_t appended_from =
+      10'000;  ///< from so many cells on the arrays are compressed and stand at the end
 };
 
-/// Maths     VTK's XML format UnstructuredGrid, ASCII
+/// Maths     VTK's XML format UnstructuredGrid: arrays as text, or of many cells in base64 at the end,
+///           deflated by zlib in blocks of a MiB
 /// Requires  as many points and numbers as the cells have; finite numbers, else ContractViolation
 /// Result    a .vtu text; a field array "piece 3: floor" for each piece, which holds its number: a legend
 ///           that programs without arrays of strings read as well

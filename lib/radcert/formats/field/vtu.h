@@ -12,12 +12,12 @@ namespace radcert {
 
 /// The computed function as a VTK file of unstructured triangles, for ParaView.
 /// Maths     each element as the triangle through its corners, u_n linear between its values there
-/// Source    VTK's XML format UnstructuredGrid, ASCII, cell type 5
+/// Source    VTK's XML format UnstructuredGrid, cell type 5; text, or compressed from 10,000 elements on
 /// Requires  finite numbers, else ContractViolation; an error for every corner, or none at all
 /// Result    a .vtu text: three points a triangle, shared with none, so that jumps across edges show; point
 ///           data radiosity, and error where it is known; cell data piece (the number of the piece in order
 ///           of appearance; the names are in a field array)
-/// Limits    curved elements are drawn flat; Float64 in decimal, exact
+/// Limits    curved elements are drawn flat; Float64, exact in either form
 std::string vtu_text(std::span<const ElementValue> elements,
                      const std::optional<CornerErrors>& errors = std::nullopt);
 

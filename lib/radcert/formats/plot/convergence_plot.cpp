@@ -18,12 +18,11 @@ double abscissa(const LevelResult& level, ErrorAgainst against) {
 double sign_of(ErrorAgainst against) { return against == ErrorAgainst::mesh_size ? 1 : -1; }
 
 PlotAxis axis_of(ErrorAgainst against) {
-  return against == ErrorAgainst::mesh_size
-             ? PlotAxis{.name = "mesh size h", .latex = "mesh size $h$", .column = "mesh_size"}
-             : PlotAxis{.name = "unknowns", .latex = "unknowns $N$", .column = "unknowns"};
+  return against == ErrorAgainst::mesh_size ? PlotAxis{.name = "mesh size h", .latex = "mesh size $h$"}
+                                            : PlotAxis{.name = "unknowns", .latex = "unknowns $N$"};
 }
 
-/// The fit of an error; of one that is not among the fits, over all its levels.
+/// The fit of an error; of one that is not among the fits, over those of its levels whose slopes are steady.
 OrderFit order_of(const ErrorHistory& problem, const ErrorKind& kind, std::span<const PlotPoint> points,
                   ErrorAgainst against) {
   for (const OrderFit& fit : problem.orders)
@@ -31,27 +30,33 @@ OrderFit order_of(const ErrorHistory& problem, const ErrorKind& kind, std::span<
   OrderFit fit{.quantity = kind.name, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
   std::vector<CostPoint> curve;
   for (const PlotPoint& at : points) curve.push_back({at.x, at.y});
-  for (const LevelResult& level : problem.levels) fit.levels.push_back(level.level);
-  if (const auto law = power_law(curve)) {
-    fit.order = sign_of(against) * law->exponent;
-    fit.halfwidth = law->halfwidth;
+  for (const LevelResult& level : problem.levels)
+    if (plot_point(abscissa(level, against), level.*kind.figure)) fit.levels.push_back(level.level);
+  const AsymptoticLaw found = asymptotic_law(curve);
+  const auto first = fit.levels.begin() + static_cast<std::ptrdiff_t>(found.from);
+  fit.pre_asymptotic.assign(fit.levels.begin(), first);
+  fit.levels.erase(fit.levels.begin(), first);
+  if (found.law) {
+    fit.order = sign_of(against) * found.law->exponent;
+    fit.halfwidth = found.law->halfwidth;
   }
   return fit;
 }
 
 std::string order_text(const OrderFit& fit) {
   const auto order = fitted_order_text(fit, " \u00b1 ");
-  std::string out = order ? "order " + *order : "no order fitted";
-  if (order && (fit.levels.size() < 3 || !fit.halfwidth)) out += " from two levels";
-  if (fit.left_out.empty()) return out;
-  out += ", left out:";
-  for (const int level : fit.left_out) out += " " + std::to_string(level);
+  if (!order) return "no steady order";
+  std::string out = "order " + *order;
+  if (fit.levels.size() < 3 || !fit.halfwidth)
+    out += " from two levels";
+  else if (!fit.left_out.empty() || !fit.pre_asymptotic.empty())
+    out += " from " + std::to_string(fit.levels.size()) + " levels";
   return out;
 }
 
 PlotCurve curve_of(std::string name, const ErrorHistory& problem, const ErrorKind& kind,
                    ErrorAgainst against) {
-  PlotCurve curve{.name = std::move(name), .column = kind.name, .row = problem.row};
+  PlotCurve curve{.name = std::move(name)};
   for (const LevelResult& level : problem.levels)
     if (const auto at = plot_point(abscissa(level, against), level.*kind.figure)) curve.points.push_back(*at);
   const OrderFit fit = order_of(problem, kind, curve.points, against);
@@ -87,24 +92,25 @@ std::optional<PlotPoint> plot_point(double x, const std::optional<Approximation>
 }
 
 Plot convergence_plot(std::string title, const ErrorKind& kind, ErrorAgainst against,
-                      std::span<const ErrorHistory> problems, std::string key) {
+                      std::span<const ErrorHistory> problems) {
   Plot plot{.title = std::move(title),
             .description = description(against),
             .x = axis_of(against),
-            .y = {.name = in_words(kind), .latex = in_latex(kind)},
-            .key = std::move(key)};
-  for (const ErrorHistory& problem : problems)
-    if (PlotCurve curve = curve_of(problem.name, problem, kind, against); curve.points.size() > 1)
-      plot.curves.push_back(std::move(curve));
+            .y = {.name = in_words(kind), .latex = in_latex(kind)}};
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    PlotCurve curve = curve_of(problems[i].name, problems[i], kind, against);
+    if (curve.points.size() < 2) continue;
+    curve.number = i;
+    plot.curves.push_back(std::move(curve));
+  }
   return plot;
 }
 
-Plot convergence_plot(std::string title, const ErrorHistory& problem, std::string key) {
+Plot convergence_plot(std::string title, const ErrorHistory& problem) {
   Plot plot{.title = std::move(title),
             .description = description(ErrorAgainst::mesh_size),
             .x = axis_of(ErrorAgainst::mesh_size),
-            .y = {.name = "error"},
-            .key = std::move(key)};
+            .y = {.name = "error"}};
   for (const ErrorKind& kind : error_kinds()) {
     PlotCurve curve = curve_of(in_words(kind), problem, kind, ErrorAgainst::mesh_size);
     if (curve.points.size() < 2) continue;

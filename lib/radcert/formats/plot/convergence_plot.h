@@ -30,22 +30,21 @@ struct ErrorHistory {
   std::string name;
   std::span<const LevelResult> levels;
   std::span<const OrderFit> orders;  ///< in h or in N, whichever the plot is against
-  std::optional<std::size_t> row;    ///< the number that its rows in a table have
 };
 
 /// An error of several problems against the mesh size or the unknowns, both logarithmic.
-/// Maths     errors of `kind`; the order is the exponent of h, or minus that of N, by `orders`; over all
-///           levels where the kind is not among them
+/// Maths     errors of `kind`; the order is the exponent of h, or minus that of N, by `orders`; by
+///           asymptotic_law where the kind is not among them
 /// Requires  levels ascending, orders as collect() fits them
-/// Result    a curve for each problem with a positive error at two levels or more, its order in words; `key`
-///           as given. Columns are those of errors.csv
+/// Result    a curve for each problem with a positive error at two levels or more, its order in words, its
+///           number that of the problem: the plots of several errors show it alike
 /// Limits    an error of zero has no place on a logarithmic axis and is left out. An order +- the spread of
 ///           its slopes is no guarantee
 [[nodiscard]] Plot convergence_plot(std::string title, const ErrorKind& kind, ErrorAgainst against,
-                                    std::span<const ErrorHistory> problems, std::string key = {});
+                                    std::span<const ErrorHistory> problems);
 
 /// The errors of the levels of one problem against h: a curve for each error that is positive at two levels
 /// or more; no curves without one.
-[[nodiscard]] Plot convergence_plot(std::string title, const ErrorHistory& problem, std::string key = {});
+[[nodiscard]] Plot convergence_plot(std::string title, const ErrorHistory& problem);
 
 }  // namespace radcert

@@ -97,9 +97,8 @@ Plot combinations_plot(const Experiment& experiment, std::span<const Result> res
   for (std::size_t k = 0; k < places.size(); ++k)
     problems.push_back({.name = experiment.combinations[places[k]].name,
                         .levels = results[places[k]].levels,
-                        .orders = orders[k],
-                        .row = places[k]});
-  return convergence_plot(experiment.name + ": " + in_words(kind), kind, against, problems, "combination");
+                        .orders = orders[k]});
+  return convergence_plot(experiment.name + ": " + in_words(kind), kind, against, problems);
 }
 
 std::vector<NamedPlot> experiment_plots(const Experiment& experiment, std::span<const Result> results) {

@@ -10,8 +10,7 @@
 
 namespace radcert {
 
-/// An error of some combinations of an experiment against the mesh size or the unknowns; the key is
-/// "combination".
+/// An error of some combinations of an experiment against the mesh size or the unknowns.
 /// Requires  a result of collect for each combination, in their order; places in experiment.combinations
 [[nodiscard]] Plot combinations_plot(const Experiment& experiment, std::span<const Result> results,
                                      std::span<const std::size_t> places, const ErrorKind& kind,
@@ -23,7 +22,7 @@ namespace radcert {
 /// Result    against h and the unknowns, where a combination has two levels: combinations_plot of all.
 ///           Against alpha, where at least three combinations differ in nothing else: a curve for each of the
 ///           others' choices and each level, the superconvergent alphas marked
-/// Limits    orders of uniform_error are of all levels: it has no radius
+/// Limits    orders of uniform_error heed no radius: it has none
 [[nodiscard]] std::vector<NamedPlot> experiment_plots(const Experiment& experiment,
                                                       std::span<const Result> results);
 

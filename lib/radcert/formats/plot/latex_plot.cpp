@@ -19,33 +19,15 @@ namespace {
 // Five marks and eight colours, so that forty curves differ.
 constexpr std::array<std::string_view, 5> marks = {"*", "square*", "triangle*", "diamond*", "pentagon*"};
 
-std::string defined_colours() {
+/// The colours that the curves of a plot take.
+std::string defined_colours(const Plot& plot) {
   std::string out;
-  for (std::size_t i = 0; i < curve_colours.size(); ++i)
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < plot.curves.size(); ++i) count = std::max(count, plot.number_of(i) + 1);
+  for (std::size_t i = 0; i < std::min(count, curve_colours.size()); ++i)
     out += "\\definecolor{radcert" + std::to_string(i) + "}{HTML}{" + std::string(curve_colours[i].on_white) +
            "}\n";
   return out;
-}
-
-/// Copies the table without what stands between quotes. \readline gives characters alone, whatever they are.
-std::string copied_table(const std::string& file) {
-  return R"tex(\ifdefined\radcertin\else\newread\radcertin\newwrite\radcertout\fi
-\def\radcertstop{\radcertstop}%
-\def\radcertplain#1"#2"#3\radcertend{#1\ifx\radcertstop#3\else\radcertplain#3\radcertend\fi}%
-\endlinechar=-1
-\immediate\openin\radcertin=\radcertdata )tex" +
-         file + R"tex(
-\immediate\openout\radcertout=\jobname-)tex" +
-         file + R"tex(
-\loop\unless\ifeof\radcertin
-\readline\radcertin to\radcertline
-\immediate\write\radcertout{\expandafter\radcertplain\radcertline""\radcertstop\radcertend}%
-\repeat
-\immediate\closein\radcertin
-\immediate\closeout\radcertout
-\endlinechar=13
-\catcode35=12 \catcode37=12
-)tex";
 }
 
 std::string place(double x, double y) { return "(axis cs:" + shortest(x) + "," + shortest(y) + ")"; }
@@ -119,19 +101,11 @@ std::string look(const PlotCurve& curve, std::size_t i) {
   return colour + ",mark=" + std::string(marks[i % marks.size()]);
 }
 
-/// Where the points come from: the table, or as they are.
-std::string points_of(const PlotCurve& curve, const Plot& plot, const std::string& file) {
-  if (curve.column.empty() || plot.x.column.empty()) {
-    std::string out = "coordinates {";
-    for (const PlotPoint& at : curve.points) out += "(" + shortest(at.x) + "," + shortest(at.y) + ")";
-    return out + "}";
-  }
-  std::string out = "table[col sep=comma,x=" + plot.x.column + ",y=" + curve.column;
-  if (curve.row) {
-    const std::string number = std::to_string(*curve.row);
-    out += ",restrict expr to domain={\\thisrow{" + plot.key + "}}{" + number + ":" + number + "}";
-  }
-  return out + "]{\\jobname-" + file + "}";
+/// A point a line, so that lines stay short.
+std::string points_of(const PlotCurve& curve) {
+  std::string out = "coordinates {";
+  for (const PlotPoint& at : curve.points) out += "\n  (" + shortest(at.x) + "," + shortest(at.y) + ")";
+  return out + "}";
 }
 
 /// A dotted line from the lower edge to the upper one.
@@ -142,37 +116,42 @@ std::string mark_text(const PlotMark& mark) {
          "};\n";
 }
 
-std::string picture(const Plot& plot, const std::string& file) {
+/// Its width is that of a line, with the names of both axes.
+std::string picture(const Plot& plot) {
   const std::string axis = environment(plot);
   std::string out = "\\begin{tikzpicture}\n\\begin{" + axis + "}[title={" + latex_escaped(plot.title) +
-                    "},title style={font=\\footnotesize,text width=0.9\\linewidth,align=center},\n" +
+                    "},title style={font=\\footnotesize,text width=0.8\\linewidth,align=center},\n" +
                     ticks(plot) + ends("x", plot.x.range) + ends("y", plot.y.range) + "  xlabel={" +
                     latex_name(plot.x.latex, plot.x.name) + "},ylabel={" +
                     latex_name(plot.y.latex, plot.y.name) +
-                    "},log basis x=10,log basis y=10,width=0.8\\linewidth,\n"
+                    "},log basis x=10,log basis y=10,width=0.88\\linewidth,height=0.62\\linewidth,\n"
                     "  clip=false,legend cell align=left,\n"
-                    "  legend style={font=\\footnotesize,at={(0.5,-0.18)},anchor=north,draw=none" +
+                    "  legend style={font=\\footnotesize,at={(0.5,-0.2)},anchor=north,draw=none" +
                     legend_columns(plot) + "}]\n";
   for (std::size_t i = 0; i < plot.curves.size(); ++i) {
     const PlotCurve& curve = plot.curves[i];
-    out += "\\addplot[" + look(curve, i) + "] " + points_of(curve, plot, file) + ";\n\\addlegendentry{" +
+    out += "\\addplot[" + look(curve, plot.number_of(i)) + "] " + points_of(curve) + ";\n\\addlegendentry{" +
            latex_name(curve.latex, curve.name) + "}\n";
   }
   for (const PlotMark& mark : plot.marks) out += mark_text(mark);
   for (const SlopeTriangle& triangle : slope_triangles(plot)) out += triangle_text(triangle);
-  return out + "\\end{" + axis + "}\n\\end{tikzpicture}\n";
+  return out + "\\end{" + axis + "}\n\\end{tikzpicture}";
 }
+
+constexpr std::string_view needs = "% Needs \\usepackage{pgfplots}\\pgfplotsset{compat=1.18}.\n";
 
 }  // namespace
 
-std::string latex_plots_text(std::span<const Plot> plots, const std::string& file) {
-  std::string out =
-      "% Needs \\usepackage{pgfplots}\\pgfplotsset{compat=1.18}. Reads " + file +
-      "; where that is not in the folder\n% of the document, say \\def\\radcertdata{path/} before.\n"
-      "\\begingroup\n\\providecommand\\radcertdata{}%\n" +
-      defined_colours() + copied_table(file);
-  for (const Plot& plot : plots) out += picture(plot, file) + "\\par\\medskip\n";
-  return out + "\\endgroup\n";
+std::string latex_plot_text(const Plot& plot) {
+  return std::string(needs) + "\\begingroup\n" + defined_colours(plot) + picture(plot) + "\\endgroup\n";
+}
+
+std::string latex_plots_text(std::span<const Plot> plots) {
+  std::string out(needs);
+  for (const Plot& plot : plots)
+    out +=
+        "\\par\\medskip\\noindent\n\\begingroup\n" + defined_colours(plot) + picture(plot) + "\\endgroup\n";
+  return out + "\\par\\medskip\n";
 }
 
 }  // namespace radcert

@@ -8,16 +8,16 @@
 
 namespace radcert {
 
-/// Plots for LaTeX with pgfplots.
+/// A plot for LaTeX with pgfplots, one picture.
 /// Maths     see slope_triangles
 /// Source    the package pgfplots
-/// Requires  plots that shown_range takes, else ContractViolation; `file` is a table with the columns that
-///           the axes and curves name, and the keys of the plots
-/// Result    a tikzpicture a plot, to be read by \input. The points of curves with a column come from the
-///           table, which is looked for where \radcertdata says: a path with its slash, the document's folder
-///           if it is not defined. Its text cells are emptied in a copy beside the document, because pgfplots
-///           splits at commas within quotes too. The points of others stand in the text
-/// Limits    a text cell with a backslash or a brace that is not quoted stops LaTeX. No bars
-[[nodiscard]] std::string latex_plots_text(std::span<const Plot> plots, const std::string& file);
+/// Requires  a plot that shown_range takes, else ContractViolation
+/// Result    a tikzpicture as wide as a line, to be read by \input; all of its points stand in the text, so
+///           that the file may lie anywhere
+/// Limits    no bars
+[[nodiscard]] std::string latex_plot_text(const Plot& plot);
+
+/// Several such plots, a paragraph each: pages may end between them.
+[[nodiscard]] std::string latex_plots_text(std::span<const Plot> plots);
 
 }  // namespace radcert

@@ -35,9 +35,8 @@ struct PlotCurve {
   std::string latex = {};  ///< the same with its formulas set; empty: it has none
   std::string fit = {};    ///< what was fitted, in words: "order 2.00"
   std::vector<PlotPoint> points = {};
-  std::optional<double> exponent = {};  ///< fitted: y ~ x^exponent
-  std::string column = {};              ///< of the table that has y; empty: none has
-  std::optional<std::size_t> row = {};  ///< the rows with this number in the plot's key column; absent: all
+  std::optional<double> exponent = {};     ///< fitted: y ~ x^exponent
+  std::optional<std::size_t> number = {};  ///< which colour and marker it has; absent: its place in the plot
   CurveStyle style = CurveStyle::marked;
 };
 
@@ -67,7 +66,6 @@ struct PlotAxis {
   std::string name;
   std::string latex = {};  ///< the same with its formulas set; empty: it has none
   bool logarithmic = true;
-  std::string column = {};                              ///< of the table that has x
   std::optional<std::pair<double, double>> range = {};  ///< what is shown; absent: the data and a margin
 };
 
@@ -81,7 +79,11 @@ struct Plot {
   PlotAxis y;
   std::vector<PlotCurve> curves = {};  ///< later ones lie above
   std::vector<PlotMark> marks = {};
-  std::string key = {};  ///< the column of the table that tells curves apart; empty: none is needed
+
+  /// The number by which a curve has its colour and marker.
+  [[nodiscard]] std::size_t number_of(std::size_t curve) const {
+    return curves[curve].number.value_or(curve);
+  }
 };
 
 /// A plot and the name of its file, without the extension.

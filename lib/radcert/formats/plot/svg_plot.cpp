@@ -172,7 +172,8 @@ std::string drawn(const PlotCurve& curve, std::size_t number, const Plot& plot, 
 /// ends at its edges.
 std::string all_curves(const Plot& plot, const Scales& to) {
   std::string out;
-  for (std::size_t i = 0; i < plot.curves.size(); ++i) out += drawn(plot.curves[i], i, plot, to);
+  for (std::size_t i = 0; i < plot.curves.size(); ++i)
+    out += drawn(plot.curves[i], plot.number_of(i), plot, to);
   if (!plot.x.range && !plot.y.range) return out;
   const std::string place = attribute("x", left) + attribute("y", top) + attribute("width", plot_width) +
                             attribute("height", plot_height);
@@ -201,7 +202,7 @@ std::string slopes(const Plot& plot, const Scales& to) {
 }
 
 std::string legend_text(const PlotCurve& curve) {
-  return curve.name + (curve.fit.empty() ? "" : ": " + curve.fit);
+  return curve.name + (curve.name.empty() || curve.fit.empty() ? "" : ": ") + curve.fit;
 }
 
 std::string legend(const Plot& plot, double from) {
@@ -209,11 +210,11 @@ std::string legend(const Plot& plot, double from) {
   double y = from;
   for (std::size_t i = 0; i < plot.curves.size(); ++i, y += legend_line) {
     const PlotCurve& curve = plot.curves[i];
-    out += group(curve, i);
+    out += group(curve, plot.number_of(i));
     if (has_line(curve))
       out += "    <path d=\"M" + coordinate(left) + " " + coordinate(y) + "h" + coordinate(legend_sample) +
              stroke(curve);
-    if (has_markers(curve)) out += marker(i, left + legend_sample / 2, y, "");
+    if (has_markers(curve)) out += marker(plot.number_of(i), left + legend_sample / 2, y, "");
     out += "  </g>\n" + svg::text(left + legend_sample + 10, y + 4.5, legend_text(curve));
   }
   return out;

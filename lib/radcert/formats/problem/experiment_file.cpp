@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/problem/problem_json.h"
+#include "radcert/formats/problem/problem_parts.h"
 #include "radcert/formats/problem/problem_words.h"
 
 namespace radcert {
@@ -26,6 +28,23 @@ struct VariedList {
   std::string key;
   std::vector<JsonReader> elements;
 };
+
+/// The labels of each list that has them, one an element.
+std::map<std::string, std::vector<std::string>> read_labels(const JsonReader& labels,
+                                                            const std::vector<VariedList>& lists) {
+  labels.require_object(parts);
+  std::map<std::string, std::vector<std::string>> out;
+  for (const auto& [key, list] : labels.members("an object")) {
+    const auto varied =
+        std::find_if(lists.begin(), lists.end(), [&](const VariedList& each) { return each.key == key; });
+    if (varied == lists.end()) list.refuse("are labels of what is not varied", "keys of vary");
+    const std::size_t count = varied->elements.size();
+    for (const JsonReader& label : list.elements("a list of labels")) out[key].push_back(read_label(label));
+    if (out[key].size() != count)
+      list.refuse("has not as many labels as vary has elements", std::to_string(count) + " labels");
+  }
+  return out;
+}
 
 void refuse_emission(const JsonReader& object) {
   if (const auto emission = object.find("emission"))
@@ -109,16 +128,25 @@ std::vector<std::vector<std::string>> telling_words(
   return out;
 }
 
-void name_combinations(std::vector<Combination>& combinations, const std::vector<VariedList>& lists) {
+/// Names are cells of CSV tables too, which many programs part at every comma.
+void name_combinations(std::vector<Combination>& combinations, const std::vector<VariedList>& lists,
+                       const std::map<std::string, std::vector<std::string>>& labels) {
   for (std::size_t i = 0; i < lists.size(); ++i) {
+    const auto own = labels.find(lists[i].key);
+    if (own != labels.end()) {
+      for (Combination& combination : combinations)
+        combination.name +=
+            (combination.name.empty() ? "" : "; ") + own->second[combination.choice[i].second];
+      continue;
+    }
     if (lists[i].elements.size() == 1 && combinations.size() > 1) continue;
     std::vector<std::vector<std::string>> words(lists[i].elements.size());
     for (const Combination& combination : combinations)
       words[combination.choice[i].second] = part_words(combination.problem, lists[i].key);
     words = telling_words(words);
     for (Combination& combination : combinations) {
-      const std::string part = listed(words[combination.choice[i].second]);
-      combination.name += (combination.name.empty() || part.empty() ? "" : ", ") + part;
+      for (const std::string& word : words[combination.choice[i].second])
+        combination.name += (combination.name.empty() ? "" : "; ") + word;
     }
   }
   std::map<std::string, std::size_t> uses;
@@ -130,7 +158,7 @@ void name_combinations(std::vector<Combination>& combinations, const std::vector
 Experiment read(const JsonValue& document, const std::string& source) {
   const JsonReader root(document);
   root.require_schema("radcert/experiment/1", "an object: an experiment");
-  root.require_object({"schema", "name", "base", "vary"});
+  root.require_object({"schema", "name", "base", "vary", "labels", "fit_from"});
   Experiment experiment;
   experiment.name = read_name(root.at("name", "a name"));
   const JsonReader base = root.at("base", "an object: the parts that all problems share");
@@ -138,6 +166,10 @@ Experiment read(const JsonValue& document, const std::string& source) {
   base.require_object(parts);
   const std::vector<VariedList> lists =
       read_lists(root.at("vary", "an object with a list for each part that is varied"), base);
+  std::map<std::string, std::vector<std::string>> labels;
+  if (const auto given = root.find("labels")) labels = read_labels(*given, lists);
+  std::optional<int> fit_from;
+  if (const auto given = root.find("fit_from")) fit_from = read_fit_from(*given);
 
   Combination next;
   for (const VariedList& list : lists) {
@@ -153,7 +185,8 @@ Experiment read(const JsonValue& document, const std::string& source) {
     if (!is_new) refuse_repetition(next, experiment.combinations[same->second], lists);
     experiment.combinations.push_back(next);
   } while (advance(next, lists));
-  name_combinations(experiment.combinations, lists);
+  for (Combination& combination : experiment.combinations) combination.problem.fit_from = fit_from;
+  name_combinations(experiment.combinations, lists, labels);
   return experiment;
 }
 

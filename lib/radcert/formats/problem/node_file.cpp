@@ -227,8 +227,10 @@ SymmetricNodes symmetric_of(const JsonReader& certificate, int degree,
   return set;
 }
 
+/// `space` is empty for all polynomials of the degree.
 std::optional<SymmetricCertificate> read_certificate(const JsonReader& root, int degree,
-                                                     const std::vector<Barycentric<Rational>>& nodes) {
+                                                     const std::vector<Barycentric<Rational>>& nodes,
+                                                     std::span<const PlanePolynomial<Rational>> space) {
   const auto certificate = root.find("certificate");
   if (!certificate) return std::nullopt;
   const SymmetricNodes set = symmetric_of(*certificate, degree, nodes);
@@ -236,7 +238,7 @@ std::optional<SymmetricCertificate> read_certificate(const JsonReader& root, int
   const JsonReader at = certificate->at("radius", radius_allowed);
   const Rational radius = at.rational(radius_allowed);
   if (radius.sign() <= 0) at.refuse("is not allowed", radius_allowed);
-  Outcome<SymmetricCertificate> proof = certify(set, radius);
+  Outcome<SymmetricCertificate> proof = certify(set, radius, space);
   if (!proof) certificate->refuse("proves nothing: " + proof.reason(), "a claim that Krawczyk's test proves");
   return *std::move(proof);
 }
@@ -314,8 +316,6 @@ void require_constants(const JsonReader& space, const LagrangeFunctions& functio
 NodeFile read_own_space(const JsonReader& root, const JsonReader& key) {
   if (const auto degree = root.find("degree"))
     degree->refuse("stands beside a space", "a degree, or a space, not both");
-  if (const auto certificate = root.find("certificate"))
-    certificate->refuse("stands beside a space", "a certificate of nodes for all polynomials of a degree");
   const std::vector<JsonReader> places = key.elements("functions: polynomials in x1, x2, x3");
   // As many as there are polynomials of the largest degree.
   if (places.empty() || places.size() > polynomial_dimension(largest_node_degree))
@@ -336,10 +336,12 @@ NodeFile read_own_space(const JsonReader& root, const JsonReader& key) {
   require_constants(key, *functions);
   std::vector<std::string> texts;
   for (const JsonReader& place : places) texts.push_back(*place.value().string());
+  std::optional<SymmetricCertificate> certificate =
+      read_certificate(root, space.degree, nodes.near, polynomials);
   if (nodes.exact) nodes.exact->space = std::move(polynomials);
   return {.functions = *std::move(functions),
           .algebraic = std::move(nodes.exact),
-          .certificate = {},
+          .certificate = std::move(certificate),
           .space = std::move(texts),
           .digest = {}};
 }
@@ -363,7 +365,7 @@ NodeFile read(const JsonValue& document) {
   if (nodes.exact) nodes.exact->space = monomials(degree);
   return {.functions = *std::move(functions),
           .algebraic = std::move(nodes.exact),
-          .certificate = read_certificate(root, degree, nodes.near),
+          .certificate = read_certificate(root, degree, nodes.near, {}),
           .space = {},
           .digest = {}};
 }

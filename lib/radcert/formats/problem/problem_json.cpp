@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/formats/problem/problem_json.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   const JsonReader root(document);
   root.require_schema(schema, "an object: a problem");
   root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
-                       "emission", "quadrature", "operator", "solver", "guarantee"});
+                       "emission", "quadrature", "operator", "solver", "guarantee", "label", "fit_from"});
   Problem problem;
   problem.surface = read_surface(
       root.at("surface", "an object with a name, see radcert list surfaces, or with a file"), folder);
@@ -49,10 +50,28 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   if (const auto matrix = root.find("operator")) problem.matrix = read_operator(*matrix);
   if (const auto solver = root.find("solver")) problem.solver = read_solver(*solver);
   if (const auto guarantee = root.find("guarantee")) problem.guarantee = read_guarantee(*guarantee);
+  if (const auto label = root.find("label")) problem.label = read_label(*label);
+  if (const auto fit_from = root.find("fit_from")) problem.fit_from = read_fit_from(*fit_from);
   return problem;
 }
 
 }  // namespace
+
+std::string read_label(const JsonReader& label) {
+  constexpr std::size_t longest = 60;
+  const std::string allowed = "a text of 1 to 60 characters without commas, quotation marks and line breaks";
+  const std::string& text = label.string(allowed);
+  const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
+    return static_cast<unsigned char>(c) >= ' ' && c != ',' && c != '"' && c != '\x7f';
+  });
+  if (text.empty() || text.size() > longest || !plain) label.refuse("is no label", allowed);
+  return text;
+}
+
+int read_fit_from(const JsonReader& level) {
+  constexpr int most = 30;
+  return static_cast<int>(level.whole(0, most, "a level from 0 to 30"));
+}
 
 Problem read_problem(const std::filesystem::path& path) {
   const JsonValue document = read_json(path);
@@ -79,6 +98,8 @@ JsonValue problem_json(const Problem& problem) {
   if (problem.matrix != OperatorChoice{}) out.set("operator", operator_json(problem.matrix));
   out.set("solver", solver_json(problem.solver));
   if (problem.guarantee) out.set("guarantee", guarantee_json(*problem.guarantee));
+  if (!problem.label.empty()) out.set("label", problem.label);
+  if (problem.fit_from) out.set("fit_from", *problem.fit_from);
   return out;
 }
 

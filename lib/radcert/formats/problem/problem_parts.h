@@ -29,6 +29,10 @@ SolverChoice read_solver(const JsonReader& solver);
 OperatorChoice read_operator(const JsonReader& matrix);
 Guarantee read_guarantee(const JsonReader& guarantee);
 PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);
+/// A short name, which is a cell of a CSV table and a line of a legend as it is.
+std::string read_label(const JsonReader& label);
+/// The level with which fitted orders begin.
+int read_fit_from(const JsonReader& level);
 
 /// The same parts as JSON.
 /// Source    the file format radcert/problem/1

@@ -219,6 +219,8 @@ Outcome<LevelOutcome> read_level_record(std::string_view text) {
 std::string level_key(const Problem& problem, int level) {
   Problem alone = problem;
   alone.triangulation.levels = {level};
+  alone.label.clear();
+  alone.fit_from.reset();
   return "solve " + std::string(source_digest()) + " " + problem_json(alone).compact();
 }
 

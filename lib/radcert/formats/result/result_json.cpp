@@ -39,6 +39,7 @@ JsonValue orders_json(std::span<const OrderFit> orders) {
                                              {"halfwidth", finite_or_null(fit.halfwidth)},
                                              {"levels", json_array(fit.levels)},
                                              {"left_out", json_array(fit.left_out)},
+                                             {"pre_asymptotic", json_array(fit.pre_asymptotic)},
                                              {"model", fit.model}}));
   }
   return out;

@@ -22,7 +22,7 @@ constexpr std::string_view in_parentheses = "in parentheses their radius, in uni
 // digits.
 LatexColumn error_column(std::string head) { return {std::move(head), "S[table-format=1.3(2)e-2]"}; }
 LatexColumn count_column(std::string head) { return {std::move(head), "r"}; }
-LatexColumn ratio_column(std::string head) { return {std::move(head), "r"}; }
+LatexColumn order_column() { return {"EOC", "r"}; }
 
 std::string fixed(double value, int decimals) { return nearest_text(value, DecimalForm::fixed(decimals)); }
 
@@ -32,8 +32,8 @@ std::string cell(const std::optional<Approximation>& figure) {
                       error_digits);
 }
 
-std::string ratio_cell(const std::optional<double>& ratio) {
-  return ratio && std::isfinite(*ratio) ? fixed(*ratio, 2) : "--";
+std::string order_cell(const std::optional<double>& order) {
+  return order && std::isfinite(*order) ? "$" + fixed(*order, 2) + "$" : "--";
 }
 
 std::string order_text(const OrderFit& fit) {
@@ -44,26 +44,52 @@ std::string symbol(const std::string& quantity) {
   return quantity == "node_error" ? "$|u-u_n|$" : "$|K(I-P_n)u|$";
 }
 
-std::string errors_latex(const Result& result) {
-  LatexTable table({count_column("Level"),
-                    count_column("Elements"),
-                    count_column("Unknowns"),
-                    {"$h$", "r"},
-                    error_column("{" + symbol("discretisation_error") + "}"),
-                    ratio_column("Ratio"),
-                    error_column("{" + symbol("node_error") + "}"),
-                    ratio_column("Ratio")});
+/// Level, unknowns, h, and of both errors the value and its observed order.
+std::vector<LatexColumn> level_heads() {
+  return {count_column("Level"), count_column("Unknowns"),
+          {"$h$", "r"},          error_column("{" + symbol("discretisation_error") + "}"),
+          order_column(),        error_column("{" + symbol("node_error") + "}"),
+          order_column()};
+}
+
+void add_levels(LatexTable& table, const Result& result) {
   for (const LevelResult& level : result.levels)
-    table.add(std::array{std::to_string(level.level), std::to_string(level.elements),
-                         std::to_string(level.unknowns), fixed(level.mesh_size, 4),
-                         cell(level.discretisation_error), ratio_cell(level.discretisation_ratio),
-                         cell(level.node_error), ratio_cell(level.node_ratio)});
+    table.add(std::array{std::to_string(level.level), std::to_string(level.unknowns),
+                         fixed(level.mesh_size, 4), cell(level.discretisation_error),
+                         order_cell(level.discretisation_order), cell(level.node_error),
+                         order_cell(level.node_order)});
+}
+
+/// "2--5", "0, 2, 3".
+std::string level_list(const std::vector<int>& levels) {
+  const bool in_a_row =
+      levels.size() > 2 && levels.back() - levels.front() + 1 == static_cast<int>(levels.size());
+  if (in_a_row) return std::to_string(levels.front()) + "--" + std::to_string(levels.back());
+  std::string out;
+  for (const int level : levels) out += (out.empty() ? "" : ", ") + std::to_string(level);
+  return out;
+}
+
+/// "$|u-u_n|$: $3.99 \pm 0.12$ on levels 2--5", or why there is none.
+std::string fit_text(const OrderFit& fit) {
+  if (fitted_order_text(fit, ""))
+    return symbol(fit.quantity) + ": " + order_text(fit) + " on levels " + level_list(fit.levels);
+  return symbol(fit.quantity) + ": none, the slopes are not steady";
+}
+
+bool has_fit(const OrderFit& fit) { return fit.order || fit.pre_asymptotic.size() > 1; }
+
+constexpr std::string_view about_errors =
+    "Errors are maxima over the nodes; EOC is the observed order in $h$";
+
+std::string errors_latex(const Result& result) {
+  LatexTable table(level_heads());
+  add_levels(table, result);
   table.add_rule();
-  table.add_line("Errors are maxima over the nodes; " + std::string(in_parentheses) + ".");
-  for (const OrderFit& fit : result.orders) {
-    if (!fitted_order_text(fit, "")) continue;
-    table.add_line("Fitted order of " + symbol(fit.quantity) + " in $h$: " + order_text(fit));
-  }
+  table.add_line(std::string(about_errors) + ";");
+  table.add_line(std::string(in_parentheses) + ".");
+  for (const OrderFit& fit : result.orders)
+    if (has_fit(fit)) table.add_line("Fitted order of " + fit_text(fit));
   return table.text();
 }
 
@@ -143,6 +169,11 @@ void LatexTable::add_line(const std::string& latex) {
   rows_ += "  \\multicolumn{" + std::to_string(columns_.size()) + "}{@{}l}{" + latex + "} \\\\\n";
 }
 
+void LatexTable::add_paragraph(const std::string& latex) {
+  rows_ += "  \\multicolumn{" + std::to_string(columns_.size()) +
+           "}{@{}p{0.9\\linewidth}@{}}{\\raggedright " + latex + "} \\\\\n";
+}
+
 void LatexTable::add_rule() { rows_ += "  \\midrule\n"; }
 
 std::string LatexTable::text() const {
@@ -155,8 +186,8 @@ std::string LatexTable::text() const {
   heads = "  \\toprule\n" + heads + " \\\\\n  \\midrule\n";
   const std::string name = over_pages_ ? "longtable" : "tabular";
   return "% Needs \\usepackage{array,booktabs,siunitx" + std::string(over_pages_ ? ",longtable" : "") +
-         "}.\n{\\small\\setlength{\\tabcolsep}{4pt}%\n\\begin{" + name + "}{@{}" + formats + "@{}}\n" +
-         heads +
+         "}.\n" + std::string(over_pages_ ? "" : "\\par\\noindent\n") +
+         "{\\small\\setlength{\\tabcolsep}{4pt}%\n\\begin{" + name + "}{@{}" + formats + "@{}}\n" + heads +
          (over_pages_ ? "  \\endhead\n  \\bottomrule\n  \\endfoot\n" + rows_ : rows_ + "  \\bottomrule\n") +
          "\\end{" + name + "}}\n";
 }
@@ -168,23 +199,23 @@ std::string levels_latex(const Result& result) {
 std::string combinations_latex(const Experiment& experiment, std::span<const Result> results) {
   expects(results.size() == experiment.combinations.size(), "a result for each combination",
           named("results", results.size()));
-  LatexTable table({{"Combination", ">{\\raggedright}p{0.22\\linewidth}"},
-                    count_column("Unknowns"),
-                    error_column("{" + symbol("discretisation_error") + "}"),
-                    error_column("{" + symbol("node_error") + "}"),
-                    {"Order", "l"}});
+  constexpr std::size_t most_rows_of_a_page = 36;
+  std::size_t rows = 0;
+  for (const Result& result : results) rows += result.levels.size() + 2;
+  LatexTable table(level_heads(), rows > most_rows_of_a_page);
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (results[i].levels.empty()) continue;
-    const LevelResult& level = results[i].levels.back();
-    std::string order = "--";
+    if (i > 0) table.add_rule();
+    table.add_paragraph("\\textit{" + latex_escaped(experiment.combinations[i].name) + "}");
+    add_levels(table, results[i]);
+    std::string orders;
     for (const OrderFit& fit : results[i].orders)
-      if (fit.quantity == "node_error" && fitted_order_text(fit, "")) order = order_text(fit);
-    table.add(std::array{latex_escaped(experiment.combinations[i].name), std::to_string(level.unknowns),
-                         cell(level.discretisation_error), cell(level.node_error), order});
+      if (has_fit(fit)) orders += (orders.empty() ? "Fitted order of " : "; of ") + fit_text(fit);
+    if (!orders.empty()) table.add_paragraph(orders);
   }
   table.add_rule();
-  table.add_line("Maxima over the nodes at the finest level; " + std::string(in_parentheses) + ".");
-  table.add_line("The order is that of " + symbol("node_error") + " in $h$.");
+  table.add_line(std::string(about_errors) + ";");
+  table.add_line(std::string(in_parentheses) + ".");
   return table.text();
 }
 

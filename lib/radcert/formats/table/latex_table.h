@@ -35,13 +35,16 @@ struct LatexColumn {
 /// A table for LaTeX with booktabs and siunitx.
 /// Source    the packages array, booktabs, siunitx, and longtable for one that goes over pages
 /// Requires  a row has as many cells as there are columns, else ContractViolation; cells are LaTeX
-/// Result    a tabular, or a longtable with its head on every page, without float and caption
+/// Result    a tabular in a paragraph of its own, or a longtable with its head on every page, without float
+///           and caption
 class LatexTable {
 public:
   explicit LatexTable(std::vector<LatexColumn> columns, bool over_pages = false);
   void add(std::span<const std::string> cells);
   /// A line across all columns.
   void add_line(const std::string& latex);
+  /// The same for a text that may be too long for one line.
+  void add_paragraph(const std::string& latex);
   void add_rule();
   [[nodiscard]] std::string text() const;
 
@@ -51,20 +54,19 @@ private:
   std::string rows_;
 };
 
-/// The levels of a result as a table: elements, unknowns, h, errors with their ratios, the fitted orders
+/// The levels of a result as a table: unknowns, h, errors with their observed orders, the fitted orders
 /// below.
-/// Source    the tables of [ac98]
+/// Source    the tables of [ac98], with orders in place of ratios
 /// Requires  nothing
 /// Result    four significant digits with the radius in parentheses, fewer where it leaves fewer; without a
 ///           solution the means over the pieces
 /// Limits    all digits are in errors.csv
 [[nodiscard]] std::string levels_latex(const Result& result);
 
-/// The combinations of an experiment as a table: unknowns and errors at the finest level, the fitted order of
-/// the node error.
+/// The combinations of an experiment as a table, level by level: unknowns, h, errors with their observed
+/// orders, below each combination its fitted orders.
 /// Requires  a result of collect for each combination, in their order
-/// Result    a row a combination, in their order
-/// Limits    combinations may have different finest levels
+/// Result    the combinations in their order, each under its name; over pages where one would not hold it
 [[nodiscard]] std::string combinations_latex(const Experiment& experiment, std::span<const Result> results);
 
 }  // namespace radcert

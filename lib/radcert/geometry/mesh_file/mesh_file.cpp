@@ -16,13 +16,16 @@ namespace radcert {
 namespace {
 
 using Parse = MeshFile (*)(std::string_view);
-constexpr std::array<std::pair<std::string_view, Parse>, 7> formats{{{".off", parse_off},
-                                                                     {".obj", parse_obj},
-                                                                     {".ply", parse_ply},
-                                                                     {".stl", parse_stl},
-                                                                     {".msh", parse_msh},
-                                                                     {".vtk", parse_vtk},
-                                                                     {".vs3", parse_vs3}}};
+constexpr std::array<std::pair<std::string_view, Parse>, 10> formats{{{".off", parse_off},
+                                                                      {".obj", parse_obj},
+                                                                      {".ply", parse_ply},
+                                                                      {".stl", parse_stl},
+                                                                      {".msh", parse_msh},
+                                                                      {".vtk", parse_vtk},
+                                                                      {".vtu", parse_vtu},
+                                                                      {".vs3", parse_vs3},
+                                                                      {".gltf", parse_gltf},
+                                                                      {".glb", parse_gltf}}};
 constexpr std::uint64_t largest_file = std::uint64_t{4} << 30;
 
 Parse parser_of(const std::string& name) {

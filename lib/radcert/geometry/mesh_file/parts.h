@@ -79,5 +79,7 @@ MeshFile parse_stl(std::string_view bytes);
 MeshFile parse_msh(std::string_view bytes);
 MeshFile parse_vtk(std::string_view bytes);
 MeshFile parse_vs3(std::string_view bytes);
+MeshFile parse_vtu(std::string_view bytes);
+MeshFile parse_gltf(std::string_view bytes);
 
 }  // namespace radcert

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -156,6 +157,24 @@ std::optional<Matrix<Ball>> approximate_inverse(Matrix<Ball> a) {
   return inverse;
 }
 
+// The functions that the nodes are to determine: B_k of a degree, or those of a space.
+struct Functions {
+  int degree = 0;
+  std::span<const PlanePolynomial<Rational>> space;  ///< empty: all polynomials of the degree
+
+  [[nodiscard]] std::size_t count() const {
+    return space.empty() ? polynomial_dimension(degree) : space.size();
+  }
+  [[nodiscard]] Rational integral(std::size_t k) const {
+    if (space.empty()) return Rational(1) / ((degree + 1) * (degree + 2));
+    Rational sum = 0;
+    for (int i = 0; i <= space[k].degree(); ++i)
+      for (int j = 0; i + j <= space[k].degree(); ++j)
+        sum += space[k](i, j) * factorial(i) * factorial(j) / factorial(i + j + 2);
+    return sum;
+  }
+};
+
 // B_k(q_j), rows by node.
 Matrix<Ball> bernstein_matrix(int degree, const std::vector<Barycentric<Ball>>& nodes) {
   const std::vector<std::array<int, 3>> indices = lattice_indices(degree);
@@ -166,6 +185,16 @@ Matrix<Ball> bernstein_matrix(int degree, const std::vector<Barycentric<Ball>>& 
       a(j, k) = Ball(factorial(degree) / (factorial(k1) * factorial(k2) * factorial(k3))) *
                 power(nodes[j].x[0], k1) * power(nodes[j].x[1], k2) * power(nodes[j].x[2], k3);
     }
+  return a;
+}
+
+// f_k(q_j), rows by node.
+Matrix<Ball> matrix_of(const Functions& functions, const std::vector<Barycentric<Ball>>& nodes) {
+  if (functions.space.empty()) return bernstein_matrix(functions.degree, nodes);
+  Matrix<Ball> a(nodes.size(), functions.space.size());
+  for (std::size_t j = 0; j < nodes.size(); ++j)
+    for (std::size_t k = 0; k < functions.space.size(); ++k)
+      a(j, k) = functions.space[k].value(nodes[j].x[2], nodes[j].x[1]);
   return a;
 }
 
@@ -210,18 +239,18 @@ Outcome<EnclosedPrecision> ends_at(const TriangleRule<Ball>& rule, Region region
 }
 
 // The nodes with the weights of their interpolatory rule, nearly; nothing where these cannot be found.
-std::optional<Box> start_of(const SymmetricNodes& nodes) {
+std::optional<Box> start_of(const SymmetricNodes& nodes, const Functions& functions) {
   std::vector<Barycentric<Ball>> points;
   for (const Barycentric<Rational>& q : nodes.nodes())
     points.push_back({{Ball(q.x[0]), Ball(q.x[1]), Ball(q.x[2])}});
-  const std::optional<Matrix<Ball>> inverse = approximate_inverse(bernstein_matrix(nodes.degree, points));
+  const std::optional<Matrix<Ball>> inverse = approximate_inverse(matrix_of(functions, points));
   if (!inverse) return std::nullopt;
   Box box;
   std::size_t place = 0;
   for (const SymmetricOrbit& orbit : nodes.orbits) {
-    Ball sum(0);
-    for (std::size_t k = 0; k < points.size(); ++k) sum += (*inverse)(k, place);
-    const Ball weight = sum / Ball((nodes.degree + 1) * (nodes.degree + 2));
+    Ball weight(0);
+    for (std::size_t k = 0; k < points.size(); ++k)
+      weight += (*inverse)(k, place) * Ball(functions.integral(k));
     box.push_back({.size = orbit.size,
                    .is_held = orbit.is_held,
                    .weight = weight,
@@ -247,15 +276,19 @@ TriangleRule<Ball> rule_of(const Box& box) {
 
 }  // namespace
 
-Outcome<SymmetricCertificate> certify(const SymmetricNodes& nodes, const Rational& radius) {
+Outcome<SymmetricCertificate> certify(const SymmetricNodes& nodes, const Rational& radius,
+                                      std::span<const PlanePolynomial<Rational>> space) {
   expects(radius.sign() > 0, "radius > 0", named("radius", radius));
   expects(nodes.precision >= nodes.degree, "precision >= degree: the rule is interpolatory",
           named("precision", nodes.precision), named("degree", nodes.degree));
   const BallPrecision scope(working_bits.value());
-  const std::size_t count = polynomial_dimension(nodes.degree);
+  const Functions functions{.degree = nodes.degree, .space = space};
+  for (const PlanePolynomial<Rational>& f : space)
+    expects(f.degree() <= nodes.degree, "functions of the degree that is named", named("degree", f.degree()));
+  const std::size_t count = functions.count();
   if (nodes.nodes().size() != count)
     return because(std::to_string(nodes.nodes().size()) + " nodes in place of " + std::to_string(count));
-  std::optional<Box> start = start_of(nodes);
+  std::optional<Box> start = start_of(nodes, functions);
   if (!start) return because("the nodes are not certainly unisolvent");
   Box& centre = *start;
   const std::vector<Ball*> at_centre = unknowns_of(centre);
@@ -293,7 +326,7 @@ Outcome<SymmetricCertificate> certify(const SymmetricNodes& nodes, const Rationa
   for (const Barycentric<Ball>& q : certificate.rule.points)
     for (const Ball& coordinate : q.x)
       if (!certainly_positive(coordinate)) return because("a node is not certainly inside the triangle");
-  certificate.determinant = determinant_of(bernstein_matrix(nodes.degree, certificate.rule.points));
+  certificate.determinant = determinant_of(matrix_of(functions, certificate.rule.points));
   if (!certificate.determinant.is_finite() || certificate.determinant.contains_zero())
     return because("the true nodes are not certainly unisolvent");
   Outcome<EnclosedPrecision> triangle = ends_at(certificate.rule, Region::triangle, nodes.precision);

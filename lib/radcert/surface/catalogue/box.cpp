@@ -44,7 +44,9 @@ Surface cube() {
 SurfaceDescription box_entry() {
   return {.name = "box",
           .summary = "the boundary of [0,a] x [0,b] x [0,c] [ac98, section 2.2]",
-          .parameters = {positive_length("a", "1"), positive_length("b", "2"), positive_length("c", "5")},
+          .parameters = {positive_length("a", "1", "the edge along x"),
+                         positive_length("b", "2", "the edge along y"),
+                         positive_length("c", "5", "the edge along z")},
           .pieces = {"west", "east", "south", "north", "floor", "ceiling"},
           .build = [](std::span<const Rational> v) { return box(v[0], v[1], v[2]); }};
 }

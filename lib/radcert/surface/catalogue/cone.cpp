@@ -35,9 +35,9 @@ Surface cone(const Rational& radius, const Rational& top, const Rational& height
 SurfaceDescription cone_entry() {
   return {.name = "cone",
           .summary = "the boundary of a truncated cone, four charts a piece",
-          .parameters = {positive_length("radius", "1"),
+          .parameters = {positive_length("radius", "1", "the radius of the lower end"),
                          positive_length("top", "1/2", "the radius of the upper end"),
-                         positive_length("height", "1")},
+                         positive_length("height", "1", "the distance of the ends")},
           .pieces = {"floor", "ceiling", "mantle"},
           .build = [](std::span<const Rational> v) { return cone(v[0], v[1], v[2]); }};
 }

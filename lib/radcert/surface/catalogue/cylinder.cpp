@@ -16,7 +16,8 @@ Surface cylinder(const Rational& radius, const Rational& height) {
 SurfaceDescription cylinder_entry() {
   return {.name = "cylinder",
           .summary = "the boundary of a circular cylinder, four charts a piece",
-          .parameters = {positive_length("radius", "1"), positive_length("height", "2")},
+          .parameters = {positive_length("radius", "1", "the radius of both ends"),
+                         positive_length("height", "2", "the distance of the ends")},
           .pieces = {"floor", "ceiling", "mantle"},
           .build = [](std::span<const Rational> v) { return cylinder(v[0], v[1]); }};
 }

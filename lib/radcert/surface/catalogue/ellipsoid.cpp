@@ -63,7 +63,9 @@ Surface sphere() {
 SurfaceDescription ellipsoid_entry() {
   return {.name = "ellipsoid",
           .summary = "the ellipsoid with half axes a, b, c, eight charts [ac98, section 3]",
-          .parameters = {positive_length("a", "1"), positive_length("b", "2"), positive_length("c", "5")},
+          .parameters = {positive_length("a", "1", "the half axis along x"),
+                         positive_length("b", "2", "the half axis along y"),
+                         positive_length("c", "5", "the half axis along z")},
           .pieces = {"ellipsoid"},
           .build = [](std::span<const Rational> v) { return ellipsoid(v[0], v[1], v[2]); }};
 }

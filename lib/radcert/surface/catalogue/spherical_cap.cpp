@@ -23,7 +23,7 @@ Surface spherical_cap(const Rational& fraction) {
 SurfaceDescription spherical_cap_entry() {
   return {.name = "spherical_cap",
           .summary = "the cap of the unit sphere with a given part of its area, open at its rim, four charts",
-          .parameters = {inner_part("fraction", "1/4", "of the sphere's area")},
+          .parameters = {inner_part("fraction", "1/4", "the part of the sphere's area")},
           .pieces = {"cap"},
           .build = [](std::span<const Rational> v) { return spherical_cap(v[0]); }};
 }

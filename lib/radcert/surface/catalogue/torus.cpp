@@ -34,8 +34,8 @@ SurfaceDescription torus_entry() {
   return {
       .name = "torus",
       .summary = "the torus of that radius, its tube ratio times as wide; parts hide others: not for solve",
-      .parameters = {positive_length("radius", "1"),
-                     inner_part("ratio", "1/2", "of the tube's radius to the other")},
+      .parameters = {positive_length("radius", "1", "the radius of the circle about which the tube runs"),
+                     inner_part("ratio", "1/2", "the tube's radius as a part of the other")},
       .pieces = {"torus"},
       .build = [](std::span<const Rational> v) { return torus(v[0], v[1]); },
       .unoccluded = false};

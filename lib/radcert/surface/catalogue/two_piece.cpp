@@ -37,7 +37,8 @@ SurfaceDescription two_piece_entry() {
           .parameters = {{.name = "p",
                           .requirement = "a number in [1, 1000]",
                           .default_text = "2",
-                          .admits = [](const Rational& p) { return p >= 1 && p <= largest_power; }}},
+                          .admits = [](const Rational& p) { return p >= 1 && p <= largest_power; },
+                          .meaning = "the power of x in the roof"}},
           .pieces = {"lower", "upper"},
           .build = [](std::span<const Rational> v) { return two_piece(v[0]); }};
 }

@@ -11,7 +11,7 @@ function evidenceTable(caption, lines) {
     element("td", {}, prose(line.what.replace(/^control: /, ""))),
     element("td", { class: "number" }, line.radius === null ? line.value : `${line.value} ± ${line.radius}`,
       line.proved ? element("span", { class: "quiet" }, " proved") : null),
-    element("td", {}, line.allowed),
+    element("td", {}, prose(line.allowed)),
     element("td", { class: line.standing }, line.standing),
   ]));
 }
@@ -20,7 +20,7 @@ function hypotheses(claim) {
   if (claim.needs.length === 0) return null;
   return element("section", {}, element("h2", {}, "Hypotheses"),
     table("What the statement needs, and how it is met where it was checked", ["needed", "how it is met"],
-      claim.needs.map((need, i) => [need, claim.met[i] ?? "not said"])));
+      claim.needs.map((need, i) => [need, claim.met[i] ?? "not said"].map(prose))));
 }
 
 function tried(claim) {
@@ -55,7 +55,7 @@ function views(claim) {
   if (drawn.length === 0) return null;
   return element("section", {}, element("h2", {}, "What was solved"),
     element("ul", {}, drawn.map((index) => element("li", {},
-      element("a", { href: `#/view/${index}` }, report.problems[index].name)))));
+      element("a", { href: `#/view/${index}` }, prose(report.problems[index].name))))));
 }
 
 function reproduce(entry) {
@@ -95,7 +95,7 @@ export function claimView(entry) {
     element("h1", {}, spoken(entry.label)),
     element("p", { class: "quiet" }, paper(claim.paper).title, claim.page ? `, about page ${claim.page}` : "",
       claim.covers.length > 0 ? ` · equations ${claim.covers.map((number) => `(${number})`).join(", ")}` : ""),
-    element("p", { class: "says" }, claim.says),
+    element("p", { class: "says" }, prose(claim.says)),
     claim.formula ? formula(claim.formula) : null,
     entry.cells ? null : element("p", { class: "verdict-line" }, chip(claim.verdict), " ", reach(claim) ? element("strong", {}, reach(claim), " ") : "",
       element("span", { class: "quiet" }, meaning[claim.verdict]),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { enclosing, toDecimals } from "./number_text.js";
+import { mathematics } from "./mathematics.js";
 
 /** An element with attributes and children; text children are text, never markup. */
 export function element(tag, attributes = {}, ...children) {
@@ -16,11 +17,15 @@ export function element(tag, attributes = {}, ...children) {
 /** A table: a caption, header texts, rows of cells (nodes or texts). */
 export function table(caption, headers, rows, attributes = {}) {
   return element("div", { class: "wide", tabindex: "0", role: "region", "aria-label": caption },
-    element("table", attributes,
-      element("caption", {}, caption),
-      element("thead", {}, element("tr", {}, headers.map((text) => element("th", { scope: "col" }, text)))),
-      element("tbody", {}, rows.map((cells) => element("tr", {}, cells.map((cell) =>
-        cell instanceof HTMLTableCellElement ? cell : element("td", {}, cell)))))));
+    element("table", { ...attributes, class: "cards" },
+      element("caption", {}, prose(caption)),
+      element("thead", {}, element("tr", {}, headers.map((text) => element("th", { scope: "col" }, prose(text))))),
+      element("tbody", {}, rows.map((cells) => element("tr", {}, cells.map((cell, column) => {
+        const made = cell instanceof HTMLTableCellElement ? cell : element("td", {}, cell);
+        // On a narrow screen a row is a card, and each of its cells says what it is.
+        if (headers[column]) made.setAttribute("data-label", headers[column]);
+        return made;
+      }))))));
 }
 
 export const verdicts = [
@@ -57,11 +62,12 @@ export function reach(claim) {
   return `at ${claim.tried.length} instance${claim.tried.length === 1 ? "" : "s"}`;
 }
 
-/** Text in which `code` stands between backquotes. */
+/** Text in which `code` stands between backquotes, its mathematics set. */
 export function prose(text) {
-  return text.split(/(`[^`]+`)/).map((part) =>
+  return text.split(/(`[^`]+`)/).flatMap((part) =>
     part.startsWith("`") && part.endsWith("`") && part.length > 2
-      ? element("code", {}, part.slice(1, -1)) : part);
+      ? [element("code", {}, part.slice(1, -1))]
+      : mathematics(part).map(([tag, content]) => (tag === "" ? content : element(tag, {}, content))));
 }
 
 /** A number with its radius, rounded outwards. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { chip, element, figure, meaning, reach, seconds, verdicts } from "./dom.js";
+import { chip, element, figure, meaning, prose, reach, seconds, verdicts } from "./dom.js";
 import { claimsOf, counts, paper, report, spoken, statements } from "./data.js";
 
 // What is shown survives going to a statement and back.
@@ -33,7 +33,7 @@ function row(entry) {
   const differs = claimsOf(entry).some((claim) => !claim.as_recorded);
   return element("tr", { class: differs ? "differs" : undefined },
     element("th", { scope: "row" }, element("a", { href: `#/${entry.key}` }, spoken(entry.label))),
-    element("td", { class: "says" }, entry.claim.says),
+    element("td", { class: "says" }, prose(entry.claim.says)),
     element("td", { "data-label": "Verdict" }, verdictCell(entry), differs ? element("strong", {}, " not as recorded") : null),
     element("td", { "data-label": "Evidence" }, evidenceCell(entry)),
     element("td", { class: "number", "data-label": "Ours" }, entry.cells ? "" : figure(entry.claim.ours)),

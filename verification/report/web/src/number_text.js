@@ -69,6 +69,7 @@ export const toPower = (value, digits) => value.toExponential(digits - 1);
 /** A number with its radius, rounded outwards, to as many digits as the radius leaves; without one, to nearest. */
 export function enclosing(value, radius) {
   if (radius === null || radius === undefined) return toPower(value, 5);
+  if (radius === 0 && Number.isInteger(value) && Math.abs(value) < 1e8) return String(value);
   const power = value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value)));
   const known = radius === 0 ? 8 : power - Math.floor(Math.log10(radius)) + 1;
   const digits = Math.min(8, Math.max(2, known));

@@ -28,6 +28,5 @@ export function convergence(problems, places, quantity, key = "mesh_size") {
     .flatMap(([problem, list]) => list.map((point) => [problem.name, about(point.h, 4), figure(point.error)]));
   return element("figure", {},
     element("div", { class: "plot", tabindex: "0", role: "region", "aria-label": `${quantities[quantity]} against the ${words}; the numbers are in the table below` }, picture),
-    element("figcaption", {}, quantities[quantity]),
     element("details", {}, element("summary", {}, "The numbers"), table(quantities[quantity], ["problem", short, "error"], numbers)));
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, FrontSide, LineBasicMaterial,
+  AmbientLight, BackSide, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, FrontSide, LineBasicMaterial,
   Group, LineSegments, Mesh, MeshLambertMaterial, PerspectiveCamera, Points, PointsMaterial, Scene, Vector3, WebGLRenderer,
-  WireframeGeometry,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { element, table } from "./dom.js";
+import { element, prose, table } from "./dom.js";
 import { pictures, report } from "./data.js";
 import { about, toPower } from "./number_text.js";
 
@@ -45,6 +44,64 @@ function scale(values, words) {
     element("span", { class: "ramp", "aria-hidden": "true" }), ` ${about(most, 4)}`);
 }
 
+/** Leaves out what belongs to walls that turn their back to the eye: `facing` is the inner normal of the wall. */
+function onFacingWalls(material) {
+  const before = material.onBeforeCompile;
+  material.onBeforeCompile = (shader, renderer) => {
+    before.call(material, shader, renderer);
+    shader.vertexShader = shader.vertexShader
+      .replace("void main() {", "attribute vec3 facing;\nvarying float seen;\nvoid main() {")
+      .replace("#include <project_vertex>", `#include <project_vertex>
+      seen = dot(facing, cameraPosition - (modelMatrix * vec4(position, 1.0)).xyz);`);
+    shader.fragmentShader = shader.fragmentShader
+      .replace("void main() {", "varying float seen;\nvoid main() {")
+      .replace("#include <clipping_planes_fragment>", `#include <clipping_planes_fragment>
+      if (seen < 0.0) discard;`);
+  };
+  return material;
+}
+
+/** The inner normals of the elements, from their corners, which run counterclockwise as these see them. */
+function innerNormals(corners) {
+  const normals = [];
+  const [a, b, c] = [new Vector3(), new Vector3(), new Vector3()];
+  for (let k = 0; k < corners.length; k += 9) {
+    a.fromArray(corners, k);
+    b.fromArray(corners, k + 3).sub(a);
+    c.fromArray(corners, k + 6).sub(a);
+    normals.push(b.clone().cross(c).normalize());
+  }
+  return normals;
+}
+
+/** The sides of all elements, each with the normal of its own. */
+function sides(corners, normals) {
+  const [places, facing] = [[], []];
+  normals.forEach((normal, element) => {
+    for (const corner of [0, 1, 1, 2, 2, 0]) {
+      places.push(...corners.subarray(9 * element + 3 * corner, 9 * element + 3 * corner + 3));
+      facing.push(normal.x, normal.y, normal.z);
+    }
+  });
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(new Float32Array(places), 3));
+  geometry.setAttribute("facing", new BufferAttribute(new Float32Array(facing), 3));
+  return geometry;
+}
+
+/** How far from the centre a camera must stand that looks along -`from` for all corners to be in its picture. */
+function distanceFor(corners, center, from, up, halfHeight, aspect) {
+  const right = new Vector3().crossVectors(up, from).normalize();
+  const above = new Vector3().crossVectors(from, right);
+  const [place, halfWidth] = [new Vector3(), halfHeight * aspect];
+  let distance = 0;
+  for (let k = 0; k < corners.length; k += 3) {
+    place.fromArray(corners, k).sub(center);
+    distance = Math.max(distance, place.dot(from) + Math.max(Math.abs(place.dot(right)) / halfWidth, Math.abs(place.dot(above)) / halfHeight));
+  }
+  return distance;
+}
+
 // Round points, nearer to the eye than they are by so much: the wall on which they lie does not cover half of each.
 function disks(geometry, looks, nearer) {
   const material = new PointsMaterial({ ...looks, transparent: true });
@@ -56,7 +113,7 @@ function disks(geometry, looks, nearer) {
       if (length(gl_PointCoord - 0.5) > 0.5) discard;`);
   };
   material.customProgramCacheKey = () => String(nearer);
-  const points = new Points(geometry, material);
+  const points = new Points(geometry, onFacingWalls(material));
   points.renderOrder = looks.vertexColors ? 2 : 1;
   return points;
 }
@@ -74,7 +131,7 @@ export function surfaceView(index) {
   const holder = element("div", { class: "space" }, canvas);
   const legend = element("div");
   const controls = element("div", { class: "filters" });
-  const page = [element("h1", {}, problem.name),
+  const page = [element("h1", {}, prose(problem.name)),
     element("p", { class: "quiet" }, `Level ${picture.level}, ${corners.length / 9} elements, ${nodes.length / 3} nodes. Curved elements are drawn flat.`),
     controls, holder, legend,
     element("details", {}, element("summary", {}, "The problem file"), element("pre", {}, problem.problem)),
@@ -95,18 +152,30 @@ export function surfaceView(index) {
   geometry.computeVertexNormals();
   geometry.computeBoundingSphere();
   const { center, radius } = geometry.boundingSphere;
-  // Corners run counterclockwise as the inner normal sees them: walls that show their backs can be left out.
-  const skin = new Mesh(geometry, new MeshLambertMaterial({ vertexColors: true, side: FrontSide, transparent: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
-  const edges = new LineSegments(new WireframeGeometry(geometry), new LineBasicMaterial({ color: 0x222222, transparent: true, opacity: 0.55 }));
+  // Corners run counterclockwise as the inner normal sees them. Walls are solid from inside; those between the eye and the
+  // inside are cut away, and a breath of them is left.
+  const normals = innerNormals(corners);
+  const skin = new Mesh(geometry, new MeshLambertMaterial({ vertexColors: true, side: FrontSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }));
+  const ghost = new Mesh(geometry, new MeshLambertMaterial({ vertexColors: true, side: BackSide, transparent: true, opacity: 0.14, depthWrite: false }));
+  ghost.renderOrder = 3;
+  const lines = sides(corners, normals);
+  const edges = new LineSegments(lines, onFacingWalls(new LineBasicMaterial({ color: 0x222222, transparent: true, opacity: 0.55 })));
   const dots = new BufferGeometry();
   dots.setAttribute("position", new BufferAttribute(nodes, 3));
+  const ofNodes = new Float32Array(nodes.length);
+  // A node has the normal of its element: elements have equally many nodes, in their order; meshless sites have none.
+  const each = nodes.length / 3 / normals.length;
+  if (Number.isInteger(each)) normals.forEach((normal, k) => { for (let j = 0; j < each; ++j) normal.toArray(ofNodes, 3 * (each * k + j)); });
+  dots.setAttribute("facing", new BufferAttribute(ofNodes, 3));
   const points = new Group();
   points.add(disks(dots, { size: radius / 18, color: 0x222222 }, radius / 30), disks(dots, { size: radius / 26, vertexColors: true }, radius / 26));
-  scene.add(skin, edges, points, new AmbientLight(0xffffff, 2.2));
+  scene.add(skin, ghost, edges, points, new AmbientLight(0xffffff, 2.2));
   const lamp = new DirectionalLight(0xffffff, 1.2);
   const camera = new PerspectiveCamera(38, 1, radius / 100, radius * 20);
   camera.up.set(0, 0, 1);
-  camera.position.copy(center).add(new Vector3(1.5, -2.2, 1.3).normalize().multiplyScalar(radius * 3.4));
+  const from = new Vector3(1.5, -2.2, 1.3).normalize();
+  const margin = 1.06;
+  const halfHeight = Math.tan((camera.fov * Math.PI) / 360);
   camera.add(lamp);
   scene.add(camera);
 
@@ -139,25 +208,41 @@ export function surfaceView(index) {
     legend.replaceChildren(scale(colouring.node, colouring.name === "error" ? "|u − uₙ| at the nodes" : "uₙ at the nodes"));
     render();
   };
+  let placed = false;
   const fit = () => {
     const width = Math.max(280, holder.clientWidth);
+    const height = Math.max(280, Math.min(width, 0.78 * innerHeight));
     renderer.setPixelRatio(Math.min(2, devicePixelRatio));
-    renderer.setSize(width, Math.min(560, width * 0.7), true);
-    camera.aspect = width / Math.min(560, width * 0.7);
+    renderer.setSize(width, height, true);
+    camera.aspect = width / height;
     camera.updateProjectionMatrix();
+    if (!placed) {
+      camera.position.copy(center).addScaledVector(from, margin * distanceFor(corners, center, from, camera.up, halfHeight, camera.aspect));
+      orbit.update();
+      placed = true;
+    }
     render();
   };
   const toggle = (words, object) => {
     const box = element("input", { type: "checkbox", checked: true, onchange: () => { object.visible = box.checked; render(); } });
     return element("label", {}, box, ` ${words}`);
   };
-  const backs = element("input", { type: "checkbox", onchange: () => { skin.material.side = backs.checked ? DoubleSide : FrontSide; skin.material.needsUpdate = true; render(); } });
-  const opacity = element("input", { type: "range", min: "0.15", max: "1", step: "0.05", value: "0.95", oninput: () => { skin.material.opacity = Number(opacity.value); render(); } });
-  skin.material.opacity = 0.95;
+  const backs = element("input", { type: "checkbox", onchange: () => {
+    skin.material.side = backs.checked ? DoubleSide : FrontSide;
+    ghost.visible = !backs.checked;
+    skin.material.needsUpdate = true;
+    render();
+  } });
+  const opacity = element("input", { type: "range", min: "0.15", max: "1", step: "0.05", value: "1", oninput: () => {
+    skin.material.opacity = Number(opacity.value);
+    skin.material.transparent = skin.material.opacity < 1;
+    skin.material.needsUpdate = true;
+    render();
+  } });
   controls.append(
     ...colourings.map((colouring, i) => element("label", {},
       element("input", { type: "radio", name: "colouring", checked: i === 0, onchange: () => paint(colouring) }), ` ${colouring.name}`)),
-    toggle("triangulation", edges), toggle("nodes", points), element("label", {}, backs, " walls seen from behind"), element("label", {}, "solid ", opacity));
+    toggle("triangulation", edges), toggle("nodes", points), element("label", {}, backs, " walls from outside"), element("label", {}, "solid ", opacity));
   requestAnimationFrame(() => { fit(); paint(colourings[0]); });
   new ResizeObserver(fit).observe(holder);
   return page;

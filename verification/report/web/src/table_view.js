@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-import { chip, element, figure, table } from "./dom.js";
+import { chip, element, figure, prose, table } from "./dom.js";
 import { convergence } from "./plot.js";
 import { report } from "./data.js";
 import { toDecimals, toPower } from "./number_text.js";
@@ -74,7 +74,7 @@ export function tableParts(entry) {
     told.length > 0 ? element("section", {}, element("h2", {}, "Cells that differ"),
       element("dl", {}, told.flatMap((cell) => [
         element("dt", {}, element("code", {}, cell.label), " ", chip(cell.verdict)),
-        element("dd", {}, cell.failure ?? cell.note),
+        element("dd", {}, cell.failure ?? prose(cell.note)),
       ]))) : null,
   ];
 }

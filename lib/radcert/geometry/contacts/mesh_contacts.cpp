@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/geometry/contacts/mesh_contacts.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Gmpq.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "radcert/geometry/mesh_defects.h"
+#include "radcert/geometry/mesh_topology.h"
+#include "radcert/geometry/orientation.h"
+#include "radcert/geometry/plane_classes.h"
+#include "radcert/geometry/polygon_triangulation.h"
+#include "radcert/scalar/enclosing_text.h"
+#include "radcert/scalar/rational.h"
+
+namespace radcert {
+namespace {
+
+using Number = CGAL::Gmpq;
+using Kernel = CGAL::Simple_cartesian<Number>;
+using Point = Kernel::Point_2;
+using Delaunay =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Exact_intersections_tag>;
+
+/// The doubles of a point; zeros without a sign, so that equal points are equal keys.
+using Place = std::array<double, 3>;
+Place place_of(const Vector<double>& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
+
+/// A plane of the mesh and its projection along an axis that it is not parallel to.
+class Plane {
+public:
+  explicit Plane(const std::array<Vector<double>, 3>& corners) {
+    const Vector<Rational> a = exactly(corners[0]);
+    normal_ = cross(exactly(corners[1]) - a, exactly(corners[2]) - a);
+    offset_ = dot(normal_, a);
+    const std::array<double, 3> size{std::abs(normal_.x.to_double()), std::abs(normal_.y.to_double()),
+                                     std::abs(normal_.z.to_double())};
+    axis_ = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  }
+
+  [[nodiscard]] Point flat(const Vector<double>& v) const {
+    const Place x{v.x, v.y, v.z};
+    return {Number(x[(axis_ + 1) % 3]), Number(x[(axis_ + 2) % 3])};
+  }
+  [[nodiscard]] ParameterPoint<double> flat_doubles(const Vector<double>& v) const {
+    const Place x{v.x, v.y, v.z};
+    return {x[(axis_ + 1) % 3], x[(axis_ + 2) % 3]};
+  }
+  /// The point of the plane over a point of the projection; none where doubles do not hold it.
+  [[nodiscard]] std::optional<Vector<double>> point(const Point& at) const {
+    const std::array<Rational, 3> n{normal_.x, normal_.y, normal_.z};
+    std::array<Rational, 3> x;
+    x[(axis_ + 1) % 3] = rational(at.x());
+    x[(axis_ + 2) % 3] = rational(at.y());
+    x[axis_] = (offset_ - n[(axis_ + 1) % 3] * x[(axis_ + 1) % 3] - n[(axis_ + 2) % 3] * x[(axis_ + 2) % 3]) /
+               n[axis_];
+    Place rounded{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      rounded[k] = x[k].to_double();
+      if (Rational::exactly(rounded[k]) != x[k]) return std::nullopt;
+    }
+    return Vector<double>{rounded[0], rounded[1], rounded[2]};
+  }
+  /// Whether a triangle that runs counterclockwise in the projection does so about the normal.
+  [[nodiscard]] bool keeps_order() const {
+    return (axis_ == 0 ? normal_.x : axis_ == 1 ? normal_.y : normal_.z).sign() > 0;
+  }
+  /// An area in the plane over its projection's.
+  [[nodiscard]] double stretch() const {
+    const Vector<double> n{normal_.x.to_double(), normal_.y.to_double(), normal_.z.to_double()};
+    return norm(n) / std::abs(axis_ == 0 ? n.x : axis_ == 1 ? n.y : n.z);
+  }
+
+private:
+  static Rational rational(const Number& x) { return Rational::from_gmp(x.mpq()); }
+
+  Vector<Rational> normal_;
+  Rational offset_;
+  std::size_t axis_ = 0;
+};
+
+/// The triangles of both sides of a plane that overlap others.
+struct Overlap {
+  std::set<std::size_t> one;  ///< of the class with the smaller number
+  std::set<std::size_t> other;
+  bool is_contact = true;
+};
+
+/// Whether a point lies on a segment, between its ends.
+bool is_between(const Vector<double>& at, const Vector<double>& from, const Vector<double>& to) {
+  const auto within = [](double x, double a, double b) { return std::min(a, b) <= x && x <= std::max(a, b); };
+  return within(at.x, from.x, to.x) && within(at.y, from.y, to.y) && within(at.z, from.z, to.z) &&
+         at != from && at != to && collinear(from, at, to);
+}
+
+/// A triangle with corners on its sides, cut at these; as it runs.
+std::vector<VertexTriple> cut(const TriangleMesh& mesh, const std::vector<std::size_t>& corners,
+                              const Plane& plane) {
+  std::vector<ParameterPoint<double>> flat;
+  for (const std::size_t v : corners) flat.push_back(plane.flat_doubles(mesh.vertices[v]));
+  std::vector<VertexTriple> out = polygon_triangles(flat).value();
+  for (VertexTriple& triangle : out)
+    for (std::size_t& place : triangle) place = corners[place];
+  return out;
+}
+
+/// Cuts triangles on whose sides there are corners of the triangles from `first_new` on: a face that ends
+/// where a body that stands on its neighbour begins meets it side by side then.
+void join_sides(TriangleMesh& mesh, std::size_t first_new) {
+  std::set<std::size_t> ends;
+  for (std::size_t t = first_new; t < mesh.triangles.size(); ++t)
+    ends.insert(mesh.triangles[t].begin(), mesh.triangles[t].end());
+  const std::size_t count = mesh.triangles.size();
+  for (std::size_t t = 0; t < count; ++t) {
+    const VertexTriple triangle = mesh.triangles[t];
+    std::vector<std::size_t> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t from = triangle[k];
+      const std::size_t to = triangle[(k + 1) % 3];
+      corners.push_back(from);
+      std::vector<std::size_t> inside;
+      for (const std::size_t v : ends)
+        if (is_between(mesh.vertices[v], mesh.vertices[from], mesh.vertices[to])) inside.push_back(v);
+      std::sort(inside.begin(), inside.end(), [&](std::size_t a, std::size_t b) {
+        return is_between(mesh.vertices[a], mesh.vertices[from], mesh.vertices[b]);
+      });
+      corners.insert(corners.end(), inside.begin(), inside.end());
+    }
+    if (corners.size() == 3) continue;
+    const std::vector<VertexTriple> parts = cut(mesh, corners, Plane(mesh.corners(t)));
+    mesh.triangles[t] = parts.front();
+    for (std::size_t k = 1; k < parts.size(); ++k) {
+      mesh.triangles.push_back(parts[k]);
+      mesh.group.push_back(mesh.group[t]);
+      mesh.face.push_back(mesh.face[t]);
+    }
+  }
+}
+
+/// The components of a mesh, and which of them are closed, with their front outside.
+struct Bodies {
+  std::vector<std::size_t> component;  ///< of each triangle
+  std::vector<bool> is_body;           ///< of each component
+};
+
+Bodies bodies_of(const TriangleMesh& mesh, bool right_hand) {
+  const MeshTopology topology = mesh_topology(mesh);
+  std::vector<bool> closed(topology.component_count, true);
+  for (const MeshEdge& edge : topology.edges) {
+    const bool fits = edge.side_count() == 2 &&
+                      topology.sides[edge.begin].forward != topology.sides[edge.begin + 1].forward;
+    for (std::size_t k = edge.begin; k < edge.end && !fits; ++k)
+      closed[topology.component[topology.sides[k].triangle]] = false;
+  }
+  std::vector<TriangleMesh> parts(topology.component_count);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (closed[topology.component[t]]) parts[topology.component[t]].triangles.push_back(mesh.triangles[t]);
+  Bodies out{.component = topology.component, .is_body = std::vector<bool>(topology.component_count, false)};
+  for (std::size_t c = 0; c < parts.size(); ++c) {
+    if (parts[c].triangles.empty()) continue;
+    parts[c].vertices = mesh.vertices;
+    out.is_body[c] = volume_sign(parts[c]) == (right_hand ? 1 : -1);
+    parts[c].vertices = {};
+  }
+  return out;
+}
+
+class Uncovering {
+public:
+  Uncovering(const TriangleMesh& mesh, bool right_hand) : given_(mesh), mesh_(mesh), right_hand_(right_hand) {
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) vertex_.emplace(place_of(mesh.vertices[v]), v);
+    for (VertexTriple& triangle : mesh_.triangles)
+      for (std::size_t& v : triangle) v = number(v);
+    out_.mesh = mesh;
+  }
+
+  Outcome<UncoveredMesh> result() {
+    constexpr std::size_t most_pairs = 1'000'000;
+    const auto pairs = crossing_triangles(mesh_, most_pairs);
+    if (pairs.empty() || pairs.size() == most_pairs) return std::move(out_);
+    find_bodies();
+    std::vector<bool> replaced(mesh_.triangles.size(), false);
+    bool any = false;
+    for (const auto& [classes, overlap] : overlaps(pairs)) {
+      if (!overlap.is_contact) continue;
+      if (const std::string reason = uncover(overlap); !reason.empty()) return because(reason);
+      for (const auto* side : {&overlap.one, &overlap.other})
+        for (const std::size_t t : *side) replaced[t] = true;
+      any = true;
+    }
+    if (any) {
+      leave_out(replaced);
+      join_sides(out_.mesh, static_cast<std::size_t>(std::count(replaced.begin(), replaced.end(), false)));
+    }
+    return std::move(out_);
+  }
+
+private:
+  /// Bodies that stand side by side have vertices in common, and the faces of one may have vertices of their
+  /// own: they are told apart by the vertices of the file, by places, and by places group by group.
+  void find_bodies() {
+    TriangleMesh by_group = mesh_;
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> numbers;
+    by_group.vertices.clear();
+    for (std::size_t t = 0; t < by_group.triangles.size(); ++t)
+      for (std::size_t& v : by_group.triangles[t]) {
+        const auto [found, is_new] = numbers.emplace(std::pair(mesh_.group[t], v), by_group.vertices.size());
+        if (is_new) by_group.vertices.push_back(mesh_.vertices[v]);
+        v = found->second;
+      }
+    bodies_ = {bodies_of(given_, right_hand_), bodies_of(mesh_, right_hand_),
+               bodies_of(by_group, right_hand_)};
+  }
+
+  /// Whether one of two triangles belongs to a body and the other does not: by some way of telling bodies
+  /// apart.
+  bool is_contact(std::size_t s, std::size_t t) const {
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Bodies& by) {
+      return by.component[s] != by.component[t] &&
+             (by.is_body[by.component[s]] || by.is_body[by.component[t]]);
+    });
+  }
+
+  using Classes = std::pair<std::size_t, std::size_t>;
+  std::map<Classes, Overlap> overlaps(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const {
+    const PlaneClasses classes = plane_classes(mesh_);
+    std::map<Classes, Overlap> out;
+    for (const auto& [s, t] : pairs) {
+      const std::size_t a = classes.of_triangle[s];
+      const std::size_t b = classes.of_triangle[t];
+      if (a == b || !is_opposite(s, t)) continue;
+      Overlap& overlap = out[std::minmax(a, b)];
+      (a < b ? overlap.one : overlap.other).insert(s);
+      (a < b ? overlap.other : overlap.one).insert(t);
+      overlap.is_contact = overlap.is_contact && is_contact(s, t);
+    }
+    return out;
+  }
+
+  /// Whether two triangles lie in one plane and look opposite ways.
+  bool is_opposite(std::size_t s, std::size_t t) const {
+    const auto of = [&](std::size_t k) {
+      const auto c = mesh_.corners(k);
+      return cross(exactly(c[1]) - exactly(c[0]), exactly(c[2]) - exactly(c[0]));
+    };
+    const Vector<Rational> n = of(s);
+    if (dot(n, of(t)).sign() >= 0) return false;
+    const Vector<Rational> a = exactly(mesh_.corners(s)[0]);
+    for (const Vector<double>& corner : mesh_.corners(t))
+      if (dot(n, exactly(corner) - a).sign() != 0) return false;
+    return true;
+  }
+
+  /// The sides of triangles that are not sides of their neighbours in the same group.
+  std::vector<std::pair<std::size_t, std::size_t>> outline(const std::set<std::size_t>& triangles) const {
+    std::set<std::array<std::size_t, 3>> sides;  // group, from, to
+    for (const std::size_t t : triangles)
+      for (std::size_t k = 0; k < 3; ++k)
+        sides.insert(
+            {mesh_.group[t], number(mesh_.triangles[t][k]), number(mesh_.triangles[t][(k + 1) % 3])});
+    std::vector<std::pair<std::size_t, std::size_t>> out;
+    for (const auto& [group, from, to] : sides)
+      if (!sides.contains({group, to, from})) out.emplace_back(from, to);
+    return out;
+  }
+
+  std::size_t number(std::size_t vertex) const { return vertex_.at(place_of(mesh_.vertices[vertex])); }
+
+  /// The triangle of a set that holds a point of the projection, if one does.
+  std::optional<std::size_t> holder(const std::set<std::size_t>& triangles, const Plane& plane,
+                                    const Point& at) const {
+    for (const std::size_t t : triangles) {
+      const auto c = mesh_.corners(t);
+      const std::array<Point, 3> p{plane.flat(c[0]), plane.flat(c[1]), plane.flat(c[2])};
+      const auto turn = CGAL::orientation(p[0], p[1], p[2]);
+      bool inside = true;
+      for (std::size_t k = 0; k < 3 && inside; ++k)
+        inside = CGAL::orientation(p[k], p[(k + 1) % 3], at) != CGAL::opposite(turn);
+      if (inside) return t;
+    }
+    return std::nullopt;
+  }
+
+  /// Adds what is left of both sides; says what stands in the way.
+  std::string uncover(const Overlap& overlap) {
+    const Plane plane(mesh_.corners(*overlap.one.begin()));
+    Delaunay delaunay;
+    for (const auto* side : {&overlap.one, &overlap.other})
+      for (const auto& [from, to] : outline(*side))
+        delaunay.insert_constraint(plane.flat(mesh_.vertices[from]), plane.flat(mesh_.vertices[to]));
+    std::map<std::pair<std::size_t, std::size_t>, double> covered;
+    for (const auto& face : delaunay.finite_face_handles()) {
+      const std::array<Point, 3> p{face->vertex(0)->point(), face->vertex(1)->point(),
+                                   face->vertex(2)->point()};
+      const std::optional<std::size_t> one = holder(overlap.one, plane, CGAL::centroid(p[0], p[1], p[2]));
+      const std::optional<std::size_t> other = holder(overlap.other, plane, CGAL::centroid(p[0], p[1], p[2]));
+      if (one && other) {
+        covered[{mesh_.group[*one], mesh_.group[*other]}] +=
+            plane.stretch() * std::abs(CGAL::to_double(CGAL::area(p[0], p[1], p[2])));
+      } else if (one || other) {
+        VertexTriple corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::optional<Vector<double>> at = plane.point(p[k]);
+          if (!at)
+            return "has faces that touch, and what they cover of each other has a corner near (" +
+                   nearest_text(CGAL::to_double(p[k].x()), DecimalForm::general(6)) + ", " +
+                   nearest_text(CGAL::to_double(p[k].y()), DecimalForm::general(6)) +
+                   "), seen along an axis, that no doubles hold exactly: cut the faces along each other's "
+                   "sides";
+          corners[k] = vertex(*at);
+        }
+        if (plane.keeps_order() != one.has_value()) std::swap(corners[1], corners[2]);
+        add(corners, one ? *one : *other);
+      }
+    }
+    for (const auto& [groups, area] : covered)
+      out_.contacts.push_back({mesh_.group_names[groups.first], mesh_.group_names[groups.second], area});
+    return {};
+  }
+
+  std::size_t vertex(const Vector<double>& at) {
+    const auto [found, is_new] = vertex_.emplace(place_of(at), out_.mesh.vertices.size());
+    if (is_new) out_.mesh.vertices.push_back(at);
+    return found->second;
+  }
+
+  void add(const VertexTriple& corners, std::size_t like) {
+    out_.mesh.triangles.push_back(corners);
+    out_.mesh.group.push_back(mesh_.group[like]);
+    out_.mesh.face.push_back(mesh_.face[like]);
+  }
+
+  void leave_out(const std::vector<bool>& replaced) {
+    TriangleMesh kept{.vertices = std::move(out_.mesh.vertices),
+                      .triangles = {},
+                      .group = {},
+                      .group_names = out_.mesh.group_names,
+                      .face = {}};
+    for (std::size_t t = 0; t < out_.mesh.triangles.size(); ++t) {
+      if (t < replaced.size() && replaced[t]) continue;
+      kept.triangles.push_back(out_.mesh.triangles[t]);
+      kept.group.push_back(out_.mesh.group[t]);
+      kept.face.push_back(out_.mesh.face[t]);
+    }
+    // Vertices with equal coordinates are one; corners within what is covered belong to nothing any more.
+    std::vector<std::size_t> renumbered(kept.vertices.size(), kept.vertices.size());
+    std::vector<Vector<double>> used;
+    for (VertexTriple& triangle : kept.triangles)
+      for (std::size_t& v : triangle) {
+        v = vertex_.at(place_of(kept.vertices[v]));
+        if (renumbered[v] == kept.vertices.size()) {
+          renumbered[v] = used.size();
+          used.push_back(kept.vertices[v]);
+        }
+        v = renumbered[v];
+      }
+    kept.vertices = std::move(used);
+    out_.mesh = std::move(kept);
+  }
+
+  const TriangleMesh& given_;
+  TriangleMesh mesh_;  ///< with one number for vertices of equal coordinates
+  bool right_hand_;
+  std::vector<Bodies> bodies_;
+  std::map<Place, std::size_t> vertex_;  ///< the first with these coordinates
+  UncoveredMesh out_;
+};
+
+}  // namespace
+
+Outcome<UncoveredMesh> without_contacts(const TriangleMesh& mesh, bool right_hand) {
+  return Uncovering(mesh, right_hand).result();
+}
+
+}  // namespace radcert

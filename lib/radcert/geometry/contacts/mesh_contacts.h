@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "radcert/core/outcome.h"
+#include "radcert/geometry/triangle_mesh.h"
+
+namespace radcert {
+
+/// Two groups of a mesh that touch in a plane.
+struct MeshContact {
+  std::string one;  ///< names of the groups, "" for what has no name
+  std::string other;
+  double area = 0;  ///< of what they cover of each other, rounded
+};
+
+/// A mesh without the parts of its faces that other bodies cover.
+struct UncoveredMesh {
+  TriangleMesh mesh;
+  std::vector<MeshContact> contacts;  ///< none: the mesh is as it was
+};
+
+/// Takes out of a mesh where a body stands on a face: a cupboard on a floor, a box against a wall.
+/// Maths     in each plane let A and B be the unions of triangles of opposite sides that overlap, pair by
+///           pair of different sets of triangles, of which one at least is a body: closed, its front outside.
+///           A becomes A minus B, B becomes B minus A. Proof that no light is lost: where both are, the front
+///           of the one looks into the body of the other, and the front of that one at the back of the first,
+///           which hides from both sides; so nothing leaves and nothing arrives there. Two sides of a plate
+///           without thickness are no body, and stay
+/// Source    ours; polygon differences by a constrained Delaunay triangulation of CGAL whose sides are cut
+///           where they cross, exactly
+/// Requires  no degenerate triangle. right_hand: the front is the side from which the corners run
+///           counterclockwise
+/// Result    exact: triangles that overlap nothing are as they were, in their order; the others are cut anew,
+///           each with group and face of one that held it, behind them, and so are triangles on whose
+///           sides others end now; vertices with equal coordinates are one. A reason where a difference has a
+///           corner that no doubles hold, for then no plane would hold it either; the mesh as it was where
+///           more than a million pairs of triangles meet
+/// Limits    overlapping triangles of one side, and bodies that cross, stay as they are
+[[nodiscard]] Outcome<UncoveredMesh> without_contacts(const TriangleMesh& mesh, bool right_hand);
+
+}  // namespace radcert

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/geometry/contacts/mesh_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "radcert/geometry/mesh_defects.h"
+#include "radcert/geometry/mesh_topology.h"
+#include "tests/geometry/sample_meshes.h"
+
+namespace radcert {
+namespace {
+
+/// Adds a box as a group; its faces run counterclockwise as seen from outside, or from inside for a room.
+void add_box(TriangleMesh& mesh, const std::string& name, const Vector<double>& from,
+             const Vector<double>& to, bool is_room = false) {
+  sample::Polyhedron box = sample::cube();
+  const std::size_t first = mesh.vertices.size();
+  for (const Vector<double>& v : box.vertices)
+    mesh.vertices.push_back({v.x == 0 ? from.x : to.x, v.y == 0 ? from.y : to.y, v.z == 0 ? from.z : to.z});
+  mesh.group_names.push_back(name);
+  for (const std::vector<std::size_t>& face : box.faces)
+    for (const auto& [b, c] : {std::pair(1, 2), std::pair(2, 3)}) {
+      VertexTriple t{first + face[0], first + face[static_cast<std::size_t>(b)],
+                     first + face[static_cast<std::size_t>(c)]};
+      if (is_room) std::swap(t[1], t[2]);
+      mesh.triangles.push_back(t);
+      mesh.group.push_back(mesh.group_names.size() - 1);
+      mesh.face.push_back(mesh.triangles.size() - 1);
+    }
+}
+
+double area(const TriangleMesh& mesh, const std::string& group) {
+  double sum = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (mesh.group_names[mesh.group[t]] != group) continue;
+    const auto c = mesh.corners(t);
+    sum += norm(cross(c[1] - c[0], c[2] - c[0])) / 2;
+  }
+  return sum;
+}
+
+double volume(const TriangleMesh& mesh) {
+  double sum = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto c = mesh.corners(t);
+    sum += dot(c[0], cross(c[1], c[2])) / 6;
+  }
+  return sum;
+}
+
+Outcome<UncoveredMesh> uncovered(const TriangleMesh& mesh) { return without_contacts(mesh, true); }
+
+void expect_sound(const TriangleMesh& mesh) {
+  EXPECT_TRUE(mesh_defects(mesh).crossing.empty());
+  const MeshTopology topology = mesh_topology(mesh);
+  EXPECT_TRUE(topology.open_edges.empty());
+  EXPECT_TRUE(topology.crowded_edges.empty());
+  EXPECT_TRUE(topology.disagreeing_edges.empty());
+}
+
+TEST(MeshContacts, TakeOutWhatACupboardCoversOfItsFloor) {
+  TriangleMesh mesh;
+  add_box(mesh, "room", {0, 0, 0}, {4, 3, 2.5}, true);
+  add_box(mesh, "cupboard", {1, 1, 0}, {1.75, 1.5, 2});
+  const Outcome<UncoveredMesh> found = uncovered(mesh);
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->contacts.size(), 1U);
+  EXPECT_NEAR(found->contacts[0].area, 0.375, 1e-15);
+  EXPECT_NEAR(area(found->mesh, "room"), area(mesh, "room") - 0.375, 1e-12);
+  EXPECT_NEAR(area(found->mesh, "cupboard"), area(mesh, "cupboard") - 0.375, 1e-12);
+  EXPECT_NEAR(volume(found->mesh), volume(mesh), 1e-12);
+  expect_sound(found->mesh);
+}
+
+TEST(MeshContacts, TakeOutWhatStandsInCornersAndOnOneAnother) {
+  TriangleMesh mesh;
+  add_box(mesh, "room", {0, 0, 0}, {4, 3, 2.5}, true);
+  add_box(mesh, "chest", {0, 0, 0}, {1, 1, 1});           // on the floor, against two walls
+  add_box(mesh, "box", {0.25, 0.25, 1}, {0.75, 1, 1.5});  // on the chest, flush with its side
+  add_box(mesh, "shelf", {1, 0, 0}, {1.5, 0.5, 2.5});     // beside the chest, from floor to ceiling
+  const Outcome<UncoveredMesh> found = uncovered(mesh);
+  ASSERT_TRUE(found) << found.reason();
+  double covered = 0;
+  for (const MeshContact& contact : found->contacts) covered += contact.area;
+  // chest: floor 1, walls 1 + 1, box 0.5 * 0.75, shelf 0.5 * 1; shelf: floor, ceiling 0.25, wall 0.5 * 2.5.
+  EXPECT_NEAR(covered, 3 + 0.375 + 0.5 + 0.5 + 1.25, 1e-12);
+  double before = 0;
+  double after = 0;
+  for (const char* name : {"room", "chest", "box", "shelf"}) {
+    before += area(mesh, name);
+    after += area(found->mesh, name);
+  }
+  EXPECT_NEAR(after, before - 2 * covered, 1e-12);
+  EXPECT_NEAR(volume(found->mesh), volume(mesh), 1e-12);
+  expect_sound(found->mesh);
+}
+
+TEST(MeshContacts, DoNotDependOnHowVerticesAreShared) {
+  TriangleMesh mesh;
+  add_box(mesh, "room", {0, 0, 0}, {4, 3, 2.5}, true);
+  add_box(mesh, "chest", {0, 0, 0}, {1, 1, 1});
+  TriangleMesh apart = mesh;
+  apart.vertices.clear();
+  for (VertexTriple& t : apart.triangles)
+    for (std::size_t& v : t) {
+      apart.vertices.push_back(mesh.vertices[v]);
+      v = apart.vertices.size() - 1;
+    }
+  const Outcome<UncoveredMesh> one = uncovered(mesh);
+  const Outcome<UncoveredMesh> other = uncovered(apart);
+  ASSERT_TRUE(one && other);
+  EXPECT_EQ(one->contacts.size(), 3U);
+  EXPECT_EQ(other->contacts.size(), 3U);
+  EXPECT_EQ(one->mesh.triangles.size(), other->mesh.triangles.size());
+  expect_sound(other->mesh);
+}
+
+TEST(MeshContacts, AreExactForRandomBoxesOnATilesOfAFloor) {
+  std::mt19937_64 random(11);
+  for (int trial = 0; trial < 60; ++trial) {
+    TriangleMesh mesh;
+    add_box(mesh, "room", {0, 0, 0}, {8, 8, 4}, true);
+    // Boxes of a grid, on the floor, some of them neighbours; each a part of its cell or all of it.
+    double covered = 0;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        if (random() % 2 == 0) continue;
+        const double x = 1 + 2 * i;
+        const double y = 1 + 2 * j;
+        const double width = random() % 2 == 0 ? 2 : 0.3 + 0.1 * static_cast<double>(random() % 16);
+        const double height = 1 + static_cast<double>(random() % 3);
+        add_box(mesh, "b" + std::to_string(3 * i + j), {x, y, 0}, {x + width, y + width, height});
+        covered += (x + width - x) * (y + width - y);
+      }
+    const Outcome<UncoveredMesh> found = uncovered(mesh);
+    ASSERT_TRUE(found) << trial << found.reason();
+    double on_floor = 0;
+    for (const MeshContact& contact : found->contacts)
+      if (contact.one == "room" || contact.other == "room") on_floor += contact.area;
+    EXPECT_NEAR(on_floor, covered, 1e-11) << trial;
+    EXPECT_NEAR(volume(found->mesh), volume(mesh), 1e-11) << trial;
+    EXPECT_TRUE(mesh_defects(found->mesh).crossing.empty()) << trial;
+  }
+}
+
+TEST(MeshContacts, LeavePlatesAndMeshesWithoutContactsAsTheyAre) {
+  TriangleMesh apart;
+  add_box(apart, "room", {0, 0, 0}, {4, 3, 2.5}, true);
+  add_box(apart, "box", {1, 1, 1}, {2, 2, 2});
+  EXPECT_TRUE(uncovered(apart)->contacts.empty());
+  EXPECT_EQ(uncovered(apart)->mesh.triangles, apart.triangles);
+  // A plate given by both of its sides: no body.
+  TriangleMesh plate;
+  add_box(plate, "room", {0, 0, 0}, {4, 3, 2.5}, true);
+  const std::size_t first = plate.vertices.size();
+  plate.vertices.insert(plate.vertices.end(), {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}});
+  plate.group_names.emplace_back("plate");
+  for (const VertexTriple& t :
+       {VertexTriple{first, first + 1, first + 2}, VertexTriple{first, first + 2, first + 1}}) {
+    plate.triangles.push_back(t);
+    plate.group.push_back(1);
+    plate.face.push_back(plate.triangles.size() - 1);
+  }
+  EXPECT_TRUE(uncovered(plate)->contacts.empty());
+  EXPECT_EQ(uncovered(plate)->mesh.triangles, plate.triangles);
+  // The other way round the same boxes are a room in a body.
+  TriangleMesh mesh;
+  add_box(mesh, "room", {0, 0, 0}, {4, 3, 2.5}, true);
+  add_box(mesh, "cupboard", {1, 1, 0}, {1.75, 1.5, 2});
+  EXPECT_FALSE(uncovered(mesh)->contacts.empty());
+}
+
+TEST(MeshContacts, RefuseCornersThatNoDoublesHold) {
+  TriangleMesh mesh;
+  add_box(mesh, "table", {0, 0, 0}, {3, 3, 1});
+  // A prism on the table that stands over its edge, so that its slanted side crosses it at y = 1/3.
+  const sample::Polyhedron prism = sample::column({{2, 0.25}, {4, 0.5}, {2, 2}}, 1);
+  const std::size_t first = mesh.vertices.size();
+  for (const Vector<double>& v : prism.vertices) mesh.vertices.push_back({v.x, v.y + 1 / 3.0, v.z + 1});
+  mesh.group_names.emplace_back("prism");
+  for (const std::vector<std::size_t>& face : prism.faces)
+    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+      mesh.triangles.push_back({first + face[0], first + face[k], first + face[k + 1]});
+      mesh.group.push_back(1);
+      mesh.face.push_back(mesh.triangles.size() - 1);
+    }
+  const Outcome<UncoveredMesh> found = uncovered(mesh);
+  EXPECT_FALSE(found);
+  EXPECT_NE(found.reason().find("no doubles hold exactly"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace radcert
