@@ -2,13 +2,12 @@
 #include "origin.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <variant>
 
 #include "circumstances.h"
 #include "citation.h"
+#include "radcert/core/atomic_file.h"
 #include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/parallel.h"
@@ -44,11 +43,10 @@ std::string cite_bib(const std::vector<std::string>& references) {
 
 }  // namespace
 
-InputDigest input_digest(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in) throw EnvironmentError(file.string(), "cannot be read any more");
-  return {.name = file.string(), .digest = digest_of(bytes)};
+InputFile read_input(const std::filesystem::path& file, std::uint64_t limit_bytes) {
+  std::string text = with_source(file.string(), [&] { return read_file(file, limit_bytes); });
+  std::string digest = digest_of(text);
+  return {.text = std::move(text), .digest = {.name = file.string(), .digest = std::move(digest)}};
 }
 
 std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems) {

@@ -20,6 +20,7 @@
 #include "radcert/formats/field/element_errors.h"
 #include "radcert/formats/field/ply.h"
 #include "radcert/formats/field/vtu.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/plot/convergence_plot.h"
 #include "radcert/formats/plot/latex_plot.h"
 #include "radcert/formats/plot/svg_plot.h"
@@ -52,13 +53,17 @@ struct SolveOptions {
   std::string certificate;
 };
 
+/// What --out may write beside plots and tables, which are no input's.
+const std::vector<std::string> names_of_out = {"solution.json", "provenance.json"};
+
 Outputs checked_outputs(const Common& common, const SolveOptions& options) {
   Outputs outputs(common);
+  outputs.input(options.problem);
   outputs.file("--nodes", options.nodes);
   outputs.file("--vtu", options.vtu);
   outputs.file("--ply", options.ply);
   outputs.file("--certificate", options.certificate);
-  outputs.folder("--out", options.out);
+  outputs.folder("--out", options.out, names_of_out);
   return outputs;
 }
 
@@ -97,7 +102,7 @@ std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& lev
 
 /// What --out writes.
 Files files_of(const Common& common, const SolveOptions& options, const Result& result,
-               std::span<const LevelOutcome> levels, const std::string& json) {
+               std::span<const LevelOutcome> levels, const std::string& json, const InputDigest& problem) {
   const std::filesystem::path folder = options.out;
   const auto& elements = levels.back().elements;
   const auto errors = corner_errors(result.problem, elements);
@@ -114,7 +119,7 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
     files.emplace_back(folder / "plot.tex", latex_plots_text({&plot, 1}, "errors.csv"));
     files.emplace_back(folder / "errors_against_h.svg", svg_text(plot));
   }
-  std::vector<InputDigest> inputs = {input_digest(options.problem)};
+  std::vector<InputDigest> inputs = {problem};
   for (InputDigest& named : inputs_named_in({&result.problem, 1})) inputs.push_back(std::move(named));
   for (auto& file : origin_files(folder, common, references_of(result.problem), std::move(inputs),
                                  seed_of({&result.problem, 1})))
@@ -131,8 +136,8 @@ JsonValue coordinates_json(const std::string& text) {
 }
 
 /// The problem with what --guarantee, --of and --at say in place of its own words.
-Problem problem_of(const SolveOptions& options) {
-  Problem problem = read_problem(options.problem);
+Problem problem_of(const SolveOptions& options, const std::string& text) {
+  Problem problem = parse_problem(text, options.problem);
   if (options.guarantee.empty() && options.of.empty() && options.at.empty() && options.outside.empty())
     return problem;
   JsonValue guarantee = JsonValue::object();
@@ -174,9 +179,9 @@ void refuse_fields(const SolveOptions& options, const Guarantee& guarantee) {
                                               : "--json beside a guarantee of means"});
 }
 
-ExitCode enclose(const Common& common, const SolveOptions& options, const Problem& problem) {
+ExitCode enclose(const Common& common, const SolveOptions& options, const Outputs& outputs,
+                 const Problem& problem) {
   refuse_fields(options, *problem.guarantee);
-  const Outputs outputs = checked_outputs(common, options);
   const auto limit = common.limit_threads();
   const bool certified = !options.certificate.empty();
   with_source(options.problem, [&] {
@@ -205,11 +210,9 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
                       .timing = {{}},
                       .enclosure = std::move(enclosure)};
   const std::string json = result_text(result, common.command);
-  if (common.json_to_file()) files.emplace_back(common.json, json);
   if (!options.vtu.empty()) files.emplace_back(options.vtu, vtu_text(*result.enclosure));
   if (!options.nodes.empty()) files.emplace_back(options.nodes, enclosure_csv(*result.enclosure));
-  outputs.write(files);
-  print(common.json_to_stdout() ? json : fitted(enclosure_table(*result.enclosure)));
+  print_result(common, outputs, enclosure_table(*result.enclosure), json, std::move(files));
   if (hindrance.empty()) return ExitCode::done;
   complain("the width " + upper_text(result.enclosure->width) + " and not " +
            upper_text(result.enclosure->wanted.width) + " is reached: " + hindrance);
@@ -217,16 +220,18 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
 }
 
 ExitCode solve(const Common& common, const SolveOptions& options) {
-  if (const Problem asked = problem_of(options); asked.guarantee) return enclose(common, options, asked);
+  Outputs outputs = checked_outputs(common, options);
+  const InputFile input = read_input(options.problem, json_size_limit);
+  const Problem problem = problem_of(options, input.text);
+  for (const InputDigest& named : inputs_named_in({&problem, 1})) outputs.input(named.name);
+  if (problem.guarantee) return enclose(common, options, outputs, problem);
   if (!options.certificate.empty())
     throw InputError({.source = "--certificate",
                       .value = options.certificate,
                       .problem = "is of an enclosure of u itself, and none is asked for",
                       .allowed = "--guarantee beside it, or guarantee in the problem"});
-  const Outputs outputs = checked_outputs(common, options);
   const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
-  const Problem problem = read_problem(options.problem);
   with_source(options.problem, [&] { check(problem, memory); });
 
   ResultStore store = common.store();
@@ -246,18 +251,18 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
 
   const std::string json = result_text(result, common.command);
   Files files;
-  if (!options.out.empty()) files = files_of(common, options, result, finished, json);
-  if (common.json_to_file()) files.emplace_back(common.json, json);
+  if (!options.out.empty()) files = files_of(common, options, result, finished, json, input.digest);
   if (!options.nodes.empty()) files.emplace_back(options.nodes, nodes_csv(finished));
   const auto& elements = finished.back().elements;
   if (!options.vtu.empty())
     files.emplace_back(options.vtu, vtu_text(elements, corner_errors(problem, elements)));
   if (!options.ply.empty())
     files.emplace_back(options.ply, ply_text(elements, corner_errors(problem, elements)));
-  outputs.write(files);
+  say_where_nothing_is_kept(store);
   const std::string mended = mended_text({&problem, 1});
   if (common.json_to_stdout()) say(mended);
-  print(common.json_to_stdout() ? json : fitted(solve_table(result)) + (mended.empty() ? "" : "\n" + mended));
+  print_result(common, outputs, solve_table(result) + (mended.empty() ? "" : "\n" + mended), json,
+               std::move(files));
   return ExitCode::done;
 }
 
