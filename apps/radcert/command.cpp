@@ -9,6 +9,7 @@
 #include "radcert/core/checked.h"
 #include "radcert/core/memory_plan.h"
 #include "radcert/core/version.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 
 namespace radcert::app {
@@ -142,7 +143,7 @@ void Subcommand::runs(Action action) {
 
 Program::Program(int count, const char* const* words)
     : tree_(std::make_unique<CLI::App>("Verified numerics for the radiosity integral equation", "radcert")),
-      common_{.command = command_line(count, words)} {
+      common_{.command = as_utf8(command_line(count, words))} {
   tree_->set_help_flag("-h,--help", "Print this help");
   tree_->set_version_flag("--version", "radcert " + std::string(version()), "Print the version");
   tree_->footer(exit_codes);

@@ -2,15 +2,17 @@
 #include "origin.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <array>
+#include <iostream>
 #include <string_view>
 #include <variant>
 
 #include "circumstances.h"
 #include "citation.h"
+#include "radcert/core/atomic_file.h"
 #include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/memory_plan.h"
 #include "radcert/core/parallel.h"
 #include "verification/framework/reading/embedded.h"
 
@@ -42,13 +44,27 @@ std::string cite_bib(const std::vector<std::string>& references) {
   return out + std::string(own_citation());
 }
 
+std::string standard_input(std::uint64_t limit_bytes) {
+  std::string text;
+  std::array<char, 65536> part{};
+  while (std::cin.read(part.data(), part.size()) || std::cin.gcount() > 0) {
+    text.append(part.data(), static_cast<std::size_t>(std::cin.gcount()));
+    if (text.size() > limit_bytes)
+      throw InputError({.problem = "is longer than " + byte_text(limit_bytes), .allowed = "a shorter text"});
+  }
+  return text;
+}
+
 }  // namespace
 
-InputDigest input_digest(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-  if (!in) throw EnvironmentError(file.string(), "cannot be read any more");
-  return {.name = file.string(), .digest = digest_of(bytes)};
+InputFile read_input(const std::filesystem::path& file, std::uint64_t limit_bytes) {
+  InputFile input{.source = file == "-" ? "standard input" : file.string(),
+                  .text = {},
+                  .digest = {.name = file.string(), .digest = {}}};
+  input.text = with_source(
+      input.source, [&] { return file == "-" ? standard_input(limit_bytes) : read_file(file, limit_bytes); });
+  input.digest.digest = digest_of(input.text);
+  return input;
 }
 
 std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems) {

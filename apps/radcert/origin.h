@@ -18,8 +18,14 @@ namespace radcert::app {
 /// Files to be written, with their contents.
 using Files = std::vector<std::pair<std::filesystem::path, std::string>>;
 
-/// A file that was read, with the digest of its bytes; EnvironmentError where it cannot be read any more.
-InputDigest input_digest(const std::filesystem::path& file);
+/// A file that the user named, read once: what it says, and the digest of these very bytes.
+struct InputFile {
+  std::string source;  ///< as messages name it
+  std::string text;
+  InputDigest digest;
+};
+/// "-": the standard input. InputError as read_file, with the file as its source.
+InputFile read_input(const std::filesystem::path& file, std::uint64_t limit_bytes);
 
 /// The files that problems name, a mesh or nodes, each once.
 std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems);

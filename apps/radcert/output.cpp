@@ -12,7 +12,7 @@
 #include <cstring>
 #include <system_error>
 
-#include "radcert/core/atomic_file.h"
+#include "progress.h"
 #include "radcert/core/errors.h"
 
 namespace radcert::app {
@@ -87,6 +87,47 @@ std::string lines(const Rows& rows, bool all_left, const std::set<std::size_t>& 
   return out;
 }
 
+/// Whether two names are of one file, there or not; devices and pipes are nobody's content.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) {
+  std::error_code error;
+  if (std::filesystem::exists(a, error) || std::filesystem::exists(b, error))
+    return std::filesystem::is_regular_file(a, error) && std::filesystem::equivalent(a, b, error);
+  const auto first = std::filesystem::weakly_canonical(std::filesystem::absolute(a, error), error);
+  if (error) return false;
+  const auto second = std::filesystem::weakly_canonical(std::filesystem::absolute(b, error), error);
+  return !error && first == second;
+}
+
+[[noreturn]] void refuse_input_as_output(const std::string& option, const std::filesystem::path& path,
+                                         const std::filesystem::path& input) {
+  throw InputError({.source = option,
+                    .value = path.string(),
+                    .problem = "would be written over the input " + input.string(),
+                    .allowed = "another file"});
+}
+
+/// What the system says of a name that nothing can have.
+void refuse_name(const std::string& option, const std::filesystem::path& path, const std::error_code& error) {
+  if (error == std::errc::filename_too_long || error == std::errc::too_many_symbolic_link_levels)
+    throw InputError({.source = option,
+                      .value = path.string(),
+                      .problem = "is no possible name: " + error.message(),
+                      .allowed = "names of at most 255 bytes, paths of at most 4095"});
+}
+
+/// Makes a folder and those above it; `made` gets what was not there.
+void make_folders(const std::filesystem::path& folder, std::vector<std::filesystem::path>& made) {
+  std::error_code error;
+  std::vector<std::filesystem::path> missing;
+  for (std::filesystem::path part = folder; !part.empty() && !std::filesystem::exists(part, error);
+       part = part.parent_path())
+    missing.push_back(part);
+  for (auto part = missing.rbegin(); part != missing.rend(); ++part) {
+    if (std::filesystem::create_directory(*part, error)) made.push_back(*part);
+    if (error) throw EnvironmentError(part->string(), "cannot be made: " + error.message());
+  }
+}
+
 }  // namespace
 
 std::optional<std::size_t> terminal_width() {
@@ -145,6 +186,7 @@ std::string fitted(std::string_view text) {
 }
 
 void print(std::string_view text) {
+  ProgressDisplay::put_away();
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw EnvironmentError("stdout", std::strerror(errno));
 }
@@ -155,6 +197,7 @@ void say(std::string_view text) {
 }
 
 void complain(std::string_view text) {
+  ProgressDisplay::put_away();
   say(alarming("radcert:", STDERR_FILENO) + " " + std::string(text) + "\n");
 }
 
@@ -171,6 +214,26 @@ Outputs::Outputs(const Common& common) {
   if (common.json_to_file()) file("--json", common.json);
 }
 
+void Outputs::input(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return;  // whoever reads it says so
+  for (const Named& output : named_)
+    if (is_same_file(path, output.path)) refuse_input_as_output(output.option, output.path, path);
+  inputs_.push_back(path);
+}
+
+void Outputs::named(const std::string& option, const std::filesystem::path& path) {
+  for (const std::filesystem::path& input : inputs_)
+    if (is_same_file(path, input)) refuse_input_as_output(option, path, input);
+  for (const Named& other : named_)
+    if (is_same_file(path, other.path))
+      throw InputError({.source = option,
+                        .value = path.string(),
+                        .problem = "is the file of " + other.option + " too",
+                        .allowed = "a file of its own"});
+  named_.push_back({option, path});
+}
+
 void Outputs::file(const std::string& option, const std::filesystem::path& path) {
   if (path.empty()) return;
   std::error_code error;
@@ -181,13 +244,17 @@ void Outputs::file(const std::string& option, const std::filesystem::path& path)
   if (std::filesystem::is_directory(path, error))
     throw InputError(
         {.source = option, .value = path.string(), .problem = "is a folder", .allowed = "a file"});
+  refuse_name(option, path, error);
+  named(option, path);
 }
 
-void Outputs::folder(const std::string& option, const std::filesystem::path& path) {
+void Outputs::folder(const std::string& option, const std::filesystem::path& path,
+                     const std::vector<std::string>& names) {
   if (path.empty()) return;
   std::error_code error;
   for (std::filesystem::path part = path; !part.empty(); part = part.parent_path()) {
     const auto status = std::filesystem::status(part, error);
+    refuse_name(option, part, error);
     if (std::filesystem::is_directory(status)) break;
     if (std::filesystem::exists(status))
       throw InputError(
@@ -195,21 +262,41 @@ void Outputs::folder(const std::string& option, const std::filesystem::path& pat
     if (part == part.parent_path()) break;
   }
   folders_.push_back(path);
+  for (const std::string& name : names) named(option, path / name);
 }
 
-void Outputs::write(const std::vector<std::pair<std::filesystem::path, std::string>>& files) const {
-  for (const std::filesystem::path& folder : folders_) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw EnvironmentError(folder.string(), error.message());
+void Outputs::write(const std::vector<std::pair<std::filesystem::path, std::string>>& files,
+                    AtomicFile* with_them) const {
+  for (const auto& [path, content] : files)
+    for (const std::filesystem::path& input : inputs_)
+      if (is_same_file(path, input)) refuse_input_as_output("output", path, input);
+  std::vector<std::filesystem::path> made;
+  try {
+    for (const std::filesystem::path& folder : folders_) make_folders(folder, made);
+    write_together(files, with_them);
+  } catch (...) {
+    // Those that are not empty stay: others have put something there meanwhile.
+    std::error_code left;
+    for (auto folder = made.rbegin(); folder != made.rend(); ++folder) std::filesystem::remove(*folder, left);
+    throw;
   }
-  for (const auto& [path, content] : files) write_atomically(path, content);
+}
+
+void print_result(const Common& common, const Outputs& outputs, std::string_view text, std::string_view json,
+                  std::vector<std::pair<std::filesystem::path, std::string>> files, AtomicFile* with_them) {
+  if (common.json_to_file()) files.emplace_back(common.json, json);
+  if (!files.empty() || with_them != nullptr) outputs.write(files, with_them);
+  // A text that is the JSON itself stays JSON.
+  print(common.json_to_stdout() || text == json ? std::string(json) : fitted(text));
 }
 
 void print_result(const Common& common, std::string_view text, std::string_view json) {
-  if (common.json_to_file()) Outputs(common).write({{common.json, std::string(json)}});
-  // A text that is the JSON itself stays JSON.
-  print(common.json_to_stdout() || text == json ? std::string(json) : fitted(text));
+  print_result(common, Outputs(common), text, json);
+}
+
+void say_where_nothing_is_kept(const ResultStore& store) {
+  if (const auto status = store.status(); !status)
+    say("radcert: warning: finished work is not kept: " + status.reason() + "\n");
 }
 
 std::string aligned(const std::vector<std::vector<std::string>>& rows,

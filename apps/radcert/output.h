@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "command.h"
+#include "radcert/core/atomic_file.h"
 #include "radcert/core/result_store.h"
 
 namespace radcert::app {
@@ -44,25 +45,47 @@ void complain(std::string_view text);
 /// Says how many of the levels asked for were finished before the interruption, and where they are kept.
 ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore& store);
 
-/// Files that are written together, once all of their contents are there.
+/// The files of one run: what it reads, and what it writes together once all of the contents are there.
 class Outputs {
 public:
   /// With the file of --json, if there is one.
   explicit Outputs(const Common& common);
-  /// A file that the user named, if any; InputError at once if its folder does not exist.
+  /// A file that is read; InputError where one that is to be written is the same file.
+  void input(const std::filesystem::path& path);
+  /// A file that the user named, if any; InputError at once if its folder does not exist, if no file can have
+  /// its name, or if it is an input or another output.
   void file(const std::string& option, const std::filesystem::path& path);
   /// A folder that the user named, if any, made if need be; InputError at once if that is impossible by its
-  /// name.
-  void folder(const std::string& option, const std::filesystem::path& path);
-  /// Writes one file after the other, each as a whole or not at all.
-  void write(const std::vector<std::pair<std::filesystem::path, std::string>>& files) const;
+  /// name, or if one of these files in it is an input or another output.
+  void folder(const std::string& option, const std::filesystem::path& path,
+              const std::vector<std::string>& names = {});
+  /// Writes these files, all of them or none, with one that has been put piece by piece; InputError where one
+  /// is an input.
+  void write(const std::vector<std::pair<std::filesystem::path, std::string>>& files,
+             AtomicFile* with_them = nullptr) const;
 
 private:
+  struct Named {
+    std::string option;
+    std::filesystem::path path;
+  };
+  void named(const std::string& option, const std::filesystem::path& path);
   std::vector<std::filesystem::path> folders_;
+  std::vector<std::filesystem::path> inputs_;
+  std::vector<Named> named_;
 };
 
-/// Text for people and JSON, each where the options want it: stdout has the one, fitted, or the other.
+/// Writes these files and the JSON where it goes into one, together, and prints text for people or JSON, as
+/// the options want it.
+void print_result(const Common& common, const Outputs& outputs, std::string_view text, std::string_view json,
+                  std::vector<std::pair<std::filesystem::path, std::string>> files = {},
+                  AtomicFile* with_them = nullptr);
+
+/// The same without further files.
 void print_result(const Common& common, std::string_view text, std::string_view json);
+
+/// Says on stderr that finished work is not kept, where that is so, and why.
+void say_where_nothing_is_kept(const ResultStore& store);
 
 /// Rows of cells as lines, columns padded to their widest cell: the first column to the left, all others to
 /// the right. On a terminal that is too narrow the columns go on below, each part with the first column; one

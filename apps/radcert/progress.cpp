@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
+#include <system_error>
 
 #include "output.h"
 #include "radcert/scalar/enclosing_text.h"
@@ -19,6 +20,9 @@ constexpr std::size_t bar_width = 24;
 constexpr std::size_t label_width = 40;
 constexpr double seconds_between_lines = 5;
 constexpr std::chrono::milliseconds before_first_line(300);  // what is done sooner needs no progress
+
+/// The last one that was made and lives; displays are made and end in the main thread alone.
+ProgressDisplay* uppermost = nullptr;
 
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
@@ -39,9 +43,42 @@ bool can_redraw() {
 }  // namespace
 
 ProgressDisplay::ProgressDisplay(bool quiet)
-    : mode_(quiet ? Mode::none : (can_redraw() ? Mode::bar : Mode::lines)) {
-  if (mode_ != Mode::none) drawer_ = std::thread([this] { keep_drawing(); });
+    : mode_(quiet ? Mode::none : (can_redraw() ? Mode::bar : Mode::lines)), below_(uppermost) {
+  begin();
 }
+
+ProgressDisplay::ProgressDisplay(bool quiet, const std::string& label)
+    : mode_(quiet ? Mode::none : (can_redraw() ? Mode::bar : Mode::lines)),
+      label_(label),
+      extent_known_(false),
+      below_(uppermost) {
+  begin();
+}
+
+void ProgressDisplay::begin() {
+  if (below_ != nullptr) {
+    const std::scoped_lock lock(below_->mutex_);
+    below_->clear();
+    ++below_->over_;
+  }
+  uppermost = this;
+  if (mode_ == Mode::none) return;
+  try {
+    drawer_ = std::thread([this] { keep_drawing(); });
+  } catch (const std::system_error&) {
+    // There are no more threads: at() and note() still speak.
+  }
+}
+
+void ProgressDisplay::put_away() {
+  for (ProgressDisplay* display = uppermost; display != nullptr; display = display->below_) {
+    const std::scoped_lock lock(display->mutex_);
+    display->clear();
+    ++display->over_;
+  }
+}
+
+bool ProgressDisplay::silent() const { return over_ > 0; }
 
 ProgressDisplay::~ProgressDisplay() {
   {
@@ -51,6 +88,8 @@ ProgressDisplay::~ProgressDisplay() {
   wake_.notify_all();
   if (drawer_.joinable()) drawer_.join();
   clear();
+  uppermost = below_;
+  if (below_ != nullptr) --below_->over_;
 }
 
 void ProgressDisplay::at(double fraction, const std::string& label, double expected_seconds) {
@@ -59,7 +98,10 @@ void ProgressDisplay::at(double fraction, const std::string& label, double expec
   label_ = label;
   expected_ = expected_seconds;
   since_ = Clock::now();
-  if (mode_ == Mode::lines && seconds(since_ - last_line_) >= seconds_between_lines) say_line();
+  extent_known_ = true;
+  const bool due = seconds(since_ - last_line_) >= seconds_between_lines;
+  const bool first = !said_ && !drawer_.joinable() && since_ - start_ >= before_first_line;
+  if (mode_ == Mode::lines && (due || first)) say_line();
   if (mode_ == Mode::bar) redraw();
 }
 
@@ -95,6 +137,7 @@ double ProgressDisplay::shown_fraction() const {
 }
 
 std::string ProgressDisplay::status() const {
+  if (!extent_known_) return time_text(seconds(Clock::now() - start_)) + ": " + label_.substr(0, label_width);
   const double left = seconds_left();
   std::string out = fmt::format("{:>3} %  {}", nearest_text(100 * shown_fraction(), DecimalForm::fixed(0)),
                                 time_text(seconds(Clock::now() - start_)));
@@ -108,6 +151,11 @@ void ProgressDisplay::clear() {
 }
 
 void ProgressDisplay::redraw() {
+  if (!extent_known_) {
+    say("\r\x1b[K" + status());
+    drawn_ = true;
+    return;
+  }
   const auto full = static_cast<std::size_t>(shown_fraction() * static_cast<double>(bar_width));
   say("\r\x1b[K[" + std::string(full, '#') + std::string(bar_width - full, '.') + "] " + status());
   drawn_ = true;
@@ -116,11 +164,11 @@ void ProgressDisplay::redraw() {
 void ProgressDisplay::keep_drawing() {
   std::unique_lock lock(mutex_);
   if (mode_ == Mode::lines) {
-    if (!wake_.wait_for(lock, before_first_line, [this] { return stop_; }) && !said_) say_line();
+    if (!wake_.wait_for(lock, before_first_line, [this] { return stop_; }) && !said_ && !silent()) say_line();
     return;
   }
   while (!wake_.wait_for(lock, std::chrono::milliseconds(500), [this] { return stop_; }))
-    if (drawn_) redraw();
+    if ((drawn_ || !extent_known_) && !silent()) redraw();
 }
 
 }  // namespace radcert::app

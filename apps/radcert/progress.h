@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -10,10 +11,13 @@
 namespace radcert::app {
 
 /// How far long work has come, on stderr: a bar with the time left on a terminal, now and then a line
-/// elsewhere, the first within half a second; nothing when quiet.
+/// elsewhere, the first within half a second; nothing when quiet. While one lives, those made before it are
+/// silent. Where no thread can be had, it speaks when it is told something.
 class ProgressDisplay {
 public:
   explicit ProgressDisplay(bool quiet);
+  /// Of work whose extent is not known: the label and the time it has taken.
+  ProgressDisplay(bool quiet, const std::string& label);
   ~ProgressDisplay();
   ProgressDisplay(const ProgressDisplay&) = delete;
   ProgressDisplay& operator=(const ProgressDisplay&) = delete;
@@ -21,12 +25,16 @@ public:
   /// The work before this point is so much of the whole; `label` is what begins now. `expected_seconds` is
   /// how long all the rest may take, if that is known.
   void at(double fraction, const std::string& label, double expected_seconds = 0);
+  /// Clears what is drawn and draws no more: a result follows.
+  static void put_away();
   /// A line that stays.
   void note(const std::string& text);
 
 private:
   using Clock = std::chrono::steady_clock;
   enum class Mode { none, lines, bar };
+  void begin();
+  [[nodiscard]] bool silent() const;
   double seconds_left() const;
   double shown_fraction() const;
   std::string status() const;
@@ -42,9 +50,12 @@ private:
   double fraction_ = 0;
   double expected_ = 0;
   std::string label_;
+  bool extent_known_ = true;
   bool drawn_ = false;
   bool said_ = false;
   bool stop_ = false;
+  std::atomic<int> over_{0};  ///< displays that were made after this one and live
+  ProgressDisplay* below_;
   std::mutex mutex_;
   std::condition_variable wake_;
   std::thread drawer_;

@@ -76,6 +76,28 @@ TEST(WriteAtomically, LeavesTheOldFileAndNoTemporaryWhenTheDiskIsFull) {
   EXPECT_EQ(folder.entries(), 1U);
 }
 
+TEST(WriteTogether, WritesAllFilesOrNone) {
+  const TemporaryFolder folder;
+  radcert::write_together({{folder / "a", "old a"}, {folder / "b", "old b"}});
+  {
+    const FileSizeLimit limit(1000);
+    EXPECT_THROW(radcert::write_together({{folder / "a", "new"}, {folder / "b", std::string(5000, 'n')}}),
+                 EnvironmentError);
+    EXPECT_THROW(radcert::write_together({{folder / "a", "new"}, {folder / "none/b", "new"}}),
+                 EnvironmentError);
+  }
+  EXPECT_EQ(read_file(folder / "a"), "old a");
+  EXPECT_EQ(read_file(folder / "b"), "old b");
+  EXPECT_EQ(folder.entries(), 2U);
+  radcert::AtomicFile more(folder / "more");
+  more.put("piece ");
+  more.put("by piece");
+  radcert::write_together({{folder / "a", "new a"}}, &more);
+  EXPECT_EQ(read_file(folder / "a"), "new a");
+  EXPECT_EQ(read_file(folder / "more"), "piece by piece");
+  EXPECT_EQ(folder.entries(), 3U);
+}
+
 TEST(WriteAtomically, NamesPathAndReason) {
   const TemporaryFolder folder;
   EXPECT_TRUE(contains(message_of<EnvironmentError>([&] { write_atomically(folder / "none/file", "x"); }),

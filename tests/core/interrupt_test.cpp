@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/core/interrupt.h"
 
+#include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/temporary_files.h"
+#include "tests/core/temporary_folder.h"
 
+#include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <gtest/gtest.h>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -21,6 +29,64 @@ TEST(Interrupt, FlagIsSetByTheSignalAndTakenBack) {
   }
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+}
+
+/// Names that are left in a folder.
+std::vector<std::string> names_in(const std::filesystem::path& folder) {
+  std::vector<std::string> out;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    out.push_back(entry.path().filename().string());
+  return out;
+}
+
+/// Computes for ever, without a look at the flag.
+[[noreturn]] void compute_on() {
+  volatile unsigned steps = 0;
+  while (true) steps = steps + 1;
+}
+
+TEST(InterruptDeathTest, WhatDoesNotLookAtTheFlagEndsByTheClock) {
+  const radcert::test::TemporaryFolder folder;
+  EXPECT_EXIT(
+      {
+        radcert::install_interrupt_handler();
+        radcert::set_last_words("half is kept\n");
+        radcert::AtomicFile file(folder / "file");
+        file.put("half");
+        std::raise(SIGTERM);
+        compute_on();
+      },
+      testing::ExitedWithCode(130), "^half is kept\n$");
+  EXPECT_TRUE(names_in(folder.path()).empty());
+}
+
+TEST(InterruptDeathTest, ASecondSignalLeavesNoTemporary) {
+  const radcert::test::TemporaryFolder folder;
+  EXPECT_EXIT(
+      {
+        radcert::install_interrupt_handler();
+        radcert::AtomicFile file(folder / "file");
+        file.put("half");
+        std::raise(SIGINT);
+        std::raise(SIGINT);
+      },
+      testing::KilledBySignal(SIGINT), "");
+  EXPECT_TRUE(names_in(folder.path()).empty());
+}
+
+TEST(InterruptDeathTest, FilesThatAreBeingRenamedAreWaitedFor) {
+  EXPECT_EXIT(
+      {
+        radcert::install_interrupt_handler();
+        auto renaming = std::make_optional<radcert::RenamingFiles>();
+        std::raise(SIGINT);
+        const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(900);
+        while (std::chrono::steady_clock::now() < until) continue;
+        radcert::set_last_words("after the renaming\n");
+        renaming.reset();
+        compute_on();
+      },
+      testing::ExitedWithCode(130), "after the renaming");
 }
 
 TEST(InterruptDeathTest, SecondSignalEndsTheProcess) {

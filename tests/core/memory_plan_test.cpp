@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 #include <string>
+#include <sys/resource.h>
+#include <unistd.h>
 
 namespace {
 
@@ -103,6 +105,19 @@ TEST(AvailableMemory, ReadsVersionOne) {
   system.file("sys/fs/cgroup/memory/job/memory.limit_in_bytes", "8000\n")
       .file("sys/fs/cgroup/memory/job/memory.usage_in_bytes", "1000\n");
   EXPECT_EQ(system.available(), 7000U);
+}
+
+TEST(AvailableMemoryDeathTest, IsWithinTheLimitOfAddresses) {
+  // In a process of its own: a limit once set is not raised again.
+  EXPECT_EXIT(
+      {
+        rlimit limit{};
+        limit.rlim_cur = limit.rlim_max = std::uint64_t{8} << 30;
+        setrlimit(RLIMIT_AS, &limit);
+        const std::uint64_t left = available_memory();
+        _exit(left < limit.rlim_cur && left > 0 ? 0 : 1);
+      },
+      testing::ExitedWithCode(0), "");
 }
 
 TEST(AvailableMemory, IsPositiveOnThisMachine) { EXPECT_GT(available_memory(), 0U); }

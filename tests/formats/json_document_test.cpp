@@ -63,6 +63,20 @@ TEST(ParseJson, RefusesAKeyThatOccursTwiceInOneObject) {
   EXPECT_EQ(refusal(R"({"a": {"b": 1}, "b": {"b": 1}})"), "");
 }
 
+TEST(ParseJson, ReadsAsManyKeysAsAFileHolds) {
+  // Each key is held against those before it: a hundred thousand one by one would be 5e9 comparisons.
+  std::string text = "{";
+  for (int k = 0; k < 100000; ++k) text += "\"k" + std::to_string(k) + "\": [" + std::to_string(k) + "], ";
+  EXPECT_EQ(parse_json(text + "\"last\": {}}", "f.json").members()->size(), 100001U);
+  EXPECT_THAT(refusal(text + "\"k7\": 0}"), HasSubstr("/k7: occurs twice"));
+}
+
+TEST(AsUtf8, ReplacesWhatIsNone) {
+  EXPECT_EQ(as_utf8("a\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80"), "a\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
+  EXPECT_EQ(as_utf8("\xFFz\xC3(\xE2\x82"), "\xEF\xBF\xBDz\xEF\xBF\xBD(\xEF\xBF\xBD\xEF\xBF\xBD");
+  EXPECT_EQ(as_utf8(""), "");
+}
+
 TEST(PointerBelow, EscapesAsRfc6901Says) {
   EXPECT_EQ(pointer_below("/a", "b/c~d"), "/a/b~1c~0d");
   EXPECT_EQ(pointer_below("", std::size_t{2}), "/2");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/surface/catalogue.h"
+#include "radcert/surface/chart_pieces.h"
 
 #include <gtest/gtest.h>
 
@@ -99,6 +100,9 @@ TEST(Catalogue, HasADiagonalAChartAndChartsOfDistinctNames) {
           << title(sample);
     }
     EXPECT_EQ(names.size(), surface.chart_count()) << title(sample);
+    const std::vector<std::size_t> pieces = chart_pieces(surface);
+    ASSERT_EQ(pieces.size(), surface.chart_count());
+    for (std::size_t k = 0; k < pieces.size(); ++k) EXPECT_EQ(pieces[k], surface.piece_of(k));
     EXPECT_THROW(static_cast<void>(surface.piece_of(surface.chart_count())), ContractViolation);
   }
 }

@@ -115,6 +115,20 @@ order = 4
 verdict = "supported"
 )";
 
+TEST(ClaimsFile, RefusesKeysThatAreTablesWithinTables) {
+  std::string deep = "a";
+  for (int k = 0; k < 50000; ++k) deep += k % 3 == 0 ? ".1" : (k % 3 == 1 ? " . 2" : ".\"b\"");
+  for (const std::string& text : {deep + " = 1\n", "[" + deep + "]\n", "a = {" + deep + " = 1}\n"})
+    EXPECT_THAT(refusal(text), HasSubstr("line 1: has ")) << text.size();
+  std::string lines = "a = [\n";
+  for (int k = 0; k < 200; ++k) lines += "{b.c.d = [\n";
+  EXPECT_NE(refusal(lines), "");
+  // Decimals are no keys.
+  std::string numbers = "a = [0.5";
+  for (int k = 0; k < 500; ++k) numbers += ", 1.25e-3, -1_0.0_1";
+  EXPECT_THAT(refusal(numbers + "]\n"), HasSubstr("/a"));
+}
+
 TEST(ClaimsFile, ReadsAnOrder) {
   const auto read = [](const std::string& text) {
     return read_claims(text, "claims.toml").front().order.value();

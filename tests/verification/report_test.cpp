@@ -41,12 +41,6 @@ Report two_claims() {
   return {.budget = Budget::quick, .claims = {cell, lemma}};
 }
 
-std::string content(const std::filesystem::path& path) {
-  std::ostringstream out;
-  out << std::ifstream(path).rdbuf();
-  return out.str();
-}
-
 TEST(Report, ShowsEveryCellBesideOurs) {
   const std::string table = report_table(two_claims());
   EXPECT_THAT(table, HasSubstr("! ac98/table_1.n4.node_error  contradicted  reproduced  1.03520e-03"));
@@ -103,15 +97,14 @@ TEST(Report, AsJsonHasNullForWhatIsNotFinite) {
   EXPECT_EQ(claims[0].find("ours")->find("value")->number(), 1.0352e-3);
 }
 
-TEST(Report, IsWrittenIntoAFolderThatIsMade) {
-  const test::TemporaryFolder folder;
-  const std::filesystem::path out = folder.path() / "a" / "b";
-  write_report(two_claims(), out, "radcert verify --out a/b");
-  EXPECT_EQ(content(out / "report.json"), report_json_text(two_claims(), "radcert verify --out a/b"));
-  EXPECT_THAT(content(out / "report.md"),
-              HasSubstr("| table_1.n4.node_error | **contradicted** | reproduced |"));
-  std::ofstream(folder.path() / "file") << "x";
-  EXPECT_THROW(write_report(two_claims(), folder.path() / "file", ""), InputError);
+TEST(Report, HasItsFilesInAFolder) {
+  const auto files = report_files(two_claims(), "a/b", "radcert verify --out a/b");
+  ASSERT_EQ(files.size(), 3U);
+  EXPECT_EQ(files[0].first, "a/b/report.json");
+  EXPECT_EQ(files[0].second, report_json_text(two_claims(), "radcert verify --out a/b"));
+  EXPECT_EQ(files[1].first, "a/b/report.md");
+  EXPECT_THAT(files[1].second, HasSubstr("| table_1.n4.node_error | **contradicted** | reproduced |"));
+  EXPECT_EQ(files[2].first, "a/b/report.html");
 }
 
 }  // namespace

@@ -282,16 +282,12 @@ std::string report_json_text(const Report& report, const std::string& command) {
   return text;
 }
 
-void write_report(const Report& report, const std::filesystem::path& folder, const std::string& command) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder))
-    throw InputError({.source = folder.string(),
-                      .problem = "is not a folder and cannot be made: " + error.message(),
-                      .allowed = "a folder"});
-  write_atomically(folder / "report.json", report_json_text(report, command));
-  write_atomically(folder / "report.md", report_markdown(report, command));
-  write_atomically(folder / "report.html", report_page(report, command));
+std::vector<std::pair<std::filesystem::path, std::string>> report_files(const Report& report,
+                                                                        const std::filesystem::path& folder,
+                                                                        const std::string& command) {
+  return {{folder / "report.json", report_json_text(report, command)},
+          {folder / "report.md", report_markdown(report, command)},
+          {folder / "report.html", report_page(report, command)}};
 }
 
 }  // namespace radcert::verification

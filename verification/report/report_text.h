@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "radcert/formats/json/json_value.h"
 #include "verification/framework/report.h"
@@ -30,10 +32,8 @@ namespace radcert::verification {
 [[nodiscard]] JsonValue report_json(const Report& report, const std::string& command);
 [[nodiscard]] std::string report_json_text(const Report& report, const std::string& command);
 
-/// Writes report.json, report.md and report.html into a folder, which is made if need be.
-/// Requires  a path that is, or can become, a folder, else InputError
-/// Result    each file as a whole or not at all
-/// Limits    the files are not replaced in one step
-void write_report(const Report& report, const std::filesystem::path& folder, const std::string& command);
+/// The files of a report in a folder, with their contents: report.json, report.md and report.html.
+[[nodiscard]] std::vector<std::pair<std::filesystem::path, std::string>> report_files(
+    const Report& report, const std::filesystem::path& folder, const std::string& command);
 
 }  // namespace radcert::verification

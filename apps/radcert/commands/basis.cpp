@@ -333,6 +333,7 @@ ExitCode give_basis(const Common& common, const BasisOptions& options) {
   outputs.file("--csv", options.csv);
   outputs.file("--latex", options.latex);
   outputs.file("--nodes", options.nodes);
+  outputs.input(options.name);
   const std::vector<BasisRecord> records = records_of(options);
   if (!options.nodes.empty() && records.size() != 1)
     throw InputError({.source = "--nodes", .value = options.nodes, .problem = "is for one degree"});
@@ -340,9 +341,8 @@ ExitCode give_basis(const Common& common, const BasisOptions& options) {
   if (!options.csv.empty()) files.emplace_back(options.csv, basis_csv(records));
   if (!options.latex.empty()) files.emplace_back(options.latex, basis_latex(records));
   if (!options.nodes.empty()) files.emplace_back(options.nodes, node_file(common, records.front()));
-  outputs.write(files);
-  print_result(common, records.size() == 1 ? one_text(records.front()) : table_text(records),
-               basis_record_json(records, common.command).pretty() + "\n");
+  print_result(common, outputs, records.size() == 1 ? one_text(records.front()) : table_text(records),
+               basis_record_json(records, common.command).pretty() + "\n", std::move(files));
   return ExitCode::done;
 }
 

@@ -103,7 +103,8 @@ JsonValue report_json(const Verdict& verdict, const std::string& command) {
 }
 
 ExitCode check_file(const Common& common, const CheckOptions& options) {
-  const Outputs outputs(common);
+  Outputs outputs(common);
+  outputs.input(options.file);
   const auto limit = common.limit_threads();
   const std::string text =
       with_source(options.file, [&] { return read_file(options.file, json_size_limit); });
@@ -122,7 +123,8 @@ ExitCode check_file(const Common& common, const CheckOptions& options) {
   } else {
     verdict.report.refusal = certificate::Refusal{"/digest", "is not that of the content"};
   }
-  print_result(common, summary(options, verdict), report_json(verdict, common.command).pretty() + "\n");
+  print_result(common, outputs, summary(options, verdict),
+               report_json(verdict, common.command).pretty() + "\n");
   return verdict.report.refusal ? ExitCode::differs : ExitCode::done;
 }
 

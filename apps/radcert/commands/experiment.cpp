@@ -19,6 +19,7 @@
 #include "plot_files.h"
 #include "progress.h"
 #include "radcert/core/result_store.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/problem/experiment_file.h"
 #include "radcert/formats/result/experiment_json.h"
@@ -110,7 +111,7 @@ Finished solve_all(const Experiment& experiment, const std::string& source, Stor
 
 /// For a paper: table, plots, and where they come from.
 Files paper_files(const Common& common, const ExperimentOptions& options, const Experiment& experiment,
-                  std::span<const Result> results) {
+                  std::span<const Result> results, const InputDigest& input) {
   const std::filesystem::path folder = options.out;
   Files files = {{folder / "table.tex", combinations_latex(experiment, results)}};
   for (auto& file : plot_files(folder, experiment_plots(experiment, results)))
@@ -123,7 +124,7 @@ Files paper_files(const Common& common, const ExperimentOptions& options, const 
       if (std::find(references.begin(), references.end(), key) == references.end())
         references.push_back(std::move(key));
   }
-  std::vector<InputDigest> inputs = {input_digest(options.experiment)};
+  std::vector<InputDigest> inputs = {input};
   for (InputDigest& named : inputs_named_in(problems)) inputs.push_back(std::move(named));
   for (auto& file : origin_files(folder, common, references, std::move(inputs), seed_of(problems)))
     files.push_back(std::move(file));
@@ -132,15 +133,18 @@ Files paper_files(const Common& common, const ExperimentOptions& options, const 
 
 ExitCode run_experiment(const Common& common, const ExperimentOptions& options) {
   Outputs outputs(common);
-  outputs.folder("--out", options.out);
+  outputs.input(options.experiment);
+  outputs.folder("--out", options.out, {"experiment.json", "provenance.json"});
   const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
-  const Experiment experiment = read_experiment(options.experiment);
+  const InputFile input = read_input(options.experiment, json_size_limit);
+  const Experiment experiment = parse_experiment(input.text, options.experiment);
   for (const Combination& combination : experiment.combinations)
     with_combination(combination, options.experiment, [&] { check(combination.problem, memory); });
 
   std::vector<Problem> problems;
   for (const Combination& combination : experiment.combinations) problems.push_back(combination.problem);
+  for (const InputDigest& named : inputs_named_in(problems)) outputs.input(named.name);
   say(mended_text(problems));
   ResultStore store = common.store();
   StoredLevels levels(store, solve_with(reference::applied_operator, memory));
@@ -152,8 +156,7 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   const JsonValue document = experiment_json(experiment, results, common.command);
   const std::string json = document.pretty() + "\n";
   Files files;
-  if (!options.out.empty()) files = paper_files(common, options, experiment, results);
-  if (common.json_to_file()) files.emplace_back(common.json, json);
+  if (!options.out.empty()) files = paper_files(common, options, experiment, results, input.digest);
   if (!options.out.empty()) {
     const std::filesystem::path folder = options.out;
     files.emplace_back(folder / "experiment.json", json);
@@ -162,8 +165,8 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
     files.emplace_back(folder / "errors.csv", experiment_errors_csv(experiment, results));
     files.emplace_back(folder / "timing.csv", experiment_timing_csv(experiment, results));
   }
-  outputs.write(files);
-  print(common.json_to_stdout() ? json : fitted(experiment_table(experiment, results)));
+  say_where_nothing_is_kept(store);
+  print_result(common, outputs, experiment_table(experiment, results), json, std::move(files));
   return ExitCode::done;
 }
 

@@ -17,6 +17,7 @@
 #include "command.h"
 #include "factors_table.h"
 #include "named_surface.h"
+#include "origin.h"
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/atomic_file.h"
@@ -361,6 +362,10 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   Outputs outputs(common);
   outputs.file("--out", options.out);
   outputs.file("--differences", options.differences);
+  if (!options.out.empty()) outputs.file("--out", stem_of(options.out) + ".surfaces.csv");
+  if (!options.differences.empty()) outputs.file("--differences", stem_of(options.differences) + ".svg");
+  outputs.input(options.name);
+  outputs.input(options.compare);
   for (const auto& [option, given] : {std::pair("--tolerance", !options.tolerance.empty()),
                                       std::pair("--differences", !options.differences.empty())})
     if (given && options.compare.empty())
@@ -422,6 +427,8 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
                 : "not kept: " + status.reason() + "\n"));
     return ExitCode::interrupted;
   }
+  say_where_nothing_is_kept(store);
+  Files files;
   report.warnings = warnings(report);
   for (const std::string& done : named.mended) report.warnings.push_back("mended: " + done);
   for (const std::string& warning : report.warnings) say("radcert: warning: " + warning + "\n");
@@ -430,22 +437,22 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
         options.compare, [&] { return compared(report.matrix, report.names, *claimed, tolerance); });
     explain(*report.comparison, report.matrix, report.names, *claimed, unoccluded_factor(scene, units));
     if (!options.differences.empty()) {
-      outputs.write({{options.differences, comparison_csv(*report.comparison)}});
+      files.emplace_back(options.differences, comparison_csv(*report.comparison));
       if (report.names.size() <= comparison_picture_rows)
-        outputs.write(
-            {{stem_of(options.differences) + ".svg", comparison_svg(*report.comparison, report.names)}});
+        files.emplace_back(stem_of(options.differences) + ".svg",
+                           comparison_svg(*report.comparison, report.names));
     }
   }
   if (!options.out.empty()) {
     // Where rows were kept, all of them; else the header line of a matrix without any.
     out.put(csv.rows(report.matrix.entries));
-    out.keep();
-    outputs.write({{stem_of(options.out) + ".surfaces.csv",
-                    factor_surfaces_csv(report.matrix, report.names, report.unit)}});
+    files.emplace_back(stem_of(options.out) + ".surfaces.csv",
+                       factor_surfaces_csv(report.matrix, report.names, report.unit));
   }
-  print_result(common,
+  print_result(common, outputs,
                factors_table(report) + (report.comparison ? comparison_table(*report.comparison) : ""),
-               asked_for_json ? factors_report(report).pretty() + "\n" : "");
+               asked_for_json ? factors_report(report).pretty() + "\n" : "", std::move(files),
+               options.out.empty() ? nullptr : &out);
   const bool differs = report.comparison && std::any_of(report.comparison->begin(), report.comparison->end(),
                                                         [](const FactorComparison& pair) {
                                                           return pair.agreement == Agreement::differs;

@@ -106,7 +106,7 @@ std::vector<Entry> solvers() {
   std::vector<Entry> out;
   for (const LinearSolver& solver : linear_solvers()) {
     Entry line{.name = solver.name, .summary = solver.summary};
-    if (solver.iterates)
+    if (solver.iterates())
       line.parameters.push_back({"tolerance", "from 2^-51 to below 1, or rounding", "rounding",
                                  "what may be left of the system's error, relative to max |u_n|"});
     out.push_back(line);

@@ -207,9 +207,9 @@ ExitCode make_picture(const Common& common, const PictureOptions& options) {
         made.facts.emplace_back("panel, without its title in a PNG file", title);
     return made;
   }();
-  outputs.write({{options.out, content(picture, wish)}});
-  print_result(common, picture_text(options, wish, picture),
-               picture_json(common, options, wish, picture).pretty() + "\n");
+  print_result(common, outputs, picture_text(options, wish, picture),
+               picture_json(common, options, wish, picture).pretty() + "\n",
+               {{options.out, content(picture, wish)}});
   return ExitCode::done;
 }
 

@@ -2,6 +2,7 @@
 
 // radcert reference NAME, or --all: numbers in proved enclosures; sphere_over_disk: with estimated radii.
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <memory>
 #include <optional>
@@ -12,9 +13,12 @@
 #include <vector>
 
 #include "command.h"
+#include "origin.h"
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/interrupt.h"
+#include "radcert/core/result_store.h"
+#include "radcert/core/version.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/result/reference_json.h"
@@ -117,12 +121,7 @@ Wanted wanted(const ReferenceOptions& options) {
   return out;
 }
 
-ReferenceRecord record_of(const Wanted& wanted, int digits) {
-  const Outcome<reference::EnclosedValue> value =
-      reference::enclose(*wanted.family, wanted.arguments, digits + 1);
-  if (!value)
-    throw AccuracyNotReached(
-        wanted.name, "a radius of 1e-" + std::to_string(digits) + " was not reached; " + value.reason());
+ReferenceRecord record_with(const Wanted& wanted, int digits, std::vector<ReferenceRoute> routes) {
   ReferenceRecord record;
   record.name = wanted.name;
   record.digits = digits;
@@ -130,8 +129,18 @@ ReferenceRecord record_of(const Wanted& wanted, int digits) {
   record.source = wanted.family->source;
   for (std::size_t i = 0; i < wanted.arguments.size(); ++i)
     record.parameters.emplace_back(wanted.family->parameters[i].name, wanted.arguments[i].to_text());
-  record.routes = {{value->first.how, value->first.value}, {value->second.how, value->second.value}};
+  record.routes = std::move(routes);
   return record;
+}
+
+ReferenceRecord record_of(const Wanted& wanted, int digits) {
+  const Outcome<reference::EnclosedValue> value =
+      reference::enclose(*wanted.family, wanted.arguments, digits + 1);
+  if (!value)
+    throw AccuracyNotReached(
+        wanted.name, "a radius of 1e-" + std::to_string(digits) + " was not reached; " + value.reason());
+  return record_with(wanted, digits,
+                     {{value->first.how, value->first.value}, {value->second.how, value->second.value}});
 }
 
 std::string text_of(const ReferenceRecord& record) {
@@ -160,10 +169,62 @@ std::string file_name(const std::string& name) {
   return out;
 }
 
+/// What the balls of a record's routes depend on.
+std::string key_of(const reference::NamedValue& value, int digits) {
+  return "reference\n" + std::string(source_digest()) + "\n" + value.name + "\n" + std::to_string(digits);
+}
+
+JsonValue binary(const BinaryNumber& number) {
+  return json_array(std::array{number.mantissa, number.exponent});
+}
+
+/// The routes of a record, each ball exactly.
+std::string routes_text(const ReferenceRecord& record) {
+  return json_array(record.routes,
+                    [](const ReferenceRoute& route) {
+                      return JsonValue::object({{"how", route.how},
+                                                {"midpoint", binary(route.value.midpoint_binary())},
+                                                {"radius", binary(route.value.radius_binary())}});
+                    })
+      .compact();
+}
+
+BinaryNumber binary(const JsonReader& reader) {
+  const std::vector<JsonReader> parts = reader.elements("mantissa and exponent");
+  if (parts.size() != 2) reader.refuse("is no binary number", "mantissa and exponent");
+  return {parts[0].string("a mantissa"), parts[1].string("an exponent")};
+}
+
+/// The routes that such a text states; none where it does not.
+std::vector<ReferenceRoute> routes_in(const std::string& text) try {
+  std::vector<ReferenceRoute> out;
+  const JsonValue document = parse_json(text, "the store");
+  for (const JsonReader& route : JsonReader(document).elements("routes")) {
+    const auto ball =
+        Ball::from_binary(binary(route.at("midpoint", "a number")), binary(route.at("radius", "a number")));
+    if (!ball) return {};
+    out.push_back({route.at("how", "words").string("words"), *ball});
+  }
+  return out;
+} catch (const InputError&) {
+  return {};
+}
+
+/// The record of a value, its balls from the store or computed and put there.
+ReferenceRecord kept_record(const reference::NamedValue& value, int digits, ResultStore& store) {
+  const std::string key = key_of(value, digits);
+  if (const std::optional<std::string> kept = store.get(key))
+    if (std::vector<ReferenceRoute> routes = routes_in(*kept); !routes.empty())
+      return record_with(member(value), digits, std::move(routes));
+  ReferenceRecord record = record_of(member(value), digits);
+  static_cast<void>(store.put(key, routes_text(record)));
+  return record;
+}
+
 ExitCode print_one(const Common& common, const ReferenceOptions& options, int digits) {
-  const Outputs checked(common);
+  const Outputs outputs(common);
   const ReferenceRecord record = record_of(wanted(options), digits);
-  print_result(common, text_of(record), reference_json(record, common.command).pretty() + "\n");
+  print_result(common, outputs, text_of(record), reference_json(record, common.command).pretty() + "\n");
   return ExitCode::done;
 }
 
@@ -185,13 +246,17 @@ ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& opt
   // Before anything is written: a point that is not allowed leaves no file behind.
   std::vector<ReferenceRecord> records;
   if (!wish.at.empty()) records = psg10::sphere_over_disk_records(wish);
-  if (!wish.curve.empty()) outputs.write({{wish.curve, psg10::sphere_over_disk_csv(wish)}});
-  if (records.empty()) return ExitCode::done;
+  Files files;
+  if (!wish.curve.empty()) files.emplace_back(wish.curve, psg10::sphere_over_disk_csv(wish));
+  if (records.empty()) {
+    outputs.write(files);
+    return ExitCode::done;
+  }
   std::string text;
   for (const ReferenceRecord& record : records) text += (text.empty() ? "" : "\n") + text_of(record);
   const JsonValue json = records.size() == 1 ? reference_json(records.front(), common.command)
                                              : references_json(records, common.command);
-  print_result(common, text, json.pretty() + "\n");
+  print_result(common, outputs, text, json.pretty() + "\n", std::move(files));
   return ExitCode::done;
 }
 
@@ -207,15 +272,19 @@ JsonValue manifest(const Common& common, const std::vector<ReferenceRecord>& rec
 
 ExitCode write_all(const Common& common, const ReferenceOptions& options, int digits) {
   Outputs outputs(common);
-  outputs.folder("--out", options.out);
+  outputs.folder("--out", options.out, {"manifest.json"});
   const auto named = reference::named_values();
-  ProgressDisplay progress(common.quiet);
+  ResultStore store = common.store();
   std::vector<ReferenceRecord> records;
-  for (const reference::NamedValue& value : named) {
-    throw_if_interrupted();
-    progress.at(static_cast<double>(records.size()) / static_cast<double>(named.size()), value.name);
-    records.push_back(record_of(member(value), digits));
+  {
+    ProgressDisplay progress(common.quiet);
+    for (const reference::NamedValue& value : named) {
+      throw_if_interrupted();
+      progress.at(static_cast<double>(records.size()) / static_cast<double>(named.size()), value.name);
+      records.push_back(kept_record(value, digits, store));
+    }
   }
+  say_where_nothing_is_kept(store);
   const std::filesystem::path folder = options.out;
   std::vector<std::pair<std::filesystem::path, std::string>> files;
   for (const ReferenceRecord& record : records)
@@ -224,11 +293,10 @@ ExitCode write_all(const Common& common, const ReferenceOptions& options, int di
   files.emplace_back(folder / "references.csv", reference_csv(records));
   const std::string contents = manifest(common, records, digits).pretty() + "\n";
   files.emplace_back(folder / "manifest.json", contents);
-  outputs.write(files);
-  print_result(common,
+  print_result(common, outputs,
                std::to_string(records.size()) + " values with radii <= 1e-" + std::to_string(digits) +
                    " in " + options.out + "\n",
-               contents);
+               contents, std::move(files));
   return ExitCode::done;
 }
 
@@ -274,10 +342,14 @@ void add_reference(Program& program) {
   command.option("--curve", options->curve, "sphere_over_disk: both curves, B by latitude and D by distance",
                  "FILE.csv");
   command.option_with_default("--points", options->points, "How many points each curve has");
+  command.fresh_flag(program.common());
   command.footer(
       "What is printed encloses the value: the radius is rounded up after the midpoint has been rounded. "
       "Radii are "
-      "proved,\nthose of sphere_over_disk estimated, as the word beside them says.");
+      "proved,\nthose of sphere_over_disk estimated, as the word beside them says.\n"
+      "With --all, values that are finished are kept in $RADCERT_STORE, else ~/.cache/radcert: an "
+      "interrupted "
+      "run goes on\nthere.");
   command.runs([&common = program.common(), options] { return give_reference(common, *options); });
 }
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert solve PROBLEM.json: one problem over its levels.
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -57,13 +55,17 @@ struct SolveOptions {
   std::string certificate;
 };
 
+/// What --out may write beside plots and tables, which are no input's.
+const std::vector<std::string> names_of_out = {"solution.json", "provenance.json"};
+
 Outputs checked_outputs(const Common& common, const SolveOptions& options) {
   Outputs outputs(common);
+  outputs.input(options.problem);
   outputs.file("--nodes", options.nodes);
   outputs.file("--vtu", options.vtu);
   outputs.file("--ply", options.ply);
   outputs.file("--certificate", options.certificate);
-  outputs.folder("--out", options.out);
+  outputs.folder("--out", options.out, names_of_out);
   return outputs;
 }
 
@@ -103,31 +105,9 @@ std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& lev
   return finished;
 }
 
-/// The text of a problem, and where it is from: a file, or "-", the standard input.
-struct ProblemText {
-  std::string source;  ///< as messages name it
-  std::string text;
-  InputDigest digest;
-};
-
-ProblemText text_of_problem(const std::string& name) {
-  if (name != "-") {
-    std::string text = with_source(name, [&] { return read_file(name, json_size_limit); });
-    return {.source = name, .text = text, .digest = {.name = name, .digest = digest_of(text)}};
-  }
-  std::string text;
-  std::array<char, 65536> part{};
-  while (std::cin.read(part.data(), part.size()) || std::cin.gcount() > 0) {
-    text.append(part.data(), static_cast<std::size_t>(std::cin.gcount()));
-    if (text.size() > json_size_limit) break;  // which parse_problem refuses
-  }
-  const std::string digest = digest_of(text);
-  return {.source = "standard input", .text = std::move(text), .digest = {.name = name, .digest = digest}};
-}
-
 /// What --out writes.
 Files files_of(const Common& common, const SolveOptions& options, const Result& result,
-               std::span<const LevelOutcome> levels, const std::string& json, const InputDigest& read) {
+               std::span<const LevelOutcome> levels, const std::string& json, const InputDigest& problem) {
   const std::filesystem::path folder = options.out;
   const auto& elements = levels.back().elements;
   const auto errors = corner_errors(result.problem, elements);
@@ -144,10 +124,11 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
           : result.problem.label;
   const NamedPlot plot{
       "errors_against_h",
-      convergence_plot("Errors of " + name, {.name = {}, .levels = result.levels, .orders = result.orders})};
+      convergence_plot("Errors of " + name,
+                       {.name = {}, .levels = result.levels, .orders = result.orders, .row = std::nullopt})};
   if (!plot.plot.curves.empty())
     for (auto& file : plot_files(folder, {&plot, 1})) files.push_back(std::move(file));
-  std::vector<InputDigest> inputs = {read};
+  std::vector<InputDigest> inputs = {problem};
   for (InputDigest& named : inputs_named_in({&result.problem, 1})) inputs.push_back(std::move(named));
   for (auto& file : origin_files(folder, common, references_of(result.problem), std::move(inputs),
                                  seed_of({&result.problem, 1})))
@@ -164,8 +145,8 @@ JsonValue coordinates_json(const std::string& text) {
 }
 
 /// The problem with what --guarantee, --of and --at say in place of its own words.
-Problem problem_of(const SolveOptions& options, const ProblemText& given) {
-  Problem problem = parse_problem(given.text, given.source);
+Problem problem_of(const SolveOptions& options, const InputFile& input) {
+  Problem problem = parse_problem(input.text, input.source);
   if (options.guarantee.empty() && options.of.empty() && options.at.empty() && options.outside.empty())
     return problem;
   JsonValue guarantee = JsonValue::object();
@@ -207,10 +188,9 @@ void refuse_fields(const SolveOptions& options, const Guarantee& guarantee) {
                                               : "--json beside a guarantee of means"});
 }
 
-ExitCode enclose(const Common& common, const SolveOptions& options, const Problem& problem,
-                 const std::string& source) {
+ExitCode enclose(const Common& common, const SolveOptions& options, const Outputs& outputs,
+                 const Problem& problem, const std::string& source) {
   refuse_fields(options, *problem.guarantee);
-  const Outputs outputs = checked_outputs(common, options);
   const auto limit = common.limit_threads();
   const bool certified = !options.certificate.empty();
   with_source(source, [&] {
@@ -239,11 +219,9 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
                       .timing = {{}},
                       .enclosure = std::move(enclosure)};
   const std::string json = result_text(result, common.command);
-  if (common.json_to_file()) files.emplace_back(common.json, json);
   if (!options.vtu.empty()) files.emplace_back(options.vtu, vtu_text(*result.enclosure));
   if (!options.nodes.empty()) files.emplace_back(options.nodes, enclosure_csv(*result.enclosure));
-  outputs.write(files);
-  print(common.json_to_stdout() ? json : fitted(enclosure_table(*result.enclosure)));
+  print_result(common, outputs, enclosure_table(*result.enclosure), json, std::move(files));
   if (hindrance.empty()) return ExitCode::done;
   complain("the width " + upper_text(result.enclosure->width) + " and not " +
            upper_text(result.enclosure->wanted.width) + " is reached: " + hindrance);
@@ -251,23 +229,24 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Proble
 }
 
 ExitCode solve(const Common& common, const SolveOptions& options) {
-  const ProblemText given = text_of_problem(options.problem);
-  const Problem problem = problem_of(options, given);
-  if (problem.guarantee) return enclose(common, options, problem, given.source);
+  Outputs outputs = checked_outputs(common, options);
+  const InputFile input = read_input(options.problem, json_size_limit);
+  const Problem problem = problem_of(options, input);
+  for (const InputDigest& named : inputs_named_in({&problem, 1})) outputs.input(named.name);
+  if (problem.guarantee) return enclose(common, options, outputs, problem, input.source);
   if (!options.certificate.empty())
     throw InputError({.source = "--certificate",
                       .value = options.certificate,
                       .problem = "is of an enclosure of u itself, and none is asked for",
                       .allowed = "--guarantee beside it, or guarantee in the problem"});
-  const Outputs outputs = checked_outputs(common, options);
   const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
-  with_source(given.source, [&] { check(problem, memory); });
+  with_source(input.source, [&] { check(problem, memory); });
 
   ResultStore store = common.store();
   StoredLevels levels(store, solve_with(reference::applied_operator, memory));
   const std::vector<LevelOutcome> finished =
-      with_source(given.source, [&] { return solve_levels(problem, levels, common.quiet); });
+      with_source(input.source, [&] { return solve_levels(problem, levels, common.quiet); });
   const std::size_t asked = problem.triangulation.levels.size();
   if (finished.size() < asked) return interrupted(finished.size(), asked, store);
 
@@ -281,18 +260,18 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
 
   const std::string json = result_text(result, common.command);
   Files files;
-  if (!options.out.empty()) files = files_of(common, options, result, finished, json, given.digest);
-  if (common.json_to_file()) files.emplace_back(common.json, json);
+  if (!options.out.empty()) files = files_of(common, options, result, finished, json, input.digest);
   if (!options.nodes.empty()) files.emplace_back(options.nodes, nodes_csv(finished));
   const auto& elements = finished.back().elements;
   if (!options.vtu.empty())
     files.emplace_back(options.vtu, vtu_text(elements, corner_errors(problem, elements)));
   if (!options.ply.empty())
     files.emplace_back(options.ply, ply_text(elements, corner_errors(problem, elements)));
-  outputs.write(files);
+  say_where_nothing_is_kept(store);
   const std::string mended = mended_text({&problem, 1});
   if (common.json_to_stdout()) say(mended);
-  print(common.json_to_stdout() ? json : fitted(solve_table(result)) + (mended.empty() ? "" : "\n" + mended));
+  print_result(common, outputs, solve_table(result) + (mended.empty() ? "" : "\n" + mended), json,
+               std::move(files));
   return ExitCode::done;
 }
 

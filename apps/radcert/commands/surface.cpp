@@ -338,15 +338,18 @@ std::string off_text(const TriangleMesh& mesh) {
 ExitCode show_mesh(const Common& common, const SurfaceOptions& options) {
   Outputs outputs(common);
   outputs.file("--write", options.write);
+  outputs.input(options.name);
   const std::optional<std::string> unit = unit_of_lengths(options.unit);
   const MeshSurvey survey = survey_mesh(options.name, degrees_of(options.angle), repair_of(options.repair),
                                         front_of(options.front));
-  if (!options.write.empty()) outputs.write({{options.write, off_text(survey.mesh)}});
+  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  if (!options.write.empty()) files.emplace_back(options.write, off_text(survey.mesh));
   const std::vector<PieceMeasures> measures = measures_of(survey);
-  print_result(common,
+  print_result(common, outputs,
                mesh_text(options.name, survey) +
                    (measures.empty() ? "" : measures_text(survey.pieces, measures, unit)),
-               surface_report(options.name, survey, measures, unit, common.command).pretty() + "\n");
+               surface_report(options.name, survey, measures, unit, common.command).pretty() + "\n",
+               std::move(files));
   return ExitCode::done;
 }
 

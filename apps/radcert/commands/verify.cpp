@@ -16,6 +16,8 @@
 #include "output.h"
 #include "progress.h"
 #include "radcert/core/result_store.h"
+#include "radcert/core/text.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/reference/operator_integral.h"
 #include "verification/framework/reading/embedded.h"
 #include "verification/framework/run_verification.h"
@@ -64,10 +66,9 @@ std::vector<InputDigest> inputs_of(const std::vector<std::string>& words) {
     for (const std::filesystem::path& folder : {path, path.parent_path()}) {
       const auto file = folder / "claims.toml";
       if (!std::filesystem::is_regular_file(file)) continue;
-      const InputDigest one = input_digest(file);
       if (std::none_of(out.begin(), out.end(),
-                       [&](const InputDigest& each) { return each.name == one.name; }))
-        out.push_back(one);
+                       [&](const InputDigest& each) { return each.name == file.string(); }))
+        out.push_back(read_input(file, json_size_limit).digest);
       break;
     }
   }
@@ -97,7 +98,9 @@ std::string with_alarms(const std::string& table) {
 ExitCode verify(const Common& common, const VerifyOptions& options) {
   const verification::Budget budget = budget_of(options.budget);
   Outputs outputs(common);
-  outputs.folder("--out", options.out);
+  outputs.folder("--out", options.out, {"provenance.json", "report.json"});
+  const std::vector<InputDigest> inputs = inputs_of(options.words);
+  for (const InputDigest& input : inputs) outputs.input(input.name);
   const auto limit = common.limit_threads();
 
   ResultStore store = common.store();
@@ -111,14 +114,21 @@ ExitCode verify(const Common& common, const VerifyOptions& options) {
                 : "not kept: " + status.reason() + "\n"));
     return ExitCode::interrupted;
   }
+  say_where_nothing_is_kept(store);
+  const std::vector<InputDigest> now = inputs_of(options.words);
+  if (!std::equal(now.begin(), now.end(), inputs.begin(), inputs.end(),
+                  [](const InputDigest& a, const InputDigest& b) { return a.digest == b.digest; }))
+    throw EnvironmentError(listed(options.words), "claims.toml has changed while it was verified");
+  Files files;
   if (!options.out.empty()) {
-    verification::write_report(report, options.out, common.command);
-    outputs.write(verify_files(report, options.out));
-    outputs.write(origin_files(options.out, common, papers_of(report), inputs_of(options.words)));
+    files = verification::report_files(report, options.out, common.command);
+    for (auto& file : verify_files(report, options.out)) files.push_back(std::move(file));
+    for (auto& file : origin_files(options.out, common, papers_of(report), inputs))
+      files.push_back(std::move(file));
   }
   const std::size_t columns = terminal_width().value_or(std::string::npos);
-  print_result(common, with_alarms(verification::report_table(report, columns)),
-               verification::report_json_text(report, common.command));
+  print_result(common, outputs, with_alarms(verification::report_table(report, columns)),
+               verification::report_json_text(report, common.command), std::move(files));
   return report.as_recorded() ? ExitCode::done : ExitCode::differs;
 }
 

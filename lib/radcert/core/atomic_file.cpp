@@ -2,18 +2,25 @@
 #include "radcert/core/atomic_file.h"
 
 #include "radcert/core/errors.h"
+#include "radcert/core/interrupt.h"
+#include "radcert/core/temporary_files.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <fcntl.h>
 #include <optional>
 #include <string>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace radcert {
 
@@ -76,6 +83,7 @@ public:
     for (int attempt = 0; attempt < 1000; ++attempt) {
       name_ =
           folder / ("." + stem + "." + std::to_string(::getpid()) + "." + std::to_string(next++) + ".tmp");
+      known_.emplace(name_.native());
       descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, rights);
       if (descriptor_ >= 0 || errno != EEXIST) break;
     }
@@ -93,6 +101,7 @@ public:
 
 private:
   std::filesystem::path name_;
+  std::optional<TemporaryName> known_;
   int descriptor_ = -1;
   int error_ = 0;
   bool kept_ = false;
@@ -106,6 +115,7 @@ struct AtomicFile::Open {
   std::optional<mode_t> old_rights;
   std::optional<Temporary> temporary;
   std::optional<Descriptor> out;
+  bool finished = false;
 };
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {}
@@ -145,19 +155,26 @@ void AtomicFile::put(std::string_view piece) {
     throw EnvironmentError(path_.string(), "cannot be written: " + reason_of(error));
 }
 
-void AtomicFile::keep() {
+void AtomicFile::finish() {
   open();
   Open& file = *open_;
+  if (file.finished) return;
   const int descriptor = file.out->number();
   int error = 0;
   if (file.old_rights && ::fchmod(descriptor, *file.old_rights) != 0) error = errno;
   if (error == 0 && file.temporary) error = flush_to_disk(descriptor);
   const int closing = file.out->close();
   if (error == 0) error = closing;
-  if (error == 0 && file.temporary && std::rename(file.temporary->name().c_str(), file.target.c_str()) != 0)
-    error = errno;
   if (error != 0) throw EnvironmentError(path_.string(), "cannot be written: " + reason_of(error));
+  file.finished = true;
+}
+
+void AtomicFile::keep() {
+  finish();
+  Open& file = *open_;
   if (!file.temporary) return;
+  if (std::rename(file.temporary->name().c_str(), file.target.c_str()) != 0)
+    throw EnvironmentError(path_.string(), "cannot be written: " + reason_of(errno));
   file.temporary->keep();
 
   // The name, too, is to survive a power cut; where the folder cannot be flushed the file is complete all the
@@ -171,6 +188,59 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
   AtomicFile file(path);
   file.put(content);
   file.keep();
+}
+
+namespace {
+
+/// Folders that no other process renames files in, as far as it asks first. Where the file system has no
+/// locks, or one is held for long, it goes on without: a lock keeps files together, it does not keep them
+/// whole.
+class HeldFolders {
+public:
+  explicit HeldFolders(const std::vector<std::filesystem::path>& folders) {
+    constexpr int tries = 1000;
+    constexpr std::chrono::milliseconds between(10);
+    for (const std::filesystem::path& folder : folders) {
+      Descriptor& held = *held_.emplace_back(
+          std::make_unique<Descriptor>(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
+      for (int k = 0; k < tries && held.number() >= 0; ++k) {
+        if (::flock(held.number(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) break;
+        throw_if_interrupted();
+        std::this_thread::sleep_for(between);
+      }
+    }
+  }
+
+private:
+  std::vector<std::unique_ptr<Descriptor>> held_;
+};
+
+}  // namespace
+
+void write_together(const std::vector<std::pair<std::filesystem::path, std::string>>& files,
+                    AtomicFile* with_them) {
+  const auto folder_of = [](const std::filesystem::path& path) {
+    return path.parent_path().empty() ? std::filesystem::path(".") : path.parent_path();
+  };
+  std::vector<std::unique_ptr<AtomicFile>> written;
+  std::vector<std::filesystem::path> folders;
+  for (const auto& [path, content] : files) {
+    written.push_back(std::make_unique<AtomicFile>(path));
+    written.back()->put(content);
+    written.back()->finish();
+    folders.push_back(folder_of(path));
+  }
+  if (with_them != nullptr) {
+    with_them->finish();
+    folders.push_back(folder_of(with_them->path()));
+  }
+  // In one order for all processes, so that none waits for another that waits for it.
+  std::sort(folders.begin(), folders.end());
+  folders.erase(std::unique(folders.begin(), folders.end()), folders.end());
+  const HeldFolders held(folders);
+  const RenamingFiles renaming;
+  for (const auto& file : written) file->keep();
+  if (with_them != nullptr) with_them->keep();
 }
 
 std::string read_file(const std::filesystem::path& path, std::uint64_t limit_bytes) {

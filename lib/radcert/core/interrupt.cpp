@@ -2,9 +2,14 @@
 #include "radcert/core/interrupt.h"
 
 #include "radcert/core/errors.h"
+#include "radcert/core/temporary_files.h"
 
+#include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <ctime>
+#include <unistd.h>
 
 namespace radcert {
 
@@ -13,19 +18,84 @@ namespace {
 std::atomic<bool> requested{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch lock-free atomics only");
 
-extern "C" void radcert_on_signal(int) { request_interruption(); }
+/// Two texts, of which the handler reads one while the other is written.
+struct LastWords {
+  static constexpr std::size_t longest = 500;
+  std::array<std::array<char, longest>, 2> text{};
+  std::array<std::size_t, 2> length{};
+  std::atomic<unsigned> shown{0};
+};
+
+LastWords& last_words() {
+  static LastWords words;
+  return words;
+}
+
+timer_t deadline{};
+bool has_deadline = false;
+constexpr long until_deadline = 700'000'000;  // nanoseconds: within a second of the signal all is over
+constexpr long until_next_look = 20'000'000;  // where files are just being renamed
+
+void set_deadline(long nanoseconds) {
+  itimerspec time{};
+  time.it_value.tv_nsec = nanoseconds;
+  if (!has_deadline || timer_settime(deadline, 0, &time, nullptr) != 0) alarm(1);
+}
+
+// Async-signal-safe throughout: POSIX signal-safety(7) has write, unlink, timer_settime, alarm, raise, _exit.
+extern "C" void radcert_on_deadline(int) {
+  if (renaming_files()) {
+    set_deadline(until_next_look);
+    return;
+  }
+  if (!interruption_requested()) return;
+  remove_temporary_files();
+  const LastWords& words = last_words();
+  const unsigned shown = words.shown.load(std::memory_order_acquire);
+  [[maybe_unused]] const ssize_t said = write(STDERR_FILENO, words.text[shown].data(), words.length[shown]);
+  _exit(static_cast<int>(ExitCode::interrupted));
+}
+
+extern "C" void radcert_on_signal(int signal) {
+  const int error = errno;
+  if (interruption_requested()) {
+    if (!renaming_files()) remove_temporary_files();
+    std::signal(signal, SIG_DFL);
+    raise(signal);
+  } else {
+    request_interruption();
+    set_deadline(until_deadline);
+  }
+  errno = error;
+}
 
 }  // namespace
 
 void install_interrupt_handler() {
+  (void)last_words();
+  set_last_words("radcert: interrupted; what was finished is kept\n");
+  if (!has_deadline) {
+    sigevent event{};
+    event.sigev_notify = SIGEV_SIGNAL;
+    event.sigev_signo = SIGALRM;
+    has_deadline = timer_create(CLOCK_MONOTONIC, &event, &deadline) == 0;
+  }
   struct sigaction action {};
-  action.sa_handler = radcert_on_signal;
   sigemptyset(&action.sa_mask);
-  // SA_RESETHAND: the second signal finds the default action and ends a program that does not look at the
-  // flag.
-  action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+  action.sa_flags = SA_RESTART;
+  action.sa_handler = radcert_on_deadline;
+  sigaction(SIGALRM, &action, nullptr);
+  action.sa_handler = radcert_on_signal;
+  sigaddset(&action.sa_mask, SIGALRM);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+}
+
+void set_last_words(std::string_view words) {
+  LastWords& all = last_words();
+  const unsigned next = 1 - all.shown.load(std::memory_order_relaxed);
+  all.length[next] = words.copy(all.text[next].data(), LastWords::longest);
+  all.shown.store(next, std::memory_order_release);
 }
 
 bool interruption_requested() noexcept { return requested.load(std::memory_order_relaxed); }

@@ -12,6 +12,8 @@
 #include <optional>
 #include <sstream>
 #include <string_view>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <utility>
 
 namespace radcert {
@@ -77,6 +79,16 @@ std::uint64_t left_in_groups(const std::filesystem::path& mount, std::filesystem
   }
 }
 
+/// What `ulimit -v` leaves of the addresses; statm begins with the pages that the process holds.
+std::uint64_t left_in_address_space(const std::filesystem::path& system_root) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return without_bound;
+  const std::uint64_t pages = number_in(system_root / "proc/self/statm").value_or(0);
+  const std::uint64_t held =
+      checked_multiply(pages, static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE))).value_or(0);
+  return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, held);
+}
+
 }  // namespace
 
 MemoryPlan& MemoryPlan::add(std::string name, std::uint64_t count, std::uint64_t bytes_each) {
@@ -106,9 +118,9 @@ void MemoryPlan::require(std::uint64_t limit_bytes) const {
 
 std::uint64_t available_memory(const std::string& system_root) {
   const std::filesystem::path root = system_root;
-  std::uint64_t least = without_bound;
+  std::uint64_t least = left_in_address_space(root);
   if (const auto kib = number_after(content(root / "proc/meminfo"), "MemAvailable:")) {
-    least = checked_multiply(*kib, 1024).value_or(without_bound);
+    least = std::min(least, checked_multiply(*kib, 1024).value_or(without_bound));
   }
   const std::filesystem::path mount = root / "sys/fs/cgroup";
   const CgroupFiles v1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file "};

@@ -30,8 +30,9 @@ private:
 };
 
 /// The memory that this process may still take without swapping or being killed.
-/// Maths     min(MemAvailable, limit - use + reclaimable file cache over the cgroups that hold the process)
-/// Source    proc(5), the kernel's documentation of cgroup v1 and v2
+/// Maths     min(MemAvailable, limit - use + reclaimable file cache over the cgroups that hold the process,
+///           what its limit of address space leaves)
+/// Source    proc(5), getrlimit(2), the kernel's documentation of cgroup v1 and v2
 /// Requires  nothing
 /// Result    bytes, an estimate of this moment; 2^64 - 1 where the system says nothing
 /// Limits    other processes may take it first. `system_root` stands for "/" (a test gives a folder of its

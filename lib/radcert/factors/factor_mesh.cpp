@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/surface/chart_pieces.h"
 #include "radcert/triangulation/triangulation.h"
 
 namespace radcert {
@@ -36,6 +37,7 @@ FactorMesh factor_mesh(const Surface& surface, int level) {
   out.piece_names = surface.piece_names();
   out.mesh.group_names = {""};
   VertexList vertices(out.mesh.vertices);
+  const std::vector<std::size_t> pieces = chart_pieces(surface);
   for (const ParameterTriangle& triangle : triangulate(surface, level).triangles) {
     const Chart& chart = surface.charts[triangle.chart];
     expects(chart.facts().plane.has_value(), "plane charts", named("chart", chart.facts().name));
@@ -47,7 +49,7 @@ FactorMesh factor_mesh(const Surface& surface, int level) {
     out.mesh.triangles.push_back(corners);
     out.mesh.group.push_back(0);
     out.mesh.face.push_back(triangle.chart);
-    out.piece.push_back(surface.piece_of(triangle.chart));
+    out.piece.push_back(pieces[triangle.chart]);
   }
   return out;
 }

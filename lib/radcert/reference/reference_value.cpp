@@ -81,6 +81,10 @@ Outcome<EnclosedValue> enclose(const ValueFamily& family, const Arguments& argum
   for (std::size_t i = 0; i < arguments.size(); ++i)
     expects(family.parameters[i].allows(arguments[i]), family.parameters[i].allowed,
             named(family.parameters[i].name, arguments[i]), named("family", family.name));
+  // One digit more is what a value needs that is to be rounded.
+  if (digits > family.route.most_digits + 1)
+    return because(family.route.how + ": gives at most " + std::to_string(family.route.most_digits) +
+                   " digits");
   Outcome<RouteValue> first = along(family.route, arguments, digits);
   if (!first) return because(first.reason());
   Outcome<RouteValue> second =

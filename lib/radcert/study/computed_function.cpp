@@ -6,6 +6,7 @@
 
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/surface/chart_pieces.h"
 #include "radcert/surface/surface_function.h"
 
 namespace radcert {
@@ -116,8 +117,9 @@ std::vector<std::pair<std::string, Approximation>> piece_means(const ComputedFun
   });
   const std::vector<std::string> names = u_n.surface.piece_names();
   std::vector<AreaAndIntegral> by_piece(names.size());
+  const std::vector<std::size_t> pieces = chart_pieces(u_n.surface);
   for (std::size_t k = 0; k < triangles.size(); ++k) {
-    AreaAndIntegral& piece = by_piece[u_n.surface.piece_of(triangles[k].chart)];
+    AreaAndIntegral& piece = by_piece[pieces[triangles[k].chart]];
     piece.area += by_element[k].area;
     piece.integral += by_element[k].integral;
   }

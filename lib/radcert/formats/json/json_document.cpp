@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <unordered_set>
+#include <vector>
 
 #include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/text.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/json/json_reader.h"
 
@@ -32,14 +35,14 @@ public:
   }
   bool string(string_t& value) override { return add(std::move(value)); }
   bool binary(binary_t& /*value*/) override { return false; }
-  bool start_object(std::size_t /*size*/) override { return open(JsonValue::object()); }
-  bool start_array(std::size_t /*size*/) override { return open(JsonValue::array()); }
+  bool start_object(std::size_t /*size*/) override { return open(true); }
+  bool start_array(std::size_t /*size*/) override { return open(false); }
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
 
   bool key(string_t& key) override {
     open_.back().key = std::move(key);
-    if (open_.back().value.find(open_.back().key) != nullptr)
+    if (!open_.back().keys.insert(open_.back().key).second)
       throw InputError({.pointer = pointer(), .problem = "occurs twice", .allowed = "each key once"});
     return true;
   }
@@ -53,9 +56,13 @@ public:
   JsonValue take() { return std::move(root_); }
 
 private:
+  /// An object or array that has not ended; `keys` are those that have come, `key` the last of them.
   struct Open {
-    JsonValue value;
-    std::string key;
+    bool is_object = false;
+    JsonValue::Object members{};
+    JsonValue::Array elements{};
+    std::string key{};
+    std::unordered_set<std::string> keys{};
   };
 
   /// What follows the parser's own account of the place, up to the bytes that it repeats.
@@ -68,34 +75,34 @@ private:
   bool add(JsonValue value) {
     if (open_.empty())
       root_ = std::move(value);
-    else if (open_.back().value.members() != nullptr)
-      open_.back().value.set(open_.back().key, std::move(value));
+    else if (open_.back().is_object)
+      open_.back().members.push_back({open_.back().key, std::move(value)});
     else
-      open_.back().value.push(std::move(value));
+      open_.back().elements.push_back(std::move(value));
     return true;
   }
 
-  bool open(JsonValue empty) {
+  bool open(bool is_object) {
     if (open_.size() >= json_depth_limit)
       throw InputError({.pointer = pointer(),
                         .problem = "is nested too deeply",
                         .allowed = "at most " + std::to_string(json_depth_limit) +
                                    " arrays and objects inside one another"});
-    open_.push_back({std::move(empty), {}});
+    open_.push_back({.is_object = is_object});
     return true;
   }
 
   bool close() {
-    JsonValue value = std::move(open_.back().value);
+    Open ended = std::move(open_.back());
     open_.pop_back();
-    return add(std::move(value));
+    return add(ended.is_object ? JsonValue::object(std::move(ended.members))
+                               : JsonValue::array(std::move(ended.elements)));
   }
 
   std::string pointer() const {
     std::string out;
     for (const Open& level : open_)
-      out = level.value.members() != nullptr ? pointer_below(out, level.key)
-                                             : pointer_below(out, level.value.elements()->size());
+      out = level.is_object ? pointer_below(out, level.key) : pointer_below(out, level.elements.size());
     return out;
   }
 
@@ -133,6 +140,23 @@ JsonValue parse_json(std::string_view text, const std::string& source) {
 JsonValue read_json(const std::filesystem::path& path) {
   return parse_json(with_source(path.string(), [&] { return read_file(path, json_size_limit); }),
                     path.string());
+}
+
+std::string as_utf8(std::string_view text) {
+  constexpr std::size_t longest = 4;
+  std::string out;
+  while (!text.empty()) {
+    std::size_t length = 1;
+    while (length <= longest && !is_utf8(text.substr(0, length))) ++length;
+    if (length > longest) {
+      out += "\xEF\xBF\xBD";
+      length = 1;
+    } else {
+      out += text.substr(0, length);
+    }
+    text.remove_prefix(std::min(length, text.size()));
+  }
+  return out;
 }
 
 JsonValue document_head(const std::string& type, const std::string& command) {

@@ -30,6 +30,12 @@ inline constexpr std::uint64_t json_size_limit = std::uint64_t{64} << 20;
 /// Result    {"schema": "radcert/<type>/1", "radcert": the version, "command": as given}
 [[nodiscard]] JsonValue document_head(const std::string& type, const std::string& command);
 
+/// A text of unknown origin, as a file that is UTF-8 can have it: a name of a file, of a group, a command.
+/// Source    RFC 3629
+/// Requires  nothing
+/// Result    the text itself where it is UTF-8; else U+FFFD in the place of each byte that is not
+[[nodiscard]] std::string as_utf8(std::string_view text);
+
 /// A place in a JSON document, one step deeper.
 /// Source    RFC 6901
 /// Requires  nothing

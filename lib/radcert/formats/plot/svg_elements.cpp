@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "radcert/core/text.h"
+#include "radcert/formats/json/json_document.h"
 
 namespace radcert::svg {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) switch (c) {
+  for (const char c : as_utf8(text)) switch (c) {
       case '&': out += "&amp;"; break;
       case '<': out += "&lt;"; break;
       case '>': out += "&gt;"; break;

@@ -75,10 +75,10 @@ JsonValue record_json(const BasisRecord& record) {
   const ProductPrecision of_products = product_precision(facts);
   out.set("product_precision", JsonValue::object({{"triangle", of_products.triangle},
                                                   {"parallelogram", of_products.parallelogram}}));
-  out.set("norm", JsonValue::object({{"lower", Ball(facts.norm.lower).lower_double()},
-                                     {"upper", Ball(facts.norm.upper).upper_double()},
+  out.set("norm", JsonValue::object({{"lower", finite_or_null(Ball(facts.norm.lower).lower_double())},
+                                     {"upper", finite_or_null(Ball(facts.norm.upper).upper_double())},
                                      {"near", json_array(facts.norm.near.x)}}));
-  out.set("condition", Ball(facts.condition).upper_double());
+  out.set("condition", finite_or_null(Ball(facts.condition).upper_double()));
   const PredictedOrders predicted = record.orders();
   out.set("orders", JsonValue::object({{"everywhere", predicted.everywhere},
                                        {"nodes_smooth", predicted.curved},

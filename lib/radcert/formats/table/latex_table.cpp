@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/formats/json/json_document.h"
 #include "radcert/formats/table/order_text.h"
 #include "radcert/scalar/enclosing_text.h"
 
@@ -116,7 +117,7 @@ std::string means_latex(const Result& result) {
 
 std::string latex_escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) switch (c) {
+  for (const char c : as_utf8(text)) switch (c) {
       case '#':
       case '$':
       case '%':

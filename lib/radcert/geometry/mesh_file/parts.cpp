@@ -84,9 +84,13 @@ void MeshBuilder::end_face(const std::string& place) {
   mesh_.unit_of_place = place.substr(0, place.find(' '));
   mesh_.face_place.push_back(number_in(place));
   mesh_.face_begin.push_back(mesh_.corner.size());
-  const auto found = std::find(mesh_.group_names.begin(), mesh_.group_names.end(), group_);
-  mesh_.group.push_back(static_cast<std::size_t>(found - mesh_.group_names.begin()));
-  if (found == mesh_.group_names.end()) mesh_.group_names.push_back(group_);
+  const auto [found, is_new] = group_places_.try_emplace(group_, mesh_.group_names.size());
+  mesh_.group.push_back(found->second);
+  if (!is_new) return;
+  // On a terminal they would do more than name something.
+  if (std::any_of(group_.begin(), group_.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }))
+    refuse_mesh(place, group_, "is a group's name with control characters", "names of printable characters");
+  mesh_.group_names.push_back(group_);
 }
 
 void MeshBuilder::join_vertices() {

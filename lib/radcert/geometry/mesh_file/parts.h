@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "radcert/geometry/mesh_file/mesh_file.h"
@@ -38,6 +39,7 @@ private:
   MeshFile mesh_;
   std::size_t most_digits_ = 0;
   std::string group_;
+  std::unordered_map<std::string, std::size_t> group_places_;
 };
 
 /// A text's words, line by line.

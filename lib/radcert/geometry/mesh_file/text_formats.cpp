@@ -87,9 +87,11 @@ std::size_t corner_of(std::string_view word, std::size_t vertices, const std::st
     at = next;
   }
   if (number > 0) return static_cast<std::size_t>(number - 1);
-  if (number == 0 || static_cast<std::size_t>(-number) > vertices)
+  // Of -2^63, too, the size is a number without sign.
+  const std::size_t from_the_end = 0 - static_cast<std::size_t>(number);
+  if (number == 0 || from_the_end > vertices)
     refuse_mesh(place, std::to_string(number), "is no vertex number", allowed);
-  return vertices - static_cast<std::size_t>(-number);
+  return vertices - from_the_end;
 }
 
 }  // namespace

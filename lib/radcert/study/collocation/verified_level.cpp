@@ -388,7 +388,10 @@ private:
   /// be demanded.
   double size_of_u() const {
     constexpr double least = 1e-250;
+    constexpr double largest = 1e250;
     const double size = found_size(*problem_.solution, surface_, max_abs(enclosed_numbers(u_)).value);
+    if (!(size <= largest))
+      refuse("|u| has no bound that a double holds, with room for sums, on the surface");
     return size > least ? size : 1;
   }
   static std::vector<Ball> balls_of(const CertifiedValues& found) {
