@@ -2,7 +2,9 @@
 #include "radcert/continuous/goal_enclosure.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -75,6 +77,20 @@ Plan plan_cells(const Trial& trial, const Missed& allowed) {
     aim.product *= std::min(1.0, 0.9 * allowed.product / found.product);
   }
   return plan;
+}
+
+/// Rounds coefficients so that the first of the 16 hexadecimal digits of their bits hold them.
+/// Maths     d digits hold sign, exponent and 4 d - 12 bits of the fraction: a coefficient moves by no more
+///           than 2^-(4d-11) of itself, d the least number for which that is at most `allowed`
+void shorten(SectorFunctions& functions, double allowed) {
+  constexpr int fraction = 52;
+  int bits = 4;
+  while (bits < fraction && std::ldexp(0.5, -bits) > allowed) bits += 4;
+  const auto dropped = static_cast<unsigned>(fraction - bits);
+  if (dropped == 0) return;
+  const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
+  for (double& c : functions.all())
+    c = std::bit_cast<double>((std::bit_cast<std::uint64_t>(c) + half) >> dropped << dropped);
 }
 
 Approximation scaled(const Approximation& x, int exponent) {
@@ -158,6 +174,8 @@ private:
       }
     SectorFunctions q =
         trial_functions(data_.scene, elements, data_.reflectivity, given.functions, tolerance);
+    // Any functions will do, and those of a certificate are written down.
+    if (with_proof_) shorten(q, tolerance);
     const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q));
     const std::vector<double> expected = expected_norms(trial);
     const double norm_0 = 1.2 * expected[0];
