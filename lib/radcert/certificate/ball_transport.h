@@ -26,8 +26,9 @@ struct Observers {
 /// T w_k at points, in balls whose midpoints are doubles.
 /// Maths     T w_k = sum over elements of sum c_ij M_ij, M_ij = (1/pi) Int G P_i P_j the moments of the
 ///           kernel over the element, c_ij the coefficients of w_k: the search sums values of w_k over nodes
-///           and has no moments. The moments are those of tensor Gauss rules on parts of the elements. On the line m + z e of a part, z in the ellipse
-///           with half axes A and B, a = A |e|, r = |P-m| > a: (P-Q).(P-Q) has two conjugate zeros in z and
+///           and has no moments. The moments are those of tensor Gauss rules on parts of the elements. On
+///           the line m + z e of a part, z in the ellipse with half axes A and B, a = A |e|, r = |P-m| > a:
+///           (P-Q).(P-Q) has two conjugate zeros in z and
 ///           is at least (r-a)^2, |n_P.(Q-P)| <= r + a, and n_Q.(P-Q) is the height h of P, |G| <= (r+a)
 ///           h/(r-a)^4, which falls with r. With |f| <= M in the ellipse whose half axes sum to R, f = sum
 ///           a_k T_k, |a_k| <= 2 M R^-k, a rule of n nodes is exact below T_2n, and |mean of T_k| + |rule of

@@ -112,7 +112,7 @@ public:
   GoalEnclosure operator()(const EnclosureListener& progress) {
     if (!data_.reflects || !goals_.depend_on_u()) return of_emission();
     for (int layers = 2; layers <= most_layers.value(); ++layers) {
-      if (!try_layers(layers)) continue;
+      if (!try_layers(layers, progress)) continue;
       if (!best_.hindrance.empty()) return best_;
       if (progress) progress(best_.last);
       if (best_.width <= wanted_) return best_;
@@ -158,7 +158,7 @@ private:
   }
 
   /// One mesh; false where it is passed over, since its residuals would be too large.
-  bool try_layers(int layers) {
+  bool try_layers(int layers, const EnclosureListener& listener) {
     const int degree = std::max({layers - 1, data_.degree, goals_.least_degree()});
     // About what the residuals of a cube come to on so many layers; the systems are solved far better.
     const double usual = 0.05 * std::pow(4.0, -layers);
@@ -166,6 +166,10 @@ private:
     const double allowed = std::max(usual, std::min(0.1, 0.35 * radius_ * data_.gap / usual));
     std::vector<SectorElement> elements =
         goals_.refined(graded_elements(data_.scene, layers), degree, allowed);
+    EnclosureProgress begun{.layers = layers, .degree = degree, .elements = elements.size()};
+    begun.samples = best_.last.samples;
+    begun.width = best_.width;
+    CellProgress progress(listener, begun);
     const Emissions given = emissions(elements, degree);
     for (const double left : given.left)
       if (!(left <= 10 * allowed)) {
@@ -198,7 +202,8 @@ private:
       best_.hindrance = "too many cells: the polyhedron is too thin, or its edges are too sharp";
       return true;
     }
-    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_);
+    progress.begin(plan.cells.size());
+    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_, &progress);
     const std::vector<Approximation> of_density = goals_.of_density(trial);
     best_.width = 0;
     std::vector<double> radii;

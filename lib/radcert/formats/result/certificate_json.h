@@ -12,7 +12,7 @@ namespace radcert {
 /// Source    formats/schema/certificate.json
 /// Requires  as many pieces, elements and claims as belong together
 /// Result    JSON on one line: exact numbers as decimals or fractions in strings, doubles so that they read
-///           back, coefficients as the 64 bits of each in hexadecimal, without the last digits where those are
+///           back, coefficients as the 64 bits of each in hexadecimal, without the last digits where they are
 ///           0 for a whole function. `digest` is digest_of the same line without it
 [[nodiscard]] std::string certificate_text(const certificate::MeansCertificate& certificate,
                                            const std::string& command);
