@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <mutex>
 
 #include "radcert/continuous/goals.h"
 #include "radcert/continuous/observer_cells.h"
@@ -79,7 +81,24 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergy) {
 }
 
 TEST(GoalEnclosure, OfCoarseMeshesContainThoseOfFineOnes) {
-  const GoalEnclosure coarse = enclose_means(lit("tetrahedron"), 1e-1);
+  std::mutex mutex;
+  std::vector<EnclosureProgress> told;
+  const GoalEnclosure coarse = enclose_means(lit("tetrahedron"), 1e-1, [&](const EnclosureProgress& now) {
+    const std::scoped_lock lock(mutex);
+    told.push_back(now);
+  });
+  // It is told that a mesh is begun, how many of its cells are done, and how wide the enclosure is then.
+  ASSERT_GT(told.size(), 10U);
+  EXPECT_FALSE(told.front().finished);
+  EXPECT_EQ(told.front().cells, 0U);
+  EXPECT_TRUE(told.back().finished);
+  EXPECT_EQ(told.back().width, coarse.width);
+  std::size_t most = 0;
+  for (const EnclosureProgress& now : told) {
+    EXPECT_LE(now.cells_done, now.cells);
+    most = std::max(most, now.cells_done);
+  }
+  EXPECT_GT(most, told[told.size() - 2].cells * 9 / 10);
   const GoalEnclosure fine = enclose_means(lit("tetrahedron"), 2e-3);
   EXPECT_LT(fine.width, 0.1 * coarse.width);
   for (std::size_t k = 0; k < fine.numbers.size(); ++k)

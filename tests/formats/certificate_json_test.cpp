@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <string>
 
 #include "radcert/core/errors.h"
@@ -43,6 +45,20 @@ TEST(CertificateJson, IsReadAsItWasWritten) {
   EXPECT_EQ(read.certificate.claims[1].products, c.claims[1].products);
   EXPECT_EQ(read.certificate.sums.radii, c.sums.radii);
   EXPECT_EQ(read.certificate.elements[0].t0, 0.25);
+}
+
+TEST(CertificateJson, LeavesOutDigitsThatAreZeroInAllNumbersOfAFunction) {
+  certificate::MeansCertificate c = sample();
+  for (std::size_t k = 0; k < c.coefficients.size(); ++k) c.coefficients[k] = 0.25 * static_cast<double>(k);
+  c.coefficients[3] = -0x1.8p-900;
+  const std::string text = certificate_text(c, "radcert test");
+  EXPECT_LT(text.size() + 200, certificate_text(sample(), "radcert test").size());
+  EXPECT_EQ(read_certificate(text, "c.json").certificate.coefficients, c.coefficients);
+  // One odd number, and its function has all digits again; zeros alone have a few.
+  c.coefficients[1] = 0.1;
+  std::fill(c.coefficients.end() - 8, c.coefficients.end(), 0.0);
+  EXPECT_EQ(read_certificate(certificate_text(c, "radcert test"), "c.json").certificate.coefficients,
+            c.coefficients);
 }
 
 TEST(CertificateJson, SeesAnyChangedDigit) {

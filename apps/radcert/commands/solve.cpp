@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "command.h"
+#include "enclosure_display.h"
 #include "enclosure_table.h"
 #include "origin.h"
 #include "output.h"
@@ -197,18 +198,13 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Output
     check_guarantee(problem, *problem.guarantee);
     if (certified) check_certified(problem, *problem.guarantee);
   });
-  ProgressDisplay display(common.quiet);
-  display.at(0, "the first mesh");
-  const auto progress = [&](const GuaranteeProgress& now) {
-    const std::string layers = now.layers > 0 ? "layers " + std::to_string(now.layers) + ", " : "";
-    display.note(layers + "degree " + std::to_string(now.degree) + ": " + std::to_string(now.unknowns) +
-                 " unknowns, " + std::to_string(now.samples) + " points; width " + upper_text(now.width));
-    display.at(0, "what comes after degree " + std::to_string(now.degree));
-  };
+  EnclosureDisplay display(common.quiet);
+  const auto progress = [&](const GuaranteeProgress& now) { display.mesh_done(now); };
+  const auto meshes = [&](const MeshProgress& now) { display.at(now); };
   Files files;
   auto [level, enclosure] = with_source(source, [&]() -> std::pair<LevelResult, SolutionEnclosure> {
-    if (!certified) return solve_within(problem, *problem.guarantee, progress);
-    CertifiedMeans found = certified_means(problem, *problem.guarantee, progress);
+    if (!certified) return solve_within(problem, *problem.guarantee, progress, meshes);
+    CertifiedMeans found = certified_means(problem, *problem.guarantee, progress, meshes);
     files.emplace_back(options.certificate, certificate_text(found.certificate, common.command));
     return {std::move(found.level), std::move(found.enclosure)};
   });

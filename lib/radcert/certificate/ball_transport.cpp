@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "radcert/certificate/gauss_rule.h"
+#include "radcert/core/contract.h"
 #include "radcert/scalar/pack.h"
 
 namespace radcert::certificate {
@@ -22,6 +23,8 @@ constexpr double unit = 0x1p-53;
 /// Of P - Q.
 constexpr double difference_error = 0x1p-44;
 constexpr int most_source_nodes = 12;
+/// Degrees of certificates are at most 12.
+constexpr std::size_t most_powers = 16;
 constexpr double smallest_part = 0x1p-42;
 
 struct Part {
@@ -67,6 +70,8 @@ public:
         terms_(observers.s.size()),
         heights_(observers.s.size()),
         values_(observers.s.size() * stride_) {
+    expects(densities_.powers() <= most_powers, "a degree below most_powers",
+            named("powers", densities_.powers()));
     for (std::size_t p = 0; p < observers.s.size(); ++p)
       points_.push_back(own_.point(observers.s[p].value(), observers.t[p].value()));
   }
@@ -159,9 +164,7 @@ private:
                                   : infinity;
         const double error = (rule_s.error + rule_t.error + kernel) * upward;
         for (std::size_t p = begin; p < end; ++p) errors_[p] += error;
-        collect(part, rule_s.nodes, rule_t.nodes);
-        constexpr std::size_t block = 1024;
-        if (x_.size() >= block) sum(begin, end);
+        add_moments(part, rule_s.nodes, rule_t.nodes, begin, end);
         continue;
       }
       if (++cuts_ > most_parts_) {
@@ -182,7 +185,7 @@ private:
       parts.push_back(lower);
       parts.push_back(upper);
     }
-    sum(begin, end);
+    contract(begin, end);
     if (for_halves.empty()) return;
     const std::size_t middle = begin + (end - begin) / 2;
     add(begin, middle, for_halves);
@@ -215,8 +218,17 @@ private:
     return best;
   }
 
-  /// Nodes, and densities times weights there.
-  void collect(const Part& part, int nodes_s, int nodes_t) {
+  /// Adds Int G P_i P_j over a part to the moments of its element, for points begin, ..., end - 1.
+  /// Maths     along a line of nodes t = t_b Q moves by s (1 - t_b) along: Q - P and n_P.(Q-P) are affine in
+  ///           s. m_i = sum_a W_a G P_i(x_a) on the line, then M_ij += W_b (1 - t_b) m_i P_j(y_b). Lines of
+  ///           all points go side by side
+  void add_moments(const Part& part, int nodes_s, int nodes_t, std::size_t begin, std::size_t end) {
+    const std::size_t powers = densities_.powers();
+    if (element_ != part.element) {
+      contract(begin, end);
+      element_ = part.element;
+      moments_.assign((end - begin) * powers * powers, 0);
+    }
     const Element& whole = certificate_.elements[part.element];
     const SideTriangle& triangle = lines_.triangle(part.element);
     const Box& box = part.box;
@@ -228,41 +240,88 @@ private:
     const double half_s = 0.5 * (box.s1 - box.s0);
     const double half_t = 0.5 * (box.t1 - box.t0);
     const double scale = triangle.jacobian * half_s * half_t * std::numbers::inv_pi;
-    const std::size_t powers = densities_.powers();
-    const std::span<const double> w = densities_.w(part.element);
-    const std::size_t begin = x_.size();
-    const std::size_t nodes = rule_s.near_nodes.size() * rule_t.near_nodes.size();
-    x_.resize(begin + nodes);
-    y_.resize(begin + nodes);
-    z_.resize(begin + nodes);
-    weights_.resize((begin + nodes) * stride_);
-    line_.resize(powers * stride_);
-    std::size_t place = begin;
-    // Over powers of t first, for all nodes in s.
-    for (std::size_t j = 0; j < rule_t.near_nodes.size(); ++j) {
-      const double t = box.middle_t() + half_t * rule_t.near_nodes[j];
-      for (std::size_t lane = 0; lane < stride_; lane += Pack::lanes)
+    std::array<Vector<double>, most_source_nodes> starts;
+    std::array<double, most_source_nodes> shrinkage{};
+    std::array<double, static_cast<std::size_t>(most_source_nodes) * most_powers> weighted{};
+    const std::size_t lines = rule_t.near_nodes.size();
+    for (std::size_t b = 0; b < lines; ++b) {
+      const double t = box.middle_t() + half_t * rule_t.near_nodes[b];
+      starts[b] = triangle.point(0, t);
+      shrinkage[b] = 1 - t;
+      const double weight = scale * (1 - t) * rule_t.near_weights[b];
+      for (std::size_t j = 0; j < powers; ++j)
+        weighted[b * most_powers + j] = weight * p_t.values[b * powers + j];
+    }
+    const Vector<double>& n = scene_.normal(own_.face);
+    const Vector<double>& along = triangle.along;
+    const double rises = dot(n, along);
+    const std::size_t all = (end - begin) * lines;
+    std::array<double, Pack::lanes> x{};
+    std::array<double, Pack::lanes> y{};
+    std::array<double, Pack::lanes> z{};
+    std::array<double, Pack::lanes> height{};
+    std::array<double, Pack::lanes> shrinks{};
+    std::array<Pack, most_powers> on_lines{};
+    for (std::size_t first = 0; first < all; first += Pack::lanes) {
+      // Beyond the last line there is nothing: a height of 0 at the same place.
+      for (std::size_t lane = 0; lane < Pack::lanes; ++lane) {
+        const std::size_t line = std::min(first + lane, all - 1);
+        const std::size_t p = begin + line / lines;
+        const Vector<double> way = starts[line % lines] - points_[p];
+        x[lane] = way.x;
+        y[lane] = way.y;
+        z[lane] = way.z;
+        height[lane] = first + lane < all ? heights_[p] : 0;
+        shrinks[lane] = shrinkage[line % lines];
+      }
+      const Pack from_x = Pack::load(x.data());
+      const Pack from_y = Pack::load(y.data());
+      const Pack from_z = Pack::load(z.data());
+      const Pack before = fma(from_x, Pack(n.x), fma(from_y, Pack(n.y), from_z * Pack(n.z)));
+      const Pack behind = Pack::load(height.data());
+      const Pack shrunk = Pack::load(shrinks.data());
+      std::fill_n(on_lines.begin(), powers, Pack(0.0));
+      for (std::size_t a = 0; a < rule_s.near_nodes.size(); ++a) {
+        const Pack way = shrunk * Pack(box.middle_s() + half_s * rule_s.near_nodes[a]);
+        const Pack dx = fma(way, Pack(along.x), from_x);
+        const Pack dy = fma(way, Pack(along.y), from_y);
+        const Pack dz = fma(way, Pack(along.z), from_z);
+        const Pack squared = fma(dx, dx, fma(dy, dy, dz * dz));
+        const Pack cosines = fma(way, Pack(rises), before) * behind;
+        const Pack kernel = Pack(rule_s.near_weights[a]) * cosines / (squared * squared);
+        for (std::size_t i = 0; i < powers; ++i)
+          on_lines[i] = fma(kernel, Pack(p_s.values[a * powers + i]), on_lines[i]);
+      }
+      for (std::size_t line = first; line < std::min(first + Pack::lanes, all); ++line) {
+        const double* const of_t = &weighted[line % lines * most_powers];
+        double* const moments = &moments_[line / lines * powers * powers];
         for (std::size_t i = 0; i < powers; ++i) {
-          Pack inner(0.0);
-          for (std::size_t l = 0; l < powers; ++l)
-            inner = fma(Pack::load(w.data() + (i * powers + l) * stride_ + lane),
-                        Pack(p_t.values[j * powers + l]), inner);
-          inner.store(&line_[i * stride_ + lane]);
-        }
-      for (std::size_t i = 0; i < rule_s.near_nodes.size(); ++i, ++place) {
-        const Vector<double> q = triangle.point(box.middle_s() + half_s * rule_s.near_nodes[i], t);
-        x_[place] = q.x;
-        y_[place] = q.y;
-        z_[place] = q.z;
-        const double weight = scale * (1 - t) * rule_s.near_weights[i] * rule_t.near_weights[j];
-        for (std::size_t lane = 0; lane < stride_; lane += Pack::lanes) {
-          Pack of_s(0.0);
-          for (std::size_t l = 0; l < powers; ++l)
-            of_s = fma(Pack::load(&line_[l * stride_ + lane]), Pack(p_s.values[i * powers + l]), of_s);
-          (Pack(weight) * of_s).store(&weights_[place * stride_ + lane]);
+          const double m = on_lines[i].lane(line - first);
+          for (std::size_t j = 0; j < powers; ++j) moments[i * powers + j] += m * of_t[j];
         }
       }
     }
+    const auto summed = static_cast<double>(rule_s.near_nodes.size() * lines + 4);
+    for (std::size_t p = begin; p < end; ++p) terms_[p] += summed;
+  }
+
+  /// Adds sum c_ij M_ij of the element at hand to the values, and forgets its moments.
+  void contract(std::size_t begin, std::size_t end) {
+    if (!element_) return;
+    const std::size_t size = densities_.powers() * densities_.powers();
+    const std::span<const double> w = densities_.w(*element_);
+    for (std::size_t p = begin; p < end; ++p) {
+      const double* const moments = &moments_[(p - begin) * size];
+      for (std::size_t lane = 0; lane < stride_; lane += Pack::lanes) {
+        Pack sum(0.0);
+        for (std::size_t i = 0; i < size; ++i)
+          sum = fma(Pack(moments[i]), Pack::load(w.data() + i * stride_ + lane), sum);
+        double* const to = &values_[p * stride_ + lane];
+        (Pack::load(to) + sum).store(to);
+      }
+      terms_[p] += static_cast<double>(size);
+    }
+    element_.reset();
   }
 
   [[nodiscard]] LegendreTable table(double from, double to, double whole_from, double whole_to,
@@ -276,47 +335,6 @@ private:
       places[i] =
           BoundedDouble(middle, 4 * unit) + BoundedDouble(half, 2 * unit) * BoundedDouble(rule[i], unit);
     return {densities_.degree(), std::span(places).first(rule.size())};
-  }
-
-  /// Sums over the nodes that are collected for a range of points, and forgets them.
-  void sum(std::size_t begin, std::size_t end) {
-    if (x_.empty()) return;
-    const auto nodes_summed = static_cast<double>(x_.size());
-    while (x_.size() % Pack::lanes != 0) {
-      x_.push_back(x_.back());
-      y_.push_back(y_.back());
-      z_.push_back(z_.back());
-    }
-    const std::size_t nodes = x_.size();
-    weights_.resize(nodes * stride_);  // the new ones are 0
-    kernel_.resize(nodes);
-    const Vector<double>& n = scene_.normal(own_.face);
-    for (std::size_t p = begin; p < end; ++p) {
-      terms_[p] += nodes_summed;
-      const Vector<double>& at = points_[p];
-      for (std::size_t i = 0; i < nodes; i += Pack::lanes) {
-        const Pack dx = Pack::load(&x_[i]) - Pack(at.x);
-        const Pack dy = Pack::load(&y_[i]) - Pack(at.y);
-        const Pack dz = Pack::load(&z_[i]) - Pack(at.z);
-        const Pack squared = fma(dx, dx, fma(dy, dy, dz * dz));
-        const Pack before = fma(dx, Pack(n.x), fma(dy, Pack(n.y), dz * Pack(n.z)));
-        (before / (squared * squared)).store(&kernel_[i]);
-      }
-      for (std::size_t lane = 0; lane < stride_; lane += Pack::lanes) {
-        Pack even(0.0);
-        Pack odd(0.0);
-        for (std::size_t i = 0; i < nodes; i += 2) {
-          even = fma(Pack(kernel_[i]), Pack::load(&weights_[i * stride_ + lane]), even);
-          odd = fma(Pack(kernel_[i + 1]), Pack::load(&weights_[(i + 1) * stride_ + lane]), odd);
-        }
-        double* const to = &values_[p * stride_ + lane];
-        fma(Pack(heights_[p]), even + odd, Pack::load(to)).store(to);
-      }
-    }
-    x_.clear();
-    y_.clear();
-    z_.clear();
-    weights_.clear();
   }
 
   const MeansCertificate& certificate_;
@@ -337,7 +355,8 @@ private:
   std::size_t cuts_ = 0;
   double density_error_ = 0;  ///< the largest on the elements so far
   std::vector<double> values_;
-  std::vector<double> x_, y_, z_, weights_, kernel_, line_;
+  std::optional<std::size_t> element_;  ///< whose moments are at hand
+  std::vector<double> moments_;         ///< by point, i, j
 };
 
 BallTransport::Values BallTransport::operator()(const Observers& observers, double tolerance,

@@ -24,16 +24,19 @@ struct Observers {
 };
 
 /// T w_k at points, in balls whose midpoints are doubles.
-/// Maths     tensor Gauss rules on parts of the elements. On the line m + z e of a part, z in the ellipse
-///           with half axes A and B, a = A |e|, r = |P-m| > a: (P-Q).(P-Q) has two conjugate zeros in z and
+/// Maths     T w_k = sum over elements of sum c_ij M_ij, M_ij = (1/pi) Int G P_i P_j the moments of the
+///           kernel over the element, c_ij the coefficients of w_k: the search sums values of w_k over nodes
+///           and has no moments. The moments are those of tensor Gauss rules on parts of the elements. On
+///           the line m + z e of a part, z in the ellipse with half axes A and B, a = A |e|, r = |P-m| > a:
+///           (P-Q).(P-Q) has two conjugate zeros in z and
 ///           is at least (r-a)^2, |n_P.(Q-P)| <= r + a, and n_Q.(P-Q) is the height h of P, |G| <= (r+a)
 ///           h/(r-a)^4, which falls with r. With |f| <= M in the ellipse whose half axes sum to R, f = sum
 ///           a_k T_k, |a_k| <= 2 M R^-k, a rule of n nodes is exact below T_2n, and |mean of T_k| + |rule of
 ///           T_k| <= 1 + 1/(4n^2-1) for even k >= 2n (0 for odd k): it is off by at most 3 M R^(-2n)/(1 -
 ///           R^-2) of the mean Rounding: P and Q are off by 2^-47 a coordinate, P-Q by e = 2^-44 in length,
 ///           n_P.(Q-P) by 2 e, h by its own bound e_h, |P-Q|^-4 by 4.1 e/r of its size where r >= 2^10 e; the
-///           products by 10 * 2^-53. Together (8 e h/r^4 + 2 e_h/r^3). Sums of n terms and values of w:
-///           relative to T 1 <= 1
+///           products by 10 * 2^-53. Together (8 e h/r^4 + 2 e_h/r^3). Sums of n terms and the tables of P_i
+///           and P_j: relative to sum |c_ij| T 1, T 1 <= 1, for the terms are G P_i P_j, G not negative
 /// Requires  all of it outlives this
 class BallTransport {
 public:

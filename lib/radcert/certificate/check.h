@@ -52,9 +52,9 @@ struct Summed {
 /// Requires  lists of the lengths that MeansCertificate states, finite numbers
 /// Result    no refusal: what was looked at is proved, and the means are, if all claims hold. Depends on the
 ///           certificate and the part alone, whatever the number of threads
-/// Limits    a claim that holds by less than the bounds here are generous is refused. Sums over the nodes of
-///           rules are the same formula as in the search, written a second time: a test holds them against
-///           closed forms in balls
+/// Limits    a claim that holds by less than the bounds here are generous is refused. Both take Gauss rules:
+///           the search of densities at nodes, this of moments of the kernel (BallTransport), which a test
+///           holds against closed forms in balls
 [[nodiscard]] Report check(const MeansCertificate& certificate, const Part& part,
                            const CheckListener& progress = {});
 

@@ -152,7 +152,7 @@ public:
 
   FunctionEnclosure operator()(const EnclosureListener& progress) {
     for (int layers = first_layers; layers <= most_layers.value(); ++layers) {
-      if (!try_layers(layers)) continue;
+      if (!try_layers(layers, progress)) continue;
       if (progress) progress(best_.last);
       if (std::ldexp(radius_, data_.exponent) >= best_.sup || !best_.hindrance.empty())
         return std::move(best_);
@@ -172,10 +172,14 @@ private:
   }
 
   /// One mesh; false where it is passed over, since its residuals would be too large.
-  bool try_layers(int layers) {
+  bool try_layers(int layers, const EnclosureListener& listener) {
     const int degree = std::max(layers - 1, data_.degree);
     const double tolerance = 2e-4 * std::pow(4.0, -layers);
     std::vector<SectorElement> elements = graded_elements(data_.scene, layers);
+    EnclosureProgress begun{.layers = layers, .degree = degree, .elements = elements.size()};
+    begun.samples = best_.last.samples;
+    begun.width = 2 * best_.sup;
+    CellProgress progress(listener, begun);
     const SectorFunctions emission =
         emission_functions(data_.exact, data_.scene, elements, 1, degree, data_.exponent);
     SectorFunctions q = trial_functions(data_.scene, elements, data_.reflectivity, emission, tolerance);
@@ -202,7 +206,8 @@ private:
       expected[e] = trial.rho(e) > 0 ? std::max(left, 0.3 * expected[e]) : infinity;
     const DemandOutside demand(disks_, std::move(expected), 0x1p-10 * std::sqrt(smallest));
     const std::vector<ObserverCell> cells = observer_cells(trial, demand);
-    const std::vector<double> largest = largest_residuals(trial, cells, demand);
+    progress.begin(cells.size());
+    const std::vector<double> largest = largest_residuals(trial, cells, demand, &progress);
     std::vector<ResidualOnBox> proved;
     for (std::size_t c = 0; c < cells.size(); ++c)
       proved.push_back({.element = cells[c].element,

@@ -2,7 +2,9 @@
 #include "radcert/continuous/goal_enclosure.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -77,6 +79,20 @@ Plan plan_cells(const Trial& trial, const Missed& allowed) {
   return plan;
 }
 
+/// Rounds coefficients so that the first of the 16 hexadecimal digits of their bits hold them.
+/// Maths     d digits hold sign, exponent and 4 d - 12 bits of the fraction: a coefficient moves by no more
+///           than 2^-(4d-11) of itself, d the least number for which that is at most `allowed`
+void shorten(SectorFunctions& functions, double allowed) {
+  constexpr int fraction = 52;
+  int bits = 4;
+  while (bits < fraction && std::ldexp(0.5, -bits) > allowed) bits += 4;
+  const auto dropped = static_cast<unsigned>(fraction - bits);
+  if (dropped == 0) return;
+  const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
+  for (double& c : functions.all())
+    c = std::bit_cast<double>((std::bit_cast<std::uint64_t>(c) + half) >> dropped << dropped);
+}
+
 Approximation scaled(const Approximation& x, int exponent) {
   return {std::ldexp(x.value, exponent), std::ldexp(x.radius, exponent), x.guaranteed};
 }
@@ -96,7 +112,7 @@ public:
   GoalEnclosure operator()(const EnclosureListener& progress) {
     if (!data_.reflects || !goals_.depend_on_u()) return of_emission();
     for (int layers = 2; layers <= most_layers.value(); ++layers) {
-      if (!try_layers(layers)) continue;
+      if (!try_layers(layers, progress)) continue;
       if (!best_.hindrance.empty()) return best_;
       if (progress) progress(best_.last);
       if (best_.width <= wanted_) return best_;
@@ -142,7 +158,7 @@ private:
   }
 
   /// One mesh; false where it is passed over, since its residuals would be too large.
-  bool try_layers(int layers) {
+  bool try_layers(int layers, const EnclosureListener& listener) {
     const int degree = std::max({layers - 1, data_.degree, goals_.least_degree()});
     // About what the residuals of a cube come to on so many layers; the systems are solved far better.
     const double usual = 0.05 * std::pow(4.0, -layers);
@@ -150,6 +166,10 @@ private:
     const double allowed = std::max(usual, std::min(0.1, 0.35 * radius_ * data_.gap / usual));
     std::vector<SectorElement> elements =
         goals_.refined(graded_elements(data_.scene, layers), degree, allowed);
+    EnclosureProgress begun{.layers = layers, .degree = degree, .elements = elements.size()};
+    begun.samples = best_.last.samples;
+    begun.width = best_.width;
+    CellProgress progress(listener, begun);
     const Emissions given = emissions(elements, degree);
     for (const double left : given.left)
       if (!(left <= 10 * allowed)) {
@@ -158,6 +178,8 @@ private:
       }
     SectorFunctions q =
         trial_functions(data_.scene, elements, data_.reflectivity, given.functions, tolerance);
+    // Any functions will do, and those of a certificate are written down.
+    if (with_proof_) shorten(q, tolerance);
     const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q));
     const std::vector<double> expected = expected_norms(trial);
     const double norm_0 = 1.2 * expected[0];
@@ -180,7 +202,8 @@ private:
       best_.hindrance = "too many cells: the polyhedron is too thin, or its edges are too sharp";
       return true;
     }
-    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_);
+    progress.begin(plan.cells.size());
+    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_, &progress);
     const std::vector<Approximation> of_density = goals_.of_density(trial);
     best_.width = 0;
     std::vector<double> radii;

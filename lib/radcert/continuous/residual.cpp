@@ -326,7 +326,7 @@ std::vector<ElementResidual> element_residuals(const Trial& trial, std::span<con
 }  // namespace
 
 ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells, const CellDemand& demand,
-                           bool by_element) {
+                           bool by_element, CellProgress* progress) {
   const std::size_t count = trial.w.count();
   const ResidualOverCells residual(trial);
   SharesByCell by_cell(by_element ? cells.size() : 0, count);
@@ -340,6 +340,7 @@ ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cel
           if (by_element) by_cell.put(c, own);
           share = sum_of(std::move(share), own);
         }
+        if (progress != nullptr) progress->add(end - begin);
         return share;
       },
       sum_of);
@@ -369,12 +370,13 @@ ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cel
 }
 
 std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
-                                      const LargestDemand& demand) {
+                                      const LargestDemand& demand, CellProgress* progress) {
   const ResidualOverCells residual(trial);
   std::vector<double> largest(cells.size());
   parallel_for(cells.size(), 16, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c)
       largest[c] = residual.largest(cells[c], demand.allowed(cells[c].element));
+    if (progress != nullptr) progress->add(end - begin);
   });
   return largest;
 }

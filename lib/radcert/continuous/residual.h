@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "radcert/continuous/enclosure_search.h"
 #include "radcert/continuous/observer_cells.h"
 #include "radcert/continuous/trial.h"
 #include "radcert/scalar/approximation.h"
@@ -37,7 +38,8 @@ struct ResidualSums {
 /// Requires  cells of this trial
 /// Result    norms rounded up, products proved; the same bits for any number of threads
 [[nodiscard]] ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells,
-                                         const CellDemand& demand, bool by_element = false);
+                                         const CellDemand& demand, bool by_element = false,
+                                         CellProgress* progress = nullptr);
 
 /// The largest values of |t_0| on cells.
 /// Maths     |t| <= sum |c_ij| + n_s n_t times the samples' radius + interpolation_gain e, c the coefficients
@@ -45,7 +47,8 @@ struct ResidualSums {
 /// Requires  cells of this trial
 /// Result    by cell, proved; the same bits for any number of threads
 [[nodiscard]] std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
-                                                    const LargestDemand& demand);
+                                                    const LargestDemand& demand,
+                                                    CellProgress* progress = nullptr);
 
 /// About the norms of the residuals, by one rule on each element.
 /// Maths     tensor Gauss rules of degree + 2 nodes, between those at which trial_functions interpolates

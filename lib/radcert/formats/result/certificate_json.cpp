@@ -5,10 +5,12 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "radcert/core/digest.h"
+#include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
@@ -26,12 +28,17 @@ constexpr int most_degree = 12;
 constexpr std::size_t digits_of_a_double = 16;
 constexpr std::string_view hexadecimal = "0123456789abcdef";
 
-std::string bits_text(const double* from, std::size_t count) {
+/// Without the digits that are 0 in all of them.
+std::string bits_text(std::span<const double> numbers) {
+  std::uint64_t all = 0;
+  for (const double x : numbers) all |= std::bit_cast<std::uint64_t>(x);
+  constexpr int least_digits = 3;
+  const int dropped = std::min(all == 0 ? 64 : std::countr_zero(all), 64 - 4 * least_digits) / 4;
   std::string out;
-  out.reserve(count * digits_of_a_double);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto bits = std::bit_cast<std::uint64_t>(from[i]);
-    for (int shift = 60; shift >= 0; shift -= 4)
+  out.reserve(numbers.size() * digits_of_a_double);
+  for (const double x : numbers) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    for (int shift = 60; shift >= 4 * dropped; shift -= 4)
       out += hexadecimal[(bits >> static_cast<unsigned>(shift)) & 15U];
   }
   return out;
@@ -78,7 +85,7 @@ JsonValue content_json(const MeansCertificate& c, const std::string& command) {
   const std::size_t size = c.elements.size() * c.powers() * c.powers();
   JsonValue coefficients = JsonValue::array();
   for (std::size_t k = 0; k < c.functions(); ++k)
-    coefficients.push(bits_text(c.coefficients.data() + k * size, size));
+    coefficients.push(bits_text({c.coefficients.data() + k * size, size}));
   out.set("coefficients", std::move(coefficients));
   out.set("claims", json_array(c.claims, claim_json));
   out.set("sums", claim_json({c.sums.norms, c.sums.products, c.sums.radii}));
@@ -177,17 +184,21 @@ Element read_element(const JsonReader& reader, const std::vector<Face>& faces) {
 
 /// The doubles of one function.
 void read_bits(const JsonReader& reader, std::size_t count, std::vector<double>& out) {
-  const std::string what = std::to_string(count) + " numbers, each as 16 hexadecimal digits of its 64 bits";
+  const std::string what = std::to_string(count) +
+                           " numbers, each as the first of the 16 hexadecimal digits of its 64 bits, as many "
+                           "for all of them";
   const std::string& text = reader.string(what);
-  if (text.size() != count * digits_of_a_double)
+  const std::size_t digits = count == 0 ? 0 : text.size() / count;
+  if (text.size() != count * digits || digits > digits_of_a_double || (count > 0 && digits == 0))
     reader.refuse("has " + std::to_string(text.size()) + " characters", what);
   for (std::size_t i = 0; i < count; ++i) {
     std::uint64_t bits = 0;
-    for (std::size_t d = 0; d < digits_of_a_double; ++d) {
-      const std::size_t digit = hexadecimal.find(text[i * digits_of_a_double + d]);
+    for (std::size_t d = 0; d < digits; ++d) {
+      const std::size_t digit = hexadecimal.find(text[i * digits + d]);
       if (digit == std::string_view::npos) reader.refuse("has a character that is no digit", what);
       bits = bits << 4U | digit;
     }
+    bits <<= 4U * (digits_of_a_double - digits);
     const auto value = std::bit_cast<double>(bits);
     if (!(std::abs(value) <= 1e60))
       reader.refuse("has a number that is not finite or too large, number " + std::to_string(i),
@@ -283,6 +294,13 @@ ReadCertificate read_certificate(std::string_view text, const std::string& sourc
     out.digest_holds = reader.at("digest", "the digest of the content").string("a digest") == out.digest;
     return out;
   });
+}
+
+MeansCertificate intact_certificate(std::string_view text, const std::string& source) {
+  ReadCertificate read = read_certificate(text, source);
+  if (!read.digest_holds)
+    throw InputError({.source = source, .pointer = "/digest", .problem = "is not that of the content"});
+  return std::move(read.certificate);
 }
 
 }  // namespace radcert

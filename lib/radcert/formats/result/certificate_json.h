@@ -12,8 +12,8 @@ namespace radcert {
 /// Source    formats/schema/certificate.json
 /// Requires  as many pieces, elements and claims as belong together
 /// Result    JSON on one line: exact numbers as decimals or fractions in strings, doubles so that they read
-///           back, coefficients as the 64 bits of each in hexadecimal. `digest` is digest_of the same line
-///           without it
+///           back, coefficients as the 64 bits of each in hexadecimal, without the last digits where they are
+///           0 for a whole function. `digest` is digest_of the same line without it
 [[nodiscard]] std::string certificate_text(const certificate::MeansCertificate& certificate,
                                            const std::string& command);
 
@@ -30,5 +30,9 @@ struct ReadCertificate {
 ///           1e-60 to 1e60 in size or 0 where they are data; otherwise InputError with the JSON pointer.
 ///           Whether it is true is the business of certificate::check
 [[nodiscard]] ReadCertificate read_certificate(std::string_view text, const std::string& source);
+
+/// The same of a file that is as it was written; InputError where its digest is not that of the content.
+[[nodiscard]] certificate::MeansCertificate intact_certificate(std::string_view text,
+                                                               const std::string& source);
 
 }  // namespace radcert

@@ -76,7 +76,7 @@ public:
   }
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
-      const GuaranteeListener& progress) const override {
+      const GuaranteeListener& progress, const MeshListener& /*meshes*/) const override {
     const auto tell = [&](const EllipsoidProgress& now) {
       if (progress)
         progress({.degree = now.degree,

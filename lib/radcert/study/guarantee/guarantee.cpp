@@ -57,7 +57,8 @@ std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const
 
 }  // namespace
 
-CertifiedMeans EnclosedProblem::certified(const GuaranteeListener& /*progress*/) const {
+CertifiedMeans EnclosedProblem::certified(const GuaranteeListener& /*progress*/,
+                                          const MeshListener& /*meshes*/) const {
   expects(has_certificate(), "a problem that has certificates");
   throw AccuracyNotReached("the means of u", "there is no certificate");
 }
@@ -91,12 +92,18 @@ void check_guarantee(const Problem& problem, const Guarantee& guarantee) {
 
 std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem, const Guarantee& guarantee,
                                                        const GuaranteeListener& progress) {
-  return enclosed_problem(problem, guarantee)->solve(progress);
+  return solve_within(problem, guarantee, progress, {});
+}
+
+std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem, const Guarantee& guarantee,
+                                                       const GuaranteeListener& progress,
+                                                       const MeshListener& meshes) {
+  return enclosed_problem(problem, guarantee)->solve(progress, meshes);
 }
 
 CertifiedMeans certified_means(const Problem& problem, const Guarantee& guarantee,
-                               const GuaranteeListener& progress) {
-  return certified_problem(problem, guarantee)->certified(progress);
+                               const GuaranteeListener& progress, const MeshListener& meshes) {
+  return certified_problem(problem, guarantee)->certified(progress, meshes);
 }
 
 void check_certified(const Problem& problem, const Guarantee& guarantee) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "radcert/certificate/check.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 namespace {
@@ -42,6 +43,22 @@ std::vector<Side> sides_of(const PolyhedronProblem& problem) {
   return out;
 }
 
+/// A bound as a short decimal.
+/// Result    at least x, up to a hundredth larger
+double short_bound(double x) {
+  constexpr int digits = 3;
+  return Rational::parse(upper_text(x, DecimalForm::general(digits))).value().to_double();
+}
+
+/// A number with as few digits as leave it within a fiftieth of its radius.
+double rounded_within(double x, double radius) {
+  if (!(std::abs(x) > 0.02 * radius)) return 0;
+  const double digits = std::ceil(std::log10(std::abs(x) / (0.02 * radius)));
+  constexpr double most = 17;
+  const DecimalForm form = DecimalForm::general(static_cast<int>(std::clamp(digits + 1, 1.0, most)));
+  return Rational::parse(nearest_text(x, form)).value().to_double();
+}
+
 /// The claims of a search, wider.
 class WiderClaims {
 public:
@@ -70,15 +87,17 @@ public:
     const ElementResidual& found = proof_.residuals[e];
     for (std::size_t k = 0; k <= pieces_; ++k) {
       const double norm = std::hypot(1.1 * found.norms[k], floors_[k]);
-      claim.norms[k] = std::ldexp(norm, k == 0 ? proof_.exponent : 0);
+      claim.norms[k] = short_bound(std::ldexp(norm, k == 0 ? proof_.exponent : 0));
     }
     for (std::size_t k = 0; k < pieces_; ++k) {
       const Approximation& product = found.products[1 + k];
       double more = 0.06 / static_cast<double>(elements_);
       if (proof_.elements[e].box.t0 == 0) more += 0.06 / static_cast<double>(at_edges_);
       more *= std::max(proof_.radii[k], proof_.wanted);
-      claim.products[k] = std::ldexp(product.value, proof_.exponent);
-      claim.radii[k] = std::ldexp(product.radius + more, proof_.exponent);
+      const double exact = std::ldexp(product.value, proof_.exponent);
+      const double radius = std::ldexp(product.radius + more, proof_.exponent);
+      claim.products[k] = rounded_within(exact, radius);
+      claim.radii[k] = short_bound(radius + 1.001 * std::abs(claim.products[k] - exact));
     }
     return claim;
   }

@@ -314,17 +314,18 @@ public:
       outside_ = distance_from_vertices(guarantee, near_.polyhedron);
   }
 
-  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
-      const GuaranteeListener& progress) const override {
-    return guarantee_.of == EnclosedQuantity::function ? function(wanted(), told(progress))
-                                                       : numbers(wanted(), told(progress));
+  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(const GuaranteeListener& progress,
+                                                                const MeshListener& meshes) const override {
+    return guarantee_.of == EnclosedQuantity::function ? function(wanted(), told(progress, meshes))
+                                                       : numbers(wanted(), told(progress, meshes));
   }
 
   /// A certificate is of polynomials.
   [[nodiscard]] bool has_certificate() const override { return near_.distance == 0; }
-  [[nodiscard]] CertifiedMeans certified(const GuaranteeListener& progress) const override {
+  [[nodiscard]] CertifiedMeans certified(const GuaranteeListener& progress,
+                                         const MeshListener& meshes) const override {
     const GoalEnclosure found =
-        enclose_means(near_.polyhedron, certified_share * wanted(), told(progress), true);
+        enclose_means(near_.polyhedron, certified_share * wanted(), told(progress, meshes), true);
     auto [level, enclosure] = result_of(found, false);
     CertifiedMeans out{
         .level = std::move(level),
@@ -338,14 +339,20 @@ public:
   }
 
 private:
-  [[nodiscard]] static EnclosureListener told(const GuaranteeListener& progress) {
-    return [&progress](const EnclosureProgress& now) {
-      if (progress)
+  [[nodiscard]] static EnclosureListener told(const GuaranteeListener& progress, const MeshListener& meshes) {
+    return [&progress, &meshes](const EnclosureProgress& now) {
+      if (now.finished && progress)
         progress({.layers = now.layers,
                   .degree = now.degree,
                   .unknowns = now.unknowns,
                   .samples = now.samples,
                   .width = now.width});
+      if (!now.finished && meshes)
+        meshes({.layers = now.layers,
+                .degree = now.degree,
+                .cells = now.cells,
+                .cells_done = now.cells_done,
+                .width = now.width});
     };
   }
   /// Of the polynomial emission. A double from below: what is reached is then within what was asked for.

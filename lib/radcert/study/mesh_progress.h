@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <utility>
+
+#include "radcert/study/guarantee.h"
+
+namespace radcert {
+
+/// How far the work on one mesh has come on the way to an enclosure.
+struct MeshProgress {
+  int layers = 0;
+  int degree = 0;
+  std::uint64_t cells = 0;  ///< 0: the functions are being found
+  std::uint64_t cells_done = 0;
+  double width = 0;  ///< of the enclosure from the meshes before; infinite where there was none
+};
+
+/// Requires  may be called by several threads at once
+using MeshListener = std::function<void(const MeshProgress&)>;
+
+/// solve_within, told of the work on each mesh too: on an ellipsoid there is none.
+[[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem,
+                                                                     const Guarantee& guarantee,
+                                                                     const GuaranteeListener& progress,
+                                                                     const MeshListener& meshes);
+
+}  // namespace radcert
