@@ -16,8 +16,6 @@ struct Counted {
     return "counted";
   }
 };
-struct Streamed {};
-std::ostream& operator<<(std::ostream& out, Streamed) { return out << "streamed " << 0.5; }
 struct Mute {};
 enum class Colour { red = 3 };
 
@@ -53,7 +51,6 @@ TEST(Description, ShowsEveryKindOfValue) {
   EXPECT_EQ(description(UINT64_MAX), "18446744073709551615");
   EXPECT_EQ(description(std::string("text")), "\"text\"");
   EXPECT_EQ(description(Counted{&shown}), "counted");
-  EXPECT_EQ(description(Streamed{}), "streamed 0.5");
   EXPECT_EQ(description(Colour::red), "3");
   EXPECT_EQ(description(Mute{}), "(a value without text)");
 }
