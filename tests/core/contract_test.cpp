@@ -2,7 +2,6 @@
 #include "radcert/core/contract.h"
 
 #include <gtest/gtest.h>
-#include <ostream>
 #include <string>
 
 namespace {

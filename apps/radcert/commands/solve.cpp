@@ -125,8 +125,7 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
           : result.problem.label;
   const NamedPlot plot{
       "errors_against_h",
-      convergence_plot("Errors of " + name,
-                       {.name = {}, .levels = result.levels, .orders = result.orders, .row = std::nullopt})};
+      convergence_plot("Errors of " + name, {.name = {}, .levels = result.levels, .orders = result.orders})};
   if (!plot.plot.curves.empty())
     for (auto& file : plot_files(folder, {&plot, 1})) files.push_back(std::move(file));
   std::vector<InputDigest> inputs = {problem};
