@@ -170,8 +170,8 @@ TEST(DirectSolver, BoundsSolutionsWhereNothingContracts) {
   const Values radius{0.25};
   const Values e{1};
   const Values e_radius{0};
-  const Outcome<LinearSolution> found = find_linear_solver("direct")->solve(
-      {.k = k, .row_radius = radius, .e = e, .e_radius = e_radius, .contraction = nullptr}, std::nullopt);
+  const Outcome<LinearSolution> found = find_linear_solver("direct")->eliminate(
+      {.k = k, .row_radius = radius, .e = e, .e_radius = e_radius, .contraction = nullptr});
   ASSERT_TRUE(found);
   EXPECT_EQ(found->values[0], -2);
   EXPECT_GE(found->radius, 2);
