@@ -83,7 +83,7 @@ PROBLEMS = {
     "a reflectivity above 1 somewhere": (small(reflectivity="1/2 + x"), "/reflectivity", "allowed"),
     "a reflectivity below 0": (small(reflectivity={"upper": "0-x", "*": "0"}), "/reflectivity", "allowed"),
     "a norm of K that is 1": (small(surface=CUBE), "/reflectivity", "allowed"),
-    "a plan beyond all memory": (triangulation([0, 20]), "/triangulation/levels/1", "bytes"),
+    "a plan beyond all memory": (triangulation([0, 20]), "/triangulation/levels/1", "of memory"),
     "a plan beyond 64 bits": (triangulation([30]), "/triangulation/levels/0", "allowed"),
 }
 
