@@ -100,8 +100,37 @@ class Reference(ProgramTest):
             self.assertEqual(value["midpoint"], row["midpoint"])
             mantissa, exponent = row["midpoint_exact"].split("*2^")
             self.assertEqual({"mantissa": mantissa, "exponent": exponent}, value["midpoint_binary"])
-            self.assertLessEqual(mpf(row["radius"]), mpf("1e-6"))
-        self.assertEqual(len(os.listdir(self.path("data"))), len(rows) + 2)
+            if "certificates" in entry:
+                self.assertTrue(row["name"].startswith("continuous_mean_"))
+                self.assertLessEqual(mpf(row["radius"]), mpf("1e-4"))
+                self.assertEqual([os.path.join("certificates", route["certificate"]) for route in value["route_values"]],
+                                 entry["certificates"])
+                for file in entry["certificates"]:
+                    self.assertTrue(os.path.isfile(self.path(os.path.join("data", file))))
+            else:
+                self.assertLessEqual(mpf(row["radius"]), mpf("1e-6"))
+        self.assertEqual(len(os.listdir(self.path("data"))), len(rows) + 3)
+
+    def test_a_mean_of_a_continuous_solution_comes_with_its_certificates(self):
+        name = "continuous_mean_cube_floor_rho_1/2"
+        found = self.value(name, "--out", "proof")
+        jsonschema.validate(found, json.loads(self.expect(0, "schema", "reference")))
+        self.assertTrue(found["guaranteed"])
+        files = [route["certificate"] for route in found["route_values"]]
+        self.assertEqual(sorted(os.listdir(self.path("proof"))), sorted(files))
+        for route in found["route_values"]:
+            with open(self.path(os.path.join("proof", route["certificate"])), encoding="utf-8") as file:
+                mean = next(mean for mean in json.load(file)["means"] if mean["piece"] == "floor")
+            self.assertLessEqual(abs(mpf(mean["midpoint"]) - mpf(route["midpoint"])) + mpf(mean["radius"]),
+                                 mpf(route["radius"]))
+        checked = self.expect(0, "check", os.path.join("proof", files[1]), "--part", "1")
+        self.assertIn("verified", checked)
+        self.assertIn("is not proved by its certificate", self.refused(1, name, "--digits", "15"))
+        self.assertIn("is one value", self.refused(2, name, "--set", "rho=1/3"))
+        # The lumped value is another number, and its name says so.
+        lumped = mpf(self.value("cube_floor_radiosity")["midpoint"])
+        self.assertGreater(abs(lumped - mpf(found["midpoint"])), mpf("0.01"))
+        self.assertIn("lumped", self.expect(0, "list", "references"))
 
     def test_the_sphere_over_the_disk_by_its_points(self):
         found = self.value("sphere_over_disk", "--at", "B:0.25", "--at", "D:10", "--digits", "12")

@@ -11,6 +11,7 @@
 #include "output.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
+#include "radcert/reference/continuous_means.h"
 #include "radcert/reference/reference_value.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/surface/catalogue.h"
@@ -139,6 +140,8 @@ std::vector<Entry> references() {
       arguments += (i == 0 ? "(" : ", ") + family.parameters[i].name + " = " + value.arguments[i].to_text();
     out.push_back({.name = value.name, .summary = family.name + (arguments.empty() ? "" : arguments + ")")});
   }
+  for (const reference::ContinuousMean& mean : reference::continuous_means())
+    out.push_back({.name = mean.name, .summary = mean.summary});
   for (const reference::ValueFamily& family : reference::value_families()) {
     Entry line{.name = family.name, .summary = family.summary};
     for (const reference::ValueParameter& parameter : family.parameters)

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "command.h"
+#include "continuous_records.h"
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
@@ -33,7 +34,7 @@ namespace psg10 = verification::psg10;
 
 struct ReferenceOptions {
   std::string name;
-  std::string digits = "20";
+  std::string digits;
   std::vector<std::string> settings;
   bool all = false;
   std::string out;
@@ -49,7 +50,10 @@ struct Wanted {
   reference::Arguments arguments;
 };
 
+constexpr int usual_digits = 20;
+
 int digits_of(const std::string& text) {
+  if (text.empty()) return usual_digits;
   int digits = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), digits);
   if (error != std::errc() || end != text.data() + text.size() || digits < 1 ||
@@ -98,6 +102,7 @@ Wanted member(const reference::NamedValue& value) {
   std::vector<std::string> names;
   for (const reference::NamedValue& value : reference::named_values()) names.push_back(value.name);
   for (const reference::ValueFamily& family : reference::value_families()) names.push_back(family.name);
+  for (const reference::ContinuousMean& mean : reference::continuous_means()) names.push_back(mean.name);
   names.emplace_back(psg10::sphere_over_disk_name);
   throw InputError({.source = "reference",
                     .value = name,
@@ -228,6 +233,26 @@ ExitCode print_one(const Common& common, const ReferenceOptions& options, int di
   return ExitCode::done;
 }
 
+/// A mean of the solution of the continuous equation has the digits that its certificate proves.
+ExitCode print_continuous(const Common& common, const ReferenceOptions& options,
+                          const reference::ContinuousMean& mean, int digits) {
+  if (!options.settings.empty())
+    throw InputError({.source = "--set",
+                      .value = options.settings.front(),
+                      .problem = "is for a family, and " + mean.name + " is one value"});
+  Outputs outputs(common);
+  outputs.folder("--out", options.out);
+  const ReferenceRecord record = continuous_record(mean);
+  if (!options.digits.empty() && digits > record.digits)
+    throw AccuracyNotReached(mean.name, "a radius of 1e-" + std::to_string(digits) +
+                                            " is not proved by its certificate, 1e-" +
+                                            std::to_string(record.digits) + " is");
+  if (!options.out.empty())
+    outputs.write(certificate_files(*reference::find_continuous_scene(mean.scene), options.out));
+  print_result(common, text_of(record), reference_json(record, common.command).pretty() + "\n");
+  return ExitCode::done;
+}
+
 ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& options, int digits) {
   psg10::SphereOverDiskWish wish{
       .arguments = {}, .at = options.at, .curve = options.curve, .points = options.points, .digits = digits};
@@ -260,33 +285,52 @@ ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& opt
   return ExitCode::done;
 }
 
+constexpr const char* certificate_folder = "certificates";
+
 JsonValue manifest(const Common& common, const std::vector<ReferenceRecord>& records, int digits) {
   JsonValue out = document_head("manifest", common.command);
   out.set("digits", digits);
   out.set("table", "references.csv");
   out.set("values", json_array(records, [](const ReferenceRecord& record) {
-            return JsonValue::object({{"name", record.name}, {"file", file_name(record.name) + ".json"}});
+            JsonValue value =
+                JsonValue::object({{"name", record.name}, {"file", file_name(record.name) + ".json"}});
+            JsonValue certificates = JsonValue::array();
+            for (const ReferenceRoute& route : record.routes)
+              if (!route.certificate.empty())
+                certificates.push(std::string(certificate_folder) + "/" + route.certificate);
+            if (!certificates.elements()->empty()) value.set("certificates", std::move(certificates));
+            return value;
           }));
   return out;
 }
 
 ExitCode write_all(const Common& common, const ReferenceOptions& options, int digits) {
   Outputs outputs(common);
+  const std::filesystem::path folder = options.out;
+  const std::filesystem::path certificates = folder / certificate_folder;
   outputs.folder("--out", options.out, {"manifest.json"});
+  outputs.folder("--out", certificates);
   const auto named = reference::named_values();
+  const auto scenes = reference::continuous_scenes();
+  const auto all = static_cast<double>(named.size() + reference::continuous_means().size());
   ResultStore store = common.store();
   std::vector<ReferenceRecord> records;
+  std::vector<std::pair<std::filesystem::path, std::string>> files;
   {
     ProgressDisplay progress(common.quiet);
     for (const reference::NamedValue& value : named) {
       throw_if_interrupted();
-      progress.at(static_cast<double>(records.size()) / static_cast<double>(named.size()), value.name);
+      progress.at(static_cast<double>(records.size()) / all, value.name);
       records.push_back(kept_record(value, digits, store));
+    }
+    for (const reference::ContinuousScene& scene : scenes) {
+      throw_if_interrupted();
+      progress.at(static_cast<double>(records.size()) / all, scene.name);
+      for (ReferenceRecord& record : continuous_records(scene)) records.push_back(std::move(record));
+      for (auto& file : certificate_files(scene, certificates)) files.push_back(std::move(file));
     }
   }
   say_where_nothing_is_kept(store);
-  const std::filesystem::path folder = options.out;
-  std::vector<std::pair<std::filesystem::path, std::string>> files;
   for (const ReferenceRecord& record : records)
     files.emplace_back(folder / (file_name(record.name) + ".json"),
                        reference_json(record, common.command).pretty() + "\n");
@@ -294,8 +338,10 @@ ExitCode write_all(const Common& common, const ReferenceOptions& options, int di
   const std::string contents = manifest(common, records, digits).pretty() + "\n";
   files.emplace_back(folder / "manifest.json", contents);
   print_result(common, outputs,
-               std::to_string(records.size()) + " values with radii <= 1e-" + std::to_string(digits) +
-                   " in " + options.out + "\n",
+               std::to_string(named.size()) + " values with radii <= 1e-" + std::to_string(digits) +
+                   ", and " + std::to_string(records.size() - named.size()) +
+                   " means of continuous solutions with the radii of their certificates, in " + options.out +
+                   "\n",
                contents, std::move(files));
   return ExitCode::done;
 }
@@ -308,7 +354,8 @@ ExitCode give_reference(const Common& common, const ReferenceOptions& options) {
                       .allowed = "one of them; the names are those of radcert list references"});
   if (options.all && options.out.empty())
     throw InputError({.source = "reference", .problem = "--all without --out", .allowed = "--all --out DIR"});
-  if (!options.all && !options.out.empty())
+  const reference::ContinuousMean* mean = reference::find_continuous_mean(options.name);
+  if (!options.all && mean == nullptr && !options.out.empty())
     throw InputError({.source = "reference", .problem = "--out without --all", .allowed = "--json FILE"});
   if (options.all && !options.settings.empty())
     throw InputError({.source = "--set", .value = options.settings.front(), .problem = "is for one family"});
@@ -318,6 +365,7 @@ ExitCode give_reference(const Common& common, const ReferenceOptions& options) {
     throw InputError({.source = options.at.empty() ? "--curve" : "--at",
                       .value = options.at.empty() ? options.curve : options.at.front(),
                       .problem = "is for " + std::string(psg10::sphere_over_disk_name)});
+  if (mean != nullptr) return print_continuous(common, options, *mean, digits);
   return options.all ? write_all(common, options, digits) : print_one(common, options, digits);
 }
 
@@ -327,13 +375,18 @@ void add_reference(Program& program) {
   Subcommand command = program.add("reference", "A reference value as midpoint and radius, by two routes");
   auto options = std::make_shared<ReferenceOptions>();
   command.optional_word("NAME", options->name, "A value or a family of radcert list references");
-  command.option_with_default("--digits", options->digits,
-                              "The radius is at most 10^-DIGITS; from 1 to 1000");
+  command.option("--digits", options->digits,
+                 "The radius is at most 10^-DIGITS; from 1 to 1000. Default: 20; of the means of continuous "
+                 "solutions what their certificates prove",
+                 "DIGITS");
   command.repeated("--set", options->settings, "A parameter of a family, as NAME=VALUE; may be repeated",
                    "NAME=VALUE");
   command.flag("--all", options->all, "Every value that has a name of its own, with --out");
-  command.option("--out", options->out, "With --all: a JSON file a value, references.csv and manifest.json",
-                 "DIR");
+  command.option(
+      "--out", options->out,
+      "With --all: a JSON file a value, references.csv, manifest.json and the certificates; with the "
+      "mean of a continuous solution its certificates, for radcert check",
+      "DIR");
   command.repeated(
       "--at", options->at,
       "sphere_over_disk: B:LATITUDE in radians on the sphere, or D:DISTANCE from the axis on the disk; "

@@ -61,8 +61,10 @@ JsonValue reference_json(const ReferenceRecord& record, const std::string& comma
   out.set("radius_binary", binary_json(value.radius_binary()));
   out.set("route_values", json_array(record.routes, [&record](const ReferenceRoute& route) {
             const BallDecimal found = reference_decimal(route.value, record.digits);
-            return JsonValue::object(
+            JsonValue entry = JsonValue::object(
                 {{"route", route.how}, {"midpoint", found.midpoint}, {"radius", found.radius}});
+            if (!route.certificate.empty()) entry.set("certificate", route.certificate);
+            return entry;
           }));
   return out;
 }

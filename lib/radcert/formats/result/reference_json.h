@@ -15,6 +15,7 @@ namespace radcert {
 struct ReferenceRoute {
   std::string how;
   Ball value;
+  std::string certificate = {};  ///< the name of the file that proves it, where there is one
 };
 
 /// A reference value, ready to be written.

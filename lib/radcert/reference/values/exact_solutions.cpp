@@ -91,21 +91,23 @@ Ball cube_by_elimination(const Ball& rho, CubeFace face) {
 }
 
 ValueFamily cube_family(const std::string& face_name, CubeFace face) {
-  return {
-      .name = "cube_radiosity_of_" + face_name,
-      .summary = "radiosity of the " + face_name +
-                 " of the unit cube whose floor emits 1, one constant a face coupled by area-to-area factors",
-      .formula = "u_i = E_i + rho sum_j F_ij u_j",
-      .source = "Howell C-11 for the factors",
-      .parameters = {from_to_below("rho", "1/2", 0, 1)},
-      .route = by_formula("symmetry reduces the six unknowns; Howell C-11 and closure",
-                          [face](const Arguments& a) {
-                            const Ball f = opposed_rectangles(1, 1, 1);
-                            return cube_radiosity(Ball(a[0]), f, (Ball(1) - f) / Ball(4), face);
-                          }),
-      .second_route =
-          by_formula("elimination in six unknowns, factors by contour integrals",
-                     [face](const Arguments& a) { return cube_by_elimination(Ball(a[0]), face); })};
+  return {.name = "cube_radiosity_of_" + face_name,
+          .summary =
+              "lumped radiosity of the " + face_name +
+              " of the unit cube whose floor emits 1, one constant a face coupled by area-to-area factors; "
+              "the mean of the continuous solution is continuous_mean_cube_" +
+              face_name + "_rho_1/2",
+          .formula = "u_i = E_i + rho sum_j F_ij u_j",
+          .source = "Howell C-11 for the factors",
+          .parameters = {from_to_below("rho", "1/2", 0, 1)},
+          .route = by_formula("symmetry reduces the six unknowns; Howell C-11 and closure",
+                              [face](const Arguments& a) {
+                                const Ball f = opposed_rectangles(1, 1, 1);
+                                return cube_radiosity(Ball(a[0]), f, (Ball(1) - f) / Ball(4), face);
+                              }),
+          .second_route =
+              by_formula("elimination in six unknowns, factors by contour integrals",
+                         [face](const Arguments& a) { return cube_by_elimination(Ball(a[0]), face); })};
 }
 
 /// The zero of an increasing function on an interval, by bisection; `sign` is of a ball, 0 where it straddles

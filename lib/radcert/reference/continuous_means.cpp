@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/reference/continuous_means.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "radcert/certificate/check.h"
+#include "radcert/core/contract.h"
+#include "radcert/scalar/ball.h"
+
+namespace radcert::reference {
+namespace {
+
+using Corners = std::vector<Vector<Rational>>;
+
+/// Those of [0,a] x [0,b] x [0,c].
+struct Box {
+  Rational a, b, c;
+  [[nodiscard]] Corners all() const {
+    return {{0, 0, 0}, {a, 0, 0}, {0, b, 0}, {a, b, 0}, {0, 0, c}, {a, 0, c}, {0, b, c}, {a, b, c}};
+  }
+  [[nodiscard]] Corners floor() const { return {{0, 0, 0}, {a, 0, 0}, {0, b, 0}, {a, b, 0}}; }
+  [[nodiscard]] Corners ceiling() const { return {{0, 0, c}, {a, 0, c}, {0, b, c}, {a, b, c}}; }
+  [[nodiscard]] Corners west() const { return {{0, 0, 0}, {0, b, 0}, {0, 0, c}, {0, b, c}}; }
+  [[nodiscard]] Corners south() const { return {{0, 0, 0}, {a, 0, 0}, {0, 0, c}, {a, 0, c}}; }
+};
+
+const Corners tetrahedron_corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+
+std::array<std::string, 2> files(const std::string& scene) {
+  return {scene + "_fine.json", scene + "_coarse.json"};
+}
+
+std::vector<ContinuousScene> made_scenes() {
+  const Box cube{1, 1, 1};
+  const Box box{1, 2, 3};
+  const Rational half(1, 2);
+  return {{.name = "cube_rho_1/2",
+           .words = "the unit cube, rho = 1/2, the floor emits 1",
+           .corners = cube.all(),
+           .emitting = cube.floor(),
+           .reflectivity = half,
+           .certificates = files("cube_rho_1_over_2")},
+          {.name = "cube_quartic_rho_2/5",
+           .words = "the unit cube, rho = 2/5, E = (1 - z)^4",
+           .corners = cube.all(),
+           .emitting = {},
+           .offset = 1,
+           .slope = {0, 0, -1},
+           .power = 4,
+           .reflectivity = Rational(2, 5),
+           .certificates = files("cube_quartic_rho_2_over_5")},
+          {.name = "cube_rho_9/10",
+           .words = "the unit cube, rho = 9/10, the floor emits 1",
+           .corners = cube.all(),
+           .emitting = cube.floor(),
+           .reflectivity = Rational(9, 10),
+           .certificates = files("cube_rho_9_over_10")},
+          {.name = "box_1_2_3_rho_1/2",
+           .words = "the box [0,1] x [0,2] x [0,3], rho = 1/2, the floor emits 1",
+           .corners = box.all(),
+           .emitting = box.floor(),
+           .reflectivity = half,
+           .certificates = files("box_1_2_3_rho_1_over_2")},
+          {.name = "tetrahedron_rho_1/2",
+           .words = "the regular tetrahedron with corners in four of those of [-1,1]^3, rho = 1/2, the face "
+                    "opposite (1,1,1) emits 1",
+           .corners = tetrahedron_corners,
+           .emitting = {tetrahedron_corners[1], tetrahedron_corners[2], tetrahedron_corners[3]},
+           .reflectivity = half,
+           .certificates = files("tetrahedron_rho_1_over_2")}};
+}
+
+std::vector<ContinuousMean> made_means() {
+  std::vector<ContinuousMean> out;
+  const auto add = [&](const std::string& scene, const std::string& name, const std::string& of,
+                       Corners face) {
+    const ContinuousScene* where = find_continuous_scene(scene);
+    out.push_back(
+        {.name = "continuous_mean_" + name,
+         .summary = "mean over " + of + " of the solution of the continuous equation: " + where->words,
+         .scene = scene,
+         .face = std::move(face)});
+  };
+  const Box cube{1, 1, 1};
+  for (const std::string rho : {"rho_1/2", "rho_9/10"}) {
+    add("cube_" + rho, "cube_floor_" + rho, "the floor", cube.floor());
+    add("cube_" + rho, "cube_ceiling_" + rho, "the ceiling", cube.ceiling());
+    add("cube_" + rho, "cube_wall_" + rho, "a wall", cube.west());
+  }
+  add("cube_quartic_rho_2/5", "cube_quartic_floor_rho_2/5", "the floor", cube.floor());
+  add("cube_quartic_rho_2/5", "cube_quartic_ceiling_rho_2/5", "the ceiling", cube.ceiling());
+  const Box box{1, 2, 3};
+  const std::string of_box = "box_1_2_3_rho_1/2";
+  add(of_box, "box_1_2_3_floor_rho_1/2", "the floor", box.floor());
+  add(of_box, "box_1_2_3_ceiling_rho_1/2", "the ceiling", box.ceiling());
+  add(of_box, "box_1_2_3_wall_2_3_rho_1/2", "a wall of the sides 2 and 3", box.west());
+  add(of_box, "box_1_2_3_wall_1_3_rho_1/2", "a wall of the sides 1 and 3", box.south());
+  const std::string of_tetrahedron = "tetrahedron_rho_1/2";
+  const Corners& t = tetrahedron_corners;
+  add(of_tetrahedron, "tetrahedron_emitting_face_rho_1/2", "the face that emits", {t[1], t[2], t[3]});
+  add(of_tetrahedron, "tetrahedron_other_face_rho_1/2", "a face that does not emit", {t[0], t[1], t[2]});
+  return out;
+}
+
+/// (constant + of_x x + of_y y)^power.
+struct PowerOfLinear {
+  Rational constant, of_x, of_y;
+  std::size_t power = 1;
+
+  /// Of x^i y^j: power!/(i! j! k!) of_x^i of_y^j constant^k, i + j + k = power.
+  [[nodiscard]] Rational coefficient(std::size_t i, std::size_t j) const {
+    if (i + j > power) return 0;
+    Rational out = 1;
+    const auto choose = [&out](const Rational& base, std::size_t count, std::size_t of) {
+      for (std::size_t k = 0; k < count; ++k)
+        out = out * base * Rational(static_cast<long>(of - k)) / Rational(static_cast<long>(k + 1));
+    };
+    choose(of_x, i, power);
+    choose(of_y, j, power - i);
+    choose(constant, power - i - j, power - i - j);
+    return out;
+  }
+};
+
+bool is_before(const Vector<Rational>& p, const Vector<Rational>& q) {
+  if (!(p.x == q.x)) return p.x < q.x;
+  if (!(p.y == q.y)) return p.y < q.y;
+  return p.z < q.z;
+}
+
+/// In an order of their own, each once.
+Corners as_set(Corners corners) {
+  std::sort(corners.begin(), corners.end(), is_before);
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  return corners;
+}
+
+/// The faces with these corners.
+std::vector<std::size_t> faces_with(const certificate::MeansCertificate& c, const Corners& corners) {
+  const Corners wanted = as_set(corners);
+  std::vector<std::size_t> out;
+  for (std::size_t k = 0; k < c.faces.size(); ++k)
+    if (as_set(c.faces[k].corners) == wanted) out.push_back(k);
+  return out;
+}
+
+/// The piece that is the face with these corners and no other.
+Outcome<std::size_t> piece_of(const certificate::MeansCertificate& c, const Corners& corners) {
+  const std::vector<std::size_t> faces = faces_with(c, corners);
+  if (faces.size() != 1) return because("no face has the corners of the one that is asked for");
+  const std::size_t piece = c.faces[faces[0]].piece;
+  const auto alike = std::count_if(c.faces.begin(), c.faces.end(),
+                                   [piece](const certificate::Face& face) { return face.piece == piece; });
+  if (alike != 1) return because("the piece of the face has other faces");
+  return piece;
+}
+
+/// One certificate of a scene, checked.
+struct Checked {
+  certificate::MeansCertificate certificate;
+  std::string how;
+};
+
+Outcome<Checked> checked(const ContinuousScene& scene, const std::string& file,
+                         const CertificateReader& reader, std::size_t elements) {
+  Checked out{.certificate = reader(certificate_content(file), file), .how = {}};
+  const certificate::MeansCertificate& c = out.certificate;
+  if (const std::string fault = scene_fault(scene, c); !fault.empty()) return because(file + ": " + fault);
+  const certificate::Report report = certificate::check(c, {.elements = elements, .seed = file});
+  if (report.refusal) return because(file + ": " + report.refusal->pointer + ": " + report.refusal->says);
+  out.how = "certificate " + file + ", functions of degree " + std::to_string(c.degree) + " on " +
+            std::to_string(c.elements.size()) + " elements, " + std::to_string(report.looked_at.size()) +
+            " of which were checked now";
+  return out;
+}
+
+Outcome<RouteValue> value_of(const Checked& from, const ContinuousMean& mean) {
+  const Outcome<std::size_t> piece = piece_of(from.certificate, mean.face);
+  if (!piece) return because(mean.name + ": " + piece.reason());
+  const certificate::Enclosure& found = from.certificate.means[*piece];
+  return RouteValue{.how = from.how, .value = widened(Ball(found.midpoint), Ball(found.radius))};
+}
+
+template <class List>
+auto named(const List& list, std::string_view name) -> decltype(list.data()) {
+  const auto found =
+      std::find_if(list.begin(), list.end(), [name](const auto& entry) { return entry.name == name; });
+  return found == list.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::span<const ContinuousScene> continuous_scenes() {
+  static const std::vector<ContinuousScene> all = made_scenes();
+  return all;
+}
+
+std::span<const ContinuousMean> continuous_means() {
+  static const std::vector<ContinuousMean> all = made_means();
+  return all;
+}
+
+const ContinuousScene* find_continuous_scene(std::string_view name) {
+  return named(continuous_scenes(), name);
+}
+
+const ContinuousMean* find_continuous_mean(std::string_view name) { return named(continuous_means(), name); }
+
+std::string_view certificate_content(std::string_view file) {
+  for (const EmbeddedFile& embedded : embedded_certificates())
+    if (embedded.path == file) return embedded.content;
+  expects(false, "a file of embedded_certificates", radcert::named("file", std::string(file)));
+  return {};
+}
+
+std::string scene_fault(const ContinuousScene& scene, const certificate::MeansCertificate& c) {
+  Corners corners;
+  for (const certificate::Face& face : c.faces)
+    corners.insert(corners.end(), face.corners.begin(), face.corners.end());
+  if (as_set(std::move(corners)) != as_set(scene.corners)) return "has not the corners of " + scene.name;
+  const std::vector<std::size_t> emitting = faces_with(c, scene.emitting);
+  if (!scene.emitting.empty() && emitting.size() != 1) return "has not the face that emits in " + scene.name;
+  for (std::size_t k = 0; k < c.faces.size(); ++k) {
+    const certificate::Face& face = c.faces[k];
+    if (!(face.reflectivity == scene.reflectivity)) return "has another reflectivity than " + scene.name;
+    const bool emits = scene.emitting.empty() || k == emitting[0];
+    const Vector<Rational>& corner = face.corners[0];
+    const auto rise = [&](std::size_t other) { return dot(scene.slope, face.corners[other] - corner); };
+    const PowerOfLinear expected{.constant = scene.offset + dot(scene.slope, corner),
+                                 .of_x = rise(1),
+                                 .of_y = rise(2),
+                                 .power = emits ? static_cast<std::size_t>(scene.power) : 0};
+    const std::size_t rows = std::max(expected.power + 1, face.emission.size());
+    for (std::size_t i = 0; i < rows; ++i)
+      for (std::size_t j = 0; j < rows; ++j) {
+        const bool is_there = i < face.emission.size() && j < face.emission[i].size();
+        const Rational wanted = emits ? expected.coefficient(i, j) : Rational(0);
+        if (!((is_there ? face.emission[i][j] : Rational(0)) == wanted))
+          return "has another emission than " + scene.name;
+      }
+  }
+  return {};
+}
+
+Outcome<std::vector<EnclosedMean>> enclose(const ContinuousScene& scene, const CertificateReader& reader,
+                                           std::size_t elements) {
+  const Outcome<Checked> fine = checked(scene, scene.certificates[0], reader, elements);
+  if (!fine) return because(fine.reason());
+  const Outcome<Checked> coarse = checked(scene, scene.certificates[1], reader, elements);
+  if (!coarse) return because(coarse.reason());
+  std::vector<EnclosedMean> out;
+  for (const ContinuousMean& mean : continuous_means()) {
+    if (mean.scene != scene.name) continue;
+    Outcome<RouteValue> first = value_of(*fine, mean);
+    if (!first) return because(first.reason());
+    Outcome<RouteValue> second = value_of(*coarse, mean);
+    if (!second) return because(second.reason());
+    if (!overlaps(first->value, second->value))
+      throw std::logic_error(mean.name + ": two proofs contradict each other: " + first->value.to_text(20) +
+                             " (" + first->how + "), " + second->value.to_text(20) + " (" + second->how +
+                             ")");
+    out.push_back({.mean = &mean, .first = *std::move(first), .second = *std::move(second)});
+  }
+  return out;
+}
+
+}  // namespace radcert::reference

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/reference/continuous_means.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "radcert/certificate/check.h"
+#include "radcert/certificate/densities.h"
+#include "radcert/core/errors.h"
+#include "radcert/formats/result/certificate_json.h"
+
+namespace radcert::reference {
+namespace {
+
+using certificate::MeansCertificate;
+
+/// A change of a certificate on its way from the file.
+CertificateReader changing(std::function<void(MeansCertificate&)> change) {
+  return [change = std::move(change)](std::string_view text, const std::string& file) {
+    MeansCertificate c = intact_certificate(text, file);
+    change(c);
+    return c;
+  };
+}
+
+TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
+  std::set<std::string> found;
+  for (const ContinuousScene& scene : continuous_scenes()) {
+    // Throws where both have no number in common.
+    const Outcome<std::vector<EnclosedMean>> means = enclose(scene, intact_certificate, 1);
+    ASSERT_TRUE(means) << scene.name << ": " << means.reason();
+    EXPECT_FALSE(means->empty()) << scene.name;
+    for (const EnclosedMean& mean : *means) {
+      found.insert(mean.mean->name);
+      EXPECT_LT(mean.first.value.radius(), mean.second.value.radius()) << mean.mean->name;
+      EXPECT_LT(mean.first.value.radius(), 1e-4) << mean.mean->name;
+      EXPECT_NE(mean.first.how, mean.second.how);
+    }
+    const MeansCertificate fine =
+        intact_certificate(certificate_content(scene.certificates[0]), scene.certificates[0]);
+    const MeansCertificate coarse =
+        intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]);
+    EXPECT_NE(fine.elements.size(), coarse.elements.size()) << scene.name;
+    EXPECT_EQ(fine.degree == coarse.degree, scene.power > 1) << scene.name;
+  }
+  EXPECT_EQ(found.size(), continuous_means().size());
+  for (const ContinuousMean& mean : continuous_means()) {
+    EXPECT_EQ(find_value(mean.name), nullptr) << mean.name;
+    EXPECT_EQ(find_family(mean.name), nullptr) << mean.name;
+    EXPECT_TRUE(mean.name.starts_with("continuous_mean_")) << mean.name;
+  }
+}
+
+/// With one reflectivity Int u = Int E/(1 - rho): areas times means are known.
+TEST(ContinuousMeans, KeepTheBalanceOfEnergy) {
+  for (const ContinuousScene& scene : continuous_scenes())
+    for (const std::string& file : scene.certificates) {
+      const MeansCertificate c = intact_certificate(certificate_content(file), file);
+      ASSERT_EQ(scene_fault(scene, c), "") << file;
+      const std::vector<Ball> areas = certificate::piece_areas(c);
+      Ball left;
+      Ball right;
+      for (std::size_t k = 0; k < c.pieces.size(); ++k)
+        left += areas[k] * widened(Ball(c.means[k].midpoint), Ball(c.means[k].radius));
+      // Of (1 - z)^4 and of 1 on one face, by hand.
+      if (scene.power == 4) {
+        right = Ball(Rational(1) + Rational(4, 5));
+      } else {
+        for (const certificate::Face& face : c.faces)
+          if (face.emission[0][0].sign() > 0) right += certificate::area_of(face);
+      }
+      right = right / Ball(Rational(1) - scene.reflectivity);
+      EXPECT_TRUE(overlaps(left, right)) << file << ": " << left.to_text() << ", " << right.to_text();
+      // Radii are rigorous sums of norms: the balance holds far better.
+      EXPECT_LT(std::abs((left - right).to_double()), 0.5 * left.radius()) << file;
+    }
+}
+
+/// The claims on a few elements of each file, others with RADCERT_ATTACK_SEED; radcert check --all is for
+/// all of them.
+TEST(ContinuousMeans, HaveClaimsThatHold) {
+  const char* const asked = std::getenv("RADCERT_LAWS");
+  const char* const seed = std::getenv("RADCERT_ATTACK_SEED");
+  const std::size_t elements = asked == nullptr ? 1 : static_cast<std::size_t>(std::max(1, std::atoi(asked)));
+  for (const EmbeddedFile& file : embedded_certificates()) {
+    const MeansCertificate c = intact_certificate(file.content, std::string(file.path));
+    const certificate::Report report =
+        certificate::check(c, {.elements = elements, .seed = seed == nullptr ? "a test" : seed});
+    EXPECT_FALSE(report.refusal) << file.path << report.refusal->pointer << ": " << report.refusal->says;
+  }
+}
+
+TEST(ContinuousMeans, AreRefusedWhereTheCertificateIsOfAnotherEquation) {
+  const ContinuousScene& scene = *find_continuous_scene("cube_rho_1/2");
+  const auto is_refused = [&](const std::function<void(MeansCertificate&)>& change) {
+    return !enclose(scene, changing(change), 0);
+  };
+  EXPECT_FALSE(is_refused([](MeansCertificate&) {}));
+  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.faces[3].reflectivity = Rational(2, 5); }));
+  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+    for (certificate::Face& face : c.faces) face.emission[0][0] = Rational(1) - face.emission[0][0];
+  }));
+  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+    for (certificate::Face& face : c.faces)
+      for (Vector<Rational>& corner : face.corners) corner.x *= Rational(2);
+  }));
+  // The emission on another face: the cube turned over.
+  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+    for (certificate::Face& face : c.faces) {
+      for (Vector<Rational>& corner : face.corners) corner.z = Rational(1) - corner.z;
+      std::reverse(face.corners.begin(), face.corners.end());
+    }
+  }));
+  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+    c.faces[1].emission = {{Rational(0), Rational(0)}, {Rational(1, 1000)}};
+  }));
+  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.faces[1].piece = c.faces[0].piece; }));
+  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.means[2].midpoint += Rational(1, 1000000); }));
+  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.claims[100].radii[1] *= 2; }));
+  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.sums.norms[3] *= 0.99; }));
+  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.elements.pop_back(), c.claims.pop_back(); }));
+}
+
+TEST(ContinuousMeans, AreNotGivenWhereTheFileWasChanged) {
+  const std::string file = continuous_scenes()[0].certificates[1];
+  std::string text(certificate_content(file));
+  const std::size_t at = text.find("\"claims\"");
+  ASSERT_NE(at, std::string::npos);
+  const std::size_t digit = text.find_first_of("123456789", at);
+  text[digit] = text[digit] == '1' ? '2' : '1';
+  EXPECT_THROW(static_cast<void>(intact_certificate(text, file)), InputError);
+}
+
+/// One constant a face is another model: its value is no approximation of the mean to these digits.
+TEST(ContinuousMeans, AreNotTheLumpedValues) {
+  const std::vector<EnclosedMean> means =
+      enclose(*find_continuous_scene("cube_rho_1/2"), intact_certificate, 0).value();
+  for (const auto& [mean, lumped] :
+       {std::pair("continuous_mean_cube_floor_rho_1/2", "cube_floor_radiosity"),
+        std::pair("continuous_mean_cube_ceiling_rho_1/2", "cube_ceiling_radiosity"),
+        std::pair("continuous_mean_cube_wall_rho_1/2", "cube_wall_radiosity")}) {
+    const auto found =
+        std::find_if(means.begin(), means.end(), [&](const EnclosedMean& x) { return x.mean->name == mean; });
+    ASSERT_NE(found, means.end()) << mean;
+    const NamedValue& other = *find_value(lumped);
+    const Ball value = enclose(*find_family(other.family), other.arguments, 10).value().first.value;
+    EXPECT_FALSE(overlaps(found->first.value, value)) << mean;
+    EXPECT_FALSE(overlaps(found->second.value, value)) << mean;
+  }
+}
+
+}  // namespace
+}  // namespace radcert::reference
