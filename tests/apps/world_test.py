@@ -234,7 +234,7 @@ class Limits(WorldTest):
         limit = in_process((resource.RLIMIT_AS, 1 << 30))
         code, _, said = self.run_with("solve", "problem.json", "--threads", "1", prepare=limit)
         self.assertEqual(code, 2, said)
-        self.assertIn("of memory", said)
+        self.assertIn("a plan within", said)
 
     def test_memory_stays_within_the_plan(self):
         # What the program holds before it begins: code, libraries, tables.

@@ -5,10 +5,10 @@
     python3 tests/robust/bombs.py build/release/bin/radcert                 some six hundred commands, a quarter of an hour
     python3 tests/robust/bombs.py build/release/bin/radcert --only "nodes"  those whose name contains the word
 
-Each command has two seconds. One that is at work then must have said something on stderr, and end within a second and
-a fifth of a SIGINT. A signal that ends it, and exit code 3, are no answers to an input. Prints a line a command that
-did otherwise, and the counts; exit code 0 where there is none, else 1. On a busy machine two seconds are few: that
-only makes more commands meet the signal.
+Each command has two seconds of a processor. One that is at work then must have said something on stderr, and end within
+a second and a fifth of a SIGINT; run as root, the script lets it do so before all other work of a busy machine. A
+signal that ends it, and exit code 3, are no answers to an input. Prints a line a command that did otherwise, and the
+counts; exit code 0 where there is none, else 1.
 """
 import argparse
 import json
@@ -208,6 +208,15 @@ def references(program):
     yield "curves", ["reference", "sphere_over_disk", "--curve", "c.csv", "--points", "100000"]
 
 
+def processor_seconds(process):
+    """What its threads have taken; all there is where it has ended."""
+    try:
+        fields = pathlib.Path(f"/proc/{process}/stat").read_text(encoding="ascii").rpartition(")")[2].split()
+    except OSError:
+        return SECONDS
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def verdict(program, words, folder):
     """What is wrong with how a command ends, if anything, and whether it met the signal."""
     with open(folder / "stderr", "wb") as errors:
@@ -215,10 +224,14 @@ def verdict(program, words, folder):
                                    env={**os.environ, "RADCERT_STORE": str(folder / "store")})
         met = False
         try:
-            running.wait(SECONDS)
+            while running.poll() is None and processor_seconds(running.pid) < SECONDS:
+                time.sleep(0.05)
+            running.wait(0)
         except subprocess.TimeoutExpired:
             met = True
             silent = (folder / "stderr").stat().st_size == 0
+            if os.geteuid() == 0:
+                os.setpriority(os.PRIO_PROCESS, running.pid, -10)
             running.send_signal(signal.SIGINT)
             begin = time.monotonic()
             running.wait(60)
