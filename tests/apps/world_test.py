@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -233,7 +234,36 @@ class Limits(WorldTest):
         limit = in_process((resource.RLIMIT_AS, 1 << 30))
         code, _, said = self.run_with("solve", "problem.json", "--threads", "1", prepare=limit)
         self.assertEqual(code, 2, said)
-        self.assertIn("of memory", said)
+        self.assertIn("a plan within", said)
+
+    def test_memory_stays_within_the_plan(self):
+        # What the program holds before it begins: code, libraries, tables.
+        unplanned = 48 << 20
+        flat = {"surface": {"name": "cube"}, "reflectivity": "1/2", "solution": "x"}
+        for words in (["solve", self.write("direct.json", small(triangulation={"levels": [4]}, solver={"name": "direct"}))],
+                      ["solve", self.write("gmres.json", small(triangulation={"levels": [4]}, solver={"name": "gmres"}))],
+                      ["solve", self.write("verified.json", small(**flat, triangulation={"levels": [1]}, solver={"name": "verified"}))],
+                      ["solve", self.write("h2.json", small(**flat, triangulation={"levels": [3]}, operator={"name": "h2"}))],
+                      ["factors", "cube", "--level", "3"], ["factors", "cube", "--level", "2", "--json", "/dev/null"],
+                      ["factors", "cube", "--level", "1", "--certified"],
+                      ["factors", "cube", "--level", "2", "--rays", "--by", "piece", "--accuracy", "1e-2"]):
+            with self.subTest(words=words):
+                refused = self.run_program(*words, "--max-memory", "1k")
+                self.assertEqual(refused.returncode, 2, refused.stderr)
+                planned = int(re.search(rb"needs (\d+) bytes", refused.stderr)[1])
+                program = self.start(*words, "--quiet", "--threads", "2")
+                program.stdout.close()
+                with program.stderr as errors:
+                    said = errors.read()
+                _, status, used = os.wait4(program.pid, 0)
+                program.returncode = os.waitstatus_to_exitcode(status)
+                self.assertIn(program.returncode, (0, -13), said)  # -13: nobody reads its table
+                self.assertLessEqual(used.ru_maxrss * 1024, planned + unplanned)
+
+    def test_memory_that_no_plan_counts_is_held_too(self):
+        # The same in little: 256 MiB beside --max-memory are for all that, and this takes more.
+        code, _, said = self.run_with("check", "/dev/zero", "--max-memory", "1k", input=b"")
+        self.assertEqual(code, 2, said)
 
     def test_where_memory_ends_nothing_aborts(self):
         for mebibytes in (48, 64, 96):

@@ -53,9 +53,9 @@ INPUTS = {"problem.json": PROBLEM, "guarantee.json": GUARANTEE, "experiment.json
 COMMANDS = {
     "solve": ["solve", "problem.json", "--out", "out", "--json", "result.json", "--nodes", "nodes.csv"],
     "experiment": ["experiment", "experiment.json", "--out", "out"],
-    "factors": ["factors", "cube", "--level", "2", "--certified", "--out", "factors.csv"],
+    "factors": ["factors", "octahedron", "--certified", "--out", "factors.csv"],
     "reference": ["reference", "--all", "--digits", "8", "--out", "out"],
-    "verify": ["verify", "m06/equation_1", "m06/equation_14", "--out", "out"],
+    "verify": ["verify", "m06/equation_14", "--out", "out"],
     "picture": ["picture", "figure_3", "--size", "160x120", "--out", "picture.svg", "--json", "picture.json"],
     "guarantee": ["solve", "guarantee.json", "--vtu", "u.vtu", "--nodes", "u.csv", "--json", "result.json"],
 }

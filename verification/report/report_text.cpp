@@ -228,7 +228,9 @@ std::string report_table(const Report& report, std::size_t most_columns) {
 
 std::string report_markdown(const Report& report, const std::string& command) {
   std::string out = "# Verification\n\nradcert " + std::string(version()) + ", `" + command + "`, budget " +
-                    std::string(name(report.budget)) + ".\n\n";
+                    std::string(name(report.budget)) +
+                    ". What was tried to break it: version " RADCERT_ROBUSTNESS_VERSION
+                    " of tests/robust/README.md.\n\n";
   out += std::to_string(report.claims.size()) + " statements: " + counts_text(report) + ". ";
   out += report.as_recorded() ? "Every verdict is as recorded.\n"
                               : std::to_string(report.differing()) + " differ from the record.\n";

@@ -37,7 +37,13 @@ public:
   }
 
   double lane(std::size_t i) const { return i < half ? low_[i] : high_[i - half]; }
-  void set_lane(std::size_t i, double x) { (i < half ? low_[i] : high_[i - half]) = x; }
+  void set_lane(std::size_t i, double x) {
+    // Clang assigns to no lane that a conditional expression gives.
+    if (i < half)
+      low_[i] = x;
+    else
+      high_[i - half] = x;
+  }
 
   Pack operator-() const { return {-low_, -high_}; }
   friend Pack operator+(const Pack& a, const Pack& b) { return {a.low_ + b.low_, a.high_ + b.high_}; }
