@@ -247,9 +247,11 @@ ExitCode print_continuous(const Common& common, const ReferenceOptions& options,
     throw AccuracyNotReached(mean.name, "a radius of 1e-" + std::to_string(digits) +
                                             " is not proved by its certificate, 1e-" +
                                             std::to_string(record.digits) + " is");
+  Files files;
   if (!options.out.empty())
-    outputs.write(certificate_files(*reference::find_continuous_scene(mean.scene), options.out));
-  print_result(common, text_of(record), reference_json(record, common.command).pretty() + "\n");
+    files = certificate_files(*reference::find_continuous_scene(mean.scene), options.out);
+  print_result(common, outputs, text_of(record), reference_json(record, common.command).pretty() + "\n",
+               std::move(files));
   return ExitCode::done;
 }
 
