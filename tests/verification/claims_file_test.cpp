@@ -103,6 +103,7 @@ TEST(ClaimsFile, RefusesWhatIsNoToml) {
   EXPECT_THAT(refusal("[a]\nsays = \"a\"\nsays = \"b\"\n"), HasSubstr("line 3"));
   EXPECT_THAT(refusal("\xff\xfe"), HasSubstr("claims.toml"));
   EXPECT_THAT(refusal("[a]\nneeds = " + std::string(100000, '[')), HasSubstr("claims.toml"));
+  EXPECT_THAT(refusal("[a]\nneeds\xEF\xBB\xBD = 1\n"), HasSubstr("line 2: has U+FEFD"));
 }
 
 constexpr const char* order = R"([a]

@@ -37,14 +37,20 @@ bool is_decimal_point(std::string_view line, std::size_t dot) {
 
 /// The tables of a key with very many dots would be read, and taken apart, one on the stack of the other. A
 /// key does not go over a line's end, and of two dots of one at most one looks like a decimal point.
-void refuse_deep_keys(std::string_view text, const std::string& source) {
+void refuse_before_parsing(std::string_view text, const std::string& source) {
   int number = 1;
+  // U+FEFD, which is no character: the parser's table of letters has no answer for it.
+  constexpr std::string_view unanswered = "\xEF\xBB\xBD";
   for (std::size_t begin = 0; begin < text.size(); ++number) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view line = text.substr(begin, end - begin);
     int dots = 0;
     for (std::size_t at = line.find('.'); at != std::string_view::npos; at = line.find('.', at + 1))
       if (!is_decimal_point(line, at)) ++dots;
+    if (line.find(unanswered) != std::string_view::npos)
+      throw InputError({.source = source + ", line " + std::to_string(number),
+                        .problem = "has U+FEFD, which is no character",
+                        .allowed = "characters of Unicode"});
     if (dots > most_dots)
       throw InputError({.source = source + ", line " + std::to_string(number),
                         .problem = "has " + std::to_string(dots) + " dots that are no decimal points",
@@ -124,7 +130,7 @@ int TomlDocument::line_of(std::string pointer) const {
 }
 
 TomlDocument parse_toml(std::string_view text, const std::string& source) {
-  refuse_deep_keys(text, source);
+  refuse_before_parsing(text, source);
   try {
     TomlDocument document;
     document.value = Conversion(document, source).value(toml::parse(text, source), "");
