@@ -169,7 +169,18 @@ TEST(MeshContacts, LeavePlatesAndMeshesWithoutContactsAsTheyAre) {
   }
   EXPECT_TRUE(uncovered(plate)->contacts.empty());
   EXPECT_EQ(uncovered(plate)->mesh.triangles, plate.triangles);
-  // The other way round the same boxes are a room in a body.
+  // A sheet that lies on the floor, front down: neither it nor the room, whose front is inside, is a body.
+  TriangleMesh sheet;
+  add_box(sheet, "room", {0, 0, 0}, {4, 3, 2.5}, true);
+  const std::size_t begin = sheet.vertices.size();
+  sheet.vertices.insert(sheet.vertices.end(), {{1, 1, 0}, {2, 1, 0}, {1, 2, 0}});
+  sheet.group_names.emplace_back("sheet");
+  sheet.triangles.push_back({begin, begin + 2, begin + 1});
+  sheet.group.push_back(1);
+  sheet.face.push_back(sheet.triangles.size() - 1);
+  EXPECT_TRUE(uncovered(sheet)->contacts.empty());
+  EXPECT_EQ(uncovered(sheet)->mesh.triangles, sheet.triangles);
+  // A cupboard in place of it is one.
   TriangleMesh mesh;
   add_box(mesh, "room", {0, 0, 0}, {4, 3, 2.5}, true);
   add_box(mesh, "cupboard", {1, 1, 0}, {1.75, 1.5, 2});
