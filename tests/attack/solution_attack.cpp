@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Enclosures of the solution on skew polyhedra: constants in furnaces whose walls reflect unequally, which
 // means and values have to contain; the balance of energy of any other emission; coarse enclosures beside
-// finer ones.
+// finer ones; and values of solutions that no formula knows, each lit by two faces, which make a furnace
+// together.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -156,6 +157,71 @@ Judgement judge_balance(const Instance& x) {
   if (!(off <= radius + 1e-12L * std::abs(right)))
     return Judgement::violated(off_text("the energy", off, static_cast<double>(radius)));
   return Judgement::held(problem.panels.size() + 1);
+}
+
+/// A tetrahedron, and a point of a face as weights of its corners.
+struct Lit {
+  Instance scene;
+  std::size_t face = 0;
+  std::array<long, 3> weights{1, 1, 1};
+};
+
+std::string text_of_lit(const Lit& x) {
+  std::string out = text(x.scene) + ", face " + std::to_string(x.face) + ", weights";
+  for (const long weight : x.weights) out += " " + std::to_string(weight);
+  return out;
+}
+
+Lit drawn_lit(Draw& draw) {
+  Lit x{.scene = drawn(draw)};
+  x.scene.surface = "tetrahedron";
+  x.scene.emission.clear();
+  // A little skew, and two faces are black: their residuals do not count.
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t l = 0; l < 3; ++l)
+      x.scene.map[k][l] = k == l  ? 85 + static_cast<long>(draw.below(31))
+                          : l > k ? static_cast<long>(draw.below(31)) - 15
+                                  : 0;
+  x.scene.reflectivity.assign(4, 0);
+  x.face = draw.below(4);
+  x.scene.reflectivity[x.face] = 20 + static_cast<long>(draw.below(50));
+  x.scene.reflectivity[(x.face + 1 + draw.below(3)) % 4] = 20 + static_cast<long>(draw.below(50));
+  x.scene.width = 0.3;
+  for (long& weight : x.weights) weight = 2 + static_cast<long>(draw.below(5));
+  return x;
+}
+
+/// With E = 1 - rho on every face u = 1, and u is linear in E: the values lit by two faces each sum to 1.
+Judgement judge_lit(const Lit& x) {
+  PolyhedronProblem problem = problem_of(x.scene);
+  const std::vector<Vector<Rational>>& c = problem.panels[x.face].corners;
+  const Rational all(x.weights[0] + x.weights[1] + x.weights[2]);
+  const SolutionPoint point{
+      x.face, (Rational(1) / all) * (Rational(x.weights[0]) * c[0] + Rational(x.weights[1]) * c[1] +
+                                     Rational(x.weights[2]) * c[2])};
+  long double sum = 0;
+  long double radius = 0;
+  for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
+    for (std::size_t j = 0; j < problem.panels.size(); ++j)
+      problem.emission[j] = constant_polynomial(
+          j % 2 == half ? Rational(1) - hundredths(x.scene.reflectivity[j]) : Rational(0));
+    const GoalEnclosure found = enclose_values(problem, {point}, x.scene.width);
+    if (!found.numbers[0].has_radius()) return Judgement::refused();
+    sum += static_cast<long double>(found.numbers[0].value);
+    radius += static_cast<long double>(found.numbers[0].radius);
+  }
+  const long double off = std::abs(sum - 1);
+  if (!(off <= radius + 1e-15L))
+    return Judgement::violated(off_text("the sum of the values", off, static_cast<double>(radius)));
+  return Judgement::held(2);
+}
+
+TEST(SolutionAttack, ValuesOnPolyhedraMakeAFurnace) {
+  hold(Attack<Lit>{.name = "values on polyhedra",
+                   .usual_instances = 1,
+                   .make = drawn_lit,
+                   .judge = judge_lit,
+                   .text = text_of_lit});
 }
 
 TEST(SolutionAttack, EnclosuresOnPolyhedraHold) {

@@ -87,14 +87,20 @@ struct Jumping {
       : scene(panels_of(name)),
         reflectivity(scene.panels().size(), 0.5),
         elements(graded_elements(scene, 3)),
-        trial(scene, reflectivity, elements, functions(size, seed), SectorFunctions(elements.size(), 1, 2)) {}
+        trial(scene, reflectivity, elements, functions(size, seed), ones()) {}
 
 private:
+  /// q = 1 and E about 1/2, so that w is about 1, and T w - q small: its bound is what rules miss, above all.
+  [[nodiscard]] SectorFunctions ones() const {
+    SectorFunctions q(elements.size(), 1, 2);
+    for (std::size_t e = 0; e < elements.size(); ++e) q.of(e, 0)[0] = 1;
+    return q;
+  }
   [[nodiscard]] SectorFunctions functions(double size, std::uint64_t seed) const {
     Draw draw(seed);
     SectorFunctions w = test::drawn_functions(elements.size(), 1, 2, draw);
     for (double& c : w.all()) c *= size;
-    for (std::size_t e = 0; e < elements.size(); ++e) w.of(e, 0)[0] += 1;
+    for (std::size_t e = 0; e < elements.size(); ++e) w.of(e, 0)[0] += 0.5;
     return w;
   }
 };
@@ -143,10 +149,11 @@ TEST(LargestResiduals, BoundTheResidualEverywhere) {
           sector.point(cell.box.s0 + (cell.box.s1 - cell.box.s0) * draw(),
                        cell.box.t0 + (cell.box.t1 - cell.box.t0) * (0.01 + 0.99 * draw()));
       const Transport::Values sent = transport({.panel = sector.panel, .points = {p}}, 1e-8);
-      EXPECT_LE(std::abs(sent.values[0]), largest[c] + sent.radius);
-      closest = std::max(closest, std::abs(sent.values[0]) / largest[c]);
+      const double residual = std::abs(sent.values[0] - 1);
+      EXPECT_LE(residual, largest[c] + sent.radius);
+      closest = std::max(closest, residual / largest[c]);
     }
-    EXPECT_GT(closest, 0.9) << name;
+    EXPECT_GT(closest, 0.4) << name;
     EXPECT_GT(closed, 0) << name;
   }
 }

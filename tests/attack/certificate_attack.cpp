@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Certificates whose claims are true or false by a little, on skew polyhedra: in a furnace with u = 1 and
+// constant functions the residuals are known exactly, and the check must refuse what is false.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "radcert/certificate/check.h"
+#include "radcert/core/text.h"
+#include "tests/attack/attack.h"
+#include "tests/certificate/samples.h"
+
+namespace radcert::attack {
+namespace {
+
+using certificate::Claim;
+using certificate::MeansCertificate;
+
+/// A furnace with one reflectivity, as a certificate with one claim that is false or nearly so.
+/// Maths     E = 1 - rho, q_0 = 1 - d, q_k = b: w_0 = 1 - rho d, t_0 = d (1 - rho) by T 1 = 1, w_k = rho
+///           (1 on piece k, else 0, + b), |t_k| <= rho (1 + b) + b. On the element X the norm of t_0 is d (1
+///           - rho) (rho |X|)^(1/2), and Int_X w_k t_0 = w_k d (1 - rho) |X|. The claim has `norm` times the
+///           one and `off` radii beside the other
+struct Instance {
+  std::string surface;
+  std::array<std::array<long, 3>, 3> map{};  ///< in hundredths
+  long reflectivity = 50;                    ///< in hundredths
+  double d = 0.25;
+  double b = 0.25;
+  int layers = 2;
+  std::size_t element = 0;  ///< of as many as there are
+  std::size_t piece = 0;
+  double norm = 1.1;
+  double off = 0;
+  double size = 1;  ///< of E and u
+};
+
+std::string text(const Instance& x) {
+  std::string out = x.surface + ", map";
+  for (const auto& row : x.map)
+    for (const long entry : row) out += " " + std::to_string(entry);
+  return out + ", rho " + std::to_string(x.reflectivity) + ", d " + shortest(x.d) + ", b " + shortest(x.b) +
+         ", layers " + std::to_string(x.layers) + ", element " + std::to_string(x.element) + ", piece " +
+         std::to_string(x.piece) + ", norm " + shortest(x.norm) + ", off " + shortest(x.off) + ", size " +
+         shortest(x.size);
+}
+
+Rational hundredths(long n) { return {n, 100}; }
+
+struct Made {
+  MeansCertificate certificate;
+  std::size_t element = 0;
+};
+
+Made certificate_of(const Instance& x) {
+  Made out{.certificate = test::bare_certificate(x.surface, x.layers, 0, 1)};
+  MeansCertificate& c = out.certificate;
+  const Rational rho = hundredths(x.reflectivity);
+  const double r = rho.to_double();
+  for (certificate::Face& face : c.faces) {
+    face.reflectivity = rho;
+    face.emission = {{(Rational(1) - rho) * Rational::exactly(x.size)}};
+    for (Vector<Rational>& p : face.corners) {
+      const auto row = [&](std::size_t k) {
+        return hundredths(x.map[k][0]) * p.x + hundredths(x.map[k][1]) * p.y + hundredths(x.map[k][2]) * p.z;
+      };
+      p = {row(0), row(1), row(2)};
+    }
+  }
+  for (std::size_t i = 0; i < c.coefficients.size(); ++i)
+    c.coefficients[i] = i < c.elements.size() ? (1 - x.d) * x.size : x.b;
+  const double residual = x.d * (1 - r) * x.size;
+  // Generous, so that the claim in question alone is at stake.
+  const double room = 0.05 * residual;
+  for (const certificate::Element& element : c.elements) {
+    const double area = test::element_area(c, element);
+    Claim claim{
+        .norms = std::vector<double>(c.functions(), 1.1 * (r * (1 + x.b) + x.b) * std::sqrt(r * area)),
+        .products = {},
+        .radii = std::vector<double>(c.pieces.size(), room * area)};
+    claim.norms[0] = 1.1 * residual * std::sqrt(r * area);
+    for (std::size_t k = 0; k < c.pieces.size(); ++k)
+      claim.products.push_back(r * ((c.faces[element.face].piece == k ? 1 : 0) + x.b) * area * residual);
+    c.claims.push_back(std::move(claim));
+  }
+  out.element = x.element % c.elements.size();
+  Claim& claim = c.claims[out.element];
+  claim.norms[0] *= x.norm / 1.1;
+  const std::size_t piece = x.piece % c.pieces.size();
+  claim.products[piece] += x.off * claim.radii[piece];
+  certificate::Summed found = certificate::summed(c);
+  c.sums = std::move(found.sums);
+  c.means = std::move(found.means);
+  for (const certificate::Enclosure& mean : c.means) c.width = std::max(c.width, Rational(2) * mean.radius);
+  return out;
+}
+
+Instance drawn(Draw& draw) {
+  Instance x;
+  const std::array<std::string, 4> surfaces{"tetrahedron", "cube", "octahedron", "box"};
+  x.surface = surfaces[draw.below(surfaces.size())];
+  for (std::size_t k = 0; k < 3; ++k) {
+    x.map[k][k] = 40 + static_cast<long>(draw.below(160));
+    for (std::size_t l = k + 1; l < 3; ++l) x.map[k][l] = static_cast<long>(draw.below(120)) - 60;
+  }
+  x.reflectivity = 1 + static_cast<long>(draw.below(98));
+  x.d = std::ldexp(1 + draw.unit(), -1 - static_cast<int>(draw.below(5)));
+  x.b = std::ldexp(1 + draw.unit(), -1 - static_cast<int>(draw.below(5)));
+  x.element = draw.below(1000);
+  x.piece = draw.below(8);
+  x.size = std::ldexp(1.0, static_cast<int>(draw.below(60)) - 30);
+  // One of both is false in two of three instances, by little or much.
+  const double by = std::pow(10.0, -4 + 4 * draw.unit());
+  const std::size_t which = draw.below(3);
+  if (which == 0) x.norm = 1 - by / 2;
+  if (which == 1) x.off = (draw.below(2) == 0 ? 1 : -1) * (1 + by);
+  return x;
+}
+
+std::vector<Instance> smaller(const Instance& x) {
+  std::vector<Instance> out;
+  const Instance plain;
+  const auto with = [&](auto member) {
+    if (x.*member == plain.*member) return;
+    out.push_back(x);
+    out.back().*member = plain.*member;
+  };
+  with(&Instance::reflectivity);
+  with(&Instance::d);
+  with(&Instance::b);
+  with(&Instance::size);
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t l = 0; l < 3; ++l) {
+      const long simple = k == l ? 100 : 0;
+      if (x.map[k][l] == simple) continue;
+      out.push_back(x);
+      out.back().map[k][l] = simple;
+    }
+  return out;
+}
+
+/// A part that is the element in question alone, or few others beside it.
+certificate::Part part_with(std::size_t element, std::size_t count) {
+  certificate::Part part{.elements = 1, .seed = {}};
+  for (int k = 0;; ++k) {
+    part.seed = std::to_string(k);
+    if (certificate::chosen_elements(count, part).front() == element) return part;
+  }
+}
+
+Judgement judge(const Instance& x) {
+  const Made made = certificate_of(x);
+  const MeansCertificate& c = made.certificate;
+  const certificate::Report report = certificate::check(c, part_with(made.element, c.elements.size()));
+  // The doubles of the claims are off by some roundings.
+  constexpr double roundings = 1e-9;
+  const bool is_false = x.norm < 1 - roundings || std::abs(x.off) > 1 + roundings;
+  if (is_false) return report.refusal ? Judgement::held(1) : Judgement::violated("a false claim is verified");
+  if (report.refusal) return Judgement::refused();
+  for (const certificate::Enclosure& mean : c.means)
+    if (abs(mean.midpoint - Rational::exactly(x.size)) > mean.radius)
+      return Judgement::violated("a mean of 1 lies outside what is verified");
+  return Judgement::held(1 + c.means.size());
+}
+
+TEST(CertificateAttack, FalseClaimsAreRefused) {
+  const Count count = hold(Attack<Instance>{.name = "claims of certificates",
+                                            .usual_instances = 10,
+                                            .make = drawn,
+                                            .judge = judge,
+                                            .text = text,
+                                            .smaller = smaller});
+  // True claims with room are verified: a check that refuses everything holds nothing.
+  EXPECT_LE(count.refused, count.instances / 4);
+}
+
+}  // namespace
+}  // namespace radcert::attack
