@@ -13,7 +13,11 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
                   const std::function<LevelSize(int level, std::uint64_t triangles)>& size_of) {
   const std::vector<int>& levels = problem.triangulation.levels;
   if (levels.empty()) refuse_input("/triangulation/levels", "[]", "is empty", "at least one level");
-  const std::string allowed = "a plan within " + byte_text(memory_limit);
+  // To the byte: what is needed and what there is may be the same in larger units.
+  const auto exactly = [](std::uint64_t bytes) {
+    return byte_text(bytes) + " (" + std::to_string(bytes) + " bytes)";
+  };
+  const std::string allowed = "a plan within " + exactly(memory_limit);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const std::string pointer = "/triangulation/levels/" + std::to_string(i);
     const std::string value = std::to_string(levels[i]);
@@ -29,7 +33,7 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
     if (needed <= memory_limit) continue;
     const bool fits = needed != std::numeric_limits<std::uint64_t>::max();
     refuse_input(pointer, value,
-                 "needs " + (fits ? byte_text(needed) : "more than 2^64 bytes") + " of memory (" +
+                 "needs " + (fits ? exactly(needed) : "more than 2^64 bytes") + " of memory (" +
                      std::to_string(size.count) + " " + size.counted + ")",
                  allowed);
   }
