@@ -32,9 +32,12 @@ namespace {
 
 namespace psg10 = verification::psg10;
 
+/// The digits where none are asked for; an empty word is a wrong number of them.
+constexpr const char* not_given = "20, or what a certificate proves";
+
 struct ReferenceOptions {
   std::string name;
-  std::string digits;
+  std::string digits = not_given;
   std::vector<std::string> settings;
   bool all = false;
   std::string out;
@@ -53,7 +56,7 @@ struct Wanted {
 constexpr int usual_digits = 20;
 
 int digits_of(const std::string& text) {
-  if (text.empty()) return usual_digits;
+  if (text == not_given) return usual_digits;
   int digits = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), digits);
   if (error != std::errc() || end != text.data() + text.size() || digits < 1 ||
@@ -243,7 +246,7 @@ ExitCode print_continuous(const Common& common, const ReferenceOptions& options,
   Outputs outputs(common);
   outputs.folder("--out", options.out);
   const ReferenceRecord record = continuous_record(mean);
-  if (!options.digits.empty() && digits > record.digits)
+  if (options.digits != not_given && digits > record.digits)
     throw AccuracyNotReached(mean.name, "a radius of 1e-" + std::to_string(digits) +
                                             " is not proved by its certificate, 1e-" +
                                             std::to_string(record.digits) + " is");
@@ -378,8 +381,7 @@ void add_reference(Program& program) {
   auto options = std::make_shared<ReferenceOptions>();
   command.optional_word("NAME", options->name, "A value or a family of radcert list references");
   command.option("--digits", options->digits,
-                 "The radius is at most 10^-DIGITS; from 1 to 1000. Default: 20; of the means of continuous "
-                 "solutions what their certificates prove",
+                 "The radius is at most 10^-DIGITS; from 1 to 1000. Default: " + std::string(not_given),
                  "DIGITS");
   command.repeated("--set", options->settings, "A parameter of a family, as NAME=VALUE; may be repeated",
                    "NAME=VALUE");
