@@ -250,7 +250,7 @@ class Limits(WorldTest):
             with self.subTest(words=words):
                 refused = self.run_program(*words, "--max-memory", "1k")
                 self.assertEqual(refused.returncode, 2, refused.stderr)
-                planned = int(re.search(rb"needs (\d+) bytes", refused.stderr)[1])
+                planned = int(re.search(rb"needs (?:[\d.]+ \w+ \()?(\d+) bytes", refused.stderr)[1])
                 program = self.start(*words, "--quiet", "--threads", "2")
                 program.stdout.close()
                 with program.stderr as errors:

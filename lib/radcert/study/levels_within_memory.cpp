@@ -15,7 +15,7 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
   if (levels.empty()) refuse_input("/triangulation/levels", "[]", "is empty", "at least one level");
   // To the byte: what is needed and what there is may be the same in larger units.
   const auto exactly = [](std::uint64_t bytes) {
-    return byte_text(bytes) + " (" + std::to_string(bytes) + " bytes)";
+    return bytes < 1024 ? byte_text(bytes) : byte_text(bytes) + " (" + std::to_string(bytes) + " bytes)";
   };
   const std::string allowed = "a plan within " + exactly(memory_limit);
   for (std::size_t i = 0; i < levels.size(); ++i) {
