@@ -57,11 +57,10 @@ std::string without_zeros(const std::string& text) {
   return power.find_first_of("123456789") == std::string::npos ? mantissa : mantissa + power;
 }
 
-/// The two texts of a number; without a radius where the first is the number itself.
+/// The two texts of a number; the first as short as it can be where it is the number itself.
 void show(Evidence& evidence, const std::string& value, const std::string& radius) {
-  const bool exact = radius == "0";
-  evidence.value = exact ? without_zeros(value) : value;
-  evidence.radius = exact ? std::nullopt : std::optional(radius);
+  evidence.value = radius == "0" ? without_zeros(value) : value;
+  evidence.radius = radius;
 }
 
 Evidence line(const std::string& what, const Approximation& observed, std::string allowed, Standing standing,

@@ -283,8 +283,8 @@ std::string plain_page(const Report& report, const std::string& command) {
         out +=
             "<tr><td>" +
             in_html((line.role == Role::requirement ? "" : std::string(name(line.role)) + ": ") + line.what) +
-            "</td><td>" + in_html(line.value + (line.radius ? " ± " + *line.radius : "")) + "</td><td>" +
-            in_html(line.allowed) + "</td><td>" + std::string(name(line.standing)) + "</td></tr>\n";
+            "</td><td>" + in_html(observed_text(line)) + "</td><td>" + in_html(line.allowed) + "</td><td>" +
+            std::string(name(line.standing)) + "</td></tr>\n";
       out += "</table>\n";
     }
   }

@@ -80,8 +80,7 @@ std::string counts_text(const Report& report) {
 std::string evidence_text(const Evidence& evidence) {
   std::string out = evidence.role == Role::requirement ? "" : std::string(name(evidence.role)) + ": ";
   if (evidence.what.starts_with(out)) out.clear();
-  out += evidence.what + ": " + evidence.value;
-  if (evidence.radius) out += " ± " + *evidence.radius;
+  out += evidence.what + ": " + observed_text(evidence);
   return out + "; allowed " + evidence.allowed + "; " + std::string(name(evidence.standing));
 }
 
@@ -205,6 +204,11 @@ std::string rows_text(std::vector<Row> rows, std::size_t most_columns) {
 }
 
 }  // namespace
+
+std::string observed_text(const Evidence& evidence) {
+  const bool alone = !evidence.radius || *evidence.radius == "0";
+  return alone ? evidence.value : evidence.value + " ± " + *evidence.radius;
+}
 
 std::string report_table(const Report& report, std::size_t most_columns) {
   std::vector<Row> rows{{"  statement", "verdict", "recorded", "ours", "printed", "seconds"}};

@@ -9,7 +9,7 @@ import { tableParts } from "./table_view.js";
 function evidenceTable(caption, lines) {
   return table(caption, ["observed", "value", "allowed", "standing"], lines.map((line) => [
     element("td", {}, prose(line.what.replace(/^control: /, ""))),
-    element("td", { class: "number" }, line.radius === null ? line.value : `${line.value} ± ${line.radius}`,
+    element("td", { class: "number" }, line.radius === null || line.radius === "0" ? line.value : `${line.value} ± ${line.radius}`,
       line.proved ? element("span", { class: "quiet" }, " proved") : null),
     element("td", {}, prose(line.allowed)),
     element("td", { class: line.standing }, line.standing),
