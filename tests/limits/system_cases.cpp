@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <numbers>
 #include <random>
 
 #include "radcert/collocation/certified/certified_chart_entries.h"
@@ -9,6 +8,7 @@
 #include "radcert/expression/parse.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/quadrature/element_integrator.h"
+#include "radcert/reference/operator_integral.h"
 #include "radcert/solve/direct.h"
 #include "radcert/solve/gmres.h"
 #include "radcert/solve/power_series.h"
@@ -220,10 +220,8 @@ Case level(const std::string& limit, const Problem& problem, int number_of_level
   return {.limit = limit,
           .answer =
               [=] {
-                const auto no_route = [](const Surface&, const SurfaceFunction&) -> radcert::AppliedOperator {
-                  return [](const SurfacePoint<double>&) { return Approximation{std::numbers::pi, 1e-12}; };
-                };
-                const LevelOutcome outcome = solve_level(problem, number_of_level, no_route);
+                const LevelOutcome outcome =
+                    solve_level(problem, number_of_level, reference::applied_operator);
                 std::vector<Ball> all;
                 const std::optional<Approximation>& error = outcome.result.node_error;
                 const double radius = outcome.result.verified        ? outcome.result.solution_radius.value()

@@ -21,7 +21,8 @@ namespace radcert::verification {
 /// Limits    figures show six digits, with a radius that encloses what was cut
 [[nodiscard]] std::string report_table(const Report& report, std::size_t most_columns = std::string::npos);
 
-/// What a line of evidence observed, for readers: with its radius, or alone where it is exact or none is known.
+/// What a line of evidence observed, for readers: with its radius, or alone where it is exact or where none
+/// is known.
 [[nodiscard]] std::string observed_text(const Evidence& evidence);
 
 /// A report for readers: a section a paper, evidence and notes written out, in Markdown.
