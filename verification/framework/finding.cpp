@@ -315,7 +315,7 @@ void Finding::remark(std::string what, const Approximation& observed) {
     const EnclosingText text = readable(observed);
     what += ": " + text.value + (text.radius == "0" ? "" : " +- " + text.radius);
   } else {
-    what += ": " + shortest(observed.value);
+    what += ": about " + shortest(observed.value);
   }
   remarks_.push_back(std::move(what));
 }
