@@ -30,37 +30,34 @@ async function open(options = {}) {
 
 const shot = (page, name) => page.screenshot({ path: path.join(pictures, `${name}.png`), fullPage: true });
 
-/** How many different colours a canvas shows. */
-const colours = (page, selector) => page.evaluate((where) => {
-  const canvas = document.querySelector(where);
+/** What a function makes of the pixels of a canvas, an ImageData; it runs in the page. */
+const ofPixels = (page, selector, seen) => page.evaluate(`(() => {
+  const canvas = document.querySelector(${JSON.stringify(selector)});
   const flat = document.createElement("canvas");
   flat.width = canvas.width;
   flat.height = canvas.height;
   const ink = flat.getContext("2d");
   ink.drawImage(canvas, 0, 0);
-  const { data } = ink.getImageData(0, 0, flat.width, flat.height);
+  return (${seen})(ink.getImageData(0, 0, flat.width, flat.height));
+})()`);
+
+/** How many different colours a canvas shows. */
+const colours = (page, selector) => ofPixels(page, selector, ({ data }) => {
   const seen = new Set();
   for (let i = 0; i < data.length; i += 4) if (data[i + 3] > 0) seen.add((data[i] << 16) | (data[i + 1] << 8) | data[i + 2]);
   return seen.size;
-}, selector);
+});
 
 /** What part of the height of a canvas its picture takes: its opaque pixels. */
-const drawnHeight = (page, selector) => page.evaluate((where) => {
-  const canvas = document.querySelector(where);
-  const flat = document.createElement("canvas");
-  flat.width = canvas.width;
-  flat.height = canvas.height;
-  const ink = flat.getContext("2d");
-  ink.drawImage(canvas, 0, 0);
-  const { data } = ink.getImageData(0, 0, flat.width, flat.height);
-  let [top, bottom] = [flat.height, 0];
+const drawnHeight = (page, selector) => ofPixels(page, selector, ({ data, width, height }) => {
+  let [top, bottom] = [height, 0];
   for (let i = 3; i < data.length; i += 4) {
     if (data[i] < 250) continue;
-    const row = Math.floor((i >> 2) / flat.width);
+    const row = Math.floor((i >> 2) / width);
     [top, bottom] = [Math.min(top, row), Math.max(bottom, row)];
   }
-  return (bottom - top) / flat.height;
-}, selector);
+  return (bottom - top) / height;
+});
 
 try {
   const page = await open();

@@ -11,6 +11,22 @@ from program import ProgramTest
 CLAIM = "ac98/equation_37"
 
 
+def order_claim(label, order):
+    """A claim on two_piece.json, which is its own control."""
+    return f"""
+[{label}]
+covers  = []
+says    = "the error at the nodes has the order {order}"
+needs   = []
+check   = "order"
+verdict = "supported"
+problem = "two_piece.json"
+control = "two_piece.json"
+quantity = "node_error"
+order   = {order}.0
+"""
+
+
 class Verify(ProgramTest):
     def test_the_report_is_valid_and_the_exit_code_says_whether_all_is_as_recorded(self):
         schema = json.loads(self.expect(0, "schema", "verification"))
@@ -25,18 +41,8 @@ class Verify(ProgramTest):
     def test_a_folder_of_ones_own_that_differs_from_its_record_ends_with_1(self):
         os.mkdir(self.path("own"))
         self.write("own/two_piece.json", self.expect(0, "example", "two_piece"))
-        self.write("own/claims.toml", """
-[order_of_the_node_error]
-covers  = []
-says    = "far more than the method can give, recorded as supported"
-needs   = []
-check   = "order"
-verdict = "supported"
-problem = "two_piece.json"
-control = "two_piece.json"
-quantity = "node_error"
-order   = 9.0
-""")
+        # Far more than the method can give, recorded as supported.
+        self.write("own/claims.toml", order_claim("order_of_the_node_error", 9))
         done = self.run_program("verify", "./own")
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn(b"order_of_the_node_error", done.stdout)
@@ -44,19 +50,7 @@ order   = 9.0
     def test_a_statement_of_a_folder_of_ones_own_is_verified_alone(self):
         os.mkdir(self.path("own"))
         self.write("own/two_piece.json", self.expect(0, "example", "two_piece"))
-        claim = """
-[{}]
-covers  = []
-says    = "the error at the nodes falls"
-needs   = []
-check   = "order"
-verdict = "supported"
-problem = "two_piece.json"
-control = "two_piece.json"
-quantity = "node_error"
-order   = 1.0
-"""
-        self.write("own/claims.toml", claim.format("first") + claim.format("second"))
+        self.write("own/claims.toml", order_claim("first", 1) + order_claim("second", 1))
         for word in ["./own/second", "own/second", self.path("own/second")]:
             done = self.run_program("verify", word, "--json", "-", "--out", "report")
             self.assertIn(done.returncode, (0, 1), done.stderr)

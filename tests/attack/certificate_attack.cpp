@@ -12,6 +12,7 @@
 #include "radcert/certificate/check.h"
 #include "radcert/core/text.h"
 #include "tests/attack/attack.h"
+#include "tests/attack/skew_map.h"
 #include "tests/certificate/samples.h"
 
 namespace radcert::attack {
@@ -27,8 +28,8 @@ using certificate::MeansCertificate;
 ///           one and `off` radii beside the other
 struct Instance {
   std::string surface;
-  std::array<std::array<long, 3>, 3> map{};  ///< in hundredths
-  long reflectivity = 50;                    ///< in hundredths
+  SkewMap map;
+  long reflectivity = 50;  ///< in hundredths
   double d = 0.25;
   double b = 0.25;
   int layers = 2;
@@ -40,16 +41,11 @@ struct Instance {
 };
 
 std::string text(const Instance& x) {
-  std::string out = x.surface + ", map";
-  for (const auto& row : x.map)
-    for (const long entry : row) out += " " + std::to_string(entry);
-  return out + ", rho " + std::to_string(x.reflectivity) + ", d " + shortest(x.d) + ", b " + shortest(x.b) +
-         ", layers " + std::to_string(x.layers) + ", element " + std::to_string(x.element) + ", piece " +
-         std::to_string(x.piece) + ", norm " + shortest(x.norm) + ", off " + shortest(x.off) + ", size " +
-         shortest(x.size);
+  return x.surface + ", " + x.map.text() + ", rho " + std::to_string(x.reflectivity) + ", d " +
+         shortest(x.d) + ", b " + shortest(x.b) + ", layers " + std::to_string(x.layers) + ", element " +
+         std::to_string(x.element) + ", piece " + std::to_string(x.piece) + ", norm " + shortest(x.norm) +
+         ", off " + shortest(x.off) + ", size " + shortest(x.size);
 }
-
-Rational hundredths(long n) { return {n, 100}; }
 
 struct Made {
   MeansCertificate certificate;
@@ -64,12 +60,7 @@ Made certificate_of(const Instance& x) {
   for (certificate::Face& face : c.faces) {
     face.reflectivity = rho;
     face.emission = {{(Rational(1) - rho) * Rational::exactly(x.size)}};
-    for (Vector<Rational>& p : face.corners) {
-      const auto row = [&](std::size_t k) {
-        return hundredths(x.map[k][0]) * p.x + hundredths(x.map[k][1]) * p.y + hundredths(x.map[k][2]) * p.z;
-      };
-      p = {row(0), row(1), row(2)};
-    }
+    for (Vector<Rational>& p : face.corners) p = x.map(p);
   }
   for (std::size_t i = 0; i < c.coefficients.size(); ++i)
     c.coefficients[i] = i < c.elements.size() ? (1 - x.d) * x.size : x.b;
@@ -103,10 +94,7 @@ Instance drawn(Draw& draw) {
   Instance x;
   const std::array<std::string, 4> surfaces{"tetrahedron", "cube", "octahedron", "box"};
   x.surface = surfaces[draw.below(surfaces.size())];
-  for (std::size_t k = 0; k < 3; ++k) {
-    x.map[k][k] = 40 + static_cast<long>(draw.below(160));
-    for (std::size_t l = k + 1; l < 3; ++l) x.map[k][l] = static_cast<long>(draw.below(120)) - 60;
-  }
+  x.map = SkewMap::drawn(draw, 40, 160, 60);
   x.reflectivity = 1 + static_cast<long>(draw.below(98));
   x.d = std::ldexp(1 + draw.unit(), -1 - static_cast<int>(draw.below(5)));
   x.b = std::ldexp(1 + draw.unit(), -1 - static_cast<int>(draw.below(5)));
@@ -133,13 +121,10 @@ std::vector<Instance> smaller(const Instance& x) {
   with(&Instance::d);
   with(&Instance::b);
   with(&Instance::size);
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t l = 0; l < 3; ++l) {
-      const long simple = k == l ? 100 : 0;
-      if (x.map[k][l] == simple) continue;
-      out.push_back(x);
-      out.back().map[k][l] = simple;
-    }
+  x.map.each_simpler([&](const SkewMap& map) {
+    out.push_back(x);
+    out.back().map = map;
+  });
   return out;
 }
 

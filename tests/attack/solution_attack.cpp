@@ -14,6 +14,7 @@
 #include "radcert/core/text.h"
 #include "radcert/surface/catalogue.h"
 #include "tests/attack/attack.h"
+#include "tests/attack/skew_map.h"
 
 namespace radcert::attack {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 /// An affine image of a polyhedron of the catalogue; numbers in hundredths.
 struct Instance {
   std::string surface;
-  std::array<std::array<long, 3>, 3> map{};
+  SkewMap map;
   std::vector<long> reflectivity;  ///< by panel
   std::vector<long> emission;      ///< by panel; empty: a furnace
   long constant = 100;             ///< u of a furnace
@@ -29,23 +30,11 @@ struct Instance {
 };
 
 std::string text(const Instance& x) {
-  std::string out = x.surface + ", map";
-  for (const auto& row : x.map)
-    for (const long entry : row) out += " " + std::to_string(entry);
-  out += ", rho";
+  std::string out = x.surface + ", " + x.map.text() + ", rho";
   for (const long rho : x.reflectivity) out += " " + std::to_string(rho);
   out += x.emission.empty() ? ", furnace of " + std::to_string(x.constant) : ", E";
   for (const long e : x.emission) out += " " + std::to_string(e);
   return out + ", width " + shortest(x.width);
-}
-
-Rational hundredths(long n) { return {n, 100}; }
-
-Vector<Rational> image(const Instance& x, const Vector<Rational>& p) {
-  const auto row = [&](std::size_t k) {
-    return hundredths(x.map[k][0]) * p.x + hundredths(x.map[k][1]) * p.y + hundredths(x.map[k][2]) * p.z;
-  };
-  return {row(0), row(1), row(2)};
 }
 
 PolyhedronProblem problem_of(const Instance& x) {
@@ -54,8 +43,8 @@ PolyhedronProblem problem_of(const Instance& x) {
                         .emission = {}};
   for (std::size_t k = 0; k < out.panels.size(); ++k) {
     Panel& panel = out.panels[k];
-    for (Vector<Rational>& corner : panel.corners) corner = image(x, corner);
-    panel.centre = image(x, panel.centre);
+    for (Vector<Rational>& corner : panel.corners) corner = x.map(corner);
+    panel.centre = x.map(panel.centre);
     panel.normal = cross(panel.corners[1] - panel.corners[0], panel.corners[2] - panel.corners[0]);
     const Rational rho = hundredths(x.reflectivity[k]);
     out.reflectivity.push_back(rho);
@@ -80,11 +69,7 @@ Instance drawn(Draw& draw) {
   Instance x;
   const std::array<std::string, 3> surfaces{"tetrahedron", "cube", "octahedron"};
   x.surface = surfaces[draw.below(draw.below(3) == 0 ? 3 : 2)];
-  for (std::size_t k = 0; k < 3; ++k) {
-    x.map[k][k] = 50 + static_cast<long>(draw.below(150));
-    // Upper triangular: the determinant is positive, and so is the side of the normals.
-    for (std::size_t l = k + 1; l < 3; ++l) x.map[k][l] = static_cast<long>(draw.below(160)) - 80;
-  }
+  x.map = SkewMap::drawn(draw, 50, 150, 80);
   const std::size_t panels = convex_panels(default_surface(*find_surface(x.surface))).value().size();
   const bool is_furnace = draw.below(2) == 0;
   for (std::size_t k = 0; k < panels; ++k) {
@@ -99,13 +84,10 @@ Instance drawn(Draw& draw) {
 
 std::vector<Instance> smaller(const Instance& x) {
   std::vector<Instance> out;
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t l = 0; l < 3; ++l) {
-      const long simple = k == l ? 100 : 0;
-      if (x.map[k][l] == simple) continue;
-      out.push_back(x);
-      out.back().map[k][l] = simple;
-    }
+  x.map.each_simpler([&](const SkewMap& map) {
+    out.push_back(x);
+    out.back().map = map;
+  });
   return out;
 }
 
@@ -177,11 +159,7 @@ Lit drawn_lit(Draw& draw) {
   x.scene.surface = "tetrahedron";
   x.scene.emission.clear();
   // A little skew, and two faces are black: their residuals do not count.
-  for (std::size_t k = 0; k < 3; ++k)
-    for (std::size_t l = 0; l < 3; ++l)
-      x.scene.map[k][l] = k == l  ? 85 + static_cast<long>(draw.below(31))
-                          : l > k ? static_cast<long>(draw.below(31)) - 15
-                                  : 0;
+  x.scene.map = SkewMap::drawn(draw, 85, 31, 15);
   x.scene.reflectivity.assign(4, 0);
   x.face = draw.below(4);
   x.scene.reflectivity[x.face] = 20 + static_cast<long>(draw.below(50));

@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "factors_table.h"
 #include "radcert/factors/factor_mesh.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/result/factors_json.h"
@@ -25,7 +24,8 @@
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/real.h"
-#include "solve_table.h"
+#include "tables/factors_table.h"
+#include "tables/solve_table.h"
 #include "tests/attack/attack.h"
 #include "verification/report/report_text.h"
 

@@ -80,6 +80,7 @@ TEST(InterruptDeathTest, FilesThatAreBeingRenamedAreWaitedFor) {
         radcert::install_interrupt_handler();
         auto renaming = std::make_optional<radcert::RenamingFiles>();
         std::raise(SIGINT);
+        std::raise(SIGINT);
         const auto until = std::chrono::steady_clock::now() + std::chrono::milliseconds(900);
         while (std::chrono::steady_clock::now() < until) continue;
         radcert::set_last_words("after the renaming\n");

@@ -64,6 +64,9 @@ const std::vector<Reader>& table() {
       mesh("stl"),
       mesh("msh"),
       mesh("vtk"),
+      mesh("vtu"),
+      mesh("gltf"),
+      mesh("glb"),
       mesh("vs3")};
   return all;
 }

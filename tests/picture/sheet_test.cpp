@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
-#include "radcert/formats/plot/base64.h"
+#include "radcert/core/base64.h"
 #include "radcert/picture/drawing.h"
 #include "radcert/picture/png.h"
 
@@ -73,14 +73,6 @@ TEST(Sheet, HoldsItsRasterAndItsWords) {
   // The ticks of a scale from 0 to 1.
   EXPECT_THAT(text, HasSubstr(">0.2</text>"));
   EXPECT_THAT(text, HasSubstr("<title>a picture</title>"));
-}
-
-TEST(Base64, IsThatOfTheStandard) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "command.h"
-#include "enclosure_table.h"
+#include "tables/enclosure_table.h"
 #include "output.h"
 #include "progress.h"
 #include "radcert/certificate/check.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "command.h"
-#include "experiment_table.h"
+#include "tables/experiment_table.h"
 #include "origin.h"
 #include "output.h"
 #include "plot_files.h"

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "command.h"
-#include "factors_table.h"
+#include "tables/factors_table.h"
 #include "named_surface.h"
 #include "origin.h"
 #include "output.h"

@@ -13,7 +13,7 @@
 
 #include "command.h"
 #include "enclosure_display.h"
-#include "enclosure_table.h"
+#include "tables/enclosure_table.h"
 #include "origin.h"
 #include "output.h"
 #include "plot_files.h"
@@ -37,7 +37,7 @@
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/certified_means.h"
 #include "radcert/study/expected_seconds.h"
-#include "solve_table.h"
+#include "tables/solve_table.h"
 
 namespace radcert::app {
 

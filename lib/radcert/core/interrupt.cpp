@@ -58,13 +58,15 @@ extern "C" void radcert_on_deadline(int) {
 
 extern "C" void radcert_on_signal(int signal) {
   const int error = errno;
-  if (interruption_requested()) {
-    if (!renaming_files()) remove_temporary_files();
-    std::signal(signal, SIG_DFL);
-    raise(signal);
-  } else {
+  if (!interruption_requested()) {
     request_interruption();
     set_deadline(until_deadline);
+  } else if (renaming_files()) {
+    set_deadline(until_next_look);
+  } else {
+    remove_temporary_files();
+    std::signal(signal, SIG_DFL);
+    raise(signal);
   }
   errno = error;
 }

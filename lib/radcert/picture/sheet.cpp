@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "radcert/core/contract.h"
-#include "radcert/formats/plot/base64.h"
+#include "radcert/core/base64.h"
 #include "radcert/formats/plot/plot.h"
 #include "radcert/formats/plot/svg_elements.h"
 #include "radcert/picture/drawing.h"

@@ -12,7 +12,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/text.h"
-#include "radcert/formats/plot/base64.h"
+#include "radcert/core/base64.h"
 #include "radcert/formats/plot/svg_elements.h"
 
 namespace radcert {

@@ -13,7 +13,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
-#include "radcert/geometry/mesh_file/base64_text.h"
+#include "radcert/core/base64.h"
 #include "radcert/geometry/mesh_file/parts.h"
 
 namespace radcert {

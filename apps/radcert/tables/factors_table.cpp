@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "factors_table.h"
+#include "tables/factors_table.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "experiment_table.h"
+#include "tables/experiment_table.h"
 
 #include <algorithm>
 #include <optional>

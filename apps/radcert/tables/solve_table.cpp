@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solve_table.h"
+#include "tables/solve_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "enclosure_table.h"
+#include "tables/enclosure_table.h"
 
 #include <algorithm>
 #include <cmath>
