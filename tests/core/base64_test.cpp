@@ -7,8 +7,12 @@ namespace radcert {
 namespace {
 
 TEST(Base64, IsThatOfTheStandard) {
-  for (const auto& [bytes, text] : {std::pair("", ""), {"f", "Zg=="}, {"fo", "Zm8="}, {"foo", "Zm9v"},
-                                    {"foobar", "Zm9vYmFy"}, {"\xff\xfe\xfd", "//79"}}) {
+  for (const auto& [bytes, text] : {std::pair("", ""),
+                                    {"f", "Zg=="},
+                                    {"fo", "Zm8="},
+                                    {"foo", "Zm9v"},
+                                    {"foobar", "Zm9vYmFy"},
+                                    {"\xff\xfe\xfd", "//79"}}) {
     EXPECT_EQ(base64(bytes), text);
     EXPECT_EQ(from_base64(text), bytes);
   }
@@ -25,7 +29,8 @@ TEST(Base64, ReadsWhatItWroteOfEveryLength) {
 }
 
 TEST(Base64, ReadsNothingElse) {
-  for (const char* text : {"Zg=", "Zg", "Z===", "====", "Zm9v ", " Zm9", "Zm=v", "Zm9\n", "Zm9v====", "Zm9-", "Zm9_"})
+  for (const char* text :
+       {"Zg=", "Zg", "Z===", "====", "Zm9v ", " Zm9", "Zm=v", "Zm9\n", "Zm9v====", "Zm9-", "Zm9_"})
     EXPECT_FALSE(from_base64(text)) << text;
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "radcert/core/contract.h"
 #include "radcert/core/base64.h"
+#include "radcert/core/contract.h"
 #include "radcert/picture/drawing.h"
 #include "radcert/picture/png.h"
 

@@ -98,6 +98,27 @@ TEST(ContinuousMeans, HaveClaimsThatHold) {
 
 TEST(ContinuousMeans, AreRefusedWhereTheCertificateIsOfAnotherEquation) {
   const ContinuousScene& scene = *find_continuous_scene("cube_rho_1/2");
+  // A certificate of another equation may hold by itself: the scene has to tell them apart.
+  const auto is_another = [&](const std::function<void(MeansCertificate&)>& change) {
+    MeansCertificate certificate =
+        intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]);
+    change(certificate);
+    return !scene_fault(scene, certificate).empty();
+  };
+  EXPECT_FALSE(is_another([](MeansCertificate&) {}));
+  EXPECT_TRUE(is_another([](MeansCertificate& c) { c.faces[3].reflectivity = Rational(2, 5); }));
+  EXPECT_TRUE(is_another([](MeansCertificate& c) {
+    for (certificate::Face& face : c.faces) face.emission[0][0] = Rational(1) - face.emission[0][0];
+  }));
+  EXPECT_TRUE(is_another([](MeansCertificate& c) { c.faces[1].emission = {{Rational(0)}, {Rational(1)}}; }));
+  EXPECT_TRUE(is_another([](MeansCertificate& c) {
+    for (certificate::Face& face : c.faces)
+      for (Vector<Rational>& corner : face.corners) corner.x *= Rational(2);
+  }));
+  EXPECT_TRUE(is_another([](MeansCertificate& c) {
+    for (certificate::Face& face : c.faces)
+      for (Vector<Rational>& corner : face.corners) corner.z = Rational(1) - corner.z;
+  }));
   const auto is_refused = [&](const std::function<void(MeansCertificate&)>& change) {
     return !enclose(scene, changing(change), 0);
   };

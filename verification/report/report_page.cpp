@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
+#include "radcert/core/base64.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/json/json_value.h"
-#include "radcert/core/base64.h"
 #include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/plot/svg_plot.h"
 #include "verification/framework/reading/embedded.h"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "command.h"
-#include "tables/enclosure_table.h"
 #include "output.h"
 #include "progress.h"
 #include "radcert/certificate/check.h"
@@ -19,6 +18,7 @@
 #include "radcert/formats/result/certificate_json.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/rational.h"
+#include "tables/enclosure_table.h"
 
 namespace radcert::app {
 

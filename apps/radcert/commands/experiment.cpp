@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "command.h"
-#include "tables/experiment_table.h"
 #include "origin.h"
 #include "output.h"
 #include "plot_files.h"
@@ -28,6 +27,7 @@
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/expected_seconds.h"
 #include "radcert/study/study.h"
+#include "tables/experiment_table.h"
 #include "verification/report/report_page.h"
 
 namespace radcert::app {

@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "command.h"
-#include "tables/factors_table.h"
 #include "named_surface.h"
 #include "origin.h"
 #include "output.h"
@@ -34,6 +33,7 @@
 #include "radcert/formats/table/factors_csv.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/surface/catalogue.h"
+#include "tables/factors_table.h"
 
 namespace radcert::app {
 

@@ -13,7 +13,6 @@
 
 #include "command.h"
 #include "enclosure_display.h"
-#include "tables/enclosure_table.h"
 #include "origin.h"
 #include "output.h"
 #include "plot_files.h"
@@ -37,6 +36,7 @@
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/certified_means.h"
 #include "radcert/study/expected_seconds.h"
+#include "tables/enclosure_table.h"
 #include "tables/solve_table.h"
 
 namespace radcert::app {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radcert/core/contract.h"
 #include "radcert/core/base64.h"
+#include "radcert/core/contract.h"
 #include "radcert/formats/plot/plot.h"
 #include "radcert/formats/plot/svg_elements.h"
 #include "radcert/picture/drawing.h"

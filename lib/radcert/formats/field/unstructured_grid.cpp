@@ -10,9 +10,9 @@
 #include <new>
 #include <string_view>
 
+#include "radcert/core/base64.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/text.h"
-#include "radcert/core/base64.h"
 #include "radcert/formats/plot/svg_elements.h"
 
 namespace radcert {

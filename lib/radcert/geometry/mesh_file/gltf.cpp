@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "radcert/core/base64.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
-#include "radcert/core/base64.h"
 #include "radcert/geometry/mesh_file/parts.h"
 
 namespace radcert {
