@@ -429,6 +429,23 @@ TEST(EllipsoidTransport, IsBoundedAtComplexPoints) {
   EXPECT_EQ(bound_around(shape, w, 1.001 * shape.widest()), std::numeric_limits<double>::infinity());
 }
 
+TEST(BoundAround, IsPutTogetherAsItIsStated) {
+  Draw draw(18);
+  for (int k = 0; k < 40; ++k) {
+    const Vector<Rational> axes{1, Rational(1 + static_cast<long>(draw.below(30)), 10), Rational(7, 5)};
+    const EllipsoidShape shape(axes);
+    const EllipsoidDensity w{.emission = along("x - y*z + z", axes), .reflectivity = {}, .reflected = {}};
+    const double tau = 0.95 * draw() * shape.widest();
+    const Triple a = long_axes(axes);
+    const double largest = static_cast<double>(std::max({a[0], a[1], a[2]}));
+    const double smallest = static_cast<double>(std::min({a[0], a[1], a[2]})) / largest;
+    const double determinant = static_cast<double>(a[0] * a[1] * a[2]) / (largest * largest * largest);
+    const double stated = determinant * smallest * w.variation(tau) / std::pow(shape.margin(tau), 2.5);
+    EXPECT_GE(bound_around(shape, w, tau), stated);
+    EXPECT_LE(bound_around(shape, w, tau), 1.01 * stated);
+  }
+}
+
 TEST(HarmonicTail, BoundsWhatIsBeyondADegree) {
   // At the pole z = 1 the part of degree l is (2l+1) mean_q P_l(z_q) T w(q).
   const Vector<Rational> axes{1, 1, Rational(13, 10)};

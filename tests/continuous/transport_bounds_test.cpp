@@ -698,6 +698,36 @@ TurnInstance drawn_turn(Chance& chance) {
           .n_p = {0, sine, -cosine}};
 }
 
+/// The form of the kernel, area element included, at t and alpha over that at |t| and 0; P on one ray, Q on
+/// another in its own plane, c the cosine between them.
+double turned_form(double k, double angle, double alpha, double slope, double c) {
+  const Complex t = std::polar(1.0, angle);
+  const Complex q = std::polar(k, alpha);
+  const Complex squared = t * t + q * q - 2.0 * c * t * q;
+  const double real_squared = 1 + k * k - 2 * c * k;
+  const double quotient = real_squared / std::abs(squared);
+  return quotient * quotient * std::hypot(1, slope);
+}
+
+TEST(TurnedKernel, BoundsTheFormWhereTheTurnFallsOff) {
+  Chance chance(104);
+  double closest = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const double k = chance.scale(3, 30);
+    const double logarithm = chance.scale(0.01, 10);
+    const double angle = chance.one_in(2) ? 0.5 * pi : 0.5 * pi * chance();
+    const double fallen = chance.one_in(4) ? 1 : chance();  // of the logarithm
+    const double c = chance.one_in(2) ? -1 : chance.between(-1, 1);
+    const double way = k * std::exp(logarithm * fallen);
+    const double seen = turned_form(way, angle, angle * (1 - fallen), angle / logarithm, c);
+    const double bound = turned_kernel(k, logarithm);
+    EXPECT_LE(seen, bound * (1 + 1e-12))
+        << k << " " << logarithm << " " << angle << " " << fallen << " " << c;
+    closest = std::max(closest, seen / bound);
+  }
+  EXPECT_GT(closest, 0.95);
+}
+
 TEST(TurnBound, HoldsForComplexObserversNearAnEdge) {
   Chance chance(103);
   Closest values;

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "radcert/closed_form/point_to_polygon.h"
 #include "tests/continuous/scenes.h"
@@ -80,6 +83,135 @@ TEST(Transport, AgreesWithTheClosedFormWithinItsRadius) {
             << name << " tolerance " << tolerance << " near " << near;
       }
     }
+  }
+}
+
+/// T 1 of an element in closed form.
+Ball one_on_element(const std::vector<Panel>& panels, const SectorScene& scene, const SectorElement& element,
+                    const Vector<Rational>& p, const Vector<Rational>& normal) {
+  const SectorBox& box = element.box;
+  const auto corner = [&](double s, double t) { return exact_point(panels, scene, element.sector, s, t); };
+  const PlanePolygon polygon = plane_polygon({corner(box.s0, box.t0), corner(box.s1, box.t0),
+                                              corner(box.s1, box.t1), corner(box.s0, box.t1)})
+                                   .value();
+  PlanePolynomial<Rational> one(0);
+  one(0, 0) = Rational(1);
+  return point_to_polygon(p, normal, polygon, one) / Ball::pi();
+}
+
+/// The elements of a scene, the sector `cut` in nine of which the middle one is `box`; and where that is.
+std::pair<std::vector<SectorElement>, std::size_t> elements_around(const SectorScene& scene, std::size_t cut,
+                                                                   const SectorBox& box) {
+  std::vector<SectorElement> elements;
+  std::size_t middle = 0;
+  for (std::size_t sector = 0; sector < scene.sectors().size(); ++sector) {
+    if (sector != cut) {
+      elements.push_back({sector, {}});
+      continue;
+    }
+    const std::array<double, 4> in_s{0, box.s0, box.s1, 1};
+    const std::array<double, 4> in_t{0, box.t0, box.t1, 1};
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (i == 1 && j == 1) middle = elements.size();
+        elements.push_back({sector, {.s0 = in_s[i], .s1 = in_s[i + 1], .t0 = in_t[j], .t1 = in_t[j + 1]}});
+      }
+  }
+  return {elements, middle};
+}
+
+/// 1 on some elements.
+SectorFunctions one_on(std::size_t elements, std::initializer_list<std::size_t> lit) {
+  SectorFunctions f(elements, 1, 0);
+  for (const std::size_t e : lit) f.of(e, 0)[0] = 1;
+  return f;
+}
+
+TEST(Transport, CountsWhatARuleMissesInEitherParameter) {
+  // Elements that are long in one parameter: nothing but the rule in it errs.
+  const std::vector<Panel> panels = panels_of("cube");
+  const SectorScene scene(panels);
+  for (const bool long_in_t : {false, true}) {
+    const double thin = 0x1p-12;
+    const SectorBox box = long_in_t ? SectorBox{.s0 = 0.5, .s1 = 0.5 + thin, .t0 = 0, .t1 = 0.5}
+                                    : SectorBox{.s0 = 0.25, .s1 = 0.75, .t0 = 0.25, .t1 = 0.25 + thin};
+    double closest = 0;
+    for (std::size_t own = 4; own < scene.sectors().size(); ++own) {
+      const auto [elements, lit] = elements_around(scene, 0, box);
+      const SectorFunctions f = one_on(elements.size(), {lit});
+      const Transport transport(scene, elements, f);
+      for (const double t : {0.25, 0.75}) {
+        const std::size_t panel = scene.sectors()[own].panel;
+        const ObserverGroup group{.panel = panel, .points = {scene.sectors()[own].point(0.5, t)}};
+        const Transport::Values found = transport(group, 1);
+        const Ball truth = one_on_element(panels, scene, elements[lit],
+                                          exact_point(panels, scene, own, 0.5, t), panels[panel].normal);
+        const double off = abs(truth - Ball(found.values[0])).upper_double();
+        EXPECT_LE(off, found.radius) << own << " " << t;
+        closest = std::max(closest, off / found.radius);
+      }
+    }
+    EXPECT_GT(closest, 5e-3) << long_in_t;
+  }
+}
+
+TEST(Transport, CountsWhatPointsAreOffByNearAnEdge) {
+  // The centres of the panels have thirds for coordinates: no point is exact.
+  const std::vector<Panel> panels = panels_of("octahedron");
+  const SectorScene scene(panels);
+  const std::vector<SectorElement> elements = graded_elements(scene, 1);
+  Draw draw(17);
+  double largest = 0;
+  for (std::size_t own = 0; own < scene.sectors().size(); ++own) {
+    const std::size_t across = scene.opposite(own).value();
+    SectorFunctions f(elements.size(), 1, 1);
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (elements[e].sector == across) f.of(e, 0)[0] = 1;
+    const Transport transport(scene, elements, f);
+    const double s = 0.25 + 0.5 * draw();
+    const double t = 0x1p-24 * (1 + draw());
+    const std::size_t panel = scene.sectors()[own].panel;
+    const Transport::Values found =
+        transport({.panel = panel, .points = {scene.sectors()[own].point(s, t)}}, 1e-13);
+    const Ball truth = affine_on_sector(panels, scene, across, 1, 0, exact_point(panels, scene, own, s, t),
+                                        panels[panel].normal);
+    const double off = abs(truth - Ball(found.values[0])).upper_double();
+    EXPECT_LE(off, found.radius);
+    largest = std::max(largest, off);
+  }
+  // More than rules and sums are off by.
+  EXPECT_GT(largest, 1e-10);
+}
+
+TEST(Transport, AddsWhatIsMissedForAllPointsAndForSome) {
+  // One element is far from both points and summed for them together, one near the second point alone.
+  const SectorScene scene(panels_of("cube"));
+  const std::size_t panel = scene.sectors()[0].panel;
+  const std::size_t across = scene.opposite(0).value();
+  std::size_t far = 0;
+  while (scene.sectors()[far].panel == panel || scene.opposite(far) == std::nullopt ||
+         dot(scene.normal(scene.sectors()[far].panel), scene.normal(panel)) > -0.5)
+    ++far;
+  std::vector<SectorElement> elements;
+  for (std::size_t sector = 0; sector < scene.sectors().size(); ++sector)
+    for (const double s : {0.0, 0.5}) elements.push_back({sector, {.s0 = s, .s1 = s + 0.5}});
+  const auto element_of = [&](std::size_t sector) { return 2 * sector; };
+  const ObserverGroup group{
+      .panel = panel, .points = {scene.sectors()[0].point(0.25, 0.9), scene.sectors()[0].point(0.25, 0.02)}};
+  for (const bool turned : {false, true}) {
+    ObserverGroup seen = group;
+    if (turned) std::swap(seen.points[0], seen.points[1]);
+    const auto radius = [&](std::initializer_list<std::size_t> lit) {
+      const SectorFunctions f = one_on(elements.size(), lit);
+      return Transport(scene, elements, f)(seen, 1e-3).radius;
+    };
+    const double of_far = radius({element_of(far)});
+    // What the near one, on the other side of the edge, is missed by is the second point's.
+    const double of_near = radius({element_of(across) + 1});
+    const double roundings = 1e-11;
+    EXPECT_GT(of_far, 1e-6);
+    EXPECT_GT(of_near, 1e-6);
+    EXPECT_GE(radius({element_of(far), element_of(across) + 1}), of_far + of_near - roundings) << turned;
   }
 }
 

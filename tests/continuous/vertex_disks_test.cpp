@@ -129,6 +129,42 @@ TEST_P(VertexDisksOf, KnowHowFarBoxesAreFromVertices) {
   }
 }
 
+/// A panel with these corners, seen from a point within the body.
+Panel panel_of(std::vector<Vector<Rational>> corners, const Vector<Rational>& within) {
+  if (dot(cross(corners[1] - corners[0], corners[2] - corners[0]), within - corners[0]).sign() < 0)
+    std::reverse(corners.begin(), corners.end());
+  Vector<Rational> sum = corners[0];
+  for (std::size_t i = 1; i < corners.size(); ++i) sum = sum + corners[i];
+  return {.piece = 0,
+          .corners = corners,
+          .centre = Rational(1, static_cast<int>(corners.size())) * sum,
+          .normal = cross(corners[1] - corners[0], corners[2] - corners[0])};
+}
+
+TEST(VertexDisks, CountAVertexSeenFromBelowWhole) {
+  // The base of a flat pyramid sees all about the apex, head on.
+  const auto corner = [](int x, int y, int z) {
+    return Vector<Rational>{Rational(x), Rational(y), Rational(z)};
+  };
+  const Vector<Rational> within{Rational(0), Rational(0), Rational(1, 2)};
+  const std::vector<Vector<Rational>> base{corner(40, 40, 0), corner(-40, 40, 0), corner(-40, -40, 0),
+                                           corner(40, -40, 0)};
+  std::vector<Panel> panels{panel_of(base, within)};
+  for (std::size_t k = 0; k < 4; ++k)
+    panels.push_back(panel_of({base[k], base[(k + 1) % 4], corner(0, 0, 1)}, within));
+  const SectorScene scene(panels);
+  const VertexDisks disks(scene);
+  const Vector<double> below = scene.place({Rational(0), Rational(0), Rational(0)});
+  for (const double part : {1.0, 0.1}) {
+    const double radius = part * disks.largest_radius();
+    // (1/pi) Int_0^a 2 pi q/(1+q^2)^2 dq about.
+    const double seen = PolarTransport(scene)(0, below, radius, [](double) { return 1.0; });
+    const double bound = disks.mass(radius, 40);
+    EXPECT_LE(seen, bound * (1 + 1e-3)) << radius;
+    EXPECT_GT(seen, 0.5 * bound) << radius;
+  }
+}
+
 TEST(VertexDisks, SeeNothingOfFarVertices) {
   const SectorScene scene(panels_of("cube"));
   const VertexDisks disks(scene);

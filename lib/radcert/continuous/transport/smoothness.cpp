@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "radcert/continuous/elements/analytic_error.h"
+
 namespace radcert {
 namespace {
 
@@ -13,13 +15,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The larger half axes of the ellipses that are tried, in units of half the line.
 constexpr std::array<double, 20> axes{1.02, 1.06, 1.12, 1.2, 1.35, 1.5, 1.75, 2,   2.5,  3.2,
                                       4.2,  5.6,  8,    12,  20,   40,  100,  400, 2000, 20000};
-/// Where Q slides, both parameters of its element stay in the unit disk: the real segment that is as long as
-/// Q moves lies in the element, and the disk about it goes to a disk about a part of [-1,1], as x and y are
-/// affine or quotients of affine functions of the way. There |P_i| <= (1 + sqrt(2))^i.
-constexpr double slid_growth = 2.4143;
-/// Where Q turns: A + sqrt(A^2 - 1) for A = 3/2 and A = 2.
-constexpr double turned_along = 2.6181;
-constexpr double turned_across = 3.7321;
 
 /// One number an ellipse.
 using Bounds = std::array<double, axes.size()>;
@@ -48,10 +43,8 @@ const EllipseFactors& factors() {
     for (std::size_t n = 1; n <= most_gauss_nodes; ++n)
       for (std::size_t k = 0; k < axes.size(); ++k) {
         const double rho = axes[k] + std::sqrt(axes[k] * axes[k] - 1);
-        const auto count = static_cast<double>(n);
-        made.interpolation[n - 1][k] = 2 * std::pow(rho, 1 - count) / (rho - 1) * upward;
-        made.quadrature[n - 1][k] =
-            (2 + 2 / (4 * count * count - 1)) * std::pow(rho, -2 * count) / (1 - 1 / (rho * rho)) * upward;
+        made.interpolation[n - 1][k] = polynomial_error_factor(static_cast<int>(n), rho);
+        made.quadrature[n - 1][k] = gauss_mean_error_factor(static_cast<int>(n), rho);
       }
     return made;
   }();

@@ -25,11 +25,9 @@ struct RuleErrors {
 
 /// How smooth T w is around points of the surface.
 /// Maths     T w = sum over the panels Q_j of T_j w, each holomorphic around the lines of a cell, in ellipses
-///           in which ObserverLines' bounds hold; closed at an edge, F of EdgeClosure in its place. With |f|
-///           <= M in the ellipse whose half axes sum to rho, a polynomial of degree n - 1 is off by 2 M
-///           rho^(1-n)/(rho-1) (Trefethen, theorem 8.2), and a rule of n nodes by (2 + 2/(4n^2-1)) M
-///           rho^(-2n)/(1-rho^-2) of the mean (gauss_error_factor)
-/// Source    N. Trefethen, "Approximation Theory and Approximation Practice"
+///           in which ObserverLines' bounds hold; closed at an edge, F of EdgeClosure in its place. What
+///           holds in an ellipse bounds polynomials and rules by polynomial_error_factor and
+///           gauss_mean_error_factor
 /// Requires  the scene, the elements and the closure outlive it; w and q have the same degree and count
 /// Result    rounded up; infinite where an edge is touched
 class Smoothness {

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "radcert/continuous/elements/analytic_error.h"
 #include "radcert/continuous/elements/tensor_legendre.h"
 
 namespace radcert {
@@ -22,14 +23,14 @@ RuleChoice choose_rule(double distance, double half, double part, double height,
     if (!(axis > 1.02)) continue;
     const double rho = axis + std::sqrt(axis * axis - 1);
     const double bound = std::numbers::inv_pi * area * kernel_in_ellipse(distance, reach, height) *
-                         (1 + jacobian_part * axis) * size_in_ellipse(sizes, ellipse_around(part, axis)) /
-                         (1 - 1 / (rho * rho)) * upward;
+                         (1 + jacobian_part * axis) * size_in_ellipse(sizes, ellipse_around(part, axis)) *
+                         upward;
     if (!(bound > 0)) return {.nodes = 1, .error = bound == 0 ? 0 : infinity};
-    const double needed = std::log(32.0 / 15 * bound / allowed) / (2 * std::log(rho));
+    const double needed =
+        std::log(32.0 / 15 * bound / ((1 - 1 / (rho * rho)) * allowed)) / (2 * std::log(rho));
     if (!(needed <= most_source_nodes)) continue;
     const int nodes = std::max(1, static_cast<int>(std::ceil(needed)));
-    const double factor = 2 + 2 / (4.0 * nodes * nodes - 1);
-    const double error = factor * bound * std::pow(rho, -2 * nodes) * upward;
+    const double error = gauss_mean_error_factor(nodes, rho) * bound * upward;
     if (best.nodes == 0 || nodes < best.nodes || (nodes == best.nodes && error < best.error))
       best = {nodes, error};
   }

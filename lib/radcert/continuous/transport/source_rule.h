@@ -54,10 +54,9 @@ struct RuleChoice {
 };
 
 /// The least rule for G f on the lines of a part in one parameter.
-/// Maths     a rule of n nodes is off by (2 + 2/(4n^2-1)) rho^(-2n)/(1 - rho^-2) times the area and the
-///           bounds of the kernel and of f on the ellipse whose half axes sum to rho (gauss_error_factor);
-///           sizes bound f as in PolynomialSizes. Two ellipses are tried, a = D/2 and 7/10 D
-/// Source    N. Trefethen, "Approximation Theory and Approximation Practice", theorem 19.3
+/// Maths     a rule of n nodes is off by gauss_mean_error_factor times the area and the bounds of the kernel
+///           and of f on the ellipse whose half axes sum to rho; sizes bound f as in PolynomialSizes. Two
+///           ellipses are tried, a = D/2 and 7/10 D
 /// Result    rounded up
 [[nodiscard]] RuleChoice rule_in_s(const SeenPart& part, double height, std::span<const double> sizes,
                                    double allowed);

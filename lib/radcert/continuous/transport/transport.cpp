@@ -96,7 +96,8 @@ public:
     height_ = highest + 64 * unit_roundoff<double>() * scene_.extent();
     std::vector<Part> parts;
     for (std::size_t e = transport_.first_element_[panel]; e < transport_.first_element_[panel + 1]; ++e)
-      parts.push_back({e, transport_.elements_[e].box});
+      if (size_in_ellipse(transport_.sizes_[e].by_s, 1) > 0)
+        parts.push_back({e, transport_.elements_[e].box});
     add_parts(0, std::move(parts));
   }
 

@@ -36,14 +36,17 @@ double slide_bound(double half, double reach, double axis) {
   return std::sqrt(1 + squared) / ((1 - squared) * (1 - squared)) * upward;
 }
 
+double turned_kernel(double k, double logarithm) {
+  const double quotient = (k + 1) * (k + 1) / (k * k + 1);
+  return quotient * quotient * std::hypot(1, 0.5 * std::numbers::pi / logarithm);
+}
+
 double turn_bound(double size, double reach) {
   double least = infinity;
   for (const double k : {3.0, 5.0, 9.0, 20.0}) {
     const double logarithm = std::log(reach / (k * size));
     if (!(logarithm > 0)) continue;
-    const double ratio = (k + 1) / (k - 1);
-    const double far = ratio * ratio * ratio * ratio * std::hypot(1, 0.5 * std::numbers::pi / logarithm);
-    least = std::min(least, (1 + 2 * (far - 1) / (k - 1)) * upward);
+    least = std::min(least, (1 + 2 * (turned_kernel(k, logarithm) - 1) / (k - 1)) * upward);
   }
   return least;
 }

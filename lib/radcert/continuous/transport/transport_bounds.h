@@ -40,16 +40,41 @@ struct ObserverLines {
 /// Result    rounded up; infinite where theta reaches 1
 [[nodiscard]] double slide_bound(double half, double reach, double axis);
 
+/// Where Q slides, Legendre's polynomials of the parameters of its element grow by this a degree at most.
+/// Maths     both parameters stay in the unit disk: the real segment that is as long as Q moves lies in the
+///           element, and the disk about it goes to a disk about a part of [-1,1], as x and y are affine or
+///           quotients of affine functions of the way. There |P_i| <= (1 + sqrt(2))^i
+inline constexpr double slid_growth = 2.4143;
+
+/// The modulus of the kernel's form at complex observers beside that at real ones, where Q turns.
+/// Maths     P = x + t g and Q = x + e^(i alpha) q h with unit vectors g and h, 0 <= alpha <= arg t <= pi/2
+///           and q >= k |t|, k >= 3. With tau = |t|, beta = arg t - alpha, c = g.h, m = 2 tau q, s = tau^2 +
+///           q^2:  |(P-Q)^2|^2 = s^2 - m^2 sin^2 beta - 2 s m c cos beta + m^2 c^2, against (s - m c)^2 at t
+///           = tau, alpha = 0. For c >= 0 the quotient is at least 1 - m^2/s^2 (in cos beta a parabola; its
+///           least value (s^2-m^2)(1-c^2)/(s-mc)^2 grows with c until c = m/s, where it is 1, and from there
+///           on beta = 0 is the worst). For c < 0 it falls with cos beta, and at beta = pi/2 with c, as long
+///           as s^2 >= m^2 + m s: c = -1, (1 + m/s)^-2, which is less than 1 - m^2/s^2. Since m/s <=
+///           2k/(k^2+1) <= 3/5:  |(P-Q)^2| is at least (k^2+1)/(k+1)^2 of its real value. Both scalar
+///           products keep their moduli. Where alpha falls by a in all with log q, `logarithm` long, the area
+///           element has the modulus |1 - i a/logarithm| times the real one, a <= pi/2: ((k+1)^2/(k^2+1))^2
+///           (1 + (pi/2 / logarithm)^2)^(1/2)
+/// Result    to be rounded up; 3 <= k, logarithm > 0
+[[nodiscard]] double turned_kernel(double k, double logarithm);
+
+/// Where Q turns, Legendre's polynomials grow by this a degree at most, along the edge and away from it.
+/// Maths     A + sqrt(A^2 - 1): x no further than 1/2 from [-1,1], A = 3/2; y no further than 1 from -1,
+///           A = 2
+inline constexpr double turned_along = 2.6181;
+inline constexpr double turned_across = 3.7321;
+
 /// sup |T_j w| / sup |w| where Q_j touches the line from which the observers run, about which it turns.
 /// Maths     P = x + t g, x on the edge and t complex with |t g| <= size, |arg t| <= pi/2. Q turns about x to
 ///           x + e^(i alpha) (Q-x), alpha = arg t for |Q-x| <= k size, falling to 0 with log|Q-x| at the
 ///           distance r = `reach`, up to which Q_j has no side of an element but the one along the edge
-///           (Stokes: the border moves in the complex line of the edge, on which the form vanishes). Both
-///           scalar products keep their moduli; up to k size so does P-Q, and beyond |(P-Q)^2| is at least
-///           ((k-1)/(k+1))^2 of its value at |t|, where the mass of what is further than (k-1) size is at
-///           most 2/(k-1), and that of all 1: |T_j w| <= (1 + 2/(k-1) (f-1)) sup |w| on the points that are
-///           reached, f = ((k+1)/(k-1))^4 (1 + (pi/2 / log(r/(k size)))^2)^(1/2). The least of k = 3, 5, 9,
-///           20
+///           (Stokes: the border moves in the complex line of the edge, on which the form vanishes). Up to k
+///           size the form keeps its modulus, and beyond it grows by f = turned_kernel at most; the mass of
+///           what is further than (k-1) size is at most 2/(k-1), and that of all 1: |T_j w| <= (1 + 2/(k-1)
+///           (f-1)) sup |w| on the points that are reached. The least of k = 3, 5, 9, 20
 /// Result    rounded up; infinite where size is not small beside the reach
 [[nodiscard]] double turn_bound(double size, double reach);
 
