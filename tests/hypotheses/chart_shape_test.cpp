@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <string>
 
 #include "radcert/hypotheses/chart_pairs.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
+#include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/surface/chart.h"
 #include "tests/hypotheses/dome.h"
@@ -32,6 +34,8 @@ Vector<ExactFunction> profile(const ExactFunction& x, const ExactFunction& z) {
 ExactFunction power_of_s(const Rational& exponent) {
   return power(ExactFunction::s(), Exponent<ExactFunction>(exponent));
 }
+
+ExactFunction square_of_t() { return ExactFunction::t() * ExactFunction::t(); }
 
 TEST(ProveShape, TakesProfilesThatBendToOneSideAlone) {
   const ExactFunction s = ExactFunction::s();
@@ -86,6 +90,77 @@ TEST(ProveShape, TakesAQuadricWithItsNormalsToTheInsideAlone) {
   EXPECT_FALSE(shape.refusal.empty());
 }
 
+/// z = s^2 - t^2.
+template <Field R>
+class SaddleOfSquares {
+public:
+  template <Field T>
+  Vector<T> operator()(const T& s, const T& t) const {
+    return {s, t, s * s - t * t};
+  }
+};
+
+TEST(ProveShape, RefusesAQuadricWithAnInsideThatIsNotConvex) {
+  ChartFacts facts{.name = "saddle", .piece = "saddle", .orientation = along};
+  facts.structure.quadric =
+      Quadric{.squares = {1, -1, 0}, .linear = {.gradient = {0, 0, -1}, .constant = Rational(0)}};
+  const Vector<ExactFunction> image{ExactFunction::s(), ExactFunction::t(), power_of_s(2) - square_of_t()};
+  std::size_t boxes = 0;
+  const ProvedShape shape = prove_shape(make_chart<SaddleOfSquares>(facts), &image, boxes);
+  EXPECT_FALSE(shape.quadric.has_value());
+  EXPECT_NE(shape.refusal.find("convex"), std::string::npos) << shape.refusal;
+}
+
+/// On x^2 + y^2 = z^2: (2 u t, u^2 - t^2, h (u^2 + t^2)), u = 1 + s, h = 1 or -1.
+template <Field R>
+class ConePatch {
+public:
+  explicit ConePatch(int sheet) : sheet_(R(sheet)) {}
+
+  template <Field T>
+  Vector<T> operator()(const T& s, const T& t) const {
+    const T u = R(1) + s;
+    return {R(2) * (u * t), u * u - t * t, sheet_ * (u * u + t * t)};
+  }
+
+private:
+  R sheet_;
+};
+
+bool is_on_upper_nappe(int sheet, Orientation orientation) {
+  ChartFacts facts{.name = "cone", .piece = "cone", .orientation = orientation};
+  facts.structure.quadric = Quadric{.squares = {1, 1, 0},
+                                    .linear = {.gradient = {0, 0, 0}, .constant = Rational(0)},
+                                    .nappe = AffineForm{.gradient = {0, 0, 1}, .constant = Rational(0)}};
+  const ExactFunction u = ExactFunction(Rational(1)) + ExactFunction::s();
+  const ExactFunction t = ExactFunction::t();
+  const Vector<ExactFunction> image{ExactFunction(Rational(2)) * u * t, u * u - t * t,
+                                    ExactFunction(Rational(sheet)) * (u * u + t * t)};
+  std::size_t boxes = 0;
+  return prove_shape(make_chart<ConePatch>(facts, sheet), &image, boxes).quadric.has_value();
+}
+
+TEST(ProveShape, TakesTheUpperNappeOfAConeAlone) {
+  EXPECT_NE(is_on_upper_nappe(1, along), is_on_upper_nappe(1, against));
+  EXPECT_FALSE(is_on_upper_nappe(-1, along));
+  EXPECT_FALSE(is_on_upper_nappe(-1, against));
+}
+
+TEST(ProveShape, RefusesAPlaneThatTheFormulaDoesNotKeep) {
+  ChartFacts facts{.name = "floor", .piece = "floor", .orientation = along};
+  facts.plane = Plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const ExactFunction s = ExactFunction::s();
+  const ExactFunction t = ExactFunction::t();
+  for (const bool bent : {false, true}) {
+    const ExactFunction height = bent ? power_of_s(2) - square_of_t() : ExactFunction(Rational(0));
+    const Vector<ExactFunction> image{s, t, height};
+    std::size_t boxes = 0;
+    const Chart chart =
+        bent ? make_chart<SaddleOfSquares>(facts) : make_rectangle(facts, {0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    EXPECT_EQ(prove_shape(chart, &image, boxes).inner.has_value(), !bent);
+  }
+}
+
 TEST(BoxesLeft, AreThoseThatWereNotLookedAt) {
   const Chart chart = sample::dome_over_floor(0).charts.back();
   std::size_t boxes = 0;
@@ -112,6 +187,28 @@ TEST(SearchPairs, DoesNotTakeASaddleForADome) {
   std::size_t boxes = 0;
   const PairSearch found = search_pairs(table, table, 2000, boxes);
   EXPECT_TRUE(found.witness.has_value() || found.boxes_left > 0);
+}
+
+/// z = s^2: its normals turn away from what stands beside it.
+template <Field R>
+class Trough {
+public:
+  template <Field T>
+  Vector<T> operator()(const T& s, const T& t) const {
+    return {s, t, s * s};
+  }
+};
+
+TEST(SearchPairs, LooksAtEveryNormalOfALargePatchBesideASmallOne) {
+  // A small patch in front of the tangent plane in the middle of the trough, and behind that at its end.
+  const Chart trough = make_chart<Trough>({.name = "trough", .piece = "trough", .orientation = along});
+  const Chart small =
+      make_rectangle({.name = "small", .piece = "small"}, {Rational(3, 2), Rational(1, 2), Rational(8, 5)},
+                     {Rational(1, 1000), 0, 0}, {0, Rational(1, 1000), 0});
+  PatchTable of_trough(trough);
+  PatchTable of_small(small);
+  std::size_t boxes = 0;
+  EXPECT_TRUE(search_pairs(of_trough, of_small, 2000, boxes).witness.has_value());
 }
 
 }  // namespace
