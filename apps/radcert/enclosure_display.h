@@ -6,7 +6,7 @@
 #include <mutex>
 
 #include "progress.h"
-#include "radcert/study/mesh_progress.h"
+#include "radcert/study/guarantee_context.h"
 
 namespace radcert::app {
 

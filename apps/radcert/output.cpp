@@ -201,6 +201,14 @@ void complain(std::string_view text) {
   say(alarming("radcert:", STDERR_FILENO) + " " + std::string(text) + "\n");
 }
 
+ExitCode interrupted(const std::string& finished, const ResultStore& store) {
+  const auto status = store.status();
+  say("radcert: interrupted; " + finished + " are " +
+      (status ? "kept in " + store.folder().string() + ": the same command goes on from there\n"
+              : "not kept: " + status.reason() + "\n"));
+  return ExitCode::interrupted;
+}
+
 ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore& store) {
   const auto status = store.status();
   say("radcert: interrupted; " + std::to_string(finished) + " of " + std::to_string(asked) +

@@ -43,6 +43,7 @@ void say(std::string_view text);
 void complain(std::string_view text);
 
 /// Says how many of the levels asked for were finished before the interruption, and where they are kept.
+ExitCode interrupted(const std::string& finished, const ResultStore& store);
 ExitCode interrupted(std::size_t finished, std::size_t asked, const ResultStore& store);
 
 /// The files of one run: what it reads, and what it writes together once all of the contents are there.

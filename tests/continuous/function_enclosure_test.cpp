@@ -13,6 +13,7 @@
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/continuous/trial.h"
 #include "radcert/core/parallel.h"
+#include "tests/continuous/memory.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {
@@ -214,6 +215,21 @@ TEST(FunctionEnclosure, HasTheSameBitsForAnyNumberOfThreads) {
   EXPECT_EQ(many.sup, one.sup);
   ASSERT_EQ(many.parts.size(), one.parts.size());
   for (std::size_t k = 0; k < one.parts.size(); ++k) EXPECT_EQ(many.parts[k].bound, one.parts[k].bound);
+}
+
+TEST(FunctionEnclosure, GoesOnFromWhatIsKept) {
+  const PolyhedronProblem asked = furnace(Rational(1, 4), 2);
+  const FunctionEnclosure by_itself = enclose_function(asked, 4, 0.1);
+  test::Memory memory;
+  EXPECT_EQ(enclose_function(asked, 4, 0.1, {.kept = &memory}).sup, by_itself.sup);
+  ASSERT_GT(memory.numbers.size(), 2U);
+  test::Memory half(memory.half());
+  const FunctionEnclosure again = enclose_function(asked, 4, 0.1, {.kept = &half});
+  EXPECT_GT(half.found, 0);
+  EXPECT_EQ(half.numbers, memory.numbers);
+  EXPECT_EQ(again.sup, by_itself.sup);
+  for (std::size_t k = 0; k < again.parts.size(); ++k)
+    EXPECT_EQ(again.parts[k].bound, by_itself.parts[k].bound);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "radcert/continuous/observer_cells.h"
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/trial_functions.h"
+#include "tests/continuous/memory.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {
@@ -83,10 +84,11 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergy) {
 TEST(GoalEnclosure, OfCoarseMeshesContainThoseOfFineOnes) {
   std::mutex mutex;
   std::vector<EnclosureProgress> told;
-  const GoalEnclosure coarse = enclose_means(lit("tetrahedron"), 1e-1, [&](const EnclosureProgress& now) {
-    const std::scoped_lock lock(mutex);
-    told.push_back(now);
-  });
+  const GoalEnclosure coarse =
+      enclose_means(lit("tetrahedron"), 1e-1, {.progress = [&](const EnclosureProgress& now) {
+                      const std::scoped_lock lock(mutex);
+                      told.push_back(now);
+                    }});
   // It is told that a mesh is begun, how many of its cells are done, and how wide the enclosure is then.
   ASSERT_GT(told.size(), 10U);
   EXPECT_FALSE(told.front().finished);
@@ -104,6 +106,31 @@ TEST(GoalEnclosure, OfCoarseMeshesContainThoseOfFineOnes) {
   for (std::size_t k = 0; k < fine.numbers.size(); ++k)
     EXPECT_LE(std::abs(coarse.numbers[k].value - fine.numbers[k].value),
               coarse.numbers[k].radius + fine.numbers[k].radius);
+}
+
+TEST(GoalEnclosure, GoesOnFromWhatIsKept) {
+  const PolyhedronProblem asked = lit("tetrahedron");
+  const GoalEnclosure by_itself = enclose_means(asked, 1e-1, {}, true);
+  const auto expect_same = [&](const GoalEnclosure& found) {
+    ASSERT_EQ(found.numbers.size(), by_itself.numbers.size());
+    for (std::size_t k = 0; k < found.numbers.size(); ++k) {
+      EXPECT_EQ(found.numbers[k].value, by_itself.numbers[k].value);
+      EXPECT_EQ(found.numbers[k].radius, by_itself.numbers[k].radius);
+    }
+    EXPECT_EQ(found.last.samples, by_itself.last.samples);
+    for (std::size_t e = 0; e < found.proof->residuals.size(); ++e)
+      EXPECT_EQ(found.proof->residuals[e].norms, by_itself.proof->residuals[e].norms);
+  };
+  test::Memory memory;
+  expect_same(enclose_means(asked, 1e-1, {.kept = &memory}, true));
+  ASSERT_GT(memory.numbers.size(), 3U);
+  EXPECT_EQ(memory.found, 0);
+  // Begun again where about half of the parts had been done.
+  test::Memory half(memory.half());
+  const auto done = static_cast<int>(half.numbers.size());
+  expect_same(enclose_means(asked, 1e-1, {.kept = &half}, true));
+  EXPECT_EQ(half.found, done);
+  EXPECT_EQ(half.numbers, memory.numbers);
 }
 
 TEST(GoalEnclosure, HasPolynomialEmissions) {

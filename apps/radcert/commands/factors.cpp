@@ -421,11 +421,7 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   try {
     report.matrix = computed(common, scene, units, demand, options.rays, named.identity, sinks, store);
   } catch (const Interrupted&) {
-    const auto status = store.status();
-    say("radcert: interrupted; finished rows are " +
-        (status ? "kept in " + store.folder().string() + ": the same command goes on from there\n"
-                : "not kept: " + status.reason() + "\n"));
-    return ExitCode::interrupted;
+    return interrupted("finished rows", store);
   }
   say_where_nothing_is_kept(store);
   Files files;

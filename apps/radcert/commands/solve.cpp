@@ -30,6 +30,7 @@
 #include "radcert/formats/result/certificate_json.h"
 #include "radcert/formats/result/result_json.h"
 #include "radcert/formats/result/stored_levels.h"
+#include "radcert/formats/result/stored_numbers.h"
 #include "radcert/formats/table/csv.h"
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/reference/operator_integral.h"
@@ -198,15 +199,29 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Output
     if (certified) check_certified(problem, *problem.guarantee);
   });
   EnclosureDisplay display(common.quiet);
-  const auto progress = [&](const GuaranteeProgress& now) { display.mesh_done(now); };
-  const auto meshes = [&](const MeshProgress& now) { display.at(now); };
+  ResultStore store = common.store();
+  StoredNumbers kept(store, guarantee_key(problem, certified));
+  const GuaranteeContext context{.progress = [&](const GuaranteeProgress& now) { display.mesh_done(now); },
+                                 .meshes = [&](const MeshProgress& now) { display.at(now); },
+                                 .kept = &kept};
   Files files;
-  auto [level, enclosure] = with_source(source, [&]() -> std::pair<LevelResult, SolutionEnclosure> {
-    if (!certified) return solve_within(problem, *problem.guarantee, progress, meshes);
-    CertifiedMeans found = certified_means(problem, *problem.guarantee, progress, meshes);
-    files.emplace_back(options.certificate, certificate_text(found.certificate, common.command));
-    return {std::move(found.level), std::move(found.enclosure)};
-  });
+  LevelResult level;
+  SolutionEnclosure enclosure;
+  try {
+    with_source(source, [&] {
+      if (!certified) {
+        std::tie(level, enclosure) = solve_within(problem, *problem.guarantee, context);
+        return;
+      }
+      CertifiedMeans found = certified_means(problem, *problem.guarantee, context);
+      files.emplace_back(options.certificate, certificate_text(found.certificate, common.command));
+      level = std::move(found.level);
+      enclosure = std::move(found.enclosure);
+    });
+  } catch (const Interrupted&) {
+    return interrupted("finished cells", store);
+  }
+  say_where_nothing_is_kept(store);
   const std::string hindrance = enclosure.hindrance;
   const Result result{.problem = problem,
                       .levels = {std::move(level)},

@@ -4,7 +4,12 @@
 #include <atomic>
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "radcert/continuous/kept_numbers.h"
 #include "radcert/core/work_limit.h"
 
 namespace radcert {
@@ -30,31 +35,51 @@ struct EnclosureProgress {
 /// Requires  may be called by several threads at once
 using EnclosureListener = std::function<void(const EnclosureProgress&)>;
 
-/// Tells how many cells of a mesh have been looked at, some hundred times.
-class CellProgress {
+/// Who is told of a search for an enclosure, and what keeps the parts of it that are done.
+struct SearchContext {
+  EnclosureListener progress = {};
+  KeptNumbers* kept = nullptr;  ///< of this problem and width alone
+};
+
+/// The work on one mesh of a search.
+/// Result    tells how many cells have been looked at, some hundred times; keeps what is found, and finds it
+///           again
+class MeshWork {
 public:
   /// Tells that the mesh has been begun.
-  CellProgress(const EnclosureListener& listener, const EnclosureProgress& mesh)
-      : listener_(listener), mesh_(mesh) {
+  MeshWork(const SearchContext& context, const EnclosureProgress& mesh) : context_(context), mesh_(mesh) {
     mesh_.finished = false;
-    if (listener_) listener_(mesh_);
+    if (context_.progress) context_.progress(mesh_);
   }
 
   void begin(std::size_t cells) { mesh_.cells = cells; }
   /// So many more are done; by any thread.
   void add(std::size_t cells) {
-    if (!listener_ || mesh_.cells == 0) return;
+    if (!context_.progress || mesh_.cells == 0) return;
     constexpr std::size_t steps = 200;
     const std::size_t before = done_.fetch_add(cells);
     const std::size_t step = mesh_.cells / steps + 1;
     if (before / step == (before + cells) / step) return;
     EnclosureProgress now = mesh_;
     now.cells_done = before + cells;
-    listener_(now);
+    context_.progress(now);
+  }
+
+  /// The numbers of a part of the work on this mesh, from an earlier run or from find(), which gives `count`.
+  /// Result    the same numbers in either case, if find() gives the same each time
+  [[nodiscard]] std::vector<double> numbers(const std::string& part, std::size_t count,
+                                            const std::function<std::vector<double>()>& find) const {
+    if (context_.kept == nullptr) return find();
+    const std::string name = std::to_string(mesh_.layers) + " layers, " + part;
+    std::optional<std::vector<double>> kept = context_.kept->find(name);
+    if (kept && kept->size() == count) return std::move(*kept);
+    std::vector<double> found = find();
+    context_.kept->keep(name, found);
+    return found;
   }
 
 private:
-  const EnclosureListener& listener_;
+  const SearchContext& context_;
   EnclosureProgress mesh_;
   std::atomic<std::size_t> done_ = 0;
 };

@@ -150,10 +150,10 @@ public:
     best_.sup = infinity;
   }
 
-  FunctionEnclosure operator()(const EnclosureListener& progress) {
+  FunctionEnclosure operator()(const SearchContext& context) {
     for (int layers = first_layers; layers <= most_layers.value(); ++layers) {
-      if (!try_layers(layers, progress)) continue;
-      if (progress) progress(best_.last);
+      if (!try_layers(layers, context)) continue;
+      if (context.progress) context.progress(best_.last);
       if (std::ldexp(radius_, data_.exponent) >= best_.sup || !best_.hindrance.empty())
         return std::move(best_);
     }
@@ -172,17 +172,19 @@ private:
   }
 
   /// One mesh; false where it is passed over, since its residuals would be too large.
-  bool try_layers(int layers, const EnclosureListener& listener) {
+  bool try_layers(int layers, const SearchContext& context) {
     const int degree = std::max(layers - 1, data_.degree);
     const double tolerance = 2e-4 * std::pow(4.0, -layers);
     std::vector<SectorElement> elements = graded_elements(data_.scene, layers);
     EnclosureProgress begun{.layers = layers, .degree = degree, .elements = elements.size()};
     begun.samples = best_.last.samples;
     begun.width = 2 * best_.sup;
-    CellProgress progress(listener, begun);
+    MeshWork work(context, begun);
     const SectorFunctions emission =
         emission_functions(data_.exact, data_.scene, elements, 1, degree, data_.exponent);
-    SectorFunctions q = trial_functions(data_.scene, elements, data_.reflectivity, emission, tolerance);
+    SectorFunctions q = kept_functions(work, emission, elements.size(), [&] {
+      return trial_functions(data_.scene, elements, data_.reflectivity, emission, tolerance);
+    });
     const Trial trial(data_.scene, data_.reflectivity, std::move(elements), emission, std::move(q));
 
     const bool last = layers == most_layers.value();
@@ -206,8 +208,8 @@ private:
       expected[e] = trial.rho(e) > 0 ? std::max(left, 0.3 * expected[e]) : infinity;
     const DemandOutside demand(disks_, std::move(expected), 0x1p-10 * std::sqrt(smallest));
     const std::vector<ObserverCell> cells = observer_cells(trial, demand);
-    progress.begin(cells.size());
-    const std::vector<double> largest = largest_residuals(trial, cells, demand, &progress);
+    work.begin(cells.size());
+    const std::vector<double> largest = largest_residuals(trial, cells, demand, &work);
     std::vector<ResidualOnBox> proved;
     for (std::size_t c = 0; c < cells.size(); ++c)
       proved.push_back({.element = cells[c].element,
@@ -295,11 +297,11 @@ private:
 }  // namespace
 
 FunctionEnclosure enclose_function(const PolyhedronProblem& problem, double wanted, double outside,
-                                   const EnclosureListener& progress) {
+                                   const SearchContext& context) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   expects(outside >= 0, "0 <= outside", named("outside", outside));
   const ScaledProblem data(problem);
-  return FunctionSearch(data, wanted, outside)(progress);
+  return FunctionSearch(data, wanted, outside)(context);
 }
 
 }  // namespace radcert

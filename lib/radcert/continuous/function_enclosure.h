@@ -49,6 +49,6 @@ struct FunctionEnclosure {
 ///           least `outside`; 0 there where that holds everywhere. The same bits for any number of threads
 /// Limits    edges whose two sides have not the same ends are as bad as vertices, and are not spared
 [[nodiscard]] FunctionEnclosure enclose_function(const PolyhedronProblem& problem, double wanted,
-                                                 double outside, const EnclosureListener& progress = {});
+                                                 double outside, const SearchContext& context = {});
 
 }  // namespace radcert

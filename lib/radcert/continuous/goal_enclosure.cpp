@@ -109,12 +109,12 @@ public:
     best_.numbers.assign(goals.count(), Approximation::proved(0, infinity));
   }
 
-  GoalEnclosure operator()(const EnclosureListener& progress) {
+  GoalEnclosure operator()(const SearchContext& context) {
     if (!data_.reflects || !goals_.depend_on_u()) return of_emission();
     for (int layers = 2; layers <= most_layers.value(); ++layers) {
-      if (!try_layers(layers, progress)) continue;
+      if (!try_layers(layers, context)) continue;
       if (!best_.hindrance.empty()) return best_;
-      if (progress) progress(best_.last);
+      if (context.progress) context.progress(best_.last);
       if (best_.width <= wanted_) return best_;
     }
     best_.hindrance = "the residual of polynomials of degree " + std::to_string(best_.last.degree) + " on " +
@@ -158,7 +158,7 @@ private:
   }
 
   /// One mesh; false where it is passed over, since its residuals would be too large.
-  bool try_layers(int layers, const EnclosureListener& listener) {
+  bool try_layers(int layers, const SearchContext& context) {
     const int degree = std::max({layers - 1, data_.degree, goals_.least_degree()});
     // About what the residuals of a cube come to on so many layers; the systems are solved far better.
     const double usual = 0.05 * std::pow(4.0, -layers);
@@ -169,15 +169,16 @@ private:
     EnclosureProgress begun{.layers = layers, .degree = degree, .elements = elements.size()};
     begun.samples = best_.last.samples;
     begun.width = best_.width;
-    CellProgress progress(listener, begun);
+    MeshWork work(context, begun);
     const Emissions given = emissions(elements, degree);
     for (const double left : given.left)
       if (!(left <= 10 * allowed)) {
         best_.hindrance = "too many elements would carry the kernel of a point near an edge";
         return true;
       }
-    SectorFunctions q =
-        trial_functions(data_.scene, elements, data_.reflectivity, given.functions, tolerance);
+    SectorFunctions q = kept_functions(work, given.functions, elements.size(), [&] {
+      return trial_functions(data_.scene, elements, data_.reflectivity, given.functions, tolerance);
+    });
     // Any functions will do, and those of a certificate are written down.
     if (with_proof_) shorten(q, tolerance);
     const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q));
@@ -202,8 +203,8 @@ private:
       best_.hindrance = "too many cells: the polyhedron is too thin, or its edges are too sharp";
       return true;
     }
-    progress.begin(plan.cells.size());
-    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_, &progress);
+    work.begin(plan.cells.size());
+    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_, &work);
     const std::vector<Approximation> of_density = goals_.of_density(trial);
     best_.width = 0;
     std::vector<double> radii;
@@ -242,16 +243,16 @@ private:
 
 }  // namespace
 
-GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
-                            const EnclosureListener& progress, bool with_proof) {
+GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted, const SearchContext& context,
+                            bool with_proof) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   const ScaledProblem data(problem);
   const std::unique_ptr<Goals> goals = piece_means(data.scene, data.reflectivity);
-  return Search(data, *goals, wanted, with_proof)(progress);
+  return Search(data, *goals, wanted, with_proof)(context);
 }
 
 GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector<SolutionPoint>& points,
-                             double wanted, const EnclosureListener& progress) {
+                             double wanted, const SearchContext& context) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   const ScaledProblem data(problem);
   std::vector<Approximation> emission;
@@ -262,7 +263,7 @@ GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector
         value, unit_roundoff<double>() * std::abs(value) + std::numeric_limits<double>::denorm_min()));
   }
   const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, points, emission);
-  return Search(data, *goals, wanted, false)(progress);
+  return Search(data, *goals, wanted, false)(context);
 }
 
 }  // namespace radcert

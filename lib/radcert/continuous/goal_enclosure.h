@@ -54,7 +54,7 @@ struct GoalEnclosure {
 ///           ones
 /// Limits    unoccluded; what is reached where the wanted width is not is given with its reason
 [[nodiscard]] GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
-                                          const EnclosureListener& progress = {}, bool with_proof = false);
+                                          const SearchContext& context = {}, bool with_proof = false);
 
 /// Encloses u at points.
 /// Maths     u(P) = E(P) + rho(P) J(u), J(u) = T u(P), j = G(P,.)/pi, as above
@@ -63,6 +63,6 @@ struct GoalEnclosure {
 /// Limits    the nearer a point is to an edge, the more elements its kernel asks for
 [[nodiscard]] GoalEnclosure enclose_values(const PolyhedronProblem& problem,
                                            const std::vector<SolutionPoint>& points, double wanted,
-                                           const EnclosureListener& progress = {});
+                                           const SearchContext& context = {});
 
 }  // namespace radcert

@@ -2,8 +2,11 @@
 #include "radcert/continuous/residual.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <string>
 #include <utility>
 
 #include "radcert/continuous/elements/element_interpolation.h"
@@ -29,6 +32,25 @@ struct Share {
 
   explicit Share(std::size_t count)
       : squares(count), missed(count), products(count), sampling(count), rounding(count) {}
+
+  [[nodiscard]] std::array<std::vector<double>*, 5> by_function() {
+    return {&squares, &missed, &products, &sampling, &rounding};
+  }
+  static constexpr std::size_t numbers_of(std::size_t count) { return 5 * count + 3; }
+  void put_into(std::vector<double>& numbers) {
+    for (const std::vector<double>* part : by_function())
+      numbers.insert(numbers.end(), part->begin(), part->end());
+    numbers.insert(numbers.end(), {truncation, strips, static_cast<double>(samples)});
+  }
+  void take_from(std::span<const double> numbers) {
+    for (std::vector<double>* part : by_function()) {
+      std::copy_n(numbers.begin(), part->size(), part->begin());
+      numbers = numbers.subspan(part->size());
+    }
+    truncation = numbers[0];
+    strips = numbers[1];
+    samples = static_cast<std::size_t>(numbers[2]);
+  }
 };
 
 void add(std::vector<double>& to, const std::vector<double>& from) {
@@ -270,6 +292,12 @@ class SharesByCell {
 public:
   SharesByCell(std::size_t cells, std::size_t count) : count_(count), numbers_(cells * (3 * count + 1)) {}
 
+  /// Those of some cells in a row; none where nothing is kept.
+  [[nodiscard]] std::span<double> of(std::size_t first, std::size_t cells) {
+    if (numbers_.empty()) return {};
+    return std::span(numbers_).subspan(first * (3 * count_ + 1), cells * (3 * count_ + 1));
+  }
+
   void put(std::size_t cell, const Share& share) {
     double* to = numbers_.data() + cell * (3 * count_ + 1);
     *to++ = share.missed[0];
@@ -325,25 +353,63 @@ std::vector<ElementResidual> element_residuals(const Trial& trial, std::span<con
 
 }  // namespace
 
+namespace {
+
+/// Cells whose sums are kept together: a second or two of work.
+constexpr std::size_t cells_at_a_time = 16;
+constexpr std::size_t cells_of_a_part = 64 * cells_at_a_time;
+
+/// The numbers of cells first, ..., first + size - 1.
+std::vector<double> numbers_of_cells(MeshWork* work, const std::string& kind, std::size_t first,
+                                     std::size_t size, std::size_t count,
+                                     const std::function<std::vector<double>()>& find) {
+  if (work == nullptr) return find();
+  bool is_found = false;
+  std::vector<double> numbers = work->numbers(kind + " from " + std::to_string(first), count, [&] {
+    is_found = true;
+    return find();
+  });
+  if (!is_found) work->add(size);
+  return numbers;
+}
+
+}  // namespace
+
 ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells, const CellDemand& demand,
-                           bool by_element, CellProgress* progress) {
+                           bool by_element, MeshWork* work) {
   const std::size_t count = trial.w.count();
   const ResidualOverCells residual(trial);
   SharesByCell by_cell(by_element ? cells.size() : 0, count);
-  constexpr std::size_t cells_at_a_time = 16;
-  const Share total = parallel_reduce_ordered(
-      cells.size(), cells_at_a_time, Share(count),
-      [&](std::size_t begin, std::size_t end) {
-        Share share(count);
-        for (std::size_t c = begin; c < end; ++c) {
-          const Share own = residual.of_cell(cells[c], demand);
-          if (by_element) by_cell.put(c, own);
-          share = sum_of(std::move(share), own);
-        }
-        if (progress != nullptr) progress->add(end - begin);
-        return share;
-      },
-      sum_of);
+  // Parts end where chunks do, so that sums do not depend on them.
+  Share total(count);
+  for (std::size_t first = 0; first < cells.size(); first += cells_of_a_part) {
+    const std::size_t size = std::min(cells_of_a_part, cells.size() - first);
+    const std::span<double> of_cells = by_cell.of(first, size);
+    const auto find = [&] {
+      Share sum = parallel_reduce_ordered(
+          size, cells_at_a_time, total,
+          [&](std::size_t begin, std::size_t end) {
+            Share share(count);
+            for (std::size_t c = first + begin; c < first + end; ++c) {
+              const Share own = residual.of_cell(cells[c], demand);
+              if (by_element) by_cell.put(c, own);
+              share = sum_of(std::move(share), own);
+            }
+            if (work != nullptr) work->add(end - begin);
+            return share;
+          },
+          sum_of);
+      std::vector<double> numbers;
+      sum.put_into(numbers);
+      numbers.insert(numbers.end(), of_cells.begin(), of_cells.end());
+      return numbers;
+    };
+    const std::vector<double> numbers =
+        numbers_of_cells(work, by_element ? "cells of elements" : "cells", first, size,
+                         Share::numbers_of(count) + of_cells.size(), find);
+    total.take_from(numbers);
+    std::copy(numbers.end() - static_cast<std::ptrdiff_t>(of_cells.size()), numbers.end(), of_cells.begin());
+  }
   std::vector<double> with_q(count);
   for (std::size_t e = 0; e < trial.elements.size(); ++e)
     add(with_q, residual.products_with_q(e, trial.elements[e].box));
@@ -370,14 +436,22 @@ ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cel
 }
 
 std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
-                                      const LargestDemand& demand, CellProgress* progress) {
+                                      const LargestDemand& demand, MeshWork* work) {
   const ResidualOverCells residual(trial);
-  std::vector<double> largest(cells.size());
-  parallel_for(cells.size(), 16, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c)
-      largest[c] = residual.largest(cells[c], demand.allowed(cells[c].element));
-    if (progress != nullptr) progress->add(end - begin);
-  });
+  std::vector<double> largest;
+  for (std::size_t first = 0; first < cells.size(); first += cells_of_a_part) {
+    const std::size_t size = std::min(cells_of_a_part, cells.size() - first);
+    const std::vector<double> found = numbers_of_cells(work, "cells", first, size, size, [&] {
+      std::vector<double> part(size);
+      parallel_for(size, cells_at_a_time, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = begin; c < end; ++c)
+          part[c] = residual.largest(cells[first + c], demand.allowed(cells[first + c].element));
+        if (work != nullptr) work->add(end - begin);
+      });
+      return part;
+    });
+    largest.insert(largest.end(), found.begin(), found.end());
+  }
   return largest;
 }
 

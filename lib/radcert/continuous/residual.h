@@ -36,10 +36,11 @@ struct ResidualSums {
 ///           positive weights; strips by |t| <= sup|w| + sup|q|. Int w_k T w_0 by the cells' rules, Int w_k
 ///           q_0 exactly up to rounding
 /// Requires  cells of this trial
-/// Result    norms rounded up, products proved; the same bits for any number of threads
+/// Result    norms rounded up, products proved; the same bits for any number of threads, and whatever the
+///           work has kept of an earlier run
 [[nodiscard]] ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells,
                                          const CellDemand& demand, bool by_element = false,
-                                         CellProgress* progress = nullptr);
+                                         MeshWork* work = nullptr);
 
 /// The largest values of |t_0| on cells.
 /// Maths     |t| <= sum |c_ij| + n_s n_t times the samples' radius + interpolation_gain e, c the coefficients
@@ -47,8 +48,7 @@ struct ResidualSums {
 /// Requires  cells of this trial
 /// Result    by cell, proved; the same bits for any number of threads
 [[nodiscard]] std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
-                                                    const LargestDemand& demand,
-                                                    CellProgress* progress = nullptr);
+                                                    const LargestDemand& demand, MeshWork* work = nullptr);
 
 /// About the norms of the residuals, by one rule on each element.
 /// Maths     tensor Gauss rules of degree + 2 nodes, between those at which trial_functions interpolates

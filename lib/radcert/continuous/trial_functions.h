@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "radcert/continuous/elements/graded_elements.h"
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/elements/tensor_legendre.h"
+#include "radcert/continuous/enclosure_search.h"
 
 namespace radcert {
 
@@ -34,5 +36,19 @@ namespace radcert {
                                               std::span<const SectorElement> elements,
                                               const std::vector<double>& reflectivity,
                                               const SectorFunctions& emissions, double tolerance);
+
+/// The functions that find() gives, or those that the work on a mesh has kept of them; as many as E has, of
+/// the same degree.
+template <class Find>
+[[nodiscard]] SectorFunctions kept_functions(const MeshWork& work, const SectorFunctions& emissions,
+                                             std::size_t elements, const Find& find) {
+  SectorFunctions out(elements, emissions.count(), emissions.degree());
+  const std::vector<double> numbers = work.numbers("functions", out.all().size(), [&] {
+    const SectorFunctions found = find();
+    return std::vector<double>(found.all().begin(), found.all().end());
+  });
+  std::copy(numbers.begin(), numbers.end(), out.all().begin());
+  return out;
+}
 
 }  // namespace radcert

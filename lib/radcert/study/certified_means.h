@@ -3,7 +3,7 @@
 
 #include "radcert/certificate/means_certificate.h"
 #include "radcert/study/guarantee.h"
-#include "radcert/study/mesh_progress.h"
+#include "radcert/study/guarantee_context.h"
 #include "radcert/study/result.h"
 
 namespace radcert {
@@ -20,8 +20,7 @@ struct CertifiedMeans {
 /// Requires  what check_guarantee lets pass, of means on a polyhedron, else InputError
 /// Result    as solve_within; where the certificate is wider than the width, the enclosure says so
 [[nodiscard]] CertifiedMeans certified_means(const Problem& problem, const Guarantee& guarantee,
-                                             const GuaranteeListener& progress = {},
-                                             const MeshListener& meshes = {});
+                                             const GuaranteeContext& context = {});
 
 /// Refuses what certified_means cannot do.
 void check_certified(const Problem& problem, const Guarantee& guarantee);

@@ -76,13 +76,13 @@ public:
   }
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
-      const GuaranteeListener& progress, const MeshListener& /*meshes*/) const override {
+      const GuaranteeContext& context) const override {
     const auto tell = [&](const EllipsoidProgress& now) {
-      if (progress)
-        progress({.degree = now.degree,
-                  .unknowns = unknowns(now),
-                  .samples = now.samples,
-                  .width = 2 * now.bound});
+      if (context.progress)
+        context.progress({.degree = now.degree,
+                          .unknowns = unknowns(now),
+                          .samples = now.samples,
+                          .width = 2 * now.bound});
     };
     // Means and values have roundings of their own beside the bound.
     const double share = guarantee_.of == EnclosedQuantity::function ? 0.5 : 0.45;

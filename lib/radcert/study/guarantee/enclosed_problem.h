@@ -9,7 +9,7 @@
 #include "radcert/scalar/rational.h"
 #include "radcert/study/certified_means.h"
 #include "radcert/study/guarantee.h"
-#include "radcert/study/mesh_progress.h"
+#include "radcert/study/guarantee_context.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -25,14 +25,13 @@ public:
   virtual ~EnclosedProblem() = default;
 
   /// Result    proved; see solve_within
-  [[nodiscard]] virtual std::pair<LevelResult, SolutionEnclosure> solve(const GuaranteeListener& progress,
-                                                                        const MeshListener& meshes) const = 0;
+  [[nodiscard]] virtual std::pair<LevelResult, SolutionEnclosure> solve(
+      const GuaranteeContext& context) const = 0;
 
   /// Whether its means come with a certificate.
   [[nodiscard]] virtual bool has_certificate() const { return false; }
   /// Requires  has_certificate(), means are asked for, else ContractViolation
-  [[nodiscard]] virtual CertifiedMeans certified(const GuaranteeListener& progress,
-                                                 const MeshListener& meshes) const;
+  [[nodiscard]] virtual CertifiedMeans certified(const GuaranteeContext& context) const;
 };
 
 /// The kinds of problems, by their surfaces.

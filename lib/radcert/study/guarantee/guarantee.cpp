@@ -57,8 +57,7 @@ std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const
 
 }  // namespace
 
-CertifiedMeans EnclosedProblem::certified(const GuaranteeListener& /*progress*/,
-                                          const MeshListener& /*meshes*/) const {
+CertifiedMeans EnclosedProblem::certified(const GuaranteeContext& /*context*/) const {
   expects(has_certificate(), "a problem that has certificates");
   throw AccuracyNotReached("the means of u", "there is no certificate");
 }
@@ -92,18 +91,17 @@ void check_guarantee(const Problem& problem, const Guarantee& guarantee) {
 
 std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem, const Guarantee& guarantee,
                                                        const GuaranteeListener& progress) {
-  return solve_within(problem, guarantee, progress, {});
+  return solve_within(problem, guarantee, GuaranteeContext{.progress = progress});
 }
 
 std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem, const Guarantee& guarantee,
-                                                       const GuaranteeListener& progress,
-                                                       const MeshListener& meshes) {
-  return enclosed_problem(problem, guarantee)->solve(progress, meshes);
+                                                       const GuaranteeContext& context) {
+  return enclosed_problem(problem, guarantee)->solve(context);
 }
 
 CertifiedMeans certified_means(const Problem& problem, const Guarantee& guarantee,
-                               const GuaranteeListener& progress, const MeshListener& meshes) {
-  return certified_problem(problem, guarantee)->certified(progress, meshes);
+                               const GuaranteeContext& context) {
+  return certified_problem(problem, guarantee)->certified(context);
 }
 
 void check_certified(const Problem& problem, const Guarantee& guarantee) {

@@ -314,18 +314,17 @@ public:
       outside_ = distance_from_vertices(guarantee, near_.polyhedron);
   }
 
-  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(const GuaranteeListener& progress,
-                                                                const MeshListener& meshes) const override {
-    return guarantee_.of == EnclosedQuantity::function ? function(wanted(), told(progress, meshes))
-                                                       : numbers(wanted(), told(progress, meshes));
+  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
+      const GuaranteeContext& context) const override {
+    return guarantee_.of == EnclosedQuantity::function ? function(wanted(), told(context))
+                                                       : numbers(wanted(), told(context));
   }
 
   /// A certificate is of polynomials.
   [[nodiscard]] bool has_certificate() const override { return near_.distance == 0; }
-  [[nodiscard]] CertifiedMeans certified(const GuaranteeListener& progress,
-                                         const MeshListener& meshes) const override {
+  [[nodiscard]] CertifiedMeans certified(const GuaranteeContext& context) const override {
     const GoalEnclosure found =
-        enclose_means(near_.polyhedron, certified_share * wanted(), told(progress, meshes), true);
+        enclose_means(near_.polyhedron, certified_share * wanted(), told(context), true);
     auto [level, enclosure] = result_of(found, false);
     CertifiedMeans out{
         .level = std::move(level),
@@ -339,21 +338,22 @@ public:
   }
 
 private:
-  [[nodiscard]] static EnclosureListener told(const GuaranteeListener& progress, const MeshListener& meshes) {
-    return [&progress, &meshes](const EnclosureProgress& now) {
-      if (now.finished && progress)
-        progress({.layers = now.layers,
-                  .degree = now.degree,
-                  .unknowns = now.unknowns,
-                  .samples = now.samples,
-                  .width = now.width});
-      if (!now.finished && meshes)
-        meshes({.layers = now.layers,
-                .degree = now.degree,
-                .cells = now.cells,
-                .cells_done = now.cells_done,
-                .width = now.width});
+  [[nodiscard]] static SearchContext told(const GuaranteeContext& context) {
+    const auto progress = [&context](const EnclosureProgress& now) {
+      if (now.finished && context.progress)
+        context.progress({.layers = now.layers,
+                          .degree = now.degree,
+                          .unknowns = now.unknowns,
+                          .samples = now.samples,
+                          .width = now.width});
+      if (!now.finished && context.meshes)
+        context.meshes({.layers = now.layers,
+                        .degree = now.degree,
+                        .cells = now.cells,
+                        .cells_done = now.cells_done,
+                        .width = now.width});
     };
+    return {.progress = progress, .kept = context.kept};
   }
   /// Of the polynomial emission. A double from below: what is reached is then within what was asked for.
   [[nodiscard]] double wanted() const {
@@ -373,10 +373,10 @@ private:
   }
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> numbers(double wanted,
-                                                                  const EnclosureListener& tell) const {
+                                                                  const SearchContext& context) const {
     const bool of_values = guarantee_.of == EnclosedQuantity::values;
-    const GoalEnclosure found = of_values ? enclose_values(near_.polyhedron, points_, wanted, tell)
-                                          : enclose_means(near_.polyhedron, wanted, tell);
+    const GoalEnclosure found = of_values ? enclose_values(near_.polyhedron, points_, wanted, context)
+                                          : enclose_means(near_.polyhedron, wanted, context);
     return result_of(found, of_values);
   }
 
@@ -402,9 +402,9 @@ private:
   }
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> function(double wanted,
-                                                                   const EnclosureListener& tell) const {
+                                                                   const SearchContext& context) const {
     const std::vector<std::string> names = surface_.piece_names();
-    FunctionEnclosure found = enclose_function(near_.polyhedron, wanted, outside_, tell);
+    FunctionEnclosure found = enclose_function(near_.polyhedron, wanted, outside_, context);
     if (!std::isfinite(found.sup)) throw AccuracyNotReached("the solution u", found.hindrance);
     SolutionEnclosure enclosure{
         .wanted = guarantee_, .width = 2 * widened(found.sup), .hindrance = std::move(found.hindrance)};

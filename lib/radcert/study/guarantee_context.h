@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "radcert/continuous/kept_numbers.h"
 #include "radcert/study/guarantee.h"
 
 namespace radcert {
@@ -21,10 +22,16 @@ struct MeshProgress {
 /// Requires  may be called by several threads at once
 using MeshListener = std::function<void(const MeshProgress&)>;
 
-/// solve_within, told of the work on each mesh too: on an ellipsoid there is none.
+/// Who is told of the way to an enclosure, and what keeps the parts of it that are done.
+struct GuaranteeContext {
+  GuaranteeListener progress = {};
+  MeshListener meshes = {};     ///< on an ellipsoid there are none
+  KeptNumbers* kept = nullptr;  ///< of this problem, guarantee and kind of enclosure alone
+};
+
+/// solve_within, told of the work on each mesh too; what an earlier run has kept is not found again.
 [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem,
                                                                      const Guarantee& guarantee,
-                                                                     const GuaranteeListener& progress,
-                                                                     const MeshListener& meshes);
+                                                                     const GuaranteeContext& context);
 
 }  // namespace radcert
