@@ -62,6 +62,27 @@ class Solve(ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.assertIn(b"standard input: /surface", done.stderr)
 
+    def test_a_guarantee_on_an_open_surface_is_that_beside_black_faces(self):
+        self.write("open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                               "g floor\nf 1 2 3 4\ng south\nf 1 5 6 2\ng east\nf 2 6 7 3\ng north\nf 3 7 8 4\n"
+                               "g west\nf 4 8 5 1\n")
+        problem = {"schema": "radcert/problem/1", "triangulation": {"levels": [0]},
+                   "basis": {"family": "inset", "degree": 0}, "emission": {"floor": "1", "*": "0"},
+                   "guarantee": {"width": "1/50"}}
+        self.write("open.json", {**problem, "surface": {"file": "open.obj"}, "reflectivity": "1/2"})
+        self.write("closed.json", {**problem, "surface": {"name": "cube"}, "reflectivity": {"ceiling": "0", "*": "1/2"}})
+        means = {}
+        for name in ("open", "closed"):
+            result = json.loads(self.solution(name + ".json"))
+            means[name] = {piece: (float(x["midpoint"]), float(x["radius"]))
+                           for piece, x in result["enclosure"]["pieces"].items()}
+        self.assertEqual(set(means["open"]), {"floor", "south", "east", "north", "west"})
+        for piece, (midpoint, radius) in means["open"].items():
+            other, other_radius = means["closed"][piece]
+            self.assertLessEqual(abs(midpoint - other), radius + other_radius, piece)
+        self.expect(0, "solve", "open.json", "--certificate", "open.certificate.json")
+        self.assertIn("opening", self.expect(0, "check", "open.certificate.json"))
+
     def test_a_guarantee_is_kept_or_refused(self):
         cube = {"schema": "radcert/problem/1", "surface": {"name": "tetrahedron"}, "triangulation": {"levels": [0]},
                 "basis": {"family": "inset", "degree": 0}, "reflectivity": "1/4", "emission": "3/4"}

@@ -4,7 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
 #include <tuple>
+#include <vector>
 
 #include "tests/continuous/scenes.h"
 
@@ -53,6 +55,54 @@ TEST(ConvexPanels, LeaveThePiecesOfAPlaneApart) {
   const std::vector<Panel> panels = convex_panels(surface).value();
   EXPECT_EQ(panels.size(), surface.piece_names().size());
   expect_convex(panels);
+}
+
+/// Six times the volume between panels and the origin.
+Rational volume(const std::vector<Panel>& panels) {
+  Rational sum = 0;
+  for (const Panel& panel : panels)
+    for (std::size_t k = 1; k + 1 < panel.corners.size(); ++k)
+      sum += dot(panel.corners[0], cross(panel.corners[k], panel.corners[k + 1]));
+  return abs(sum);
+}
+
+TEST(ClosingPanels, AreTheFacesThatAreNotThere) {
+  for (const std::string name : {"cube", "tetrahedron", "octahedron"}) {
+    const std::vector<Panel> all = panels_of(name);
+    for (std::size_t left_out = 1; left_out <= 2; ++left_out) {
+      // The last faces of a cube are opposite ones.
+      const std::vector<Panel> open(all.begin(), all.end() - static_cast<std::ptrdiff_t>(left_out));
+      const std::vector<Panel> closing = closing_panels(open, 77).value();
+      ASSERT_EQ(closing.size(), left_out) << name;
+      expect_convex(closing);
+      std::vector<Panel> closed = open;
+      closed.insert(closed.end(), closing.begin(), closing.end());
+      EXPECT_EQ(volume(closed), volume(all)) << name;
+      for (const Panel& panel : closing) {
+        EXPECT_EQ(panel.piece, 77U);
+        EXPECT_GT(dot(panel.normal, open.front().centre - panel.centre).sign(), 0);
+      }
+    }
+    EXPECT_TRUE(closing_panels(all, 0).value().empty());
+  }
+  // Two squares at a right angle: a slanted rectangle and two triangles.
+  const std::vector<Panel> closing = closing_panels(panels_of("two_squares"), 2).value();
+  ASSERT_EQ(closing.size(), 3U);
+  expect_convex(closing);
+}
+
+TEST(ClosingPanels, RefuseFacesThatAreThereInPart) {
+  std::vector<Panel> panels = panels_of("cube");
+  // Half of one face.
+  std::vector<Vector<Rational>>& corners = panels.back().corners;
+  corners[1] = Rational(1, 2) * (corners[0] + corners[1]);
+  corners[2] = Rational(1, 2) * (corners[2] + corners[3]);
+  const auto refused = closing_panels(panels, 0);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.reason(), testing::HasSubstr("in part"));
+  const auto flat = closing_panels({panels.front()}, 0);
+  ASSERT_FALSE(flat);
+  EXPECT_THAT(flat.reason(), testing::HasSubstr("one plane"));
 }
 
 }  // namespace

@@ -125,6 +125,9 @@ public:
         count_(trial.w.count()) {}
 
   [[nodiscard]] Share of_cell(const ObserverCell& cell, const CellDemand& demand) const {
+    // What neither reflects nor sends takes no part in either sum.
+    if (trial_.rho(cell.element) == 0 && trial_.smoothness.density_size(cell.element) == 0)
+      return Share(count_);
     return cell.is_strip() ? of_strip(cell) : of_samples(cell, demand);
   }
 

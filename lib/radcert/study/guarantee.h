@@ -100,11 +100,12 @@ struct GuaranteeProgress {
 using GuaranteeListener = std::function<void(const GuaranteeProgress&)>;
 
 /// Refuses a problem whose solution cannot be enclosed.
-/// Maths     an emission, a width that double can hold. Either a closed surface of plane charts that is
-///           proved to lie in the boundary of a convex body, on each face rho constant, 0 <= rho < 1, and E a
-///           polynomial of degree 8 at most, or so near one (near_polynomial) that no more than a quarter of
-///           the width is lost, points inside faces; or a sphere or an ellipsoid, rho and E polynomials, 0 <=
-///           rho < 1, points on the surface
+/// Maths     an emission, a width that double can hold. Either a surface of plane charts that is proved to
+///           lie in the boundary of a convex body, closed or without some faces of its convex hull
+///           (closing_panels), on each face rho constant, 0 <= rho < 1, and E a polynomial of degree 8 at
+///           most, or so near one (near_polynomial) that no more than a quarter of the width is lost, points
+///           inside faces; or a sphere or an ellipsoid, rho and E polynomials, 0 <= rho < 1, points on the
+///           surface
 /// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed
 void check_guarantee(const Problem& problem, const Guarantee& guarantee);
 

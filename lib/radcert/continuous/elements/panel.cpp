@@ -2,11 +2,13 @@
 #include "radcert/continuous/elements/panel.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "radcert/collocation/certified/plane_chart.h"
+#include "radcert/geometry/hull/convex_hull_triangles.h"
 #include "radcert/geometry/plane.h"
 #include "radcert/geometry/plane_polygon.h"
 
@@ -82,6 +84,34 @@ std::optional<Panel> union_of(const std::vector<const PlaneCorners*>& charts) {
   return panel_of(first.piece, std::move(corners), first.normal);
 }
 
+/// Coplanar ones of a piece as one panel, where their union is convex.
+std::vector<Panel> united(const std::vector<PlaneCorners>& charts) {
+  std::vector<Panel> panels;
+  std::vector<bool> taken(charts.size());
+  for (std::size_t k = 0; k < charts.size(); ++k) {
+    if (taken[k]) continue;
+    std::vector<const PlaneCorners*> coplanar;
+    for (std::size_t l = k; l < charts.size(); ++l)
+      if (!taken[l] && charts[l].piece == charts[k].piece && in_one_plane(charts[k], charts[l])) {
+        taken[l] = true;
+        coplanar.push_back(&charts[l]);
+      }
+    if (std::optional<Panel> whole = union_of(coplanar))
+      panels.push_back(std::move(*whole));
+    else
+      for (const PlaneCorners* chart : coplanar)
+        panels.push_back(panel_of(chart->piece, chart->corners, chart->normal));
+  }
+  return panels;
+}
+
+/// Twice the area of a panel's projection.
+Rational projected_area(const Panel& panel, const Projection& projected) {
+  PolygonLoop loop;
+  for (const Vector<Rational>& corner : panel.corners) loop.push_back(projected(corner));
+  return doubled_area(loop);
+}
+
 }  // namespace
 
 Outcome<std::vector<Panel>> convex_panels(const Surface& surface) {
@@ -100,23 +130,29 @@ Outcome<std::vector<Panel>> convex_panels(const Surface& surface) {
     for (const ParameterPoint<Rational>& at : loop) corners.corners.push_back(plane->point(at));
     charts.push_back(std::move(corners));
   }
-  std::vector<Panel> panels;
-  std::vector<bool> taken(charts.size());
-  for (std::size_t k = 0; k < charts.size(); ++k) {
-    if (taken[k]) continue;
-    std::vector<const PlaneCorners*> coplanar;
-    for (std::size_t l = k; l < charts.size(); ++l)
-      if (!taken[l] && charts[l].piece == charts[k].piece && in_one_plane(charts[k], charts[l])) {
-        taken[l] = true;
-        coplanar.push_back(&charts[l]);
-      }
-    if (std::optional<Panel> whole = union_of(coplanar))
-      panels.push_back(std::move(*whole));
-    else
-      for (const PlaneCorners* chart : coplanar)
-        panels.push_back(panel_of(chart->piece, chart->corners, chart->normal));
+  return united(charts);
+}
+
+Outcome<std::vector<Panel>> closing_panels(const std::vector<Panel>& panels, std::size_t piece) {
+  std::vector<Vector<Rational>> points;
+  for (const Panel& panel : panels) points.insert(points.end(), panel.corners.begin(), panel.corners.end());
+  std::vector<PlaneCorners> triangles;
+  for (const std::array<Vector<Rational>, 3>& t : convex_hull_triangles(points))
+    triangles.push_back(
+        {.piece = piece, .corners = {t.begin(), t.end()}, .normal = cross(t[1] - t[0], t[2] - t[0])});
+  if (triangles.empty()) return because("it lies in one plane");
+  std::vector<Panel> closing;
+  for (Panel& face : united(triangles)) {
+    const Projection projected(face.normal);
+    Rational covered = 0;
+    for (const Panel& panel : panels)
+      if (in_one_plane(face, panel)) covered += projected_area(panel, projected);
+    if (covered.sign() == 0)
+      closing.push_back(std::move(face));
+    else if (!(covered == projected_area(face, projected)))
+      return because("a face of its convex hull belongs to it in part alone");
   }
-  return panels;
+  return closing;
 }
 
 bool in_one_plane(const Panel& a, const Panel& b) {

@@ -28,6 +28,12 @@ struct Panel {
 /// Result    exact; refused with the name of a chart that is not plane, or not known in exact arithmetic
 [[nodiscard]] Outcome<std::vector<Panel>> convex_panels(const Surface& surface);
 
+/// The faces of the convex hull of an open surface that are not there.
+/// Maths     black, and dark, they close the surface and change nothing on it: u = 0 there
+/// Requires  panels in the boundary of their convex hull, which do not overlap
+/// Result    exact, of this piece; refused where a face is there in part alone, or all lies in one plane
+[[nodiscard]] Outcome<std::vector<Panel>> closing_panels(const std::vector<Panel>& panels, std::size_t piece);
+
 /// Whether the planes of two panels are one.
 [[nodiscard]] bool in_one_plane(const Panel& a, const Panel& b);
 

@@ -23,7 +23,9 @@ namespace radcert {
 namespace {
 
 constexpr const char* what_is_enclosed =
-    "a closed convex polyhedron with exact planes (of the catalogue or a mesh), a sphere or an ellipsoid";
+    "a convex polyhedron with exact planes (of the catalogue or a mesh), closed or without some of its "
+    "faces, a "
+    "sphere or an ellipsoid";
 
 [[noreturn]] void refuse_surface(const Problem& problem, const std::string& reason) {
   throw InputError({.pointer = problem.surface.mesh ? "/surface/file" : "/surface/name",
@@ -32,8 +34,8 @@ constexpr const char* what_is_enclosed =
                     .allowed = what_is_enclosed});
 }
 
+/// Those of the surface, then black ones that close it.
 std::vector<Panel> panels_of(const Problem& problem, const Surface& surface) {
-  if (!surface.closed) refuse_surface(problem, "it is not closed");
   if (!surface.unoccluded) refuse_surface(problem, "parts of it hide each other");
   Outcome<std::vector<Panel>> panels = convex_panels(surface);
   if (!panels) refuse_surface(problem, panels.reason());
@@ -44,7 +46,12 @@ std::vector<Panel> panels_of(const Problem& problem, const Surface& surface) {
       refuse_surface(problem,
                      "it is not proved to lie in the boundary of a convex body: " + containment.reason);
   }
-  return std::move(panels).value();
+  std::vector<Panel> out = std::move(panels).value();
+  if (surface.closed) return out;
+  Outcome<std::vector<Panel>> closing = closing_panels(out, surface.piece_names().size());
+  if (!closing) refuse_surface(problem, "it is not closed, and " + closing.reason());
+  out.insert(out.end(), closing->begin(), closing->end());
+  return out;
 }
 
 /// An expression on a panel, where it is a polynomial of a degree that is allowed.
@@ -60,6 +67,10 @@ std::vector<Rational> reflectivities(const Problem& problem, const Surface& surf
   const std::vector<std::string> names = surface.piece_names();
   std::vector<Rational> out;
   for (const Panel& panel : panels) {
+    if (panel.piece == names.size()) {
+      out.emplace_back(0);
+      continue;
+    }
     const Expression& f = problem.reflectivity.on(names[panel.piece]);
     const std::optional<PlanePolynomial<Rational>> constant = polynomial_on(panel, f, 0);
     if (!constant)
@@ -205,6 +216,11 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
   double left_out = 0;
   std::vector<Rational> sizes;
   for (const Panel& panel : out.panels) {
+    if (panel.piece == names.size()) {
+      sizes.emplace_back(0);
+      out.emission.emplace_back(0);
+      continue;
+    }
     const std::string& name = names[panel.piece];
     PanelEmission emission = emission_on(panel, problem.emission->on(name), name);
     left_out = std::max(left_out, emission.distance);
@@ -302,14 +318,22 @@ double distance_from_vertices(const Guarantee& guarantee, const PolyhedronProble
   return 0.01 * shortest;
 }
 
+Ball from_0_to(const Rational& most) {
+  const Ball half = Ball(most) / 2;
+  return widened(half, half);
+}
+
 class EnclosedPolyhedron final : public EnclosedProblem {
 public:
   EnclosedPolyhedron(const Problem& problem, const Guarantee& guarantee, Surface surface)
       : guarantee_(guarantee),
         surface_(std::move(surface)),
         near_(polyhedron_problem(problem, surface_, guarantee)) {
-    if (guarantee.of == EnclosedQuantity::values)
-      points_ = solution_points(guarantee, near_.polyhedron.panels);
+    if (guarantee.of == EnclosedQuantity::values) {
+      std::vector<Panel> own = near_.polyhedron.panels;
+      std::erase_if(own, [&](const Panel& panel) { return is_opening(panel.piece); });
+      points_ = solution_points(guarantee, own);
+    }
     if (guarantee.of == EnclosedQuantity::function)
       outside_ = distance_from_vertices(guarantee, near_.polyhedron);
   }
@@ -329,7 +353,7 @@ public:
     CertifiedMeans out{
         .level = std::move(level),
         .enclosure = std::move(enclosure),
-        .certificate = means_certificate(near_.polyhedron, surface_.piece_names(), found.proof.get())};
+        .certificate = means_certificate(near_.polyhedron, certified_names(), found.proof.get())};
     if (out.certificate.width <= guarantee_.width)
       out.enclosure.hindrance.clear();
     else if (out.enclosure.hindrance.empty())
@@ -338,6 +362,19 @@ public:
   }
 
 private:
+  /// What closes an open surface.
+  [[nodiscard]] bool is_opening(std::size_t piece) const { return piece == surface_.piece_names().size(); }
+  /// The names of the pieces, and of what closes them.
+  [[nodiscard]] std::vector<std::string> certified_names() const {
+    std::vector<std::string> names = surface_.piece_names();
+    if (!surface_.closed) {
+      std::string name = "opening";
+      while (std::find(names.begin(), names.end(), name) != names.end()) name += "_";
+      names.push_back(std::move(name));
+    }
+    return names;
+  }
+
   [[nodiscard]] static SearchContext told(const GuaranteeContext& context) {
     const auto progress = [&context](const EnclosureProgress& now) {
       if (now.finished && context.progress)
@@ -366,9 +403,10 @@ private:
     level.elements = last.elements;
     level.unknowns = last.unknowns;
     level.mesh_size = last.mesh_size;
-    // On a closed surface sup rho; enclosing rounds it as norm_of_K does.
-    level.norm_K = enclosing(
-        Ball(*std::max_element(near_.polyhedron.reflectivity.begin(), near_.polyhedron.reflectivity.end())));
+    // On a closed surface sup rho, on an open one at most; enclosing rounds it as norm_of_K does.
+    const Rational sup =
+        *std::max_element(near_.polyhedron.reflectivity.begin(), near_.polyhedron.reflectivity.end());
+    level.norm_K = enclosing(surface_.closed ? Ball(sup) : from_0_to(sup));
     return level;
   }
 
@@ -389,6 +427,7 @@ private:
         .wanted = guarantee_, .width = 2 * widened(0.5 * found.width), .hindrance = found.hindrance};
     LevelResult level = level_of(found.last);
     for (std::size_t k = 0; k < found.numbers.size(); ++k) {
+      if (!of_values && is_opening(k)) continue;
       const Approximation number = widened(found.numbers[k]);
       if (of_values) {
         const SolutionPoint& point = points_[k];
@@ -415,7 +454,8 @@ private:
       bound.pieces.push_back(
           {names[k], widened(found.pieces[k].outside), widened(found.pieces[k].everywhere)});
     for (const EnclosedPart& part : found.parts)
-      enclosure.patches.push_back({names[part.piece], part.corners, part.values, widened(part.bound)});
+      if (!is_opening(part.piece))
+        enclosure.patches.push_back({names[part.piece], part.corners, part.values, widened(part.bound)});
     enclosure.function = std::move(bound);
     return {level_of(found.last), std::move(enclosure)};
   }
