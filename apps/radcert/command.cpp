@@ -167,8 +167,25 @@ Subcommand Program::add(const std::string& name, const std::string& summary) {
   return command;
 }
 
+/// A word that a script has left empty is not one that was left out.
+void refuse_empty_words(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (option->get_expected_min() == 0) continue;
+    const std::string name = option->get_name();
+    option->check([name](const std::string& word) -> std::string {
+      if (!word.empty()) return {};
+      throw InputError({.source = name,
+                        .value = "",
+                        .problem = "is empty",
+                        .allowed = "a word, or no " + name + " at all"});
+    });
+  }
+  for (CLI::App* command : app.get_subcommands(nullptr)) refuse_empty_words(*command);
+}
+
 std::optional<Action> Program::parse(int argc, char** argv) {
   if (argv[1][0] != '-') require_command(*tree_, argv[1]);
+  refuse_empty_words(*tree_);
   try {
     tree_->parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -98,6 +98,14 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
   return !error && first == second;
 }
 
+void refuse_standard_output(const std::string& option, const std::filesystem::path& path) {
+  if (path != "-") return;
+  throw InputError({.source = option,
+                    .value = path.string(),
+                    .problem = "is the standard output, which takes the JSON of --json alone",
+                    .allowed = "the name of a file or folder; ./- where it is called so"});
+}
+
 [[noreturn]] void refuse_input_as_output(const std::string& option, const std::filesystem::path& path,
                                          const std::filesystem::path& input) {
   throw InputError({.source = option,
@@ -244,6 +252,7 @@ void Outputs::named(const std::string& option, const std::filesystem::path& path
 
 void Outputs::file(const std::string& option, const std::filesystem::path& path) {
   if (path.empty()) return;
+  refuse_standard_output(option, path);
   std::error_code error;
   const std::filesystem::path folder =
       path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
@@ -259,6 +268,7 @@ void Outputs::file(const std::string& option, const std::filesystem::path& path)
 void Outputs::folder(const std::string& option, const std::filesystem::path& path,
                      const std::vector<std::string>& names) {
   if (path.empty()) return;
+  refuse_standard_output(option, path);
   std::error_code error;
   for (std::filesystem::path part = path; !part.empty(); part = part.parent_path()) {
     const auto status = std::filesystem::status(part, error);

@@ -180,10 +180,26 @@ class BadCommandLine(ProgramTest):
                 (["solve", "problem.json", "--max-memory", "99999999999999999999"], "--max-memory"),
                 (["solve", "problem.json", "--nodes", "no/such/folder.csv"], "--nodes"),
                 (["solve", "problem.json", "--out", "problem.json"], "--out"),
+                (["solve", "problem.json", "--vtu", "-"], "--vtu: \"-\" is the standard output"),
+                (["solve", "problem.json", "--json", "-", "--out", "-"], "--out: \"-\" is the standard output"),
         ]:
             with self.subTest(words):
                 self.assertIn(text, self.refused(*words))
         self.assertEqual(self.entries(), ["problem.json"])
+
+    def test_an_empty_word_is_not_one_that_was_left_out(self):
+        self.write("problem.json", small())
+        for command, options in [
+                (["solve", "problem.json"], ["--guarantee", "--of", "--at", "--certificate", "--out", "--json", "--vtu",
+                                             "--nodes", "--threads", "--max-memory"]),
+                (["factors", "cube"], ["--compare", "--tolerance", "--differences", "--accuracy", "--by", "--level",
+                                       "--out"]),
+                (["surface", "cube"], ["--unit", "--front", "--write"]),
+                (["reference", "cube_floor_radiosity"], ["--digits", "--set"])]:
+            for option in options:
+                with self.subTest(command=command, option=option):
+                    self.assertIn(f"radcert: {option}: \"\" is empty", self.refused(*command, option, ""))
+        self.assertIn("PROBLEM", self.refused("solve", ""))
 
 
 if __name__ == "__main__":

@@ -236,6 +236,14 @@ class Factors(ProgramTest):
         self.write("bad.csv", text.replace("0.199825", "0.199925", 1))
         out = self.expect(1, "factors", "cube", "--by", "piece", "--compare", "bad.csv")
         self.assertIn("compared: 29 agree, 1 differ, 0 undecided", out)
+        # With the mark that some programs set before a text; radii below 0 are none.
+        self.write("marked.csv", "\ufeff" + text)
+        self.expect(1, "factors", "cube", "--by", "piece", "--compare", "bad.csv")
+        self.expect(0, "factors", "cube", "--by", "piece", "--compare", "marked.csv")
+        self.write("below.csv", "from,to,factor,radius\nfloor,ceiling,0.2,-1e-300\n")
+        done = self.run_program("factors", "cube", "--by", "piece", "--compare", "below.csv")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"below.csv: line 2: \"-1e-300\" is a radius below 0", done.stderr)
 
     def test_a_comparison_takes_a_matrix_and_a_tolerance_and_says_why(self):
         self.expect(0, "factors", "cube", "--by", "piece", "--out", "exact.csv")
@@ -371,7 +379,7 @@ class Factors(ProgramTest):
         self.assertAlmostEqual(factors["plate", "low"], factors["plate back", "high"], delta=1e-12)
         self.assertNotIn(("plate", "high"), factors)
         self.assertNotIn(("plate back", "low"), factors)
-        for words in (["--two-sided", "wall"], ["--two-sided", "plate", "--certified"]):
+        for words in (["--two-sided", "wall"], ["--two-sided", "plate", "--certified"], ["--two-sided", "plate,plate"]):
             self.expect(2, "factors", "open.obj", "--space", *words)
 
     def test_groups_are_rows(self):

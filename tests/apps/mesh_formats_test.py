@@ -184,6 +184,8 @@ class MeshFormats(ProgramTest):
         sparse["accessors"][0]["sparse"] = {"count": 1}
         loop = json.loads(gltf(binary=False))
         loop["nodes"][0]["children"] = [0]
+        both = json.loads(gltf(binary=False))
+        both["nodes"][0].update(scale=[2, 2, 2], matrix=[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1])
         beyond = json.loads(gltf(binary=False))
         beyond["accessors"][0]["count"] = 4000
         for content, words in [
@@ -192,6 +194,7 @@ class MeshFormats(ProgramTest):
                 (json.dumps(other_file), ["/buffers/0/uri", "another file"]),
                 (json.dumps(sparse), ["/accessors/0", "sparse"]),
                 (json.dumps(loop), ["/nodes/0", "two parents"]),
+                (json.dumps(both), ["/nodes/0/scale", "beside a matrix"]),
                 (json.dumps(beyond), ["/accessors/0", "reaches beyond its view"]),
                 (gltf(mode=1), ["no vertices"]),
                 (gltf()[:200], ["more than is left"]),

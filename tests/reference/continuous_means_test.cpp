@@ -63,6 +63,7 @@ TEST(ContinuousMeans, KeepTheBalanceOfEnergy) {
     for (const std::string& file : scene.certificates) {
       const MeansCertificate c = intact_certificate(certificate_content(file), file);
       ASSERT_EQ(scene_fault(scene, c), "") << file;
+      if (!scene.black.empty()) continue;  // how much leaves is not known
       const std::vector<Ball> areas = certificate::piece_areas(c);
       Ball left;
       Ball right;
@@ -111,6 +112,14 @@ TEST(ContinuousMeans, AreRefusedWhereTheCertificateIsOfAnotherEquation) {
     for (certificate::Face& face : c.faces) face.emission[0][0] = Rational(1) - face.emission[0][0];
   }));
   EXPECT_TRUE(is_another([](MeansCertificate& c) { c.faces[1].emission = {{Rational(0)}, {Rational(1)}}; }));
+  // A face that is black, and one that closes an open surface and is not.
+  EXPECT_TRUE(is_another([](MeansCertificate& c) { c.faces[2].reflectivity = Rational(0); }));
+  const ContinuousScene& open = *find_continuous_scene("two_squares_rho_1/2");
+  MeansCertificate of_open =
+      intact_certificate(certificate_content(open.certificates[1]), open.certificates[1]);
+  EXPECT_EQ(scene_fault(open, of_open), "");
+  of_open.faces.back().reflectivity = Rational(1, 2);
+  EXPECT_NE(scene_fault(open, of_open), "");
   EXPECT_TRUE(is_another([](MeansCertificate& c) {
     for (certificate::Face& face : c.faces)
       for (Vector<Rational>& corner : face.corners) corner.x *= Rational(2);

@@ -123,6 +123,12 @@ NamedMesh mesh_of_file(const FactorsOptions& options) {
   if (!options.level.empty())
     throw InputError(
         {.source = "--level", .problem = "is for surfaces of the catalogue", .allowed = "no mesh file"});
+  for (auto name = options.two_sided.begin(); name != options.two_sided.end(); ++name)
+    if (std::find(options.two_sided.begin(), name, *name) != name)
+      throw InputError({.source = "--two-sided",
+                        .value = *name,
+                        .problem = "is named twice",
+                        .allowed = "each group once: it has two sides"});
   const MeshSurvey survey = survey_mesh(options.name, default_sharp_degrees, repair_of(options.repair),
                                         front_of(options.front), options.two_sided);
   if (!survey.defects.degenerate_triangles.empty()) {

@@ -275,6 +275,7 @@ std::optional<std::string> beyond_doubles(const TriangleMesh& mesh) {
 }
 
 FacetScene::FacetScene(TriangleMesh mesh) : scene_(std::move(mesh)) {
+  expects(facet_count() > 0, "a scene of at least one triangle");
   if (const auto words = beyond_doubles(scene_.mesh()))
     expects(false, "a scene that doubles carry: it " + *words);
   for (std::size_t t = 0; t < facet_count(); ++t) {

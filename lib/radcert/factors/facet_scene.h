@@ -62,9 +62,9 @@ struct FacetPair {
 ///           lies in it or outside: in it, if no corner is in front of a face's plane and not all are in the
 ///           plane. From outside to inside each segment meets the body's surface: the pair is hidden; between
 ///           two points inside none does, for the body is convex: its faces are no occluders of the pair
-/// Requires  the scene has no faults (scene_faults) but doubled triangles that run against each other, the
-///           two sides of a plate, else pairs may be called whole that are not; !beyond_doubles(mesh), else
-///           ContractViolation
+/// Requires  at least one triangle and !beyond_doubles(mesh), else ContractViolation; the scene has no faults
+///           (scene_faults) but doubled triangles that run against each other, the two sides of a plate, else
+///           pairs may be called whole that are not
 /// Result    pair(): every decision exact for the given doubles; corners that a plane cuts off are rounded.
 ///           nothing, whole and hidden hold up to sets without area. Symmetric: pair(i, j) and pair(j, i)
 ///           have the same sight and occluders

@@ -28,6 +28,22 @@ struct Box {
 
 const Corners tetrahedron_corners{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
 
+const Corners octahedron_corners{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+/// The face of the octahedron in the octant with these signs.
+Corners octant(int x, int y, int z) { return {{x, 0, 0}, {0, y, 0}, {0, 0, z}}; }
+
+/// Two unit squares at a right angle along [0,1] x {0} x {0}.
+struct TwoSquares {
+  static Corners standing() { return {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}}; }
+  static Corners lying() { return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}; }
+  static Corners all() { return {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 0}, {1, 1, 0}}; }
+  static std::vector<Corners> open() {
+    return {{{0, 0, 1}, {1, 0, 1}, {0, 1, 0}, {1, 1, 0}},
+            {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+            {{1, 0, 0}, {1, 0, 1}, {1, 1, 0}}};
+  }
+};
+
 std::array<std::string, 2> files(const std::string& scene) {
   return {scene + "_fine.json", scene + "_coarse.json"};
 }
@@ -69,7 +85,20 @@ std::vector<ContinuousScene> made_scenes() {
            .corners = tetrahedron_corners,
            .emitting = {tetrahedron_corners[1], tetrahedron_corners[2], tetrahedron_corners[3]},
            .reflectivity = half,
-           .certificates = files("tetrahedron_rho_1_over_2")}};
+           .certificates = files("tetrahedron_rho_1_over_2")},
+          {.name = "octahedron_rho_1/2",
+           .words = "the octahedron |x| + |y| + |z| <= 1, rho = 1/2, the face x, y, z >= 0 emits 1",
+           .corners = octahedron_corners,
+           .emitting = octant(1, 1, 1),
+           .reflectivity = half,
+           .certificates = files("octahedron_rho_1_over_2")},
+          {.name = "two_squares_rho_1/2",
+           .words = "two unit squares at a right angle along an edge, rho = 1/2, one of them emits 1",
+           .corners = TwoSquares::all(),
+           .emitting = TwoSquares::standing(),
+           .black = TwoSquares::open(),
+           .reflectivity = half,
+           .certificates = files("two_squares_rho_1_over_2")}};
 }
 
 std::vector<ContinuousMean> made_means() {
@@ -101,6 +130,16 @@ std::vector<ContinuousMean> made_means() {
   const Corners& t = tetrahedron_corners;
   add(of_tetrahedron, "tetrahedron_emitting_face_rho_1/2", "the face that emits", {t[1], t[2], t[3]});
   add(of_tetrahedron, "tetrahedron_other_face_rho_1/2", "a face that does not emit", {t[0], t[1], t[2]});
+  const std::string of_octahedron = "octahedron_rho_1/2";
+  add(of_octahedron, "octahedron_emitting_face_rho_1/2", "the face that emits", octant(1, 1, 1));
+  add(of_octahedron, "octahedron_edge_neighbour_rho_1/2", "a face that shares an edge with it",
+      octant(1, 1, -1));
+  add(of_octahedron, "octahedron_vertex_neighbour_rho_1/2", "a face that shares a vertex with it",
+      octant(1, -1, -1));
+  add(of_octahedron, "octahedron_opposite_face_rho_1/2", "the face opposite to it", octant(-1, -1, -1));
+  const std::string of_squares = "two_squares_rho_1/2";
+  add(of_squares, "two_squares_emitting_rho_1/2", "the square that emits", TwoSquares::standing());
+  add(of_squares, "two_squares_other_rho_1/2", "the other square", TwoSquares::lying());
   return out;
 }
 
@@ -224,7 +263,11 @@ std::string scene_fault(const ContinuousScene& scene, const certificate::MeansCe
   if (!scene.emitting.empty() && emitting.size() != 1) return "has not the face that emits in " + scene.name;
   for (std::size_t k = 0; k < c.faces.size(); ++k) {
     const certificate::Face& face = c.faces[k];
-    if (!(face.reflectivity == scene.reflectivity)) return "has another reflectivity than " + scene.name;
+    const bool is_black = std::any_of(scene.black.begin(), scene.black.end(), [&](const Corners& black) {
+      return as_set(black) == as_set(face.corners);
+    });
+    if (!(face.reflectivity == (is_black ? Rational(0) : scene.reflectivity)))
+      return "has another reflectivity than " + scene.name;
     const bool emits = scene.emitting.empty() || k == emitting[0];
     const Vector<Rational>& corner = face.corners[0];
     const auto rise = [&](std::size_t other) { return dot(scene.slope, face.corners[other] - corner); };

@@ -21,7 +21,7 @@ namespace radcert::reference {
 /// A radiosity equation whose solution is not known and whose means are enclosed.
 /// Maths     u = E + rho T u on the boundary of the convex hull of the corners, T u(P) = (1/pi) Int G u dS;
 ///           E(P) = (offset + slope . P)^power on the face with the corners `emitting`, else 0; on all faces
-///           where there are none
+///           where there are none. rho = 0 on the faces `black`, which close an open surface
 /// Result    plain data, exact
 struct ContinuousScene {
   std::string name;
@@ -31,6 +31,7 @@ struct ContinuousScene {
   Rational offset = 1;
   Vector<Rational> slope = {};
   int power = 1;
+  std::vector<std::vector<Vector<Rational>>> black = {};
   Rational reflectivity;
   std::array<std::string, 2> certificates;  ///< files of embedded_certificates, on a fine and a coarse mesh
 };

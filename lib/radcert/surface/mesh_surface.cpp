@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/surface/mesh_surface.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -40,6 +41,12 @@ Surface mesh_surface(const std::string& name, const TriangleMesh& mesh,
   const PlaneClasses planes = plane_classes(mesh);
   OnePlane by_piece(piece_names.size(), planes);
   OnePlane by_vertex(mesh.vertices.size(), planes);
+  std::size_t shown = 0;
+  for (const std::size_t piece : piece_of_triangle) {
+    expects(piece <= shown, "pieces numbered in the order in which triangles show them",
+            named("piece", piece));
+    shown = std::max(shown, piece + 1);
+  }
   Surface surface;
   surface.name = name;
   surface.closed = facts.closed;

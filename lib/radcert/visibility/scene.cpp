@@ -104,6 +104,8 @@ Scene::Scene(TriangleMesh mesh)
 std::vector<SceneFault> scene_faults(const TriangleMesh& mesh) {
   std::vector<SceneFault> faults;
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    for (const std::size_t v : mesh.triangles[k])
+      expects(v < mesh.vertices.size(), "vertices that are there", named("triangle", k), named("vertex", v));
     const auto corners = mesh.corners(k);
     if (!std::all_of(corners.begin(), corners.end(), [](const auto& v) { return fits(v); }))
       faults.push_back({SceneFaultKind::not_finite, k, k,

@@ -31,6 +31,7 @@ struct SceneFault {
 /// The faults of a mesh as a scene.
 /// Maths     two triangles of a scene have nothing in common, a vertex or a side
 /// Source    mesh_defects
+/// Requires  vertices that are there, else ContractViolation
 /// Result    exact for the given doubles, in the order of the kinds, then of the triangles; empty: Scene
 ///           holds its promises. At most most_crossings pairs
 /// Limits    says nothing of holes or of the orientation: see mesh_topology

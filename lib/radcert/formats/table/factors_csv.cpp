@@ -22,7 +22,10 @@ std::string line_text(std::size_t line) { return "line " + std::to_string(line);
 /// RFC 4180, line by line; a quoted cell may hold line ends.
 class CsvRows {
 public:
-  explicit CsvRows(std::string_view text) : text_(text) {}
+  explicit CsvRows(std::string_view text) : text_(text) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+  }
   /// The cells of the next line that is not empty; no value at the end.
   std::optional<std::vector<std::string>> next() {
     while (at_ < text_.size()) {
@@ -147,6 +150,11 @@ ClaimedFactors parse_csv(std::string_view text, std::span<const std::string> nam
     ClaimedFactor claim{.value = number_at((*row)[*factor], rows.line()),
                         .halfwidth = half_a_unit((*row)[*factor])};
     if (radius && !(*row)[*radius].empty()) claim.halfwidth = number_at((*row)[*radius], rows.line());
+    if (claim.halfwidth < 0)
+      throw InputError({.pointer = line_text(rows.line()),
+                        .value = (*row)[*radius],
+                        .problem = "is a radius below 0",
+                        .allowed = "0 or more"});
     if (!out.emplace(std::pair((*row)[*from], (*row)[*to]), claim).second)
       throw InputError({.pointer = line_text(rows.line()),
                         .value = (*row)[*from] + " to " + (*row)[*to],

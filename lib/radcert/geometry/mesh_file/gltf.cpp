@@ -183,6 +183,10 @@ private:
   static Placement placement(const Json& node, const std::string& pointer) {
     Placement out;
     if (const Json& matrix = member(node, "matrix"); !matrix.is_null()) {
+      for (const char* key : {"translation", "rotation", "scale"})
+        if (!member(node, key).is_null())
+          refuse(pointer + "/" + key, "stands beside a matrix",
+                 "a matrix, or translation, rotation and scale");
       const std::vector<double> m = numbers(matrix, 16, pointer + "/matrix");
       if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
         refuse(pointer + "/matrix", "is not affine", "a last row of 0, 0, 0, 1");
