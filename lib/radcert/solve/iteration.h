@@ -34,8 +34,8 @@ struct NotReached {
 /// Requires  one application shrinks ||r||_w by the contraction's theta at least, but for rounding, as
 ///           v <- v + r does: the number of steps is planned from it
 struct Correction {
-  /// A residual becomes a correction, in place; gives the number of iterations that took. `goal`: a size
-  /// ||r||_w of the residual that is small enough.
+  /// A residual becomes a correction, in place; gives the number of iterations that took, in all no more than
+  /// the steps that are planned from theta. `goal`: a size ||r||_w of the residual that is small enough.
   std::function<std::size_t(std::span<double> residual, double goal)> apply;
   /// The corrections v <- v + r of the Neumann series that one application is worth at most.
   std::size_t reflections = 1;
