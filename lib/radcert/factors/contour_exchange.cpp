@@ -75,33 +75,44 @@ struct Reached {
   double error = 0;
 };
 
+constexpr double shortest = 0x1p-44;
+
+/// Halves, or what is before a place of change, after it, and a short piece about it: multiples of `shortest`.
+std::vector<double> parts(const Piece& piece) {
+  const double place = std::floor(piece.contribution.cut / shortest) * shortest;
+  if (place - shortest > piece.begin && place + 2 * shortest < piece.end)
+    return {piece.begin, place - shortest, place + 2 * shortest, piece.end};
+  const double middle =
+      std::round((piece.begin + (piece.end - piece.begin) / 2) / shortest) * shortest;
+  return {piece.begin, middle, piece.end};
+}
+
 /// One edge: until the error is at most the demanded one, or the work is done.
 Reached contribution(const CriticalLines& lines, double demanded, long& work) {
   std::priority_queue<Piece> pieces;
   const auto piece = [&](double begin, double end, const std::vector<std::size_t>& sides) {
     --work;
-    return Piece{begin, end, lines.on(begin, end, sides)};
+    return Piece{begin, end, lines.on(begin, end, sides, demanded)};
   };
   Reached out;
   pieces.push(piece(0, 1, lines.sides()));
   double error = pieces.top().error();
-  constexpr double shortest = 0x1p-48;
   while (!pieces.empty() && error > demanded && work > 0) {
     throw_if_interrupted();
     const Piece worst = pieces.top();
     pieces.pop();
-    const double middle = worst.begin + (worst.end - worst.begin) / 2;
-    Piece first = piece(worst.begin, middle, worst.contribution.sides);
-    Piece second = piece(middle, worst.end, worst.contribution.sides);
-    error += first.error() + second.error() - worst.error();
-    for (Piece* half : {&first, &second}) {
-      // Done with: what is shorter, and what rounding alone keeps wide.
-      const EdgeContribution& c = half->contribution;
-      if (half->end - half->begin > 2 * shortest && half->error() > 2 * demanded * (half->end - half->begin) / 1024) {
-        pieces.push(std::move(*half));
+    error -= worst.error();
+    const std::vector<double> ends = parts(worst);
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+      Piece part = piece(ends[k], ends[k + 1], worst.contribution.sides);
+      error += part.error();
+      // Done with: what is shortest, and what is of no account.
+      const double length = part.end - part.begin;
+      if (length >= 2 * shortest && part.error() > demanded * length / 1024) {
+        pieces.push(std::move(part));
       } else {
-        out.value = out.value + c.value;
-        out.error += c.error;
+        out.value = out.value + part.contribution.value;
+        out.error += part.contribution.error;
       }
     }
   }

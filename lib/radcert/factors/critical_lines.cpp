@@ -51,7 +51,7 @@ struct Linear {
   BoundedDouble from;
   BoundedDouble to;
   [[nodiscard]] BoundedDouble at(double t) const {
-    if (t == 0) return from;
+    if (t == 0 || is_zero()) return from;
     if (t == 1) return to;
     return BoundedDouble::exactly(1 - t) * from + BoundedDouble::exactly(t) * to;
   }
@@ -197,6 +197,20 @@ public:
         moments_[y * sides_.size() + c] = {volume(from_, places_[y], start, end),
                                            volume(to_, places_[y], start, end)};
       }
+    in_plane_.resize(sides_.size() * sides_.size());
+    meets_edge_.resize(sides_.size());
+    for (std::size_t c = 0; c < sides_.size(); ++c) {
+      const Place& start = places_[sides_[c].from];
+      const Place& end = places_[sides_[c].to];
+      meets_edge_[c] = certainly_zero(volume(from_, to_, start, end));
+      for (std::size_t k = 0; k < c; ++k) {
+        const bool in_plane =
+            sides_[k].body != sides_[c].body &&
+            certainly_zero(volume(places_[sides_[k].from], places_[sides_[k].to], start, end));
+        in_plane_[k * sides_.size() + c] = in_plane;
+        in_plane_[c * sides_.size() + k] = in_plane;
+      }
+    }
     for (const Body& body : bodies_)
       for (std::size_t j = 0; j < body.corners.size(); ++j) {
         // det(X - C, v, Z - C), Z the next corner.
@@ -218,31 +232,34 @@ public:
   [[nodiscard]] double most() const { return most_; }
   [[nodiscard]] std::size_t side_count() const { return sides_.size(); }
 
-  [[nodiscard]] EdgeContribution on(double begin, double end, const std::vector<std::size_t>& sides) const {
+  [[nodiscard]] EdgeContribution on(double begin, double end, const std::vector<std::size_t>& sides,
+                                    double wanted) const {
     EdgeContribution out;
     const double length = end - begin;
     const Interval t{begin, end, begin + length / 2};
-    bool bounded = true;
+    std::vector<Traced> traces;
+    cut_ = &out.cut;
     for (const std::size_t k : sides) {
-      const std::size_t terms_before = out.sides.size();
       const Role role = bodies_[sides_[k].body].role;
       for (const bool near : {true, false}) {
         if (near ? role == Role::source : role == Role::receiver || !source_is_apart_) continue;
-        const Trace trace = trace_of(k, near, t);
+        Trace trace = trace_of(k, near, t);
         if (trace.is_empty()) continue;
-        if (out.sides.size() == terms_before) out.sides.push_back(k);
-        if (!bounded) continue;
-        if (trace.is_unknown) {
-          bounded = false;
-          continue;
-        }
-        add(trace, k, near, t, out);
+        if (out.sides.empty() || out.sides.back() != k) out.sides.push_back(k);
+        for (const auto& [x, y] : trace.unordered) out.error += between(x, y, k, near, t);
+        for (const auto& [low, high] : trace.loose) out.error += stretch(high - low, low, high, k, near, t);
+        traces.push_back({k, std::move(trace)});
       }
     }
+    out.error *= length / (4 * std::numbers::pi) * up;
+    // What is to be halved for the order's sake needs no value.
+    const bool bounded = out.error <= wanted;
+    if (bounded)
+      for (const Traced& traced : traces) add(traced.trace, traced.side, t, out);
     // Half an interval's length for Taylor's variable, and the factor before the integral.
     const BoundedDouble factor = BoundedDouble::exactly(-length / 8) / Constants<BoundedDouble>::pi();
     out.value = factor * out.value;
-    out.error = bounded ? out.error * length / (4 * std::numbers::pi) * up : nowhere;
+    if (!bounded) out.error = nowhere;
     const double most = most_ * length * std::max(std::abs(seen_), std::abs(seen_ - whole_)) * up;
     if (!(out.error + out.value.error() < most)) {
       out.value = 0;
@@ -260,11 +277,22 @@ private:
 
   /// A side's visible parts on an interval of t: F counts `count` times at each crossing.
   struct Trace {
-    bool is_unknown = false;
     int orientation = 0;
     std::vector<std::pair<Crossing, int>> terms{};
     std::vector<std::pair<Crossing, Crossing>> unordered{};
-    [[nodiscard]] bool is_empty() const { return !is_unknown && terms.empty() && unordered.empty(); }
+    std::vector<std::pair<double, double>> loose{};  ///< of which it is not known whether they are seen
+    [[nodiscard]] bool is_empty() const { return terms.empty() && unordered.empty() && loose.empty(); }
+  };
+
+  /// Notes where a linear function changes its sign within an interval.
+  void cut_at(const Linear& x, const Interval& t) const {
+    const double share = x.from.value() / (x.from.value() - x.to.value());
+    if (*cut_ == 0 && share > 0 && share < 1) *cut_ = t.begin + share * (t.end - t.begin);
+  }
+
+  struct Traced {
+    std::size_t side;
+    Trace trace;
   };
 
   void add_body(Role role, const ExactCorners& polygon) {
@@ -285,21 +313,49 @@ private:
     return moments_[corner * sides_.size() + side];
   }
 
-  /// (X - C) x v at both ends of an interval.
-  [[nodiscard]] std::array<Bounded, 2> plane_normal(std::size_t side, const Interval& t) const {
-    const Bounded& c = places_[sides_[side].from].bounded;
-    const Bounded v = places_[sides_[side].to].bounded - c;
-    const auto at = [&](double where) {
-      return cross(from_.bounded + BoundedDouble::exactly(where) * edge_vector_ - c, v);
-    };
-    return {at(t.begin), at(t.end)};
+  /// The moments about a side of the lines through X and the ends of side k, p and q, on an interval.
+  struct Moments {
+    Linear p;
+    Linear q;
+    bool proportional = false;
+  };
+  /// Where the lines of two sides meet, or that of a side and the edge's, the moments are proportional and s_c
+  /// constant: both moments vanish where X passes the plane of the two, or the side's line. Then values at
+  /// that end of the interval stand for all, at which they are larger.
+  [[nodiscard]] Moments moments(std::size_t k, std::size_t c, const Interval& t) const {
+    const Linear& p = moment(sides_[k].from, c);
+    const Linear& q = moment(sides_[k].to, c);
+    Moments out{p.within(t.begin, t.end), q.within(t.begin, t.end), false};
+    out.proportional = in_plane_[k * sides_.size() + c] || meets_edge_[c];
+    if (out.proportional && sign(out.p) != Sign::unknown && sign(out.q) != Sign::unknown) {
+      const bool last = std::abs(out.p.to.value()) + std::abs(out.q.to.value()) >
+                        std::abs(out.p.from.value()) + std::abs(out.q.from.value());
+      const BoundedDouble one = last ? out.p.to : out.p.from;
+      const BoundedDouble other = last ? out.q.to : out.q.from;
+      out.p = {one, one};
+      out.q = {other, other};
+    }
+    return out;
   }
 
-  /// Whether the normals of two planes that are one point to one side.
+  /// (X - C) x v for the X at t.
+  [[nodiscard]] Bounded plane_normal(std::size_t side, double t) const {
+    const Bounded& c = places_[sides_[side].from].bounded;
+    const Bounded v = places_[sides_[side].to].bounded - c;
+    return cross(from_.bounded + BoundedDouble::exactly(t) * edge_vector_ - c, v);
+  }
+
+  /// Whether the normals of two planes that are one point to one side. Either turns over only where X passes
+  /// its side's line, and so the plane of its body: not within the interval.
   [[nodiscard]] Sign sense(std::size_t side, std::size_t other, const Interval& t) const {
-    const std::array<Bounded, 2> m = plane_normal(side, t);
-    const std::array<Bounded, 2> n = plane_normal(other, t);
-    return sign(dot(m[0], n[0]), dot(m[0], n[1]) + dot(m[1], n[0]), dot(m[1], n[1]));
+    for (const std::size_t k : {side, other}) {
+      const Linear inside = inside_[k].within(t.begin, t.end);
+      const Sign found = sign(inside);
+      if (found == Sign::positive || found == Sign::negative) continue;
+      cut_at(inside, t);
+      return Sign::unknown;
+    }
+    return sign(dot(plane_normal(side, t.middle), plane_normal(other, t.middle)));
   }
 
   /// For which s the moments about all sides of a body have this sign.
@@ -339,8 +395,7 @@ private:
         out.is_empty = true;
         return out;
       }
-      const Linear p = at_from.within(t.begin, t.end);
-      const Linear q = at_to.within(t.begin, t.end);
+      const auto [p, q, proportional] = moments(k, c, t);
       Sign of_p = sign(p);
       Sign of_q = sign(q);
       if (wanted == Sign::negative) {
@@ -356,6 +411,7 @@ private:
       if (none_below(of_p) && none_below(of_q)) continue;
       Crossing crossing{.side = c, .p = p, .d = p - q};
       const Sign of_d = sign(crossing.d);
+      if (of_d == Sign::unknown) cut_at(proportional && of_p == Sign::unknown ? p : crossing.d, t);
       const BoundedDouble first = crossing.p.from / crossing.d.from;
       const BoundedDouble last = crossing.p.to / crossing.d.to;
       crossing.low = std::min(low(first), low(last));
@@ -365,8 +421,7 @@ private:
         out.is_unknown = true;
         continue;
       }
-      const double middle_p = at_from.at(t.middle).value();
-      crossing.middle = middle_p / (middle_p - at_to.at(t.middle).value());
+      crossing.middle = (p.from.value() + p.to.value()) / (crossing.d.from.value() + crossing.d.to.value());
       if (!std::isfinite(crossing.middle)) {
         out.is_unknown = true;
         continue;
@@ -385,7 +440,8 @@ private:
     const Role role = bodies_[own].role;
     const Sign inside = sign(inside_[k].within(t.begin, t.end));
     const int inside_sign = inside == Sign::positive ? 1 : (inside == Sign::negative ? -1 : 0);
-    out.is_unknown = inside_sign == 0;
+    bool is_unknown = inside_sign == 0;
+    if (is_unknown) cut_at(inside_[k].within(t.begin, t.end), t);
     switch (role) {
       case Role::screen: out.orientation = near ? inside_sign : -inside_sign; break;
       case Role::source: out.orientation = inside_sign; break;
@@ -399,7 +455,7 @@ private:
       const Meeting met =
           meeting(b, below ? Sign::negative : Sign::positive, k, out.orientation, near, t);
       if (met.is_empty) return whole_or(out, k, near);
-      out.is_unknown = out.is_unknown || met.is_unknown;
+      is_unknown = is_unknown || met.is_unknown;
       seen.after.insert(seen.after.end(), met.range.after.begin(), met.range.after.end());
       seen.before.insert(seen.before.end(), met.range.before.begin(), met.range.before.end());
     }
@@ -415,22 +471,23 @@ private:
       }
     }
     if (!merge(seen, hidden)) return whole_or(out, k, near);
-    // A range that is too wide, and yet beside what is seen, does not matter.
-    out.is_unknown = out.is_unknown || std::any_of(undecided.begin(), undecided.end(), [&](const Range& h) {
-                       return !lies_beside(h, seen);
-                     });
-    if (!out.is_unknown) count(seen, hidden, out);
+    const double first = std::max(seen.low(), 0.0);
+    const double last = std::min(seen.high(), 1.0);
+    if (is_unknown) {
+      out.loose.emplace_back(first, last);
+    } else {
+      for (const Range& h : undecided)
+        if (!lies_beside(h, seen) && h.low() < last && h.high() > first)
+          out.loose.emplace_back(std::max(first, h.low()), std::min(last, h.high()));
+      count(seen, hidden, out);
+    }
     subtract_whole(out, k, near);
     return out;
   }
 
   /// Nothing is seen of the side; of the whole that is taken away.
   [[nodiscard]] Trace whole_or(Trace out, std::size_t k, bool near) const {
-    if (is_of_whole(k, near)) {
-      subtract_whole(out, k, near);
-    } else {
-      out.is_unknown = false;
-    }
+    subtract_whole(out, k, near);
     return out;
   }
 
@@ -558,109 +615,132 @@ private:
     }
   }
 
-  /// Values for all terms of a side, at a point or on an interval of t.
+  /// F for the crossings of a side on an interval, as a function of y, t = middle + half y. Polynomials are
+  /// taken together before they are bounded, as common factors may be small.
+  /// Maths     With A = X - C, D = d n.A - p n.v and N = p v.T - d A.T:  Y - X = (p v - d A) / d and
+  ///           h - h_Y = D / d, so that x = h N / D and |P - X|^2 = h^2 (N^2 + |m|^2 D^2) / (D^2 |T|^2)
   class Primitive {
   public:
-    Primitive(const Lines& lines, std::size_t side, const Interval& t, const BoundedDouble& y) : y_(y) {
-      const double half = (t.end - t.begin) / 2;
-      const auto linear = [&](const BoundedDouble& constant, const BoundedDouble& slope) {
-        return Series::linear(constant + BoundedDouble::exactly(t.middle) * slope,
-                              BoundedDouble::exactly(half) * slope, y);
+    Primitive(const Lines& lines, std::size_t side, const Interval& t) {
+      const BoundedDouble half = BoundedDouble::exactly((t.end - t.begin) / 2);
+      const BoundedDouble middle = BoundedDouble::exactly(t.middle);
+      const auto vector = [&](const Bounded& a, const Bounded& b) {
+        const auto linear = [&](const BoundedDouble& constant, const BoundedDouble& slope) {
+          return Series::linear(constant + middle * slope, half * slope);
+        };
+        return Vector<Series>{linear(a.x, b.x), linear(a.y, b.y), linear(a.z, b.z)};
+      };
+      const auto constant = [](const Bounded& x) {
+        return Vector<Series>{Series(x.x), Series(x.y), Series(x.z)};
       };
       const Bounded& c = lines.places_[lines.sides_[side].from].bounded;
       const Bounded v = lines.places_[lines.sides_[side].to].bounded - c;
       const Bounded& u = lines.edge_vector_;
       const Bounded& n = lines.normal_;
       const Bounded start = lines.from_.bounded - c;
-      const Bounded m_start = cross(start, v);
-      const Bounded m_slope = cross(u, v);
-      const Bounded t_start = cross(n, m_start);
-      const Bounded t_slope = cross(n, m_slope);
-      const auto vector = [&](const Bounded& a, const Bounded& b) {
-        return Vector<Series>{linear(a.x, b.x), linear(a.y, b.y), linear(a.z, b.z)};
-      };
-      const Vector<Series> m = vector(m_start, m_slope);
-      const Vector<Series> along = vector(t_start, t_slope);
+      const Vector<Series> m = vector(cross(start, v), cross(u, v));
+      const Vector<Series> along = vector(cross(n, cross(start, v)), cross(n, cross(u, v)));
       const Vector<Series> a = vector(start, u);
-      const auto constant = [](const Bounded& x) {
-        return Vector<Series>{Series(x.x), Series(x.y), Series(x.z)};
-      };
-      height_ = linear(lines.height_.from, lines.height_.to - lines.height_.from);
-      above_ = linear(dot(n, start), dot(n, u));
+      above_ = dot(a, constant(n));
       rise_ = Series(dot(n, v));
       a_along_ = dot(a, along);
       v_along_ = dot(constant(v), along);
-      square_ = dot(along, along);
-      weight_ = dot(constant(u), along) / square_;
-      across_ = height_ * sqrt(dot(m, m));
+      square_ = dot(m, m);
+      const Linear h = lines.height_.within(t.begin, t.end);
+      const Series height = linear(h);
+      const Series along_square = dot(along, along);
+      const Series weight = dot(constant(u), along);
+      here_ = Shared(height, along_square, weight, square_);
+      everywhere_ = Shared(height.everywhere(), along_square.everywhere(), weight.everywhere(),
+                           square_.everywhere());
     }
 
-    [[nodiscard]] Series at(const Series& p, const Series& d) const {
-      const Series x = height_ * (p * v_along_ - d * a_along_) / (d * above_ - p * rise_);
-      const Series squared = (x * x + across_ * across_) / square_;
-      return weight_ * (x * (log(squared) - Series(BoundedDouble(2))) +
-                        Series(BoundedDouble(2)) * (across_ * atan(x / across_)));
-    }
-
-    [[nodiscard]] Series linear(const Linear& x, const Interval& t) const {
-      const double half = (t.end - t.begin) / 2;
-      const BoundedDouble slope = x.to - x.from;
-      return Series::linear(x.from + BoundedDouble::exactly(t.middle) * slope,
-                            BoundedDouble::exactly(half) * slope, y_);
+    /// Int F dy over [-1, 1].
+    [[nodiscard]] BoundedDouble integral(const Crossing& crossing) const {
+      const Series p = linear(crossing.p);
+      const Series d = linear(crossing.d);
+      Series below = d * above_ - p * rise_;
+      Series over = p * v_along_ - d * a_along_;
+      if (below[0].value() < 0) {
+        below = -below;
+        over = -over;
+      }
+      const Series square = over * over + square_ * (below * below);
+      const Series value = here_.value(over, below, square);
+      const Series rest = everywhere_.value(over.everywhere(), below.everywhere(), square.everywhere());
+      BoundedDouble out = BoundedDouble(2) * rest[degree] / BoundedDouble(degree + 1);
+      for (int j = 0; j < degree; j += 2)
+        out = out + BoundedDouble(2) * value[static_cast<std::size_t>(j)] / BoundedDouble(j + 1);
+      return out;
     }
 
   private:
-    BoundedDouble y_;
-    Series height_;   ///< n . (X - O)
-    Series above_;    ///< n . (X - C)
+    [[nodiscard]] static Series linear(const Linear& x) {
+      const BoundedDouble half = BoundedDouble::exactly(0.5);
+      return Series::linear(half * (x.from + x.to), half * (x.to - x.from));
+    }
+
+    /// What the crossings of a side have in common, in the middle or everywhere.
+    struct Shared {
+      Shared() = default;
+      Shared(const Series& h, const Series& along_square, const Series& weight, const Series& m_square)
+          : factor(weight * h / along_square),
+            logarithm(Series(BoundedDouble(2)) * log(h) - log(along_square) - Series(BoundedDouble(2))),
+            length(sqrt(m_square)) {}
+      [[nodiscard]] Series value(const Series& over, const Series& below, const Series& square) const {
+        const Series quotient = over / below;
+        const Series two(BoundedDouble(2));
+        return factor * (quotient * (logarithm + log(square) - two * log(below)) +
+                         two * (length * atan(quotient / length)));
+      }
+      Series factor;     ///< h u . T / |T|^2
+      Series logarithm;  ///< 2 log h - log |T|^2 - 2
+      Series length;     ///< |m|
+    };
+
+    Series above_;    ///< n . A
     Series rise_;     ///< n . v
-    Series a_along_;  ///< (X - C) . T
+    Series a_along_;  ///< A . T
     Series v_along_;  ///< v . T
-    Series square_;   ///< |T|^2
-    Series weight_;   ///< u . T / |T|^2
-    Series across_;   ///< h |m|
+    Series square_;   ///< |m|^2
+    Shared here_;
+    Shared everywhere_;
   };
 
-  /// p and d on the whole edge.
-  [[nodiscard]] std::pair<Linear, Linear> fraction(const Crossing& x, std::size_t k) const {
-    if (x.side == at_start || x.side == at_end) return {x.p, x.d};
-    const Linear& p = moment(sides_[k].from, x.side);
-    return {p, p - moment(sides_[k].to, x.side)};
+  void add(const Trace& trace, std::size_t k, const Interval& t, EdgeContribution& out) const {
+    if (trace.terms.empty()) return;
+    const Primitive primitive(*this, k, t);
+    for (const auto& [crossing, count] : trace.terms)
+      out.value = out.value + BoundedDouble(trace.orientation * count) * primitive.integral(crossing);
   }
 
-  void add(const Trace& trace, std::size_t k, bool near, const Interval& t, EdgeContribution& out) const {
-    if (!trace.terms.empty()) {
-      const Primitive in_the_middle(*this, k, t, BoundedDouble(0));
-      const Primitive everywhere(*this, k, t, BoundedDouble(0, 1));
-      for (const auto& [crossing, count] : trace.terms) {
-        const auto [p, d] = fraction(crossing, k);
-        const Series value = in_the_middle.at(in_the_middle.linear(p, t), in_the_middle.linear(d, t));
-        const Series rest = everywhere.at(everywhere.linear(p, t), everywhere.linear(d, t));
-        BoundedDouble integral = BoundedDouble(2) * rest[degree] / BoundedDouble(degree + 1);
-        for (int j = 0; j < degree; j += 2)
-          integral =
-              integral + BoundedDouble(2) * value[static_cast<std::size_t>(j)] / BoundedDouble(j + 1);
-        out.value = out.value + BoundedDouble(trace.orientation * count) * integral;
-      }
-    }
-    for (const auto& [x, y] : trace.unordered) out.error += between(x, y, k, near, t);
-  }
-
-  /// Three times a bound of |Int log |P - X|^2 u . dP| between two crossings, over the interval.
-  /// Proof     P(s_x) - P(s_y) = -(s_x - s_y) h T / ((h - h_x) (h - h_y)), h_x the height of Y(s_x); bilinear
+  /// Three times a bound of |Int log |P - X|^2 u . dP| between two crossings wherever y comes before x, which
+  /// is counted the other way round.
+  /// Proof     s_x - s_y is at most the largest Bernstein coefficient of its numerator over the least
+  ///           denominators. P(s_x) - P(s_y) = -(s_x - s_y) h T / ((h - h_x) (h - h_y)), h_x the height of Y(s_x); bilinear
   ///           in t and s, h - h_Y(s) is between its values in the corners
   [[nodiscard]] double between(const Crossing& x, const Crossing& y, std::size_t k, bool near,
                                const Interval& t) const {
-    const std::array<BoundedDouble, 3> n = difference(x, y);
-    const double numerator = std::max({largest(n[0]), largest(n[1]), largest(n[2])});
+    // Only where y comes first.
+    const bool same = sign(x.d) == sign(y.d);
+    double numerator = 0;
+    for (const BoundedDouble& n : difference(x, y)) numerator = std::max(numerator, high(same ? n : -n));
+    if (numerator == 0) return 0;
     const auto least = [](const Linear& d) { return std::min(d.from.smallest_size(), d.to.smallest_size()); };
     const double gap = numerator / (least(x.d) * least(y.d)) * up;
+    return 3 * stretch(gap, std::min(x.low, y.low), std::max(x.high, y.high), k, near, t) * up;
+  }
+
+  /// A bound of |Int log |P - X|^2 u . dP| over a part of a side, of at most such a length in s, within two
+  /// bounds of s.
+  [[nodiscard]] double stretch(double gap, double first, double last, std::size_t k, bool near,
+                               const Interval& t) const {
     const BoundedDouble& low_end = corner_height_[sides_[k].from];
     const BoundedDouble& high_end = corner_height_[sides_[k].to];
     const Linear height = height_.within(t.begin, t.end);
     double nearest = nowhere;
     const Sign wanted = near ? Sign::positive : Sign::negative;
-    for (const double s : {std::min(x.low, y.low), std::max(x.high, y.high)})
+    for (const double s : {first, last})
       for (const BoundedDouble& h : {height.from, height.to}) {
         const BoundedDouble rise = BoundedDouble::exactly(s) * (high_end - low_end);
         const BoundedDouble above = h - low_end - rise;
@@ -669,7 +749,7 @@ private:
       }
     const double most_height = std::max(largest(height.from), largest(height.to));
     const double least_height = std::min(height.from.smallest_size(), height.to.smallest_size());
-    const std::array<Bounded, 2> m = plane_normal(k, t);
+    const std::array<Bounded, 2> m{plane_normal(k, t.begin), plane_normal(k, t.end)};
     const auto length = [](const Bounded& v) { return std::sqrt(largest(dot(v, v))) * up; };
     const double along = std::max(length(cross(normal_, m[0])), length(cross(normal_, m[1])));
     const double step = gap * most_height * along / (nearest * nearest) * up;
@@ -678,14 +758,14 @@ private:
     double farthest = 0;
     const Bounded& c = places_[sides_[k].from].bounded;
     const Bounded v = places_[sides_[k].to].bounded - c;
-    for (const double s : {std::min(x.low, y.low), std::max(x.high, y.high)})
+    for (const double s : {first, last})
       for (const double where : {t.begin, t.end})
         farthest = std::max(farthest, length(c + BoundedDouble::exactly(s) * v - from_.bounded -
                                              BoundedDouble::exactly(where) * edge_vector_));
     const double largest_log = std::log(most_height * farthest / nearest);
     const double least_log = std::log(least_height / normal_length);
     const double logarithm = 2 * std::max(std::abs(largest_log), std::abs(least_log)) * up + 0x1p-40;
-    const double bound = 3 * step * logarithm * length(edge_vector_) * up;
+    const double bound = step * logarithm * length(edge_vector_) * up;
     return bound >= 0 ? bound : nowhere;
   }
 
@@ -704,7 +784,10 @@ private:
   std::vector<Side> sides_;
   std::vector<Linear> moments_;
   std::vector<Linear> inside_;
+  std::vector<bool> in_plane_;    ///< for pairs of sides of different bodies
+  std::vector<bool> meets_edge_;  ///< the side's line and the edge's lie in one plane
   double most_ = 0;
+  mutable double* cut_ = nullptr;
 };
 
 CriticalLines::CriticalLines(const ExactCorners& receiver, const ExactCorners& source,
@@ -721,10 +804,11 @@ std::vector<std::size_t> CriticalLines::sides() const {
   return out;
 }
 
-EdgeContribution CriticalLines::on(double begin, double end, const std::vector<std::size_t>& sides) const {
+EdgeContribution CriticalLines::on(double begin, double end, const std::vector<std::size_t>& sides,
+                                   double wanted) const {
   expects(0 <= begin && begin < end && end <= 1, "an interval within [0, 1]", named("begin", begin),
           named("end", end));
-  return lines_->on(begin, end, sides);
+  return lines_->on(begin, end, sides, wanted);
 }
 
 double CriticalLines::most_per_length() const { return lines_->most(); }

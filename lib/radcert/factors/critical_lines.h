@@ -16,6 +16,7 @@ struct EdgeContribution {
   BoundedDouble value;
   double error = 0;  ///< besides that of the value; infinite where nothing was bounded
   std::vector<std::size_t> sides;
+  double cut = 0;  ///< where to cut the piece, if not 0: what is seen changes there
 };
 
 /// The lines through an edge of a contour and the sides of all else that stands about.
@@ -58,9 +59,10 @@ public:
   ///           them changes what is seen by at most 1, the sum's count by at most 2, since entries and ends of
   ///           what is seen take turns, and k by 1: the two differ by at most 3 k
   /// Requires  0 <= begin < end <= 1, multiples of 2^-50; sides: those of an interval around this one
-  /// Result    |contribution - value| <= error + the value's own; error is infinite where the order or an s_c
-  ///           is not bounded, and at most `most_per_length` (end - begin) otherwise or not
-  [[nodiscard]] EdgeContribution on(double begin, double end, const std::vector<std::size_t>& sides) const;
+  /// Result    |contribution - value| <= error + the value's own, together at most most_per_length (end -
+  ///           begin): that alone where an s_c is not bounded, or changes of order leave more than `wanted`
+  [[nodiscard]] EdgeContribution on(double begin, double end, const std::vector<std::size_t>& sides,
+                                    double wanted) const;
 
   /// A bound of the contribution over the length of an interval of t, whatever is seen.
   /// Maths     |u| (A / pi)^(1/2): |n . ((X - P) x u)| <= |X - P| |u|, and Int dP / |X - P| over an area A is
