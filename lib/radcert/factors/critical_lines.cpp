@@ -248,14 +248,15 @@ public:
         if (out.sides.empty() || out.sides.back() != k) out.sides.push_back(k);
         for (const auto& [x, y] : trace.unordered) out.error += between(x, y, k, near, t);
         for (const auto& [low, high] : trace.loose) out.error += stretch(high - low, low, high, k, near, t);
-        traces.push_back({k, std::move(trace)});
+        traces.push_back({k, near, std::move(trace)});
       }
     }
-    out.error *= length / (4 * std::numbers::pi) * up;
+    const double share = length / (4 * std::numbers::pi) * up;
     // What is to be halved for the order's sake needs no value.
-    const bool bounded = out.error <= wanted;
+    const bool bounded = out.error * share <= wanted;
     if (bounded)
-      for (const Traced& traced : traces) add(traced.trace, traced.side, t, out);
+      for (const Traced& traced : traces) add(traced.trace, traced.side, traced.near, t, out);
+    out.error *= share;
     // Half an interval's length for Taylor's variable, and the factor before the integral.
     const BoundedDouble factor = BoundedDouble::exactly(-length / 8) / Constants<BoundedDouble>::pi();
     out.value = factor * out.value;
@@ -278,6 +279,8 @@ private:
   /// A side's visible parts on an interval of t: F counts `count` times at each crossing.
   struct Trace {
     int orientation = 0;
+    double first = 0;  ///< nothing beyond is counted
+    double last = 1;
     std::vector<std::pair<Crossing, int>> terms{};
     std::vector<std::pair<Crossing, Crossing>> unordered{};
     std::vector<std::pair<double, double>> loose{};  ///< of which it is not known whether they are seen
@@ -292,6 +295,7 @@ private:
 
   struct Traced {
     std::size_t side;
+    bool near;
     Trace trace;
   };
 
@@ -473,6 +477,10 @@ private:
     if (!merge(seen, hidden)) return whole_or(out, k, near);
     const double first = std::max(seen.low(), 0.0);
     const double last = std::min(seen.high(), 1.0);
+    if (!is_of_whole(k, near)) {
+      out.first = first;
+      out.last = last;
+    }
     if (is_unknown) {
       out.loose.emplace_back(first, last);
     } else {
@@ -707,11 +715,22 @@ private:
     Shared everywhere_;
   };
 
-  void add(const Trace& trace, std::size_t k, const Interval& t, EdgeContribution& out) const {
+  void add(const Trace& trace, std::size_t k, bool near, const Interval& t, EdgeContribution& out) const {
     if (trace.terms.empty()) return;
     const Primitive primitive(*this, k, t);
+    BoundedDouble sum(0);
     for (const auto& [crossing, count] : trace.terms)
-      out.value = out.value + BoundedDouble(trace.orientation * count) * primitive.integral(crossing);
+      sum = sum + BoundedDouble(trace.orientation * count) * primitive.integral(crossing);
+    // Of a side of next to no length the sum is not known well, but small.
+    constexpr double coarse = 0x1p-20;
+    if (!(sum.error() < coarse)) {
+      const double most = stretch(trace.last - trace.first, trace.first, trace.last, k, near, t);
+      if (!(sum.error() < 2 * most)) {
+        out.error += most;
+        return;
+      }
+    }
+    out.value = out.value + sum;
   }
 
   /// Three times a bound of |Int log |P - X|^2 u . dP| between two crossings wherever y comes before x, which
