@@ -82,8 +82,7 @@ std::vector<double> parts(const Piece& piece) {
   const double place = std::floor(piece.contribution.cut / shortest) * shortest;
   if (place - shortest > piece.begin && place + 2 * shortest < piece.end)
     return {piece.begin, place - shortest, place + 2 * shortest, piece.end};
-  const double middle =
-      std::round((piece.begin + (piece.end - piece.begin) / 2) / shortest) * shortest;
+  const double middle = std::round((piece.begin + (piece.end - piece.begin) / 2) / shortest) * shortest;
   return {piece.begin, middle, piece.end};
 }
 
@@ -154,8 +153,7 @@ std::optional<Ball> contour_exchange_area(const ExactCorners& receiver, const Ex
     const Point u = edge.to - edge.from;
     return std::sqrt(dot(u, u).to_double());
   };
-  for (const ContourEdge& edge : *edges)
-    length += weight(edge) * static_cast<double>(edge.parts.size());
+  for (const ContourEdge& edge : *edges) length += weight(edge) * static_cast<double>(edge.parts.size());
   const double unit = placed.length();
   double left = demand.radius / (unit * unit);
   long work = demand.work_limit;

@@ -177,8 +177,7 @@ public:
     if (edge.source_is_apart) add_body(Role::source, source);
     source_is_apart_ = edge.source_is_apart;
     add_body(Role::receiver, part.receiver);
-    const Exact exact_normal =
-        cross(receiver[1] - receiver[0], receiver[2] - receiver[0]);
+    const Exact exact_normal = cross(receiver[1] - receiver[0], receiver[2] - receiver[0]);
     normal_ = place(exact_normal).bounded;
     origin_ = place(receiver[0]).bounded;
     edge_vector_ = place(edge.to - edge.from).bounded;
@@ -456,8 +455,7 @@ private:
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       if (b == own || bodies_[b].role == Role::screen) continue;
       const bool below = (bodies_[b].role == Role::receiver) == near;
-      const Meeting met =
-          meeting(b, below ? Sign::negative : Sign::positive, k, out.orientation, near, t);
+      const Meeting met = meeting(b, below ? Sign::negative : Sign::positive, k, out.orientation, near, t);
       if (met.is_empty) return whole_or(out, k, near);
       is_unknown = is_unknown || met.is_unknown;
       seen.after.insert(seen.after.end(), met.range.after.begin(), met.range.after.end());
@@ -659,8 +657,8 @@ private:
       const Series along_square = dot(along, along);
       const Series weight = dot(constant(u), along);
       here_ = Shared(height, along_square, weight, square_);
-      everywhere_ = Shared(height.everywhere(), along_square.everywhere(), weight.everywhere(),
-                           square_.everywhere());
+      everywhere_ =
+          Shared(height.everywhere(), along_square.everywhere(), weight.everywhere(), square_.everywhere());
     }
 
     /// Int F dy over [-1, 1].
