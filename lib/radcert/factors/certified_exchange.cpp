@@ -10,6 +10,7 @@
 #include "radcert/closed_form/polygon_to_polygon.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/interrupt.h"
+#include "radcert/factors/contour_exchange.h"
 #include "radcert/factors/shadow_exchange.h"
 #include "radcert/geometry/orientation.h"
 
@@ -99,10 +100,21 @@ Ball certified_exchange_area(const FacetScene& scene, std::size_t first, std::si
   const bool first_receives = scene.area(first) <= scene.area(second);
   const ExactCorners receiver = first_receives ? in_front(a, b) : in_front(b, a);
   const ExactCorners source = first_receives ? in_front(b, a) : in_front(a, b);
-  const ShadowDemand each{.radius = demand.radius * std::min(scene.area(first), scene.area(second)),
-                          .work_limit = demand.work_limit};
+  const double radius = demand.radius * std::min(scene.area(first), scene.area(second));
   const Ball nothing = 0;
   const Ball anything = hull(nothing, unoccluded);
+  std::vector<ExactCorners> screens;
+  for (const std::size_t k : pair.occluders) screens.push_back(exact_corners(scene.occluders()[k].corners));
+  // From either side, for sides that stand on the receiver's plane.
+  for (const bool swapped : {false, true})
+    if (const std::optional<Ball> seen =
+            contour_exchange_area(swapped ? source : receiver, swapped ? receiver : source, screens,
+                                  unoccluded, {.radius = radius, .work_limit = demand.work_limit}))
+      return intersection(*seen, anything);
+
+  // Each shadow may come out twice as wide as was asked for.
+  const double shadows = 2 * static_cast<double>(pair.occluders.size());
+  const ShadowDemand each{.radius = radius / shadows, .work_limit = demand.work_limit};
   std::map<std::size_t, Solid> solids;
   for (const std::size_t k : pair.occluders) {
     throw_if_interrupted();

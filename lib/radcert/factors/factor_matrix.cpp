@@ -392,9 +392,7 @@ PairExchange pair_exchange(const FacetScene& scene, std::size_t first, std::size
   if (pair.sight == PairSight::nothing || pair.sight == PairSight::hidden) return out;
   if (demand.certified) {
     const double share = std::max(scene.area(first), scene.area(second)) / scene.total_area();
-    // Shares of all shadows, each of which may come out twice as wide as was asked for.
-    const double shadows = std::max(1.0, 2 * static_cast<double>(pair.occluders.size()));
-    const CertifiedDemand certified{.radius = demand.accuracy * share / shadows};
+    const CertifiedDemand certified{.radius = demand.accuracy * share};
     out.area = enclosing(certified_exchange_area(scene, first, second, pair, certified));
   } else if (pair.sight == PairSight::whole) {
     out.area = exchange_area(pair.first, pair.second);
