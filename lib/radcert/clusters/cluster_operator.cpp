@@ -10,23 +10,6 @@
 namespace radcert {
 namespace {
 
-/// What couplings leave out of the rows of each leaf, pushed from clusters to the leaves below them.
-std::vector<double> truncation_of_leaves(const ClusterTree& tree,
-                                         const std::vector<std::vector<FarPair>>& pairs) {
-  std::vector<double> left_out;
-  for (std::size_t l = 0; l < tree.levels(); ++l) {
-    std::vector<double> finer(tree.level(l).size(), 0.0);
-    for (std::size_t i = 0; i < finer.size(); ++i)
-      if (l > 0) finer[i] = left_out[i / 4];
-    for (const FarPair& pair : pairs[l]) {
-      finer[pair.a] += pair.coupling.error_a;
-      finer[pair.b] += pair.coupling.error_b;
-    }
-    left_out = std::move(finer);
-  }
-  return left_out;
-}
-
 /// The schemes of the near entries, coarser by powers of ten where little of a row is near.
 /// Maths     an entry is wanted to the tolerance relative to its row's Int |G|, an integrator gives it
 ///           relative to the element's. On surfaces that hide nothing Int |G| <= pi, so that no more than

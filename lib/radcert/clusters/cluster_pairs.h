@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "radcert/clusters/cluster_tree.h"
@@ -33,10 +34,32 @@ struct ClusterPairs {
   std::vector<NearPair> near;
 };
 
+/// Whether two clusters of one level couple, and how; for one thread.
+using PairDecision = std::function<std::optional<CouplingDegree>(std::size_t a, std::size_t b)>;
+/// What decides the pairs of one level: one for each thread.
+using LevelDecisions = std::function<PairDecision()>;
+
 /// Divides the pairs of a tree's clusters.
-/// Maths     see ClusterPairs, CouplingLook
-/// Requires  fewer than 2^32 clusters a level; in_plane(i, j): whether G vanishes between two charts
-/// Result    degrees and errors are estimated; Interrupted when asked to stop
+/// Maths     see ClusterPairs
+/// Requires  fewer than 2^32 clusters a level; decisions(l): those of level l, used before those of the next
+///           are asked for; in_plane(i, j): whether G vanishes between two charts
+/// Result    as the decisions are; Interrupted when asked to stop
+[[nodiscard]] ClusterPairs divide_pairs(const ClusterTree& tree,
+                                        const std::function<LevelDecisions(std::size_t level)>& decisions,
+                                        const std::function<bool(std::size_t, std::size_t)>& in_plane);
+
+/// What couplings leave out of the rows of each leaf, pushed from clusters to the leaves below them.
+/// Maths     the sum of error_a and error_b over the pairs of the leaf and of the clusters that contain it
+[[nodiscard]] std::vector<double> truncation_of_leaves(const ClusterTree& tree,
+                                                       const std::vector<std::vector<FarPair>>& pairs);
+
+/// How large the modes are at the nodes of all elements of a cluster of one level of a tree.
+/// Result    of the nodes of the demand; over the whole triangle where these are many, or none
+[[nodiscard]] ModeSizes sizes_at_nodes(const CouplingDemand& demand, const ClusterTree& tree,
+                                       std::size_t level);
+
+/// Divides them by the looks of CouplingLook.
+/// Result    degrees and errors are estimated
 [[nodiscard]] ClusterPairs divide_pairs(const std::vector<Chart>& charts, const ClusterTree& tree,
                                         const CouplingDemand& demand,
                                         const std::function<bool(std::size_t, std::size_t)>& in_plane);

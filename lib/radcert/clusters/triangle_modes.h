@@ -27,9 +27,10 @@ constexpr std::size_t mode_count(int degree) {
 /// Requires  0 <= degree <= largest_mode_degree; mode_count(degree) places, else ContractViolation
 /// Result    out[m (m+1)/2 + i] = D_(i,m-i), so that the first mode_count(p) places hold those of degree <=
 ///           p; rounded
-/// Limits    R is double or long double
+/// Limits    R is double or long double; Ball or BoundedDouble where the polynomials are enclosed
 template <class R>
 void triangle_modes(int degree, const Barycentric<R>& x, std::span<R> out) {
+  using std::sqrt;
   expects(0 <= degree && degree <= largest_mode_degree, "0 <= degree <= 22", named("degree", degree));
   expects(out.size() >= mode_count(degree), "a place a polynomial", named("places", out.size()));
   const R s = x.x[0] + x.x[1];
@@ -49,7 +50,7 @@ void triangle_modes(int degree, const Barycentric<R>& x, std::span<R> out) {
     for (int j = 0; i + j <= degree; ++j) {
       const auto m = static_cast<std::size_t>(i + j);
       out[m * (m + 1) / 2 + static_cast<std::size_t>(i)] =
-          std::sqrt(R((2 * i + 1) * (i + j + 1))) * legendre[static_cast<std::size_t>(i)] * now;
+          sqrt(R((2 * i + 1) * (i + j + 1))) * legendre[static_cast<std::size_t>(i)] * now;
       const R n = R(j);
       const R next = j == 0 ? ((a + 2) * b + a) / 2
                             : ((2 * n + a + 1) * (a * a + (2 * n + a) * (2 * n + a + 2) * b) * now -

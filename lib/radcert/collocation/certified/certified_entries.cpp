@@ -10,17 +10,6 @@
 #include "radcert/core/parallel.h"
 
 namespace radcert {
-namespace {
-
-PlaneElement prepared(const ExactTriangle& c, const Rational& scale,
-                      const std::vector<PlanePolynomial<Rational>>& functions) {
-  const std::vector<PolygonLoop> loops{{{0, 0}, {1, 0}, {0, 1}}};
-  const Outcome<PlanePolygon> polygon =
-      plane_polygon(scale * c[0], scale * (c[1] - c[0]), scale * (c[2] - c[0]), loops);
-  return {polygon.value(), functions};
-}
-
-}  // namespace
 
 void expects_collocation_data(const LagrangeFunctions& functions, std::size_t nodes,
                               std::span<const double> reflectivity) {
@@ -49,7 +38,7 @@ Outcome<CertifiedEntries> certified_entries(std::span<const ExactTriangle> eleme
   parallel_for(elements.size(), 1, [&](std::size_t begin, std::size_t end) {
     std::vector<double> values(p);
     for (std::size_t k = begin; k < end; ++k) {
-      const PlaneElement element = prepared(elements[k], exact->scale, polynomials);
+      const PlaneElement element = plane_element(elements[k], exact->scale, polynomials);
       for (std::size_t i = 0; i < n; ++i) {
         element.integrals(nodes[i].point, nodes[i].normal, values);
         const double error = errors->bound(values);

@@ -111,6 +111,14 @@ std::vector<PlanePolynomial<Rational>> by_monomials(const LagrangeFunctions& fun
   return polynomials;
 }
 
+PlaneElement plane_element(const ExactTriangle& c, const Rational& scale,
+                           const std::vector<PlanePolynomial<Rational>>& functions) {
+  const std::vector<PolygonLoop> loops{{{0, 0}, {1, 0}, {0, 1}}};
+  const Outcome<PlanePolygon> polygon =
+      plane_polygon(scale * c[0], scale * (c[1] - c[0]), scale * (c[2] - c[0]), loops);
+  return {polygon.value(), functions};
+}
+
 Outcome<IntegralErrors> IntegralErrors::of(const LagrangeFunctions& functions) {
   if (functions.reproduced_degree() < 0)
     return because("the functions do not have the sum 1, which the bound of their integrals rests on");

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "radcert/closed_form/plane_element.h"
 #include "radcert/core/outcome.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/polynomial/lagrange_functions.h"
@@ -41,6 +42,11 @@ struct ExactNodes {
 
 /// Lagrange functions by their monomials in s = x_2, t = x_3; exact.
 [[nodiscard]] std::vector<PlanePolynomial<Rational>> by_monomials(const LagrangeFunctions& functions);
+
+/// An element prepared for nodes in that unit of length.
+/// Requires  functions by their monomials, as by_monomials gives them; an element that is not degenerate
+[[nodiscard]] PlaneElement plane_element(const ExactTriangle& element, const Rational& scale,
+                                         const std::vector<PlanePolynomial<Rational>>& functions);
 
 /// Error bounds of the integrals of Lagrange functions by PlaneElement.
 /// Maths     accuracy Int |G| max |l_j|. Int |G| = |Int G| where G has one sign, and Int G is the sum of the

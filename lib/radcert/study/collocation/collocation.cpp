@@ -104,11 +104,17 @@ MemoryPlan level_plan(const Problem& problem, std::uint64_t elements) {
   const bool clusters = takes_clusters(problem, unknowns);
   constexpr std::uint64_t bytes_per_node_record = 256;
   MemoryPlan plan;
-  if (clusters)
-    plan_clusters(plan, unknowns, function_count(triangle_basis_of(problem.method)));
-  else
-    plan.add("collocation matrix", saturated_product(unknowns, unknowns), sizeof(double));
-  solver->plan(plan, unknowns);
+  const std::uint64_t functions = function_count(triangle_basis_of(problem.method));
+  if (clusters && solver->proves()) {
+    plan_proved_clusters(plan, unknowns, functions);
+    find_linear_solver("gmres")->plan(plan, unknowns);
+  } else {
+    if (clusters)
+      plan_clusters(plan, unknowns, functions);
+    else
+      plan.add("collocation matrix", saturated_product(unknowns, unknowns), sizeof(double));
+    solver->plan(plan, unknowns);
+  }
   plan.add("row sums and vectors", unknowns, (clusters ? vectors : vectors_of_rows) * sizeof(double));
   plan.add("nodes", unknowns, bytes_per_node_record);
   plan.add("triangles", elements, bytes_per_node_record);

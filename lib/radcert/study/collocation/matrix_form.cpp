@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "radcert/clusters/certified/enclosed_clusters.h"
 #include "radcert/clusters/cluster_operator.h"
 #include "radcert/core/checked.h"
 #include "radcert/core/errors.h"
@@ -22,13 +23,19 @@ struct Obstacle {
 };
 
 std::optional<Obstacle> obstacle(const Problem& problem, const Surface& surface) {
-  const auto dense_for = [](const std::string& what) { return Obstacle{"is not for " + what, "dense"}; };
+  const auto dense_for = [](const std::string& what) {
+    return std::optional(Obstacle{"is not for " + what, "dense"});
+  };
   if (!std::holds_alternative<Collocation>(problem.method)) return dense_for("a meshless basis");
   if (problem.geometry) return dense_for("interpolated geometry, where each element is a chart of its own");
   if (problem.triangulation.grading != Rational(1)) return dense_for("a graded triangulation");
   if (const auto on_surface = obstacle_to_clusters(surface))
     return dense_for("the surface " + surface.name + ": " + *on_surface);
   const LinearSolver* solver = find_linear_solver(problem.solver.name);
+  if (solver != nullptr && solver->proves()) {
+    const auto unproved = obstacle_to_proved_clusters(surface);
+    return unproved ? dense_for("a proof on the surface " + surface.name + ": " + *unproved) : std::nullopt;
+  }
   if (solver != nullptr && !solver->takes_products())
     return Obstacle{"has no entries for the solver " + problem.solver.name,
                     "dense, or a solver that needs none: " +
@@ -57,8 +64,20 @@ void check_operator(const Problem& problem, const Surface& surface) {
 
 bool takes_clusters(const Problem& problem, std::uint64_t unknowns) {
   if (problem.matrix.name == "h2") return true;
-  return problem.matrix.name == "auto" && unknowns > most_dense_unknowns &&
+  const LinearSolver* solver = find_linear_solver(problem.solver.name);
+  const bool proves = solver != nullptr && solver->proves();
+  return problem.matrix.name == "auto" && !proves && unknowns > most_dense_unknowns &&
          !obstacle(problem, surface_of(problem));
+}
+
+void plan_proved_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions) {
+  plan_clusters(plan, unknowns, functions);
+  constexpr std::uint64_t near_leaves = 96;
+  constexpr std::uint64_t node_bytes = 65536;
+  const std::uint64_t leaf =
+      functions << static_cast<unsigned>(2 * leaf_refinements(static_cast<std::size_t>(functions)));
+  plan.add("enclosed near entries", unknowns, saturated_product(near_leaves * leaf, 2 * sizeof(double)));
+  plan.add("enclosed couplings of clusters", unknowns, node_bytes);
 }
 
 void plan_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions) {

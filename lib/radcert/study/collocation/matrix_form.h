@@ -19,12 +19,14 @@ inline constexpr std::uint64_t most_dense_unknowns = 8192;
 
 /// Refuses a form that is not known, and `h2` where it does not serve the problem: a method that is no
 /// collocation on triangles, an interpolated geometry, a graded triangulation, a surface with an
-/// obstacle_to_clusters, a solver that needs entries, a tolerance outside that of ClusterTolerance.
+/// obstacle_to_clusters, or to_proved_clusters for a solver that proves, a solver that needs entries, a
+/// tolerance outside that of ClusterTolerance.
 /// Result    returns, or throws InputError at the place in the problem
 void check_operator(const Problem& problem, const Surface& surface);
 
 /// Whether a level of that many unknowns is held as a ClusterOperator.
-/// Maths     `h2`: always. `auto`: beyond most_dense_unknowns where `h2` would not be refused
+/// Maths     `h2`: always. `auto`: beyond most_dense_unknowns where `h2` would not be refused, and not with a
+///           solver that proves, which is told to by name
 /// Requires  check_operator(problem, surface_of(problem)) returns
 [[nodiscard]] bool takes_clusters(const Problem& problem, std::uint64_t unknowns);
 
@@ -34,5 +36,7 @@ void check_operator(const Problem& problem, const Surface& surface);
 /// Limits    an estimate. Once the lists are made they are counted, and more than there is memory for is
 ///           refused before any entry is integrated
 void plan_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions);
+/// With EnclosedClusters beside it, for a solver that proves.
+void plan_proved_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions);
 
 }  // namespace radcert

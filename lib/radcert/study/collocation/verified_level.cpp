@@ -12,21 +12,29 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/clusters/certified/enclosed_clusters.h"
+#include "radcert/clusters/cluster_operator.h"
 #include "radcert/collocation/certified/certified_chart_entries.h"
 #include "radcert/collocation/certified/certified_operator.h"
 #include "radcert/collocation/certified/certified_visible_entries.h"
 #include "radcert/collocation/certified/plane_chart.h"
 #include "radcert/collocation/certified/plane_entries.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/memory_plan.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/hypotheses/convex_containment.h"
+#include "radcert/quadrature/certified/bounded_chart.h"
 #include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/scalar/enclosing_text.h"
+#include "radcert/solve/contracting_system.h"
+#include "radcert/solve/contraction.h"
+#include "radcert/solve/linear_solver.h"
 #include "radcert/solve/verified_system.h"
 #include "radcert/study/collocation/exact_interpolant.h"
 #include "radcert/study/collocation/level_geometry.h"
+#include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/collocation/nodal_description.h"
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/collocation/operator_norm.h"
@@ -201,6 +209,11 @@ public:
   LevelOutcome compute(const OperatorRoute& route) && {
     require_exact_geometry();
     find_data();
+    if (takes_clusters(problem_, nodes_.size())) {
+      solve_by_clusters(route);
+      describe();
+      return std::move(outcome_);
+    }
     const Stopwatch assembly;
     CertifiedEntries matrix =
         problem_.solution && !all_plane_ && !problem_.geometry ? entries_and_integrals() : entries();
@@ -209,7 +222,7 @@ public:
     scale_row_entries(matrix, rho_);
     outcome_.timing.assembly_seconds = assembly.seconds();
     std::vector<Ball> defect;
-    if (problem_.solution) defect = discretisation(matrix, route);
+    if (problem_.solution) defect = discretisation([&] { return enclosed_product(matrix, u_); }, route);
     const Stopwatch solution;
     solve(std::move(matrix), defect);
     outcome_.timing.solve_seconds = solution.seconds();
@@ -234,7 +247,10 @@ private:
   /// another sum would be a false proof.
   void require_rows_of_one(const CertifiedEntries& matrix) const {
     if (!surface_.closed || problem_.geometry || functions_.reproduced_degree() < 0) return;
-    const std::vector<Ball> sums = enclosed_product(matrix, std::vector<Ball>(nodes_.size(), Ball(1)));
+    require_sums_of_one(enclosed_product(matrix, std::vector<Ball>(nodes_.size(), Ball(1))));
+  }
+
+  void require_sums_of_one(const std::vector<Ball>& sums) const {
     for (std::size_t i = 0; i < sums.size(); ++i)
       if (!overlaps(sums[i], Ball(1)))
         refuse("row " + std::to_string(i) + " of the collocation matrix is enclosed by " + sums[i].to_text() +
@@ -427,13 +443,14 @@ private:
       if (!fault.empty()) refuse(fault);
   }
 
-  /// K(I - P_n)u at the nodes; E = u - Ku is found with it.
-  std::vector<Ball> discretisation(const CertifiedEntries& matrix, const OperatorRoute& route) {
+  /// K(I - P_n)u at the nodes; E = u - Ku is found with it. `k_pn_u`: rho times the matrix times u.
+  template <class Product>
+  std::vector<Ball> discretisation(const Product& k_pn_u, const OperatorRoute& route) {
     const Stopwatch watch;
     const std::vector<Ball> integrals = integrals_ ? *integrals_ : operator_at_nodes();
     require_second_route(integrals, route);
     outcome_.timing.operator_seconds = watch.seconds();
-    std::vector<Ball> difference = enclosed_product(matrix, u_);
+    std::vector<Ball> difference = k_pn_u();
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       const Ball ku = rho_[i] * integrals[i] / Ball::pi();
       if (!ku.is_finite()) refuse("Ku is not enclosed at node " + std::to_string(i));
@@ -455,9 +472,14 @@ private:
     }
     const Outcome<VerifiedSolution> solved = system->solve(right_hand_side, radius);
     if (!solved) refuse("the collocation system is not solved: " + solved.reason());
+    take_solution(*solved, system->theta());
+  }
+
+  /// u_n from the solution of the system: u - u_n at the nodes, or u_n.
+  void take_solution(const VerifiedSolution& solved, double theta) {
     std::vector<Approximation> found;
     for (std::size_t i = 0; i < nodes_.size(); ++i)
-      found.push_back(Approximation::proved(solved->values[i], solved->radius[i]));
+      found.push_back(Approximation::proved(solved.values[i], solved.radius[i]));
     if (problem_.solution) {
       outcome_.result.node_error = max_abs(found);
       for (std::size_t i = 0; i < nodes_.size(); ++i) found[i] = enclosing(u_[i] - ball_of(found[i]));
@@ -465,7 +487,93 @@ private:
     for (const Approximation& value : found)
       if (!value.has_radius()) refuse("u_n or its radius runs over the range of double");
     u_n_ = std::move(found);
-    outcome_.result.verified = {.theta = system->theta()};
+    outcome_.result.verified = {.theta = theta};
+  }
+
+  /// The same with the matrix as clusters: a solution of the operator in doubles, whose residual and
+  /// contraction the enclosed products prove.
+  void solve_by_clusters(const OperatorRoute& route) {
+    const Stopwatch assembly;
+    const std::size_t n = nodes_.size();
+    const double far = problem_.matrix.tolerance.to_double();
+    const Tolerance near(problem_.quadrature.tolerance.to_double());
+    const Outcome<EnclosedClusters> clusters =
+        enclosed_clusters({.surface = surface_,
+                           .triangulation = geometry_.data().triangulation,
+                           .level = outcome_.result.level,
+                           .functions = functions_,
+                           .far = ClusterTolerance(far),
+                           .near = near.entry(),
+                           .memory_limit = available_memory()});
+    if (!clusters) refuse("the entries of the collocation matrix are not enclosed: " + clusters.reason());
+    const std::vector<double> ones(n, 1.0);
+    std::vector<Ball> sums;
+    std::vector<double> integrals;
+    for (const BoundedDouble& sum : clusters->product(ones)) {
+      sums.push_back(ball_around(sum));
+      integrals.push_back(pi<double>() * sum.value());
+    }
+    if (surface_.closed && functions_.reproduced_degree() >= 0) require_sums_of_one(sums);
+    const std::vector<double> rho = midpoints(rho_);
+    outcome_.result.norm_K = norm_of_K(surface_, problem_.reflectivity, rho, integrals);
+    const ClusterOperator rounded({.surface = surface_,
+                                   .triangulation = geometry_.data().triangulation,
+                                   .level = outcome_.result.level,
+                                   .basis = basis_,
+                                   .nodes = geometry_.data().nodes,
+                                   .reflectivity = rho,
+                                   .integrals = near,
+                                   .far = ClusterTolerance(far),
+                                   .memory_limit = available_memory()});
+    outcome_.timing.assembly_seconds = assembly.seconds();
+
+    std::vector<Ball> defect;
+    if (problem_.solution) defect = discretisation([&] { return times_reflectivity(*clusters, u_); }, route);
+    const Stopwatch solution;
+    const std::span<const Ball> e = problem_.solution ? std::span<const Ball>(defect) : emission_;
+    const std::vector<double> rounded_e = midpoints(e);
+    const Outcome<Contraction, NoContraction> contraction =
+        find_contraction(SystemMatrix(rounded), rounded.row_radius());
+    if (!contraction)
+      refuse("the collocation matrix contracts by " +
+             upper_text(contraction.reason().theta, DecimalForm::general(6)) +
+             " at best, which is not below 1: with the operator dense more may be proved");
+    const auto found =
+        find_linear_solver("gmres")->iterate(SystemMatrix(rounded), *contraction, rounded_e, {});
+    const std::vector<double> x = found ? found->values : std::vector<double>(n);
+    if (!found) refuse("the collocation system is not solved: gmres does not come to rest");
+    std::vector<Ball> exact_x;
+    for (const double value : x) exact_x.emplace_back(value);
+    const std::vector<Ball> kx = times_reflectivity(*clusters, exact_x);
+    const std::vector<double> weighted = clusters->sizes(contraction->weights());
+    std::vector<double> residual;
+    std::vector<double> sizes;
+    for (std::size_t i = 0; i < n; ++i) {
+      residual.push_back(abs(e[i] - exact_x[i] + kx[i]).upper_double());
+      sizes.push_back((rho_[i] * Ball(weighted[i])).upper_double());
+    }
+    const Outcome<ContractingSolution> proved =
+        contracting_solution(x, residual, contraction->weights(), sizes);
+    if (!proved) refuse("the collocation system is not proved to have one solution: " + proved.reason());
+    take_solution(proved->solution, proved->theta);
+    outcome_.timing.solve_seconds = solution.seconds();
+  }
+
+  /// rho_i sum_j k_ij u_j for all u within the balls.
+  std::vector<Ball> times_reflectivity(const EnclosedClusters& clusters, std::span<const Ball> u) const {
+    double moved = 0;
+    std::vector<double> middle;
+    for (const Approximation& value : enclosed_numbers(u)) {
+      middle.push_back(value.value);
+      moved = std::max(moved, value.radius);
+    }
+    std::vector<double> sizes(u.size(), 0.0);
+    if (moved > 0) sizes = clusters.sizes(std::vector<double>(u.size(), 1.0));
+    std::vector<Ball> result;
+    const std::vector<BoundedDouble> product = clusters.product(middle);
+    for (std::size_t i = 0; i < u.size(); ++i)
+      result.push_back(rho_[i] * widened(ball_around(product[i]), Ball(sizes[i]) * Ball(moved)));
+    return result;
   }
 
   void describe() {

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/clusters/certified/enclosed_near_entries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "radcert/collocation/certified/certified_chart_entries.h"
+#include "radcert/collocation/certified/exact_nodes.h"
+#include "radcert/collocation/certified/exchanged_corners.h"
+#include "radcert/collocation/certified/plane_chart.h"
+#include "radcert/core/contract.h"
+#include "radcert/core/parallel.h"
+#include "radcert/quadrature/certified/certified_kernel_sums.h"
+
+namespace radcert {
+
+struct EnclosedNearEntries::Filling {
+  const Surface& surface;
+  const Triangulation& triangulation;
+  const LagrangeFunctions& functions;
+  double demand;
+  std::vector<std::optional<PlaneChart>> planes;  ///< by chart
+};
+
+EnclosedNearEntries::EnclosedNearEntries(const std::vector<NearPair>& pairs, std::size_t leaves,
+                                         std::size_t unknowns_of_leaf)
+    : leaves_(leaves), unknowns_(unknowns_of_leaf), first_(leaves + 1) {
+  std::vector<std::vector<std::uint32_t>> near(leaves);
+  for (const NearPair& pair : pairs) {
+    near[pair.a].push_back(pair.b);
+    if (pair.a != pair.b) near[pair.b].push_back(pair.a);
+  }
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf) {
+    std::sort(near[leaf].begin(), near[leaf].end());
+    sources_.insert(sources_.end(), near[leaf].begin(), near[leaf].end());
+    first_[leaf + 1] = sources_.size();
+  }
+}
+
+Outcome<void> EnclosedNearEntries::fill_on_planes(const Filling& filling) {
+  const LagrangeFunctions& functions = filling.functions;
+  const std::size_t p = functions.size();
+  std::vector<ExactTriangle> triangles;
+  std::vector<bool> reversed;
+  for (const ParameterTriangle& triangle : filling.triangulation.triangles) {
+    std::array<ParameterPoint<Rational>, 3> corners;
+    for (std::size_t c = 0; c < 3; ++c)
+      corners[c] = {Rational::exactly(triangle.vertices[c].s), Rational::exactly(triangle.vertices[c].t)};
+    const PlaneChart element = filling.planes[triangle.chart]->over(corners);
+    const Vector<Rational> second = element.origin + element.first;
+    const Vector<Rational> third = element.origin + element.second;
+    reversed.push_back(element.orientation == Orientation::against_the_cross_product);
+    triangles.push_back(reversed.back() ? ExactTriangle{element.origin, third, second}
+                                        : ExactTriangle{element.origin, second, third});
+  }
+  const auto exchanged = places_when_exchanged(functions);
+  if (!exchanged && std::find(reversed.begin(), reversed.end(), true) != reversed.end())
+    return because("the nodes of the basis are not symmetric, which elements against the cross product ask");
+  const Outcome<IntegralErrors> errors = IntegralErrors::of(functions);
+  if (!errors) return because(errors.reason());
+  const Outcome<ExactNodes> exact = exact_nodes(triangles, functions);
+  if (!exact) return because(exact.reason());
+  const std::vector<PlanePolynomial<Rational>> polynomials = by_monomials(functions);
+  /// The place of node or function j of an element among those of its triangle.
+  const auto place = [&](std::size_t k, std::size_t j) { return reversed[k] ? (*exchanged)[j] : j; };
+
+  const std::size_t elements = unknowns_ / p;
+  parallel_for(leaves_, 1, [&](std::size_t begin, std::size_t end) {
+    std::vector<double> values(p);
+    for (std::size_t source = begin; source < end; ++source)
+      for (std::size_t e = 0; e < elements; ++e) {
+        const std::size_t k = source * elements + e;
+        const PlaneElement element = plane_element(triangles[k], exact->scale, polynomials);
+        for (std::size_t s = first_[source]; s < first_[source + 1]; ++s) {
+          // Nearness is mutual, so that the source stands in the target's list.
+          const std::size_t target = sources_[s];
+          const auto list = sources_.begin() + static_cast<std::ptrdiff_t>(first_[target]);
+          const auto list_end = sources_.begin() + static_cast<std::ptrdiff_t>(first_[target + 1]);
+          const auto number =
+              static_cast<std::size_t>(std::lower_bound(list, list_end, source) - sources_.begin());
+          for (std::size_t i = 0; i < unknowns_; ++i) {
+            const std::size_t of_row = target * elements + i / p;
+            const ExactNode& node = exact->nodes[of_row * p + place(of_row, i % p)];
+            element.integrals(node.point, node.normal, values);
+            const double error = errors->bound(values);
+            for (std::size_t j = 0; j < p; ++j) {
+              const Approximation entry = certified_entry(1, values[place(k, j)], error);
+              const std::size_t at = (number * unknowns_ + e * p + j) * unknowns_ + i;
+              entries_[at] = entry.value;
+              radii_[at] = entry.radius;
+            }
+          }
+        }
+      }
+  });
+  return {};
+}
+
+Outcome<void> EnclosedNearEntries::fill_on_charts(const Filling& filling) {
+  const LagrangeFunctions& functions = filling.functions;
+  const std::size_t p = functions.size();
+  const std::size_t elements = unknowns_ / p;
+  const std::unique_ptr<const ElementFunctions> on_elements = lagrange_on_elements(functions);
+  const std::vector<SurfacePoint<Rational>> nodes = exact_collocation_nodes(filling.triangulation, functions);
+  std::vector<Outcome<void>> found(leaves_);
+  parallel_for(leaves_, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t source = begin; source < end; ++source) {
+      std::vector<SurfacePoint<Rational>> points;
+      for (std::size_t s = first_[source]; s < first_[source + 1]; ++s)
+        for (std::size_t i = 0; i < unknowns_; ++i) points.push_back(nodes[sources_[s] * unknowns_ + i]);
+      const CertifiedKernelSums sums(filling.surface, filling.triangulation, *on_elements, points,
+                                     filling.demand);
+      std::vector<double> values(points.size() * p);
+      std::vector<double> radius(points.size() * p);
+      for (std::size_t e = 0; e < elements && found[source]; ++e) {
+        found[source] = sums.element(source * elements + e, values, radius);
+        if (!found[source]) break;
+        for (std::size_t s = first_[source]; s < first_[source + 1]; ++s) {
+          const std::size_t target = sources_[s];
+          const auto list = sources_.begin() + static_cast<std::ptrdiff_t>(first_[target]);
+          const auto list_end = sources_.begin() + static_cast<std::ptrdiff_t>(first_[target + 1]);
+          const auto number =
+              static_cast<std::size_t>(std::lower_bound(list, list_end, source) - sources_.begin());
+          for (std::size_t j = 0; j < p; ++j)
+            for (std::size_t i = 0; i < unknowns_; ++i) {
+              const std::size_t from = j * points.size() + (s - first_[source]) * unknowns_ + i;
+              const Approximation entry = certified_entry(1, values[from], radius[from]);
+              const std::size_t at = (number * unknowns_ + e * p + j) * unknowns_ + i;
+              entries_[at] = entry.value;
+              radii_[at] = entry.radius;
+            }
+        }
+      }
+    }
+  });
+  for (const Outcome<void>& of_leaf : found)
+    if (!of_leaf) return because(of_leaf.reason());
+  return {};
+}
+
+void EnclosedNearEntries::add_product(std::span<const double> x, std::span<BoundedDouble> y) const {
+  expects(x.size() == leaves_ * unknowns_ && y.size() == x.size(), "a number for each unknown",
+          named("size", x.size()));
+  parallel_for(leaves_, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t leaf = begin; leaf < end; ++leaf)
+      for (std::size_t number = first_[leaf]; number < first_[leaf + 1]; ++number)
+        for (std::size_t j = 0; j < unknowns_; ++j) {
+          const BoundedDouble factor = BoundedDouble::exactly(x[sources_[number] * unknowns_ + j]);
+          const std::size_t column = (number * unknowns_ + j) * unknowns_;
+          for (std::size_t i = 0; i < unknowns_; ++i) {
+            BoundedDouble& to = y[leaf * unknowns_ + i];
+            to = to + BoundedDouble(entries_[column + i], radii_[column + i]) * factor;
+          }
+        }
+  });
+}
+
+void EnclosedNearEntries::add_sizes(std::span<const double> x, std::span<BoundedDouble> y) const {
+  expects(x.size() == leaves_ * unknowns_ && y.size() == x.size(), "a number for each unknown",
+          named("size", x.size()));
+  parallel_for(leaves_, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t leaf = begin; leaf < end; ++leaf)
+      for (std::size_t number = first_[leaf]; number < first_[leaf + 1]; ++number)
+        for (std::size_t j = 0; j < unknowns_; ++j) {
+          const BoundedDouble factor = BoundedDouble::exactly(x[sources_[number] * unknowns_ + j]);
+          const std::size_t column = (number * unknowns_ + j) * unknowns_;
+          for (std::size_t i = 0; i < unknowns_; ++i) {
+            BoundedDouble& to = y[leaf * unknowns_ + i];
+            to = to + BoundedDouble(std::abs(entries_[column + i]), radii_[column + i]) * factor;
+          }
+        }
+  });
+}
+
+void EnclosedNearEntries::count(MemoryPlan& plan) const {
+  plan.add("enclosed near entries", sources_.size() * unknowns_ * unknowns_, 2 * sizeof(double));
+}
+
+Outcome<EnclosedNearEntries> enclosed_near_entries(const Surface& surface, const Triangulation& triangulation,
+                                                   const LagrangeFunctions& functions,
+                                                   const std::vector<NearPair>& pairs,
+                                                   std::size_t unknowns_of_leaf, double demand,
+                                                   std::uint64_t memory_limit) {
+  const std::size_t unknowns = triangulation.triangles.size() * functions.size();
+  EnclosedNearEntries result(pairs, unknowns / unknowns_of_leaf, unknowns_of_leaf);
+  MemoryPlan plan;
+  result.count(plan);
+  plan.require(memory_limit);
+  const std::size_t places = result.sources_.size() * unknowns_of_leaf * unknowns_of_leaf;
+  result.entries_.assign(places, 0.0);
+  result.radii_.assign(places, 0.0);
+  EnclosedNearEntries::Filling filling{.surface = surface,
+                                       .triangulation = triangulation,
+                                       .functions = functions,
+                                       .demand = demand,
+                                       .planes = {}};
+  for (std::size_t j = 0; j < surface.chart_count(); ++j) filling.planes.push_back(plane_chart(surface, j));
+  const bool all_plane = std::all_of(filling.planes.begin(), filling.planes.end(),
+                                     [](const auto& plane) { return plane.has_value(); });
+  const Outcome<void> filled = all_plane ? result.fill_on_planes(filling) : result.fill_on_charts(filling);
+  if (!filled) return because(filled.reason());
+  return result;
+}
+
+}  // namespace radcert
