@@ -101,6 +101,24 @@ TEST(MeshContacts, TakeOutWhatStandsInCornersAndOnOneAnother) {
   expect_sound(found->mesh);
 }
 
+TEST(MeshContacts, TakeOutWhatIsCoveredToItsBorder) {
+  // A pedestal, and two boxes side by side that cover its top: nothing of it is left whose corners would tell
+  // its sides where theirs meet.
+  TriangleMesh mesh;
+  add_box(mesh, "room", {0, 0, 0}, {4, 4, 3}, true);
+  add_box(mesh, "pedestal", {1, 1, 0}, {3, 3, 1});
+  add_box(mesh, "left", {1, 1, 1}, {2, 3, 2});
+  add_box(mesh, "right", {2, 1, 1}, {3, 3, 2});
+  const Outcome<UncoveredMesh> found = uncovered(mesh);
+  ASSERT_TRUE(found) << found.reason();
+  double covered = 0;
+  for (const MeshContact& contact : found->contacts) covered += contact.area;
+  EXPECT_NEAR(covered, 4 + 4 + 2, 1e-12);
+  EXPECT_NEAR(area(found->mesh, "pedestal"), 8, 1e-12);
+  EXPECT_NEAR(volume(found->mesh), volume(mesh), 1e-12);
+  expect_sound(found->mesh);
+}
+
 TEST(MeshContacts, DoNotDependOnHowVerticesAreShared) {
   TriangleMesh mesh;
   add_box(mesh, "room", {0, 0, 0}, {4, 3, 2.5}, true);

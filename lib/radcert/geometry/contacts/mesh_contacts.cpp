@@ -112,10 +112,12 @@ std::vector<VertexTriple> cut(const TriangleMesh& mesh, const std::vector<std::s
   return out;
 }
 
-/// Cuts triangles on whose sides there are corners of the triangles from `first_new` on: a face that ends
-/// where a body that stands on its neighbour begins meets it side by side then.
-void join_sides(TriangleMesh& mesh, std::size_t first_new) {
+/// Cuts triangles on whose sides there are corners of the triangles from `first_new` on, or of those that are
+/// gone: a face that ends where a body that stands on its neighbour begins meets it side by side then.
+void join_sides(TriangleMesh& mesh, std::size_t first_new, const std::set<Place>& gone) {
   std::set<std::size_t> ends;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
+    if (gone.contains(place_of(mesh.vertices[v]))) ends.insert(v);
   for (std::size_t t = first_new; t < mesh.triangles.size(); ++t)
     ends.insert(mesh.triangles[t].begin(), mesh.triangles[t].end());
   const std::size_t count = mesh.triangles.size();
@@ -197,8 +199,13 @@ public:
       any = true;
     }
     if (any) {
+      std::set<Place> gone;
+      for (std::size_t t = 0; t < replaced.size(); ++t)
+        if (replaced[t])
+          for (const Vector<double>& corner : mesh_.corners(t)) gone.insert(place_of(corner));
       leave_out(replaced);
-      join_sides(out_.mesh, static_cast<std::size_t>(std::count(replaced.begin(), replaced.end(), false)));
+      join_sides(out_.mesh, static_cast<std::size_t>(std::count(replaced.begin(), replaced.end(), false)),
+                 gone);
     }
     return std::move(out_);
   }
