@@ -381,6 +381,11 @@ class Factors(ProgramTest):
         self.assertNotIn(("plate back", "low"), factors)
         for words in (["--two-sided", "wall"], ["--two-sided", "plate", "--certified"], ["--two-sided", "plate,plate"]):
             self.expect(2, "factors", "open.obj", "--space", *words)
+        # What stands on one side would leave the other as it is.
+        self.obj("shelf.obj", {"low": OBSTRUCTED[:1], "plate": plate, "box": box((0.4, 0.4, 0.5), (0.6, 0.6, 0.7))})
+        done = self.run_program("factors", "shelf.obj", "--front", "right-hand", "--space", "--two-sided", "plate")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b'--two-sided: "plate" touches box', done.stderr)
 
     def test_groups_are_rows(self):
         corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]

@@ -77,6 +77,60 @@ TEST(FunctionEnclosure, IsTheEmissionWhereNothingReflects) {
       EXPECT_NEAR(value, part.piece == dark.panels[2].piece ? 5 : 0, 1e-12);
 }
 
+TEST(FunctionEnclosure, KnowsThatCoefficientsAreRoundedWhereNothingReflects) {
+  // v is a double, and u is a third.
+  for (const Rational& rho : {Rational(0), Rational(1, 1000000000)}) {
+    PolyhedronProblem dark = problem("tetrahedron", 0, 0);
+    dark.emission[1] = constant_polynomial(Rational(1, 3));
+    for (std::size_t j = 0; j < dark.panels.size(); ++j)
+      if (j != 1) dark.reflectivity[j] = rho;
+    const FunctionEnclosure found = enclose_function(dark, 1e-3, 0.01);
+    const double off = abs(Ball(Rational(1, 3)) - Ball(1.0 / 3)).upper_double();
+    ASSERT_GT(off, 1e-17);
+    EXPECT_GE(found.sup, off);
+    EXPECT_GE(found.pieces[dark.panels[1].piece].everywhere, off);
+    for (const EnclosedPart& part : found.parts)
+      if (part.piece == dark.panels[1].piece) {
+        EXPECT_GE(part.bound, off);
+      }
+  }
+}
+
+TEST(FunctionEnclosure, IsRefusedWhereAVertexIsTooNearToAnotherFace) {
+  // A prism, one corner of whose top is so little below it that double cannot tell.
+  using Point = Vector<Rational>;
+  const Rational low = Rational(1) - Rational(1, 1000000000000000);
+  const std::vector<std::pair<Rational, Rational>> base{{0, 0}, {4, 0}, {4, 4}, {2, Rational(9, 2)}, {0, 4}};
+  const auto at = [&](std::size_t k, const Rational& z) { return Point{base[k].first, base[k].second, z}; };
+  std::vector<std::vector<Point>> faces{{at(0, 0), at(1, 0), at(2, 0), at(3, 0), at(4, 0)},
+                                        {at(0, 1), at(1, 1), at(2, 1), at(4, 1)},
+                                        {at(2, 1), at(3, low), at(4, 1)}};
+  for (std::size_t k = 0; k < base.size(); ++k) {
+    const std::size_t next = (k + 1) % base.size();
+    faces.push_back({at(k, 0), at(next, 0), at(next, next == 3 ? low : 1), at(k, k == 3 ? low : 1)});
+  }
+  const Point within{2, 2, Rational(1, 2)};
+  PolyhedronProblem sharp;
+  for (std::vector<Point>& corners : faces) {
+    Point normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    if (dot(normal, within - corners[0]).sign() < 0) {
+      std::reverse(corners.begin(), corners.end());
+      normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    }
+    Point sum = corners[0];
+    for (std::size_t i = 1; i < corners.size(); ++i) sum = sum + corners[i];
+    sharp.panels.push_back({.piece = sharp.panels.size(),
+                            .corners = corners,
+                            .centre = Rational(1, static_cast<int>(corners.size())) * sum,
+                            .normal = normal});
+    sharp.reflectivity.emplace_back(0);
+    sharp.emission.push_back(constant_polynomial(Rational(1)));
+  }
+  const FunctionEnclosure found = enclose_function(sharp, 1, 0.1);
+  EXPECT_FALSE(std::isfinite(found.sup));
+  EXPECT_FALSE(found.hindrance.empty());
+}
+
 /// Functions on three layers that have jumps, small as those of an approximation.
 struct Jumping {
   SectorScene scene;

@@ -3,14 +3,18 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radcert/geometry/mesh_defects.h"
 #include "radcert/geometry/mesh_topology.h"
+#include "radcert/geometry/polygon_triangulation.h"
 #include "tests/geometry/sample_meshes.h"
 
 namespace radcert {
@@ -117,6 +121,93 @@ TEST(MeshContacts, TakeOutWhatIsCoveredToItsBorder) {
   EXPECT_NEAR(area(found->mesh, "pedestal"), 8, 1e-12);
   EXPECT_NEAR(volume(found->mesh), volume(mesh), 1e-12);
   expect_sound(found->mesh);
+}
+
+/// Adds a rectangle at a height that looks up or down.
+void add_sheet(TriangleMesh& mesh, const std::string& name, double from, double to, double z, bool up) {
+  const std::size_t first = mesh.vertices.size();
+  mesh.vertices.insert(mesh.vertices.end(), {{from, from, z}, {to, from, z}, {to, to, z}, {from, to, z}});
+  mesh.group_names.push_back(name);
+  for (VertexTriple t :
+       {VertexTriple{first, first + 1, first + 2}, VertexTriple{first, first + 2, first + 3}}) {
+    if (!up) std::swap(t[1], t[2]);
+    mesh.triangles.push_back(t);
+    mesh.group.push_back(mesh.group_names.size() - 1);
+    mesh.face.push_back(mesh.triangles.size() - 1);
+  }
+}
+
+TEST(MeshContacts, RefuseBodiesThatLightWouldPassThrough) {
+  // A box between two sheets: without its ends it is a tube from the ground to the roof.
+  TriangleMesh tube;
+  add_sheet(tube, "ground", 1.9, 2.1, 0, true);
+  add_sheet(tube, "roof", 1.9, 2.1, 3, false);
+  add_sheet(tube, "low", 0, 4, 1, true);
+  add_sheet(tube, "high", 0, 4, 2, false);
+  TriangleMesh one = tube;
+  add_box(tube, "box", {1, 1, 1}, {3, 3, 2});
+  ASSERT_FALSE(uncovered(tube));
+  EXPECT_NE(uncovered(tube).reason().find("two planes"), std::string::npos) << uncovered(tube).reason();
+  // Two boxes, one on the other, are one tube as well.
+  TriangleMesh stacked = one;
+  add_box(stacked, "lower", {1, 1, 1}, {3, 3, 1.5});
+  add_box(stacked, "upper", {1, 1, 1.5}, {3, 3, 2});
+  EXPECT_FALSE(uncovered(stacked));
+  // On one of the sheets alone, what comes in does not come out.
+  TriangleMesh lower = one;
+  add_box(lower, "box", {1, 1, 1}, {3, 3, 1.75});
+  ASSERT_TRUE(uncovered(lower)) << uncovered(lower).reason();
+  EXPECT_EQ(uncovered(lower)->contacts.size(), 1U);
+  // But what is inside would come out.
+  add_box(lower, "hidden", {1.5, 1.5, 1.25}, {2, 2, 1.5});
+  EXPECT_FALSE(uncovered(lower));
+  // With nothing beyond the sheets nothing can pass.
+  TriangleMesh alone;
+  add_sheet(alone, "low", 0, 4, 1, true);
+  add_sheet(alone, "high", 0, 4, 2, false);
+  add_box(alone, "box", {1, 1, 1}, {3, 3, 2});
+  EXPECT_EQ(uncovered(alone)->contacts.size(), 2U);
+}
+
+TEST(MeshContacts, TakeWhatStandsBetweenWallsOfARoomThatGoesOnBehindThem) {
+  // A room with the plan of a plus, and a chest across one of its arms: the others lie beyond both of the walls
+  // that it touches. All is inside of the room, and what is covered lies within what is solid.
+  const std::vector<std::pair<double, double>> plan{{1, 0}, {3, 0}, {3, 1}, {4, 1}, {4, 3}, {3, 3},
+                                                    {3, 4}, {1, 4}, {1, 3}, {0, 3}, {0, 1}, {1, 1}};
+  const sample::Polyhedron room = sample::column(plan, 2);
+  TriangleMesh mesh;
+  mesh.vertices = room.vertices;
+  mesh.group_names = {"room"};
+  for (const std::vector<std::size_t>& face : room.faces) {
+    std::vector<ParameterPoint<double>> flat;
+    for (const std::size_t v : face) {
+      const Vector<double>& at = room.vertices[v];
+      if (face.size() > 4)
+        flat.push_back({at.x, at.y});
+      else
+        flat.push_back({at.x + at.y, at.z});
+    }
+    // As they run, seen from inside: turned round.
+    const std::vector<VertexTriple> triangles = polygon_triangles(flat).value();
+    for (const VertexTriple& t : triangles) {
+      mesh.triangles.push_back({face[t[0]], face[t[2]], face[t[1]]});
+      mesh.group.push_back(0);
+      mesh.face.push_back(mesh.triangles.size() - 1);
+    }
+  }
+  add_box(mesh, "chest", {1, 0.25, 0}, {3, 0.75, 1});
+  add_box(mesh, "other", {0.25, 1.25, 0.5}, {0.5, 1.5, 1});
+  const Outcome<UncoveredMesh> found = uncovered(mesh);
+  ASSERT_TRUE(found) << found.reason();
+  double covered = 0;
+  for (const MeshContact& contact : found->contacts) covered += contact.area;
+  EXPECT_NEAR(covered, 2 * 0.5 + 2 * 0.5 * 1, 1e-12);
+  EXPECT_NEAR(volume(found->mesh), volume(mesh), 1e-12);
+  expect_sound(found->mesh);
+  // With something outside the room light could pass there.
+  TriangleMesh outside = mesh;
+  add_box(outside, "outside", {5, 5, 0}, {6, 6, 1});
+  EXPECT_FALSE(uncovered(outside));
 }
 
 TEST(MeshContacts, DoNotDependOnHowVerticesAreShared) {

@@ -73,6 +73,12 @@ std::string bound_text(double bound) {
   return std::isfinite(bound) ? upper_text(bound, DecimalForm::general(6)) : std::string("nothing");
 }
 
+/// 2^exponent x for x >= 0, rounded up below the normal numbers.
+double scaled_up(double x, int exponent) {
+  const double y = std::ldexp(x, exponent);
+  return std::ldexp(y, -exponent) < x ? std::nextafter(y, std::numeric_limits<double>::infinity()) : y;
+}
+
 /// A claim held against what is proved in scaled units.
 /// Maths     lengths are 2^l, E and w_0 2^e times those: norms of function 0 2^(l+e), of the others 2^l,
 ///           products 2^(2l+e)
@@ -81,14 +87,17 @@ std::optional<Refusal> claim_fault(const MeansCertificate& c, std::size_t elemen
   const Claim& claim = c.claims[element];
   const std::string pointer = place("/claims", element);
   for (std::size_t k = 0; k < claim.norms.size(); ++k) {
-    const double norm = std::ldexp(proved.norms[k], length + (k == 0 ? size : 0));
+    const double norm = scaled_up(proved.norms[k], length + (k == 0 ? size : 0));
     if (!(norm <= claim.norms[k]))
       return Refusal{place(pointer + "/norms", k),
                      "claims " + shortest(claim.norms[k]) + ", and " + bound_text(norm) + " is proved"};
   }
   for (std::size_t k = 0; k < claim.products.size(); ++k) {
     const double product = std::ldexp(proved.products[k], 2 * length + size);
-    const double radius = std::ldexp(proved.radii[k], 2 * length + size);
+    // As much more as the product is off by where that is below the normal numbers.
+    const bool is_exact = std::ldexp(product, -2 * length - size) == proved.products[k];
+    const double radius = scaled_up(proved.radii[k], 2 * length + size) +
+                          (is_exact ? 0 : std::numeric_limits<double>::denorm_min());
     const bool is_known = std::isfinite(product) && std::isfinite(radius);
     const Ball off = abs(Ball(product) - Ball(claim.products[k])) + Ball(radius);
     if (is_known && certainly_at_most(off, Ball(claim.radii[k]))) continue;

@@ -294,7 +294,7 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
       for (std::size_t k = 0; k < count; ++k) {
         if (densities_.vanishes(k)) continue;
         const double most = std::abs(t(k)) + radius;
-        squares[k] += weight * rho * most * most * upward;
+        squares[k] += weight * (1 + weight_error) * rho * most * most * upward;
         if (k == 0) continue;
         products[k] += weight * w[k] * first;
         // Radii, and the rounding of the weight, the product and the sum.
@@ -325,11 +325,13 @@ ResidualBounds ElementCheck::bounds(std::size_t element, const Allowance& allowa
     add_cell(element, cell, allowance, found.cells.size(), sums, squares);
     for (const double x : sums.products) most = std::max(most, std::abs(x));
   }
+  // Of sums of as many terms.
+  const double of_sums = 1 + (most_nodes * most_nodes * static_cast<double>(found.cells.size()) + 16) * unit;
   for (std::size_t k = 0; k < count; ++k)
-    sums.norms[k] = densities_.vanishes(k) ? 0 : (std::sqrt(squares[k]) + found.norm) * upward;
+    sums.norms[k] = densities_.vanishes(k) ? 0 : (std::sqrt(squares[k]) + found.norm) * of_sums * upward;
   // The order in which cells are summed.
   const double order = (static_cast<double>(found.cells.size()) + 16) * unit * most;
-  for (double& radius : sums.radii) radius = (radius + order) * upward;
+  for (double& radius : sums.radii) radius = (radius + order) * of_sums * upward;
   return sums;
 }
 

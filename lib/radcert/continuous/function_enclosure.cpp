@@ -151,6 +151,10 @@ public:
   }
 
   FunctionEnclosure operator()(const SearchContext& context) {
+    if (!(disks_.largest_radius() > 0)) {
+      best_.hindrance = "a vertex lies as near to another face as double can tell";
+      return std::move(best_);
+    }
     for (int layers = first_layers; layers <= most_layers.value(); ++layers) {
       if (!try_layers(layers, context)) continue;
       if (context.progress) context.progress(best_.last);
@@ -165,10 +169,13 @@ public:
 private:
   /// |rho t| with the rounding of E, rho and v.
   /// Maths     coefficients of E are off by u, rho by u and those of v by 2 u, together 4 u (|E| + rho |q|)
+  /// Result    infinite where that is not bounded; what does not reflect has no residual, however little is
+  ///           known of t
   [[nodiscard]] static double residual(const Trial& trial, std::size_t element, double largest) {
-    return (trial.rho(element) * largest +
-            16 * unit_roundoff<double>() * trial.smoothness.largest_residual() + 1e-300) *
-           upward;
+    const double reflected = trial.rho(element) > 0 ? trial.rho(element) * largest : 0;
+    const double bound =
+        (reflected + 16 * unit_roundoff<double>() * trial.smoothness.largest_residual() + 1e-300) * upward;
+    return bound >= 0 ? bound : infinity;
   }
 
   /// One mesh; false where it is passed over, since its residuals would be too large.

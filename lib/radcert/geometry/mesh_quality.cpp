@@ -10,15 +10,30 @@
 #include "radcert/core/contract.h"
 
 namespace radcert {
+namespace {
+
+/// Of the largest coordinate: products of lengths stay within double when it is taken out.
+int exponent_of(const TriangleMesh& mesh) {
+  double largest = 0;
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k)
+    for (const Vector<double>& v : mesh.corners(k))
+      largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return largest > 0 ? std::clamp(std::ilogb(largest), -1000, 1000) : 0;
+}
+
+}  // namespace
 
 MeshQuality mesh_quality(const TriangleMesh& mesh) {
   expects(!mesh.triangles.empty(), "at least one triangle");
   MeshQuality quality;
   quality.shortest_side = std::numeric_limits<double>::infinity();
-  Vector<double> low = mesh.corners(0)[0];
+  const int exponent = exponent_of(mesh);
+  const double scale = std::ldexp(1.0, -exponent);
+  Vector<double> low = scale * mesh.corners(0)[0];
   Vector<double> high = low;
   for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
-    const auto corners = mesh.corners(k);
+    std::array<Vector<double>, 3> corners = mesh.corners(k);
+    for (Vector<double>& corner : corners) corner = scale * corner;
     std::array<Vector<double>, 3> side;
     std::array<double, 3> length;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -47,6 +62,9 @@ MeshQuality mesh_quality(const TriangleMesh& mesh) {
     }
   }
   quality.diagonal = norm(high - low);
+  for (double* length : {&quality.shortest_side, &quality.longest_side, &quality.diagonal})
+    *length = std::ldexp(*length, exponent);
+  quality.area = std::ldexp(quality.area, 2 * exponent);
   return quality;
 }
 

@@ -52,7 +52,8 @@ void add_backs(TriangleMesh& mesh, const std::vector<std::string>& two_sided) {
 
 /// Takes out what bodies that stand on faces cover; the front is decided before, for it says what is a body,
 /// and must be the same behind.
-std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule) {
+std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule,
+                                   const std::vector<std::string>& two_sided) {
   if (survey.defects.crossing.empty() || !survey.defects.degenerate_triangles.empty()) return std::nullopt;
   const Orientation orientation =
       mesh_front(survey.mesh, mesh_topology(survey.mesh), survey.defects, rule).orientation;
@@ -61,10 +62,20 @@ std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule) {
   if (!uncovered) throw InputError({.problem = uncovered.reason()});
   if (uncovered->contacts.empty()) return std::nullopt;
   const auto name = [](const std::string& group) { return group.empty() ? std::string("a face") : group; };
-  for (const MeshContact& contact : uncovered->contacts)
+  for (const MeshContact& contact : uncovered->contacts) {
+    // What stands on one side of a plate leaves the other as it is.
+    for (const std::string& group : two_sided)
+      if (group == contact.one || group == contact.other)
+        throw InputError(
+            {.source = "--two-sided",
+             .value = group,
+             .problem = "touches " + name(group == contact.one ? contact.other : contact.one) +
+                        ", which covers a part of one of its sides",
+             .allowed = "groups that touch nothing; give the plate a thickness, or move it off"});
     survey.mended.push_back("contact of " + name(contact.one) + " and " + name(contact.other) +
                             ": an area of " + nearest_text(contact.area, DecimalForm::general(6)) +
                             " of each is covered and takes no part");
+  }
   survey.mesh = std::move(uncovered->mesh);
   survey.defects = mesh_defects(survey.mesh);
   return orientation;
@@ -151,7 +162,7 @@ MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& r
   if (survey.mesh.triangles.empty())
     throw InputError({.problem = "has no triangle that is not degenerate", .allowed = "a mesh with faces"});
   survey.defects = mesh_defects(survey.mesh);
-  const std::optional<Orientation> before = uncover(survey, rule);
+  const std::optional<Orientation> before = uncover(survey, rule, two_sided);
   add_backs(survey.mesh, two_sided);
   survey.topology = mesh_topology(survey.mesh);
   require_orientable(survey.mesh, survey.topology);

@@ -72,16 +72,16 @@ struct EnclosedMean {
 };
 
 /// Why a certificate is not of the scene; empty where it is.
-/// Maths     that the surface is the boundary of the hull of its corners is checked with it
-/// (surface_fault); here that these are the corners of the scene, and that E and rho are those of the scene
+/// Maths     that the surface is the boundary of the hull of its corners is checked with it (surface_fault);
+///           here that these are the corners of the scene, and that E and rho are those of the scene
 [[nodiscard]] std::string scene_fault(const ContinuousScene& scene,
                                       const certificate::MeansCertificate& certificate);
 
 /// The means of a scene, each enclosed by two certificates.
 /// Maths     certificate::check, of all that is exact and of the claims on so many elements of either; the
 ///           rest of the claims is taken over from whoever checked the files: `radcert check --all` does
-/// Source    certificate/check.h for the theorem; two trial functions of different degrees on different
-///           meshes, each with its own dual functions and residuals. Nothing here knows how they were found
+/// Source    certificate/check.h for the theorem; two trial functions on different meshes, each with its own
+///           dual functions and residuals. Nothing here knows how they were found
 /// Result    the finer enclosure first; a refusal with the file and the number in it that does not hold
 /// Limits    std::logic_error where both enclosures of a mean have no number in common
 [[nodiscard]] Outcome<std::vector<EnclosedMean>> enclose(const ContinuousScene& scene,

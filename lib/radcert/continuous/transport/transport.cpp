@@ -117,6 +117,8 @@ public:
     }
     const auto powers = static_cast<double>(powers_);
     const double relative = (32 * powers * powers + terms + 64) * unit_roundoff<double>();
+    // No part has fewer terms than one.
+    error *= 1 + terms * unit_roundoff<double>();
     return (error + 2 * (transport_.size_ + error) * relative) * upward;
   }
   [[nodiscard]] double value(std::size_t point, std::size_t k) const { return values_[point * stride_ + k]; }

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -41,8 +42,7 @@ public:
     const Vector<Rational> a = exactly(corners[0]);
     normal_ = cross(exactly(corners[1]) - a, exactly(corners[2]) - a);
     offset_ = dot(normal_, a);
-    const std::array<double, 3> size{std::abs(normal_.x.to_double()), std::abs(normal_.y.to_double()),
-                                     std::abs(normal_.z.to_double())};
+    const std::array<Rational, 3> size{abs(normal_.x), abs(normal_.y), abs(normal_.z)};
     axis_ = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
   }
 
@@ -75,8 +75,9 @@ public:
   }
   /// An area in the plane over its projection's.
   [[nodiscard]] double stretch() const {
-    const Vector<double> n{normal_.x.to_double(), normal_.y.to_double(), normal_.z.to_double()};
-    return norm(n) / std::abs(axis_ == 0 ? n.x : axis_ == 1 ? n.y : n.z);
+    const Rational& largest = axis_ == 0 ? normal_.x : axis_ == 1 ? normal_.y : normal_.z;
+    return norm(Vector<double>{(normal_.x / largest).to_double(), (normal_.y / largest).to_double(),
+                               (normal_.z / largest).to_double()});
   }
 
 private:
@@ -91,8 +92,58 @@ private:
 struct Overlap {
   std::set<std::size_t> one;  ///< of the class with the smaller number
   std::set<std::size_t> other;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
   bool is_contact = true;
 };
+
+/// Whether a ray may meet a triangle, by a box that is a little too large.
+bool may_meet(const std::array<Vector<double>, 3>& corners, const Place& from, const Place& way) {
+  double first = 0;
+  double last = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::array<double, 3> x{place_of(corners[0])[k], place_of(corners[1])[k], place_of(corners[2])[k]};
+    const auto [low, high] = std::minmax({x[0], x[1], x[2]});
+    const double slack = 1e-9 * std::max({std::abs(low), std::abs(high), std::abs(from[k])});
+    const double a = (low - slack - from[k]) / way[k];
+    const double b = (high + slack - from[k]) / way[k];
+    first = std::max(first, std::min(a, b));
+    last = std::min(last, std::max(a, b));
+  }
+  return first <= last * (1 + 1e-9) + 1e-300;
+}
+
+/// How often a ray from a point crosses triangles, if it meets no side of one.
+std::optional<std::size_t> crossings(const TriangleMesh& mesh, const std::vector<std::size_t>& triangles,
+                                     const Vector<Rational>& from, const Vector<Rational>& way) {
+  std::size_t count = 0;
+  const Place start{from.x.to_double(), from.y.to_double(), from.z.to_double()};
+  const Place direction{way.x.to_double(), way.y.to_double(), way.z.to_double()};
+  for (const std::size_t t : triangles) {
+    const auto c = mesh.corners(t);
+    if (!may_meet(c, start, direction)) continue;
+    const std::array<Vector<Rational>, 3> to{exactly(c[0]) - from, exactly(c[1]) - from,
+                                             exactly(c[2]) - from};
+    std::array<int, 3> sides{};
+    for (std::size_t k = 0; k < 3; ++k) sides[k] = dot(way, cross(to[k], to[(k + 1) % 3])).sign();
+    const auto [least, most] = std::minmax({sides[0], sides[1], sides[2]});
+    if (least < 0 && most > 0) continue;
+    if (sides[0] == 0 || sides[1] == 0 || sides[2] == 0) return std::nullopt;
+    const int height = dot(to[0], cross(to[1], to[2])).sign();
+    if (height == 0) return std::nullopt;
+    if (height == sides[0]) ++count;
+  }
+  return count;
+}
+
+/// Whether a closed component holds a point; false where no ray tells.
+bool holds(const TriangleMesh& mesh, const std::vector<std::size_t>& triangles,
+           const Vector<Rational>& point) {
+  for (const Vector<Rational>& way : {Vector<Rational>{1, Rational(3, 128), Rational(5, 256)},
+                                      {Rational(7, 256), -1, Rational(9, 512)},
+                                      {Rational(-11, 512), Rational(13, 256), 1}})
+    if (const auto count = crossings(mesh, triangles, point, way)) return *count % 2 == 1;
+  return false;
+}
 
 /// Whether a point lies on a segment, between its ends.
 bool is_between(const Vector<double>& at, const Vector<double>& from, const Vector<double>& to) {
@@ -151,6 +202,7 @@ void join_sides(TriangleMesh& mesh, std::size_t first_new, const std::set<Place>
 struct Bodies {
   std::vector<std::size_t> component;  ///< of each triangle
   std::vector<bool> is_body;           ///< of each component
+  std::vector<bool> is_room;           ///< closed, with its front inside
 };
 
 Bodies bodies_of(const TriangleMesh& mesh, bool right_hand) {
@@ -165,11 +217,15 @@ Bodies bodies_of(const TriangleMesh& mesh, bool right_hand) {
   std::vector<TriangleMesh> parts(topology.component_count);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     if (closed[topology.component[t]]) parts[topology.component[t]].triangles.push_back(mesh.triangles[t]);
-  Bodies out{.component = topology.component, .is_body = std::vector<bool>(topology.component_count, false)};
+  Bodies out{.component = topology.component,
+             .is_body = std::vector<bool>(topology.component_count, false),
+             .is_room = std::vector<bool>(topology.component_count, false)};
   for (std::size_t c = 0; c < parts.size(); ++c) {
     if (parts[c].triangles.empty()) continue;
     parts[c].vertices = mesh.vertices;
-    out.is_body[c] = volume_sign(parts[c]) == (right_hand ? 1 : -1);
+    const int outwards = right_hand ? 1 : -1;
+    out.is_body[c] = volume_sign(parts[c]) == outwards;
+    out.is_room[c] = volume_sign(parts[c]) == -outwards;
     parts[c].vertices = {};
   }
   return out;
@@ -191,7 +247,9 @@ public:
     find_bodies();
     std::vector<bool> replaced(mesh_.triangles.size(), false);
     bool any = false;
-    for (const auto& [classes, overlap] : overlaps(pairs)) {
+    const std::map<Classes, Overlap> all = overlaps(pairs);
+    if (const std::string reason = opening(all); !reason.empty()) return because(reason);
+    for (const auto& [classes, overlap] : all) {
       if (!overlap.is_contact) continue;
       if (const std::string reason = uncover(overlap); !reason.empty()) return because(reason);
       for (const auto* side : {&overlap.one, &overlap.other})
@@ -236,7 +294,141 @@ private:
     });
   }
 
+  bool are_of_bodies(std::size_t s, std::size_t t) const {
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Bodies& by) {
+      return by.component[s] != by.component[t] && by.is_body[by.component[s]] && by.is_body[by.component[t]];
+    });
+  }
+
+  /// Whether one of two triangles belongs to a body and the other to a room that holds all else.
+  bool are_of_body_and_room(std::size_t s, std::size_t t) {
+    for (std::size_t by = 0; by < bodies_.size(); ++by) {
+      const std::size_t one = bodies_[by].component[s];
+      const std::size_t other = bodies_[by].component[t];
+      const std::vector<bool>& is_body = bodies_[by].is_body;
+      if ((is_body[one] && is_room_of_all(by, other)) || (is_body[other] && is_room_of_all(by, one)))
+        return true;
+    }
+    return false;
+  }
+
+  /// Whether a component is a room with all others inside; a triangle of each tells, since none crosses it.
+  bool is_room_of_all(std::size_t by, std::size_t component) {
+    const Bodies& bodies = bodies_[by];
+    if (!bodies.is_room[component]) return false;
+    const auto [known, is_new] = rooms_.emplace(std::pair(by, component), false);
+    if (!is_new) return known->second;
+    std::vector<std::size_t> own;
+    std::map<std::size_t, std::vector<std::size_t>> others;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (bodies.component[t] == component)
+        own.push_back(t);
+      else
+        others[bodies.component[t]].push_back(t);
+    }
+    known->second = std::all_of(others.begin(), others.end(), [&](const auto& other) {
+      // The first may lie on the room's wall, and tells nothing then.
+      return std::any_of(other.second.begin(), other.second.end(), [&](std::size_t t) {
+        const auto c = mesh_.corners(t);
+        return holds(mesh_, own, Rational(1, 3) * (exactly(c[0]) + exactly(c[1]) + exactly(c[2])));
+      });
+    });
+    return known->second;
+  }
+
+  /// Whether anything lies beyond a triangle's plane, on the side that its front looks at.
+  bool is_anything_before(std::size_t t) const {
+    const auto c = mesh_.corners(t);
+    const Vector<Rational> a = exactly(c[0]);
+    const Vector<Rational> n = cross(exactly(c[1]) - a, exactly(c[2]) - a);
+    const int front = right_hand_ ? 1 : -1;
+    return std::any_of(mesh_.triangles.begin(), mesh_.triangles.end(), [&](const VertexTriple& triangle) {
+      return std::any_of(triangle.begin(), triangle.end(), [&](std::size_t v) {
+        return dot(n, exactly(mesh_.vertices[v]) - a).sign() == front;
+      });
+    });
+  }
+
+  /// Whether something is inside a body that a triangle belongs to.
+  bool has_contents(std::size_t triangle) const {
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Bodies& bodies) {
+      const std::size_t component = bodies.component[triangle];
+      if (!bodies.is_body[component]) return false;
+      std::vector<std::size_t> own;
+      for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+        if (bodies.component[t] == component) own.push_back(t);
+      for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+        if (bodies.component[t] == component) continue;
+        const auto c = mesh_.corners(t);
+        if (holds(mesh_, own, Rational(1, 3) * (exactly(c[0]) + exactly(c[1]) + exactly(c[2])))) return true;
+      }
+      return false;
+    });
+  }
+
   using Classes = std::pair<std::size_t, std::size_t>;
+
+  /// Why light would pass through bodies from which two faces were taken out; empty where it would not.
+  /// Maths     what is covered within solids is out of reach. A face of a body that covers a part of an open
+  ///           face opens the body, and all bodies whose covered faces it shares, to what lies on the other
+  ///           side of that: beyond its own plane, before its front. A ray that comes through leaves again
+  ///           through another such plane, since a line meets each once
+  std::string opening(const std::map<Classes, Overlap>& all) {
+    std::vector<std::size_t> parent(mesh_.triangles.size());
+    for (std::size_t t = 0; t < parent.size(); ++t) parent[t] = t;
+    const auto root = [&](std::size_t t) {
+      while (parent[t] != t) t = parent[t] = parent[parent[t]];
+      return t;
+    };
+    for (const Bodies& bodies : bodies_) {
+      std::vector<std::optional<std::size_t>> first(bodies.is_body.size());
+      for (std::size_t t = 0; t < parent.size(); ++t) {
+        const std::size_t component = bodies.component[t];
+        if (!bodies.is_body[component]) continue;
+        if (first[component]) parent[root(t)] = root(*first[component]);
+        first[component] = t;
+      }
+    }
+    const auto is_of_a_body = [&](std::size_t t) {
+      return std::any_of(bodies_.begin(), bodies_.end(),
+                         [t](const Bodies& bodies) { return bodies.is_body[bodies.component[t]]; });
+    };
+    std::vector<std::pair<std::size_t, Classes>> opened;  // a triangle of a body, and the plane
+    for (const auto& [classes, overlap] : all) {
+      if (!overlap.is_contact) continue;
+      std::array<std::optional<bool>, 2> is_before{};  // one face of each side looks out for all
+      for (const auto& [s, t] : overlap.pairs) {
+        if (are_of_bodies(s, t)) {
+          parent[root(s)] = root(t);
+          continue;
+        }
+        for (const std::size_t own : {s, t}) {
+          if (!is_of_a_body(own)) continue;
+          std::optional<bool>& before = is_before.at(overlap.one.contains(own) ? 0 : 1);
+          if (!before) before = is_anything_before(own);
+          if (*before && !are_of_body_and_room(s, t)) opened.emplace_back(own, classes);
+        }
+      }
+    }
+    const auto name_of = [&](std::size_t triangle) {
+      const std::string& name = mesh_.group_names[mesh_.group[triangle]];
+      return "has a body" + (name.empty() ? std::string() : ", " + name + ",");
+    };
+    std::map<std::size_t, Classes> plane_of;
+    for (const auto& [triangle, classes] : opened) {
+      const auto [known, is_new] = plane_of.emplace(root(triangle), classes);
+      if (!is_new && known->second != classes)
+        return name_of(triangle) +
+               " that touches open faces in two planes: with what they cover taken out, light "
+               "would pass through it from one to the other; close these faces, or move them off";
+      if (is_new && has_contents(triangle))
+        return name_of(triangle) +
+               " that touches an open face and has something inside, which would be seen through "
+               "what they cover; close the face, or move it off";
+    }
+    return {};
+  }
+
   std::map<Classes, Overlap> overlaps(const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const {
     const PlaneClasses classes = plane_classes(mesh_);
     std::map<Classes, Overlap> out;
@@ -247,6 +439,7 @@ private:
       Overlap& overlap = out[std::minmax(a, b)];
       (a < b ? overlap.one : overlap.other).insert(s);
       (a < b ? overlap.other : overlap.one).insert(t);
+      overlap.pairs.emplace_back(s, t);
       overlap.is_contact = overlap.is_contact && is_contact(s, t);
     }
     return out;
@@ -377,7 +570,8 @@ private:
   TriangleMesh mesh_;  ///< with one number for vertices of equal coordinates
   bool right_hand_;
   std::vector<Bodies> bodies_;
-  std::map<Place, std::size_t> vertex_;  ///< the first with these coordinates
+  std::map<std::pair<std::size_t, std::size_t>, bool> rooms_;  ///< is_room_of_all
+  std::map<Place, std::size_t> vertex_;                        ///< the first with these coordinates
   UncoveredMesh out_;
 };
 

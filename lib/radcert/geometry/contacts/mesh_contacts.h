@@ -25,19 +25,23 @@ struct UncoveredMesh {
 /// Takes out of a mesh where a body stands on a face: a cupboard on a floor, a box against a wall.
 /// Maths     in each plane let A and B be the unions of triangles of opposite sides that overlap, pair by
 ///           pair of different sets of triangles, of which one at least is a body: closed, its front outside.
-///           A becomes A minus B, B becomes B minus A. Proof that no light is lost: where both are, the front
-///           of the one looks into the body of the other, and the front of that one at the back of the first,
-///           which hides from both sides; so nothing leaves and nothing arrives there. Two sides of a plate
-///           without thickness are no body, and stay
+///           A becomes A minus B, B becomes B minus A. Proof that nothing leaves or arrives there: where both
+///           are, the front of the one looks into the body of the other, and the front of that one at the
+///           back of the first, which hides from both sides. Proof that nothing passes there that did not:
+///           what two bodies cover of each other, or a body and a room that holds all else, lies within what
+///           is solid, and no ray reaches it. What a body covers of an open face opens the body to what is
+///           behind that face; a ray that comes in must leave through another plane that is opened so. Bodies
+///           with two of them, both with something beyond, are refused. Two sides of a plate without
+///           thickness are no body, and stay
 /// Source    ours; polygon differences by a constrained Delaunay triangulation of CGAL whose sides are cut
 ///           where they cross, exactly
 /// Requires  no degenerate triangle. right_hand: the front is the side from which the corners run
 ///           counterclockwise
 /// Result    exact: triangles that overlap nothing are as they were, in their order; the others are cut anew,
 ///           each with group and face of one that held it, behind them, and so are triangles on whose
-///           sides others end now; vertices with equal coordinates are one. A reason where a difference has a
-///           corner that no doubles hold, for then no plane would hold it either; the mesh as it was where
-///           more than a million pairs of triangles meet
+///           sides others end now; vertices with equal coordinates are one. A reason where light would pass
+///           through a body, or a difference has a corner that no doubles hold, for then no plane would hold
+///           it either; the mesh as it was where more than a million pairs of triangles meet
 /// Limits    overlapping triangles of one side, and bodies that cross, stay as they are
 [[nodiscard]] Outcome<UncoveredMesh> without_contacts(const TriangleMesh& mesh, bool right_hand);
 
