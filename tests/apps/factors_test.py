@@ -382,7 +382,7 @@ class Factors(ProgramTest):
         for words in (["--two-sided", "wall"], ["--two-sided", "plate", "--certified"], ["--two-sided", "plate,plate"]):
             self.expect(2, "factors", "open.obj", "--space", *words)
         # What stands on one side would leave the other as it is.
-        self.obj("shelf.obj", {"low": OBSTRUCTED[:1], "plate": plate, "box": box((0.4, 0.4, 0.5), (0.6, 0.6, 0.7))})
+        self.obj("shelf.obj", {"low": OBSTRUCTED[:1], "plate": [plate], "box": box((0.4, 0.4, 0.5), (0.6, 0.6, 0.7))})
         done = self.run_program("factors", "shelf.obj", "--front", "right-hand", "--space", "--two-sided", "plate")
         self.assertEqual(done.returncode, 2)
         self.assertIn(b'--two-sided: "plate" touches box', done.stderr)

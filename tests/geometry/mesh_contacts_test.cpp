@@ -170,8 +170,8 @@ TEST(MeshContacts, RefuseBodiesThatLightWouldPassThrough) {
 }
 
 TEST(MeshContacts, TakeWhatStandsBetweenWallsOfARoomThatGoesOnBehindThem) {
-  // A room with the plan of a plus, and a chest across one of its arms: the others lie beyond both of the walls
-  // that it touches. All is inside of the room, and what is covered lies within what is solid.
+  // A room with the plan of a plus, and a chest across one of its arms: the others lie beyond both of the
+  // walls that it touches. All is inside of the room, and what is covered lies within what is solid.
   const std::vector<std::pair<double, double>> plan{{1, 0}, {3, 0}, {3, 1}, {4, 1}, {4, 3}, {3, 3},
                                                     {3, 4}, {1, 4}, {1, 3}, {0, 3}, {0, 1}, {1, 1}};
   const sample::Polyhedron room = sample::column(plan, 2);
