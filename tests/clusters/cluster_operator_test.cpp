@@ -144,9 +144,9 @@ TEST(ClusterOperator, AgreesWithTheDenseMatrixForEveryDegree) {
 }
 
 TEST(ClusterOperator, AgreesWithTheDenseMatrixOnEverySurfaceOfAnalyticCharts) {
-  for (const Surface& surface :
-       {box(1, 2, 5), sphere(), ellipsoid(1, 2, 5), tetrahedron(), octahedron(), cylinder(1, 2),
-        cone(1, Rational(1, 2), 2), spherical_cap(Rational(1, 2)), two_piece(2), two_squares()}) {
+  for (const Surface& surface : {box(1, 2, 5), sphere(), ellipsoid(1, 2, 5), tetrahedron(), octahedron(),
+                                 cylinder(1, 2), cone(1, Rational(1, 2), 2), paraboloid_cap(),
+                                 spherical_cap(Rational(1, 2)), two_piece(2), two_squares()}) {
     if (obstacle_to_clusters(surface)) continue;
     const int level = surface.charts.size() < 5 ? 4 : 3;
     expect_agreement(Discretisation(surface, level, 0), 1e-7, 0);

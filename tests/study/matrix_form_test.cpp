@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "radcert/reference/operator_integral.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/study/collocation/collocation.h"
 #include "radcert/study/study.h"
@@ -22,6 +23,7 @@ using testing::no_route;
 using testing::sample_problem;
 using testing::with_basis;
 using testing::with_emission;
+using testing::with_solution;
 
 Problem held_as(Problem problem, const std::string& name, const std::string& solver = "gmres") {
   problem.matrix.name = name;
@@ -67,6 +69,56 @@ TEST(MatrixForm, LeavesTheSolutionWithinItsRadius) {
   }
 }
 
+TEST(MatrixForm, FallsBackToEntriesWhereNothingContracts) {
+  Problem problem =
+      with_emission(with_basis(sample_problem("ellipsoid", {{"a", 1}, {"b", Rational(3, 2)}, {"c", 2}}), 3,
+                               Rational(3, 10)),
+                    "1 + x*y");
+  problem.reflectivity = everywhere("19/20");
+  const LevelOutcome open = solve_level(held_as(problem, "h2", "auto"), 1, no_route);
+  EXPECT_EQ(open.result.matrix_form, "dense");
+  EXPECT_EQ(open.result.solver, "direct");
+  const LevelOutcome dense = solve_level(held_as(problem, "dense", "direct"), 1, no_route);
+  ASSERT_EQ(open.nodes.size(), dense.nodes.size());
+  for (std::size_t i = 0; i < dense.nodes.size(); ++i) {
+    EXPECT_EQ(open.nodes[i].u_n.value, dense.nodes[i].u_n.value);
+    EXPECT_EQ(open.nodes[i].u_n.radius, dense.nodes[i].u_n.radius);
+  }
+  const InputFault fault =
+      fault_of([&] { static_cast<void>(solve_level(held_as(problem, "h2", "gmres"), 1, no_route)); });
+  EXPECT_EQ(fault.pointer, "/solver/name");
+  EXPECT_THAT(fault.problem, HasSubstr("contracts"));
+}
+
+TEST(MatrixForm, LeavesTheProvedSolutionWithinItsRadius) {
+  const Problem box = with_basis(sample_problem("box", {{"a", 1}, {"b", 1}, {"c", 3}}), 1, Rational(1, 6));
+  for (const Problem& problem : {with_emission(box, "exp(x) + y"), with_solution(box, "1 + x*y + z^2")}) {
+    Problem held = held_as(problem, "h2", "verified");
+    held.matrix.tolerance = Rational(1, 10000);
+    const OperatorRoute route = [](const Surface& surface, const SurfaceFunction& u) {
+      return reference::applied_operator(surface, u);
+    };
+    const LevelOutcome dense = solve_level(held_as(problem, "dense", "verified"), 1, route);
+    const LevelOutcome clusters = solve_level(held, 1, route);
+    EXPECT_EQ(clusters.result.matrix_form, "h2");
+    ASSERT_TRUE(clusters.result.verified);
+    EXPECT_LT(clusters.result.verified->theta, 1);
+    ASSERT_EQ(dense.nodes.size(), clusters.nodes.size());
+    for (std::size_t i = 0; i < dense.nodes.size(); ++i) {
+      const Approximation& u = clusters.nodes[i].u_n;
+      EXPECT_TRUE(u.guaranteed);
+      EXPECT_LE(std::abs(u.value - dense.nodes[i].u_n.value), u.radius + dense.nodes[i].u_n.radius) << i;
+      EXPECT_LE(u.radius, 1e-2);
+    }
+    if (!problem.solution) continue;
+    EXPECT_TRUE(clusters.result.node_error->guaranteed);
+    EXPECT_NEAR(clusters.result.discretisation_error->value, dense.result.discretisation_error->value,
+                clusters.result.discretisation_error->radius + dense.result.discretisation_error->radius);
+    EXPECT_NEAR(clusters.result.node_error->value, dense.result.node_error->value,
+                clusters.result.node_error->radius + dense.result.node_error->radius);
+  }
+}
+
 TEST(MatrixForm, IsRefusedByNameWhereItDoesNotServe) {
   const Problem problem = held_as(on_ellipsoid(), "h2");
   EXPECT_NO_THROW(check(problem, std::numeric_limits<std::uint64_t>::max() - 1));
@@ -80,8 +132,9 @@ TEST(MatrixForm, IsRefusedByNameWhereItDoesNotServe) {
     EXPECT_FALSE(takes_clusters(left_open, 1000000)) << what;
   };
   for (const std::string& solver :
-       solver_names([](const LinearSolver& each) { return !each.takes_products(); }))
+       solver_names([](const LinearSolver& each) { return !each.takes_products() && !each.proves(); }))
     expect_obstacle(held_as(on_ellipsoid(), "h2", solver), "solver " + solver);
+  expect_obstacle(held_as(on_ellipsoid(), "h2", "verified"), "is not plane");
   Problem graded = problem;
   graded.triangulation.grading = 2;
   expect_obstacle(graded, "graded");
@@ -107,6 +160,8 @@ TEST(MatrixForm, IsDenseForFewUnknownsWhereItIsLeftOpen) {
   EXPECT_TRUE(takes_clusters(problem, most_dense_unknowns + 1));
   EXPECT_TRUE(takes_clusters(held_as(on_ellipsoid(), "h2"), 1));
   EXPECT_FALSE(takes_clusters(held_as(on_ellipsoid(), "dense"), 1000000));
+  EXPECT_FALSE(takes_clusters(held_as(sample_problem("cube", {}), "auto", "verified"), 1000000));
+  EXPECT_TRUE(takes_clusters(held_as(sample_problem("cube", {}), "h2", "verified"), 1));
 }
 
 TEST(MatrixForm, NeedsMemoryInProportionToTheUnknowns) {

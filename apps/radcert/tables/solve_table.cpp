@@ -10,6 +10,7 @@
 #include "output.h"
 #include "radcert/formats/table/order_text.h"
 #include "radcert/scalar/enclosing_text.h"
+#include "radcert/study/collocation/matrix_form.h"
 
 namespace radcert::app {
 
@@ -161,6 +162,12 @@ std::string choice_lines(const Result& result) {
       std::any_of(result.levels.begin(), result.levels.end(),
                   [](const LevelResult& level) { return !level.iteration; }))
     out += "Solver: " + taken(result, &LevelResult::solver) + "\n";
+  for (const LevelResult& level : result.levels)
+    if (level.matrix_form == "dense" && takes_clusters(result.problem, level.unknowns))
+      out += "Level " + std::to_string(level.level) +
+             ": no contraction was found for the operator h2, which has no error bound then; the matrix was "
+             "taken dense, with the solver " +
+             level.solver + ".\n";
   return out;
 }
 

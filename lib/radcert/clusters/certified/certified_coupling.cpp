@@ -44,80 +44,59 @@ using Nodes = CertifiedOutlines::Nodes;
 
 Nodes nodes_of(const Chart& chart, const ParameterTriangle& triangle, int degree) {
   Nodes nodes;
-  nodes.least_weight = infinity;
-  const ChartIn<Ball>& formula = chart.in<Ball>();
-  const auto corner = [&](std::size_t i) {
-    return ParameterPoint<Ball>{Ball(triangle.vertices[i].s), Ball(triangle.vertices[i].t)};
+  const auto rounded = [&nodes](const Vector<Ball>& v) {
+    return std::array<long double, 3>{long_double_of(v.x, nodes.error), long_double_of(v.y, nodes.error),
+                                      long_double_of(v.z, nodes.error)};
   };
-  const ParameterPoint<Ball> origin = corner(0);
-  const ParameterPoint<Ball> first = corner(1) - origin;
-  const ParameterPoint<Ball> second = corner(2) - origin;
-  const Ball area = abs(cross(first, second)) / Ball(2);
+  std::array<Vector<Ball>, 3> corners;
+  const ChartIn<Ball>& formula = chart.in<Ball>();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Frame<Ball> frame = formula.frame({Ball(triangle.vertices[i].s), Ball(triangle.vertices[i].t)});
+    corners[i] = frame.point;
+    nodes.normal = rounded(unit_normal(frame));
+  }
+  const Vector<Ball> first = corners[1] - corners[0];
+  const Vector<Ball> second = corners[2] - corners[0];
   for (const ParameterPoint<double>& x : exact_interpolation_nodes(degree)) {
-    const Frame<Ball> frame = formula.frame(origin + Ball(x.s) * first + Ball(x.t) * second);
-    const Ball length = norm(frame.area_normal);
-    const Vector<Ball> normal = (Ball(1) / length) * frame.area_normal;
-    const std::array<Ball, 7> balls{frame.point.x, frame.point.y, frame.point.z, normal.x,
-                                    normal.y,      normal.z,      area * length};
-    std::array<long double, 7> numbers{};
-    for (std::size_t i = 0; i < balls.size(); ++i) {
-      if (!balls[i].is_finite()) {
-        nodes.error = infinity;
-        return nodes;
-      }
-      numbers[i] = long_double_of(balls[i], nodes.error);
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-      nodes.size = std::max(nodes.size, static_cast<double>(std::abs(numbers[i])) * up);
-    nodes.weight = std::max(nodes.weight, static_cast<double>(numbers[6]) * up);
-    nodes.least_weight = std::min(nodes.least_weight, static_cast<double>(numbers[6]) / up);
-    nodes.at.push_back(numbers);
+    nodes.at.push_back(rounded(corners[0] + Ball(x.s) * first + Ball(x.t) * second));
+    for (const long double coordinate : nodes.at.back())
+      nodes.size = std::max(nodes.size, static_cast<double>(std::abs(coordinate)) * up);
   }
   return nodes;
 }
 
 /// G between nodes, rows those of a, and what its values may be off by.
-/// Maths     coordinates are off by 2^-62 size, with the balls' radii, a difference of length d by four times
-///           that and its own rounding: by t d, with t as below where d is at least the least distance. Then
-///           the two scalar products are off by 2t d, the squared distance by 3t d^2, and G by 12t / d^2, t <
-///           2^-20, beside a few roundings
+/// Maths     coordinates are off by 2^-64 of their size and the balls' radii, so that a difference of length
+///           d is off by at most t d, with t as below where d is at least the least distance. Then the two
+///           scalar products are off by 2t d, the squared distance by 3t d^2, and G by 12t / d^2, t < 2^-20,
+///           the roundings of a few operations within t
 struct KernelValues {
   LongMatrix values;
   double error = infinity;
+  double largest = 0;
 };
 
 KernelValues kernel_values(const Nodes& a, const Nodes& b) {
   KernelValues g;
-  if (!(a.error < infinity && b.error < infinity)) return g;
   g.values.reserve(a.at.size() * b.at.size());
   long double least = std::numeric_limits<long double>::infinity();
+  long double largest = 0;
   for (const auto& p : a.at)
     for (const auto& q : b.at) {
       const std::array<long double, 3> d{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
       const long double squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-      const long double from_p = d[0] * p[3] + d[1] * p[4] + d[2] * p[5];
-      const long double from_q = d[0] * q[3] + d[1] * q[4] + d[2] * q[5];
+      const long double from_p = d[0] * a.normal[0] + d[1] * a.normal[1] + d[2] * a.normal[2];
+      const long double from_q = d[0] * b.normal[0] + d[1] * b.normal[1] + d[2] * b.normal[2];
       least = std::min(least, squared);
       g.values.push_back(-from_p * from_q / (squared * squared));
+      largest = std::max(largest, std::abs(g.values.back()));
     }
   const double distance = std::sqrt(static_cast<double>(least)) * (1 - 0x1p-20);
   const double coordinates = (a.size + b.size) * 2 * long_unit + a.error + b.error;
   const double t = (4 * coordinates / distance + (a.error + b.error) * 4 + 64 * long_unit) * up;
   if (t < 0x1p-20) g.error = 12 * t / (distance * distance) * up;
+  g.largest = static_cast<double>(largest) * up;
   return g;
-}
-
-/// Of a square number.
-std::size_t square_root(std::size_t n) {
-  return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(n))));
-}
-
-KernelValues transposed(const KernelValues& g) {
-  KernelValues result{LongMatrix(g.values.size()), g.error};
-  const std::size_t n = square_root(g.values.size());
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) result.values[j * n + i] = g.values[i * n + j];
-  return result;
 }
 
 /// A matrix of sums of two doubles, its rows padded by zeros to whole packs.
@@ -183,7 +162,7 @@ const DoubledMatrix& values_at_nodes(int coarse, int fine) {
   });
 }
 
-/// The values of h - c at the nodes of degree p'; rows by node of the first cluster.
+/// The values of G - c at the nodes of degree p', c the coupling of G; rows by node of the first cluster.
 struct Differences {
   std::vector<double> values;
   double largest = 0;
@@ -191,20 +170,14 @@ struct Differences {
 };
 
 /// Maths     the factors W^T D are rounded to long double, c is summed by multiply_column: each value is off
-///           by 32 units of long double of L_p^2 max |h|, and by L_p^2 times what h is off by
-Differences differences(const KernelValues& fine, const Nodes& fine_sources, const KernelValues& coarse,
-                        const Nodes& coarse_sources, int degree, int fine_degree) {
+///           by 32 units of long double of L_p^2 max |G|, and by L_p^2 times what G is off by
+Differences differences(const KernelValues& fine, const KernelValues& coarse, int degree, int fine_degree) {
   const std::size_t k = mode_count(degree);
   const std::size_t f = mode_count(fine_degree);
   const DoubledMatrix& l = values_at_nodes(degree, fine_degree);
-  long double largest_h = 0;
   DoubledMatrix between(k, k);
   for (std::size_t a = 0; a < k; ++a)
-    for (std::size_t b = 0; b < k; ++b) {
-      const long double value = coarse.values[a * k + b] * coarse_sources.at[b][6];
-      largest_h = std::max(largest_h, std::abs(value));
-      between.set(a, b, value);
-    }
+    for (std::size_t b = 0; b < k; ++b) between.set(a, b, coarse.values[a * k + b]);
   DoubledMatrix half(f, k);
   for (std::size_t b = 0; b < k; ++b)
     multiply_column(
@@ -219,39 +192,29 @@ Differences differences(const KernelValues& fine, const Nodes& fine_sources, con
         half, k, [&](std::size_t b) { return std::pair(l.high(j, b), l.low(j, b)); }, high.data(),
         low.data());
     for (std::size_t i = 0; i < f; ++i) {
-      const long double value = fine.values[i * f + j] * fine_sources.at[j][6];
-      largest_h = std::max(largest_h, std::abs(value));
-      const double difference =
-          static_cast<double>((value - static_cast<long double>(high[i])) - static_cast<long double>(low[i]));
+      const long double coupling = static_cast<long double>(high[i]) + static_cast<long double>(low[i]);
+      const auto difference = static_cast<double>(fine.values[i * f + j] - coupling);
       result.values[i * f + j] = difference;
       result.largest = std::max(result.largest, std::abs(difference));
     }
   }
   const double interpolation = interpolation_bounds(degree).stored;
-  const double squared = interpolation * interpolation;
-  const double weight = std::max(fine_sources.weight, coarse_sources.weight);
-  const double least_weight = std::min(fine_sources.least_weight, coarse_sources.least_weight);
-  const double weights_off = (fine_sources.error + coarse_sources.error) / least_weight + 2 * long_unit;
-  const double h = static_cast<double>(largest_h) * up;
-  const double h_off = (std::max(fine.error, coarse.error) * weight + weights_off * h) * up;
-  result.error = ((1 + squared) * h_off + 32 * long_unit * (squared + 1) * h + unit * result.largest) * up;
+  const double sizes = 1 + interpolation * interpolation;
+  const double largest = std::max(fine.largest, coarse.largest);
+  result.error =
+      (sizes * (std::max(fine.error, coarse.error) + 32 * long_unit * largest) + unit * result.largest) * up;
   return result;
 }
 
-/// The same with the two clusters exchanged, the constant area elements in that ratio.
-Differences exchanged(const Differences& e, double ratio) {
-  // The ratio is off by less than 2^-38 of itself.
-  const double larger = ratio * (1 + 0x1p-37);
-  Differences result{.values = std::vector<double>(e.values.size()),
-                     .largest = e.largest * larger,
-                     .error = (e.error + 0x1p-36 * e.largest) * larger};
-  const std::size_t n = square_root(e.values.size());
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) result.values[j * n + i] = ratio * e.values[i * n + j];
+/// The same with the two clusters exchanged.
+Differences exchanged(const Differences& e, std::size_t nodes) {
+  Differences result = e;
+  for (std::size_t i = 0; i < nodes; ++i)
+    for (std::size_t j = 0; j < nodes; ++j) result.values[j * nodes + i] = e.values[i * nodes + j];
   return result;
 }
 
-/// A bound of the largest over x of the root of the mean over y of I_x I_y (h - c)^2, x the variable of the
+/// A bound of the largest over x of the root of the mean over y of I_x I_y (G - c)^2, x the variable of the
 /// rows; see CertifiedLook.
 double measured(const Differences& e, int degree) {
   const ModeInterpolation& interpolation = ModeTables::instance().interpolation(degree);
@@ -304,18 +267,6 @@ double measured(const Differences& e, int degree) {
   return (std::min(bounds.exact * largest_row, by_modes) + off * bounds.exact * sizes) * up;
 }
 
-/// What interpolation of a degree leaves out of h at most: the least over the neighbourhoods.
-double interpolation_rest(double largest_constant, std::span<const double> in_x, std::span<const double> in_y,
-                          int degree) {
-  double of_x = infinity;
-  double of_y = infinity;
-  for (std::size_t s = 1; s < in_x.size(); ++s) {
-    of_x = std::min(of_x, approximation_bound(in_x[s], ClusterRegion::sizes[s], degree));
-    of_y = std::min(of_y, approximation_bound(in_y[s], ClusterRegion::sizes[s], degree));
-  }
-  return (1 + largest_constant) * (of_x + largest_constant * of_y) * up;
-}
-
 }  // namespace
 
 struct CertifiedOutlines::Cluster {
@@ -348,31 +299,40 @@ const CertifiedOutlines::Nodes& CertifiedOutlines::nodes(std::size_t cluster, in
 std::optional<CertifiedLook::Rest> CertifiedLook::rest(std::size_t a, std::size_t b, int least) const {
   const ClusterRegion& in_a = outlines_.region(a);
   const ClusterRegion& in_b = outlines_.region(b);
-  constexpr std::size_t count = ClusterRegion::sizes.size();
-  // Bounds of h on the neighbourhoods, by the cluster that is complex and by the one that is the source.
-  std::array<double, count> a_source_b;
-  std::array<double, count> a_source_a;
-  std::array<double, count> b_source_b;
-  std::array<double, count> b_source_a;
-  const double real_a = in_a.neighbourhoods().front().weight;
-  const double real_b = in_b.neighbourhoods().front().weight;
-  for (std::size_t s = 0; s < count; ++s) {
-    const double seen_a = kernel_bound(in_a, in_b, s);
-    const double seen_b = kernel_bound(in_b, in_a, s);
-    const bool has_a = seen_a < infinity;
-    const bool has_b = seen_b < infinity;
-    a_source_b[s] = has_a ? seen_a * in_a.neighbourhoods()[s].normal * real_b * up : infinity;
-    a_source_a[s] = has_a ? seen_a * in_a.neighbourhoods()[s].weight * up : infinity;
-    b_source_b[s] = has_b ? seen_b * in_b.neighbourhoods()[s].weight * up : infinity;
-    b_source_a[s] = has_b ? seen_b * in_b.neighbourhoods()[s].normal * real_a * up : infinity;
-  }
+  // Neighbourhoods up to where the kernel may be singular.
+  constexpr std::array<double, 8> parts{0.25, 0.4, 0.52, 0.62, 0.71, 0.79, 0.86, 0.92};
+  struct Bound {
+    double g;
+    double of_g;
+  };
+  const auto bounds_of = [&](const ClusterRegion& seen, const ClusterRegion& from) {
+    const double farthest = from.least_distance(seen.centre()) / seen.radius();
+    std::array<Bound, parts.size()> bounds{};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const double g = 1 + (farthest - 1) * parts[i];
+      bounds[i] = {g, farthest > 1 ? kernel_bound(seen, from, g) : infinity};
+    }
+    return bounds;
+  };
+  const auto of_a = bounds_of(in_a, in_b);
+  const auto of_b = bounds_of(in_b, in_a);
+  const auto least_of = [](const auto& bounds, int degree) {
+    double found = infinity;
+    for (const Bound& bound : bounds)
+      if (bound.of_g < infinity) found = std::min(found, approximation_bound(bound.of_g, bound.g, degree));
+    return found;
+  };
+  // Beyond it Lebesgue constants and work grow faster than the rest falls.
+  constexpr int largest_looked = 18;
   // A quarter of the share; the rest is for what is measured.
   constexpr double part = 0.25;
-  for (int degree = least; degree <= largest_mode_degree; ++degree) {
+  for (int degree = least; degree <= largest_looked; ++degree) {
     const double constant = interpolation_bounds(degree).exact;
+    const double in_x = least_of(of_a, degree);
+    const double in_y = least_of(of_b, degree);
     const Rest found{.degree = degree,
-                     .a = interpolation_rest(constant, a_source_b, b_source_b, degree),
-                     .b = interpolation_rest(constant, b_source_a, a_source_a, degree)};
+                     .a = (1 + constant) * (in_x + constant * in_y) * in_b.weight() * up,
+                     .b = (1 + constant) * (in_y + constant * in_x) * in_a.weight() * up};
     if (std::max(found.a, found.b) * demand_.functions_size / std::numbers::pi <= part * demand_.share)
       return found;
   }
@@ -385,26 +345,18 @@ std::optional<CouplingDegree> CertifiedLook::operator()(std::size_t a, std::size
   constexpr int least_looked = 2;
   const std::optional<Rest> left = rest(a, b, std::max(least_looked, guess->degree));
   if (!left) return std::nullopt;
-  const Nodes& fine_a = outlines_.nodes(a, left->degree);
-  const Nodes& fine_b = outlines_.nodes(b, left->degree);
-  const KernelValues fine = kernel_values(fine_a, fine_b);
+  const KernelValues fine = kernel_values(outlines_.nodes(a, left->degree), outlines_.nodes(b, left->degree));
   const double factor = demand_.functions_size * std::numbers::inv_pi * up;
-  const bool plane = outlines_.region(a).is_plane() && outlines_.region(b).is_plane();
   constexpr int more_degrees = 3;
   const int most = std::min({left->degree, demand_.largest_degree, guess->degree + more_degrees});
   for (int degree = guess->degree; degree <= most; ++degree) {
-    const Nodes& coarse_a = outlines_.nodes(a, degree);
-    const Nodes& coarse_b = outlines_.nodes(b, degree);
-    const KernelValues coarse = kernel_values(coarse_a, coarse_b);
-    const Differences rows_a = differences(fine, fine_b, coarse, coarse_b, degree, left->degree);
-    CouplingDegree found{.degree = degree,
-                         .error_a = factor * (measured(rows_a, left->degree) + left->a) * up};
+    const KernelValues coarse = kernel_values(outlines_.nodes(a, degree), outlines_.nodes(b, degree));
+    const Differences rows_a = differences(fine, coarse, degree, left->degree);
+    CouplingDegree found{.degree = degree};
+    found.error_a = factor * (measured(rows_a, left->degree) * outlines_.region(b).weight() + left->a) * up;
     if (!(found.error_a <= demand_.share)) continue;
-    // With a as source: G is symmetric, the area elements differ, by a factor where both are constant.
-    const Differences rows_b =
-        plane ? exchanged(rows_a, fine_a.weight / fine_b.weight)
-              : differences(transposed(fine), fine_a, transposed(coarse), coarse_a, degree, left->degree);
-    found.error_b = factor * (measured(rows_b, left->degree) + left->b) * up;
+    const Differences rows_b = exchanged(rows_a, mode_count(left->degree));
+    found.error_b = factor * (measured(rows_b, left->degree) * outlines_.region(a).weight() + left->b) * up;
     if (found.error_b <= demand_.share) return found;
   }
   return std::nullopt;

@@ -15,18 +15,16 @@
 namespace radcert {
 
 /// The clusters of one level as proofs see them: their regions, and their interpolation nodes.
-/// Requires  charts and clusters outlive it
+/// Requires  plane charts; charts and clusters outlive it
 /// Result    safe to ask from several threads at once: nodes are found when they are first asked for
 class CertifiedOutlines {
 public:
-  /// The exact interpolation nodes of a degree in a cluster.
+  /// The exact interpolation nodes of a degree in a cluster, and its unit normal.
   struct Nodes {
-    /// Point, unit normal, area element times the cluster's area in the parameter plane.
-    std::vector<std::array<long double, 7>> at;
-    double size = 0;    ///< of the coordinates
-    double error = 0;   ///< of all numbers, beside their rounding to long double; infinite where unknown
-    double weight = 0;  ///< the largest area element
-    double least_weight = 0;
+    std::vector<std::array<long double, 3>> at;
+    std::array<long double, 3> normal{};
+    double size = 0;   ///< of the coordinates
+    double error = 0;  ///< of all numbers, beside their rounding to long double
   };
 
   CertifiedOutlines(const std::vector<Chart>& charts, const std::vector<ParameterTriangle>& clusters);
@@ -45,11 +43,11 @@ private:
 };
 
 /// Decides at which degree two clusters of one level couple, with a proof of what that leaves out.
-/// Maths     h(x, y) = G(P, Q) J(Q), P in a and Q in b by barycentric coordinates, J the area element times
-///           the area of b in the parameter plane; c(x, y) = sum_ab (W^T D)_a(x) h(x_a, y_b) (W^T D)_b(y) the
-///           coupling of degree p with the stored W of ModeInterpolation. error_a >= the largest over x of
-///             mean over y of |h - c| sum_j q_j / pi,   where the root of the mean of (sum_j q_j)^2 is at
-///           most demand.functions_size; error_b the same with a and b exchanged
+/// Maths     h(x, y) = G(P, Q) J, P in a and Q in b by barycentric coordinates, J the constant area element
+///           times the area of b in the parameter plane; c(x, y) = sum_ab (W^T D)_a(x) h(x_a, y_b) (W^T
+///           D)_b(y) the coupling of degree p with the stored W of ModeInterpolation. error_a >= the largest
+///           over x of mean over y of |h - c| sum_j q_j / pi, where the root of the mean of (sum_j q_j)^2 is
+///           at most demand.functions_size; error_b the same with a and b exchanged
 /// Source    Theorem. With I the interpolation of degree p' >= p, exact and so without effect on c, in both
 ///           variables, |h - c| <= |h - I_x I_y h| + |I_x I_y (h - c)|. The first is at most (1 + L) E_x + L
 ///           (1 + L) E_y, L the Lebesgue constant, E_x and E_y the distances of h in x and in y from
@@ -61,10 +59,10 @@ private:
 ///           at most (m + 1)^3: with x_i = |z_i|^2, z uniform on the unit sphere of C^3, these D_n are
 ///           orthonormal functions in the harmonics of bidegree (m, m), whose dimension that is. Values e_ab
 ///           that are off by d change the mean by at most d L sum_b ||l_b||
-/// Requires  0 < share; charts with formulas in balls; what is passed outlives this
+/// Requires  0 < share; plane charts; what is passed outlives this
 /// Result    proved, rounded up, with errors of at most the share: nodes and frames in balls, G in long
 ///           double, sums as if in twice the precision, with all roundings counted. Nothing where that was
-///           not found: clusters too near, or a chart not proved to be analytic about them
+///           not found: clusters too near
 /// Limits    tries the degree of CouplingLook and at most three more. For one thread
 class CertifiedLook {
 public:

@@ -65,8 +65,8 @@ double largest_size(std::span<const double> x) {
 std::optional<std::string> obstacle_to_proved_clusters(const Surface& surface) {
   if (std::optional<std::string> found = obstacle_to_clusters(surface)) return found;
   for (const Chart& chart : surface.charts)
-    if (!chart.is_known_in_balls())
-      return "the formula of the chart " + chart.facts().name + " is known in double alone";
+    if (!chart.facts().plane || !chart.is_known_in_balls())
+      return "the chart " + chart.facts().name + " is not plane";
   return std::nullopt;
 }
 
@@ -97,9 +97,8 @@ Outcome<EnclosedClusters> enclosed_clusters(const EnclosedClusters::Setting& set
   for (std::size_t i = 0; i < unknowns; ++i) result.truncation_.push_back(of_leaves[i / of_leaf] * up);
   for (const std::vector<FarPair>& level : pairs.far) result.far_pairs_ += level.size();
 
-  Outcome<EnclosedNearEntries> near =
-      enclosed_near_entries(setting.surface, setting.triangulation, setting.functions, pairs.near, of_leaf,
-                            setting.near, setting.memory_limit);
+  Outcome<EnclosedNearEntries> near = enclosed_near_entries(
+      setting.surface, setting.triangulation, setting.functions, pairs.near, of_leaf, setting.memory_limit);
   if (!near) return because(near.reason());
   result.near_ = std::make_unique<const EnclosedNearEntries>(std::move(near).value());
   result.tables_ = std::make_unique<const EnclosedTables>(setting.functions, steps, tree.refinements(),
@@ -117,7 +116,7 @@ std::vector<BoundedDouble> EnclosedClusters::product(std::span<const double> x) 
     const BoundedDouble far = y[i] * inverse_pi;
     y[i] = {far.value(), (far.error() + truncation_[i] * size) * up};
   }
-  near_->add_product(x, y);
+  near_->add(EnclosedNearEntries::Part::entries, x, y);
   return y;
 }
 
@@ -131,7 +130,7 @@ std::vector<double> EnclosedClusters::sizes(std::span<const double> x) const {
     const BoundedDouble far = y[i] * inverse_pi;
     y[i] = {far.value(), (far.error() + truncation_[i] * size) * up};
   }
-  near_->add_sizes(x, y);
+  near_->add(EnclosedNearEntries::Part::sizes, x, y);
   std::vector<double> result;
   for (const BoundedDouble& value : y) result.push_back(largest_of(value));
   return result;

@@ -21,7 +21,8 @@
 namespace radcert {
 
 /// Why the couplings of a surface's clusters are not proved, if so.
-/// Result    obstacle_to_clusters, or a chart without formulas in balls
+/// Result    obstacle_to_clusters, or a chart that is not plane: the neighbourhoods of curved clusters, which
+///           the theorem asks for, are not bounded
 [[nodiscard]] std::optional<std::string> obstacle_to_proved_clusters(const Surface& surface);
 
 /// The matrix of K P_n at the nodes with the reflectivity 1, by products that enclose.
@@ -44,8 +45,6 @@ public:
     int level;
     const LagrangeFunctions& functions;
     ClusterTolerance far = ClusterTolerance(1e-9);
-    /// What near entries on curved charts are integrated to, of a row.
-    double near = 1e-10;
     std::optional<int> refinements = std::nullopt;  ///< as ClusterOperator::Setting
     std::uint64_t memory_limit = static_cast<std::uint64_t>(-1);
   };

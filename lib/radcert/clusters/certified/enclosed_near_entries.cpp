@@ -3,27 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "radcert/collocation/certified/certified_chart_entries.h"
 #include "radcert/collocation/certified/exact_nodes.h"
 #include "radcert/collocation/certified/exchanged_corners.h"
 #include "radcert/collocation/certified/plane_chart.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
-#include "radcert/quadrature/certified/certified_kernel_sums.h"
 
 namespace radcert {
-
-struct EnclosedNearEntries::Filling {
-  const Surface& surface;
-  const Triangulation& triangulation;
-  const LagrangeFunctions& functions;
-  double demand;
-  std::vector<std::optional<PlaneChart>> planes;  ///< by chart
-};
 
 EnclosedNearEntries::EnclosedNearEntries(const std::vector<NearPair>& pairs, std::size_t leaves,
                                          std::size_t unknowns_of_leaf)
@@ -40,16 +29,17 @@ EnclosedNearEntries::EnclosedNearEntries(const std::vector<NearPair>& pairs, std
   }
 }
 
-Outcome<void> EnclosedNearEntries::fill_on_planes(const Filling& filling) {
-  const LagrangeFunctions& functions = filling.functions;
+Outcome<void> EnclosedNearEntries::fill(const std::vector<PlaneChart>& planes,
+                                        const Triangulation& triangulation,
+                                        const LagrangeFunctions& functions) {
   const std::size_t p = functions.size();
   std::vector<ExactTriangle> triangles;
   std::vector<bool> reversed;
-  for (const ParameterTriangle& triangle : filling.triangulation.triangles) {
+  for (const ParameterTriangle& triangle : triangulation.triangles) {
     std::array<ParameterPoint<Rational>, 3> corners;
     for (std::size_t c = 0; c < 3; ++c)
       corners[c] = {Rational::exactly(triangle.vertices[c].s), Rational::exactly(triangle.vertices[c].t)};
-    const PlaneChart element = filling.planes[triangle.chart]->over(corners);
+    const PlaneChart element = planes[triangle.chart].over(corners);
     const Vector<Rational> second = element.origin + element.first;
     const Vector<Rational> third = element.origin + element.second;
     reversed.push_back(element.orientation == Orientation::against_the_cross_product);
@@ -99,49 +89,7 @@ Outcome<void> EnclosedNearEntries::fill_on_planes(const Filling& filling) {
   return {};
 }
 
-Outcome<void> EnclosedNearEntries::fill_on_charts(const Filling& filling) {
-  const LagrangeFunctions& functions = filling.functions;
-  const std::size_t p = functions.size();
-  const std::size_t elements = unknowns_ / p;
-  const std::unique_ptr<const ElementFunctions> on_elements = lagrange_on_elements(functions);
-  const std::vector<SurfacePoint<Rational>> nodes = exact_collocation_nodes(filling.triangulation, functions);
-  std::vector<Outcome<void>> found(leaves_);
-  parallel_for(leaves_, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t source = begin; source < end; ++source) {
-      std::vector<SurfacePoint<Rational>> points;
-      for (std::size_t s = first_[source]; s < first_[source + 1]; ++s)
-        for (std::size_t i = 0; i < unknowns_; ++i) points.push_back(nodes[sources_[s] * unknowns_ + i]);
-      const CertifiedKernelSums sums(filling.surface, filling.triangulation, *on_elements, points,
-                                     filling.demand);
-      std::vector<double> values(points.size() * p);
-      std::vector<double> radius(points.size() * p);
-      for (std::size_t e = 0; e < elements && found[source]; ++e) {
-        found[source] = sums.element(source * elements + e, values, radius);
-        if (!found[source]) break;
-        for (std::size_t s = first_[source]; s < first_[source + 1]; ++s) {
-          const std::size_t target = sources_[s];
-          const auto list = sources_.begin() + static_cast<std::ptrdiff_t>(first_[target]);
-          const auto list_end = sources_.begin() + static_cast<std::ptrdiff_t>(first_[target + 1]);
-          const auto number =
-              static_cast<std::size_t>(std::lower_bound(list, list_end, source) - sources_.begin());
-          for (std::size_t j = 0; j < p; ++j)
-            for (std::size_t i = 0; i < unknowns_; ++i) {
-              const std::size_t from = j * points.size() + (s - first_[source]) * unknowns_ + i;
-              const Approximation entry = certified_entry(1, values[from], radius[from]);
-              const std::size_t at = (number * unknowns_ + e * p + j) * unknowns_ + i;
-              entries_[at] = entry.value;
-              radii_[at] = entry.radius;
-            }
-        }
-      }
-    }
-  });
-  for (const Outcome<void>& of_leaf : found)
-    if (!of_leaf) return because(of_leaf.reason());
-  return {};
-}
-
-void EnclosedNearEntries::add_product(std::span<const double> x, std::span<BoundedDouble> y) const {
+void EnclosedNearEntries::add(Part part, std::span<const double> x, std::span<BoundedDouble> y) const {
   expects(x.size() == leaves_ * unknowns_ && y.size() == x.size(), "a number for each unknown",
           named("size", x.size()));
   parallel_for(leaves_, 1, [&](std::size_t begin, std::size_t end) {
@@ -151,25 +99,10 @@ void EnclosedNearEntries::add_product(std::span<const double> x, std::span<Bound
           const BoundedDouble factor = BoundedDouble::exactly(x[sources_[number] * unknowns_ + j]);
           const std::size_t column = (number * unknowns_ + j) * unknowns_;
           for (std::size_t i = 0; i < unknowns_; ++i) {
+            const double entry = entries_[column + i];
             BoundedDouble& to = y[leaf * unknowns_ + i];
-            to = to + BoundedDouble(entries_[column + i], radii_[column + i]) * factor;
-          }
-        }
-  });
-}
-
-void EnclosedNearEntries::add_sizes(std::span<const double> x, std::span<BoundedDouble> y) const {
-  expects(x.size() == leaves_ * unknowns_ && y.size() == x.size(), "a number for each unknown",
-          named("size", x.size()));
-  parallel_for(leaves_, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t leaf = begin; leaf < end; ++leaf)
-      for (std::size_t number = first_[leaf]; number < first_[leaf + 1]; ++number)
-        for (std::size_t j = 0; j < unknowns_; ++j) {
-          const BoundedDouble factor = BoundedDouble::exactly(x[sources_[number] * unknowns_ + j]);
-          const std::size_t column = (number * unknowns_ + j) * unknowns_;
-          for (std::size_t i = 0; i < unknowns_; ++i) {
-            BoundedDouble& to = y[leaf * unknowns_ + i];
-            to = to + BoundedDouble(std::abs(entries_[column + i]), radii_[column + i]) * factor;
+            to = to +
+                 BoundedDouble(part == Part::entries ? entry : std::abs(entry), radii_[column + i]) * factor;
           }
         }
   });
@@ -182,8 +115,7 @@ void EnclosedNearEntries::count(MemoryPlan& plan) const {
 Outcome<EnclosedNearEntries> enclosed_near_entries(const Surface& surface, const Triangulation& triangulation,
                                                    const LagrangeFunctions& functions,
                                                    const std::vector<NearPair>& pairs,
-                                                   std::size_t unknowns_of_leaf, double demand,
-                                                   std::uint64_t memory_limit) {
+                                                   std::size_t unknowns_of_leaf, std::uint64_t memory_limit) {
   const std::size_t unknowns = triangulation.triangles.size() * functions.size();
   EnclosedNearEntries result(pairs, unknowns / unknowns_of_leaf, unknowns_of_leaf);
   MemoryPlan plan;
@@ -192,15 +124,13 @@ Outcome<EnclosedNearEntries> enclosed_near_entries(const Surface& surface, const
   const std::size_t places = result.sources_.size() * unknowns_of_leaf * unknowns_of_leaf;
   result.entries_.assign(places, 0.0);
   result.radii_.assign(places, 0.0);
-  EnclosedNearEntries::Filling filling{.surface = surface,
-                                       .triangulation = triangulation,
-                                       .functions = functions,
-                                       .demand = demand,
-                                       .planes = {}};
-  for (std::size_t j = 0; j < surface.chart_count(); ++j) filling.planes.push_back(plane_chart(surface, j));
-  const bool all_plane = std::all_of(filling.planes.begin(), filling.planes.end(),
-                                     [](const auto& plane) { return plane.has_value(); });
-  const Outcome<void> filled = all_plane ? result.fill_on_planes(filling) : result.fill_on_charts(filling);
+  std::vector<PlaneChart> planes;
+  for (std::size_t j = 0; j < surface.chart_count(); ++j) {
+    std::optional<PlaneChart> plane = plane_chart(surface, j);
+    if (!plane) return because("the chart " + surface.charts[j].facts().name + " is not plane");
+    planes.push_back(*std::move(plane));
+  }
+  const Outcome<void> filled = result.fill(planes, triangulation, functions);
   if (!filled) return because(filled.reason());
   return result;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "radcert/clusters/cluster_pairs.h"
+#include "radcert/collocation/certified/plane_chart.h"
 #include "radcert/core/memory_plan.h"
 #include "radcert/core/outcome.h"
 #include "radcert/polynomial/lagrange_functions.h"
@@ -20,32 +21,26 @@ namespace radcert {
 /// reflectivity 1.
 /// Maths     |entry(i, k p + j) - 1/pi Int_{Delta_k} G(v_i,Q) l_j(Q) dS_Q| <= its radius, for v_i and Delta_k
 ///           in near leaves
-/// Source    where all charts are plane PlaneElement, as certified_entries; elsewhere CertifiedKernelSums, as
-///           certified_chart_entries
+/// Source    PlaneElement, as certified_entries
 /// Result    made by enclosed_near_entries: a dense block a pair of leaves. Products with running errors; the
 ///           same bits for any number of threads
 class EnclosedNearEntries {
 public:
   EnclosedNearEntries(const std::vector<NearPair>& pairs, std::size_t leaves, std::size_t unknowns_of_leaf);
 
-  /// y_i += sum_j entry(i, j) x_j, enclosed for all entries within their radii.
-  void add_product(std::span<const double> x, std::span<BoundedDouble> y) const;
-  /// y_i += sum_j |entry(i, j)| x_j at most, the radii counted, for x >= 0: values beyond which nothing lies.
-  void add_sizes(std::span<const double> x, std::span<BoundedDouble> y) const;
+  enum class Part { entries, sizes };
+  /// y_i += sum_j entry(i, j) x_j, or sum_j |entry(i, j)| x_j, enclosed for all entries within their radii.
+  void add(Part part, std::span<const double> x, std::span<BoundedDouble> y) const;
 
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
   void count(MemoryPlan& plan) const;
 
 private:
-  friend Outcome<EnclosedNearEntries> enclosed_near_entries(const Surface& surface,
-                                                            const Triangulation& triangulation,
-                                                            const LagrangeFunctions& functions,
-                                                            const std::vector<NearPair>& pairs,
-                                                            std::size_t unknowns_of_leaf, double demand,
-                                                            std::uint64_t memory_limit);
-  struct Filling;
-  Outcome<void> fill_on_planes(const Filling& filling);
-  Outcome<void> fill_on_charts(const Filling& filling);
+  friend Outcome<EnclosedNearEntries> enclosed_near_entries(
+      const Surface& surface, const Triangulation& triangulation, const LagrangeFunctions& functions,
+      const std::vector<NearPair>& pairs, std::size_t unknowns_of_leaf, std::uint64_t memory_limit);
+  Outcome<void> fill(const std::vector<PlaneChart>& planes, const Triangulation& triangulation,
+                     const LagrangeFunctions& functions);
 
   std::size_t leaves_;
   std::size_t unknowns_;
@@ -57,15 +52,14 @@ private:
 
 /// Integrates the entries.
 /// Requires  an unoccluded surface, its uniform triangulation, near pairs of leaves of so many unknowns;
-///           functions of degree at most 8; 0 < demand
-/// Result    on curved charts the radii are of the size that the demand asks of whole rows, on plane ones of
-///           that of certified_entries. Refused in words where an entry is not enclosed: see
-///           CertifiedKernelSums, exact_nodes, IntegralErrors; on plane charts against the cross product with
+///           functions of degree at most 8
+/// Result    radii as those of certified_entries. Refused in words where an entry is not enclosed: a chart
+///           that is not plane, see exact_nodes and IntegralErrors; a chart against the cross product with
 ///           functions that are not symmetric. InputError where more memory would be taken than the limit;
 ///           Interrupted when asked to stop
 [[nodiscard]] Outcome<EnclosedNearEntries> enclosed_near_entries(
     const Surface& surface, const Triangulation& triangulation, const LagrangeFunctions& functions,
-    const std::vector<NearPair>& pairs, std::size_t unknowns_of_leaf, double demand,
+    const std::vector<NearPair>& pairs, std::size_t unknowns_of_leaf,
     std::uint64_t memory_limit = static_cast<std::uint64_t>(-1));
 
 }  // namespace radcert

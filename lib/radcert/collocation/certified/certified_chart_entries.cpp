@@ -142,10 +142,6 @@ Outcome<void> rows_within(const CertifiedEntries& found, std::span<const double>
 
 }  // namespace
 
-std::unique_ptr<const ElementFunctions> lagrange_on_elements(const LagrangeFunctions& functions) {
-  return std::make_unique<const LagrangeOnElements>(functions);
-}
-
 std::vector<SurfacePoint<Rational>> exact_collocation_nodes(const Triangulation& triangulation,
                                                             const LagrangeFunctions& functions) {
   std::vector<SurfacePoint<Rational>> nodes;

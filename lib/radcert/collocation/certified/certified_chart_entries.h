@@ -8,7 +8,6 @@
 #include "radcert/collocation/certified/certified_operator.h"
 #include "radcert/core/outcome.h"
 #include "radcert/polynomial/lagrange_functions.h"
-#include "radcert/quadrature/certified/element_functions.h"
 #include "radcert/surface/surface.h"
 #include "radcert/surface/surface_point.h"
 #include "radcert/triangulation/triangulation.h"
@@ -22,12 +21,6 @@ namespace radcert {
 /// Result    exact, in the order of collocation_nodes
 std::vector<SurfacePoint<Rational>> exact_collocation_nodes(const Triangulation& triangulation,
                                                             const LagrangeFunctions& functions);
-
-/// Lagrange functions as those of an element, for certified_kernel_sums.
-/// Source    Bernstein polynomials
-/// Requires  functions of degree at most 8, which outlive the result
-[[nodiscard]] std::unique_ptr<const ElementFunctions> lagrange_on_elements(
-    const LagrangeFunctions& functions);
 
 /// The collocation matrix on curved charts, proved.
 /// Maths     see CertifiedEntries; sum_j radius(i, j) <= demand |rho(v_i)| for every row i

@@ -6,6 +6,7 @@
 
 #include "radcert/clusters/cluster_operator.h"
 #include "radcert/collocation/assembly.h"
+#include "radcert/core/checked.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/memory_plan.h"
 #include "radcert/core/text.h"
@@ -99,7 +100,7 @@ private:
     const Stopwatch watch;
     const NodedSurface& integrals = geometry_.integrals();
     const Tolerance tolerance(problem_.quadrature.tolerance.to_double());
-    if (takes_clusters(problem_, nodes_.size())) {
+    if (outcome_.result.matrix_form == "h2") {
       clusters_ = std::make_unique<ClusterOperator>(
           ClusterOperator::Setting{.surface = surface_,
                                    .triangulation = triangulation_,
@@ -116,7 +117,7 @@ private:
       matrix_ = assemble<double>(integrals.surface, integrals.triangulation, basis_, integrals.nodes, rho_,
                                  tolerance);
     }
-    outcome_.timing.assembly_seconds = watch.seconds();
+    outcome_.timing.assembly_seconds += watch.seconds();
     outcome_.result.norm_K = problem_.geometry
                                  ? largest_row(rho_, matrix_.kernel_integral)
                                  : norm_of_K(surface_, problem_.reflectivity, rho_, matrix_.kernel_integral);
@@ -219,6 +220,10 @@ private:
   void find_weights() {
     const Stopwatch watch;
     Outcome<Contraction, NoContraction> found = find_contraction(matrix(), matrix_.row_radius);
+    if (!found && clusters_ && solver_->choose) {
+      hold_entries(found.reason().theta);
+      found = find_contraction(matrix(), matrix_.row_radius);
+    }
     if (found) contraction_ = std::move(found).value();
     solver_ = &chosen(*solver_, contraction_.has_value());
     outcome_.result.solver = solver_->name;
@@ -237,6 +242,31 @@ private:
       more.require(available_memory());
     }
     outcome_.timing.solve_seconds += watch.seconds();
+  }
+
+  /// Takes the matrix with all its entries in place of clusters that are not shown to contract, for a solver
+  /// that leaves the choice open: elimination needs no contraction, and the entries' own sizes are smaller
+  /// than what stands for them between clusters.
+  void hold_entries(double theta) {
+    clusters_.reset();
+    MemoryPlan more;
+    const std::uint64_t unknowns = nodes_.size();
+    more.add("collocation matrix", saturated_product(unknowns, unknowns), sizeof(double));
+    chosen(*solver_, false).plan(more, unknowns);
+    const std::uint64_t available = available_memory();
+    if (more.total() > available)
+      throw InputError({.pointer = "/operator/name",
+                        .value = problem_.matrix.name,
+                        .problem = "is not shown to contract at level " +
+                                   std::to_string(outcome_.result.level) + " as h2, by " +
+                                   upper_text(theta, DecimalForm::general(6)) +
+                                   " at best, and dense with direct takes " + std::to_string(more.total()) +
+                                   " bytes of the " + std::to_string(available) + " that are available",
+                        .allowed = "a lower level, a smaller reflectivity, or functions whose sizes have a "
+                                   "smaller sum"});
+    outcome_.result.matrix_form = "dense";
+    assemble_matrix();
+    require_rows_of_pi();
   }
 
   void solve() {

@@ -73,7 +73,7 @@ bool takes_clusters(const Problem& problem, std::uint64_t unknowns) {
 void plan_proved_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions) {
   plan_clusters(plan, unknowns, functions);
   constexpr std::uint64_t near_leaves = 96;
-  constexpr std::uint64_t node_bytes = 65536;
+  constexpr std::uint64_t node_bytes = 8192;
   const std::uint64_t leaf =
       functions << static_cast<unsigned>(2 * leaf_refinements(static_cast<std::size_t>(functions)));
   plan.add("enclosed near entries", unknowns, saturated_product(near_leaves * leaf, 2 * sizeof(double)));

@@ -27,6 +27,9 @@ void check_operator(const Problem& problem, const Surface& surface);
 /// Whether a level of that many unknowns is held as a ClusterOperator.
 /// Maths     `h2`: always. `auto`: beyond most_dense_unknowns where `h2` would not be refused, and not with a
 ///           solver that proves, which is told to by name
+///           This is what a level begins with: where no contraction is found for it and the solver is `auto`,
+///           the level takes the matrix with its entries, if that and elimination fit into memory, and is
+///           refused else
 /// Requires  check_operator(problem, surface_of(problem)) returns
 [[nodiscard]] bool takes_clusters(const Problem& problem, std::uint64_t unknowns);
 

@@ -16,7 +16,7 @@ namespace radcert {
 ///           polynomial of at most degree 8 on it, certified_collocation elsewhere, certified_chart_entries
 ///           and certified_operator on interpolants; verified_system. Held as clusters, where `operator` is
 ///           h2, K_n is enclosed by its products, EnclosedClusters, and the solution found in doubles is
-///           proved by contracting_solution
+///           proved by contracting_solution: theta is then a norm of K_n itself, with R = I
 /// Requires  a checked problem with solver `verified`; `level` need not be one of its levels
 /// Result    discretisation_error and node_error are guaranteed: their radii bound what quadrature, rounding
 ///           and the solution of the system may have changed; so is the radius of u_n at each node. The
