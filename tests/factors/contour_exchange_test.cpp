@@ -65,6 +65,16 @@ TEST(ContourExchangeArea, OfObstructedSquaresIsThreeQuarters) {
       exact));
 }
 
+TEST(ContourExchangeArea, DoesNotSeeEdgesWithinAScreen) {
+  // Not half way up, where what lies about such an edge is symmetric and comes to nothing.
+  const Rational z(3, 8);
+  const ExactCorners large = level(0, 0, half, half, z);
+  const ExactCorners within = level(Rational(1, 8), Rational(1, 4), Rational(3, 8), half, z);
+  const Ball one = seen(low, high, {large});
+  EXPECT_TRUE(overlaps(seen(low, high, {large, within}), one));
+  EXPECT_TRUE(overlaps(seen(high, low, {within, large}), one));
+}
+
 TEST(ContourExchangeArea, OfTwoScreensInOneShadowIsThatOfOne) {
   // Each segment between the squares that meets `narrow` passes `below` at x and y of less than 1/8 + 1/5.
   const ExactCorners below = level(0, 0, half, half, half);

@@ -225,5 +225,31 @@ TEST(FactorMatrix, StopsWhenAskedTo) {
   clear_interruption();
 }
 
+TEST(FactorMatrix, TellsOfItsProgressInSmallStepsThatStandForTheRest) {
+  // What is done is the same share of each row, whatever it costs: of a block of rows it would not be.
+  const FactorMesh mesh = factor_mesh(find_surface("cube")->make({}), 2);
+  const FacetScene scene(mesh.mesh);
+  std::vector<double> told{0};
+  static_cast<void>(factor_matrix(scene, factor_units(mesh, FactorUnit::piece), {},
+                                  {.at = [&](double fraction) { told.push_back(fraction); }}));
+  ASSERT_GE(told.size(), 40U);
+  EXPECT_EQ(told.back(), 1);
+  for (std::size_t k = 1; k < told.size(); ++k) EXPECT_LE(told[k] - told[k - 1], 0.03);
+}
+
+TEST(FactorPlan, SaysToWhatRadiusRowsWillBeKnown) {
+  const TriangleMesh mesh = sample::cube_in_cube(0.25);
+  const FacetScene scene(mesh);
+  const FactorUnits units = sample::by_face(mesh);
+  const FactorDemand demand{.certified = true, .accuracy = 1e-4};
+  const FactorPlan plan = factor_plan(scene, units, demand, FactorsKept::all);
+  const FactorMatrix matrix = factor_matrix(scene, units, demand, {});
+  double radius = 0;
+  for (const FactorRow& row : matrix.rows) radius += row.sum.radius * row.area.value / scene.total_area();
+  EXPECT_LE(radius, demand.accuracy);
+  EXPECT_LE(plan.radius, 2 * radius);
+  EXPECT_GE(plan.radius, radius / 2);
+}
+
 }  // namespace
 }  // namespace radcert

@@ -3,6 +3,7 @@
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/closed_form/polygon_to_polygon.h"
 #include "radcert/factors/certified_exchange.h"
+#include "radcert/factors/contour_exchange.h"
 #include "radcert/factors/exchange_area.h"
 #include "radcert/factors/shadow_exchange.h"
 #include "radcert/geometry/orientation.h"
@@ -53,6 +54,21 @@ Case shadow() {
           },
       // A quarter of the factor is kept back.
       .truth = [] { return std::vector<Ball>{obstruction() / 3}; }};
+}
+
+Case seen_contours() {
+  return {
+      .limit = "factors/contour_exchange: pieces of edges",
+      .answer =
+          [] {
+            const ExactCorners receiver{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+            const ExactCorners source{{0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}};
+            const ExactCorners between{{0, 0, half}, {half, 0, half}, {half, half, half}, {0, half, half}};
+            const auto found = contour_exchange_area(receiver, source, {between},
+                                                     obstruction() * Ball(4) / Ball(3), {.radius = 1e-6});
+            return found ? numbers({*found}) : refusal("sides in the receiver's plane");
+          },
+      .truth = [] { return std::vector<Ball>{obstruction()}; }};
 }
 
 /// Of two polygons with nothing between them, by contours and by rules.
@@ -144,6 +160,7 @@ std::vector<Case> polygon_cases() {
   return {
       certified(sample::obstructed_squares(), true, "a quarter hidden"),
       shadow(),
+      seen_contours(),
       exchange("factors/exchange_area: halvings of an edge", floor, wall, false, "a common edge"),
       exchange("factors/exchange_area: halvings of an edge", floor, leaning, false, "nearly a common edge"),
       exchange("factors/exchange_area: halvings of an edge in all", floor, wall, false, "a common edge"),

@@ -334,8 +334,9 @@ UnoccludedFactor unoccluded_factor(const FacetScene& scene, const FactorUnits& u
 
 void say_plan(const Common& common, const FactorPlan& plan, const std::string& what) {
   if (!common.quiet)
-    say(fmt::format("{} {}: about {} and {} seconds\n", plan.pairs, what, byte_text(plan.memory.total()),
-                    nearest_text(plan.seconds, DecimalForm::general(2))));
+    say(fmt::format("{} {}: about {} and {} seconds, row sums to about {}\n", plan.pairs, what,
+                    byte_text(plan.memory.total()), nearest_text(plan.seconds, DecimalForm::general(2)),
+                    upper_text(plan.radius, DecimalForm::general(2))));
 }
 
 /// What the factors are written to.
@@ -521,9 +522,9 @@ void add_factors(Program& program) {
   command.footer(
       "A factor is what part of the light that leaves `from`, everywhere alike, arrives at `to`. Exact zeros "
       "are left out.\n"
-      "--certified holds whatever stands between. A shadow that its limit of work does not settle, and "
-      "shadows of "
-      "several bodies that fall on one another, widen the radius: look at it.\n"
+      "--certified holds whatever stands between, shadows that fall on one another too. A pair that its "
+      "limit "
+      "of work does not settle widens the radius: look at it.\n"
       "Rows that are finished are kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted run goes on "
       "there.\n"
       "The exit code is 1 where rows of a closed scene do not sum to 1 within their radius, where a row's "

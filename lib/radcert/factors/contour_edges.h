@@ -11,9 +11,10 @@ namespace radcert {
 
 /// A segment at which what points of a receiver see of a source may end.
 /// Maths     X(t) = from + t u, u = to - from. A direction from P that passes X on its positive side is one
-///           with (X - P) x u . d > 0. What is seen there and on the negative side, V+ and V-, are the products
-///           of a factor that both have, 1 where no screen of `apart` stands between and, if
-///           `source_is_apart`, the source is met, and of one that depends only on which faces at X look where
+///           with (X - P) x u . d > 0. What is seen there and on the negative side, V+ and V-, are the
+///           products of a factor that both have, 1 where no screen of `apart` stands between and, if
+///           `source_is_apart`, the source is met, and of one that depends only on which faces at X look
+///           where
 struct ContourEdge {
   Vector<Rational> from;
   Vector<Rational> to;
@@ -31,8 +32,8 @@ struct ContourEdge {
 /// All such segments, with the parts of the receiver from which they are one.
 /// Maths     the sides of source and screens, cut where sides of polygons in a plane with them cross. Of a
 ///           piece that runs within a screen both sides are hidden; outside the source, in its plane, nothing
-///           is seen. Its faces are the polygons of which it is a part of the border: as P passes the plane of
-///           one, this changes from the one side of the piece to the other
+///           is seen. Its faces are the polygons of which it is a part of the border: as P passes the plane
+///           of one, this changes from the one side of the piece to the other
 /// Requires  convex polygons, receiver and source wholly in front of each other's planes and the screens
 ///           between these, points of the planes allowed; no screen in either plane
 /// Result    exact; each segment once. Edges in the receiver's plane are left out: a screen's, for above them

@@ -77,7 +77,8 @@ struct Reached {
 
 constexpr double shortest = 0x1p-44;
 
-/// Halves, or what is before a place of change, after it, and a short piece about it: multiples of `shortest`.
+/// Halves, or what is before a place of change, after it, and a short piece about it: multiples of
+/// `shortest`.
 std::vector<double> parts(const Piece& piece) {
   const double place = std::floor(piece.contribution.cut / shortest) * shortest;
   if (place - shortest > piece.begin && place + 2 * shortest < piece.end)

@@ -322,9 +322,9 @@ private:
     Linear q;
     bool proportional = false;
   };
-  /// Where the lines of two sides meet, or that of a side and the edge's, the moments are proportional and s_c
-  /// constant: both moments vanish where X passes the plane of the two, or the side's line. Then values at
-  /// that end of the interval stand for all, at which they are larger.
+  /// Where the lines of two sides meet, or that of a side and the edge's, the moments are proportional and
+  /// s_c constant: both moments vanish where X passes the plane of the two, or the side's line. Then the
+  /// values at that end of the interval stand for all, at which they are larger.
   [[nodiscard]] Moments moments(std::size_t k, std::size_t c, const Interval& t) const {
     const Linear& p = moment(sides_[k].from, c);
     const Linear& q = moment(sides_[k].to, c);
@@ -734,8 +734,8 @@ private:
   /// Three times a bound of |Int log |P - X|^2 u . dP| between two crossings wherever y comes before x, which
   /// is counted the other way round.
   /// Proof     s_x - s_y is at most the largest Bernstein coefficient of its numerator over the least
-  ///           denominators. P(s_x) - P(s_y) = -(s_x - s_y) h T / ((h - h_x) (h - h_y)), h_x the height of Y(s_x); bilinear
-  ///           in t and s, h - h_Y(s) is between its values in the corners
+  ///           denominators. P(s_x) - P(s_y) = -(s_x - s_y) h T / ((h - h_x) (h - h_y)), h_x the height of
+  ///           Y(s_x); bilinear in t and s, h - h_Y(s) is between its values in the corners
   [[nodiscard]] double between(const Crossing& x, const Crossing& y, std::size_t k, bool near,
                                const Interval& t) const {
     // Only where y comes first.

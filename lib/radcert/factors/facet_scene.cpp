@@ -10,6 +10,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/text.h"
+#include "radcert/factors/convex_parts.h"
 #include "radcert/geometry/orientation.h"
 #include "radcert/geometry/plane_classes.h"
 
@@ -18,135 +19,6 @@ namespace radcert {
 namespace {
 
 using Point = Vector<double>;
-using Loop = std::vector<std::size_t>;  ///< numbers of vertices
-using Side = std::pair<std::size_t, std::size_t>;
-
-/// Projection of a plane along the axis on which its normal is longest, turned so that counterclockwise stays
-/// so.
-class Projection {
-public:
-  /// The rounded normal of a sliver may be anything: an axis serves if the exact projection has an area.
-  explicit Projection(const std::array<Point, 3>& corners) {
-    const Point n = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const std::array<double, 3> size{std::abs(n.x), std::abs(n.y), std::abs(n.z)};
-    std::array<int, 3> axes{0, 1, 2};
-    std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) {
-      return size[static_cast<std::size_t>(a)] > size[static_cast<std::size_t>(b)];
-    });
-    for (const int axis : axes) {
-      axis_ = axis;
-      const int turn = orientation(flat(corners[0]), flat(corners[1]), flat(corners[2]));
-      turned_ = turn < 0;
-      if (turn != 0) return;
-    }
-    expects(false, "a triangle with an area");
-  }
-  /// The sign of the turn at b, exactly; coordinates are only left out.
-  [[nodiscard]] int turn(const Point& a, const Point& b, const Point& c) const {
-    const int sign = orientation(flat(a), flat(b), flat(c));
-    return turned_ ? -sign : sign;
-  }
-
-private:
-  [[nodiscard]] ParameterPoint<double> flat(const Point& p) const {
-    if (axis_ == 0) return {p.y, p.z};
-    if (axis_ == 1) return {p.z, p.x};
-    return {p.x, p.y};
-  }
-  int axis_ = 0;
-  bool turned_ = false;
-};
-
-/// Polygons of one plane that are joined while they stay convex.
-class ConvexUnion {
-public:
-  ConvexUnion(const std::vector<Point>& vertices, const Projection& projection)
-      : vertices_(vertices), projection_(projection) {}
-
-  /// The border of several triangles or loops as one loop, if there is one and it is convex.
-  [[nodiscard]] std::optional<Loop> joined(const std::vector<Loop>& parts) const {
-    std::set<Side> sides;
-    for (const Loop& part : parts)
-      for (std::size_t k = 0; k < part.size(); ++k) {
-        const Side side{part[k], part[(k + 1) % part.size()]};
-        if (sides.erase({side.second, side.first}) == 0 && !sides.insert(side).second) return std::nullopt;
-      }
-    if (sides.empty()) return std::nullopt;
-    std::map<std::size_t, std::size_t> next;
-    for (const Side& side : sides)
-      if (!next.emplace(side.first, side.second).second) return std::nullopt;
-    Loop loop;
-    std::size_t at = next.begin()->first;
-    do {
-      loop.push_back(at);
-      const auto found = next.find(at);
-      if (found == next.end()) return std::nullopt;
-      at = found->second;
-    } while (at != loop.front() && loop.size() <= next.size());
-    if (loop.size() != next.size()) return std::nullopt;
-    return convex(loop) ? std::optional(loop) : std::nullopt;
-  }
-
-  /// The corners at which a convex loop turns.
-  [[nodiscard]] FacetCorners corners(const Loop& loop) const {
-    FacetCorners out;
-    for (std::size_t k = 0; k < loop.size(); ++k)
-      if (turn(loop, k) > 0) out.push_back(vertices_[loop[k]]);
-    return out;
-  }
-
-private:
-  [[nodiscard]] int turn(const Loop& loop, std::size_t k) const {
-    const std::size_t n = loop.size();
-    return projection_.turn(vertices_[loop[(k + n - 1) % n]], vertices_[loop[k]],
-                            vertices_[loop[(k + 1) % n]]);
-  }
-  /// A loop that never turns right and goes round once: seen from its first corner no other side turns right
-  /// either.
-  [[nodiscard]] bool convex(const Loop& loop) const {
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      if (turn(loop, k) < 0) return false;
-      const std::size_t next = (k + 1) % loop.size();
-      if (projection_.turn(vertices_[loop[0]], vertices_[loop[k]], vertices_[loop[next]]) < 0) return false;
-    }
-    return true;
-  }
-  const std::vector<Point>& vertices_;
-  const Projection& projection_;
-};
-
-/// All of the triangles if their union is convex, else pairs of neighbours as long as there are such.
-std::vector<Loop> convex_parts(const ConvexUnion& plane, std::vector<Loop> parts) {
-  if (const auto whole = plane.joined(parts)) return {*whole};
-  for (bool changed = true; changed;) {
-    changed = false;
-    std::map<Side, std::size_t> owner;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      for (std::size_t k = 0; k < parts[i].size(); ++k)
-        owner[{parts[i][k], parts[i][(k + 1) % parts[i].size()]}] = i;
-    std::vector<bool> taken(parts.size(), false);
-    std::vector<Loop> next;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (taken[i]) continue;
-      taken[i] = true;
-      Loop mine = parts[i];
-      for (std::size_t k = 0; k < parts[i].size(); ++k) {
-        const auto other = owner.find({parts[i][(k + 1) % parts[i].size()], parts[i][k]});
-        if (other == owner.end() || taken[other->second]) continue;
-        if (const auto both = plane.joined({mine, parts[other->second]})) {
-          mine = *both;
-          taken[other->second] = true;
-          changed = true;
-          break;
-        }
-      }
-      next.push_back(std::move(mine));
-    }
-    parts = std::move(next);
-  }
-  return parts;
-}
-
 /// On which side of the plane through three points others lie, exactly; nearly always decided in doubles.
 class Plane {
 public:
@@ -306,30 +178,16 @@ void FacetScene::find_occluders() {
   const PlaneClasses classes = plane_classes(scene_.mesh());
   std::vector<std::vector<std::size_t>> members(classes.count());
   for (std::size_t t = 0; t < facet_count(); ++t) members[classes.of_triangle[t]].push_back(t);
-  std::set<Loop> shapes;
-  const auto sorted = [](Loop loop) {
-    std::sort(loop.begin(), loop.end());
-    return loop;
-  };
+  std::set<std::vector<std::size_t>> shapes;
   for (const std::vector<std::size_t>& triangles : members) {
-    const std::array<Point, 3> plane = scene_.corners(triangles.front());
-    if (sides(plane, scene_.mesh().vertices) != 3U) continue;
-    const Projection projection(plane);
-    const ConvexUnion joiner(scene_.mesh().vertices, projection);
-    std::vector<Loop> parts;
-    for (const std::size_t t : triangles) {
-      const VertexTriple& v = scene_.vertices(t);
-      parts.push_back({v[0], v[1], v[2]});
-    }
-    std::map<Side, std::size_t> owner;
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-      for (std::size_t k = 0; k < 3; ++k) owner[{parts[i][k], parts[i][(k + 1) % 3]}] = triangles[i];
-    for (const Loop& loop : convex_parts(joiner, parts)) {
+    if (sides(scene_.corners(triangles.front()), scene_.mesh().vertices) != 3U) continue;
+    for (ConvexPart& part : convex_parts(scene_, triangles)) {
       // Both sides of a plate are one occluder.
-      if (!shapes.insert(sorted(loop)).second) continue;
-      occluders_.push_back({.corners = joiner.corners(loop), .plane = scene_.plane(triangles.front())});
+      std::sort(part.vertices.begin(), part.vertices.end());
+      if (!shapes.insert(std::move(part.vertices)).second) continue;
+      occluders_.push_back({.corners = std::move(part.corners), .plane = scene_.plane(triangles.front())});
       // One of the occluder's own: several bodies may have faces in one plane.
-      occluder_triangle_.push_back(owner.at({loop[0], loop[1]}));
+      occluder_triangle_.push_back(part.triangle);
     }
   }
 }

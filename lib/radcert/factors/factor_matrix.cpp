@@ -21,47 +21,49 @@ namespace radcert {
 
 namespace {
 
-/// Rows of the upper triangle of the matrix of triangles that are computed together.
-struct RowBlock {
-  std::size_t begin = 0;
-  std::size_t end = 0;
-  std::vector<std::size_t> offset;  ///< of each row's first pair
-  std::size_t pairs = 0;
-
-  [[nodiscard]] std::pair<std::size_t, std::size_t> pair(std::size_t k) const {
-    const auto above = std::upper_bound(offset.begin(), offset.end(), k);
-    const auto row = static_cast<std::size_t>(above - offset.begin()) - 1;
-    return {begin + row, begin + row + 1 + (k - offset[row])};
+/// The pairs of triangles (i, j), i < j, row by row.
+class PairList {
+public:
+  explicit PairList(std::size_t triangles) {
+    std::size_t first = 0;
+    for (std::size_t row = 0; row + 1 < triangles; first += triangles - ++row) first_of_row_.push_back(first);
+    count_ = first;
   }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] std::pair<std::size_t, std::size_t> pair(std::size_t k) const {
+    const auto above = std::upper_bound(first_of_row_.begin(), first_of_row_.end(), k);
+    const auto row = static_cast<std::size_t>(above - first_of_row_.begin()) - 1;
+    return {row, row + 1 + (k - first_of_row_[row])};
+  }
+
+private:
+  std::vector<std::size_t> first_of_row_;
+  std::size_t count_ = 0;
 };
 
-/// Blocks of at least so many pairs: large enough that threads have work, small enough that an interruption
-/// loses little.
+/// Pairs that are computed together: `first`, `first + step`, and so on, so that each block has its share of
+/// every row, and what is done stands for the rest.
+struct PairBlock {
+  std::size_t first = 0;
+  std::size_t step = 1;
+  std::size_t pairs = 0;
+  [[nodiscard]] std::size_t number(std::size_t k) const { return first + k * step; }
+};
+
+/// At most so many pairs: an interruption loses little. And at least so many blocks, for the time that is
+/// left, but where threads would have no work.
 constexpr std::size_t pairs_of_block = 8192;
+constexpr std::size_t least_blocks = 40;
+constexpr std::size_t least_pairs = 64;
 
-std::vector<RowBlock> row_blocks(std::size_t triangles) {
-  std::vector<RowBlock> blocks;
-  for (std::size_t row = 0; row < triangles;) {
-    RowBlock block;
-    block.begin = row;
-    while (row < triangles && block.pairs < pairs_of_block) {
-      block.offset.push_back(block.pairs);
-      block.pairs += triangles - ++row;
-    }
-    block.end = row;
-    blocks.push_back(std::move(block));
-  }
+std::vector<PairBlock> pair_blocks(std::size_t pairs) {
+  const std::size_t size = std::clamp(pairs / least_blocks, least_pairs, pairs_of_block);
+  // Odd, as pairs of triangles of a rectangle follow each other.
+  const std::size_t count = ((pairs + size - 1) / size) | 1U;
+  std::vector<PairBlock> blocks;
+  for (std::size_t b = 0; b < std::min(count, pairs); ++b)
+    blocks.push_back({b, count, (pairs - b + count - 1) / count});
   return blocks;
-}
-
-/// A step that goes through all of `count` places, far apart at first: what is done then stands for the rest,
-/// whatever order the triangles have.
-std::size_t spreading_stride(std::size_t count) {
-  constexpr double golden = 0.6180339887498949;
-  std::size_t stride =
-      std::max<std::size_t>(1, static_cast<std::size_t>(golden * static_cast<double>(count)));
-  while (std::gcd(stride, count) != 1) ++stride;
-  return stride;
 }
 
 std::string bits_text(double x) {
@@ -188,20 +190,20 @@ void finish(FactorMatrix& matrix, const ExchangeSums& sums, const FactorDemand& 
   }
 }
 
-std::string block_key(const FactorProgress& progress, const FactorDemand& demand, const RowBlock& block) {
+std::string block_key(const FactorProgress& progress, const FactorDemand& demand, const PairBlock& block) {
   return progress.key + (demand.certified ? "\ncertified " : "\naccuracy ") + bits_text(demand.accuracy) +
-         "\nrows " + std::to_string(block.begin) + " to " + std::to_string(block.end);
+         "\npairs " + std::to_string(block.first) + " by " + std::to_string(block.step);
 }
 
 std::vector<PairExchange> block_pairs(const FacetScene& scene, const FactorDemand& demand,
-                                      const RowBlock& block) {
+                                      const PairList& list, const PairBlock& block) {
   std::vector<PairExchange> pairs(block.pairs);
   const long bits = BallPrecision::current();
   constexpr std::size_t grain = 16;  // pairs differ much in cost
   parallel_for(block.pairs, grain, [&](std::size_t begin, std::size_t end) {
     const BallPrecision inside(bits);
     for (std::size_t k = begin; k < end; ++k) {
-      const auto [i, j] = block.pair(k);
+      const auto [i, j] = list.pair(block.number(k));
       pairs[k] = pair_exchange(scene, i, j, demand);
     }
   });
@@ -262,7 +264,7 @@ double seconds_of_entry() {
   return seconds / count / static_cast<double>(thread_count()) + seconds_of_writing;
 }
 
-/// Pairs evenly spread over the matrix, timed.
+/// Pairs evenly spread over the matrix, timed, with their radii.
 class PairSamples {
 public:
   PairSamples(const FacetScene& scene, const FactorDemand& demand) : scene_(scene), demand_(demand) {}
@@ -301,6 +303,9 @@ public:
   [[nodiscard]] double share_that_sees() const {
     return static_cast<double>(seen_.size()) / static_cast<double>(std::max<std::size_t>(1, sights_.size()));
   }
+
+  /// Of the exchange areas that were computed.
+  [[nodiscard]] double mean_radius() const { return mean(radii_); }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -355,13 +360,14 @@ private:
   /// What is done beyond looking.
   void time(std::size_t first, std::size_t count) {
     exchanges_.resize(first + count);
+    radii_.resize(first + count);
     const long bits = BallPrecision::current();
     parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
       const BallPrecision inside(bits);
       for (std::size_t k = begin; k < end; ++k) {
         const auto [row, column] = seen_[first + k];
         const auto start = Clock::now();
-        static_cast<void>(pair_exchange(scene_, row, column, demand_));
+        radii_[first + k] = pair_exchange(scene_, row, column, demand_).area.radius;
         exchanges_[first + k] = since(start);
       }
     });
@@ -371,6 +377,7 @@ private:
   const FactorDemand& demand_;
   std::vector<double> sights_;     ///< seconds
   std::vector<double> exchanges_;  ///< seconds
+  std::vector<double> radii_;
   std::vector<Pair> seen_;
 };
 
@@ -412,12 +419,14 @@ FactorPlan factor_plan(const FacetScene& scene, const FactorUnits& units, const 
   constexpr std::uint64_t bytes_of_triangle = 2048;
   plan.memory.add("scene", n, bytes_of_triangle);
   constexpr std::uint64_t bytes_of_pair = sizeof(PairExchange) + 64;
-  plan.memory.add("pairs at a time", std::max<std::uint64_t>(pairs_of_block, n), bytes_of_pair);
+  plan.memory.add("pairs at a time", pairs_of_block, bytes_of_pair);
   plan.memory.add("exchange areas", m * (m + 1) / 2, sizeof(Approximation));
   if (kept == FactorsKept::all) plan.memory.add("factors", m * m, sizeof(ConfigurationFactor));
   if (plan.pairs == 0) return plan;
   PairSamples samples(scene, demand);
   plan.seconds = samples.seconds_of_all(plan.pairs);
+  plan.radius = 2 * samples.mean_radius() * samples.share_that_sees() * static_cast<double>(plan.pairs) /
+                scene.total_area();
   // The entries, each divided, looked at and written.
   const double of_pairs = 2 * samples.share_that_sees() * static_cast<double>(plan.pairs);
   plan.seconds += seconds_of_entry() * std::min(of_pairs, static_cast<double>(m) * static_cast<double>(m));
@@ -439,23 +448,21 @@ FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units, co
   for (const FactorRow& row : matrix.rows) expects(row.area.value > 0, "each unit has a triangle");
   ExchangeSums sums(units.names.size());
   std::size_t done = 0;
-  const std::size_t all = std::max<std::size_t>(scene.facet_count() * (scene.facet_count() - 1) / 2, 1);
-  const std::vector<RowBlock> blocks = row_blocks(scene.facet_count());
-  const std::size_t stride = spreading_stride(blocks.size());
-  for (std::size_t turn = 0; turn < blocks.size(); ++turn) {
-    const RowBlock& block = blocks[turn * stride % blocks.size()];
+  const PairList list(scene.facet_count());
+  const std::size_t all = std::max<std::size_t>(list.count(), 1);
+  for (const PairBlock& block : pair_blocks(list.count())) {
     throw_if_interrupted();
     std::optional<std::vector<PairExchange>> pairs;
     if (progress.store != nullptr)
       if (const auto kept = progress.store->get(block_key(progress, demand, block)))
         pairs = stored_pairs(*kept, block.pairs, demand.certified);
     if (!pairs) {
-      pairs = block_pairs(scene, demand, block);
+      pairs = block_pairs(scene, demand, list, block);
       if (progress.store != nullptr)
         static_cast<void>(progress.store->put(block_key(progress, demand, block), stored_text(*pairs)));
     }
     for (std::size_t k = 0; k < block.pairs; ++k) {
-      const auto [i, j] = block.pair(k);
+      const auto [i, j] = list.pair(block.number(k));
       const PairExchange& pair = (*pairs)[k];
       matrix.whole_pairs += pair.sight == PairSight::whole ? 1 : 0;
       matrix.hidden_pairs += pair.sight == PairSight::hidden ? 1 : 0;

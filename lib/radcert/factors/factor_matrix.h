@@ -77,10 +77,10 @@ struct FactorMatrix {
 
 /// Where a computation of a matrix reports its progress and keeps finished rows.
 struct FactorProgress {
-  /// Called between blocks of rows with the fraction of pairs done.
+  /// Called between blocks of pairs with the fraction of pairs done.
   std::function<void(double)> at = [](double) {};
   std::string key{};             ///< all that the numbers depend on; the demand is added
-  ResultStore* store = nullptr;  ///< finished blocks of rows are kept there and not computed again
+  ResultStore* store = nullptr;  ///< finished blocks of pairs are kept there and not computed again
   /// Called with the factors of one row after the other; where it is set, FactorMatrix::entries stays empty.
   std::function<void(std::span<const ConfigurationFactor>)> row{};
 };
@@ -93,6 +93,7 @@ struct FactorPlan {
   MemoryPlan memory;
   double seconds = 0;  ///< on the threads there are
   std::uint64_t pairs = 0;
+  double radius = 0;  ///< of the row sums, the mean by area, as the pairs that were computed have it
 };
 
 /// Pairs evenly spread over the matrix are timed, those between which light passes until their mean is known
@@ -116,7 +117,7 @@ struct FactorPlan {
 /// Requires  of_triangle has a unit below names.size() for each triangle, each unit a triangle, else
 ///           ContractViolation
 /// Result    the same bits for any number of threads, and whether rows came from the store or not;
-///           Interrupted where the user asked to stop: finished blocks of rows are in the store
+///           Interrupted where the user asked to stop: finished blocks of pairs are in the store
 /// Limits    holds two doubles for each pair of units, and each factor unless FactorProgress::row takes it
 [[nodiscard]] FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units,
                                          const FactorDemand& demand, const FactorProgress& progress);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <numbers>
 #include <random>
@@ -18,8 +19,10 @@
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/factors/certified_exchange.h"
+#include "radcert/factors/convex_parts.h"
 #include "radcert/geometry/box_tree.h"
 #include "radcert/geometry/orientation.h"
+#include "radcert/geometry/plane_classes.h"
 
 namespace radcert {
 
@@ -37,23 +40,41 @@ constexpr std::uint64_t first_points = 1024;
 constexpr double growth = 1.5;
 constexpr std::size_t dimensions = 4;
 
-/// A ray, with what its tests against boxes need.
+/// A ray, with the plane in which it starts.
 struct Ray {
-  std::size_t triangle = 0;  ///< from which it starts
+  std::size_t plane = 0;
   Point eye;
   Point step;
 };
 
-/// The first triangle along rays.
+/// The first units along rays. Triangles of one plane and one unit count alike: they are joined into convex
+/// polygons.
 class FirstHits {
 public:
-  explicit FirstHits(const FacetScene& scene)
-      : scene_(scene), tree_(triangle_boxes(scene.scene().mesh())), corners_(scene.facet_count()) {
-    for (std::size_t t = 0; t < corners_.size(); ++t) corners_[t] = scene.scene().corners(t);
+  FirstHits(const FacetScene& scene, const FactorUnits& units) {
+    const PlaneClasses classes = plane_classes(scene.scene().mesh());
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> members;
+    for (std::size_t t = 0; t < scene.facet_count(); ++t)
+      members[{classes.of_triangle[t], units.of_triangle[t]}].push_back(t);
+    std::vector<BoundingBox> boxes;
+    for (const auto& [key, triangles] : members)
+      for (const ConvexPart& part : convex_parts(scene.scene(), triangles)) {
+        Polygon polygon{.normal = scene.unit_normal(part.triangle),
+                        .first = corners_.size(),
+                        .count = part.corners.size(),
+                        .plane = scene.scene().plane(part.triangle),
+                        .unit = key.second};
+        BoundingBox box{part.corners.front(), part.corners.front()};
+        for (const Point& p : part.corners) box = hull(box, {p, p});
+        corners_.insert(corners_.end(), part.corners.begin(), part.corners.end());
+        polygons_.push_back(polygon);
+        boxes.push_back(box);
+      }
+    tree_ = BoxTree(std::move(boxes));
   }
 
   struct Hit {
-    std::size_t triangle = 0;
+    std::size_t unit = 0;
     bool front = false;
   };
 
@@ -62,7 +83,6 @@ public:
     // Zero in a step makes infinities, which the comparisons below take as they should; 0 * infinity is no
     // number, and std::min and std::max then keep their first argument.
     const Point inverse{1 / ray.step.x, 1 / ray.step.y, 1 / ray.step.z};
-    const std::size_t plane = scene_.scene().plane(ray.triangle);
     double nearest = nowhere;
     std::optional<Hit> hit;
     tree_.search(
@@ -75,15 +95,23 @@ public:
           clip(box.low.z, box.high.z, ray.eye.z, inverse.z, from, to);
           return from <= to ? -from : -nowhere;
         },
-        [&](std::size_t t) {
+        [&](std::size_t k) {
           // What lies in the plane from which the ray starts is not met, nor is the other side of a plate.
-          if (scene_.scene().plane(t) != plane) meet(t, ray, nearest, hit);
+          if (polygons_[k].plane != ray.plane) meet(polygons_[k], ray, nearest, hit);
           return -nearest;
         });
     return hit;
   }
 
 private:
+  struct Polygon {
+    Point normal;
+    std::size_t first;  ///< of its corners
+    std::size_t count;
+    std::size_t plane;
+    std::size_t unit;
+  };
+
   /// Leaves of [from, to] what lies between two planes; each end is off by three roundings.
   static void clip(double low, double high, double eye, double inverse, double& from, double& to) {
     const double a = (low - eye) * inverse;
@@ -95,68 +123,81 @@ private:
     to = std::min(to, last + outwards * std::abs(last));
   }
 
-  /// The determinants change their sign exactly with the order of an edge's ends, so that a ray that passes
-  /// one triangle at the edge meets its neighbour there.
-  void meet(std::size_t t, const Ray& ray, double& nearest, std::optional<Hit>& hit) const {
-    const Point a = corners_[t][0] - ray.eye;
-    const Point b = corners_[t][1] - ray.eye;
-    const Point c = corners_[t][2] - ray.eye;
-    const double ab = dot(ray.step, cross(a, b));
-    const double bc = dot(ray.step, cross(b, c));
-    if (ab * bc < 0) return;
-    const double ca = dot(ray.step, cross(c, a));
-    if (ab * ca < 0 || bc * ca < 0) return;
-    const Point& normal = scene_.unit_normal(t);
-    const double along = dot(normal, ray.step);
+  /// The determinants change their sign exactly with the order of a side's ends, so that a ray that passes
+  /// one polygon at the side meets its neighbour there, where they have both ends in common.
+  void meet(const Polygon& polygon, const Ray& ray, double& nearest, std::optional<Hit>& hit) const {
+    const double along = dot(polygon.normal, ray.step);
     if (along == 0) return;
-    const double distance = dot(normal, a) / along;
+    const Point* corner = &corners_[polygon.first];
+    const double distance = dot(polygon.normal, corner[0] - ray.eye) / along;
     const bool front = along < 0;
     // Both sides of a plate are met at once: the one that looks at the ray counts.
     constexpr double roundings = 0x1p-40;
     const bool together = hit && std::abs(distance - nearest) <= roundings * nearest;
     if (!(distance > 0) || (together ? hit->front || !front : distance >= nearest)) return;
+    Point before = corner[polygon.count - 1] - ray.eye;
+    bool positive = false;
+    bool negative = false;
+    for (std::size_t k = 0; k < polygon.count; ++k) {
+      const Point here = corner[k] - ray.eye;
+      const double moment = dot(ray.step, cross(before, here));
+      positive = positive || moment > 0;
+      negative = negative || moment < 0;
+      before = here;
+    }
+    if (positive && negative) return;
     nearest = distance;
-    hit = Hit{t, front};
+    hit = Hit{polygon.unit, front};
   }
 
-  const FacetScene& scene_;
+  std::vector<Polygon> polygons_;
+  std::vector<Point> corners_;
   BoxTree tree_;
-  std::vector<std::array<Point, 3>> corners_;
 };
 
 /// Points and directions of a unit.
 class UnitSampler {
 public:
-  UnitSampler(const FacetScene& scene, std::vector<std::size_t> triangles)
-      : scene_(scene), triangles_(std::move(triangles)) {
-    for (const std::size_t t : triangles_) {
+  UnitSampler(const FacetScene& scene, const std::vector<std::size_t>& triangles) {
+    for (const std::size_t t : triangles) {
       area_ += scene.area(t);
       up_to_.push_back(area_);
+      const std::array<Point, 3> c = scene.scene().corners(t);
+      const Point& normal = scene.unit_normal(t);
+      const Point side = std::abs(normal.x) < 0.5 ? Point{1, 0, 0} : Point{0, 1, 0};
+      const Point first = cross(side, normal);
+      const Point u = (1 / norm(first)) * first;
+      places_.push_back(
+          {scene.scene().plane(t), c[0], c[1] - c[0], c[2] - c[0], u, cross(normal, u), normal});
     }
   }
 
   [[nodiscard]] Ray at(const std::array<double, dimensions>& x) const {
     const double place = x[0] * area_;
     const auto found = std::upper_bound(up_to_.begin(), up_to_.end(), place);
-    const std::size_t k = std::min(static_cast<std::size_t>(found - up_to_.begin()), triangles_.size() - 1);
-    const std::size_t t = triangles_[k];
+    const std::size_t k = std::min(static_cast<std::size_t>(found - up_to_.begin()), places_.size() - 1);
     const double before = k == 0 ? 0 : up_to_[k - 1];
     // What is left of the first number is uniform again.
     const double within = std::clamp((place - before) / (up_to_[k] - before), 0.0, 1.0);
     const double root = std::sqrt(within);
-    const std::array<Point, 3> c = scene_.scene().corners(t);
-    const Point eye = c[0] + (root * (1 - x[1])) * (c[1] - c[0]) + (root * x[1]) * (c[2] - c[0]);
-    const Point& normal = scene_.unit_normal(t);
-    const Point side = std::abs(normal.x) < 0.5 ? Point{1, 0, 0} : Point{0, 1, 0};
-    const Point first = cross(side, normal);
-    const Point u = (1 / norm(first)) * first;
-    const Point v = cross(normal, u);
+    const Place& t = places_[k];
+    const Point eye = t.corner + (root * (1 - x[1])) * t.first + (root * x[1]) * t.second;
     const auto [a, b] = disk_point(x[2], x[3]);
     const double up = std::sqrt(std::max(0.0, 1 - a * a - b * b));
-    return {t, eye, a * u + b * v + up * normal};
+    return {t.plane, eye, a * t.u + b * t.v + up * t.normal};
   }
 
 private:
+  struct Place {
+    std::size_t plane;
+    Point corner;
+    Point first;  ///< from the corner to the others
+    Point second;
+    Point u;  ///< two unit vectors across the normal
+    Point v;
+    Point normal;
+  };
+
   /// Squares about the middle of the unit square go to circles, areas in proportion.
   static std::pair<double, double> disk_point(double s, double t) {
     const double a = 2 * s - 1;
@@ -169,8 +210,7 @@ private:
     return {radius * std::cos(angle), radius * std::sin(angle)};
   }
 
-  const FacetScene& scene_;
-  std::vector<std::size_t> triangles_;
+  std::vector<Place> places_;  ///< its triangles
   std::vector<double> up_to_;  ///< areas up to and with each
   double area_ = 0;
 };
@@ -198,10 +238,10 @@ struct RowCount {
 class RayCounts {
 public:
   RayCounts(const FacetScene& scene, const FactorUnits& units)
-      : scene_(scene), units_(units), first_hits_(scene), rows_(units.names.size()) {
+      : scene_(scene), units_(units), first_hits_(scene, units), rows_(units.names.size()) {
     std::vector<std::vector<std::size_t>> members(units.names.size());
     for (std::size_t t = 0; t < scene.facet_count(); ++t) members[units.of_triangle[t]].push_back(t);
-    for (std::vector<std::size_t>& triangles : members) samplers_.emplace_back(scene, std::move(triangles));
+    for (const std::vector<std::size_t>& triangles : members) samplers_.emplace_back(scene, triangles);
     for (RowCount& row : rows_) row.hits.assign(replicates * size(), 0);
     constexpr std::mt19937_64::result_type seed = 20260;
     std::mt19937_64 random(seed);
@@ -230,7 +270,7 @@ public:
         for (std::uint64_t k = from; k < to; ++k) {
           const auto hit =
               first_hits_.along(samplers_[row].at(sequence_point(shifts_[row * replicates + replicate], k)));
-          if (hit && hit->front) ++hits[units_.of_triangle[hit->triangle]];
+          if (hit && hit->front) ++hits[hit->unit];
         }
         const std::scoped_lock lock(mutex);
         for (std::size_t j = 0; j < hits.size(); ++j) count.hits[replicate * size() + j] += hits[j];
@@ -404,6 +444,7 @@ FactorPlan ray_plan(const FacetScene& scene, const FactorUnits& units, const Ray
   for (std::size_t i = 0; i < counts.size(); ++i)
     points += final_points(points_of_plan, largest_radius({counts, areas, i}, counts.size()), demand);
   plan.pairs = static_cast<std::uint64_t>(points) * replicates;
+  plan.radius = demand.accuracy;
   plan.seconds = seconds * points / static_cast<double>(points_of_plan * m);
   return plan;
 }

@@ -28,10 +28,11 @@ struct RayDemand {
 ///           in 10,000 leaves, times their standard error, and 10 hits over the number of rays, which covers
 ///           what was hit rarely. The points of a row grow by half until all its radii are at most the
 ///           accuracy, or the most points are reached: then the radii are what they are. A row's sum has the
-///           radius of the replicates' sums. Which triangles a ray meets is rounded, but none passes between
-///           neighbours; what lies in the plane of its start it does not meet, and of the two sides of a
-///           plate it meets the one that looks at it. Hits are whole numbers: the same bits for any number of
-///           threads
+///           radius of the replicates' sums. Triangles of one plane and one unit are joined to convex
+///           polygons first. Which of these a ray meets is rounded, but none passes between neighbours that
+///           have both ends of a side in common; what lies in the plane of its start it does not meet, and
+///           of the two sides of a plate it meets the one that looks at it. Hits are whole numbers: the same
+///           bits for any number of threads
 /// Limits    a unit that is seen through a slit of less than the tenth of the accuracy may be missed: it lies
 ///           within the radius. Holds 32 whole numbers for each pair of units
 [[nodiscard]] FactorMatrix ray_factors(const FacetScene& scene, const FactorUnits& units,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -98,11 +99,12 @@ public:
       std::size_t node;
       double upper;
     };
-    std::vector<Pending> pending;
-    if (!nodes_.empty()) pending.push_back({0, upper(nodes_[0].box)});
-    while (!pending.empty()) {
-      const Pending next = pending.back();
-      pending.pop_back();
+    // Each level leaves one, and halves are parted at most as often as a number has digits.
+    std::array<Pending, 2 + std::numeric_limits<std::size_t>::digits> pending;
+    std::size_t count = 0;
+    if (!nodes_.empty()) pending[count++] = {0, upper(nodes_[0].box)};
+    while (count > 0) {
+      const Pending next = pending[--count];
       if (next.upper <= least) continue;
       const Node& node = nodes_[next.node];
       if (node.begin == node.end) {
@@ -111,7 +113,7 @@ public:
         std::array<Pending, 2> halves{
             {{first, upper(nodes_[first].box)}, {second, upper(nodes_[second].box)}}};
         if (halves[0].upper > halves[1].upper) std::swap(halves[0], halves[1]);
-        pending.insert(pending.end(), halves.begin(), halves.end());
+        for (const Pending& half : halves) pending[count++] = half;
       }
       for (std::size_t i = node.begin; i < node.end; ++i) least = look(order_[i]);
     }

@@ -13,10 +13,10 @@ namespace radcert {
 /// The Taylor coefficients of a function of one variable at all points of an interval, enclosed.
 /// Maths     c_k encloses f^(k)(y) / k! for every y of an interval, k = 0, ..., degree
 /// Source    automatic differentiation: R. E. Moore, Interval Analysis, 1966, chapter 11; A. Griewank, A.
-///           Walther, Evaluating Derivatives, 2008, chapter 13. From c' = a' / a for the logarithm and c' = a' /
-///           (1 + a^2) for the arc tangent, coefficient by coefficient
-/// Result    enclosures, rounding within; infinite or no number where a divisor, a radicand or the argument of
-///           a logarithm may vanish on the interval
+///           Walther, Evaluating Derivatives, 2008, chapter 13. From c' = a' / a for the logarithm and
+///           c' = a' / (1 + a^2) for the arc tangent, coefficient by coefficient
+/// Result    enclosures, rounding within; infinite or no number where a divisor, a radicand or the argument
+///           of a logarithm may vanish on the interval
 template <int degree>
 class TaylorSeries {
 public:
