@@ -258,8 +258,14 @@ TEST(SolveLevel, IteratesWhereAContractionIsFoundIfTheSolverIsLeftOpen) {
   hard.solver.name = "direct";
   EXPECT_EQ(solve_level(hard, 0, reference::applied_operator).result.node_error->value,
             eliminated.result.node_error->value);
+  // Of products alone nothing can be eliminated: the entries are computed.
   hard.solver.name = "auto";
   hard.matrix.name = "h2";
+  const LevelOutcome fallen_back = solve_level(hard, 0, reference::applied_operator);
+  EXPECT_EQ(fallen_back.result.solver, "direct");
+  EXPECT_EQ(fallen_back.result.matrix_form, "dense");
+  EXPECT_EQ(fallen_back.result.node_error->value, eliminated.result.node_error->value);
+  hard.solver.name = "gmres";
   EXPECT_EQ(fault_of([&] { static_cast<void>(solve_level(hard, 0, reference::applied_operator)); }).pointer,
             "/solver/name");
 }
