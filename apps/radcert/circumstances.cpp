@@ -23,7 +23,7 @@
 #include "output.h"
 #include "radcert/core/checked.h"
 #include "radcert/core/errors.h"
-#include "radcert/core/temporary_files.h"
+#include "radcert/core/files/temporary_files.h"
 
 namespace radcert::app {
 

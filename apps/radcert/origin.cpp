@@ -9,9 +9,9 @@
 
 #include "circumstances.h"
 #include "citation.h"
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 #include "radcert/core/memory_plan.h"
 #include "radcert/core/parallel.h"
 #include "verification/framework/reading/embedded.h"

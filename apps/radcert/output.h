@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "command.h"
-#include "radcert/core/atomic_file.h"
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/atomic_file.h"
+#include "radcert/core/files/result_store.h"
 
 namespace radcert::app {
 

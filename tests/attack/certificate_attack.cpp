@@ -12,8 +12,8 @@
 #include "radcert/certificate/check.h"
 #include "radcert/core/text.h"
 #include "tests/attack/attack.h"
-#include "tests/attack/skew_map.h"
 #include "tests/certificate/samples.h"
+#include "tests/continuous/skew_map.h"
 
 namespace radcert::attack {
 namespace {

@@ -14,7 +14,7 @@
 #include "radcert/core/text.h"
 #include "radcert/surface/catalogue.h"
 #include "tests/attack/attack.h"
-#include "tests/attack/skew_map.h"
+#include "tests/continuous/skew_map.h"
 
 namespace radcert::attack {
 namespace {

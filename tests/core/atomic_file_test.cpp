@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/core/atomic_file.h"
+#include "radcert/core/files/atomic_file.h"
 
 #include "radcert/core/errors.h"
 #include "tests/core/temporary_folder.h"

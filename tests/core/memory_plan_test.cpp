@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/core/memory_plan.h"
 
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/checked.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 #include "tests/core/refusal.h"
 #include "tests/core/temporary_folder.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 
-#include "radcert/core/atomic_file.h"
+#include "radcert/core/files/atomic_file.h"
 #include "radcert/core/parallel.h"
 #include "tests/core/temporary_folder.h"
 

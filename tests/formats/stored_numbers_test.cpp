@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "tests/core/temporary_folder.h"
 

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 #include "radcert/core/text.h"
 #include "radcert/expression/parse.h"
 #include "radcert/formats/json/json_document.h"

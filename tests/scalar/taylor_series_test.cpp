@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/scalar/taylor_series.h"
+#include "radcert/scalar/functions/taylor_series.h"
 
 #include <gtest/gtest.h>
 

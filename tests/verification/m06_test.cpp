@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "radcert/core/contract.h"
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "tests/verification/fixtures.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
 #include "verification/claims/m06/named_problems.h"

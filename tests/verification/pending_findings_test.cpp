@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "radcert/core/errors.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/core/parallel.h"
-#include "radcert/core/result_store.h"
 #include "radcert/formats/result/stored_levels.h"
 #include "tests/verification/fixtures.h"
 #include "verification/framework/stored_finding.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/formats/result/stored_levels.h"
 #include "tests/verification/fixtures.h"
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "radcert/core/errors.h"
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/formats/result/stored_levels.h"
 #include "tests/verification/fixtures.h"
 

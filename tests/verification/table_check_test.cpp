@@ -7,7 +7,7 @@
 #include <map>
 
 #include "radcert/core/errors.h"
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "tests/core/refusal.h"
 #include "tests/verification/fixtures.h"
 #include "verification/framework/run_verification.h"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "radcert/core/errors.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/core/parallel.h"
-#include "radcert/core/result_store.h"
 #include "verification/framework/stored_finding.h"
 
 namespace radcert::verification {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "radcert/core/errors.h"
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "verification/framework/check.h"
 #include "verification/framework/enclosure_check.h"

@@ -12,8 +12,8 @@
 
 #include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/core/outcome.h"
-#include "radcert/core/result_store.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/json/json_document.h"

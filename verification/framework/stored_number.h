@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/scalar/approximation.h"
 
 namespace radcert::verification {

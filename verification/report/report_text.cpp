@@ -10,8 +10,8 @@
 #include <system_error>
 #include <vector>
 
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/json/json_document.h"

@@ -17,7 +17,7 @@
 #include "output.h"
 #include "plot_files.h"
 #include "progress.h"
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/plot/experiment_plots.h"
 #include "radcert/formats/problem/experiment_file.h"

@@ -15,7 +15,7 @@
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/core/text.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/reference/operator_integral.h"

@@ -2,7 +2,7 @@
 #include "radcert/core/interrupt.h"
 
 #include "radcert/core/errors.h"
-#include "radcert/core/temporary_files.h"
+#include "radcert/core/files/temporary_files.h"
 
 #include <array>
 #include <atomic>

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
-#include "radcert/scalar/taylor_series.h"
+#include "radcert/scalar/functions/taylor_series.h"
 
 namespace radcert {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "radcert/core/files/result_store.h"
 #include "radcert/core/memory_plan.h"
-#include "radcert/core/result_store.h"
 #include "radcert/factors/facet_scene.h"
 
 namespace radcert {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <map>
 
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 #include "verification/framework/reading/embedded.h"
 
 namespace radcert::verification {

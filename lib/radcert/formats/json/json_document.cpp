@@ -6,8 +6,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/json/json_reader.h"

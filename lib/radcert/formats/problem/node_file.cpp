@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 #include "radcert/expression/parse.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"

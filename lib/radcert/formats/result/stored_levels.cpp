@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/formats/result/level_record.h"
 
 namespace radcert {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "radcert/core/base64.h"
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/problem/problem_json.h"
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <set>
 
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 #include "radcert/core/text.h"
 #include "radcert/formats/table/csv.h"
 

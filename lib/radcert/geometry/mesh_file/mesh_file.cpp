@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 #include "radcert/geometry/mesh_file/parts.h"
 
 namespace radcert {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/core/atomic_file.h"
+#include "radcert/core/files/atomic_file.h"
 
 #include "radcert/core/errors.h"
+#include "radcert/core/files/temporary_files.h"
 #include "radcert/core/interrupt.h"
-#include "radcert/core/temporary_files.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/core/temporary_files.h"
+#include "radcert/core/files/temporary_files.h"
 
 #include <array>
 #include <atomic>

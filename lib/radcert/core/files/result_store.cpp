@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/core/result_store.h"
+#include "radcert/core/files/result_store.h"
 
-#include "radcert/core/atomic_file.h"
 #include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 
 #include <cstdint>
 #include <cstdlib>
