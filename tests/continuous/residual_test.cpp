@@ -68,6 +68,26 @@ TEST(ResidualSums, SeeAConstantError) {
   }
 }
 
+TEST(ResidualSums, CountWhatBlackFacesEmit) {
+  // w = 1 everywhere, by emission alone on a face that is black, and q_0 = 1 + d: t_0 = -d, Int w_1 t_0 = -d
+  // area.
+  Furnace furnace("cube", 2, 1);
+  constexpr double d = 0.25;
+  furnace.reflectivity[0] = 0;
+  std::vector<std::vector<double>> emissions(2);
+  for (const double rho : furnace.reflectivity) {
+    emissions[0].push_back(1 - rho * (1 + d));
+    emissions[1].push_back(1 - rho);
+  }
+  for (std::size_t e = 0; e < furnace.elements.size(); ++e) furnace.q.of(e, 0)[0] = 1 + d;
+  const Trial trial(furnace.scene, furnace.reflectivity, furnace.elements,
+                    panel_functions(furnace.scene, furnace.elements, emissions, 1), furnace.q);
+  const CellDemand demand{.interpolation = 1e-3, .quadrature = 1e-5};
+  const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
+  EXPECT_LT(sums.products[1].radius, 0.1 * d);
+  EXPECT_NEAR(sums.products[1].value, -d * furnace.scene.area(), sums.products[1].radius);
+}
+
 TEST(ResidualSums, AreBoundsAtAnyDemand) {
   // Products of coarse cells contain those of fine ones; norms from coarse cells are larger.
   Furnace furnace("octahedron", 1, 2);
