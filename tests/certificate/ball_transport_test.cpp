@@ -8,27 +8,15 @@
 
 #include "radcert/certificate/gauss_rule.h"
 #include "radcert/closed_form/point_to_polygon.h"
+#include "tests/certificate/bench.h"
 #include "tests/certificate/samples.h"
 
 namespace radcert::certificate {
 namespace {
 
-using test::bare_certificate;
-using test::Draw;
-
-struct Bench {
-  explicit Bench(MeansCertificate given)
-      : c(std::move(given)),
-        scene(c),
-        densities(c),
-        lines(c, scene, densities),
-        transport(c, scene, densities, lines) {}
-  MeansCertificate c;
-  Scene scene;
-  Densities densities;
-  LineBounds lines;
-  BallTransport transport;
-};
+using radcert::test::bare_certificate;
+using radcert::test::Draw;
+using test::Bench;
 
 Vector<Rational> point_of(const MeansCertificate& c, std::size_t face, std::size_t side, const Rational& s,
                           const Rational& t) {

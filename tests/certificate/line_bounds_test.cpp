@@ -13,27 +13,15 @@
 
 #include "radcert/certificate/ball_transport.h"
 #include "radcert/certificate/gauss_rule.h"
+#include "tests/certificate/bench.h"
 #include "tests/certificate/samples.h"
 
 namespace radcert::certificate {
 namespace {
 
-using test::bare_certificate;
-using test::Draw;
-
-struct Bench {
-  explicit Bench(MeansCertificate given)
-      : c(std::move(given)),
-        scene(c),
-        densities(c),
-        lines(c, scene, densities),
-        transport(c, scene, densities, lines) {}
-  MeansCertificate c;
-  Scene scene;
-  Densities densities;
-  LineBounds lines;
-  BallTransport transport;
-};
+using radcert::test::bare_certificate;
+using radcert::test::Draw;
+using test::Bench;
 
 /// A part of an element at an edge, and near it.
 Box drawn_box(const Element& x, Draw& draw) {
