@@ -15,8 +15,8 @@ namespace radcert {
 
 /// The proof of `verified`.
 struct VerifiedReport {
-  double theta =
-      0;  ///< < 1: bounds a norm of I - R (I - K_n) with an approximate inverse R, so that I - K_n is regular
+  /// < 1: bounds a norm of I - R (I - K_n), so that I - K_n is regular; R an approximate inverse, I with h2
+  double theta = 0;
 };
 
 /// One level of a study.
