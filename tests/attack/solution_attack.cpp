@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Enclosures of the solution on skew polyhedra: constants in furnaces whose walls reflect unequally, which
 // means and values have to contain; the balance of energy of any other emission; coarse enclosures beside
-// finer ones; and values of solutions that no formula knows, each lit by two faces, which make a furnace
-// together.
+// finer ones; values of solutions that no formula knows, each lit by two faces, which make a furnace
+// together; and means in rooms whose parts hide each other, beside configuration factors.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,8 +12,10 @@
 
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/core/text.h"
+#include "radcert/factors/factor_matrix.h"
 #include "radcert/surface/catalogue.h"
 #include "tests/attack/attack.h"
+#include "tests/continuous/rooms.h"
 #include "tests/continuous/skew_map.h"
 
 namespace radcert::attack {
@@ -192,6 +194,96 @@ Judgement judge_lit(const Lit& x) {
   if (!(off <= radius + 1e-15L))
     return Judgement::violated(off_text("the sum of the values", off, static_cast<double>(radius)));
   return Judgement::held(2);
+}
+
+/// A room around a corner, skewed, of which one piece reflects.
+struct Corner {
+  SkewMap map;
+  std::size_t piece = 0;
+  long reflectivity = 0;       ///< of that piece, in hundredths
+  std::vector<long> emission;  ///< by piece, in hundredths
+  double width = 0;
+};
+
+std::string text_of_corner(const Corner& x) {
+  std::string out = "a room around a corner, " + x.map.text() + ", piece " + std::to_string(x.piece) +
+                    " with rho " + std::to_string(x.reflectivity) + ", E";
+  for (const long e : x.emission) out += " " + std::to_string(e);
+  return out + ", width " + shortest(x.width);
+}
+
+Corner drawn_corner(Draw& draw) {
+  Corner x{.map = SkewMap::drawn(draw, 70, 60, 30), .emission = {}};
+  x.piece = draw.below(8);
+  x.reflectivity = 20 + static_cast<long>(draw.below(60));
+  for (std::size_t k = 0; k < 8; ++k)
+    x.emission.push_back(draw.below(2) == 0 ? 0 : static_cast<long>(draw.below(200)) - 50);
+  x.width = 0.03 + 0.1 * draw.unit();
+  return x;
+}
+
+std::vector<Panel> room_of(const Corner& x) {
+  std::vector<Panel> room = test::l_room();
+  for (Panel& panel : room) {
+    std::vector<Vector<Rational>> corners;
+    for (const Vector<Rational>& corner : panel.corners) corners.push_back(x.map(corner));
+    panel = test::panel_with(panel.piece, std::move(corners));
+  }
+  return room;
+}
+
+/// Configuration factors between the pieces of a room, proved by way of the edges of what is seen.
+FactorMatrix factors_between_pieces(const std::vector<Panel>& room) {
+  TriangleMesh mesh;
+  FactorUnits units;
+  for (const Panel& panel : cut_panels(room)) {
+    const std::size_t first = mesh.vertices.size();
+    for (const Vector<Rational>& c : panel.corners)
+      mesh.vertices.push_back({c.x.to_double(), c.y.to_double(), c.z.to_double()});
+    for (std::size_t i = 1; i + 1 < panel.corners.size(); ++i) {
+      mesh.triangles.push_back({first, first + i, first + i + 1});
+      units.of_triangle.push_back(panel.piece);
+    }
+  }
+  for (std::size_t k = 0; k <= room.back().piece; ++k) units.names.push_back(std::to_string(k));
+  return factor_matrix(FacetScene(mesh), units, {.certified = true, .accuracy = 1e-4}, {});
+}
+
+/// Where one plane piece reflects, its mean is E + rho sum F E, and that of any other is E.
+Judgement judge_corner(const Corner& x) {
+  const std::vector<Panel> room = room_of(x);
+  std::vector<Rational> rho(8, Rational(0));
+  rho[x.piece] = hundredths(x.reflectivity);
+  std::vector<Rational> emission;
+  for (const long e : x.emission) emission.push_back(hundredths(e));
+  const GoalEnclosure found = enclose_means(test::occluded_problem(room, rho, emission), x.width);
+  const FactorMatrix factors = factors_between_pieces(room);
+  if (!factors.guaranteed) return Judgement::refused();
+  for (std::size_t k = 0; k < 8; ++k) {
+    long double truth = static_cast<long double>(x.emission[k]) / 100;
+    long double radius = 1e-12L;
+    for (const ConfigurationFactor& own : factors.entries) {
+      if (own.from != k || k != x.piece) continue;
+      const long double share = static_cast<long double>(x.reflectivity * x.emission[own.to]) / 10000;
+      truth += share * static_cast<long double>(own.factor.value);
+      radius += std::abs(share) * static_cast<long double>(own.factor.radius);
+    }
+    if (!found.numbers[k].has_radius()) return Judgement::refused();
+    const long double off = std::abs(static_cast<long double>(found.numbers[k].value) - truth);
+    const long double allowed = radius + static_cast<long double>(found.numbers[k].radius);
+    if (!(off <= allowed))
+      return Judgement::violated(
+          off_text("the mean of piece " + std::to_string(k), off, static_cast<double>(allowed)));
+  }
+  return Judgement::held(8);
+}
+
+TEST(SolutionAttack, MeansAroundACornerFollowFromFactors) {
+  hold(Attack<Corner>{.name = "means around a corner",
+                      .usual_instances = 1,
+                      .make = drawn_corner,
+                      .judge = judge_corner,
+                      .text = text_of_corner});
 }
 
 TEST(SolutionAttack, ValuesOnPolyhedraMakeAFurnace) {

@@ -14,6 +14,7 @@
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/trial_functions.h"
 #include "tests/continuous/memory.h"
+#include "tests/continuous/rooms.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {
@@ -49,6 +50,49 @@ TEST(GoalEnclosure, ContainsOneInAFurnace) {
     EXPECT_TRUE(found.hindrance.empty());
     for (const Approximation& mean : found.numbers) expect_contains(mean, 1);
   }
+}
+
+/// rho between 1/10 and 6/10, by piece.
+std::vector<Rational> reflectivities(std::size_t pieces) {
+  std::vector<Rational> rho;
+  for (std::size_t k = 0; k < pieces; ++k) rho.emplace_back(1 + static_cast<long>(k * 3 % 6), 10);
+  return rho;
+}
+
+TEST(GoalEnclosure, ContainsOneInARoomWhosePartsHideEachOther) {
+  // T 1 = 1: u = 1 where E = 1 - rho, whatever rho is on each piece.
+  const std::vector<Rational> rho = reflectivities(8);
+  std::vector<Rational> emission;
+  for (const Rational& r : rho) emission.push_back(Rational(1) - r);
+  const GoalEnclosure found = enclose_means(test::occluded_problem(test::l_room(), rho, emission), 1.0);
+  EXPECT_LE(found.width, 1.0);
+  for (const Approximation& mean : found.numbers) expect_contains(mean, 1);
+}
+
+TEST(GoalEnclosure, KeepsTheBalanceOfEnergyInARoomWhosePartsHideEachOther) {
+  const std::vector<Rational> rho = reflectivities(8);
+  std::vector<Rational> emission(8, Rational(0));
+  emission[4] = 1;
+  const PolyhedronProblem asked = test::occluded_problem(test::l_room(), rho, emission);
+  const SectorScene scene(asked.panels);
+  const GoalEnclosure found = enclose_means(asked, 0.2);
+  EXPECT_LE(found.width, 0.2);
+  double left = 0;
+  double radius = 0;
+  double right = 0;
+  for (std::size_t j = 0; j < asked.panels.size(); ++j) {
+    const Approximation& mean = found.numbers[asked.panels[j].piece];
+    const double of_piece = asked.reflectivity[j].to_double();
+    const double weight = (1 / of_piece - 1) * scene.area(j);
+    left += weight * mean.value;
+    radius += weight * mean.radius;
+    right += asked.emission[j](0, 0).to_double() / of_piece * scene.area(j);
+  }
+  EXPECT_NEAR(left, right, radius);
+  const GoalEnclosure wide = enclose_means(asked, 1.0);
+  for (std::size_t k = 0; k < found.numbers.size(); ++k)
+    EXPECT_LE(std::abs(found.numbers[k].value - wide.numbers[k].value),
+              found.numbers[k].radius + wide.numbers[k].radius);
 }
 
 TEST(GoalEnclosure, IsTheEmissionWhereNothingReflects) {

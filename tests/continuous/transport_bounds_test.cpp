@@ -369,6 +369,7 @@ TEST(TubeBound, HoldsInEllipsesOfObservers) {
   std::array<Closest, 4> of_density;
   std::array<Closest, 2> by_nearest;  // without and with the foot before the observer
   std::array<Closest, 2> by_rings;
+  Closest by_area;
   std::array<Closest, 2> majorants_by_nearest;
   std::array<Closest, 2> majorants_by_rings;
   double border = 0;
@@ -427,11 +428,15 @@ TEST(TubeBound, HoldsInEllipsesOfObservers) {
     }
     of_density[static_cast<std::size_t>(kind)].meet(std::abs(with_density), bound, 1e-6, "density", i);
     of_density[static_cast<std::size_t>(kind)].meet(std::abs(all), bound, 1e-6, "density 1", i);
-    // Each of the two bounds alone.
+    // Each of the bounds alone.
     ObserverLines nearest = lines;
     nearest.highest = 1e100;
     ObserverLines rings = lines;
     rings.mass = 1e100;
+    ObserverLines area = lines;
+    area.height = -1;
+    area.area = length(vector_product(plate.first, plate.second)) / (plate.triangle ? 2 : 1);
+    by_area.meet(modulus, tube_bound(area, tube.axis), 1e-6, "area", i);
     const auto before = static_cast<std::size_t>(foot_before);
     by_nearest[before].meet(modulus, tube_bound(nearest, tube.axis), 1e-6, "nearest", i);
     by_rings[before].meet(modulus, tube_bound(rings, tube.axis), 1e-6, "rings", i);
@@ -441,6 +446,7 @@ TEST(TubeBound, HoldsInEllipsesOfObservers) {
   }
   EXPECT_LT(border, 1e-4);
   for (const Closest& closest : of_density) EXPECT_GT(closest.quotient, 0.8);
+  EXPECT_GT(by_area.quotient, 0.6);
   for (const std::size_t before : {0U, 1U}) {
     EXPECT_GT(by_nearest[before].tried, 4000);
     EXPECT_GT(by_nearest[before].quotient, 0.95);

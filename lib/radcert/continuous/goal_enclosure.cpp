@@ -33,11 +33,13 @@ constexpr double largest_radius = 1e100;
 struct Missed {
   double norm = 0;
   double product = 0;
+  double shade = 0;  ///< of products
 };
 
 Missed missed_by(const Trial& trial, std::span<const ObserverCell> cells) {
   double squares = 0;
   double products = 0;
+  double shade = 0;
   for (const ObserverCell& cell : cells) {
     const double area = trial.sector(cell.element).jacobian * cell.box.weight();
     const double rho = trial.rho(cell.element);
@@ -46,11 +48,13 @@ Missed missed_by(const Trial& trial, std::span<const ObserverCell> cells) {
       squares += rho * area * largest * largest;
       products += area * largest * trial.smoothness.density_size(cell.element);
     } else {
-      squares += 4 * rho * area * cell.interpolation * cell.interpolation;
+      const double beside = 2 * cell.interpolation + cell.shade;
+      squares += rho * area * beside * beside;
       products += area * cell.quadrature;
+      shade += area * cell.shade_of_mean;
     }
   }
-  return {std::sqrt(squares), products};
+  return {std::sqrt(squares), products, shade};
 }
 
 /// Cells whose rules miss about this much in all.
@@ -66,15 +70,19 @@ Plan plan_cells(const Trial& trial, const Missed& allowed) {
   Missed aim = allowed;
   constexpr int tries = 4;
   for (int k = 0; k < tries; ++k) {
-    plan.demand = {.interpolation = aim.norm / std::sqrt(count), .quadrature = aim.product / count};
+    plan.demand = {.interpolation = aim.norm / std::sqrt(count),
+                   .quadrature = aim.product / count,
+                   .shade = aim.shade / count};
     plan.cells = observer_cells(trial, plan.demand);
     const Missed found = missed_by(trial, plan.cells);
     plan.is_kept = found.norm <= 10 * allowed.norm && found.product <= 10 * allowed.product;
-    if (found.norm <= allowed.norm && found.product <= allowed.product) break;
+    if (found.norm <= allowed.norm && found.product <= allowed.product && found.shade <= allowed.shade) break;
     // Limits of the cells' number were met: smaller demands would meet them again.
     if (!(found.norm <= 1000 * allowed.norm && found.product <= 1000 * allowed.product)) break;
     aim.norm *= std::min(1.0, 0.9 * allowed.norm / found.norm);
     aim.product *= std::min(1.0, 0.9 * allowed.product / found.product);
+    // Twice as many cells leave, each, about a third as much.
+    if (found.shade > 0) aim.shade *= std::min(1.0, std::pow(0.9 * allowed.shade / found.shade, 1.5));
   }
   return plan;
 }
@@ -188,7 +196,8 @@ private:
     for (std::size_t k = 0; k < goals_.count(); ++k)
       norm_k = std::max(norm_k, 1.2 * expected[1 + k] + given.left[k]);
     // What rules may miss, m: (norm_0 + m)(norm_k + m)/(1-s) is to leave a part of the radius for the rest.
-    const double affordable = 0.7 * radius_ * data_.gap;
+    const bool is_open = data_.scene.sight().is_open();
+    const double affordable = (is_open ? 0.7 : 0.25) * radius_ * data_.gap;
     const double sum = 0.5 * (norm_0 + norm_k);
     const double m = std::sqrt(std::max(0.0, sum * sum - norm_0 * norm_k + affordable)) - sum;
     const double smaller = std::min(norm_0, norm_k);
@@ -197,7 +206,8 @@ private:
     if (!enough && !last && layers > 2) return false;
     const double allowed_norm = enough ? m : smaller;
     const double allowed_product = std::max(0.07 * radius_, 0.05 * norm_0 * norm_k / data_.gap);
-    const Plan plan = plan_cells(trial, {allowed_norm, allowed_product});
+    const Plan plan =
+        plan_cells(trial, {.norm = allowed_norm, .product = allowed_product, .shade = 0.5 * radius_});
     // Cells that come to their limits are worth no samples, and finer elements would not help them.
     if (!plan.is_kept) {
       best_.hindrance = "too many cells: the polyhedron is too thin, or its edges are too sharp";

@@ -45,20 +45,22 @@ struct GoalEnclosure {
 ///           rho^(1/2) t_0), and (I-B)^-1 rho^(1/2) j = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k. Where y_k =
 ///           j_kh + q_k with j_kh near j_k, (Int rho (j_k - j_kh)^2)^(1/2) is added to the norm of t_k. The q
 ///           are polynomials on elements that shrink towards edges (trial_functions), as good as they happen
-///           to be; t_0 and t_k are enclosed (residual_sums)
+///           to be; t_0 and t_k are enclosed (residual_sums), also where parts hide each other (Sight,
+///           Penumbra)
 /// Source    dual weighted residuals: R. Becker, R. Rannacher, "An optimal control approach to a posteriori
 ///           error estimation", 2001; here without an unknown constant
 /// Requires  0 < wanted < infinity; at least one panel; numbers whose sizes are within 1e-60 and 1e60, or 0
 /// Result    proved. The mesh has as many layers, and the polynomials the degree, that the width asks for;
 ///           the same bits for any number of threads. Enclosures of coarser meshes are intersected with finer
 ///           ones
-/// Limits    unoccluded; what is reached where the wanted width is not is given with its reason
+/// Limits    what is reached where the wanted width is not is given with its reason. Where parts hide each
+///           other the width falls with the size of the cells: a tenth of it asks for a hundred times as many
 [[nodiscard]] GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
                                           const SearchContext& context = {}, bool with_proof = false);
 
 /// Encloses u at points.
 /// Maths     u(P) = E(P) + rho(P) J(u), J(u) = T u(P), j = G(P,.)/pi, as above
-/// Requires  as above; points inside panels of the problem
+/// Requires  as above, no blockers; points inside panels of the problem
 /// Result    by point; all else as above
 /// Limits    the nearer a point is to an edge, the more elements its kernel asks for
 [[nodiscard]] GoalEnclosure enclose_values(const PolyhedronProblem& problem,

@@ -2,10 +2,12 @@
 #include "radcert/continuous/observer_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "radcert/continuous/occlusion/penumbra.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
 
@@ -42,6 +44,10 @@ public:
   [[nodiscard]] virtual bool is_little(const EdgeClosure::Nearby& beside, const SectorBox& box) const = 0;
   /// Whether jumps of w may stay in a cell.
   [[nodiscard]] virtual bool takes_jumps() const = 0;
+  /// Whether what is shaded leaves little.
+  [[nodiscard]] virtual bool is_in_the_light(const ObserverCell& cell) const = 0;
+  /// What may be left of |T w|, about.
+  [[nodiscard]] virtual double allowed_shade(const SectorBox& box) const = 0;
 
 protected:
   [[nodiscard]] double area(const SectorBox& box) const { return sector_.jacobian * box.weight(); }
@@ -69,6 +75,13 @@ public:
            beside.bound * density_ * area(box) <= 0.5 * demand_.quadrature;
   }
   [[nodiscard]] bool takes_jumps() const override { return false; }
+  [[nodiscard]] bool is_in_the_light(const ObserverCell& cell) const override {
+    return 0.5 * cell.shade * std::sqrt(area(cell.box)) <= demand_.interpolation &&
+           cell.shade_of_mean * area(cell.box) <= demand_.shade;
+  }
+  [[nodiscard]] double allowed_shade(const SectorBox& box) const override {
+    return std::min(2 * demand_.interpolation / std::sqrt(area(box)), demand_.shade / (density_ * area(box)));
+  }
 
 private:
   const CellDemand& demand_;
@@ -89,6 +102,10 @@ public:
     return beside.bound - beside.jumps <= 0.5 * allowed_;
   }
   [[nodiscard]] bool takes_jumps() const override { return true; }
+  [[nodiscard]] bool is_in_the_light(const ObserverCell& cell) const override {
+    return cell.shade <= 0.5 * allowed_;
+  }
+  [[nodiscard]] double allowed_shade(const SectorBox& /*box*/) const override { return 0.5 * allowed_; }
 
 private:
   const LargestDemand& demand_;
@@ -99,42 +116,96 @@ private:
 class ElementCells {
 public:
   ElementCells(const Trial& trial, std::size_t number, const CellJudge& judge)
-      : sector_(trial.sector(number)),
+      : trial_(trial),
+        sector_(trial.sector(number)),
         number_(number),
         smoothness_(trial.smoothness),
         closure_(trial.closure),
         judge_(judge) {
-    add(trial.elements[number].box, 0);
+    for (std::size_t j = 0; j < trial.scene.panels().size(); ++j)
+      if (trial.scene.touching(trial.elements[number].sector, j) &&
+          trial.scene.sight().view(sector_.panel, j) != View::none)
+        is_at_edge_ = true;
+    const bool is_open = trial.scene.sight().is_open();
+    add(trial.elements[number].box, 0,
+        is_open ? std::vector<ElementPart>{} : trial.penumbra.may_be_shaded(sector_.panel));
   }
   std::vector<ObserverCell> take() && { return std::move(cells_); }
 
 private:
-  /// Takes the cell where rules are enough, with what `beside` leaves where the cell is closed.
-  bool accept(const SectorBox& box, const RuleErrors& in_s, const RuleErrors& in_t,
-              std::optional<EdgeClosure::Nearby> beside) {
-    if (beside && !judge_.is_little(*beside, box)) return false;
+  enum class Judgement { taken, needs_rules, is_shaded };
+
+  /// Takes the cell where rules are enough, with what `beside` leaves where the cell is closed. Of the parts
+  /// that may be shaded those are left which are, where it is only for them that it is not taken.
+  Judgement accept(const SectorBox& box, const RuleErrors& in_s, const RuleErrors& in_t,
+                   std::optional<EdgeClosure::Nearby> beside, std::vector<ElementPart>& may_be_shaded) {
+    if (beside && !judge_.is_little(*beside, box)) return Judgement::needs_rules;
     const int nodes_s = nodes(in_s, box);
     const int nodes_t = nodes(in_t, box);
-    if (nodes_s == 0 || nodes_t == 0) return false;
+    if (nodes_s == 0 || nodes_t == 0) return Judgement::needs_rules;
     const double more = beside ? beside->bound : 0;
     const auto s = static_cast<std::size_t>(nodes_s - 1);
     const auto t = static_cast<std::size_t>(nodes_t - 1);
     const double of_rules = in_s.interpolation[s] + in_t.interpolation[t];
-    cells_.push_back(
-        {.element = number_,
-         .box = box,
-         .nodes_s = nodes_s,
-         .nodes_t = nodes_t,
-         .closed = beside.has_value(),
-         .of_rules = of_rules,
-         .beside = more,
-         .interpolation = of_rules + 0.5 * more,
-         .quadrature = in_s.quadrature[s] + in_t.quadrature[t] + more * smoothness_.density_size(number_)});
-    return true;
+    ObserverCell cell{
+        .element = number_,
+        .box = box,
+        .nodes_s = nodes_s,
+        .nodes_t = nodes_t,
+        .closed = beside.has_value(),
+        .of_rules = of_rules,
+        .beside = more,
+        .interpolation = of_rules + 0.5 * more,
+        .quadrature = in_s.quadrature[s] + in_t.quadrature[t] + more * smoothness_.density_size(number_)};
+    if (!trial_.scene.sight().is_open()) {
+      cell.least_mass = 0.02 * judge_.allowed_shade(box);
+      std::vector<ElementPart> shaded = put_shade(cell, may_be_shaded);
+      if (!judge_.is_in_the_light(cell)) {
+        may_be_shaded = std::move(shaded);
+        return Judgement::is_shaded;
+      }
+    }
+    cells_.push_back(cell);
+    return Judgement::taken;
   }
 
-  void add(const SectorBox& box, long depth_of_cuts) {
-    const bool at_edge = box.t0 == 0;
+  /// Result    the parts that are shaded
+  std::vector<ElementPart> put_shade(ObserverCell& cell, std::span<const ElementPart> parts) const {
+    const std::array<Vector<double>, 4> hull = corners_of(sector_, cell.box);
+    std::vector<ShadedPart> shaded = trial_.penumbra.shaded(sector_.panel, hull, parts, cell.least_mass);
+    std::vector<ElementPart> left;
+    for (const ShadedPart& own : shaded) left.push_back(own.part);
+    if (const std::optional<std::size_t> mirror = closure_.mirror(number_); cell.closed && mirror) {
+      const std::size_t beyond = trial_.sector(*mirror).panel;
+      std::erase_if(shaded,
+                    [&](const ShadedPart& own) { return trial_.sector(own.part.element).panel == beyond; });
+    }
+    if (shaded.empty()) return left;
+    const std::vector<double> bounds = trial_.penumbra.rest(shaded).bounds;
+    cell.shade = *std::max_element(bounds.begin(), bounds.end());
+    double largest = 0;
+    for (std::size_t k = 0; k < bounds.size(); ++k)
+      largest = std::max(largest, trial_.penumbra.size(number_, k));
+    cell.shade_of_mean = bounds[0] * largest;
+    return left;
+  }
+
+  /// Cuts the longer sides of a cell.
+  void halve(const SectorBox& box, long depth_of_cuts, std::vector<ElementPart> may_be_shaded) {
+    SectorBox lower = box;
+    SectorBox upper = box;
+    const double length = (1 - box.middle_t()) * (box.s1 - box.s0) * norm(sector_.b - sector_.a);
+    const double depth = (box.t1 - box.t0) * norm(sector_.c - sector_.point(box.middle_s(), 0));
+    if (length >= depth)
+      lower.s1 = upper.s0 = box.middle_s();
+    else
+      lower.t1 = upper.t0 = box.middle_t();
+    add(lower, depth_of_cuts + 1, may_be_shaded);
+    add(upper, depth_of_cuts + 1, std::move(may_be_shaded));
+  }
+
+  void add(const SectorBox& box, long depth_of_cuts, std::vector<ElementPart> may_be_shaded) {
+    const bool at_edge = box.t0 == 0 && is_at_edge_;
     if (judge_.may_be_strip(box) || depth_of_cuts >= deepest_cell.value() ||
         cells_.size() >= most_cells.count()) {
       cells_.push_back({.element = number_, .box = box});
@@ -143,16 +214,22 @@ private:
     SectorBox lower = box;
     SectorBox upper = box;
     const bool closes = at_edge && closure_.mirror(number_).has_value();
+    Judgement judgement = Judgement::needs_rules;
     if (at_edge) {
       bool is_too_long = false;
       EdgeClosure::Nearby nearby = closes ? closure_.nearby(number_, box) : EdgeClosure::Nearby{};
       if (closes) {
         const RuleErrors in_s = smoothness_.along_s(number_, box, true);
         const RuleErrors in_t = smoothness_.along_t(number_, box, true);
-        if (accept(box, in_s, in_t, nearby)) return;
-        if (judge_.takes_jumps()) {
+        judgement = accept(box, in_s, in_t, nearby, may_be_shaded);
+        if (judgement == Judgement::needs_rules && judge_.takes_jumps()) {
           nearby = closure_.nearby_across_borders(number_, box);
-          if (accept(box, in_s, in_t, nearby)) return;
+          judgement = accept(box, in_s, in_t, nearby, may_be_shaded);
+        }
+        if (judgement == Judgement::taken) return;
+        if (judgement == Judgement::is_shaded) {
+          halve(box, depth_of_cuts, std::move(may_be_shaded));
+          return;
         }
         is_too_long = judge_.is_little(nearby, box) && nodes(in_s, box) == 0;
       }
@@ -164,18 +241,23 @@ private:
            judge_.is_little(closure_.nearby_across_borders(number_, middle_of(box)), box));
       if (closes && (may_close_when_short || (is_too_long && length > depth))) {
         lower.s1 = upper.s0 = box.middle_s();
-        add(lower, depth_of_cuts + 1);
-        add(upper, depth_of_cuts + 1);
+        add(lower, depth_of_cuts + 1, may_be_shaded);
+        add(upper, depth_of_cuts + 1, std::move(may_be_shaded));
         return;
       }
       lower.t1 = upper.t0 = box.t1 / 4;
-      add(lower, depth_of_cuts + 2);
-      add(upper, depth_of_cuts + 1);
+      add(lower, depth_of_cuts + 2, may_be_shaded);
+      add(upper, depth_of_cuts + 1, std::move(may_be_shaded));
       return;
     }
     const RuleErrors in_s = smoothness_.along_s(number_, box, false);
     const RuleErrors in_t = smoothness_.along_t(number_, box, false);
-    if (accept(box, in_s, in_t, std::nullopt)) return;
+    judgement = accept(box, in_s, in_t, std::nullopt, may_be_shaded);
+    if (judgement == Judgement::taken) return;
+    if (judgement == Judgement::is_shaded) {
+      halve(box, depth_of_cuts, std::move(may_be_shaded));
+      return;
+    }
     const int nodes_s = nodes(in_s, box);
     const int nodes_t = nodes(in_t, box);
     const bool cut_s = nodes_s == 0 && (nodes_t > 0 || box.s1 - box.s0 >= box.t1 - box.t0);
@@ -183,8 +265,8 @@ private:
       lower.s1 = upper.s0 = box.middle_s();
     else
       lower.t1 = upper.t0 = box.middle_t();
-    add(lower, depth_of_cuts + 1);
-    add(upper, depth_of_cuts + 1);
+    add(lower, depth_of_cuts + 1, may_be_shaded);
+    add(upper, depth_of_cuts + 1, std::move(may_be_shaded));
   }
 
   /// A part that is so short that its length does not matter.
@@ -200,8 +282,10 @@ private:
     return 0;
   }
 
+  const Trial& trial_;
   const Sector& sector_;
   std::size_t number_;
+  bool is_at_edge_ = false;  ///< whether a panel that may be seen touches the side of the sector
   const Smoothness& smoothness_;
   const EdgeClosure& closure_;
   const CellJudge& judge_;

@@ -20,15 +20,20 @@ struct ObserverCell {
   double beside = 0;         ///< of |T w - F|, where it is closed
   double interpolation = 0;  ///< of_rules and half of beside
   double quadrature = 0;
+  double shade = 0;          ///< of |T w - F|, F of Penumbra, for all functions
+  double least_mass = 0;     ///< of a shaded part that is worth halving
+  double shade_of_mean = 0;  ///< of the means of w_k (T w_0 - F_0)
   [[nodiscard]] bool is_strip() const { return nodes_s == 0; }
 };
 
 /// What a cell X may contribute.
 /// Maths     interpolation: e sqrt|X|; quadrature: |X| times the bound for the mean. A cell that is not
-///           looked into contributes sup|T w - q| sqrt|X| and |X| sup|w| sup|T w - q|
+///           looked into contributes sup|T w - q| sqrt|X| and |X| sup|w| sup|T w - q|. Shade: |X| times
+///           shade_of_mean, and half of `shade` beside e
 struct CellDemand {
   double interpolation = 0;
   double quadrature = 0;
+  double shade = 0;
 };
 
 /// What the rules of a cell may miss in the maximum norm, and which cells need not be looked into.

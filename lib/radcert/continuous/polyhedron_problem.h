@@ -13,16 +13,18 @@
 
 namespace radcert {
 
-/// The radiosity equation u = E + rho T u on a convex polyhedron.
-/// Maths     T u(P) = (1/pi) Int G(P,Q) u(Q) dS_Q;  rho constant on panels, E a polynomial on each, of the
+/// The radiosity equation u = E + rho T u on a polyhedron.
+/// Maths     T u(P) = (1/pi) Int G V u(Q) dS_Q;  rho constant on panels, E a polynomial on each, of the
 ///           parameters of plane_coordinates
 /// Source    [ac98, (1)-(2)]
-/// Requires  panels of a closed surface in the boundary of a convex body, as convex_panels gives them; every
-///           piece has a panel; 0 <= rho < 1
+/// Requires  panels of a closed surface; every piece has a panel; 0 <= rho < 1. Either they lie in the
+///           boundary of a convex body, as convex_panels gives them, and there are no blockers; or they are
+///           cut_panels of the blockers, which are convex_panels
 struct PolyhedronProblem {
   std::vector<Panel> panels;
   std::vector<Rational> reflectivity;               ///< by panel
   std::vector<PlanePolynomial<Rational>> emission;  ///< by panel
+  std::vector<Panel> blockers = {};                 ///< the surface again, where parts of it hide each other
 };
 
 /// A point of a panel.

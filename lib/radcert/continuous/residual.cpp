@@ -11,6 +11,7 @@
 
 #include "radcert/continuous/elements/element_interpolation.h"
 #include "radcert/continuous/elements/gauss_tables.h"
+#include "radcert/continuous/occlusion/penumbra.h"
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/core/parallel.h"
 
@@ -26,17 +27,18 @@ struct Share {
   std::vector<double> products;
   std::vector<double> sampling;  ///< radii of the products
   std::vector<double> rounding;
+  std::vector<double> shade;  ///< radii of the products from what is shaded
   double truncation = 0;
   double strips = 0;
   std::size_t samples = 0;
 
   explicit Share(std::size_t count)
-      : squares(count), missed(count), products(count), sampling(count), rounding(count) {}
+      : squares(count), missed(count), products(count), sampling(count), rounding(count), shade(count) {}
 
-  [[nodiscard]] std::array<std::vector<double>*, 5> by_function() {
-    return {&squares, &missed, &products, &sampling, &rounding};
+  [[nodiscard]] std::array<std::vector<double>*, 6> by_function() {
+    return {&squares, &missed, &products, &sampling, &rounding, &shade};
   }
-  static constexpr std::size_t numbers_of(std::size_t count) { return 5 * count + 3; }
+  static constexpr std::size_t numbers_of(std::size_t count) { return 6 * count + 3; }
   void put_into(std::vector<double>& numbers) {
     for (const std::vector<double>* part : by_function())
       numbers.insert(numbers.end(), part->begin(), part->end());
@@ -63,6 +65,7 @@ Share sum_of(Share a, const Share& b) {
   add(a.products, b.products);
   add(a.sampling, b.sampling);
   add(a.rounding, b.rounding);
+  add(a.shade, b.shade);
   a.truncation += b.truncation;
   a.strips += b.strips;
   a.samples += b.samples;
@@ -115,10 +118,14 @@ SectorFunctions with_one(const SectorFunctions& w, std::size_t elements) {
   return out;
 }
 
+/// Whether what is shaded from somewhere in a cell is left open, or each sample stands for itself.
+enum class Shade { bounded, ignored };
+
 class ResidualOverCells {
 public:
-  explicit ResidualOverCells(const Trial& trial)
+  explicit ResidualOverCells(const Trial& trial, Shade shade = Shade::bounded)
       : trial_(trial),
+        shade_(shade),
         with_one_(with_one(trial.w, trial.elements.size())),
         transport_(trial.scene, trial.elements, trial.w),
         transport_with_one_(trial.scene, trial.elements, with_one_),
@@ -146,7 +153,8 @@ public:
     interpolation.coefficients(residual, 1, coefficients);
     double sum = 0;
     for (const double c : coefficients) sum += std::abs(c);
-    return (sum + gain * found.radius + interpolation.rounding(trial_.smoothness.largest_residual(), 0) +
+    return (sum + gain * found.radius + found.largest_shade() +
+            interpolation.rounding(trial_.smoothness.largest_residual(), 0) +
             interpolation_gain(cell.nodes_s, cell.nodes_t) * cell.of_rules + cell.beside) *
            upward;
   }
@@ -207,21 +215,33 @@ private:
     return share;
   }
 
-  /// T w at the nodes of a cell.
+  /// T w at the nodes of a cell, or the function near it that the cell's rules are for.
   struct Samples {
     std::vector<double> values;  ///< by node, function
     double radius = 0;           ///< of values less q
+    std::vector<double> shade;   ///< by function: of T w less that function, all over the cell
     std::size_t nodes = 0;
+    [[nodiscard]] double largest_shade() const {
+      return shade.empty() ? 0 : *std::max_element(shade.begin(), shade.end());
+    }
   };
   [[nodiscard]] Samples samples(const ObserverCell& cell, double tolerance) const {
     const Sector& sector = trial_.sector(cell.element);
+    const std::array<Vector<double>, 4> corners = corners_of(sector, cell.box);
     ObserverGroup group{.panel = sector.panel,
-                        .points = ElementInterpolation(cell.nodes_s, cell.nodes_t).points(sector, cell.box)};
-    Transport::Values found = cell.closed ? closed(cell, group, tolerance) : transport_(group, tolerance);
+                        .points = ElementInterpolation(cell.nodes_s, cell.nodes_t).points(sector, cell.box),
+                        .hull = {corners.begin(), corners.end()},
+                        .least_mass = shade_ == Shade::ignored ? negligible_mass : cell.least_mass,
+                        .by_points = shade_ == Shade::ignored};
+    const bool as_they_are = shade_ == Shade::ignored || trial_.scene.sight().is_open();
+    Found found = cell.closed   ? closed(cell, group, tolerance)
+                  : as_they_are ? Found{transport_(group, tolerance)}
+                                : half_shaded(group, tolerance);
     const auto powers = static_cast<double>(trial_.q.degree() + 1);
     const double rounding = 40 * powers * powers * unit * trial_.smoothness.largest_residual();
-    return {.values = std::move(found.values),
-            .radius = (found.radius + rounding) * upward,
+    return {.values = std::move(found.values.values),
+            .radius = (found.values.radius + rounding) * upward,
+            .shade = std::move(found.shade),
             .nodes = group.points.size()};
   }
 
@@ -243,19 +263,41 @@ private:
               if (w[k] != 0) share.sampling[k] += weight * std::abs(w[k]) * found.radius * upward;
             }
           });
-    const double missed = 4 * rho * over * cell.interpolation * cell.interpolation * upward;
+    const double beside = 2 * cell.interpolation + found.largest_shade();
+    const double missed = rho * over * beside * beside * upward;
     for (std::size_t k = 0; k < count_; ++k) {
       share.missed[k] = missed;
       share.rounding[k] = rounding(cell, over);
+      if (!found.shade.empty())
+        share.shade[k] = over * trial_.penumbra.size(cell.element, k) * found.shade[0] * upward;
     }
     share.truncation = over * cell.quadrature * upward;
     share.samples = found.nodes;
     return share;
   }
 
+  struct Found {
+    Transport::Values values;
+    std::vector<double> shade = {};
+  };
+
+  /// F_k + c_k (1 - F 1) of Penumbra.
+  [[nodiscard]] Found half_shaded(const ObserverGroup& group, double tolerance) const {
+    const Transport::Values found = transport_with_one_(group, 0.5 * tolerance);
+    Penumbra::Rest rest = trial_.penumbra.rest(found.shaded);
+    Found out{.values = {.values = std::vector<double>(group.points.size() * count_),
+                         .radius = found.radius * (1 + trial_.smoothness.size()) * upward},
+              .shade = std::move(rest.bounds)};
+    for (std::size_t p = 0; p < group.points.size(); ++p) {
+      const double* const sent = &found.values[p * (count_ + 1)];
+      for (std::size_t k = 0; k < count_; ++k)
+        out.values.values[p * count_ + k] = sent[k] + rest.constants[k] * (1 - sent[count_]);
+    }
+    return out;
+  }
+
   /// F of Smoothness' closure: what the other panels send, and xi times the rest of T 1 = 1.
-  [[nodiscard]] Transport::Values closed(const ObserverCell& cell, const ObserverGroup& group,
-                                         double tolerance) const {
+  [[nodiscard]] Found closed(const ObserverCell& cell, const ObserverGroup& group, double tolerance) const {
     const IntervalRule<double>& rule_s = gauss_on_interval(cell.nodes_s);
     const IntervalRule<double>& rule_t = gauss_on_interval(cell.nodes_t);
     const std::size_t mirror = *trial_.closure.mirror(cell.element);
@@ -264,8 +306,9 @@ private:
     LocalValues at_edge(trial_.elements[mirror], trial_.w, mirror);
     const SectorBox across{
         .s0 = 1 - cell.box.s1, .s1 = 1 - cell.box.s0, .t0 = 0, .t1 = trial_.elements[mirror].box.t1};
-    Transport::Values out{.values = std::vector<double>(group.points.size() * count_),
-                          .radius = found.radius * (1 + trial_.smoothness.density_size(mirror)) * upward};
+    Found out{.values = {.values = std::vector<double>(group.points.size() * count_),
+                         .radius = found.radius * (1 + trial_.smoothness.density_size(mirror)) * upward}};
+    if (!found.shaded.empty()) out.shade = trial_.penumbra.rest_at_edge(found.shaded, mirror, across).bounds;
     std::vector<double> xi(count_);
     for (std::size_t i = 0; i < rule_s.nodes.size(); ++i) {
       at_edge.at(across, -rule_s.nodes[i], -1, xi);
@@ -273,13 +316,14 @@ private:
         const std::size_t place = i * rule_t.nodes.size() + j;
         const double* const sent = &found.values[place * (count_ + 1)];
         for (std::size_t k = 0; k < count_; ++k)
-          out.values[place * count_ + k] = sent[k] + xi[k] * (1 - sent[count_]);
+          out.values.values[place * count_ + k] = sent[k] + xi[k] * (1 - sent[count_]);
       }
     }
     return out;
   }
 
   const Trial& trial_;
+  Shade shade_;
   SectorFunctions with_one_;
   Transport transport_;
   Transport transport_with_one_;
@@ -307,7 +351,7 @@ public:
     for (std::size_t k = 0; k < count_; ++k) {
       *to++ = share.squares[k];
       *to++ = share.products[k];
-      *to++ = share.sampling[k] + share.rounding[k] + share.truncation + share.strips;
+      *to++ = share.sampling[k] + share.rounding[k] + share.shade[k] + share.truncation + share.strips;
     }
   }
   void add_to(Share& sum, std::size_t cell) const {
@@ -378,10 +422,12 @@ std::vector<double> numbers_of_cells(MeshWork* work, const std::string& kind, st
 
 }  // namespace
 
-ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells, const CellDemand& demand,
-                           bool by_element, MeshWork* work) {
+namespace {
+
+ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
+                       std::span<const ObserverCell> cells, const CellDemand& demand, bool by_element,
+                       MeshWork* work) {
   const std::size_t count = trial.w.count();
-  const ResidualOverCells residual(trial);
   SharesByCell by_cell(by_element ? cells.size() : 0, count);
   // Parts end where chunks do, so that sums do not depend on them.
   Share total(count);
@@ -427,15 +473,24 @@ ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cel
     sums.norms.push_back((std::sqrt(total.squares[k]) + std::sqrt(total.missed[k])) *
                          (1 + (terms + 512) * unit) * upward);
     const double radius =
-        (total.sampling[k] + total.rounding[k] + total.truncation + total.strips + order) * upward;
+        (total.sampling[k] + total.rounding[k] + total.shade[k] + total.truncation + total.strips + order) *
+        upward;
     sums.products.push_back(Approximation::proved(total.products[k] - with_q[k], radius));
     sums.sampling = std::max(sums.sampling, total.sampling[k]);
+    sums.shade = std::max(sums.shade, total.shade[k]);
   }
   sums.truncation = total.truncation;
   sums.strips = total.strips;
   sums.samples = total.samples;
   if (by_element) sums.elements = element_residuals(trial, cells, residual, by_cell);
   return sums;
+}
+
+}  // namespace
+
+ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells, const CellDemand& demand,
+                           bool by_element, MeshWork* work) {
+  return sums_over(ResidualOverCells(trial), trial, cells, demand, by_element, work);
 }
 
 std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
@@ -479,7 +534,9 @@ std::vector<double> expected_norms(const Trial& trial) {
   const CellDemand demand{
       .interpolation = rough(trial) * std::sqrt(area / static_cast<double>(trial.elements.size())),
       .quadrature = rough(trial) * area};
-  return residual_sums(trial, whole_elements(trial), demand).norms;
+  return sums_over(ResidualOverCells(trial, Shade::ignored), trial, whole_elements(trial), demand, false,
+                   nullptr)
+      .norms;
 }
 
 std::vector<double> expected_largest(const Trial& trial) {

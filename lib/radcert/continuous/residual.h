@@ -26,6 +26,7 @@ struct ResidualSums {
   double sampling = 0;    ///< the part of the products' radius from radii of samples
   double truncation = 0;  ///< from the rules of cells
   double strips = 0;      ///< from strips
+  double shade = 0;       ///< from what is shaded
   std::size_t samples = 0;
   std::vector<ElementResidual> elements = {};  ///< where they are asked for
 };
@@ -34,7 +35,8 @@ struct ResidualSums {
 /// Maths     ||t||_X <= (Gauss sum of t^2)^(1/2) + 2 sqrt|X| e, e the cell's interpolation bound: ||f - If||
 ///           <= 2 sqrt|X| (e_s + e_t), since Gauss rules with n nodes integrate |If|^2 (1-t) exactly and have
 ///           positive weights; strips by |t| <= sup|w| + sup|q|. Int w_k T w_0 by the cells' rules, Int w_k
-///           q_0 exactly up to rounding
+///           q_0 exactly up to rounding. Where parts are shaded from a cell, f is F of Penumbra, and what it
+///           leaves of T w is added, in the mean with |w_k| <= sup|w_k| on the element
 /// Requires  cells of this trial
 /// Result    norms rounded up, products proved; the same bits for any number of threads, and whatever the
 ///           work has kept of an earlier run

@@ -11,7 +11,8 @@
 
 namespace radcert {
 
-ScaledProblem::ScaledProblem(const PolyhedronProblem& problem) : exact(problem), scene(problem.panels) {
+ScaledProblem::ScaledProblem(const PolyhedronProblem& problem)
+    : exact(problem), scene(problem.panels, problem.blockers) {
   Rational sup = 0;
   for (const Rational& rho : problem.reflectivity) {
     reflectivity.push_back(rho.to_double());

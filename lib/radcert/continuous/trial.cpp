@@ -15,6 +15,7 @@ Trial::Trial(const SectorScene& on, const std::vector<double>& rho_by_panel, std
       q(std::move(functions)),
       w(densities(scene, elements, reflectivity, emissions, q)),
       closure(scene, elements, w),
-      smoothness(scene, elements, w, q, closure) {}
+      smoothness(scene, elements, w, q, closure),
+      penumbra(scene, elements, w) {}
 
 }  // namespace radcert

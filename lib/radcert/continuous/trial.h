@@ -7,6 +7,7 @@
 #include "radcert/continuous/elements/graded_elements.h"
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/elements/tensor_legendre.h"
+#include "radcert/continuous/occlusion/penumbra.h"
 #include "radcert/continuous/transport/edge_closure.h"
 #include "radcert/continuous/transport/smoothness.h"
 
@@ -32,6 +33,7 @@ struct Trial {
   SectorFunctions w;
   EdgeClosure closure;
   Smoothness smoothness;
+  Penumbra penumbra;
 
   [[nodiscard]] const Sector& sector(std::size_t element) const {
     return scene.sectors()[elements[element].sector];

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -32,7 +33,12 @@ public:
         interpolation_(degree + 1) {
     for (const SectorElement& element : elements) {
       const Sector& sector = scene.sectors()[element.sector];
-      nodes_.push_back({.panel = sector.panel, .points = interpolation_.points(sector, element.box)});
+      const std::array<Vector<double>, 4> corners = corners_of(sector, element.box);
+      nodes_.push_back({.panel = sector.panel,
+                        .points = interpolation_.points(sector, element.box),
+                        .hull = {corners.begin(), corners.end()},
+                        .least_mass = negligible_mass,
+                        .by_points = true});
     }
   }
 

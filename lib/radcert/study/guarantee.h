@@ -104,8 +104,9 @@ using GuaranteeListener = std::function<void(const GuaranteeProgress&)>;
 ///           lie in the boundary of a convex body, closed or without some faces of its convex hull
 ///           (closing_panels), on each face rho constant, 0 <= rho < 1, and E a polynomial of degree 8 at
 ///           most, or so near one (near_polynomial) that no more than a quarter of the width is lost, points
-///           inside faces; or a sphere or an ellipsoid, rho and E polynomials, 0 <= rho < 1, points on the
-///           surface
+///           inside faces; or, for means, a closed surface of plane charts whose parts hide each other, with
+///           the same data, whose planes cut it into few parts; or a sphere or an ellipsoid, rho and E
+///           polynomials, 0 <= rho < 1, points on the surface
 /// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed
 void check_guarantee(const Problem& problem, const Guarantee& guarantee);
 

@@ -39,12 +39,6 @@ private:
   bool flipped_;
 };
 
-struct PlaneCorners {
-  std::size_t piece;
-  std::vector<Vector<Rational>> corners;  ///< counterclockwise seen from the inside
-  Vector<Rational> normal;
-};
-
 Panel panel_of(std::size_t piece, std::vector<Vector<Rational>> corners, const Vector<Rational>& normal) {
   Vector<Rational> sum;
   for (const Vector<Rational>& corner : corners) sum = sum + corner;
@@ -56,24 +50,24 @@ Plane plane_of(const std::vector<Vector<Rational>>& corners) {
   return {corners[0], corners[1] - corners[0], corners[2] - corners[0]};
 }
 
-/// And on one side of it.
-bool in_one_plane(const PlaneCorners& a, const PlaneCorners& b) {
-  return dot(a.normal, b.normal).sign() > 0 && same_plane(plane_of(a.corners), plane_of(b.corners));
+/// In one plane, and on one side of it.
+bool look_alike(const Panel& a, const Panel& b) {
+  return dot(a.normal, b.normal).sign() > 0 && in_one_plane(a, b);
 }
 
-/// The one panel of coplanar charts, where their union is convex.
-std::optional<Panel> union_of(const std::vector<const PlaneCorners*>& charts) {
-  const PlaneCorners& first = *charts.front();
+/// The one panel of coplanar ones, where their union is convex.
+std::optional<Panel> union_of(const std::vector<const Panel*>& parts) {
+  const Panel& first = *parts.front();
   const Projection projected(first.normal);
   PolygonLoop points;
   std::vector<Vector<Rational>> in_space;
   Rational area = 0;  // twice
-  for (const PlaneCorners* chart : charts) {
+  for (const Panel* part : parts) {
     PolygonLoop loop;
-    for (const Vector<Rational>& corner : chart->corners) loop.push_back(projected(corner));
+    for (const Vector<Rational>& corner : part->corners) loop.push_back(projected(corner));
     area += doubled_area(loop);
     points.insert(points.end(), loop.begin(), loop.end());
-    in_space.insert(in_space.end(), chart->corners.begin(), chart->corners.end());
+    in_space.insert(in_space.end(), part->corners.begin(), part->corners.end());
   }
   const PolygonLoop hull = convex_hull(points);
   if (!(doubled_area(hull) == area)) return std::nullopt;
@@ -84,25 +78,64 @@ std::optional<Panel> union_of(const std::vector<const PlaneCorners*>& charts) {
   return panel_of(first.piece, std::move(corners), first.normal);
 }
 
-/// Coplanar ones of a piece as one panel, where their union is convex.
-std::vector<Panel> united(const std::vector<PlaneCorners>& charts) {
+/// Those of one kind as one panel, where their union is convex.
+/// Requires  are_one(k, l): k and l are of one kind, which is of one piece and one plane
+template <class AreOne>
+std::vector<Panel> united(const std::vector<Panel>& parts, const AreOne& are_one) {
   std::vector<Panel> panels;
-  std::vector<bool> taken(charts.size());
-  for (std::size_t k = 0; k < charts.size(); ++k) {
+  std::vector<bool> taken(parts.size());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
     if (taken[k]) continue;
-    std::vector<const PlaneCorners*> coplanar;
-    for (std::size_t l = k; l < charts.size(); ++l)
-      if (!taken[l] && charts[l].piece == charts[k].piece && in_one_plane(charts[k], charts[l])) {
+    std::vector<const Panel*> kind;
+    for (std::size_t l = k; l < parts.size(); ++l)
+      if (!taken[l] && are_one(k, l)) {
         taken[l] = true;
-        coplanar.push_back(&charts[l]);
+        kind.push_back(&parts[l]);
       }
-    if (std::optional<Panel> whole = union_of(coplanar))
+    if (std::optional<Panel> whole = union_of(kind))
       panels.push_back(std::move(*whole));
     else
-      for (const PlaneCorners* chart : coplanar)
-        panels.push_back(panel_of(chart->piece, chart->corners, chart->normal));
+      for (const Panel* part : kind) panels.push_back(*part);
   }
   return panels;
+}
+
+/// Coplanar ones of a piece as one panel, where their union is convex.
+std::vector<Panel> united(const std::vector<Panel>& parts) {
+  return united(parts, [&](std::size_t k, std::size_t l) {
+    return parts[k].piece == parts[l].piece && look_alike(parts[k], parts[l]);
+  });
+}
+
+/// The signs of n.(c - a) over the corners c of a panel, for the plane through a with the normal n.
+struct Sides {
+  bool before = false;
+  bool behind = false;
+};
+
+Sides sides_of(const std::vector<Vector<Rational>>& corners, const Panel& plane) {
+  Sides sides;
+  for (const Vector<Rational>& corner : corners) {
+    const int sign = dot(plane.normal, corner - plane.corners[0]).sign();
+    sides.before = sides.before || sign > 0;
+    sides.behind = sides.behind || sign < 0;
+  }
+  return sides;
+}
+
+/// The part of a convex polygon on one side of a plane that crosses it.
+std::vector<Vector<Rational>> part_of(const std::vector<Vector<Rational>>& corners, const Panel& plane,
+                                      int side) {
+  std::vector<Vector<Rational>> part;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector<Rational>& from = corners[i];
+    const Vector<Rational>& to = corners[(i + 1) % corners.size()];
+    const Rational at_from = dot(plane.normal, from - plane.corners[0]);
+    const Rational at_to = dot(plane.normal, to - plane.corners[0]);
+    if (at_from.sign() * side >= 0) part.push_back(from);
+    if (at_from.sign() * at_to.sign() < 0) part.push_back(from + (at_from / (at_from - at_to)) * (to - from));
+  }
+  return part;
 }
 
 /// Twice the area of a panel's projection.
@@ -115,7 +148,7 @@ Rational projected_area(const Panel& panel, const Projection& projected) {
 }  // namespace
 
 Outcome<std::vector<Panel>> convex_panels(const Surface& surface) {
-  std::vector<PlaneCorners> charts;
+  std::vector<Panel> charts;
   for (std::size_t k = 0; k < surface.chart_count(); ++k) {
     const ChartFacts& facts = surface.charts[k].facts();
     const std::optional<PlaneChart> plane = plane_chart(surface, k);
@@ -126,9 +159,9 @@ Outcome<std::vector<Panel>> convex_panels(const Surface& surface) {
     if (facts.domain == ChartDomain::unit_square) loop = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     if (plane->orientation != Orientation::along_the_cross_product)
       std::reverse(loop.begin() + 1, loop.end());
-    PlaneCorners corners{.piece = surface.piece_of(k), .corners = {}, .normal = plane->normal()};
-    for (const ParameterPoint<Rational>& at : loop) corners.corners.push_back(plane->point(at));
-    charts.push_back(std::move(corners));
+    std::vector<Vector<Rational>> corners;
+    for (const ParameterPoint<Rational>& at : loop) corners.push_back(plane->point(at));
+    charts.push_back(panel_of(surface.piece_of(k), std::move(corners), plane->normal()));
   }
   return united(charts);
 }
@@ -136,10 +169,9 @@ Outcome<std::vector<Panel>> convex_panels(const Surface& surface) {
 Outcome<std::vector<Panel>> closing_panels(const std::vector<Panel>& panels, std::size_t piece) {
   std::vector<Vector<Rational>> points;
   for (const Panel& panel : panels) points.insert(points.end(), panel.corners.begin(), panel.corners.end());
-  std::vector<PlaneCorners> triangles;
+  std::vector<Panel> triangles;
   for (const std::array<Vector<Rational>, 3>& t : convex_hull_triangles(points))
-    triangles.push_back(
-        {.piece = piece, .corners = {t.begin(), t.end()}, .normal = cross(t[1] - t[0], t[2] - t[0])});
+    triangles.push_back(panel_of(piece, {t.begin(), t.end()}, cross(t[1] - t[0], t[2] - t[0])));
   if (triangles.empty()) return because("it lies in one plane");
   std::vector<Panel> closing;
   for (Panel& face : united(triangles)) {
@@ -153,6 +185,36 @@ Outcome<std::vector<Panel>> closing_panels(const std::vector<Panel>& panels, std
       return because("a face of its convex hull belongs to it in part alone");
   }
   return closing;
+}
+
+std::vector<Panel> cut_panels(const std::vector<Panel>& panels) {
+  std::vector<Panel> parts;
+  for (const Panel& panel : panels) {
+    std::vector<std::vector<Vector<Rational>>> pieces{panel.corners};
+    for (const Panel& plane : panels) {
+      std::vector<std::vector<Vector<Rational>>> cut;
+      for (std::vector<Vector<Rational>>& piece : pieces) {
+        const Sides sides = sides_of(piece, plane);
+        if (sides.before && sides.behind) {
+          cut.push_back(part_of(piece, plane, 1));
+          cut.push_back(part_of(piece, plane, -1));
+        } else {
+          cut.push_back(std::move(piece));
+        }
+      }
+      pieces = std::move(cut);
+    }
+    for (std::vector<Vector<Rational>>& piece : pieces)
+      parts.push_back(panel_of(panel.piece, std::move(piece), panel.normal));
+  }
+  std::vector<std::vector<bool>> before;
+  for (const Panel& part : parts) {
+    before.emplace_back();
+    for (const Panel& plane : panels) before.back().push_back(sides_of(part.corners, plane).before);
+  }
+  return united(parts, [&](std::size_t k, std::size_t l) {
+    return parts[k].piece == parts[l].piece && before[k] == before[l] && look_alike(parts[k], parts[l]);
+  });
 }
 
 bool in_one_plane(const Panel& a, const Panel& b) {

@@ -34,6 +34,13 @@ struct Panel {
 /// Result    exact, of this piece; refused where a face is there in part alone, or all lies in one plane
 [[nodiscard]] Outcome<std::vector<Panel>> closing_panels(const std::vector<Panel>& panels, std::size_t piece);
 
+/// Panels cut along the planes of all.
+/// Maths     each part is on one side of every panel's plane, or in it; of one piece, those of one plane
+///           which are on the same sides of all are one where their union is convex. Where an edge belongs to
+///           two faces, the parts on both sides have the same ends
+/// Result    exact, in the order of the panels
+[[nodiscard]] std::vector<Panel> cut_panels(const std::vector<Panel>& panels);
+
 /// Whether the planes of two panels are one.
 [[nodiscard]] bool in_one_plane(const Panel& a, const Panel& b);
 

@@ -36,7 +36,8 @@ double largest_coordinate(const Vector<double>& p) {
 
 }  // namespace
 
-SectorScene::SectorScene(std::vector<Panel> panels) : panels_(std::move(panels)), origin_(middle(panels_)) {
+SectorScene::SectorScene(std::vector<Panel> panels, const std::vector<Panel>& blockers)
+    : panels_(std::move(panels)), origin_(middle(panels_)) {
   for (std::size_t k = 0; k < panels_.size(); ++k) {
     const Panel& panel = panels_[k];
     first_sector_.push_back(sectors_.size());
@@ -78,13 +79,14 @@ SectorScene::SectorScene(std::vector<Panel> panels) : panels_(std::move(panels))
         parallel_.push_back(parallel ? 1 : 0);
         touching_.push_back(
             parallel && !coplanar(j, k) && dot(from - other.corners[0], other.normal).sign() == 0 ? 1 : 0);
-        if (touching_.back() == 0) continue;
+        if (touching_.back() == 0 || dot(panels_[k].normal, other.centre - from).sign() <= 0) continue;
         for (std::size_t l = 0; l < other.corners.size(); ++l) {
           const auto [other_from, other_to] = side(j, l);
           if (other_from == to && other_to == from) opposite_[first_sector_[k] + i] = first_sector_[j] + l;
         }
       }
     }
+  sight_.emplace(panels_, blockers, origin_, extent_);
 }
 
 Vector<double> SectorScene::origin() const { return rounded(origin_); }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radcert/continuous/elements/panel.h"
+#include "radcert/continuous/occlusion/sight.h"
 #include "radcert/continuous/upward.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/real.h"
@@ -47,17 +48,18 @@ struct SectorBox {
   friend bool operator==(const SectorBox& a, const SectorBox& b) = default;
 };
 
-/// The boundary of a convex polyhedron, ready for integration.
+/// The boundary of a polyhedron, ready for integration.
 /// Maths     sectors of a panel follow one another, in the order of its sides; extent bounds the coordinates
-/// Requires  panels of a closed surface that lies in the boundary of a convex body
+/// Requires  panels of a closed surface: in the boundary of a convex body, or as cut_panels gives them, with
+///           convex polygons that are all of the surface as blockers
 /// Result    geometry in double; what is decided is decided on the exact panels. parallel(i, j): the side of
 ///           sector i is parallel to the plane of panel j; touching(i, j): it lies in that plane, which is
 ///           not its own; before(i, j): a point of panel i has its foot in the plane of j before itself,
-///           n_i.n_j < 0; opposite(i): the sector on the other side of the same edge, with the same ends, or
-///           none
+///           n_i.n_j < 0; opposite(i): the sector on the other side of the same edge, with the same ends,
+///           where each lies before the other's plane, or none
 class SectorScene {
 public:
-  explicit SectorScene(std::vector<Panel> panels);
+  explicit SectorScene(std::vector<Panel> panels, const std::vector<Panel>& blockers = {});
 
   [[nodiscard]] const std::vector<Panel>& panels() const { return panels_; }
   [[nodiscard]] const std::vector<Sector>& sectors() const { return sectors_; }
@@ -82,6 +84,7 @@ public:
   [[nodiscard]] double area(std::size_t panel) const { return areas_[panel]; }
   [[nodiscard]] double area() const { return area_; }
   [[nodiscard]] double extent() const { return extent_; }
+  [[nodiscard]] const Sight& sight() const { return *sight_; }
   /// What the coordinates here are taken from, rounded.
   [[nodiscard]] Vector<double> origin() const;
   /// A point of the surface, within displacement of the exact one.
@@ -101,6 +104,7 @@ private:
   std::vector<std::optional<std::size_t>> opposite_;
   double area_ = 0;
   double extent_ = 0;
+  std::optional<Sight> sight_;
 };
 
 /// The distance of a point from a segment, rounded.

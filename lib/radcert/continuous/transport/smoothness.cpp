@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "radcert/continuous/elements/analytic_error.h"
+#include "radcert/continuous/occlusion/penumbra.h"
 
 namespace radcert {
 namespace {
@@ -67,6 +68,7 @@ void add_quadrature(RuleErrors& errors, const Bounds& bounds) {
 /// The lines of a cell in one parameter.
 struct Smoothness::Cell {
   std::size_t element = 0;
+  SectorBox box;
   Vector<double> from;  ///< the middles of the lines run from here
   Vector<double> to;
   Vector<double> half_from;  ///< half of the line there, and at the other end
@@ -135,6 +137,7 @@ Smoothness::Cell Smoothness::across_t(std::size_t element, const SectorBox& box)
   const Sector& sector = scene_.sectors()[own.sector];
   const Vector<double> side = 0.5 * (box.s1 - box.s0) * (sector.b - sector.a);
   Cell cell{.element = element,
+            .box = box,
             .from = sector.point(box.middle_s(), box.t0),
             .to = sector.point(box.middle_s(), box.t1),
             .half_from = (1 - box.t0) * side,
@@ -153,6 +156,7 @@ Smoothness::Cell Smoothness::across_s(std::size_t element, const SectorBox& box)
   const Sector& sector = scene_.sectors()[own.sector];
   const double half = 0.5 * (box.t1 - box.t0);
   return {.element = element,
+          .box = box,
           .from = sector.point(box.s0, box.middle_t()),
           .to = sector.point(box.s1, box.middle_t()),
           .half_from = half * (sector.c - sector.point(box.s0, 0)),
@@ -180,6 +184,7 @@ ObserverLines Smoothness::lines(const Cell& cell, std::size_t panel) const {
       .highest = std::max(height_from, height_to) + slack,
       .turned = std::max(std::abs(dot(n, cell.half_from)), std::abs(dot(n, cell.half_to))) + slack,
       .mass = 1,
+      .area = scene_.area(panel) * upward,
       .rings = scene_.before(scene_.sectors()[elements_[cell.element].sector].panel, panel)};
   lines.rings = lines.rings && !(to_panel > lines.highest);
   lines.distance = std::max(lines.height, to_panel);
@@ -215,6 +220,17 @@ double Smoothness::reach_of_turn(const Cell& cell) const {
   return std::min(clearance / (4 * (1 + leg / height)), 0.5 * height * lowest_layer_) / upward;
 }
 
+/// What a cell sees of each panel.
+std::vector<View> Smoothness::seen_from(const Cell& cell) const {
+  const std::size_t panels = scene_.panels().size();
+  if (scene_.sight().is_open()) return std::vector<View>(panels, View::whole);
+  const Sector& sector = scene_.sectors()[elements_[cell.element].sector];
+  const std::array<Vector<double>, 4> hull = corners_of(sector, cell.box);
+  std::vector<View> views;
+  for (std::size_t j = 0; j < panels; ++j) views.push_back(view_of_panel(scene_, sector.panel, hull, j));
+  return views;
+}
+
 RuleErrors Smoothness::along(const Cell& cell, bool closed) const {
   const SectorElement& own = elements_[cell.element];
   const std::size_t panel = scene_.sectors()[own.sector].panel;
@@ -234,7 +250,13 @@ RuleErrors Smoothness::along(const Cell& cell, bool closed) const {
   }
   RuleErrors errors;
   add_interpolation(errors, moving_q, q_sizes.size());
+  const std::vector<View> views = seen_from(cell);
   Bounds xi{};
+  if (std::find(views.begin(), views.end(), View::partly) != views.end()) {
+    // c (1 - T 1) of Penumbra, |c| <= sup |w|.
+    xi.fill(size_);
+    add_quadrature(errors, product(xi, density));
+  }
   if (closed) {
     const std::span<const double> sizes = closure_.edge_sizes(*closure_.mirror(cell.element));
     Bounds moving_xi{};
@@ -251,18 +273,19 @@ RuleErrors Smoothness::along(const Cell& cell, bool closed) const {
   for (std::size_t j = 0; j < scene_.panels().size(); ++j) {
     if (j == panel || scene_.coplanar(j, panel)) continue;
     const bool beyond_edge = opposite && j == scene_.sectors()[*opposite].panel;
-    if (closed && beyond_edge) continue;
+    if ((closed && beyond_edge) || views[j] == View::none) continue;
     const ObserverLines seen = lines(cell, j);
-    const bool may_slide = cell.along_edge && scene_.parallel(own.sector, j);
+    const bool is_whole = views[j] == View::whole;
+    const bool may_slide = is_whole && cell.along_edge && scene_.parallel(own.sector, j);
     const double slide = may_slide ? reach_of_slide(cell, j) : 0;
     Bounds bounds{};
     for (std::size_t k = 0; k < axes.size(); ++k) {
       bounds[k] = tube_bound(seen, axes[k]) * (panel_size_[j] + xi[k]);
       if (may_slide)
         bounds[k] = std::min(bounds[k], slide_bound(seen.half, slide, axes[k]) * (slid_size_[j] + xi[k]));
-      if (beyond_edge && turn > 0 && axes[k] < cell.from_edge)
-        bounds[k] = std::min(
-            bounds[k], turn_bound(seen.half * (cell.from_edge + axes[k]), turn) * turned_size_[own.sector]);
+      if (is_whole && beyond_edge && turn > 0 && axes[k] < cell.from_edge)
+        bounds[k] = std::min(bounds[k], turn_bound(seen.half * (cell.from_edge + axes[k]), turn) *
+                                            (turned_size_[own.sector] + xi[k]));
     }
     add_interpolation(errors, bounds);
     add_quadrature(errors, product(bounds, density));

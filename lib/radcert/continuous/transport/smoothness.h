@@ -25,9 +25,10 @@ struct RuleErrors {
 
 /// How smooth T w is around points of the surface.
 /// Maths     T w = sum over the panels Q_j of T_j w, each holomorphic around the lines of a cell, in ellipses
-///           in which ObserverLines' bounds hold; closed at an edge, F of EdgeClosure in its place. What
-///           holds in an ellipse bounds polynomials and rules by polynomial_error_factor and
-///           gauss_mean_error_factor
+///           in which ObserverLines' bounds hold; closed at an edge, F of EdgeClosure in its place. Of a
+///           panel that is seen in part, F of Penumbra: its parts and their shares do not depend on P, so
+///           that the tube's bound holds, in which no Q moves. What holds in an ellipse bounds polynomials
+///           and rules by polynomial_error_factor and gauss_mean_error_factor
 /// Requires  the scene, the elements and the closure outlive it; w and q have the same degree and count
 /// Result    rounded up; infinite where an edge is touched
 class Smoothness {
@@ -56,6 +57,7 @@ private:
   [[nodiscard]] ObserverLines lines(const Cell& cell, std::size_t panel) const;
   [[nodiscard]] double reach_of_slide(const Cell& cell, std::size_t panel) const;
   [[nodiscard]] double reach_of_turn(const Cell& cell) const;
+  [[nodiscard]] std::vector<View> seen_from(const Cell& cell) const;
   [[nodiscard]] RuleErrors along(const Cell& cell, bool closed) const;
 
   const SectorScene& scene_;

@@ -27,10 +27,11 @@ struct PointRange {
   double terms = 0;
 };
 
-/// A part of an element.
+/// A part of an element, and how much of it is counted.
 struct Part {
   std::size_t element = 0;
   SectorBox box;
+  double share = 1;
 };
 
 }  // namespace
@@ -42,7 +43,8 @@ Transport::Transport(const SectorScene& scene, std::span<const SectorElement> el
       powers_(static_cast<std::size_t>(functions.degree() + 1)),
       count_(functions.count()),
       stride_((functions.count() + Pack::lanes - 1) / Pack::lanes * Pack::lanes),
-      coefficients_(elements.size() * functions.size() * stride_) {
+      coefficients_(elements.size() * functions.size() * stride_),
+      penumbra_(scene, elements, functions) {
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const std::size_t panel = scene.sectors()[elements[e].sector].panel;
     while (first_element_.size() <= panel) first_element_.push_back(e);
@@ -64,6 +66,9 @@ public:
         scene_(transport.scene_),
         panel_(group.panel),
         points_(group.points),
+        hull_(group.hull),
+        least_mass_(group.least_mass),
+        by_points_(group.by_points),
         tolerance_(tolerance),
         powers_(transport.powers_),
         stride_(transport.stride_),
@@ -85,6 +90,7 @@ public:
 
   void add_panel(std::size_t panel) {
     if (panel == panel_ || scene_.coplanar(panel, panel_)) return;
+    if (scene_.sight().view(panel_, panel) == View::none) return;
     const Sector& sector = scene_.sectors()[scene_.first_sector(panel)];
     const Vector<double>& n = scene_.normal(panel);
     heights_.clear();
@@ -94,12 +100,15 @@ public:
       highest = std::max(highest, heights_.back());
     }
     height_ = highest + 64 * unit_roundoff<double>() * scene_.extent();
-    std::vector<Part> parts;
-    for (std::size_t e = transport_.first_element_[panel]; e < transport_.first_element_[panel + 1]; ++e)
-      if (size_in_ellipse(transport_.sizes_[e].by_s, 1) > 0)
-        parts.push_back({e, transport_.elements_[e].box});
-    add_parts(0, std::move(parts));
+    if (!by_points_ || view_of_panel(scene_, panel_, hull_, panel) == View::whole) {
+      add_parts(0, seen_parts(panel, hull_));
+      return;
+    }
+    for (std::size_t r = 0; r < ranges_.size(); ++r)
+      if (ranges_[r].halves == 0) add_parts(r, seen_parts(panel, points_.subspan(ranges_[r].begin, 1)));
   }
+
+  [[nodiscard]] std::vector<ShadedPart> take_shaded() { return std::move(shaded_); }
 
   /// Truncation, and what rounding adds to it: points, kernel, functions, sums.
   [[nodiscard]] double radius() const {
@@ -124,6 +133,21 @@ public:
   [[nodiscard]] double value(std::size_t point, std::size_t k) const { return values_[point * stride_ + k]; }
 
 private:
+  /// The parts of a panel that send anything to a hull.
+  [[nodiscard]] std::vector<Part> seen_parts(std::size_t panel, std::span<const Vector<double>> hull) {
+    const auto sends = [&](std::size_t e) { return size_in_ellipse(transport_.sizes_[e].by_s, 1) > 0; };
+    std::vector<Part> parts;
+    const SeenPanel seen = transport_.penumbra_.seen(panel_, hull, panel, least_mass_);
+    for (const ElementPart& part : seen.whole)
+      if (sends(part.element)) parts.push_back({part.element, part.box});
+    for (const ShadedPart& shaded : seen.shaded)
+      if (sends(shaded.part.element)) {
+        parts.push_back({shaded.part.element, shaded.part.box, 0.5});
+        shaded_.push_back(shaded);
+      }
+    return parts;
+  }
+
   [[nodiscard]] ObserverBall ball_of(std::size_t begin, std::size_t end) const {
     return ball_about(points_.subspan(begin, end - begin), scene_.extent());
   }
@@ -203,7 +227,7 @@ private:
     tabulate(part_in_t(box, element.box), rule_t.nodes, legendre_t_);
     const double half_s = 0.5 * (box.s1 - box.s0);
     const double half_t = 0.5 * (box.t1 - box.t0);
-    const double scale = std::numbers::inv_pi * sector.jacobian * half_s * half_t;
+    const double scale = part.share * std::numbers::inv_pi * sector.jacobian * half_s * half_t;
     const double* const c = transport_.coefficients_.data() + part.element * powers_ * powers_ * stride_;
     const std::size_t begin = x_.size();
     const std::size_t nodes = rule_s.nodes.size() * rule_t.nodes.size();
@@ -283,6 +307,10 @@ private:
   const SectorScene& scene_;
   std::size_t panel_;
   std::span<const Vector<double>> points_;
+  std::span<const Vector<double>> hull_;
+  double least_mass_;
+  bool by_points_;
+  std::vector<ShadedPart> shaded_;
   double tolerance_;
   std::size_t powers_;
   std::size_t stride_;
@@ -301,7 +329,7 @@ Transport::Values Transport::operator()(const ObserverGroup& group, double toler
   Sum sum(*this, group, tolerance);
   for (std::size_t panel = 0; panel < scene_.panels().size(); ++panel)
     if (panel != without) sum.add_panel(panel);
-  Values out{.values = {}, .radius = sum.radius()};
+  Values out{.values = {}, .radius = sum.radius(), .shaded = sum.take_shaded()};
   out.values.reserve(group.points.size() * count_);
   for (std::size_t p = 0; p < group.points.size(); ++p)
     for (std::size_t k = 0; k < count_; ++k) out.values.push_back(sum.value(p, k));

@@ -9,6 +9,7 @@
 #include "radcert/continuous/elements/graded_elements.h"
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/elements/tensor_legendre.h"
+#include "radcert/continuous/occlusion/penumbra.h"
 
 namespace radcert {
 
@@ -17,12 +18,19 @@ namespace radcert {
 struct ObserverGroup {
   std::size_t panel = 0;
   std::vector<Vector<double>> points;
+  std::vector<Vector<double>> hull = {};  ///< points of the panel that have these in their convex hull
+  double least_mass = 0;                  ///< of a shaded part that is worth halving
+  bool by_points = false;                 ///< what is shaded is asked for each point alone
 };
 
-/// T f at points, T = (1/pi) Int G . dS, for functions that are polynomials on elements.
+/// Of shaded parts, where no bound is wanted.
+inline constexpr double negligible_mass = 0x1p-13;
+
+/// T f at points, T = (1/pi) Int G V . dS, for functions that are polynomials on elements.
 /// Maths     tensor Gauss rules on dyadic parts of the elements, each as large as its RuleChoice says, for as
-///           many points together as are close beside the distance
-/// Requires  the scene and the elements outlive it
+///           many points together as are close beside the distance. Where panels hide each other: F of
+///           Penumbra, and the parts that are shaded from somewhere in the hull
+/// Requires  the scene, the elements and the functions outlive it; a hull where panels hide each other
 /// Result    the radius holds for all functions: truncation, rounding of points, of the kernel, of the
 ///           functions and of the sums. It is infinite nearer to another panel than least_kernel_distance
 /// Limits    the tolerance is relative to the sizes of the functions, which should be alike; what is reached
@@ -35,6 +43,7 @@ public:
   struct Values {
     std::vector<double> values;  ///< by point, function
     double radius = 0;
+    std::vector<ShadedPart> shaded = {};  ///< of which half is in the values; the radius is not for them
   };
   /// The panel `without` is left out.
   [[nodiscard]] Values operator()(const ObserverGroup& group, double tolerance,
@@ -54,6 +63,7 @@ private:
   std::vector<PolynomialSizes> sizes_;      ///< of each element
   std::vector<std::size_t> first_element_;  ///< of each panel, and the number of all
   double size_ = 0;
+  Penumbra penumbra_;
 };
 
 }  // namespace radcert

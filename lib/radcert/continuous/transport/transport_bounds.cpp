@@ -18,13 +18,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 double tube_bound(const ObserverLines& lines, double axis) {
   const double a = lines.half * axis;
   // Nearer to the panel the difference below would have no relative accuracy, and the bound no use.
-  if (!(lines.height > 0 && a < 0.99 * lines.distance)) return infinity;
+  if (!(a < 0.99 * lines.distance)) return infinity;
   const double gap = lines.distance - a;
   const double quotient = lines.distance / gap;
+  const double by_area = std::numbers::inv_pi * lines.area * (lines.highest + axis * lines.turned) *
+                         quotient / (gap * gap * gap) * upward;
+  if (!(lines.height > 0)) return by_area;
   const double by_nearest = quotient * quotient * quotient * quotient * lines.mass;
   const double by_rings =
       (lines.rings ? 2 : 1) * lines.highest * (1 + a / gap + a * a / (3 * gap * gap)) / gap;
-  return (1 + axis * lines.turned / lines.height) * std::min(by_nearest, by_rings) * upward;
+  return std::min(by_area,
+                  (1 + axis * lines.turned / lines.height) * std::min(by_nearest, by_rings) * upward);
 }
 
 double slide_bound(double half, double reach, double axis) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
+
 namespace radcert {
 
 /// What bounds T_j around lines of observers c + z e, the lines of one parameter of a cell.
@@ -8,12 +10,13 @@ namespace radcert {
 ///           The panel of the observers is in front of Q_j and parallel to e; c is real, z in the ellipse
 ///           with the foci -1 and 1 and the half axes A and B, A^2 - B^2 = 1
 struct ObserverLines {
-  double half = 0;      ///< |e| at most
-  double distance = 0;  ///< of c from Q_j at least
-  double height = 0;    ///< of c above the plane of Q_j at least
-  double highest = 0;   ///< and at most
-  double turned = 0;    ///< |e.n_j| at most
-  double mass = 1;      ///< T_j 1(c) at most
+  double half = 0;                                        ///< |e| at most
+  double distance = 0;                                    ///< of c from Q_j at least
+  double height = 0;                                      ///< of c above the plane of Q_j at least
+  double highest = 0;                                     ///< and at most
+  double turned = 0;                                      ///< |e.n_j| at most
+  double mass = 1;                                        ///< T_j 1(c) at most
+  double area = std::numeric_limits<double>::infinity();  ///< of Q_j at most
   /// Whether the foot of c in the plane of Q_j may lie in Q_j: it lies before the observer, n_P.n_j < 0, and
   /// may be no further than Q_j.
   bool rings = true;
@@ -27,6 +30,10 @@ struct ObserverLines {
 ///             by rings               Int_D^oo (r/(r-a))^4 m d/r^2 dr = m d (1/g + a/g^2 + a^2/(3 g^3)),
 ///                                    g = D - a: the kernel is at most d/r^3, on rings about the foot of
 ///                                    c, m = 2; where that is not in the convex Q_j, on half rings, m = 1
+///           and, also where Q_j lies in a plane through c,
+///             by the area            (h + A |e.n_j|) |Q_j| D/(pi (D-a)^4), h the largest height of c:
+///                                    n_j.(P-Q) is at most h + A |e.n_j|, n_P.(Q-P) at most r, and r/(r-a)^4
+///                                    falls
 /// Result    rounded up; infinite where the ellipse comes near the panel
 [[nodiscard]] double tube_bound(const ObserverLines& lines, double axis);
 

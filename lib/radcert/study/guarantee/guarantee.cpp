@@ -47,8 +47,8 @@ std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const
     throw InputError({.source = "--certificate",
                       .problem = guarantee.of != EnclosedQuantity::means
                                      ? "is not made for values or a function"
-                                     : "is not made for a sphere or an ellipsoid, nor for an emission that "
-                                       "is no polynomial of degree 8 or less",
+                                     : "is not made for a sphere or an ellipsoid, nor where parts hide each "
+                                       "other, nor for an emission that is no polynomial of degree 8 or less",
                       .allowed =
                           "a guarantee of means on a closed convex polyhedron, the emission a polynomial "
                           "on each piece"});

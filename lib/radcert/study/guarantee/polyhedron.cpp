@@ -22,10 +22,12 @@
 namespace radcert {
 namespace {
 
+/// Of faces that hide each other.
+constexpr std::size_t most_cut_panels = 300;
+
 constexpr const char* what_is_enclosed =
     "a convex polyhedron with exact planes (of the catalogue or a mesh), closed or without some of its "
-    "faces, a "
-    "sphere or an ellipsoid";
+    "faces, a closed mesh whose parts hide each other (means alone), a sphere or an ellipsoid";
 
 [[noreturn]] void refuse_surface(const Problem& problem, const std::string& reason) {
   throw InputError({.pointer = problem.surface.mesh ? "/surface/file" : "/surface/name",
@@ -34,11 +36,29 @@ constexpr const char* what_is_enclosed =
                     .allowed = what_is_enclosed});
 }
 
-/// Those of the surface, then black ones that close it.
-std::vector<Panel> panels_of(const Problem& problem, const Surface& surface) {
-  if (!surface.unoccluded) refuse_surface(problem, "parts of it hide each other");
+/// Where parts hide each other: those of the surface, cut along their planes, and themselves as blockers.
+void put_occluded_panels(PolyhedronProblem& out, const Problem& problem, const Surface& surface,
+                         const Guarantee& guarantee, std::vector<Panel> panels) {
+  if (guarantee.of != EnclosedQuantity::means)
+    refuse_surface(problem, "parts of it hide each other, where only means are enclosed");
+  if (!surface.closed) refuse_surface(problem, "parts of it hide each other, and it is not closed");
+  out.panels = cut_panels(panels);
+  if (out.panels.size() > most_cut_panels)
+    refuse_surface(problem, "the planes of its faces cut them into " + std::to_string(out.panels.size()) +
+                                " parts, more than the " + std::to_string(most_cut_panels) +
+                                " that are taken where parts hide each other");
+  out.blockers = std::move(panels);
+}
+
+/// The panels of the surface, then black ones that close it.
+void put_panels(PolyhedronProblem& problem_on_panels, const Problem& problem, const Surface& surface,
+                const Guarantee& guarantee) {
   Outcome<std::vector<Panel>> panels = convex_panels(surface);
   if (!panels) refuse_surface(problem, panels.reason());
+  if (!surface.unoccluded) {
+    put_occluded_panels(problem_on_panels, problem, surface, guarantee, std::move(panels).value());
+    return;
+  }
   // That of a mesh has been decided when it was read.
   if (!surface.mesh) {
     const ConvexContainment containment = convex_containment(surface);
@@ -46,12 +66,12 @@ std::vector<Panel> panels_of(const Problem& problem, const Surface& surface) {
       refuse_surface(problem,
                      "it is not proved to lie in the boundary of a convex body: " + containment.reason);
   }
-  std::vector<Panel> out = std::move(panels).value();
-  if (surface.closed) return out;
+  std::vector<Panel>& out = problem_on_panels.panels;
+  out = std::move(panels).value();
+  if (surface.closed) return;
   Outcome<std::vector<Panel>> closing = closing_panels(out, surface.piece_names().size());
   if (!closing) refuse_surface(problem, "it is not closed, and " + closing.reason());
   out.insert(out.end(), closing->begin(), closing->end());
-  return out;
 }
 
 /// An expression on a panel, where it is a polynomial of a degree that is allowed.
@@ -210,7 +230,8 @@ struct NearProblem {
 
 /// Maths     u - u_p = (I - K)^-1 (E - E_p), and the norm of (I - K)^-1 in C(S) is at most 1/(1 - sup rho)
 NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, const Guarantee& guarantee) {
-  PolyhedronProblem out{.panels = panels_of(problem, surface), .reflectivity = {}, .emission = {}};
+  PolyhedronProblem out;
+  put_panels(out, problem, surface, guarantee);
   out.reflectivity = reflectivities(problem, surface, out.panels);
   const std::vector<std::string> names = surface.piece_names();
   double left_out = 0;
@@ -345,7 +366,9 @@ public:
   }
 
   /// A certificate is of polynomials.
-  [[nodiscard]] bool has_certificate() const override { return near_.distance == 0; }
+  [[nodiscard]] bool has_certificate() const override {
+    return near_.distance == 0 && near_.polyhedron.blockers.empty();
+  }
   [[nodiscard]] CertifiedMeans certified(const GuaranteeContext& context) const override {
     const GoalEnclosure found =
         enclose_means(near_.polyhedron, certified_share * wanted(), told(context), true);

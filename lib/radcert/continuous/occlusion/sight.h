@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "radcert/continuous/elements/panel.h"
+#include "radcert/geometry/vector.h"
+#include "radcert/scalar/rational.h"
+
+namespace radcert {
+
+/// How much points of one convex set see of those of another: V = 0 almost everywhere, unknown, V = 1 almost
+/// everywhere.
+enum class View { none, partly, whole };
+
+/// What panels of a polyhedron see of each other.
+/// Maths     a blocker B is a convex polygon with the normal n at a, and d(p) = n.(p-a); g_e(p) <= 0 on the
+///           inner side of its side e, in its plane. Convex sets X and Y of points, d >= 0 on X, d <= 0 on Y:
+///             B hides nothing   where the plane d alpha + g_e = 0 has both in front of it for some alpha and
+///                               e: B lies behind it. That is alpha >= -g_e/d at the corners of X, and alpha
+///                               <= g_e/|d| at those of Y
+///             B hides all       where |d(q)| g_e(p) + d(p) g_e(q) <= 0 for all e and all corners p of X, q
+///                               of Y: the form is linear in p and in q, so that it holds for all points; the
+///                               line from p to q meets the plane of B where g_e is that over d(p) + |d(q)|
+///           Borders are null sets
+/// Requires  panels of which each is on one side of the plane of every blocker and every panel, or in it
+/// Result    decided in double with bounds for rounding; on which side of which plane a panel lies is exact.
+///           `partly` where nothing is decided
+class Sight {
+public:
+  /// Coordinates of points are those less the origin, none larger than extent.
+  Sight(const std::vector<Panel>& panels, const std::vector<Panel>& blockers, const Vector<Rational>& origin,
+        double extent);
+
+  /// Whether every panel sees all others that are not in its plane.
+  [[nodiscard]] bool is_open() const { return blockers_.empty(); }
+  /// Of a whole panel.
+  [[nodiscard]] View view(std::size_t panel, std::size_t other) const {
+    return is_open() ? View::whole : pairs_[panel * panels_ + other].view;
+  }
+  /// From the convex hull of points of a panel to those of another, all within rounding (displacement).
+  class Lookout;
+
+private:
+  struct Blocker {
+    Vector<double> at;
+    Vector<double> normal;  ///< of unit length
+    struct Side {
+      Vector<double> at;
+      Vector<double> outward;  ///< of unit length, in the plane
+    };
+    std::vector<Side> sides;
+  };
+  /// On which side of planes a panel lies: the least and the largest sign at its corners.
+  struct Signs {
+    signed char least = 0;
+    signed char largest = 0;
+  };
+  struct Pair {
+    View view = View::whole;
+    std::vector<std::size_t> blockers;  ///< that may hide something
+  };
+  [[nodiscard]] Signs of_plane(std::size_t panel, std::size_t blocker) const {
+    return planes_[panel * blockers_.size() + blocker];
+  }
+
+  std::size_t panels_;
+  double slack_ = 0;
+  std::vector<Blocker> blockers_;
+  std::vector<Signs> planes_;                 ///< by panel, blocker
+  std::vector<std::vector<Signs>> of_sides_;  ///< the same, by side
+  std::vector<Pair> pairs_;                   ///< by panel, panel
+};
+
+/// Requires  the sight outlives it
+class Sight::Lookout {
+public:
+  Lookout(const Sight& sight, std::size_t panel, std::span<const Vector<double>> hull, std::size_t other);
+
+  /// The convex hull of points of the other panel.
+  [[nodiscard]] View view(std::span<const Vector<double>> points);
+
+private:
+  struct Between {
+    double least = 0;
+    double largest = 0;
+  };
+  /// |d| and g_e at points of a panel.
+  struct Distances {
+    std::vector<Between> from_plane;
+    std::vector<Between> beyond;  ///< by point, side
+    void put(const Sight& sight, std::size_t panel, std::size_t blocker,
+             std::span<const Vector<double>> points);
+    [[nodiscard]] double least_slope(std::size_t side) const;
+  };
+  struct Past {
+    std::size_t blocker = 0;
+    Distances hull;
+    std::vector<double> slopes;  ///< by side
+  };
+  [[nodiscard]] View view(const Past& past) const;
+
+  const Sight& sight_;
+  std::size_t other_;
+  View without_blockers_;
+  std::vector<Past> past_;
+  Distances points_;  ///< of the last view
+};
+
+}  // namespace radcert
