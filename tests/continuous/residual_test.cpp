@@ -11,6 +11,7 @@
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/continuous/trial_functions.h"
 #include "radcert/core/parallel.h"
+#include "tests/continuous/rooms.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {
@@ -255,6 +256,46 @@ TEST(ResidualSums, HaveTheSameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(all.products[k].value, one.products[k].value);
     EXPECT_EQ(all.products[k].radius, one.products[k].radius);
   }
+}
+
+TEST(ResidualSums, CountWhatIsShaded) {
+  // The means of one wall around a corner: on cells that are whole elements the residual of a good function is
+  // small beside what is not known of shaded parts.
+  const std::vector<Panel> room = test::l_room();
+  const SectorScene scene(cut_panels(room), room);
+  const std::vector<SectorElement> elements = graded_elements(scene, 2);
+  const std::vector<double> rho(scene.panels().size(), 0.5);
+  std::vector<std::vector<double>> emissions(2, std::vector<double>(scene.panels().size()));
+  for (std::size_t j = 0; j < scene.panels().size(); ++j) {
+    emissions[0][j] = scene.panels()[j].piece == 4 ? 1 : 0;
+    emissions[1][j] = scene.panels()[j].piece == 0 ? 0.5 : 0;
+  }
+  const SectorFunctions given = panel_functions(scene, elements, emissions, 1);
+  const Trial trial(scene, rho, elements, given, trial_functions(scene, elements, rho, given, 1e-4));
+  std::vector<ObserverCell> cells;
+  std::array<double, 2> products{};
+  double squares = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const Sector& sector = trial.sector(e);
+    const SectorBox& box = elements[e].box;
+    if (box.t0 == 0) continue;
+    const auto hull = corners_of(sector, box);
+    const std::vector<ShadedPart> shaded =
+        trial.penumbra.shaded(sector.panel, hull, trial.penumbra.may_be_shaded(sector.panel), 0);
+    if (shaded.empty()) continue;
+    cells.push_back({.element = e, .box = box, .nodes_s = 3, .nodes_t = 3});
+    const Penumbra::Rest rest = trial.penumbra.rest(shaded);
+    const double area = sector.jacobian * box.weight();
+    squares += rho[sector.panel] * area * rest.bounds[1] * rest.bounds[1];
+    for (const std::size_t k : {0U, 1U}) products[k] += area * trial.penumbra.size(e, k) * rest.bounds[0];
+  }
+  const ResidualSums sums = residual_sums(trial, cells, {.interpolation = 1e-4, .quadrature = 1e-4});
+  EXPECT_GE(sums.norms[1], 0.999 * std::sqrt(squares));
+  for (const std::size_t k : {0U, 1U}) {
+    EXPECT_GE(sums.products[k].radius, 0.999 * products[k]);
+    EXPECT_LE(sums.products[k].radius, 1.5 * products[k]);
+  }
+  EXPECT_GT(squares, 1e-5);
 }
 
 }  // namespace

@@ -139,6 +139,21 @@ TEST(Sight, SaysNothingFalseOfAnLShapedRoom) { expect_views_are_true(l_room(), 3
 
 TEST(Sight, SaysNothingFalseOfACubeInACube) { expect_views_are_true(cube_in_a_cube(), 4, 4000); }
 
+TEST(Sight, IsOfPanelsThatLookAtEachOther) {
+  for (const std::vector<Panel>& whole : {l_room(), cube_in_a_cube()}) {
+    const std::vector<Panel> cut = cut_panels(whole);
+    const SectorScene scene(cut, whole);
+    std::size_t facing = 0;
+    for (std::size_t i = 0; i < cut.size(); ++i)
+      for (std::size_t j = 0; j < cut.size(); ++j) {
+        const bool both = side_of(cut[i], cut[j]) == 1 && side_of(cut[j], cut[i]) == 1;
+        EXPECT_TRUE(both || scene.sight().view(i, j) == View::none) << i << " " << j;
+        if (both && scene.sight().view(i, j) != View::none) ++facing;
+      }
+    EXPECT_GT(facing, cut.size());
+  }
+}
+
 TEST(Sight, IsAlmostAlwaysDecidedBetweenSmallParts) {
   // Of pairs of squares of the side h, those are partly seen across the edge that looks inwards which a plane
   // through it may cut: a part of the order h.
@@ -166,34 +181,52 @@ TEST(Sight, IsAlmostAlwaysDecidedBetweenSmallParts) {
   }
 }
 
-/// w = f(s,t) on elements, and T w at a point by many points of each, with exact visibility.
-double sent_to(const SectorScene& scene, const std::vector<Panel>& blockers,
-               const std::vector<SectorElement>& elements, const SectorFunctions& w, std::size_t panel,
-               const Vector<double>& p) {
-  constexpr int steps = 16;
-  double sum = 0;
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    const Sector& sector = scene.sectors()[elements[e].sector];
-    if (sector.panel == panel || scene.coplanar(sector.panel, panel)) continue;
-    const SectorBox& box = elements[e].box;
+/// (1/pi) Int G w_k over a part of an element, from a point, by its middle points; those alone that are seen.
+struct PartSum {
+  const SectorScene& scene;
+  const std::vector<SectorElement>& elements;
+  const SectorFunctions& w;
+  const std::vector<Panel>* blockers = nullptr;
+
+  double operator()(std::size_t panel, const Vector<double>& p, const ElementPart& part, std::size_t k,
+                    int steps) const {
+    const SectorElement& element = elements[part.element];
+    const Sector& sector = scene.sectors()[element.sector];
+    if (sector.panel == panel || scene.coplanar(sector.panel, panel)) return 0;
+    const SectorBox& box = part.box;
+    double sum = 0;
     for (int i = 0; i < steps; ++i)
       for (int j = 0; j < steps; ++j) {
-        const double x = (i + 0.5) / steps;
-        const double y = (j + 0.5) / steps;
-        const double t = box.t0 + y * (box.t1 - box.t0);
-        const Vector<double> q = sector.point(box.s0 + x * (box.s1 - box.s0), t);
+        const double s = box.s0 + (i + 0.5) / steps * (box.s1 - box.s0);
+        const double t = box.t0 + (j + 0.5) / steps * (box.t1 - box.t0);
+        const Vector<double> q = sector.point(s, t);
         const Vector<double> way = q - p;
         const double here = dot(scene.normal(panel), way);
         const double there = -dot(scene.normal(sector.panel), way);
-        if (here <= 0 || there <= 0 || is_blocked(blockers, scene.origin(), p, q)) continue;
+        if (here <= 0 || there <= 0) continue;
+        if (blockers != nullptr && is_blocked(*blockers, scene.origin(), p, q)) continue;
         const double area =
             sector.jacobian * (1 - t) * (box.s1 - box.s0) * (box.t1 - box.t0) / (steps * steps);
         const double squared = dot(way, way);
-        sum += w.of(e, 0)[0] * here * there / (squared * squared) * area / 3.14159265358979;
+        sum += w.of(part.element, k)[0] * here * there / (squared * squared) * area / 3.14159265358979;
       }
+    return sum;
   }
-  return sum;
-}
+};
+
+/// Cells of a size below 3/4 of sectors, at random.
+struct DrawnCell {
+  std::size_t sector = 0;
+  SectorBox box;
+  std::array<Vector<double>, 4> hull;
+
+  DrawnCell(const SectorScene& scene, double size, Draw& draw) : sector(draw.below(scene.sectors().size())) {
+    const double s = (1 - size) * draw();
+    const double t = 0.1 + (0.8 - size) * draw();
+    box = {.s0 = s, .s1 = s + size, .t0 = t, .t1 = t + size};
+    hull = corners_of(scene.sectors()[sector], box);
+  }
+};
 
 TEST(Penumbra, BoundsWhatIsShaded) {
   const std::vector<Panel> whole = l_room();
@@ -201,37 +234,131 @@ TEST(Penumbra, BoundsWhatIsShaded) {
   const std::vector<SectorElement> elements = graded_elements(scene, 1);
   Draw draw(6);
   double closest = 0;
-  for (int n = 0; n < 6; ++n) {
+  double most = 0;
+  std::size_t tried = 0;
+  while (tried < 4) {
     SectorFunctions w(elements.size(), 2, 0);
     for (std::size_t e = 0; e < elements.size(); ++e) {
       w.of(e, 0)[0] = draw() - 0.3;
       w.of(e, 1)[0] = 1;
     }
     const Penumbra penumbra(scene, elements, w);
-    const std::size_t from = draw.below(elements.size());
-    const Sector& sector = scene.sectors()[elements[from].sector];
-    const double size = 0.25;
-    const double s = 0.7 * draw();
-    const double t = 0.2 + 0.5 * draw();
-    const SectorBox box{.s0 = s, .s1 = s + size, .t0 = t, .t1 = t + size};
-    const auto hull = corners_of(sector, box);
-    std::vector<ShadedPart> shaded;
-    const Vector<double> p = point_in(sector, box, draw);
+    const DrawnCell cell(scene, 0.7, draw);
+    const std::size_t panel = scene.sectors()[cell.sector].panel;
+    const Vector<double> p = point_in(scene.sectors()[cell.sector], cell.box, draw);
     const Transport transport(scene, elements, w);
     const Transport::Values found =
-        transport({.panel = sector.panel, .points = {p}, .hull = {hull.begin(), hull.end()}}, 1e-6);
+        transport({.panel = panel, .points = {p}, .hull = {cell.hull.begin(), cell.hull.end()}}, 1e-6);
     if (found.shaded.empty()) continue;
+    ++tried;
     const Penumbra::Rest rest = penumbra.rest(found.shaded);
-    const double truth = sent_to(scene, whole, elements, w, sector.panel, p);
+    double truth = 0;
+    const PartSum seen{scene, elements, w, &whole};
+    for (std::size_t e = 0; e < elements.size(); ++e) truth += seen(panel, p, {e, elements[e].box}, 0, 16);
     const double near = found.values[0] + rest.constants[0] * (1 - found.values[1]);
     // The sum over points is good to a percent or so of what is shaded.
-    EXPECT_LE(std::abs(truth - near), rest.bounds[0] * 1.02 + 4e-3) << n;
+    EXPECT_LE(std::abs(truth - near), rest.bounds[0] * 1.02 + 4e-3);
     closest = std::max(closest, std::abs(truth - near) / rest.bounds[0]);
     // 1 is sent by all: nothing is left of it.
     EXPECT_LE(rest.bounds[1], 1e-13);
     EXPECT_NEAR(found.values[1] + rest.constants[1] * (1 - found.values[1]), 1, 1e-12);
+    // Half of what is shaded is counted, and all that is seen.
+    double counted = 0;
+    double half = 0;
+    const PartSum all{scene, elements, w};
+    for (std::size_t j = 0; j < scene.panels().size(); ++j) {
+      if (j == panel || scene.coplanar(j, panel)) continue;
+      const SeenPanel own = penumbra.seen(panel, cell.hull, j, 0);
+      for (const ElementPart& part : own.whole) counted += all(panel, p, part, 1, 24);
+      for (const ShadedPart& part : own.shaded) half += all(panel, p, part.part, 1, 4) / 2;
+    }
+    EXPECT_NEAR(found.values[1], counted + half, 5e-3);
+    most = std::max(most, half);
   }
   EXPECT_GT(closest, 0.1);
+  EXPECT_GT(most, 0.02);
+}
+
+TEST(Penumbra, KnowsWhatAPartMaySend) {
+  const std::vector<Panel> whole = cube_in_a_cube();
+  const SectorScene scene(cut_panels(whole), whole);
+  const std::vector<SectorElement> elements = graded_elements(scene, 1);
+  SectorFunctions one(elements.size(), 1, 0);
+  for (std::size_t e = 0; e < elements.size(); ++e) one.of(e, 0)[0] = 1;
+  const Penumbra penumbra(scene, elements, one);
+  const PartSum sum{scene, elements, one};
+  Draw draw(8);
+  double closest = 0;
+  std::size_t tried = 0;
+  for (int n = 0; n < 200; ++n) {
+    const DrawnCell cell(scene, 0.25, draw);
+    const std::size_t panel = scene.sectors()[cell.sector].panel;
+    const std::size_t other = draw.below(scene.panels().size());
+    if (scene.sight().view(panel, other) != View::partly) continue;
+    for (const ShadedPart& own : penumbra.seen(panel, cell.hull, other, 0).shaded) {
+      if (!(own.mass < 1)) continue;
+      const Vector<double> p = point_in(scene.sectors()[cell.sector], cell.box, draw);
+      const double sent = sum(panel, p, own.part, 0, 6);
+      EXPECT_LE(sent, own.mass * 1.001);
+      closest = std::max(closest, sent / own.mass);
+      ++tried;
+    }
+  }
+  EXPECT_GT(tried, 100U);
+  EXPECT_GT(closest, 0.5);
+}
+
+TEST(Penumbra, LeavesHalfOfEveryDifference) {
+  // Any w may stand at the parts: the rest is a bound for those at random points of them.
+  const std::vector<Panel> whole = l_room();
+  const SectorScene scene(cut_panels(whole), whole);
+  const std::vector<SectorElement> elements = graded_elements(scene, 2);
+  Draw draw(9);
+  double closest = 0;
+  for (int n = 0; n < 200; ++n) {
+    const SectorFunctions w = test::drawn_functions(elements.size(), 1, 2, draw);
+    const Penumbra penumbra(scene, elements, w);
+    std::vector<ShadedPart> shaded;
+    std::vector<double> least;
+    std::vector<double> largest;
+    const std::size_t parts = 1 + draw.below(3);
+    for (std::size_t m = 0; m < parts; ++m) {
+      const std::size_t e = draw.below(elements.size());
+      const SectorBox& box = elements[e].box;
+      const double size = draw();
+      const double s = (1 - size) * draw();
+      const double t = (1 - size) * draw();
+      const auto at = [](double from, double to, double x) { return from + x * (to - from); };
+      shaded.push_back({{e,
+                         {.s0 = at(box.s0, box.s1, s),
+                          .s1 = at(box.s0, box.s1, s + size),
+                          .t0 = at(box.t0, box.t1, t),
+                          .t1 = at(box.t0, box.t1, t + size)}},
+                        draw()});
+      least.push_back(HUGE_VAL);
+      largest.push_back(-HUGE_VAL);
+      for (int i = 0; i <= 8; ++i)
+        for (int j = 0; j <= 8; ++j) {
+          const double x = 2 * (s + size * i / 8) - 1;
+          const double y = 2 * (t + size * j / 8) - 1;
+          const std::array<double, 3> in_s{1, x, 1.5 * x * x - 0.5};
+          const std::array<double, 3> in_t{1, y, 1.5 * y * y - 0.5};
+          double value = 0;
+          for (std::size_t a = 0; a < 3; ++a)
+            for (std::size_t b = 0; b < 3; ++b) value += w.of(e, 0)[a * 3 + b] * in_s[a] * in_t[b];
+          least.back() = std::min(least.back(), value);
+          largest.back() = std::max(largest.back(), value);
+        }
+    }
+    const Penumbra::Rest rest = penumbra.rest(shaded);
+    double sum = 0;
+    for (std::size_t m = 0; m < parts; ++m)
+      sum += 0.5 * shaded[m].mass *
+             std::max(std::abs(least[m] - rest.constants[0]), std::abs(largest[m] - rest.constants[0]));
+    EXPECT_LE(sum, rest.bounds[0] * (1 + 1e-12));
+    closest = std::max(closest, sum / rest.bounds[0]);
+  }
+  EXPECT_GT(closest, 0.9);
 }
 
 }  // namespace
