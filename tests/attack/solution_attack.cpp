@@ -236,7 +236,7 @@ std::vector<Panel> room_of(const Corner& x) {
 FactorMatrix factors_between_pieces(const std::vector<Panel>& room) {
   TriangleMesh mesh;
   FactorUnits units;
-  for (const Panel& panel : cut_panels(room)) {
+  for (const Panel& panel : test::cut(room)) {
     const std::size_t first = mesh.vertices.size();
     for (const Vector<Rational>& c : panel.corners)
       mesh.vertices.push_back({c.x.to_double(), c.y.to_double(), c.z.to_double()});

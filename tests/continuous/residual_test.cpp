@@ -262,7 +262,7 @@ TEST(ResidualSums, CountWhatIsShaded) {
   // The means of one wall around a corner: on cells that are whole elements the residual of a good function is
   // small beside what is not known of shaded parts.
   const std::vector<Panel> room = test::l_room();
-  const SectorScene scene(cut_panels(room), room);
+  const SectorScene scene(test::cut(room), room);
   const std::vector<SectorElement> elements = graded_elements(scene, 2);
   const std::vector<double> rho(scene.panels().size(), 0.5);
   std::vector<std::vector<double>> emissions(2, std::vector<double>(scene.panels().size()));

@@ -71,11 +71,14 @@ inline std::vector<Panel> cube_in_a_cube() {
   return panels;
 }
 
+/// Cut along the planes of all.
+inline std::vector<Panel> cut(const std::vector<Panel>& panels) { return cut_panels(panels, 300).value(); }
+
 /// Constants on the panels of a room whose parts hide each other.
 inline PolyhedronProblem occluded_problem(std::vector<Panel> blockers, const std::vector<Rational>& rho,
                                           const std::vector<Rational>& emission) {
   PolyhedronProblem out;
-  out.panels = cut_panels(blockers);
+  out.panels = cut(blockers);
   for (const Panel& panel : out.panels) {
     out.reflectivity.push_back(rho[panel.piece]);
     out.emission.push_back(constant_polynomial(emission[panel.piece]));

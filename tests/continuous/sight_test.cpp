@@ -35,7 +35,7 @@ std::optional<int> side_of(const Panel& panel, const Panel& plane) {
 
 TEST(CutPanels, LieOnOneSideOfEveryPlane) {
   for (const auto& [whole, count] : {std::pair{l_room(), 14U}, {cube_in_a_cube(), 60U}}) {
-    const std::vector<Panel> cut = cut_panels(whole);
+    const std::vector<Panel> cut = test::cut(whole);
     EXPECT_EQ(cut.size(), count);
     for (const Panel& panel : cut)
       for (const Panel& plane : whole) EXPECT_TRUE(side_of(panel, plane).has_value());
@@ -43,8 +43,16 @@ TEST(CutPanels, LieOnOneSideOfEveryPlane) {
   }
 }
 
+TEST(CutPanels, AreRefusedWhereTheyAreTooMany) {
+  EXPECT_TRUE(cut_panels(cube_in_a_cube(), 60));
+  const auto refused = cut_panels(cube_in_a_cube(), 59);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.reason(), "the planes of its faces cut them into more than 59 parts");
+  EXPECT_FALSE(cut_panels(cube_in_a_cube(), 1));
+}
+
 TEST(CutPanels, HaveTheSameEdgesOnBothSides) {
-  const SectorScene scene(cut_panels(l_room()), l_room());
+  const SectorScene scene(test::cut(l_room()), l_room());
   std::size_t inner = 0;
   std::size_t opposite = 0;
   for (std::size_t k = 0; k < scene.sectors().size(); ++k) {
@@ -113,7 +121,7 @@ SectorBox drawn_box(Draw& draw) {
 }
 
 void expect_views_are_true(const std::vector<Panel>& whole, std::uint64_t seed, std::size_t pairs) {
-  const SectorScene scene(cut_panels(whole), whole);
+  const SectorScene scene(test::cut(whole), whole);
   Draw draw(seed);
   std::array<std::size_t, 3> found{};
   for (std::size_t n = 0; n < pairs; ++n) {
@@ -141,7 +149,7 @@ TEST(Sight, SaysNothingFalseOfACubeInACube) { expect_views_are_true(cube_in_a_cu
 
 TEST(Sight, IsOfPanelsThatLookAtEachOther) {
   for (const std::vector<Panel>& whole : {l_room(), cube_in_a_cube()}) {
-    const std::vector<Panel> cut = cut_panels(whole);
+    const std::vector<Panel> cut = test::cut(whole);
     const SectorScene scene(cut, whole);
     std::size_t facing = 0;
     for (std::size_t i = 0; i < cut.size(); ++i)
@@ -158,7 +166,7 @@ TEST(Sight, IsAlmostAlwaysDecidedBetweenSmallParts) {
   // Of pairs of squares of the side h, those are partly seen across the edge that looks inwards which a plane
   // through it may cut: a part of the order h.
   const std::vector<Panel> whole = l_room();
-  const SectorScene scene(cut_panels(whole), whole);
+  const SectorScene scene(test::cut(whole), whole);
   Draw draw(5);
   for (const double size : {0x1p-4, 0x1p-7}) {
     std::size_t partly = 0;
@@ -230,7 +238,7 @@ struct DrawnCell {
 
 TEST(Penumbra, BoundsWhatIsShaded) {
   const std::vector<Panel> whole = l_room();
-  const SectorScene scene(cut_panels(whole), whole);
+  const SectorScene scene(test::cut(whole), whole);
   const std::vector<SectorElement> elements = graded_elements(scene, 1);
   Draw draw(6);
   double closest = 0;
@@ -281,7 +289,7 @@ TEST(Penumbra, BoundsWhatIsShaded) {
 
 TEST(Penumbra, KnowsWhatAPartMaySend) {
   const std::vector<Panel> whole = cube_in_a_cube();
-  const SectorScene scene(cut_panels(whole), whole);
+  const SectorScene scene(test::cut(whole), whole);
   const std::vector<SectorElement> elements = graded_elements(scene, 1);
   SectorFunctions one(elements.size(), 1, 0);
   for (std::size_t e = 0; e < elements.size(); ++e) one.of(e, 0)[0] = 1;
@@ -311,7 +319,7 @@ TEST(Penumbra, KnowsWhatAPartMaySend) {
 TEST(Penumbra, LeavesHalfOfEveryDifference) {
   // Any w may stand at the parts: the rest is a bound for those at random points of them.
   const std::vector<Panel> whole = l_room();
-  const SectorScene scene(cut_panels(whole), whole);
+  const SectorScene scene(test::cut(whole), whole);
   const std::vector<SectorElement> elements = graded_elements(scene, 2);
   Draw draw(9);
   double closest = 0;

@@ -187,7 +187,9 @@ Outcome<std::vector<Panel>> closing_panels(const std::vector<Panel>& panels, std
   return closing;
 }
 
-std::vector<Panel> cut_panels(const std::vector<Panel>& panels) {
+Outcome<std::vector<Panel>> cut_panels(const std::vector<Panel>& panels, std::size_t most) {
+  const std::string too_many =
+      "the planes of its faces cut them into more than " + std::to_string(most) + " parts";
   std::vector<Panel> parts;
   for (const Panel& panel : panels) {
     std::vector<std::vector<Vector<Rational>>> pieces{panel.corners};
@@ -203,6 +205,7 @@ std::vector<Panel> cut_panels(const std::vector<Panel>& panels) {
         }
       }
       pieces = std::move(cut);
+      if (parts.size() + pieces.size() > 10 * most) return because(too_many);
     }
     for (std::vector<Vector<Rational>>& piece : pieces)
       parts.push_back(panel_of(panel.piece, std::move(piece), panel.normal));
@@ -212,9 +215,11 @@ std::vector<Panel> cut_panels(const std::vector<Panel>& panels) {
     before.emplace_back();
     for (const Panel& plane : panels) before.back().push_back(sides_of(part.corners, plane).before);
   }
-  return united(parts, [&](std::size_t k, std::size_t l) {
+  std::vector<Panel> out = united(parts, [&](std::size_t k, std::size_t l) {
     return parts[k].piece == parts[l].piece && before[k] == before[l] && look_alike(parts[k], parts[l]);
   });
+  if (out.size() > most) return because(too_many);
+  return out;
 }
 
 bool in_one_plane(const Panel& a, const Panel& b) {

@@ -38,8 +38,9 @@ struct Panel {
 /// Maths     each part is on one side of every panel's plane, or in it; of one piece, those of one plane
 ///           which are on the same sides of all are one where their union is convex. Where an edge belongs to
 ///           two faces, the parts on both sides have the same ends
-/// Result    exact, in the order of the panels
-[[nodiscard]] std::vector<Panel> cut_panels(const std::vector<Panel>& panels);
+/// Result    exact, in the order of the panels; refused where they are more than `most`, or the pieces on the
+///           way more than ten times as many
+[[nodiscard]] Outcome<std::vector<Panel>> cut_panels(const std::vector<Panel>& panels, std::size_t most);
 
 /// Whether the planes of two panels are one.
 [[nodiscard]] bool in_one_plane(const Panel& a, const Panel& b);

@@ -252,11 +252,6 @@ RuleErrors Smoothness::along(const Cell& cell, bool closed) const {
   add_interpolation(errors, moving_q, q_sizes.size());
   const std::vector<View> views = seen_from(cell);
   Bounds xi{};
-  if (std::find(views.begin(), views.end(), View::partly) != views.end()) {
-    // c (1 - T 1) of Penumbra, |c| <= sup |w|.
-    xi.fill(size_);
-    add_quadrature(errors, product(xi, density));
-  }
   if (closed) {
     const std::span<const double> sizes = closure_.edge_sizes(*closure_.mirror(cell.element));
     Bounds moving_xi{};
@@ -266,8 +261,11 @@ RuleErrors Smoothness::along(const Cell& cell, bool closed) const {
       moving_xi[k] = cell.along_edge ? xi[k] - sizes[0] : 0;
     }
     add_interpolation(errors, moving_xi, sizes.size());
-    add_quadrature(errors, product(xi, density));
+  } else if (std::find(views.begin(), views.end(), View::partly) != views.end()) {
+    // c (1 - F 1) of Penumbra, |c| <= sup |w|.
+    xi.fill(size_);
   }
+  add_quadrature(errors, product(xi, density));
 
   const double turn = reach_of_turn(cell);
   for (std::size_t j = 0; j < scene_.panels().size(); ++j) {

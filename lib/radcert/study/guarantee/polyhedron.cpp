@@ -42,11 +42,9 @@ void put_occluded_panels(PolyhedronProblem& out, const Problem& problem, const S
   if (guarantee.of != EnclosedQuantity::means)
     refuse_surface(problem, "parts of it hide each other, where only means are enclosed");
   if (!surface.closed) refuse_surface(problem, "parts of it hide each other, and it is not closed");
-  out.panels = cut_panels(panels);
-  if (out.panels.size() > most_cut_panels)
-    refuse_surface(problem, "the planes of its faces cut them into " + std::to_string(out.panels.size()) +
-                                " parts, more than the " + std::to_string(most_cut_panels) +
-                                " that are taken where parts hide each other");
+  Outcome<std::vector<Panel>> cut = cut_panels(panels, most_cut_panels);
+  if (!cut) refuse_surface(problem, "parts of it hide each other, and " + cut.reason());
+  out.panels = std::move(cut).value();
   out.blockers = std::move(panels);
 }
 
