@@ -259,8 +259,8 @@ TEST(ResidualSums, HaveTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(ResidualSums, CountWhatIsShaded) {
-  // The means of one wall around a corner: on cells that are whole elements the residual of a good function is
-  // small beside what is not known of shaded parts.
+  // The means of one wall around a corner: on cells that are whole elements the residual of a good function
+  // is small beside what is not known of shaded parts.
   const std::vector<Panel> room = test::l_room();
   const SectorScene scene(test::cut(room), room);
   const std::vector<SectorElement> elements = graded_elements(scene, 2);
