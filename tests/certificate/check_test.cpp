@@ -67,7 +67,7 @@ TEST(Check, VerifiesOnesInFurnaces) {
 
 TEST(Check, VerifiesFacesThatReflectDifferentlyAndPolynomials) {
   PolyhedronProblem problem = test::constant_problem("box", Rational(3, 10), {1, 0, 2});
-  problem.reflectivity[1] = 0;
+  problem.reflectivity[1] = Rational(0);
   problem.reflectivity[4] = Rational(7, 10);
   problem.emission[2] = PlanePolynomial<Rational>(2);
   problem.emission[2](0, 0) = Rational(1);

@@ -13,6 +13,7 @@
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/continuous/trial.h"
 #include "radcert/core/parallel.h"
+#include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "tests/continuous/memory.h"
 #include "tests/continuous/scenes.h"
 
@@ -75,6 +76,27 @@ TEST(FunctionEnclosure, IsTheEmissionWhereNothingReflects) {
   for (const EnclosedPart& part : found.parts)
     for (const double value : part.values)
       EXPECT_NEAR(value, part.piece == dark.panels[2].piece ? 5 : 0, 1e-12);
+}
+
+TEST(FunctionEnclosure, ContainsOneInAFurnaceOfPolynomials) {
+  PolyhedronProblem mixed = furnace(0, 0);
+  PlanePolynomial<Rational> rho(2);
+  rho(0, 0) = Rational(1, 10);
+  rho(2, 0) = Rational(1, 5);
+  rho(1, 1) = Rational(-1, 5);
+  for (const std::size_t k : {0U, 2U}) {
+    mixed.reflectivity[k] = reflectivity_of(mixed.panels[k], rho).value();
+    mixed.emission[k] = sum(constant_polynomial(Rational(1)), Rational(-1), rho);
+  }
+  const FunctionEnclosure found = enclose_function(mixed, 1, 0.05);
+  EXPECT_LE(found.sup, 0.5);
+  double farthest = 0;
+  for (const EnclosedPart& part : found.parts)
+    for (const double value : part.values) {
+      EXPECT_LE(std::abs(value - 1), part.bound);
+      farthest = std::max(farthest, std::abs(value - 1));
+    }
+  EXPECT_GT(farthest, 0);
 }
 
 TEST(FunctionEnclosure, KnowsThatCoefficientsAreRoundedWhereNothingReflects) {

@@ -53,11 +53,14 @@ TEST(Guarantee, IsRefusedByNameElsewhere) {
 
 TEST(Guarantee, RefusesDataThatItDoesNotKnow) {
   Problem problem = lit_cube();
-  problem.reflectivity = everywhere("1/2 + x/10");
-  EXPECT_EQ(refused(problem).pointer, "/reflectivity");
-  for (const char* rho : {"1", "3/2", "-1/10"}) {
+  for (const char* rho :
+       {"1", "3/2", "-1/10", "1/2 + x/2", "x - 1/1000", "exp(x)/4", "x^9/2", "(x - 1/3)^2/4"}) {
     problem.reflectivity = everywhere(rho);
     EXPECT_EQ(refused(problem).pointer, "/reflectivity") << rho;
+  }
+  for (const char* rho : {"1/2 + x/10", "x/2", "(x*y*z)^2*y*z/3 + 1/3", "1/2 - x*(1 - x)"}) {
+    problem.reflectivity = everywhere(rho);
+    EXPECT_NO_THROW(check_guarantee(problem, {Rational(1, 100)})) << rho;
   }
   problem = lit_cube();
   for (const char* emission : {"abs(x - 1/2)", "1/x", "sqrt(x + y)", "1/(x + 1/1000)"}) {

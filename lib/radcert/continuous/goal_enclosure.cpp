@@ -123,25 +123,26 @@ public:
   }
 
 private:
-  /// Functions of E and of the goals on elements, and what polynomials leave of the goals.
+  /// Functions of E and of the goals on elements beside q of a degree, and what they are off by.
   struct Emissions {
     SectorFunctions functions;
-    std::vector<double> left;
+    DualErrors duals;
   };
   [[nodiscard]] Emissions emissions(std::span<const SectorElement> elements, int degree) const {
     Emissions out{.functions = emission_functions(data_.exact, data_.scene, elements, 1 + goals_.count(),
-                                                  degree, data_.exponent),
-                  .left = {}};
-    out.left = goals_.put_duals(elements, out.functions);
+                                                  degree + data_.reflectivity.degree(), data_.exponent),
+                  .duals = {}};
+    out.duals = goals_.put_duals(elements, out.functions);
     return out;
   }
 
   /// Where nothing reflects, u = E.
   GoalEnclosure of_emission() {
     const std::vector<SectorElement> whole = graded_elements(data_.scene, 1);
-    const Emissions given = emissions(whole, data_.degree);
+    const int degree = data_.trial_degree(0);
+    const Emissions given = emissions(whole, degree);
     const Trial trial(data_.scene, data_.reflectivity, whole, given.functions,
-                      SectorFunctions(whole.size(), 1 + goals_.count(), data_.degree));
+                      SectorFunctions(whole.size(), 1 + goals_.count(), degree), given.duals.rounding);
     const std::vector<Approximation> found = goals_.of_density(trial);
     best_.width = 0;
     for (std::size_t k = 0; k < goals_.count(); ++k) take(k, found[k]);
@@ -159,7 +160,7 @@ private:
 
   /// One mesh; false where it is passed over, since its residuals would be too large.
   bool try_layers(int layers, const SearchContext& context) {
-    const int degree = std::max({layers - 1, data_.degree, goals_.least_degree()});
+    const int degree = data_.trial_degree(std::max(layers - 1, goals_.least_degree()));
     // About what the residuals of a cube come to on so many layers; the systems are solved far better.
     const double usual = 0.05 * std::pow(4.0, -layers);
     const double tolerance = 0.01 * usual;
@@ -171,22 +172,23 @@ private:
     begun.width = best_.width;
     MeshWork work(context, begun);
     const Emissions given = emissions(elements, degree);
-    for (const double left : given.left)
+    for (const double left : given.duals.left)
       if (!(left <= 10 * allowed)) {
         best_.hindrance = "too many elements would carry the kernel of a point near an edge";
         return true;
       }
-    SectorFunctions q = kept_functions(work, given.functions, elements.size(), [&] {
+    SectorFunctions q = kept_functions(work, given.functions.count(), degree, elements.size(), [&] {
       return trial_functions(data_.scene, elements, data_.reflectivity, given.functions, tolerance);
     });
     // Any functions will do, and those of a certificate are written down.
     if (with_proof_) shorten(q, tolerance);
-    const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q));
+    const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q),
+                      given.duals.rounding);
     const std::vector<double> expected = expected_norms(trial);
     const double norm_0 = 1.2 * expected[0];
     double norm_k = 0;
     for (std::size_t k = 0; k < goals_.count(); ++k)
-      norm_k = std::max(norm_k, 1.2 * expected[1 + k] + given.left[k]);
+      norm_k = std::max(norm_k, 1.2 * expected[1 + k] + given.duals.left[k]);
     // What rules may miss, m: (norm_0 + m)(norm_k + m)/(1-s) is to leave a part of the radius for the rest.
     const double affordable = 0.7 * radius_ * data_.gap;
     const double sum = 0.5 * (norm_0 + norm_k);
@@ -209,7 +211,7 @@ private:
     best_.width = 0;
     std::vector<double> radii;
     for (std::size_t k = 0; k < goals_.count(); ++k) {
-      const double goal = sums.norms[0] * (sums.norms[1 + k] + given.left[k]) / data_.gap * upward;
+      const double goal = sums.norms[0] * (sums.norms[1 + k] + given.duals.left[k]) / data_.gap * upward;
       const Approximation functional = of_density[k] + sums.products[1 + k] + Approximation::proved(0, goal);
       radii.push_back(functional.radius);
       take(k, functional);
@@ -255,14 +257,17 @@ GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector
                              double wanted, const SearchContext& context) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   const ScaledProblem data(problem);
-  std::vector<Approximation> emission;
+  std::vector<ValueGoal> asked;
   for (const SolutionPoint& point : points) {
     const ParameterPoint<Rational> at = plane_coordinates(problem.panels[point.panel], point.at);
     const double value = problem.emission[point.panel].value(at.s, at.t).to_double();
-    emission.push_back(Approximation::proved(
-        value, unit_roundoff<double>() * std::abs(value) + std::numeric_limits<double>::denorm_min()));
+    asked.push_back(
+        {.point = point,
+         .emission = Approximation::proved(
+             value, unit_roundoff<double>() * std::abs(value) + std::numeric_limits<double>::denorm_min()),
+         .reflectivity = problem.reflectivity[point.panel].polynomial.value(at.s, at.t).to_double()});
   }
-  const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, points, emission);
+  const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, asked);
   return Search(data, *goals, wanted, false)(context);
 }
 

@@ -39,7 +39,7 @@ struct GoalEnclosure {
 /// Encloses the mean of u over every piece.
 /// Maths     J_k(u) = Int j_k u, j_k = 1/|S_k| on piece k. With v = E + rho q_0, y_k = j_k + q_k for any q,
 ///           t_0 = T(E + rho q_0) - q_0 and t_k = T(rho y_k) - q_k: |J_k(u) - J_k(v) - Int rho y_k t_0| <=
-///           (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - s), s = max rho. Proof: B = rho^(1/2) T
+///           (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - s), s = sup rho. Proof: B = rho^(1/2) T
 ///           rho^(1/2) is self-adjoint in L2 with the norm s at most, by Schur's test, since T >= 0 is
 ///           symmetric and T 1 = 1; u - v = (I - rho T)^-1 rho t_0, so that J(u-v) = (rho^(1/2) j, (I-B)^-1
 ///           rho^(1/2) t_0), and (I-B)^-1 rho^(1/2) j = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k. Where y_k =

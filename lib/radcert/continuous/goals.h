@@ -10,10 +10,18 @@
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/elements/tensor_legendre.h"
 #include "radcert/continuous/polyhedron_problem.h"
+#include "radcert/continuous/reflectivity.h"
 #include "radcert/continuous/trial.h"
 #include "radcert/scalar/approximation.h"
 
 namespace radcert {
+
+/// How far functions of goals are from what they stand for.
+/// Maths     E_k stands for rho j_kh, j_kh a polynomial on elements near j_k
+struct DualErrors {
+  std::vector<double> left;  ///< by k, at least (Int rho (j_k - j_kh)^2)^(1/2)
+  double rounding = 0;  ///< of all E_k in the maximum norm, beyond that of each coefficient to the nearest
+};
 
 /// Numbers that depend linearly on the solution u of the radiosity equation.
 /// Maths     number k is a_k + b_k J_k(u), J_k(u) = Int j_k u. Functions of a Trial: 0 is that of the
@@ -37,10 +45,9 @@ public:
   /// Elements cut until polynomials of this degree leave no more than about `allowed` of any rho j_k.
   [[nodiscard]] virtual std::vector<SectorElement> refined(std::vector<SectorElement> elements, int degree,
                                                            double allowed) const = 0;
-  /// Puts rho j_k, as polynomials j_kh on elements, in the place of the functions 1 + k.
-  /// Result    by k, at least (Int rho (j_k - j_kh)^2)^(1/2)
-  virtual std::vector<double> put_duals(std::span<const SectorElement> elements,
-                                        SectorFunctions& emissions) const = 0;
+  /// Puts rho j_kh, j_kh near j_k, in the place of the functions 1 + k.
+  /// Requires  functions of the degree of q and that of rho together
+  virtual DualErrors put_duals(std::span<const SectorElement> elements, SectorFunctions& emissions) const = 0;
   /// J_k(w_0).
   /// Result    proved
   [[nodiscard]] virtual std::vector<Approximation> of_density(const Trial& trial) const = 0;
@@ -51,20 +58,23 @@ public:
 
 /// The means of u over the pieces of the surface.
 /// Maths     J_k(u) = Int u over piece k, b_k = 1/area
-/// Requires  the scene and the reflectivity, by panel, outlive it
-[[nodiscard]] std::unique_ptr<Goals> piece_means(const SectorScene& scene,
-                                                 const std::vector<double>& reflectivity);
+/// Requires  the scene outlives it
+[[nodiscard]] std::unique_ptr<Goals> piece_means(const SectorScene& scene, const Reflectivity& reflectivity);
+
+/// A point at which u is asked for, and the data there.
+struct ValueGoal {
+  SolutionPoint point;
+  Approximation emission;   ///< E
+  double reflectivity = 0;  ///< rho to the nearest
+};
 
 /// The values of u at points.
 /// Maths     u(P) = E(P) + rho(P) T u(P): j(Q) = G(P,Q)/pi, b = rho(P). On an element j is holomorphic around
 ///           the lines of either parameter (kernel_in_ellipse), so that its interpolant j_h at tensor Gauss
 ///           nodes is off by 2 |X|^(1/2) (e_s + e_t) in L2 on the element X, e = 2 M rho^(1-n)/(rho-1) for n
 ///           nodes
-/// Requires  the scene and the reflectivity, by panel, outlive it; points inside their panels; emission: by
-///           point, E(P)
-[[nodiscard]] std::unique_ptr<Goals> point_values(const SectorScene& scene,
-                                                  const std::vector<double>& reflectivity,
-                                                  const std::vector<SolutionPoint>& points,
-                                                  const std::vector<Approximation>& emission);
+/// Requires  the scene outlives it; points inside their panels
+[[nodiscard]] std::unique_ptr<Goals> point_values(const SectorScene& scene, const Reflectivity& reflectivity,
+                                                  const std::vector<ValueGoal>& points);
 
 }  // namespace radcert

@@ -153,7 +153,8 @@ public:
 
   /// Int w_k trial_.q0 over a part of an element, by a rule that is exact for it.
   [[nodiscard]] std::vector<double> products_with_q(std::size_t e, const SectorBox& part) const {
-    const int nodes = trial_.w.degree() + 1;
+    // Of the degree of w, of q, and 1 for the area element.
+    const int nodes = (trial_.w.degree() + trial_.q.degree()) / 2 + 1;
     const IntervalRule<double>& rule = gauss_on_interval(nodes);
     std::vector<double> sums(count_);
     visit(e, part, rule, rule,
@@ -168,12 +169,15 @@ private:
     return trial_.sector(e).jacobian * box.weight() * upward;
   }
 
-  /// A bound for the rounding of a sum of w (T w + q) over an area.
+  /// A bound for the rounding of a sum of w (T w + q) over an area, and of w itself.
   [[nodiscard]] double rounding(const ObserverCell& cell, double over) const {
     const auto powers = static_cast<double>(trial_.w.degree() + 1);
-    return over * trial_.smoothness.density_size(cell.element) *
-           (trial_.smoothness.size() + trial_.smoothness.residual_size(cell.element)) *
-           (96 * powers * powers + 256) * unit;
+    return over *
+           (trial_.smoothness.density_size(cell.element) *
+                (trial_.smoothness.size() + trial_.smoothness.residual_size(cell.element)) *
+                (96 * powers * powers + 256) * unit +
+            trial_.rounding * trial_.smoothness.residual_size(cell.element)) *
+           upward;
   }
 
   template <class Visitor>
@@ -221,7 +225,7 @@ private:
     const auto powers = static_cast<double>(trial_.q.degree() + 1);
     const double rounding = 40 * powers * powers * unit * trial_.smoothness.largest_residual();
     return {.values = std::move(found.values),
-            .radius = (found.radius + rounding) * upward,
+            .radius = (found.radius + rounding + trial_.rounding) * upward,
             .nodes = group.points.size()};
   }
 

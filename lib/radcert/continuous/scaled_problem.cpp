@@ -5,18 +5,17 @@
 #include <cmath>
 #include <cstddef>
 
+#include "radcert/continuous/elements/gauss_tables.h"
 #include "radcert/continuous/elements/graded_elements.h"
 #include "radcert/continuous/upward.h"
 #include "radcert/core/contract.h"
 
 namespace radcert {
 
-ScaledProblem::ScaledProblem(const PolyhedronProblem& problem) : exact(problem), scene(problem.panels) {
+ScaledProblem::ScaledProblem(const PolyhedronProblem& problem)
+    : exact(problem), scene(problem.panels), reflectivity(problem.reflectivity) {
   Rational sup = 0;
-  for (const Rational& rho : problem.reflectivity) {
-    reflectivity.push_back(rho.to_double());
-    sup = std::max(sup, rho);
-  }
+  for (const PanelReflectivity& rho : problem.reflectivity) sup = std::max(sup, rho.largest);
   gap = (Rational(1) - sup).to_double() / upward;
   expects(gap > 0, "rho < 1");
   reflects = sup.sign() > 0;
@@ -26,6 +25,10 @@ ScaledProblem::ScaledProblem(const PolyhedronProblem& problem) : exact(problem),
   double largest = 0;
   for (std::size_t e = 0; e < whole.size(); ++e) largest = std::max(largest, size_around(f, e, 1, 1));
   if (largest > 0) std::frexp(largest, &exponent);
+}
+
+int ScaledProblem::trial_degree(int wanted) const {
+  return std::min(std::max(wanted, degree), most_gauss_nodes - 1 - reflectivity.degree());
 }
 
 }  // namespace radcert

@@ -5,6 +5,7 @@
 
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/polyhedron_problem.h"
+#include "radcert/continuous/reflectivity.h"
 
 namespace radcert {
 
@@ -16,11 +17,15 @@ struct ScaledProblem {
 
   const PolyhedronProblem& exact;
   SectorScene scene;
-  std::vector<double> reflectivity;  ///< by panel
+  Reflectivity reflectivity;
   int exponent = 0;
   int degree = 0;  ///< of E
-  double gap = 0;  ///< 1 - max rho, from below
+  double gap = 0;  ///< 1 - sup rho, from below
   bool reflects = false;
+
+  /// The degree of q for which so many layers ask: that of E at least, as far as E + rho q stays within what
+  /// rules integrate.
+  [[nodiscard]] int trial_degree(int wanted) const;
 };
 
 }  // namespace radcert

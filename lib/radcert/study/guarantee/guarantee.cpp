@@ -48,10 +48,11 @@ std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const
                       .problem = guarantee.of != EnclosedQuantity::means
                                      ? "is not made for values or a function"
                                      : "is not made for a sphere or an ellipsoid, nor for an emission that "
-                                       "is no polynomial of degree 8 or less",
+                                       "is no polynomial of degree 8 or less, nor for a reflectivity that is "
+                                       "not constant on each face",
                       .allowed =
-                          "a guarantee of means on a closed convex polyhedron, the emission a polynomial "
-                          "on each piece"});
+                          "a guarantee of means on a convex polyhedron, the emission a polynomial on each "
+                          "piece, the reflectivity constant"});
   return enclosed;
 }
 

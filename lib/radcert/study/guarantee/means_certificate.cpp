@@ -19,7 +19,7 @@ std::vector<certificate::Face> faces_of(const PolyhedronProblem& problem) {
   for (std::size_t k = 0; k < problem.panels.size(); ++k) {
     certificate::Face face{.piece = problem.panels[k].piece,
                            .corners = problem.panels[k].corners,
-                           .reflectivity = problem.reflectivity[k],
+                           .reflectivity = problem.reflectivity[k].largest,
                            .emission = {}};
     const PlanePolynomial<Rational>& f = problem.emission[k];
     for (int i = 0; i <= f.degree(); ++i) {
@@ -115,7 +115,7 @@ void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, MeansCe
   const std::vector<Side> sides = sides_of(problem);
   std::vector<char> reflects;
   Rational sup = 0;
-  for (const Rational& rho : problem.reflectivity) sup = std::max(sup, rho);
+  for (const PanelReflectivity& rho : problem.reflectivity) sup = std::max(sup, rho.largest);
   for (const SectorElement& element : proof.elements) {
     const Side& side = sides[element.sector];
     out.elements.push_back({.face = side.face,
@@ -124,7 +124,7 @@ void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, MeansCe
                             .s1 = element.box.s1,
                             .t0 = element.box.t0,
                             .t1 = element.box.t1});
-    reflects.push_back(problem.reflectivity[side.face].sign() > 0 ? 1 : 0);
+    reflects.push_back(problem.reflectivity[side.face].largest.sign() > 0 ? 1 : 0);
   }
   out.degree = proof.q.degree();
   for (std::size_t k = 0; k < out.functions(); ++k)

@@ -61,26 +61,49 @@ std::optional<PlanePolynomial<Rational>> polynomial_on(const Panel& panel, const
   return polynomial_on_plane(f, c[0], c[1] - c[0], c[2] - c[0], largest_degree);
 }
 
-/// The reflectivity by panel.
-std::vector<Rational> reflectivities(const Problem& problem, const Surface& surface,
-                                     const std::vector<Panel>& panels) {
+/// A polynomial without leading coefficients that are all 0.
+PlanePolynomial<Rational> trimmed(const PlanePolynomial<Rational>& f) {
+  int degree = f.degree();
+  const auto is_zero = [&](int n) {
+    bool all = true;
+    for (int j = 0; j <= n; ++j) all = all && f(n - j, j).sign() == 0;
+    return all;
+  };
+  while (degree > 0 && is_zero(degree)) --degree;
+  PlanePolynomial<Rational> out(degree);
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; i + j <= degree; ++j) out(i, j) = f(i, j);
+  return out;
+}
+
+/// The reflectivity by panel, proved to lie in [0,1).
+std::vector<PanelReflectivity> reflectivities(const Problem& problem, const Surface& surface,
+                                              const std::vector<Panel>& panels) {
   const std::vector<std::string> names = surface.piece_names();
-  std::vector<Rational> out;
+  std::vector<PanelReflectivity> out;
   for (const Panel& panel : panels) {
     if (panel.piece == names.size()) {
       out.emplace_back(0);
       continue;
     }
-    const Expression& f = problem.reflectivity.on(names[panel.piece]);
-    const std::optional<PlanePolynomial<Rational>> constant = polynomial_on(panel, f, 0);
-    if (!constant)
+    const std::string& name = names[panel.piece];
+    const Expression& f = problem.reflectivity.on(name);
+    const std::optional<PlanePolynomial<Rational>> polynomial =
+        polynomial_on(panel, f, most_polynomial_degree);
+    if (!polynomial)
       throw InputError({.pointer = "/reflectivity",
                         .value = f.text(),
-                        .problem = "is not known to be constant on piece " + names[panel.piece],
-                        .allowed =
-                            "with a guarantee: constant on each piece, from whole numbers, decimals and "
-                            "fractions by + - * /"});
-    out.push_back((*constant)(0, 0));
+                        .problem = "is not known to be a polynomial of degree 8 or less on piece " + name,
+                        .allowed = "with a guarantee: polynomials in x, y, z on each piece, from whole "
+                                   "numbers, decimals and fractions by + - * /"});
+    Outcome<PanelReflectivity> rho = reflectivity_of(panel, trimmed(*polynomial));
+    if (!rho)
+      throw InputError(
+          {.pointer = "/reflectivity",
+           .value = f.text(),
+           .problem = "is not known to be from 0 to below 1 on piece " + name + ": " + rho.reason(),
+           .allowed = "from 0 to below 1"});
+    out.push_back(std::move(rho).value());
   }
   return out;
 }
@@ -167,7 +190,7 @@ struct PanelEmission {
 
 /// Where E is a polynomial of degree 8 or less that one, else one near it.
 PanelEmission emission_on(const Panel& panel, const Expression& f, const std::string& piece) {
-  constexpr int largest_degree = 8;
+  constexpr int largest_degree = most_polynomial_degree;
   if (std::optional<PlanePolynomial<Rational>> exact = polynomial_on(panel, f, largest_degree)) {
     Rational size = largest_on(panel, *exact);
     return {.polynomial = std::move(*exact), .distance = 0, .size = std::move(size)};
@@ -230,12 +253,7 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
   Rational largest = 0;
   Rational sup = 0;
   for (std::size_t j = 0; j < out.panels.size(); ++j) {
-    const Rational& rho = out.reflectivity[j];
-    if (rho.sign() < 0 || rho >= Rational(1))
-      throw InputError({.pointer = "/reflectivity",
-                        .value = rho.to_text(),
-                        .problem = "is not below 1, or is negative",
-                        .allowed = "from 0 to below 1"});
+    const Rational& rho = out.reflectivity[j].largest;
     const Rational& emission = sizes[j];
     require_normal(rho, "/reflectivity");
     require_normal(emission, "/emission");
@@ -318,9 +336,10 @@ double distance_from_vertices(const Guarantee& guarantee, const PolyhedronProble
   return 0.01 * shortest;
 }
 
-Ball from_0_to(const Rational& most) {
-  const Ball half = Ball(most) / 2;
-  return widened(half, half);
+Ball between(const Rational& least, const Rational& most) {
+  if (least == most) return Ball(most);
+  const Ball half = Ball(most - least) / 2;
+  return widened(Ball(least) + half, half);
 }
 
 class EnclosedPolyhedron final : public EnclosedProblem {
@@ -344,8 +363,13 @@ public:
                                                        : numbers(wanted(), told(context));
   }
 
-  /// A certificate is of polynomials.
-  [[nodiscard]] bool has_certificate() const override { return near_.distance == 0; }
+  /// A certificate is of an emission by polynomials and constant reflectivities.
+  [[nodiscard]] bool has_certificate() const override {
+    const std::vector<PanelReflectivity>& rho = near_.polyhedron.reflectivity;
+    return near_.distance == 0 && std::all_of(rho.begin(), rho.end(), [](const PanelReflectivity& on_panel) {
+             return on_panel.is_constant();
+           });
+  }
   [[nodiscard]] CertifiedMeans certified(const GuaranteeContext& context) const override {
     const GoalEnclosure found =
         enclose_means(near_.polyhedron, certified_share * wanted(), told(context), true);
@@ -404,9 +428,13 @@ private:
     level.unknowns = last.unknowns;
     level.mesh_size = last.mesh_size;
     // On a closed surface sup rho, on an open one at most; enclosing rounds it as norm_of_K does.
-    const Rational sup =
-        *std::max_element(near_.polyhedron.reflectivity.begin(), near_.polyhedron.reflectivity.end());
-    level.norm_K = enclosing(surface_.closed ? Ball(sup) : from_0_to(sup));
+    Rational largest = 0;
+    Rational seen = 0;
+    for (const PanelReflectivity& rho : near_.polyhedron.reflectivity) {
+      largest = std::max(largest, rho.largest);
+      seen = std::max(seen, rho.seen);
+    }
+    level.norm_K = enclosing(surface_.closed ? between(seen, largest) : between(0, largest));
     return level;
   }
 
