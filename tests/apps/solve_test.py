@@ -101,6 +101,16 @@ class Solve(ProgramTest):
         self.assertEqual(json.loads(own)["enclosure"], enclosure)
         table = self.expect(0, "solve", "own.json")
         self.assertIn("Proved: the means of the solution u", table)
+        matrix = json.loads(self.solution("cube.json", "--guarantee", "1/10", "--emission-by", "piece"))
+        jsonschema.validate(matrix, json.loads(self.expect(0, "schema", "solution")))
+        jsonschema.validate(matrix["problem"], json.loads(self.expect(0, "schema", "problem")))
+        by_piece = matrix["enclosure"]["emissions"]
+        self.assertEqual(list(by_piece), list(matrix["enclosure"]["pieces"]))
+        for piece in by_piece:
+            # E = 3/4 everywhere is a furnace of 1.
+            means = [of["pieces"][piece] for of in by_piece.values()]
+            total = 0.75 * sum(float(mean["midpoint"]) for mean in means)
+            self.assertLessEqual(abs(total - 1), 0.75 * sum(float(mean["radius"]) for mean in means))
         values = json.loads(self.solution("cube.json", "--guarantee", "1/20", "--at", "1/3,1/3,-1/3"))["enclosure"]
         self.assertIsNone(values["pieces"])
         [point] = values["points"]
@@ -117,7 +127,9 @@ class Solve(ProgramTest):
                       ["own.json", "--of", "means", "--at", "1/3,1/3,-1/3"], ["own.json", "--outside", "1/10"],
                       ["own.json", "--of", "function", "--outside", "-1"], ["own.json", "--of", "function", "--ply", "a.ply"],
                       ["own.json", "--guarantee", "1e-15"], ["own.json", "--of", "all"], ["cube.json", "--of", "means"],
-                      ["own.json", "--vtu", "a.vtu"], ["own.json", "--out", "folder"]]:
+                      ["own.json", "--vtu", "a.vtu"], ["own.json", "--out", "folder"],
+                      ["own.json", "--emission-by", "face"], ["ball.json", "--guarantee", "1", "--emission-by", "piece"],
+                      ["own.json", "--emission-by", "piece", "--certificate", "c.json"]]:
             self.expect(2, "solve", *words)
         for name in ["folder", "a.vtu", "a.ply"]:
             self.assertFalse(os.path.exists(self.path(name)), name)

@@ -57,6 +57,16 @@ void expect_contains(const Approximation& enclosure, double value) {
   EXPECT_LE(std::abs(enclosure.value - value), enclosure.radius * (1 + 1e-9) + 1e-15);
 }
 
+/// Points on two faces of a surface, none in a middle.
+std::vector<SolutionPoint> points_on(const PolyhedronProblem& asked) {
+  std::vector<SolutionPoint> out;
+  for (const std::size_t k : {std::size_t{0}, asked.panels.size() - 1}) {
+    const Panel& panel = asked.panels[k];
+    out.push_back({k, Rational(1, 4) * (Rational(3) * panel.centre + panel.corners[0])});
+  }
+  return out;
+}
+
 TEST(GoalEnclosure, ContainsOneInAFurnace) {
   for (const std::string name : {"cube", "octahedron"}) {
     const GoalEnclosure found = enclose_means(problem(name, Rational(3, 10), Rational(7, 10)), 1e-1);
@@ -84,19 +94,73 @@ TEST(GoalEnclosure, ContainsOneInAFurnaceOfPolynomials) {
 TEST(GoalEnclosure, OfPolynomialReflectivitiesIsLinearInTheEmission) {
   // Lit by one half of the faces and by the other, a furnace is u = 1.
   const PolyhedronProblem furnace = furnace_of_polynomials("cube", 2);
-  std::vector<Approximation> sums(furnace.panels.size(), Approximation::proved(0, 0));
-  for (const std::size_t half : {0U, 1U}) {
-    PolyhedronProblem lit_by_half = furnace;
-    for (std::size_t k = 0; k < furnace.panels.size(); ++k)
-      if (k % 2 != half) lit_by_half.emission[k] = constant_polynomial(Rational(0));
-    const GoalEnclosure means = enclose_means(lit_by_half, 1e-2);
-    EXPECT_LE(means.width, 1e-2);
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-      EXPECT_GT(means.numbers[k].value, 0.05);
-      sums[k] = sums[k] + means.numbers[k];
-    }
+  PolyhedronProblem lit_by_halves = furnace;
+  lit_by_halves.further_emissions = {furnace.emission, furnace.emission};
+  for (std::size_t k = 0; k < furnace.panels.size(); ++k)
+    lit_by_halves.further_emissions[k % 2][k] = constant_polynomial(Rational(0));
+  const GoalEnclosure means = enclose_means(lit_by_halves, 1e-2);
+  EXPECT_LE(means.width, 1e-2);
+  const std::size_t count = means.numbers.size() / 3;
+  ASSERT_EQ(means.numbers.size(), 3 * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    EXPECT_GT(means.numbers[count + k].value, 0.05);
+    expect_contains(means.numbers[k], 1);
+    expect_contains(means.numbers[count + k] + means.numbers[2 * count + k], 1);
   }
-  for (const Approximation& mean : sums) expect_contains(mean, 1);
+}
+
+TEST(GoalEnclosure, OfFurtherEmissionsHasTheirResiduals) {
+  // Beside an emission that is 0, and whose residual is none, nothing is lost of another's radius.
+  const PolyhedronProblem by_itself = lit("tetrahedron");
+  PolyhedronProblem beside = by_itself;
+  beside.further_emissions = {beside.emission};
+  beside.emission.assign(4, constant_polynomial(Rational(0)));
+  const GoalEnclosure alone = enclose_means(by_itself, 1e-1);
+  const GoalEnclosure second = enclose_means(beside, 1e-1);
+  for (std::size_t k = 0; k < 4; ++k) {
+    expect_contains(second.numbers[k], 0);
+    EXPECT_GE(second.numbers[4 + k].radius, 0.99 * alone.numbers[k].radius);
+    EXPECT_NEAR(second.numbers[4 + k].value, alone.numbers[k].value, 1e-6);
+  }
+}
+
+TEST(GoalEnclosure, OfValuesForSeveralEmissionsMakesAFurnace) {
+  PolyhedronProblem furnace = problem("tetrahedron", Rational(3, 10), Rational(7, 10));
+  furnace.further_emissions = {furnace.emission, furnace.emission};
+  for (std::size_t k = 0; k < furnace.panels.size(); ++k)
+    furnace.further_emissions[k % 2][k] = constant_polynomial(Rational(0));
+  const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 2e-1);
+  ASSERT_EQ(found.numbers.size(), 6U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    expect_contains(found.numbers[k], 1);
+    expect_contains(found.numbers[2 + k] + found.numbers[4 + k], 1);
+  }
+}
+
+TEST(GoalEnclosure, OfEmissionsByFaceIsReciprocal) {
+  // B_ij the mean over face i where j emits 1: |S_i| B_ij / rho_i is symmetric, as (I - rho T)^-1 rho is.
+  PolyhedronProblem asked = lit("tetrahedron");
+  asked.further_emissions.assign(4, asked.emission);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      asked.further_emissions[i][j] = constant_polynomial(Rational(i == j ? 1 : 0));
+  const SectorScene scene(asked.panels);
+  const std::vector<Approximation> b = enclose_means(asked, 2e-2).numbers;
+  ASSERT_EQ(b.size(), 20U);
+  const auto weight = [&](std::size_t j) {
+    return scene.area(j) / asked.reflectivity[j].largest.to_double();
+  };
+  for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Approximation& there = b[4 + 4 * i + asked.panels[j].piece];
+      const Approximation& back = b[4 + 4 * j + asked.panels[i].piece];
+      EXPECT_NEAR(weight(j) * there.value, weight(i) * back.value,
+                  weight(j) * there.radius + weight(i) * back.radius);
+    }
+    // The first emission is that of the first face.
+    EXPECT_NEAR(b[asked.panels[j].piece].value, b[4 + asked.panels[j].piece].value,
+                b[asked.panels[j].piece].radius + b[4 + asked.panels[j].piece].radius);
+  }
 }
 
 TEST(GoalEnclosure, IsTheEmissionWhereNothingReflects) {
@@ -200,16 +264,6 @@ TEST(GoalEnclosure, HasPolynomialEmissions) {
                 both.numbers[k].radius + 3 * constant.numbers[k].radius + 2 * square.numbers[k].radius);
 }
 
-/// Points on two faces of a surface, none in a middle.
-std::vector<SolutionPoint> points_on(const PolyhedronProblem& asked) {
-  std::vector<SolutionPoint> out;
-  for (const std::size_t k : {std::size_t{0}, asked.panels.size() - 1}) {
-    const Panel& panel = asked.panels[k];
-    out.push_back({k, Rational(1, 4) * (Rational(3) * panel.centre + panel.corners[0])});
-  }
-  return out;
-}
-
 TEST(GoalEnclosure, OfValuesContainsOneInAFurnace) {
   const PolyhedronProblem furnace = problem("tetrahedron", Rational(3, 10), Rational(7, 10));
   const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 1e-1);
@@ -259,7 +313,7 @@ TEST(Goals, AreCorrectedByTheirDualsFromAnyTrialFunction) {
     const ParameterPoint<Rational> at = plane_coordinates(scene.panels()[1], centre);
     const double rho = furnace.reflectivity[1].polynomial.value(at.s, at.t).to_double();
     const std::vector<ValueGoal> points{
-        {.point = {1, centre}, .emission = Approximation::proved(1 - rho, 1e-16), .reflectivity = rho}};
+        {.point = {1, centre}, .emissions = {Approximation::proved(1 - rho, 1e-16)}, .reflectivity = rho}};
     constexpr int degree = 5;
     const auto both = goals_of(point_values(scene, reflectivity, points), piece_means(scene, reflectivity));
     for (const std::unique_ptr<Goals>& goals : both) {
@@ -314,7 +368,7 @@ TEST(PointValues, EndCuttingAtAnEdge) {
   const Vector<Rational> middle = Rational(1, 2) * (panel.corners[0] + panel.corners[1]);
   const Rational hair = Rational(1) / power(Rational(10), 16);
   const std::vector<ValueGoal> points{{.point = {0, middle + hair * (panel.centre - middle)},
-                                       .emission = Approximation::exact(1),
+                                       .emissions = {Approximation::exact(1)},
                                        .reflectivity = 0.5}};
   const std::unique_ptr<Goals> goals = point_values(scene, reflectivity, points);
   const std::vector<SectorElement> elements = goals->refined(graded_elements(scene, 2), 5, 1e-2);

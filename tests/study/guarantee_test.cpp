@@ -223,6 +223,40 @@ TEST(Guarantee, RefusesOnEllipsoidsWhatIsNoPolynomial) {
   EXPECT_EQ(fault("x", "1/2", {width, EnclosedQuantity::values, {{1, 1, 1}}}), "/guarantee/points/0");
 }
 
+TEST(Guarantee, IsOfSeveralEmissionsAtOnce) {
+  Problem problem = lit_cube();
+  Guarantee guarantee{Rational(1, 20)};
+  guarantee.emissions = emissions_by_piece({"west", "east", "south", "north", "floor", "ceiling"});
+  guarantee.emissions.push_back({"all", everywhere("1/2")});
+  const auto [level, enclosure] = solve_within(problem, guarantee);
+  ASSERT_EQ(enclosure.emissions.size(), 7U);
+  EXPECT_LE(enclosure.width, 0.05);
+  const auto mean = [](const auto& pieces, const std::string& piece) {
+    for (const auto& [name, value] : pieces)
+      if (name == piece) return value;
+    return Approximation::proved(0, -1);
+  };
+  for (const auto& [piece, own] : enclosure.pieces) {
+    // The floor emits, in the problem as in the fifth of these.
+    EXPECT_EQ(enclosure.emissions[4].emission, "floor");
+    const Approximation of_floor = mean(enclosure.emissions[4].pieces, piece);
+    EXPECT_NEAR(of_floor.value, own.value, of_floor.radius + own.radius);
+    // A furnace.
+    const Approximation of_all = mean(enclosure.emissions[6].pieces, piece);
+    EXPECT_NEAR(of_all.value, 1, of_all.radius);
+    EXPECT_GE(of_all.radius, 0);
+  }
+  guarantee.of = EnclosedQuantity::function;
+  const auto refusal = [&](const Problem& asked) {
+    return fault_of([&] { check_guarantee(asked, guarantee); }).pointer;
+  };
+  EXPECT_EQ(refusal(problem), "/guarantee/emissions");
+  guarantee.of = EnclosedQuantity::means;
+  EXPECT_EQ(refusal(with_emission(sample_problem("sphere"), "1")), "/guarantee/emissions");
+  guarantee.emissions[0].emission = everywhere("1/x");
+  EXPECT_EQ(refusal(problem), "/guarantee/emissions/west");
+}
+
 TEST(Guarantee, IsForSolveAlone) {
   Problem problem = lit_cube();
   problem.guarantee = Guarantee{Rational(1, 100)};

@@ -306,6 +306,7 @@ FunctionEnclosure enclose_function(const PolyhedronProblem& problem, double want
                                    const SearchContext& context) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   expects(outside >= 0, "0 <= outside", named("outside", outside));
+  expects(problem.further_emissions.empty(), "one emission");
   const ScaledProblem data(problem);
   return FunctionSearch(data, wanted, outside)(context);
 }

@@ -106,7 +106,7 @@ public:
         with_proof_(with_proof),
         radius_(std::min(goals.radius(0.5 * std::ldexp(wanted, -data.exponent)), largest_radius)) {
     best_.width = infinity;
-    best_.numbers.assign(goals.count(), Approximation::proved(0, infinity));
+    best_.numbers.assign(data.emissions() * goals.count(), Approximation::proved(0, infinity));
   }
 
   GoalEnclosure operator()(const SearchContext& context) {
@@ -129,9 +129,15 @@ private:
     DualErrors duals;
   };
   [[nodiscard]] Emissions emissions(std::span<const SectorElement> elements, int degree) const {
-    Emissions out{.functions = emission_functions(data_.exact, data_.scene, elements, 1 + goals_.count(),
-                                                  degree + data_.reflectivity.degree(), data_.exponent),
+    const int of_w = degree + data_.reflectivity.degree();
+    Emissions out{.functions = SectorFunctions(elements.size(), data_.emissions() + goals_.count(), of_w),
                   .duals = {}};
+    for (std::size_t i = 0; i < data_.emissions(); ++i) {
+      const SectorFunctions f =
+          plane_functions(data_.emission(i), data_.scene, elements, 1, of_w, data_.exponent);
+      for (std::size_t e = 0; e < elements.size(); ++e)
+        std::copy(f.of(e, 0).begin(), f.of(e, 0).end(), out.functions.of(e, i).begin());
+    }
     out.duals = goals_.put_duals(elements, out.functions);
     return out;
   }
@@ -142,20 +148,22 @@ private:
     const int degree = data_.trial_degree(0);
     const Emissions given = emissions(whole, degree);
     const Trial trial(data_.scene, data_.reflectivity, whole, given.functions,
-                      SectorFunctions(whole.size(), 1 + goals_.count(), degree), given.duals.rounding);
-    const std::vector<Approximation> found = goals_.of_density(trial);
+                      SectorFunctions(whole.size(), given.functions.count(), degree), given.duals.rounding);
     best_.width = 0;
-    for (std::size_t k = 0; k < goals_.count(); ++k) take(k, found[k]);
+    for (std::size_t i = 0; i < data_.emissions(); ++i) {
+      const std::vector<Approximation> found = goals_.of_density(trial, i);
+      for (std::size_t k = 0; k < goals_.count(); ++k) take(i, k, found[k]);
+    }
     best_.last.width = best_.width;
     return best_;
   }
 
-  /// The enclosure of number k from that of J_k, for E times 2^-exponent, if it is better.
-  void take(std::size_t k, const Approximation& functional) {
-    const Approximation number = goals_.number(k, scaled(functional, data_.exponent));
-    if (std::isfinite(number.value) && number.radius >= 0 && number.radius < best_.numbers[k].radius)
-      best_.numbers[k] = number;
-    best_.width = std::max(best_.width, 2 * best_.numbers[k].radius);
+  /// The enclosure of number k of an emission from that of J_k, for E times 2^-exponent, if it is better.
+  void take(std::size_t emission, std::size_t k, const Approximation& functional) {
+    const Approximation number = goals_.number(k, scaled(functional, data_.exponent), emission);
+    Approximation& best = best_.numbers[emission * goals_.count() + k];
+    if (std::isfinite(number.value) && number.radius >= 0 && number.radius < best.radius) best = number;
+    best_.width = std::max(best_.width, 2 * best.radius);
   }
 
   /// One mesh; false where it is passed over, since its residuals would be too large.
@@ -185,10 +193,12 @@ private:
     const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q),
                       given.duals.rounding);
     const std::vector<double> expected = expected_norms(trial);
-    const double norm_0 = 1.2 * expected[0];
+    const std::size_t emissions = data_.emissions();
+    const double norm_0 =
+        1.2 * *std::max_element(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(emissions));
     double norm_k = 0;
     for (std::size_t k = 0; k < goals_.count(); ++k)
-      norm_k = std::max(norm_k, 1.2 * expected[1 + k] + given.duals.left[k]);
+      norm_k = std::max(norm_k, 1.2 * expected[emissions + k] + given.duals.left[k]);
     // What rules may miss, m: (norm_0 + m)(norm_k + m)/(1-s) is to leave a part of the radius for the rest.
     const double affordable = 0.7 * radius_ * data_.gap;
     const double sum = 0.5 * (norm_0 + norm_k);
@@ -206,15 +216,19 @@ private:
       return true;
     }
     work.begin(plan.cells.size());
-    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_, &work);
-    const std::vector<Approximation> of_density = goals_.of_density(trial);
+    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_, &work, emissions);
     best_.width = 0;
     std::vector<double> radii;
-    for (std::size_t k = 0; k < goals_.count(); ++k) {
-      const double goal = sums.norms[0] * (sums.norms[1 + k] + given.duals.left[k]) / data_.gap * upward;
-      const Approximation functional = of_density[k] + sums.products[1 + k] + Approximation::proved(0, goal);
-      radii.push_back(functional.radius);
-      take(k, functional);
+    for (std::size_t i = 0; i < emissions; ++i) {
+      const std::vector<Approximation> of_density = goals_.of_density(trial, i);
+      for (std::size_t k = 0; k < goals_.count(); ++k) {
+        const std::size_t dual = emissions + k;
+        const double goal = sums.norms[i] * (sums.norms[dual] + given.duals.left[k]) / data_.gap * upward;
+        const Approximation functional =
+            of_density[k] + sums.products[i * trial.w.count() + dual] + Approximation::proved(0, goal);
+        radii.push_back(functional.radius);
+        take(i, k, functional);
+      }
     }
     if (with_proof_)
       best_.proof = std::make_shared<const GoalProof>(GoalProof{.elements = trial.elements,
@@ -231,7 +245,8 @@ private:
                   .mesh_size = mesh_size(data_.scene, trial.elements),
                   .samples = best_.last.samples + sums.samples,
                   .width = best_.width,
-                  .residual = sums.norms[0]};
+                  .residual = *std::max_element(sums.norms.begin(),
+                                                sums.norms.begin() + static_cast<std::ptrdiff_t>(emissions))};
     return true;
   }
 
@@ -249,6 +264,7 @@ GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted, con
                             bool with_proof) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   const ScaledProblem data(problem);
+  expects(!with_proof || data.emissions() == 1, "one emission beside a proof");
   const std::unique_ptr<Goals> goals = piece_means(data.scene, data.reflectivity);
   return Search(data, *goals, wanted, with_proof)(context);
 }
@@ -260,11 +276,15 @@ GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector
   std::vector<ValueGoal> asked;
   for (const SolutionPoint& point : points) {
     const ParameterPoint<Rational> at = plane_coordinates(problem.panels[point.panel], point.at);
-    const double value = problem.emission[point.panel].value(at.s, at.t).to_double();
+    std::vector<Approximation> emissions;
+    for (std::size_t i = 0; i < data.emissions(); ++i) {
+      const double value = data.emission(i)[point.panel].value(at.s, at.t).to_double();
+      emissions.push_back(Approximation::proved(
+          value, unit_roundoff<double>() * std::abs(value) + std::numeric_limits<double>::denorm_min()));
+    }
     asked.push_back(
         {.point = point,
-         .emission = Approximation::proved(
-             value, unit_roundoff<double>() * std::abs(value) + std::numeric_limits<double>::denorm_min()),
+         .emissions = std::move(emissions),
          .reflectivity = problem.reflectivity[point.panel].polynomial.value(at.s, at.t).to_double()});
   }
   const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, asked);

@@ -28,7 +28,7 @@ struct GoalProof {
 
 /// Enclosures of numbers that depend linearly on the solution itself.
 struct GoalEnclosure {
-  std::vector<Approximation> numbers;  ///< by piece, or by point; proved
+  std::vector<Approximation> numbers;  ///< by emission, then by piece, or by point; proved
   double width = 0;                    ///< twice the largest radius
   EnclosureProgress last;
   std::string hindrance = {};  ///< where the width is not the wanted one: what stood in the way
@@ -51,8 +51,10 @@ struct GoalEnclosure {
 /// Requires  0 < wanted < infinity; at least one panel; numbers whose sizes are within 1e-60 and 1e60, or 0
 /// Result    proved. The mesh has as many layers, and the polynomials the degree, that the width asks for;
 ///           the same bits for any number of threads. Enclosures of coarser meshes are intersected with finer
-///           ones
-/// Limits    unoccluded; what is reached where the wanted width is not is given with its reason
+///           ones. Further emissions have the same width; their t_i share the y_k, and every transport is
+///           taken of all functions at once
+/// Limits    unoccluded; a proof is of one emission; what is reached where the wanted width is not is given
+///           with its reason
 [[nodiscard]] GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted,
                                           const SearchContext& context = {}, bool with_proof = false);
 

@@ -20,12 +20,13 @@ namespace radcert {
 /// Maths     E_k stands for rho j_kh, j_kh a polynomial on elements near j_k
 struct DualErrors {
   std::vector<double> left;  ///< by k, at least (Int rho (j_k - j_kh)^2)^(1/2)
-  double rounding = 0;  ///< of all E_k in the maximum norm, beyond that of each coefficient to the nearest
+  /// Of all E_k in the maximum norm, beyond that of each coefficient to the nearest.
+  double rounding = 0;
 };
 
 /// Numbers that depend linearly on the solution u of the radiosity equation.
-/// Maths     number k is a_k + b_k J_k(u), J_k(u) = Int j_k u. Functions of a Trial: 0 is that of the
-///           emission, 1 + k that of j_k
+/// Maths     number k is a_k + b_k J_k(u), J_k(u) = Int j_k u. Functions of a Trial: first those of
+///           emissions, then, as many as there are numbers, those of the j_k
 class Goals {
 public:
   Goals() = default;
@@ -45,15 +46,17 @@ public:
   /// Elements cut until polynomials of this degree leave no more than about `allowed` of any rho j_k.
   [[nodiscard]] virtual std::vector<SectorElement> refined(std::vector<SectorElement> elements, int degree,
                                                            double allowed) const = 0;
-  /// Puts rho j_kh, j_kh near j_k, in the place of the functions 1 + k.
+  /// Puts rho j_kh, j_kh near j_k, in the place of the last functions.
   /// Requires  functions of the degree of q and that of rho together
   virtual DualErrors put_duals(std::span<const SectorElement> elements, SectorFunctions& emissions) const = 0;
-  /// J_k(w_0).
+  /// J_k(w), w that of an emission.
   /// Result    proved
-  [[nodiscard]] virtual std::vector<Approximation> of_density(const Trial& trial) const = 0;
-  /// a_k + b_k times an enclosure of J_k(u).
+  [[nodiscard]] virtual std::vector<Approximation> of_density(const Trial& trial,
+                                                              std::size_t emission = 0) const = 0;
+  /// a_k + b_k times an enclosure of J_k(u), of an emission.
   /// Result    proved where that is
-  [[nodiscard]] virtual Approximation number(std::size_t k, const Approximation& functional) const = 0;
+  [[nodiscard]] virtual Approximation number(std::size_t k, const Approximation& functional,
+                                             std::size_t emission = 0) const = 0;
 };
 
 /// The means of u over the pieces of the surface.
@@ -64,8 +67,8 @@ public:
 /// A point at which u is asked for, and the data there.
 struct ValueGoal {
   SolutionPoint point;
-  Approximation emission;   ///< E
-  double reflectivity = 0;  ///< rho to the nearest
+  std::vector<Approximation> emissions;  ///< each E
+  double reflectivity = 0;               ///< rho to the nearest
 };
 
 /// The values of u at points.

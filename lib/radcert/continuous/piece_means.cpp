@@ -32,26 +32,28 @@ public:
   }
   DualErrors put_duals(std::span<const SectorElement> elements, SectorFunctions& emissions) const override {
     const ElementReflectivity rho(reflectivity_, scene_, elements);
+    const std::size_t first = emissions.count() - count();
     const auto from = static_cast<std::size_t>(rho.degree() + 1);
     const auto to = static_cast<std::size_t>(emissions.degree() + 1);
     for (std::size_t e = 0; e < elements.size(); ++e) {
       const std::size_t panel = scene_.sectors()[elements[e].sector].panel;
       const std::span<const double> c = rho.functions().of(e, 0);
-      const std::span<double> out = emissions.of(e, 1 + scene_.panels()[panel].piece);
+      const std::span<double> out = emissions.of(e, first + scene_.panels()[panel].piece);
       for (std::size_t i = 0; i < from; ++i)
         for (std::size_t j = 0; j < from; ++j) out[i * to + j] = c[i * from + j];
     }
     return {.left = std::vector<double>(count())};
   }
 
-  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial) const override {
+  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial,
+                                                      std::size_t emission) const override {
     std::vector<double> integrals(count());
     std::vector<double> sizes(count());
     const auto powers = static_cast<std::size_t>(trial.w.degree() + 1);
     for (std::size_t e = 0; e < trial.elements.size(); ++e) {
       const Sector& sector = trial.sector(e);
       const SectorBox& box = trial.elements[e].box;
-      const std::span<const double> c = trial.w.of(e, 0);
+      const std::span<const double> c = trial.w.of(e, emission);
       // Int P_0(y) (1-t) and Int P_1(y) (1-t): 1 - t = 1 - t_m - (t_1 - t_0)/2 y
       const double second = powers > 1 ? c[1] * (box.t1 - box.t0) / 6 : 0;
       const double scale = sector.jacobian * (box.s1 - box.s0) * (box.t1 - box.t0);
@@ -67,7 +69,8 @@ public:
     return out;
   }
 
-  [[nodiscard]] Approximation number(std::size_t k, const Approximation& functional) const override {
+  [[nodiscard]] Approximation number(std::size_t k, const Approximation& functional,
+                                     std::size_t /*emission*/) const override {
     const auto sectors = static_cast<double>(scene_.sectors().size());
     const double value = functional.value / areas_[k];
     // The areas are sums of as many terms as there are sectors.

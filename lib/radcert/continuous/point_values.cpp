@@ -26,7 +26,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Observer {
   std::size_t panel = 0;
   Vector<double> at;
-  Approximation emission;
+  std::vector<Approximation> emissions;
   double reflectivity = 0;
   int exponent = 0;  ///< j is taken 2^-exponent times
 };
@@ -57,7 +57,7 @@ public:
     for (const ValueGoal& goal : points) {
       Observer observer{.panel = goal.point.panel,
                         .at = scene.place(goal.point.at),
-                        .emission = goal.emission,
+                        .emissions = goal.emissions,
                         .reflectivity = goal.reflectivity};
       double largest = 0;
       for (const Sector& sector : scene.sectors()) {
@@ -98,6 +98,7 @@ public:
   DualErrors put_duals(std::span<const SectorElement> elements, SectorFunctions& emissions) const override {
     const ElementReflectivity rho(reflectivity_, scene_, elements);
     const int degree = emissions.degree() - rho.degree();
+    const std::size_t first = emissions.count() - count();
     const ElementInterpolation interpolation(degree + 1);
     std::vector<double> dual(static_cast<std::size_t>((degree + 1) * (degree + 1)));
     DualErrors out{.left = std::vector<double>(count())};
@@ -106,7 +107,7 @@ public:
         if (!sends(elements[e], observers_[k])) continue;
         const double own = put(interpolation, elements[e], observers_[k], degree, dual);
         out.left[k] += own * own;
-        rho.add_product(e, dual, emissions.of(e, 1 + k));
+        rho.add_product(e, dual, emissions.of(e, first + k));
         out.rounding = std::max(out.rounding, rho.rounding(e, {}, dual));
       }
     const double terms = static_cast<double>(elements.size()) * unit_roundoff<double>();
@@ -114,7 +115,8 @@ public:
     return out;
   }
 
-  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial) const override {
+  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial,
+                                                      std::size_t emission) const override {
     const Transport transport(trial.scene, trial.elements, trial.w);
     std::vector<Approximation> out;
     for (const Observer& observer : observers_) {
@@ -122,22 +124,23 @@ public:
       constexpr double tolerance = 1e-14;
       const Transport::Values found = transport(group, tolerance);
       out.push_back(
-          Approximation::proved(std::ldexp(found.values[0], -observer.exponent),
+          Approximation::proved(std::ldexp(found.values[emission], -observer.exponent),
                                 std::ldexp(found.radius + trial.rounding, -observer.exponent) * upward));
     }
     return out;
   }
 
-  [[nodiscard]] Approximation number(std::size_t k, const Approximation& functional) const override {
+  [[nodiscard]] Approximation number(std::size_t k, const Approximation& functional,
+                                     std::size_t emission) const override {
     const Observer& observer = observers_[k];
     const double rho = observer.reflectivity;
-    if (rho == 0) return observer.emission;
+    if (rho == 0) return observer.emissions[emission];
     const double value = std::ldexp(rho * functional.value, observer.exponent);
     const Approximation reflected{.value = value,
                                   .radius = std::ldexp(rho * functional.radius, observer.exponent) * upward +
                                             4 * unit_roundoff<double>() * std::abs(value),
                                   .guaranteed = functional.guaranteed};
-    return observer.emission + reflected;
+    return observer.emissions[emission] + reflected;
   }
 
 private:

@@ -26,6 +26,8 @@ struct PolyhedronProblem {
   std::vector<Panel> panels;
   std::vector<PanelReflectivity> reflectivity;      ///< by panel
   std::vector<PlanePolynomial<Rational>> emission;  ///< by panel
+  /// Further emissions, each by panel: what is asked of u is asked of their solutions too.
+  std::vector<std::vector<PlanePolynomial<Rational>>> further_emissions = {};
 };
 
 /// Of E and of rho.

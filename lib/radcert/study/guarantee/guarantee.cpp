@@ -6,6 +6,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
+#include "radcert/expression/parse.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/certified_means.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
@@ -37,12 +38,20 @@ std::unique_ptr<EnclosedProblem> enclosed_problem(const Problem& problem, const 
                       .problem = is_ellipsoid ? "is a distance from vertices, of which there are none"
                                               : "is for a function, which is not asked for",
                       .allowed = "\"of\": \"function\" on a polyhedron beside outside"});
+  if (!guarantee.emissions.empty() && (is_ellipsoid || guarantee.of == EnclosedQuantity::function))
+    throw InputError({.pointer = "/guarantee/emissions",
+                      .problem = is_ellipsoid ? "are for polyhedra" : "are not for a function",
+                      .allowed = "means or values on a convex polyhedron beside further emissions"});
   if (is_ellipsoid && !surface.mesh) return enclosed_ellipsoid(problem, guarantee, std::move(surface));
   return enclosed_polyhedron(problem, guarantee, std::move(surface));
 }
 
 std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const Guarantee& guarantee) {
   std::unique_ptr<EnclosedProblem> enclosed = enclosed_problem(problem, guarantee);
+  if (!guarantee.emissions.empty())
+    throw InputError({.source = "--certificate",
+                      .problem = "is of one emission, and there are further ones",
+                      .allowed = "a guarantee without emissions of its own"});
   if (guarantee.of != EnclosedQuantity::means || !enclosed->has_certificate())
     throw InputError({.source = "--certificate",
                       .problem = guarantee.of != EnclosedQuantity::means
@@ -84,6 +93,17 @@ void require_normal(const Rational& value, const std::string& pointer) {
                     .value = nearest_text(value, DecimalForm::general(6)),
                     .problem = "is too large or too small for a guarantee",
                     .allowed = "sizes from 1e-60 to 1e60"});
+}
+
+std::vector<NamedEmission> emissions_by_piece(const std::vector<std::string>& pieces) {
+  std::vector<NamedEmission> out;
+  for (const std::string& own : pieces) {
+    NamedEmission emission{.name = own, .emission = {}};
+    emission.emission.cases.push_back({own, parse_expression("1").value()});
+    if (pieces.size() > 1) emission.emission.cases.push_back({"*", parse_expression("0").value()});
+    out.push_back(std::move(emission));
+  }
+  return out;
 }
 
 void check_guarantee(const Problem& problem, const Guarantee& guarantee) {

@@ -189,7 +189,8 @@ struct PanelEmission {
 };
 
 /// Where E is a polynomial of degree 8 or less that one, else one near it.
-PanelEmission emission_on(const Panel& panel, const Expression& f, const std::string& piece) {
+PanelEmission emission_on(const Panel& panel, const Expression& f, const std::string& piece,
+                          const std::string& pointer) {
   constexpr int largest_degree = most_polynomial_degree;
   if (std::optional<PlanePolynomial<Rational>> exact = polynomial_on(panel, f, largest_degree)) {
     Rational size = largest_on(panel, *exact);
@@ -214,7 +215,7 @@ PanelEmission emission_on(const Panel& panel, const Expression& f, const std::st
   const Outcome<NearPolynomial> near = near_polynomial(plane_function(on_plane), frame.about, largest_degree);
   if (!near || !std::isfinite(near->size))
     throw InputError(
-        {.pointer = "/emission",
+        {.pointer = pointer,
          .value = f.text(),
          .problem = "has no polynomial near it on piece " + piece + ": " +
                     (near ? std::string("its values are beyond double") : near.reason()),
@@ -223,6 +224,31 @@ PanelEmission emission_on(const Panel& panel, const Expression& f, const std::st
   return {.polynomial = frame.in_plane(near->polynomial),
           .distance = near->distance,
           .size = Rational::exactly(near->size)};
+}
+
+/// An emission by panel.
+struct PanelEmissions {
+  std::vector<PlanePolynomial<Rational>> polynomials;
+  double distance = 0;  ///< at least sup |E - the polynomials|
+  Rational size = 0;    ///< at least sup |the polynomials|
+};
+
+PanelEmissions emissions_on(const std::vector<Panel>& panels, const PiecewiseExpression& emission,
+                            const std::vector<std::string>& names, const std::string& pointer) {
+  PanelEmissions out;
+  for (const Panel& panel : panels) {
+    if (panel.piece == names.size()) {
+      out.polynomials.emplace_back(0);
+      continue;
+    }
+    const std::string& name = names[panel.piece];
+    PanelEmission own = emission_on(panel, emission.on(name), name, pointer);
+    require_normal(own.size, pointer);
+    out.distance = std::max(out.distance, own.distance);
+    out.size = std::max(out.size, own.size);
+    out.polynomials.push_back(std::move(own.polynomial));
+  }
+  return out;
 }
 
 /// A problem whose emission is polynomials, and how far its solution may be from that of the problem asked.
@@ -236,27 +262,21 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
   PolyhedronProblem out{.panels = panels_of(problem, surface), .reflectivity = {}, .emission = {}};
   out.reflectivity = reflectivities(problem, surface, out.panels);
   const std::vector<std::string> names = surface.piece_names();
-  double left_out = 0;
-  std::vector<Rational> sizes;
-  for (const Panel& panel : out.panels) {
-    if (panel.piece == names.size()) {
-      sizes.emplace_back(0);
-      out.emission.emplace_back(0);
-      continue;
-    }
-    const std::string& name = names[panel.piece];
-    PanelEmission emission = emission_on(panel, problem.emission->on(name), name);
-    left_out = std::max(left_out, emission.distance);
-    sizes.push_back(std::move(emission.size));
-    out.emission.push_back(std::move(emission.polynomial));
+  PanelEmissions own = emissions_on(out.panels, *problem.emission, names, "/emission");
+  double left_out = own.distance;
+  Rational largest = own.size;
+  out.emission = std::move(own.polynomials);
+  for (const NamedEmission& further : guarantee.emissions) {
+    PanelEmissions found =
+        emissions_on(out.panels, further.emission, names, "/guarantee/emissions/" + further.name);
+    left_out = std::max(left_out, found.distance);
+    largest = std::max(largest, found.size);
+    out.further_emissions.push_back(std::move(found.polynomials));
   }
-  Rational largest = 0;
   Rational sup = 0;
   for (std::size_t j = 0; j < out.panels.size(); ++j) {
     const Rational& rho = out.reflectivity[j].largest;
-    const Rational& emission = sizes[j];
     require_normal(rho, "/reflectivity");
-    require_normal(emission, "/emission");
     const std::vector<Vector<Rational>>& corners = out.panels[j].corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vector<Rational>& corner = corners[i];
@@ -266,7 +286,6 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
         require_normal(number, pointer);
     }
     sup = std::max(sup, rho);
-    largest = std::max(largest, emission);
   }
   require_width(guarantee, least_relative_width, largest / (Rational(1) - sup));
   const double distance = (Ball(left_out) / Ball(Rational(1) - sup)).upper_double();
@@ -454,16 +473,27 @@ private:
     SolutionEnclosure enclosure{
         .wanted = guarantee_, .width = 2 * widened(0.5 * found.width), .hindrance = found.hindrance};
     LevelResult level = level_of(found.last);
-    for (std::size_t k = 0; k < found.numbers.size(); ++k) {
-      if (!of_values && is_opening(k)) continue;
-      const Approximation number = widened(found.numbers[k]);
-      if (of_values) {
-        const SolutionPoint& point = points_[k];
-        enclosure.points.push_back({names[near_.polyhedron.panels[point.panel].piece], point.at, number});
-      } else {
-        enclosure.pieces.emplace_back(names[k], number);
-        level.piece_means.emplace_back(names[k], number);
+    const std::size_t emissions = 1 + guarantee_.emissions.size();
+    const std::size_t count = found.numbers.size() / emissions;
+    for (std::size_t i = 0; i < emissions; ++i) {
+      SolutionEnclosure::OfEmission of;
+      for (std::size_t k = 0; k < count; ++k) {
+        if (!of_values && is_opening(k)) continue;
+        const Approximation number = widened(found.numbers[i * count + k]);
+        if (of_values)
+          of.points.push_back(
+              {names[near_.polyhedron.panels[points_[k].panel].piece], points_[k].at, number});
+        else
+          of.pieces.emplace_back(names[k], number);
       }
+      if (i > 0) {
+        of.emission = guarantee_.emissions[i - 1].name;
+        enclosure.emissions.push_back(std::move(of));
+        continue;
+      }
+      level.piece_means = of.pieces;
+      enclosure.pieces = std::move(of.pieces);
+      enclosure.points = std::move(of.points);
     }
     return {std::move(level), std::move(enclosure)};
   }
