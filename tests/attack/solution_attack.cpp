@@ -2,7 +2,8 @@
 // Enclosures of the solution on skew polyhedra: constants in furnaces whose walls reflect unequally, by
 // constants or by polynomials, which means and values have to contain; the balance of energy of any other
 // emission; coarse enclosures beside finer ones; and values of solutions that no formula knows, each lit by
-// two faces, which make a furnace together.
+// two faces, which make a furnace together; and functions on open surfaces, lit from inside and through their
+// openings, which make one too.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/continuous/function_enclosure.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/core/text.h"
 #include "radcert/polynomial/plane_polynomial_algebra.h"
@@ -235,6 +237,69 @@ Judgement judge_lit(const Lit& x) {
   if (!(off <= radius + 1e-15L))
     return Judgement::violated(off_text("the sum of the values", off, static_cast<double>(radius)));
   return Judgement::held(2);
+}
+
+/// Some faces of a polyhedron are openings.
+Lit drawn_open(Draw& draw) {
+  Lit x{.scene = drawn(draw)};
+  x.scene.surface = "tetrahedron";
+  x.scene.emission.clear();
+  x.scene.map = SkewMap::drawn(draw, 85, 31, 15);
+  x.scene.reflectivity.assign(4, 0);
+  x.face = draw.below(4);
+  x.scene.reflectivity[x.face] = 10 + static_cast<long>(draw.below(40));
+  x.scene.reflectivity[(x.face + 1 + draw.below(3)) % 4] = 10 + static_cast<long>(draw.below(40));
+  x.scene.bends.clear();
+  bend(x.scene, draw);
+  return x;
+}
+
+/// Without its openings the surface is closed again by black faces. Where they emit 1, or the faces that are
+/// there 1 - rho, the functions sum to 1 everywhere.
+Judgement judge_open(const Lit& x) {
+  const PolyhedronProblem whole = problem_of(x.scene);
+  PolyhedronProblem open{};
+  for (std::size_t k = 0; k < whole.panels.size(); ++k) {
+    if (x.scene.reflectivity[k] == 0) continue;
+    open.panels.push_back(whole.panels[k]);
+    open.reflectivity.push_back(whole.reflectivity[k]);
+    open.emission.push_back(absorbed(whole.reflectivity[k], Rational(1)));
+  }
+  const std::size_t there = open.panels.size();
+  const Outcome<std::vector<Panel>> closing = closing_panels(open.panels, 4);
+  if (!closing) return Judgement::violated("no openings: " + closing.reason());
+  for (const Panel& panel : *closing) {
+    open.panels.push_back(panel);
+    open.reflectivity.emplace_back(0);
+    open.emission.push_back(constant_polynomial(Rational(0)));
+  }
+  for (std::size_t k = 0; k < open.panels.size(); ++k) open.panels[k].piece = k;
+  PolyhedronProblem through = open;
+  for (std::size_t k = 0; k < open.panels.size(); ++k)
+    through.emission[k] = constant_polynomial(Rational(k < there ? 0 : 1));
+  // So wide that both have the first mesh.
+  constexpr double width = 20;
+  const FunctionEnclosure inside = enclose_function(open, width, 0.1);
+  const FunctionEnclosure outside = enclose_function(through, width, 0.1);
+  if (inside.parts.size() != outside.parts.size()) return Judgement::refused();
+  for (std::size_t p = 0; p < inside.parts.size(); ++p) {
+    const EnclosedPart& a = inside.parts[p];
+    const EnclosedPart& b = outside.parts[p];
+    for (std::size_t k = 0; k < a.values.size(); ++k) {
+      const double off = std::abs(a.values[k] + b.values[k] - 1);
+      if (!(off <= (a.bound + b.bound) * (1 + 1e-12)))
+        return Judgement::violated(off_text("the sum of the functions", off, a.bound + b.bound));
+    }
+  }
+  return Judgement::held(inside.parts.size());
+}
+
+TEST(SolutionAttack, FunctionsOnOpenSurfacesMakeAFurnace) {
+  hold(Attack<Lit>{.name = "functions on open surfaces",
+                   .usual_instances = 1,
+                   .make = drawn_open,
+                   .judge = judge_open,
+                   .text = text_of_lit});
 }
 
 TEST(SolutionAttack, ValuesOnPolyhedraMakeAFurnace) {

@@ -194,6 +194,32 @@ private:
   double allowed_;
 };
 
+TEST(LargestResiduals, SeeWhatVariesAboutAMeanOfZero) {
+  // E = 1 - q/2 with q = 1 + x: w = 1, T w = 1, and t = -x, the place along the side.
+  const SectorScene scene(panels_of("cube"));
+  const std::vector<SectorElement> elements = graded_elements(scene, 2);
+  SectorFunctions q(elements.size(), 1, 1);
+  SectorFunctions emissions = q;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    q.of(e, 0)[0] = 1;
+    q.of(e, 0)[2] = 1;
+    emissions.of(e, 0)[0] = 0.5;
+    emissions.of(e, 0)[2] = -0.5;
+  }
+  const Trial trial(scene, std::vector<double>(6, 0.5), elements, emissions, q);
+  const DemandOf demand(0.02);
+  std::size_t tried = 0;
+  for (std::size_t e = 0; e < elements.size() && tried < 3; ++e) {
+    if (elements[e].box.t0 == 0) continue;
+    ++tried;
+    const std::vector<ObserverCell> cell{{.element = e, .box = elements[e].box, .nodes_s = 4, .nodes_t = 4}};
+    const double largest = largest_residuals(trial, cell, demand)[0];
+    EXPECT_GE(largest, 1);
+    EXPECT_LE(largest, 1.1);
+  }
+  EXPECT_EQ(tried, 3U);
+}
+
 TEST(LargestResiduals, BoundTheResidualEverywhere) {
   for (const std::string name : {"cube", "tetrahedron"}) {
     const Jumping jumping(name, 0.02, 11);
