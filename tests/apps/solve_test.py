@@ -173,7 +173,18 @@ class Solve(ProgramTest):
         for words in [["c.json", "--part", "0"], ["c.json", "--part", "1.5"], ["c.json", "--part", "x"],
                       ["c.json", "--all", "--part", "3"], ["nothing.json"]]:
             self.expect(2, "check", *words)
-        for words in [["--guarantee", "1/5", "--of", "values"], ["--guarantee", "1/5", "--of", "function"], []]:
+        self.expect(0, "solve", "furnace.json", "--guarantee", "1/2", "--at", "1/3,1/3,-1/3", "--certificate", "v.json")
+        with open(self.path("v.json"), encoding="utf-8") as file:
+            values = json.load(file)
+        jsonschema.validate(values, json.loads(self.expect(0, "schema", "certificate")))
+        [value] = values["values"]
+        self.assertEqual(value["at"], ["1/3", "1/3", "-1/3"])
+        self.assertLessEqual(abs(float(value["midpoint"]) - 1), float(value["radius"]))
+        self.assertIn("values of u", self.expect(0, "check", "v.json", "--part", "3"))
+        values["values"][0]["at"] = ["1/3", "1/3", "1/3"]
+        self.write("changed.json", values)
+        self.expect(2, "check", "changed.json")
+        for words in [["--guarantee", "1/5", "--of", "function"], []]:
             self.expect(2, "solve", "furnace.json", *words, "--certificate", "d.json")
         self.write("ball.json", {**furnace, "surface": {"name": "sphere"}})
         self.expect(2, "solve", "ball.json", "--guarantee", "1/5", "--certificate", "d.json")

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "radcert/continuous/elements/graded_elements.h"
@@ -91,6 +92,28 @@ void shorten(SectorFunctions& functions, double allowed) {
   const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
   for (double& c : functions.all())
     c = std::bit_cast<double>((std::bit_cast<std::uint64_t>(c) + half) >> dropped << dropped);
+}
+
+/// The functions of a certificate, q_0 and q_k, or q_k + j_kh where the j_kh are given; q is what they leave
+/// after they were shortened.
+SectorFunctions shortened(SectorFunctions& q, const DualErrors& duals, double allowed) {
+  if (!duals.polynomials) {
+    shorten(q, allowed);
+    return q;
+  }
+  const SectorFunctions& j = *duals.polynomials;
+  const std::size_t elements = q.all().size() / (q.count() * q.size());
+  SectorFunctions out = q;
+  const auto each = [&](const auto& act) {
+    for (std::size_t e = 0; e < elements; ++e)
+      for (std::size_t k = 0; k < j.count(); ++k)
+        for (std::size_t i = 0; i < q.size(); ++i) act(e, k, i);
+  };
+  each([&](std::size_t e, std::size_t k, std::size_t i) { out.of(e, 1 + k)[i] += j.of(e, k)[i]; });
+  shorten(out, allowed);
+  q = out;
+  each([&](std::size_t e, std::size_t k, std::size_t i) { q.of(e, 1 + k)[i] -= j.of(e, k)[i]; });
+  return out;
 }
 
 Approximation scaled(const Approximation& x, int exponent) {
@@ -189,7 +212,8 @@ private:
       return trial_functions(data_.scene, elements, data_.reflectivity, given.functions, tolerance);
     });
     // Any functions will do, and those of a certificate are written down.
-    if (with_proof_) shorten(q, tolerance);
+    std::optional<SectorFunctions> written;
+    if (with_proof_) written = shortened(q, given.duals, tolerance);
     const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q),
                       given.duals.rounding);
     const std::vector<double> expected = expected_norms(trial);
@@ -230,14 +254,24 @@ private:
         take(i, k, functional);
       }
     }
-    if (with_proof_)
-      best_.proof = std::make_shared<const GoalProof>(GoalProof{.elements = trial.elements,
-                                                                .q = trial.q,
-                                                                .exponent = data_.exponent,
-                                                                .residuals = sums.elements,
-                                                                .norms = sums.norms,
-                                                                .radii = std::move(radii),
-                                                                .wanted = radius_});
+    if (with_proof_) {
+      GoalProof proof{.elements = trial.elements,
+                      .q = *std::move(written),
+                      .exponent = data_.exponent,
+                      .exponents = {},
+                      .residuals = sums.elements,
+                      .norms = sums.norms,
+                      .radii = std::move(radii),
+                      .wanted = radius_};
+      for (std::size_t k = 0; k < goals_.count(); ++k) {
+        proof.exponents.push_back(goals_.exponent(k));
+        proof.norms[1 + k] += given.duals.left[k];
+        if (!given.duals.polynomials) continue;
+        for (std::size_t e = 0; e < proof.residuals.size(); ++e)
+          proof.residuals[e].norms[1 + k] += given.duals.left_on_elements[e * goals_.count() + k];
+      }
+      best_.proof = std::make_shared<const GoalProof>(std::move(proof));
+    }
     best_.last = {.layers = layers,
                   .degree = degree,
                   .elements = trial.elements.size(),
@@ -270,9 +304,10 @@ GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted, con
 }
 
 GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector<SolutionPoint>& points,
-                             double wanted, const SearchContext& context) {
+                             double wanted, const SearchContext& context, bool with_proof) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   const ScaledProblem data(problem);
+  expects(!with_proof || data.emissions() == 1, "one emission beside a proof");
   std::vector<ValueGoal> asked;
   for (const SolutionPoint& point : points) {
     const ParameterPoint<Rational> at = plane_coordinates(problem.panels[point.panel], point.at);
@@ -288,7 +323,7 @@ GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector
          .reflectivity = problem.reflectivity[point.panel].polynomial.value(at.s, at.t).to_double()});
   }
   const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, asked);
-  return Search(data, *goals, wanted, false)(context);
+  return Search(data, *goals, wanted, with_proof)(context);
 }
 
 }  // namespace radcert

@@ -15,11 +15,14 @@
 namespace radcert {
 
 /// What an enclosure was concluded from, on the last mesh.
-/// Maths     E and u are 2^exponent times those that q[0] and what belongs to it approximate
+/// Maths     E and u are 2^exponent times those that q[0] and what belongs to it approximate, the j_k of
+///           goals 2^exponents[k] times those of q[1+k], the q_k; of values q_k + j_kh, and what j_kh leaves
+///           of j_k is in the norms
 struct GoalProof {
   std::vector<SectorElement> elements;
   SectorFunctions q;
   int exponent = 0;
+  std::vector<int> exponents;
   std::vector<ElementResidual> residuals;  ///< by element
   std::vector<double> norms;               ///< of all residuals
   std::vector<double> radii;               ///< of J_k(u), and what was wanted of them
@@ -65,6 +68,6 @@ struct GoalEnclosure {
 /// Limits    the nearer a point is to an edge, the more elements its kernel asks for
 [[nodiscard]] GoalEnclosure enclose_values(const PolyhedronProblem& problem,
                                            const std::vector<SolutionPoint>& points, double wanted,
-                                           const SearchContext& context = {});
+                                           const SearchContext& context = {}, bool with_proof = false);
 
 }  // namespace radcert

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "radcert/continuous/elements/graded_elements.h"
@@ -22,6 +23,9 @@ struct DualErrors {
   std::vector<double> left;  ///< by k, at least (Int rho (j_k - j_kh)^2)^(1/2)
   /// Of all E_k in the maximum norm, beyond that of each coefficient to the nearest.
   double rounding = 0;
+  /// The j_kh and, by element and k, what they leave of j_k there; none where j_kh = j_k is known otherwise.
+  std::optional<SectorFunctions> polynomials = std::nullopt;
+  std::vector<double> left_on_elements = {};
 };
 
 /// Numbers that depend linearly on the solution u of the radiosity equation.
@@ -41,6 +45,8 @@ public:
   [[nodiscard]] virtual bool depend_on_u() const = 0;
   /// The least r/b_k, r the radius that is wanted for the numbers; infinite where it is beyond double.
   [[nodiscard]] virtual double radius(double wanted) const = 0;
+  /// j_k is taken 2^-exponent(k) times.
+  [[nodiscard]] virtual int exponent(std::size_t k) const = 0;
   /// The least degree that suits the j_k.
   [[nodiscard]] virtual int least_degree() const = 0;
   /// Elements cut until polynomials of this degree leave no more than about `allowed` of any rho j_k.

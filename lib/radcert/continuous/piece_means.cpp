@@ -25,6 +25,7 @@ public:
   [[nodiscard]] double radius(double wanted) const override {
     return wanted * *std::min_element(areas_.begin(), areas_.end());
   }
+  [[nodiscard]] int exponent(std::size_t /*k*/) const override { return 0; }
   [[nodiscard]] int least_degree() const override { return 0; }
   [[nodiscard]] std::vector<SectorElement> refined(std::vector<SectorElement> elements, int /*degree*/,
                                                    double /*allowed*/) const override {

@@ -82,6 +82,7 @@ public:
     return least;
   }
 
+  [[nodiscard]] int exponent(std::size_t k) const override { return observers_[k].exponent; }
   [[nodiscard]] int least_degree() const override { return 5; }
   [[nodiscard]] std::vector<SectorElement> refined(std::vector<SectorElement> elements, int degree,
                                                    double allowed) const override {
@@ -100,13 +101,16 @@ public:
     const int degree = emissions.degree() - rho.degree();
     const std::size_t first = emissions.count() - count();
     const ElementInterpolation interpolation(degree + 1);
-    std::vector<double> dual(static_cast<std::size_t>((degree + 1) * (degree + 1)));
-    DualErrors out{.left = std::vector<double>(count())};
+    DualErrors out{.left = std::vector<double>(count()),
+                   .polynomials = SectorFunctions(elements.size(), count(), degree),
+                   .left_on_elements = std::vector<double>(elements.size() * count())};
     for (std::size_t e = 0; e < elements.size(); ++e)
       for (std::size_t k = 0; k < count(); ++k) {
         if (!sends(elements[e], observers_[k])) continue;
+        const std::span<double> dual = out.polynomials->of(e, k);
         const double own = put(interpolation, elements[e], observers_[k], degree, dual);
         out.left[k] += own * own;
+        out.left_on_elements[e * count() + k] = own;
         rho.add_product(e, dual, emissions.of(e, first + k));
         out.rounding = std::max(out.rounding, rho.rounding(e, {}, dual));
       }

@@ -52,16 +52,16 @@ std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const
     throw InputError({.source = "--certificate",
                       .problem = "is of one emission, and there are further ones",
                       .allowed = "a guarantee without emissions of its own"});
-  if (guarantee.of != EnclosedQuantity::means || !enclosed->has_certificate())
-    throw InputError({.source = "--certificate",
-                      .problem = guarantee.of != EnclosedQuantity::means
-                                     ? "is not made for values or a function"
-                                     : "is not made for a sphere or an ellipsoid, nor for an emission that "
-                                       "is no polynomial of degree 8 or less, nor for a reflectivity that is "
-                                       "not constant on each face",
-                      .allowed =
-                          "a guarantee of means on a convex polyhedron, the emission a polynomial on each "
-                          "piece, the reflectivity constant"});
+  const bool of_function = guarantee.of == EnclosedQuantity::function;
+  if (of_function || !enclosed->has_certificate())
+    throw InputError(
+        {.source = "--certificate",
+         .problem = of_function ? "is not made for a function"
+                                : "is not made for a sphere or an ellipsoid, nor for an emission that "
+                                  "is no polynomial of degree 8 or less, nor for a reflectivity that "
+                                  "is not constant on each face",
+         .allowed = "a guarantee of means or values on a convex polyhedron, the emission a polynomial on "
+                    "each piece, the reflectivity constant"});
   return enclosed;
 }
 

@@ -390,13 +390,16 @@ public:
            });
   }
   [[nodiscard]] CertifiedMeans certified(const GuaranteeContext& context) const override {
-    const GoalEnclosure found =
-        enclose_means(near_.polyhedron, certified_share * wanted(), told(context), true);
-    auto [level, enclosure] = result_of(found, false);
+    const bool of_values = guarantee_.of == EnclosedQuantity::values;
+    const double aim = certified_share * wanted();
+    const GoalEnclosure found = of_values
+                                    ? enclose_values(near_.polyhedron, points_, aim, told(context), true)
+                                    : enclose_means(near_.polyhedron, aim, told(context), true);
+    auto [level, enclosure] = result_of(found, of_values);
     CertifiedMeans out{
         .level = std::move(level),
         .enclosure = std::move(enclosure),
-        .certificate = means_certificate(near_.polyhedron, certified_names(), found.proof.get())};
+        .certificate = means_certificate(near_.polyhedron, certified_names(), found.proof.get(), points_)};
     if (out.certificate.width <= guarantee_.width)
       out.enclosure.hindrance.clear();
     else if (out.enclosure.hindrance.empty())
