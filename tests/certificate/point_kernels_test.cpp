@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "tests/certificate/samples.h"
 
@@ -100,6 +101,44 @@ TEST(PointKernels, BoundWhatPolynomialsLeave) {
     }
   }
   EXPECT_GT(closest, 0.02);
+}
+
+/// On the borders of ellipses about lines of a box, by complex arithmetic.
+TEST(PointKernels, HaveBoundsOnEllipses) {
+  using Complex = std::complex<double>;
+  Draw draw(53);
+  double closest = 0;
+  for (const std::string name : {"tetrahedron", "cube", "octahedron"}) {
+    const Kernels of(name);
+    const Point& point = of.c.points[0];
+    for (const Element& x : of.c.elements) {
+      if (x.face == point.face) continue;
+      const Box box{.s0 = x.s0, .s1 = x.s1, .t0 = x.t0, .t1 = x.t1};
+      for (const bool in_s : {true, false}) {
+        const EllipseBounds bounds = of.kernels.on_ellipses(0, of.triangle(x), box, in_s);
+        for (int line = 0; line < 4; ++line) {
+          const double s = x.s0 + (x.s1 - x.s0) * draw();
+          const double t = x.t0 + (x.t1 - x.t0) * draw();
+          const Vector<double> from = test::element_point(of.c, x, in_s ? x.s0 : s, in_s ? t : x.t0);
+          const Vector<double> to = test::element_point(of.c, x, in_s ? x.s1 : s, in_s ? t : x.t1);
+          const Vector<double> middle = 0.5 * (from + to);
+          const Vector<double> half = 0.5 * (to - from);
+          for (std::size_t k = 0; k < ellipse_axes.size(); ++k) {
+            if (!std::isfinite(bounds[k])) continue;
+            const double axis = ellipse_axes[k];
+            for (int n = 0; n < 12; ++n) {
+              const double angle = 6.283185307179586 * draw();
+              const Complex z(axis * std::cos(angle), std::sqrt(axis * axis - 1) * std::sin(angle));
+              const double found = std::abs(test::point_kernel(of.c, point, x.face, middle, half, z));
+              EXPECT_LE(found, bounds[k] * (1 + 1e-12)) << name << " " << axis;
+              closest = std::max(closest, found / bounds[k]);
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(closest, 0.3);
 }
 
 TEST(PointKernels, AreOfPointsInsideTheirFacesAlone) {

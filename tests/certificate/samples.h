@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -111,19 +112,33 @@ inline certificate::MeansCertificate furnace_certificate(const std::string& surf
   return c;
 }
 
+/// The inner normal of a face.
+inline Vector<double> unit_normal(const certificate::MeansCertificate& c, std::size_t face) {
+  const std::vector<Vector<Rational>>& p = c.faces[face].corners;
+  const Vector<Rational> n = cross(p[1] - p[0], p[2] - p[0]);
+  const double size = std::sqrt(dot(n, n).to_double());
+  return {n.x.to_double() / size, n.y.to_double() / size, n.z.to_double() / size};
+}
+
 /// G(P,Q)/pi for P of one face and Q of another, by their exact corners.
 inline double point_kernel(const certificate::MeansCertificate& c, const certificate::Point& point,
                            std::size_t face, const Vector<double>& q) {
-  const auto unit_normal = [&](std::size_t f) {
-    const std::vector<Vector<Rational>>& p = c.faces[f].corners;
-    const Vector<Rational> n = cross(p[1] - p[0], p[2] - p[0]);
-    const double size = std::sqrt(dot(n, n).to_double());
-    return Vector<double>{n.x.to_double() / size, n.y.to_double() / size, n.z.to_double() / size};
-  };
   const Vector<double> way =
       q - Vector<double>{point.at.x.to_double(), point.at.y.to_double(), point.at.z.to_double()};
   const double squared = dot(way, way);
-  return -dot(unit_normal(point.face), way) * dot(unit_normal(face), way) /
+  return -dot(unit_normal(c, point.face), way) * dot(unit_normal(c, face), way) /
+         (squared * squared * 3.14159265358979323846);
+}
+
+/// The same at Q = m + z e.
+inline std::complex<double> point_kernel(const certificate::MeansCertificate& c,
+                                         const certificate::Point& point, std::size_t face,
+                                         const Vector<double>& m, const Vector<double>& e,
+                                         const std::complex<double>& z) {
+  const Vector<double> p{point.at.x.to_double(), point.at.y.to_double(), point.at.z.to_double()};
+  const auto along = [&](const Vector<double>& v) { return dot(v, m - p) + z * dot(v, e); };
+  const std::complex<double> squared = dot(m - p, m - p) + 2.0 * z * dot(m - p, e) + z * z * dot(e, e);
+  return -along(unit_normal(c, point.face)) * along(unit_normal(c, face)) /
          (squared * squared * 3.14159265358979323846);
 }
 
@@ -142,9 +157,9 @@ inline Vector<double> element_point(const certificate::MeansCertificate& c, cons
   return (1 - t) * ((1 - s) * a + s * b) + t * centre;
 }
 
-/// (Int_X j^2)^(1/2), j = G(P,.)/pi, by 16 x 16 nodes.
+/// (Int_X (j - less)^2)^(1/2), j = G(P,.)/pi, by 16 x 16 nodes.
 inline double kernel_norm(const certificate::MeansCertificate& c, const certificate::Point& point,
-                          const certificate::Element& x) {
+                          const certificate::Element& x, double less = 0) {
   const certificate::GaussRule& rule = certificate::gauss_rule(16);
   double sum = 0;
   double whole = 0;
@@ -153,7 +168,7 @@ inline double kernel_norm(const certificate::MeansCertificate& c, const certific
       const double t = 0.5 * (x.t0 + x.t1) + 0.5 * (x.t1 - x.t0) * rule.near_nodes[l];
       const double s = 0.5 * (x.s0 + x.s1) + 0.5 * (x.s1 - x.s0) * rule.near_nodes[m];
       const double weight = rule.near_weights[m] * rule.near_weights[l] * (1 - t);
-      const double j = point_kernel(c, point, x.face, element_point(c, x, s, t));
+      const double j = point_kernel(c, point, x.face, element_point(c, x, s, t)) - less;
       sum += weight * j * j;
       whole += weight;
     }

@@ -69,21 +69,27 @@ Observers PointKernels::observers(std::size_t k) const {
   return {.triangle = points_[k].triangle, .s = {points_[k].s}, .t = {points_[k].t}};
 }
 
+EllipseBounds PointKernels::on_ellipses(std::size_t k, std::size_t triangle, const Box& box,
+                                        bool in_s) const {
+  EllipseBounds bounds{};
+  const PlacedPoint& point = points_[k];
+  const SideTriangle& own = scene_.triangles()[triangle];
+  if (scene_.coplanar(point.face, own.face)) return bounds;
+  const BoxLines lines = box_lines(own, box, in_s);
+  const double r = segment_distance(point.at, lines.from, lines.to) - 2 * slack;
+  const double height = largest_size(height_over(point, own.face));
+  for (std::size_t n = 0; n < bounds.size(); ++n) {
+    const double a = ellipse_axes[n] * lines.half * upward;
+    const double gap = r - a;
+    bounds[n] = a < 0.99 * r ? point.scale * (r + a) * height / (gap * gap * gap * gap) * upward : infinity;
+  }
+  return bounds;
+}
+
 PolynomialErrors PointKernels::left(std::size_t triangle, const Box& box, bool in_s) const {
   PolynomialErrors out{};
-  const std::size_t face = scene_.triangles()[triangle].face;
-  const BoxLines lines = box_lines(scene_.triangles()[triangle], box, in_s);
-  for (const PlacedPoint& point : points_) {
-    if (scene_.coplanar(point.face, face)) continue;
-    const double r = segment_distance(point.at, lines.from, lines.to) - 2 * slack;
-    const double height = largest_size(height_over(point, face));
-    EllipseBounds bounds{};
-    for (std::size_t k = 0; k < bounds.size(); ++k) {
-      const double a = ellipse_axes[k] * lines.half * upward;
-      const double gap = r - a;
-      bounds[k] = a < 0.99 * r ? point.scale * (r + a) * height / (gap * gap * gap * gap) * upward : infinity;
-    }
-    const PolynomialErrors own = polynomial_errors(bounds);
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const PolynomialErrors own = polynomial_errors(on_ellipses(k, triangle, box, in_s));
     for (std::size_t n = 0; n < out.size(); ++n) out[n] = std::max(out[n], own[n]);
   }
   return out;

@@ -29,6 +29,9 @@ public:
   PointKernels(const MeansCertificate& certificate, const Scene& scene, const Densities& densities);
 
   [[nodiscard]] std::size_t count() const { return points_.size(); }
+  /// Of |j_k| on the ellipses of each line of a box in one parameter.
+  [[nodiscard]] EllipseBounds on_ellipses(std::size_t k, std::size_t triangle, const Box& box,
+                                          bool in_s) const;
   /// What polynomials in one parameter of a box leave of any j_k.
   [[nodiscard]] PolynomialErrors left(std::size_t triangle, const Box& box, bool in_s) const;
   /// sup of all j_k on a box.
