@@ -25,8 +25,8 @@ ReferenceRecord record_of(const reference::ContinuousScene& scene, const referen
   record.name = found.mean->name;
   record.digits = digits_of(found.first.value);
   record.formula =
-      "(1/|F|) Int_F u,  u = E + (rho/pi) Int G u dS: of the solution itself, not of one constant "
-      "a face";
+      std::string(found.mean->at_centre ? "u at the mean of the corners of a face" : "(1/|F|) Int_F u") +
+      ",  u = E + (rho/pi) Int G u dS: of the solution itself, not of one constant a face";
   record.source =
       "a theorem of duality with enclosed residuals: lib/radcert/certificate/check.h; " + scene.words;
   record.parameters.emplace_back("rho", scene.reflectivity.to_text());

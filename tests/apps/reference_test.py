@@ -101,7 +101,7 @@ class Reference(ProgramTest):
             mantissa, exponent = row["midpoint_exact"].split("*2^")
             self.assertEqual({"mantissa": mantissa, "exponent": exponent}, value["midpoint_binary"])
             if "certificates" in entry:
-                self.assertTrue(row["name"].startswith("continuous_mean_"))
+                self.assertRegex(row["name"], "^continuous_(mean|value)_")
                 self.assertLessEqual(mpf(row["radius"]), mpf("1e-4"))
                 self.assertEqual([os.path.join("certificates", route["certificate"]) for route in value["route_values"]],
                                  entry["certificates"])

@@ -101,6 +101,16 @@ class Solve(ProgramTest):
         self.assertEqual(json.loads(own)["enclosure"], enclosure)
         table = self.expect(0, "solve", "own.json")
         self.assertIn("Proved: the means of the solution u", table)
+        matrix = json.loads(self.solution("cube.json", "--guarantee", "1/10", "--emission-by", "piece"))
+        jsonschema.validate(matrix, json.loads(self.expect(0, "schema", "solution")))
+        jsonschema.validate(matrix["problem"], json.loads(self.expect(0, "schema", "problem")))
+        by_piece = matrix["enclosure"]["emissions"]
+        self.assertEqual(list(by_piece), list(matrix["enclosure"]["pieces"]))
+        for piece in by_piece:
+            # E = 3/4 everywhere is a furnace of 1.
+            means = [of["pieces"][piece] for of in by_piece.values()]
+            total = 0.75 * sum(float(mean["midpoint"]) for mean in means)
+            self.assertLessEqual(abs(total - 1), 0.75 * sum(float(mean["radius"]) for mean in means))
         values = json.loads(self.solution("cube.json", "--guarantee", "1/20", "--at", "1/3,1/3,-1/3"))["enclosure"]
         self.assertIsNone(values["pieces"])
         [point] = values["points"]
@@ -117,7 +127,9 @@ class Solve(ProgramTest):
                       ["own.json", "--of", "means", "--at", "1/3,1/3,-1/3"], ["own.json", "--outside", "1/10"],
                       ["own.json", "--of", "function", "--outside", "-1"], ["own.json", "--of", "function", "--ply", "a.ply"],
                       ["own.json", "--guarantee", "1e-15"], ["own.json", "--of", "all"], ["cube.json", "--of", "means"],
-                      ["own.json", "--vtu", "a.vtu"], ["own.json", "--out", "folder"]]:
+                      ["own.json", "--vtu", "a.vtu"], ["own.json", "--out", "folder"],
+                      ["own.json", "--emission-by", "face"], ["ball.json", "--guarantee", "1", "--emission-by", "piece"],
+                      ["own.json", "--emission-by", "piece", "--certificate", "c.json"]]:
             self.expect(2, "solve", *words)
         for name in ["folder", "a.vtu", "a.ply"]:
             self.assertFalse(os.path.exists(self.path(name)), name)
@@ -161,7 +173,18 @@ class Solve(ProgramTest):
         for words in [["c.json", "--part", "0"], ["c.json", "--part", "1.5"], ["c.json", "--part", "x"],
                       ["c.json", "--all", "--part", "3"], ["nothing.json"]]:
             self.expect(2, "check", *words)
-        for words in [["--guarantee", "1/5", "--of", "values"], ["--guarantee", "1/5", "--of", "function"], []]:
+        self.expect(0, "solve", "furnace.json", "--guarantee", "1/2", "--at", "1/3,1/3,-1/3", "--certificate", "v.json")
+        with open(self.path("v.json"), encoding="utf-8") as file:
+            values = json.load(file)
+        jsonschema.validate(values, json.loads(self.expect(0, "schema", "certificate")))
+        [value] = values["values"]
+        self.assertEqual(value["at"], ["1/3", "1/3", "-1/3"])
+        self.assertLessEqual(abs(float(value["midpoint"]) - 1), float(value["radius"]))
+        self.assertIn("values of u", self.expect(0, "check", "v.json", "--part", "3"))
+        values["values"][0]["at"] = ["1/3", "1/3", "1/3"]
+        self.write("changed.json", values)
+        self.expect(2, "check", "changed.json")
+        for words in [["--guarantee", "1/5", "--of", "function"], []]:
             self.expect(2, "solve", "furnace.json", *words, "--certificate", "d.json")
         self.write("ball.json", {**furnace, "surface": {"name": "sphere"}})
         self.expect(2, "solve", "ball.json", "--guarantee", "1/5", "--certificate", "d.json")

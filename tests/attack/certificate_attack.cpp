@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates whose claims are true or false by a little, on skew polyhedra: in a furnace with u = 1 and
-// constant functions the residuals are known exactly, and the check must refuse what is false.
+// constant functions the residuals are known exactly, and the check must refuse what is false; of values at
+// points as well, whose duals' residuals are known by integrals of kernels.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -161,6 +162,89 @@ TEST(CertificateAttack, FalseClaimsAreRefused) {
                                             .smaller = smaller});
   // True claims with room are verified: a check that refuses everything holds nothing.
   EXPECT_LE(count.refused, count.instances / 4);
+}
+
+/// The value of u = 1 in a furnace at a point, as a certificate with one norm that is false or nearly so.
+/// Maths     E = 1 - rho, q_0 = 1 - d as above; y = b: w = rho b, t = j - (1 - rho) b, j = G(P,.)/pi, or 0 on
+///           the face of P; Int_X w t_0 = rho b d (1 - rho) |X|
+struct ValueInstance {
+  Instance scene;
+  std::size_t face = 0;
+  std::array<long, 3> weights{1, 1, 1};
+};
+
+std::string text_of_value(const ValueInstance& x) {
+  std::string out = text(x.scene) + ", face " + std::to_string(x.face) + ", weights";
+  for (const long weight : x.weights) out += " " + std::to_string(weight);
+  return out;
+}
+
+Made certificate_of_value(const ValueInstance& x) {
+  Made out{.certificate = test::bare_certificate(x.scene.surface, x.scene.layers, 0, 1)};
+  MeansCertificate& c = out.certificate;
+  const Rational rho = hundredths(x.scene.reflectivity);
+  const double r = rho.to_double();
+  for (certificate::Face& face : c.faces) {
+    face.reflectivity = rho;
+    face.emission = {{Rational(1) - rho}};
+    for (Vector<Rational>& p : face.corners) p = x.scene.map(p);
+  }
+  const std::size_t own = x.face % c.faces.size();
+  const std::vector<Vector<Rational>>& p = c.faces[own].corners;
+  const Rational all(x.weights[0] + x.weights[1] + x.weights[2]);
+  c.points = {{.face = own,
+               .at = (Rational(1) / all) * (Rational(x.weights[0]) * p[0] + Rational(x.weights[1]) * p[1] +
+                                            Rational(x.weights[2]) * p[2])}};
+  c.coefficients.assign(2 * c.elements.size(), x.scene.b);
+  std::fill_n(c.coefficients.begin(), c.elements.size(), 1 - x.scene.d);
+  const double residual = x.scene.d * (1 - r);
+  for (const certificate::Element& element : c.elements) {
+    const double area = test::element_area(c, element);
+    const double less = (1 - r) * x.scene.b;
+    const double norm =
+        element.face == own ? less * std::sqrt(area) : test::kernel_norm(c, c.points[0], element, less);
+    c.claims.push_back({.norms = {1.1 * residual * std::sqrt(r * area), 1.1 * std::sqrt(r) * norm},
+                        .products = {r * x.scene.b * residual * area},
+                        .radii = {0.05 * residual * area}});
+  }
+  out.element = x.scene.element % c.elements.size();
+  c.claims[out.element].norms[1] *= x.scene.norm / 1.1;
+  test::put_sums(c);
+  return out;
+}
+
+Judgement judge_value(const ValueInstance& x) {
+  const Made made = certificate_of_value(x);
+  const MeansCertificate& c = made.certificate;
+  const certificate::Report report = certificate::check(c, part_with(made.element, c.elements.size()));
+  // Of the rule of 16 x 16 nodes for the square of the kernel.
+  constexpr double of_rule = 1e-3;
+  if (x.scene.norm < 1 - of_rule)
+    return report.refusal ? Judgement::held(1) : Judgement::violated("a false claim is verified");
+  if (report.refusal) return Judgement::refused();
+  if (abs(c.means[0].midpoint - Rational(1)) > c.means[0].radius)
+    return Judgement::violated("a value of 1 lies outside what is verified");
+  return Judgement::held(2);
+}
+
+ValueInstance drawn_value(Draw& draw) {
+  ValueInstance x{.scene = drawn(draw)};
+  x.scene.map = SkewMap::drawn(draw, 70, 60, 25);
+  x.scene.size = 1;
+  x.scene.off = 0;
+  x.scene.norm = draw.below(2) == 0 ? 1.1 : 1 - std::pow(10.0, -2.5 + 2 * draw.unit());
+  x.face = draw.below(8);
+  for (long& weight : x.weights) weight = 3 + static_cast<long>(draw.below(4));
+  return x;
+}
+
+TEST(CertificateAttack, FalseClaimsOfValuesAreRefused) {
+  const Count count = hold(Attack<ValueInstance>{.name = "claims of certificates of values",
+                                                 .usual_instances = 5,
+                                                 .make = drawn_value,
+                                                 .judge = judge_value,
+                                                 .text = text_of_value});
+  EXPECT_LE(count.refused, std::max<std::size_t>(1, count.instances / 3));
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Enclosures of the solution on skew polyhedra: constants in furnaces whose walls reflect unequally, which
-// means and values have to contain; the balance of energy of any other emission; coarse enclosures beside
-// finer ones; values of solutions that no formula knows, each lit by two faces, which make a furnace
-// together; and means in rooms whose parts hide each other, beside configuration factors.
+// Enclosures of the solution on skew polyhedra: constants in furnaces whose walls reflect unequally, by
+// constants or by polynomials, which means and values have to contain; the balance of energy of any other
+// emission; coarse enclosures beside finer ones; values of solutions that no formula knows, each lit by two
+// faces, which make a furnace together; functions on open surfaces, lit from inside and through their
+// openings, which make one too; and means in rooms whose parts hide each other, beside configuration factors.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,9 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "radcert/continuous/function_enclosure.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/core/text.h"
 #include "radcert/factors/factor_matrix.h"
+#include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "radcert/surface/catalogue.h"
 #include "tests/attack/attack.h"
 #include "tests/continuous/rooms.h"
@@ -25,18 +28,46 @@ namespace {
 struct Instance {
   std::string surface;
   SkewMap map;
-  std::vector<long> reflectivity;  ///< by panel
-  std::vector<long> emission;      ///< by panel; empty: a furnace
-  long constant = 100;             ///< u of a furnace
+  std::vector<long> reflectivity;  ///< by panel, its value where s = t = 0
+  /// By panel, of s, t, s^2, s t, t^n, where that leaves it between 0 and 1; empty: constants.
+  std::vector<std::array<long, 5>> bends = {};
+  int power = 3;               ///< n
+  std::vector<long> emission;  ///< by panel; empty: a furnace
+  long constant = 100;         ///< u of a furnace
   double width = 0;
 };
 
 std::string text(const Instance& x) {
   std::string out = x.surface + ", " + x.map.text() + ", rho";
   for (const long rho : x.reflectivity) out += " " + std::to_string(rho);
+  for (const std::array<long, 5>& bend : x.bends) {
+    out += " (";
+    for (const long c : bend) out += " " + std::to_string(c);
+    out += " )";
+  }
+  if (!x.bends.empty()) out += " power " + std::to_string(x.power);
   out += x.emission.empty() ? ", furnace of " + std::to_string(x.constant) : ", E";
   for (const long e : x.emission) out += " " + std::to_string(e);
   return out + ", width " + shortest(x.width);
+}
+
+/// The reflectivity of panel k: with its bends, where that is a reflectivity.
+PanelReflectivity reflectivity_on(const Instance& x, std::size_t k, const Panel& panel) {
+  const Rational constant = hundredths(x.reflectivity[k]);
+  if (x.bends.empty()) return constant;
+  PlanePolynomial<Rational> rho(x.power);
+  rho(0, 0) = constant;
+  rho(1, 0) = hundredths(x.bends[k][0]);
+  rho(0, 1) = hundredths(x.bends[k][1]);
+  rho(2, 0) = hundredths(x.bends[k][2]);
+  rho(1, 1) = hundredths(x.bends[k][3]);
+  rho(0, x.power) += hundredths(x.bends[k][4]);
+  return reflectivity_of(panel, rho).value_or(constant);
+}
+
+/// factor (1 - rho).
+PlanePolynomial<Rational> absorbed(const PanelReflectivity& rho, const Rational& factor) {
+  return sum(constant_polynomial(factor), -factor, rho.polynomial);
 }
 
 PolyhedronProblem problem_of(const Instance& x) {
@@ -48,10 +79,9 @@ PolyhedronProblem problem_of(const Instance& x) {
     for (Vector<Rational>& corner : panel.corners) corner = x.map(corner);
     panel.centre = x.map(panel.centre);
     panel.normal = cross(panel.corners[1] - panel.corners[0], panel.corners[2] - panel.corners[0]);
-    const Rational rho = hundredths(x.reflectivity[k]);
-    out.reflectivity.push_back(rho);
-    out.emission.push_back(constant_polynomial(
-        x.emission.empty() ? (Rational(1) - rho) * hundredths(x.constant) : hundredths(x.emission[k])));
+    out.reflectivity.push_back(reflectivity_on(x, k, panel));
+    out.emission.push_back(x.emission.empty() ? absorbed(out.reflectivity.back(), hundredths(x.constant))
+                                              : constant_polynomial(hundredths(x.emission[k])));
   }
   return out;
 }
@@ -65,6 +95,18 @@ long double area(const Panel& panel) {
     sum += std::sqrt(static_cast<long double>(dot(n, n).to_double())) / 2;
   }
   return sum;
+}
+
+/// Every other time: bends, of which some are refused.
+void bend(Instance& x, Draw& draw) {
+  if (draw.below(2) == 0) return;
+  x.power = 2 + static_cast<int>(draw.below(7));
+  for (std::size_t k = 0; k < x.reflectivity.size(); ++k) {
+    std::array<long, 5> own{};
+    if (x.reflectivity[k] > 0 && draw.below(4) != 0)
+      for (long& c : own) c = static_cast<long>(draw.below(31)) - 15;
+    x.bends.push_back(own);
+  }
 }
 
 Instance drawn(Draw& draw) {
@@ -81,6 +123,7 @@ Instance drawn(Draw& draw) {
   }
   x.constant = static_cast<long>(draw.below(400)) - 150;
   x.width = 0.05 * std::pow(10.0, draw.unit());
+  bend(x, draw);
   return x;
 }
 
@@ -116,7 +159,7 @@ Judgement judge_furnace(const Instance& x) {
   return Judgement::held(values);
 }
 
-/// Int (1/rho - 1) u = Int E/rho; and two enclosures of one number meet.
+/// Int (1/rho - 1) u = Int E/rho for constants; and two enclosures of one number meet.
 Judgement judge_balance(const Instance& x) {
   const PolyhedronProblem problem = problem_of(x);
   const GoalEnclosure coarse = enclose_means(problem, 8 * x.width);
@@ -137,6 +180,7 @@ Judgement judge_balance(const Instance& x) {
     radius += (1 - rho) * share * static_cast<long double>(b.radius);
     right += share * static_cast<long double>(x.emission[k]) / 100;
   }
+  if (!x.bends.empty()) return Judgement::held(problem.panels.size());
   const long double off = std::abs(left - right);
   if (!(off <= radius + 1e-12L * std::abs(right)))
     return Judgement::violated(off_text("the energy", off, static_cast<double>(radius)));
@@ -168,6 +212,8 @@ Lit drawn_lit(Draw& draw) {
   x.scene.reflectivity[(x.face + 1 + draw.below(3)) % 4] = 20 + static_cast<long>(draw.below(50));
   x.scene.width = 0.3;
   for (long& weight : x.weights) weight = 2 + static_cast<long>(draw.below(5));
+  x.scene.bends.clear();
+  bend(x.scene, draw);
   return x;
 }
 
@@ -183,8 +229,7 @@ Judgement judge_lit(const Lit& x) {
   long double radius = 0;
   for (const std::size_t half : {std::size_t{0}, std::size_t{1}}) {
     for (std::size_t j = 0; j < problem.panels.size(); ++j)
-      problem.emission[j] = constant_polynomial(
-          j % 2 == half ? Rational(1) - hundredths(x.scene.reflectivity[j]) : Rational(0));
+      problem.emission[j] = absorbed(problem.reflectivity[j], j % 2 == half ? Rational(1) : Rational(0));
     const GoalEnclosure found = enclose_values(problem, {point}, x.scene.width);
     if (!found.numbers[0].has_radius()) return Judgement::refused();
     sum += static_cast<long double>(found.numbers[0].value);
@@ -284,6 +329,69 @@ TEST(SolutionAttack, MeansAroundACornerFollowFromFactors) {
                       .make = drawn_corner,
                       .judge = judge_corner,
                       .text = text_of_corner});
+}
+
+/// Some faces of a polyhedron are openings.
+Lit drawn_open(Draw& draw) {
+  Lit x{.scene = drawn(draw)};
+  x.scene.surface = "tetrahedron";
+  x.scene.emission.clear();
+  x.scene.map = SkewMap::drawn(draw, 85, 31, 15);
+  x.scene.reflectivity.assign(4, 0);
+  x.face = draw.below(4);
+  x.scene.reflectivity[x.face] = 10 + static_cast<long>(draw.below(40));
+  x.scene.reflectivity[(x.face + 1 + draw.below(3)) % 4] = 10 + static_cast<long>(draw.below(40));
+  x.scene.bends.clear();
+  bend(x.scene, draw);
+  return x;
+}
+
+/// Without its openings the surface is closed again by black faces. Where they emit 1, or the faces that are
+/// there 1 - rho, the functions sum to 1 everywhere.
+Judgement judge_open(const Lit& x) {
+  const PolyhedronProblem whole = problem_of(x.scene);
+  PolyhedronProblem open{};
+  for (std::size_t k = 0; k < whole.panels.size(); ++k) {
+    if (x.scene.reflectivity[k] == 0) continue;
+    open.panels.push_back(whole.panels[k]);
+    open.reflectivity.push_back(whole.reflectivity[k]);
+    open.emission.push_back(absorbed(whole.reflectivity[k], Rational(1)));
+  }
+  const std::size_t there = open.panels.size();
+  const Outcome<std::vector<Panel>> closing = closing_panels(open.panels, 4);
+  if (!closing) return Judgement::violated("no openings: " + closing.reason());
+  for (const Panel& panel : *closing) {
+    open.panels.push_back(panel);
+    open.reflectivity.emplace_back(0);
+    open.emission.push_back(constant_polynomial(Rational(0)));
+  }
+  for (std::size_t k = 0; k < open.panels.size(); ++k) open.panels[k].piece = k;
+  PolyhedronProblem through = open;
+  for (std::size_t k = 0; k < open.panels.size(); ++k)
+    through.emission[k] = constant_polynomial(Rational(k < there ? 0 : 1));
+  // So wide that both have the first mesh.
+  constexpr double width = 20;
+  const FunctionEnclosure inside = enclose_function(open, width, 0.1);
+  const FunctionEnclosure outside = enclose_function(through, width, 0.1);
+  if (inside.parts.size() != outside.parts.size()) return Judgement::refused();
+  for (std::size_t p = 0; p < inside.parts.size(); ++p) {
+    const EnclosedPart& a = inside.parts[p];
+    const EnclosedPart& b = outside.parts[p];
+    for (std::size_t k = 0; k < a.values.size(); ++k) {
+      const double off = std::abs(a.values[k] + b.values[k] - 1);
+      if (!(off <= (a.bound + b.bound) * (1 + 1e-12)))
+        return Judgement::violated(off_text("the sum of the functions", off, a.bound + b.bound));
+    }
+  }
+  return Judgement::held(inside.parts.size());
+}
+
+TEST(SolutionAttack, FunctionsOnOpenSurfacesMakeAFurnace) {
+  hold(Attack<Lit>{.name = "functions on open surfaces",
+                   .usual_instances = 1,
+                   .make = drawn_open,
+                   .judge = judge_open,
+                   .text = text_of_lit});
 }
 
 TEST(SolutionAttack, ValuesOnPolyhedraMakeAFurnace) {

@@ -67,7 +67,7 @@ TEST(Check, VerifiesOnesInFurnaces) {
 
 TEST(Check, VerifiesFacesThatReflectDifferentlyAndPolynomials) {
   PolyhedronProblem problem = test::constant_problem("box", Rational(3, 10), {1, 0, 2});
-  problem.reflectivity[1] = 0;
+  problem.reflectivity[1] = Rational(0);
   problem.reflectivity[4] = Rational(7, 10);
   problem.emission[2] = PlanePolynomial<Rational>(2);
   problem.emission[2](0, 0) = Rational(1);
@@ -126,6 +126,79 @@ TEST(Check, IsSharpWhereResidualsAreKnown) {
   }
 }
 
+/// Of a value: u = 1 is within what is stated, 1 - d/4 and the product of the norms over 1 - s = 1/2.
+TEST(Summed, OfValuesIsWhatTheTheoremSays) {
+  for (const std::string name : {"tetrahedron", "cube"}) {
+    const MeansCertificate c = test::furnace_value_certificate(name, 0.25, 1.02, 1e-3);
+    double area = 0;
+    double kernel = 0;
+    double own = 0;
+    for (const Element& x : c.elements) {
+      area += test::element_area(c, x);
+      const double norm = test::kernel_norm(c, c.points[0], x);
+      if (x.face == c.points[0].face)
+        own += 1e-4;
+      else
+        kernel += norm * norm;
+    }
+    const double first = 1.02 * 0.125 * std::sqrt(area / 2);
+    const double dual = std::sqrt(1.02 * 1.02 * kernel / 2 + own);
+    ASSERT_EQ(c.means.size(), 1U);
+    EXPECT_NEAR(c.means[0].midpoint.to_double(), 1 - 0.0625, 1e-6);
+    const double radius = 0.5 * (1e-3 * area + 2 * first * dual);
+    EXPECT_NEAR(c.means[0].radius.to_double(), radius, 1e-5 * radius);
+    EXPECT_TRUE(holds(c.means[0], 1));
+  }
+}
+
+TEST(Check, IsSharpForTheKernelsOfPoints) {
+  for (const std::string name : {"tetrahedron", "cube"}) {
+    const Part part{.elements = 5, .seed = "kernels"};
+    const MeansCertificate below = test::furnace_value_certificate(name, 0.25, 1.02, 0.02);
+    const Report above = check(below, part);
+    EXPECT_FALSE(above.refusal) << name << " " << text_of(above);
+    int tried = 0;
+    for (const std::size_t e : chosen_elements(below.elements.size(), part)) {
+      if (below.elements[e].face == below.points[0].face) continue;
+      ++tried;
+      MeansCertificate one = below;
+      one.claims[e].norms[1] *= 0.98 / 1.02;
+      const Report report = check(one, part);
+      ASSERT_TRUE(report.refusal) << name;
+      EXPECT_EQ(report.refusal->pointer, "/claims/" + std::to_string(e) + "/norms/1");
+      if (tried == 2) break;
+    }
+  }
+}
+
+TEST(Check, VerifiesValuesThatASearchFound) {
+  PolyhedronProblem furnace = test::constant_problem("tetrahedron", Rational(1, 4), {Rational(3, 4)});
+  furnace.reflectivity[2] = Rational(0);
+  furnace.emission[2] = constant_polynomial(Rational(1));
+  const std::vector<SolutionPoint> points{{1, furnace.panels[1].centre}, {2, furnace.panels[2].centre}};
+  const GoalEnclosure found = enclose_values(furnace, points, 0.2, {}, true);
+  const MeansCertificate c =
+      means_certificate(furnace, test::names_of("tetrahedron"), found.proof.get(), points);
+  ASSERT_EQ(c.means.size(), 2U);
+  for (const Enclosure& value : c.means) EXPECT_TRUE(holds(value, 1));
+  // Black, it is lit by nothing but itself.
+  EXPECT_LT(c.means[1].radius, Rational::exactly(1e-12));
+  EXPECT_LT(c.width, Rational::exactly(0.4));
+  const Report report = check(c, {.elements = 20, .seed = "values"});
+  EXPECT_FALSE(report.refusal) << text_of(report);
+}
+
+TEST(Check, TakesValuesWhereNothingIsReflected) {
+  PolyhedronProblem problem = test::constant_problem("tetrahedron", Rational(1, 4), {1, 2});
+  problem.reflectivity[1] = Rational(0);
+  const std::vector<SolutionPoint> points{{1, problem.panels[1].centre}};
+  const GoalEnclosure found = enclose_values(problem, points, 0.2, {}, true);
+  const MeansCertificate c =
+      means_certificate(problem, test::names_of("tetrahedron"), found.proof.get(), points);
+  EXPECT_TRUE(holds(c.means[0], 2));
+  EXPECT_FALSE(check(c, {.elements = all, .seed = {}}).refusal);
+}
+
 /// Int_X w_k t_0 = w_k |X| d/2 where the functions are constants; cells at edges are closed.
 TEST(ElementCheck, EnclosesProductsThatAreKnown) {
   const MeansCertificate c = test::furnace_certificate("cube", 0.25, 0.25, 1.2, 0.02);
@@ -133,7 +206,8 @@ TEST(ElementCheck, EnclosesProductsThatAreKnown) {
   const Densities densities(c);
   const LineBounds lines(c, scene, densities);
   const BallTransport transport(c, scene, densities, lines);
-  const ElementCheck elements(c, scene, densities, lines, transport);
+  const PointKernels kernels(c, scene, densities);
+  const ElementCheck elements(c, scene, densities, lines, transport, kernels);
   const double scale = std::ldexp(1.0, -2 * scene.exponent() - densities.exponent());
   for (const std::size_t e : {std::size_t{1}, std::size_t{3}}) {
     const double area = test::element_area(c, c.elements[e]);
@@ -203,6 +277,37 @@ Change change(MeansCertificate& c, Draw& draw) {
   }
 }
 
+/// The same of a value.
+Change change_of_a_value(MeansCertificate& c, Draw& draw) {
+  const auto sign = [&] { return draw() < 0.5 ? -1.0 : 1.0; };
+  const std::size_t own = c.points[0].face;
+  std::size_t e = draw.below(c.elements.size());
+  while (c.elements[e].face == own) e = draw.below(c.elements.size());
+  const std::string at = " " + std::to_string(e);
+  switch (draw.below(9)) {
+    case 0:
+      c.points[0].at.x += Rational(1, 1 + static_cast<long>(draw.below(1000)));
+      return {"point off its face"};
+    case 1: {
+      // Along the face: another kernel, larger on some element.
+      const std::vector<Vector<Rational>>& p = c.faces[own].corners;
+      const Point before = c.points[0];
+      c.points[0].at = before.at + Rational::exactly(sign() * 0.1) * (p[1] - p[0]);
+      while (c.elements[e].face == own || test::kernel_norm(c, c.points[0], c.elements[e]) <
+                                              1.3 * test::kernel_norm(c, before, c.elements[e]))
+        e = draw.below(c.elements.size());
+      return {"point" + at, e};
+    }
+    case 2: c.points[0].face = (own + 1) % c.faces.size(); return {"face of the point"};
+    case 3: c.coefficients[c.elements.size() + e] += sign() * 0.5; return {"dual" + at, e};
+    case 4: c.claims[e].norms[1] *= draw() < 0.5 ? 0.7 : 1.01; return {"norm" + at, e};
+    case 5: c.claims[e].products[0] += sign() * 3 * c.claims[e].radii[0]; return {"product" + at, e};
+    case 6: c.means[0].midpoint += Rational::exactly(sign() * 1e-5); return {"midpoint"};
+    case 7: c.means[0].radius *= Rational(9999, 10000); return {"radius"};
+    default: c.sums.norms[1] *= draw() < 0.5 ? 0.999 : 1.2; return {"sum of norms"};
+  }
+}
+
 /// The part that is this element.
 Part part_with(std::size_t element, std::size_t count) {
   Part part{.elements = 1, .seed = {}};
@@ -224,6 +329,18 @@ TEST(Check, RefusesAnyNumberChanged) {
     MeansCertificate c = whole;
     const Change changed = change(c, draw);
     // The element itself is refused, and not one that the change happens to reach as well.
+    const Report report = check(c, part_with(changed.element, c.elements.size()));
+    EXPECT_TRUE(report.refusal) << changed.what;
+  }
+}
+
+TEST(Check, RefusesAnyNumberOfAValueChanged) {
+  const MeansCertificate whole = test::furnace_value_certificate("tetrahedron", 0.25, 1.2, 0.02);
+  ASSERT_FALSE(check(whole, {.elements = 12, .seed = "unchanged"}).refusal);
+  Draw draw(37);
+  for (int n = 0; n < 100; ++n) {
+    MeansCertificate c = whole;
+    const Change changed = change_of_a_value(c, draw);
     const Report report = check(c, part_with(changed.element, c.elements.size()));
     EXPECT_TRUE(report.refusal) << changed.what;
   }

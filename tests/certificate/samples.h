@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "radcert/certificate/check.h"
+#include "radcert/certificate/gauss_rule.h"
 #include "radcert/certificate/means_certificate.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/continuous/polyhedron_problem.h"
@@ -78,6 +80,14 @@ inline double element_area(const certificate::MeansCertificate& c, const certifi
   return jacobian * (x.s1 - x.s0) * (x.t1 - x.t0) * (1 - 0.5 * (x.t0 + x.t1));
 }
 
+/// Sums, numbers and the width that follow from claims.
+inline void put_sums(certificate::MeansCertificate& c) {
+  certificate::Summed found = certificate::summed(c);
+  c.sums = std::move(found.sums);
+  c.means = std::move(found.means);
+  for (const certificate::Enclosure& mean : c.means) c.width = std::max(c.width, Rational(2) * mean.radius);
+}
+
 /// A certificate of u = 1 in a furnace, whose functions and residuals are known exactly.
 /// Maths     rho = E = 1/2, q_0 = 1 - d: w_0 = 1 - d/2 and t_0 = d/2 by T 1 = 1. q_k = b: w_k = (1 on piece
 ///           k, else 0, + b)/2, |t_k| <= (1 + b)/2. Claims on an element X: norms slack d/2 (|X|/2)^(1/2)
@@ -98,10 +108,96 @@ inline certificate::MeansCertificate furnace_certificate(const std::string& surf
       claim.products.push_back(0.5 * ((c.faces[x.face].piece == k ? 1 : 0) + b) * area * 0.5 * d);
     c.claims.push_back(std::move(claim));
   }
-  certificate::Summed found = certificate::summed(c);
-  c.sums = std::move(found.sums);
-  c.means = std::move(found.means);
-  for (const certificate::Enclosure& mean : c.means) c.width = std::max(c.width, Rational(2) * mean.radius);
+  put_sums(c);
+  return c;
+}
+
+/// The inner normal of a face.
+inline Vector<double> unit_normal(const certificate::MeansCertificate& c, std::size_t face) {
+  const std::vector<Vector<Rational>>& p = c.faces[face].corners;
+  const Vector<Rational> n = cross(p[1] - p[0], p[2] - p[0]);
+  const double size = std::sqrt(dot(n, n).to_double());
+  return {n.x.to_double() / size, n.y.to_double() / size, n.z.to_double() / size};
+}
+
+/// G(P,Q)/pi for P of one face and Q of another, by their exact corners.
+inline double point_kernel(const certificate::MeansCertificate& c, const certificate::Point& point,
+                           std::size_t face, const Vector<double>& q) {
+  const Vector<double> way =
+      q - Vector<double>{point.at.x.to_double(), point.at.y.to_double(), point.at.z.to_double()};
+  const double squared = dot(way, way);
+  return -dot(unit_normal(c, point.face), way) * dot(unit_normal(c, face), way) /
+         (squared * squared * 3.14159265358979323846);
+}
+
+/// The same at Q = m + z e.
+inline std::complex<double> point_kernel(const certificate::MeansCertificate& c,
+                                         const certificate::Point& point, std::size_t face,
+                                         const Vector<double>& m, const Vector<double>& e,
+                                         const std::complex<double>& z) {
+  const Vector<double> p{point.at.x.to_double(), point.at.y.to_double(), point.at.z.to_double()};
+  const auto along = [&](const Vector<double>& v) { return dot(v, m - p) + z * dot(v, e); };
+  const std::complex<double> squared = dot(m - p, m - p) + 2.0 * z * dot(m - p, e) + z * z * dot(e, e);
+  return -along(unit_normal(c, point.face)) * along(unit_normal(c, face)) /
+         (squared * squared * 3.14159265358979323846);
+}
+
+/// Q of an element at parameters.
+inline Vector<double> element_point(const certificate::MeansCertificate& c, const certificate::Element& x,
+                                    double s, double t) {
+  const std::vector<Vector<Rational>>& p = c.faces[x.face].corners;
+  Vector<Rational> sum;
+  for (const Vector<Rational>& corner : p) sum = sum + corner;
+  const auto rounded = [](const Vector<Rational>& v) {
+    return Vector<double>{v.x.to_double(), v.y.to_double(), v.z.to_double()};
+  };
+  const Vector<double> a = rounded(p[x.side]);
+  const Vector<double> b = rounded(p[(x.side + 1) % p.size()]);
+  const Vector<double> centre = rounded(Rational(1, static_cast<long>(p.size())) * sum);
+  return (1 - t) * ((1 - s) * a + s * b) + t * centre;
+}
+
+/// (Int_X (j - less)^2)^(1/2), j = G(P,.)/pi, by 16 x 16 nodes.
+inline double kernel_norm(const certificate::MeansCertificate& c, const certificate::Point& point,
+                          const certificate::Element& x, double less = 0) {
+  const certificate::GaussRule& rule = certificate::gauss_rule(16);
+  double sum = 0;
+  double whole = 0;
+  for (std::size_t m = 0; m < 16; ++m)
+    for (std::size_t l = 0; l < 16; ++l) {
+      const double t = 0.5 * (x.t0 + x.t1) + 0.5 * (x.t1 - x.t0) * rule.near_nodes[l];
+      const double s = 0.5 * (x.s0 + x.s1) + 0.5 * (x.s1 - x.s0) * rule.near_nodes[m];
+      const double weight = rule.near_weights[m] * rule.near_weights[l] * (1 - t);
+      const double j = point_kernel(c, point, x.face, element_point(c, x, s, t)) - less;
+      sum += weight * j * j;
+      whole += weight;
+    }
+  return std::sqrt(sum / whole * element_area(c, x));
+}
+
+/// A certificate of the value of u = 1 in a furnace, whose residuals are known.
+/// Maths     rho = E = 1/2, q_0 = 1 - d: w_0 = 1 - d/2, t_0 = d/2. q_1 = 0: w_1 = 0 and t_1 = j. Claims on an
+///           element X: norms slack d/2 (|X|/2)^(1/2) and slack (Int_X j^2/2)^(1/2), on the point's own face,
+///           where j is 0, 0.01; Int w_1 t_0 = 0, within room |X|
+inline certificate::MeansCertificate furnace_value_certificate(const std::string& surface, double d,
+                                                               double slack, double room) {
+  certificate::MeansCertificate c = bare_certificate(surface, 2, 0, 1);
+  const std::vector<Vector<Rational>>& corners = c.faces[1].corners;
+  c.points = {
+      {.face = 1,
+       .at = Rational(1, 2) * corners[0] + Rational(1, 5) * corners[1] + Rational(3, 10) * corners[2]}};
+  for (certificate::Face& face : c.faces) face.emission = {{Rational(1, 2)}};
+  c.coefficients.assign(2 * c.elements.size(), 0);
+  std::fill_n(c.coefficients.begin(), c.elements.size(), 1 - d);
+  for (const certificate::Element& x : c.elements) {
+    const double area = element_area(c, x);
+    const bool own = x.face == c.points[0].face;
+    const double of_kernel = own ? 0.01 : slack * kernel_norm(c, c.points[0], x) * std::sqrt(0.5);
+    c.claims.push_back({.norms = {slack * 0.5 * d * std::sqrt(area / 2), of_kernel},
+                        .products = {0},
+                        .radii = {room * area}});
+  }
+  put_sums(c);
   return c;
 }
 

@@ -13,6 +13,7 @@
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/continuous/trial.h"
 #include "radcert/core/parallel.h"
+#include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "tests/continuous/memory.h"
 #include "tests/continuous/scenes.h"
 
@@ -75,6 +76,27 @@ TEST(FunctionEnclosure, IsTheEmissionWhereNothingReflects) {
   for (const EnclosedPart& part : found.parts)
     for (const double value : part.values)
       EXPECT_NEAR(value, part.piece == dark.panels[2].piece ? 5 : 0, 1e-12);
+}
+
+TEST(FunctionEnclosure, ContainsOneInAFurnaceOfPolynomials) {
+  PolyhedronProblem mixed = furnace(0, 0);
+  PlanePolynomial<Rational> rho(2);
+  rho(0, 0) = Rational(1, 10);
+  rho(2, 0) = Rational(1, 5);
+  rho(1, 1) = Rational(-1, 5);
+  for (const std::size_t k : {0U, 2U}) {
+    mixed.reflectivity[k] = reflectivity_of(mixed.panels[k], rho).value();
+    mixed.emission[k] = sum(constant_polynomial(Rational(1)), Rational(-1), rho);
+  }
+  const FunctionEnclosure found = enclose_function(mixed, 1, 0.05);
+  EXPECT_LE(found.sup, 0.5);
+  double farthest = 0;
+  for (const EnclosedPart& part : found.parts)
+    for (const double value : part.values) {
+      EXPECT_LE(std::abs(value - 1), part.bound);
+      farthest = std::max(farthest, std::abs(value - 1));
+    }
+  EXPECT_GT(farthest, 0);
 }
 
 TEST(FunctionEnclosure, KnowsThatCoefficientsAreRoundedWhereNothingReflects) {
@@ -171,6 +193,32 @@ public:
 private:
   double allowed_;
 };
+
+TEST(LargestResiduals, SeeWhatVariesAboutAMeanOfZero) {
+  // E = 1 - q/2 with q = 1 + x: w = 1, T w = 1, and t = -x, the place along the side.
+  const SectorScene scene(panels_of("cube"));
+  const std::vector<SectorElement> elements = graded_elements(scene, 2);
+  SectorFunctions q(elements.size(), 1, 1);
+  SectorFunctions emissions = q;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    q.of(e, 0)[0] = 1;
+    q.of(e, 0)[2] = 1;
+    emissions.of(e, 0)[0] = 0.5;
+    emissions.of(e, 0)[2] = -0.5;
+  }
+  const Trial trial(scene, std::vector<double>(6, 0.5), elements, emissions, q);
+  const DemandOf demand(0.02);
+  std::size_t tried = 0;
+  for (std::size_t e = 0; e < elements.size() && tried < 3; ++e) {
+    if (elements[e].box.t0 == 0) continue;
+    ++tried;
+    const std::vector<ObserverCell> cell{{.element = e, .box = elements[e].box, .nodes_s = 4, .nodes_t = 4}};
+    const double largest = largest_residuals(trial, cell, demand)[0];
+    EXPECT_GE(largest, 1);
+    EXPECT_LE(largest, 1.1);
+  }
+  EXPECT_EQ(tried, 3U);
+}
 
 TEST(LargestResiduals, BoundTheResidualEverywhere) {
   for (const std::string name : {"cube", "tetrahedron"}) {

@@ -13,6 +13,7 @@
 #include "radcert/continuous/observer_cells.h"
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/trial_functions.h"
+#include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "tests/continuous/memory.h"
 #include "tests/continuous/rooms.h"
 #include "tests/continuous/scenes.h"
@@ -38,9 +39,33 @@ PolyhedronProblem lit(const std::string& name) {
   return out;
 }
 
+/// E = 1 - rho, where u = 1; rho a polynomial of this degree, another on each panel.
+PolyhedronProblem furnace_of_polynomials(const std::string& name, int degree) {
+  PolyhedronProblem out = problem(name, 0, 0);
+  Draw draw(static_cast<std::uint64_t>(degree));
+  for (std::size_t k = 0; k < out.panels.size(); ++k) {
+    PlanePolynomial<Rational> rho =
+        test::drawn_polynomial(degree, Rational(1, 9 * (degree + 1) * (degree + 2)), draw);
+    rho(0, 0) = Rational(1, 3);
+    out.reflectivity[k] = reflectivity_of(out.panels[k], rho).value();
+    out.emission[k] = sum(constant_polynomial(Rational(1)), Rational(-1), rho);
+  }
+  return out;
+}
+
 void expect_contains(const Approximation& enclosure, double value) {
   EXPECT_TRUE(enclosure.guaranteed);
   EXPECT_LE(std::abs(enclosure.value - value), enclosure.radius * (1 + 1e-9) + 1e-15);
+}
+
+/// Points on two faces of a surface, none in a middle.
+std::vector<SolutionPoint> points_on(const PolyhedronProblem& asked) {
+  std::vector<SolutionPoint> out;
+  for (const std::size_t k : {std::size_t{0}, asked.panels.size() - 1}) {
+    const Panel& panel = asked.panels[k];
+    out.push_back({k, Rational(1, 4) * (Rational(3) * panel.centre + panel.corners[0])});
+  }
+  return out;
 }
 
 TEST(GoalEnclosure, ContainsOneInAFurnace) {
@@ -82,7 +107,7 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergyInARoomWhosePartsHideEachOther) {
   double right = 0;
   for (std::size_t j = 0; j < asked.panels.size(); ++j) {
     const Approximation& mean = found.numbers[asked.panels[j].piece];
-    const double of_piece = asked.reflectivity[j].to_double();
+    const double of_piece = asked.reflectivity[j].largest.to_double();
     const double weight = (1 / of_piece - 1) * scene.area(j);
     left += weight * mean.value;
     radius += weight * mean.radius;
@@ -93,6 +118,93 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergyInARoomWhosePartsHideEachOther) {
   for (std::size_t k = 0; k < found.numbers.size(); ++k)
     EXPECT_LE(std::abs(found.numbers[k].value - wide.numbers[k].value),
               found.numbers[k].radius + wide.numbers[k].radius);
+}
+
+TEST(GoalEnclosure, ContainsOneInAFurnaceOfPolynomials) {
+  for (const int degree : {1, 8}) {
+    const PolyhedronProblem furnace = furnace_of_polynomials("tetrahedron", degree);
+    const GoalEnclosure means = enclose_means(furnace, 2e-2);
+    EXPECT_LE(means.width, 2e-2);
+    for (const Approximation& mean : means.numbers) expect_contains(mean, 1);
+    const GoalEnclosure values = enclose_values(
+        furnace,
+        {{1, Rational(1, 4) * (Rational(3) * furnace.panels[1].centre + furnace.panels[1].corners[0])}},
+        5e-2);
+    EXPECT_LE(values.width, 5e-2);
+    expect_contains(values.numbers[0], 1);
+  }
+}
+
+TEST(GoalEnclosure, OfPolynomialReflectivitiesIsLinearInTheEmission) {
+  // Lit by one half of the faces and by the other, a furnace is u = 1.
+  const PolyhedronProblem furnace = furnace_of_polynomials("cube", 2);
+  PolyhedronProblem lit_by_halves = furnace;
+  lit_by_halves.further_emissions = {furnace.emission, furnace.emission};
+  for (std::size_t k = 0; k < furnace.panels.size(); ++k)
+    lit_by_halves.further_emissions[k % 2][k] = constant_polynomial(Rational(0));
+  const GoalEnclosure means = enclose_means(lit_by_halves, 1e-2);
+  EXPECT_LE(means.width, 1e-2);
+  const std::size_t count = means.numbers.size() / 3;
+  ASSERT_EQ(means.numbers.size(), 3 * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    EXPECT_GT(means.numbers[count + k].value, 0.05);
+    expect_contains(means.numbers[k], 1);
+    expect_contains(means.numbers[count + k] + means.numbers[2 * count + k], 1);
+  }
+}
+
+TEST(GoalEnclosure, OfFurtherEmissionsHasTheirResiduals) {
+  // Beside an emission that is 0, and whose residual is none, nothing is lost of another's radius.
+  const PolyhedronProblem by_itself = lit("tetrahedron");
+  PolyhedronProblem beside = by_itself;
+  beside.further_emissions = {beside.emission};
+  beside.emission.assign(4, constant_polynomial(Rational(0)));
+  const GoalEnclosure alone = enclose_means(by_itself, 1e-1);
+  const GoalEnclosure second = enclose_means(beside, 1e-1);
+  for (std::size_t k = 0; k < 4; ++k) {
+    expect_contains(second.numbers[k], 0);
+    EXPECT_GE(second.numbers[4 + k].radius, 0.99 * alone.numbers[k].radius);
+    EXPECT_NEAR(second.numbers[4 + k].value, alone.numbers[k].value, 1e-6);
+  }
+}
+
+TEST(GoalEnclosure, OfValuesForSeveralEmissionsMakesAFurnace) {
+  PolyhedronProblem furnace = problem("tetrahedron", Rational(3, 10), Rational(7, 10));
+  furnace.further_emissions = {furnace.emission, furnace.emission};
+  for (std::size_t k = 0; k < furnace.panels.size(); ++k)
+    furnace.further_emissions[k % 2][k] = constant_polynomial(Rational(0));
+  const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 2e-1);
+  ASSERT_EQ(found.numbers.size(), 6U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    expect_contains(found.numbers[k], 1);
+    expect_contains(found.numbers[2 + k] + found.numbers[4 + k], 1);
+  }
+}
+
+TEST(GoalEnclosure, OfEmissionsByFaceIsReciprocal) {
+  // B_ij the mean over face i where j emits 1: |S_i| B_ij / rho_i is symmetric, as (I - rho T)^-1 rho is.
+  PolyhedronProblem asked = lit("tetrahedron");
+  asked.further_emissions.assign(4, asked.emission);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < 4; ++j)
+      asked.further_emissions[i][j] = constant_polynomial(Rational(i == j ? 1 : 0));
+  const SectorScene scene(asked.panels);
+  const std::vector<Approximation> b = enclose_means(asked, 2e-2).numbers;
+  ASSERT_EQ(b.size(), 20U);
+  const auto weight = [&](std::size_t j) {
+    return scene.area(j) / asked.reflectivity[j].largest.to_double();
+  };
+  for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Approximation& there = b[4 + 4 * i + asked.panels[j].piece];
+      const Approximation& back = b[4 + 4 * j + asked.panels[i].piece];
+      EXPECT_NEAR(weight(j) * there.value, weight(i) * back.value,
+                  weight(j) * there.radius + weight(i) * back.radius);
+    }
+    // The first emission is that of the first face.
+    EXPECT_NEAR(b[asked.panels[j].piece].value, b[4 + asked.panels[j].piece].value,
+                b[asked.panels[j].piece].radius + b[4 + asked.panels[j].piece].radius);
+  }
 }
 
 TEST(GoalEnclosure, IsTheEmissionWhereNothingReflects) {
@@ -114,7 +226,7 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergy) {
     double right = 0;
     for (std::size_t j = 0; j < asked.panels.size(); ++j) {
       const Approximation& mean = found.numbers[asked.panels[j].piece];
-      const double rho = asked.reflectivity[j].to_double();
+      const double rho = asked.reflectivity[j].largest.to_double();
       const double weight = (1 / rho - 1) * scene.area(j);
       left += weight * mean.value;
       radius += weight * mean.radius;
@@ -196,16 +308,6 @@ TEST(GoalEnclosure, HasPolynomialEmissions) {
                 both.numbers[k].radius + 3 * constant.numbers[k].radius + 2 * square.numbers[k].radius);
 }
 
-/// Points on two faces of a surface, none in a middle.
-std::vector<SolutionPoint> points_on(const PolyhedronProblem& asked) {
-  std::vector<SolutionPoint> out;
-  for (const std::size_t k : {std::size_t{0}, asked.panels.size() - 1}) {
-    const Panel& panel = asked.panels[k];
-    out.push_back({k, Rational(1, 4) * (Rational(3) * panel.centre + panel.corners[0])});
-  }
-  return out;
-}
-
 TEST(GoalEnclosure, OfValuesContainsOneInAFurnace) {
   const PolyhedronProblem furnace = problem("tetrahedron", Rational(3, 10), Rational(7, 10));
   const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 1e-1);
@@ -245,34 +347,60 @@ std::vector<std::unique_ptr<Goals>> goals_of(std::unique_ptr<Goals> a, std::uniq
 }
 
 TEST(Goals, AreCorrectedByTheirDualsFromAnyTrialFunction) {
-  // A furnace, u = 1, and q_0 = 0: half of J(u) is left to Int w_k t_0.
-  const SectorScene scene(panels_of("tetrahedron"));
-  const std::vector<double> reflectivity(4, 0.5);
-  const std::vector<SolutionPoint> points{{1, scene.panels()[1].centre}};
-  const std::vector<Approximation> emission{Approximation::exact(0.5)};
-  constexpr int degree = 5;
-  const auto both =
-      goals_of(point_values(scene, reflectivity, points, emission), piece_means(scene, reflectivity));
-  for (const std::unique_ptr<Goals>& goals : both) {
-    const std::vector<SectorElement> elements = goals->refined(graded_elements(scene, 2), degree, 3e-3);
-    SectorFunctions given(elements.size(), 1 + goals->count(), degree);
-    for (std::size_t e = 0; e < elements.size(); ++e) given.of(e, 0)[0] = 0.5;
-    const std::vector<double> left = goals->put_duals(elements, given);
-    SectorFunctions q = trial_functions(scene, elements, reflectivity, given, 1e-4);
-    for (std::size_t e = 0; e < elements.size(); ++e)
-      for (double& c : q.of(e, 0)) c = 0;
-    const Trial trial(scene, reflectivity, elements, given, std::move(q));
-    const CellDemand demand{.interpolation = 1e-3, .quadrature = 1e-5};
-    const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
-    const std::vector<Approximation> of_density = goals->of_density(trial);
-    for (std::size_t k = 0; k < goals->count(); ++k) {
-      const Approximation rest =
-          Approximation::proved(0, sums.norms[0] * (sums.norms[1 + k] + left[k]) / 0.5);
-      const Approximation number = goals->number(k, of_density[k] + sums.products[1 + k] + rest);
-      expect_contains(number, 1);
-      // Far nearer than the norms promise.
-      EXPECT_NEAR(number.value, 1, 2e-3);
+  // A furnace, u = 1, and q_0 = 0: what is reflected is left to Int w_k t_0.
+  for (const int of_rho : {0, 2}) {
+    const PolyhedronProblem furnace = of_rho == 0 ? problem("tetrahedron", Rational(1, 2), Rational(1, 2))
+                                                  : furnace_of_polynomials("tetrahedron", of_rho);
+    const SectorScene scene(furnace.panels);
+    const Reflectivity reflectivity(furnace.reflectivity);
+    const Vector<Rational> centre = scene.panels()[1].centre;
+    const ParameterPoint<Rational> at = plane_coordinates(scene.panels()[1], centre);
+    const double rho = furnace.reflectivity[1].polynomial.value(at.s, at.t).to_double();
+    const std::vector<ValueGoal> points{
+        {.point = {1, centre}, .emissions = {Approximation::proved(1 - rho, 1e-16)}, .reflectivity = rho}};
+    constexpr int degree = 5;
+    const auto both = goals_of(point_values(scene, reflectivity, points), piece_means(scene, reflectivity));
+    for (const std::unique_ptr<Goals>& goals : both) {
+      const std::vector<SectorElement> elements = goals->refined(graded_elements(scene, 2), degree, 3e-3);
+      SectorFunctions given =
+          emission_functions(furnace, scene, elements, 1 + goals->count(), degree + of_rho, 0);
+      const DualErrors duals = goals->put_duals(elements, given);
+      SectorFunctions q = trial_functions(scene, elements, reflectivity, given, 1e-4);
+      for (std::size_t e = 0; e < elements.size(); ++e)
+        for (double& c : q.of(e, 0)) c = 0;
+      const Trial trial(scene, reflectivity, elements, given, std::move(q), duals.rounding);
+      const CellDemand demand{.interpolation = 1e-3, .quadrature = 1e-5};
+      const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
+      const std::vector<Approximation> of_density = goals->of_density(trial);
+      for (std::size_t k = 0; k < goals->count(); ++k) {
+        const Approximation rest =
+            Approximation::proved(0, sums.norms[0] * (sums.norms[1 + k] + duals.left[k]) / 0.5);
+        const Approximation number = goals->number(k, of_density[k] + sums.products[1 + k] + rest);
+        expect_contains(number, 1);
+        // Far nearer than the norms promise.
+        EXPECT_NEAR(number.value, 1, 2e-3);
+      }
     }
+  }
+}
+
+TEST(PieceMeans, HaveTheReflectivityForTheirDuals) {
+  // rho on the piece's panels, 0 on others: as functions of the planes.
+  const PolyhedronProblem furnace = furnace_of_polynomials("cube", 3);
+  const SectorScene scene(furnace.panels);
+  const std::vector<SectorElement> elements = graded_elements(scene, 2);
+  const std::unique_ptr<Goals> goals = piece_means(scene, Reflectivity(furnace.reflectivity));
+  SectorFunctions given(elements.size(), 1 + goals->count(), 5);
+  goals->put_duals(elements, given);
+  for (std::size_t k = 0; k < goals->count(); ++k) {
+    std::vector<PlanePolynomial<Rational>> own;
+    for (std::size_t j = 0; j < furnace.panels.size(); ++j)
+      own.push_back(furnace.panels[j].piece == k ? furnace.reflectivity[j].polynomial
+                                                 : constant_polynomial(Rational(0)));
+    const SectorFunctions expected = plane_functions(own, scene, elements, 1, 5, 0);
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_EQ(given.of(e, 1 + k)[i], expected.of(e, 0)[i]) << k << " " << e;
   }
 }
 
@@ -283,13 +411,14 @@ TEST(PointValues, EndCuttingAtAnEdge) {
   const Panel& panel = scene.panels()[0];
   const Vector<Rational> middle = Rational(1, 2) * (panel.corners[0] + panel.corners[1]);
   const Rational hair = Rational(1) / power(Rational(10), 16);
-  const std::vector<SolutionPoint> points{{0, middle + hair * (panel.centre - middle)}};
-  const std::vector<Approximation> emission{Approximation::exact(1)};
-  const std::unique_ptr<Goals> goals = point_values(scene, reflectivity, points, emission);
+  const std::vector<ValueGoal> points{{.point = {0, middle + hair * (panel.centre - middle)},
+                                       .emissions = {Approximation::exact(1)},
+                                       .reflectivity = 0.5}};
+  const std::unique_ptr<Goals> goals = point_values(scene, reflectivity, points);
   const std::vector<SectorElement> elements = goals->refined(graded_elements(scene, 2), 5, 1e-2);
   EXPECT_LT(elements.size(), 30000U);
   SectorFunctions emissions(elements.size(), 2, 5);
-  EXPECT_FALSE(std::isfinite(goals->put_duals(elements, emissions)[0]));
+  EXPECT_FALSE(std::isfinite(goals->put_duals(elements, emissions).left[0]));
 }
 
 TEST(EmissionFunctions, AreThePolynomialOnEveryElement) {

@@ -11,6 +11,7 @@
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/continuous/trial_functions.h"
 #include "radcert/core/parallel.h"
+#include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "tests/continuous/rooms.h"
 #include "tests/continuous/scenes.h"
 
@@ -87,6 +88,38 @@ TEST(ResidualSums, CountWhatBlackFacesEmit) {
   const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
   EXPECT_LT(sums.products[1].radius, 0.1 * d);
   EXPECT_NEAR(sums.products[1].value, -d * furnace.scene.area(), sums.products[1].radius);
+}
+
+TEST(ResidualSums, SeeAConstantErrorWhereRhoIsAPolynomial) {
+  // E_0 = 1 - rho (1 + d), q_0 = 1 + d: w_0 = 1 and t_0 = -d; the norm is at least d (Int rho)^(1/2), with
+  // rho = (1 + s)/4 in the plane of each face; Int w_1 t_0 = -area d for w_1 = 1.
+  const Furnace furnace("cube", 2, 1);
+  constexpr double d = 0.25;
+  const PlanePolynomial<Rational> rho = affine_polynomial<Rational>(Rational(1, 4), Rational(1, 4), 0);
+  std::vector<PanelReflectivity> by_panel;
+  for (const Panel& panel : furnace.scene.panels()) by_panel.push_back(reflectivity_of(panel, rho).value());
+  const Reflectivity reflectivity(by_panel);
+  const ElementReflectivity on_elements(reflectivity, furnace.scene, furnace.elements);
+  SectorFunctions emissions(furnace.elements.size(), 2, 2);
+  SectorFunctions q = furnace.q;
+  for (std::size_t e = 0; e < furnace.elements.size(); ++e) {
+    q.of(e, 0)[0] = -1 - d;
+    for (std::size_t k = 0; k < 2; ++k) {
+      q.of(e, 1)[0] = -1;
+      on_elements.add_product(e, q.of(e, k), emissions.of(e, k));
+      emissions.of(e, k)[0] += 1;
+      for (double& c : q.of(e, k)) c = -c;
+    }
+  }
+  const Trial trial(furnace.scene, reflectivity, furnace.elements, emissions, q);
+  const CellDemand demand{.interpolation = 1e-3, .quadrature = 1e-5};
+  const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
+  const double area = furnace.scene.area();
+  const double norm = d * std::sqrt(0.375 * area);
+  EXPECT_GE(sums.norms[0], norm * (1 - 1e-12));
+  EXPECT_LE(sums.norms[0], 1.2 * norm + 0.2);
+  EXPECT_NEAR(sums.products[1].value, -d * area, sums.products[1].radius);
+  EXPECT_LT(sums.products[1].radius, 0.1 * d);
 }
 
 TEST(ResidualSums, AreBoundsAtAnyDemand) {

@@ -7,6 +7,8 @@
 #include "radcert/continuous/elements/panel.h"
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/elements/tensor_legendre.h"
+#include "radcert/polynomial/plane_polynomial.h"
+#include "radcert/scalar/rational.h"
 #include "radcert/surface/catalogue.h"
 
 namespace radcert::test {
@@ -33,6 +35,14 @@ public:
 private:
   std::uint64_t state_;
 };
+
+/// Whole multiples of `unit`, from -9 to 9, as coefficients.
+inline PlanePolynomial<Rational> drawn_polynomial(int degree, const Rational& unit, Draw& draw) {
+  PlanePolynomial<Rational> f(degree);
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; i + j <= degree; ++j) f(i, j) = Rational(static_cast<long>(draw.below(19)) - 9) * unit;
+  return f;
+}
 
 /// Coefficients that fall off as those of smooth functions do.
 inline SectorFunctions drawn_functions(std::size_t elements, std::size_t count, int degree, Draw& draw) {

@@ -47,6 +47,25 @@ TEST(CertificateJson, IsReadAsItWasWritten) {
   EXPECT_EQ(read.certificate.elements[0].t0, 0.25);
 }
 
+TEST(CertificateJson, IsOfValuesWhereItHasPoints) {
+  certificate::MeansCertificate c = sample();
+  c.points = {{.face = 2, .at = {Rational(1, 9), 0, Rational(-1, 3)}},
+              {.face = 0, .at = {0, Rational(1, 5), 1}}};
+  const std::string text = certificate_text(c, "a command");
+  EXPECT_NE(text.find("\"of\": \"values\""), std::string::npos) << text;
+  const certificate::MeansCertificate read = intact_certificate(text, "file");
+  ASSERT_EQ(read.points.size(), 2U);
+  EXPECT_EQ(read.points[0].face, 2U);
+  EXPECT_EQ(read.points[1].at, c.points[1].at);
+  EXPECT_EQ(certificate_text(read, "a command"), text);
+  // The point of a value is that of the problem.
+  std::string other = text;
+  const std::size_t place = other.rfind("\"1/5\"");
+  ASSERT_NE(place, std::string::npos);
+  other.replace(place, 5, "\"2/5\"");
+  EXPECT_THROW(static_cast<void>(read_certificate(other, "file")), InputError);
+}
+
 TEST(CertificateJson, LeavesOutDigitsThatAreZeroInAllNumbersOfAFunction) {
   certificate::MeansCertificate c = sample();
   for (std::size_t k = 0; k < c.coefficients.size(); ++k) c.coefficients[k] = 0.25 * static_cast<double>(k);

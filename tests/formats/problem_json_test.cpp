@@ -145,11 +145,26 @@ TEST(ParseProblem, ReadsTheGuarantee) {
       parse_problem(with("guarantee", R"({"width": 1, "of": "function", "outside": "1/7"})"), "");
   for (const Problem& read : {away, parse_problem(problem_text(away), "")})
     EXPECT_EQ(read.guarantee->outside, Rational(1, 7));
+  const Problem several = parse_problem(
+      with("guarantee", R"({"width": 1, "emissions": {"lamp": {"upper": "1", "*": "x"}, "sun": "2"}})"), "");
+  for (const Problem& read : {several, parse_problem(problem_text(several), "")}) {
+    ASSERT_EQ(read.guarantee->emissions.size(), 2U);
+    EXPECT_EQ(read.guarantee->emissions[0].name, "lamp");
+    EXPECT_EQ(read.guarantee->emissions[0].emission.on("upper").text(), "1");
+    EXPECT_EQ(read.guarantee->emissions[0].emission.on("lower").text(), "x");
+    EXPECT_EQ(read.guarantee->emissions[1].emission.on("lower").text(), "2");
+  }
+  const Problem matrix = parse_problem(with("guarantee", R"({"width": 1, "emissions": "by piece"})"), "");
+  ASSERT_EQ(matrix.guarantee->emissions.size(), 2U);
+  EXPECT_EQ(matrix.guarantee->emissions[1].emission.on("upper").text(), "1");
+  EXPECT_EQ(matrix.guarantee->emissions[1].emission.on("lower").text(), "0");
   for (const char* text :
        {R"({"width": 0})", R"({"width": "-1"})", R"({})", R"({"width": 1, "of": "sums"})",
         R"({"width": 1, "at": 2})", R"({"width": 1, "of": "function", "outside": "-1"})", R"("1e-6")",
         R"({"width": 1, "of": "values", "points": []})", R"({"width": 1, "points": [["1", "2"]]})",
-        R"({"width": 1, "points": [["1", "2", "x"]]})"})
+        R"({"width": 1, "points": [["1", "2", "x"]]})", R"({"width": 1, "emissions": {}})",
+        R"({"width": 1, "emissions": "by face"})",
+        R"({"width": 1, "emissions": {"a": {"roof": "1", "*": "0"}}})"})
     EXPECT_THROW((void)parse_problem(with("guarantee", text), ""), InputError) << text;
 }
 

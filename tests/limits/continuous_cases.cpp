@@ -15,7 +15,7 @@ namespace {
 /// The means over the faces of a tetrahedron of which one emits.
 Answer means_of_a_tetrahedron(double width) {
   PolyhedronProblem problem{.panels = convex_panels(default_surface(*find_surface("tetrahedron"))).value(),
-                            .reflectivity = std::vector<Rational>(4, Rational(1, 2)),
+                            .reflectivity = std::vector<PanelReflectivity>(4, Rational(1, 2)),
                             .emission = std::vector(4, constant_polynomial(Rational(0)))};
   problem.emission[0] = constant_polynomial(Rational(1));
   const GoalEnclosure found = enclose_means(problem, width);
@@ -27,7 +27,7 @@ Answer means_of_a_tetrahedron(double width) {
 /// The value at the centre of a face of a furnace, u = 1.
 Answer value_in_a_furnace() {
   PolyhedronProblem problem{.panels = convex_panels(default_surface(*find_surface("tetrahedron"))).value(),
-                            .reflectivity = std::vector<Rational>(4, Rational(1, 2)),
+                            .reflectivity = std::vector<PanelReflectivity>(4, Rational(1, 2)),
                             .emission = std::vector(4, constant_polynomial(Rational(1, 2)))};
   const GoalEnclosure found = enclose_values(problem, {{2, problem.panels[2].centre}}, 0.1);
   return numbers({number(found.numbers[0].value, found.numbers[0].radius)}, found.hindrance);
@@ -46,6 +46,21 @@ Answer product_of_a_furnace() {
   const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
   return numbers({number(sums.products[0].value, sums.products[0].radius)});
 }
+
+/// sup rho of 9/10 + s/9 - s^2/3 - t^2/7 on a square with the corners (0,0), (1,0), (0,1), (-1,1).
+Answer reflectivity_of_a_square() {
+  const Panel square = convex_panels(default_surface(*find_surface("cube"))).value()[0];
+  PlanePolynomial<Rational> rho(2);
+  rho(0, 0) = Rational(9, 10);
+  rho(1, 0) = Rational(1, 9);
+  rho(2, 0) = Rational(-1, 3);
+  rho(0, 2) = Rational(-1, 7);
+  const Outcome<PanelReflectivity> found = reflectivity_of(square, rho);
+  if (!found) return refusal(found.reason());
+  return numbers({hull(Ball(found->seen), Ball(found->largest))});
+}
+/// At s = 1/6, t = 0.
+std::vector<Ball> top_of_the_reflectivity() { return {Ball(Rational(9, 10) + Rational(1, 108))}; }
 
 /// The mean of u, and its value at a point.
 Answer solution_on_an_ellipsoid(const std::string& emission) {
@@ -76,6 +91,9 @@ std::vector<Case> continuous_cases() {
           {.limit = "continuous/goal_enclosure: layers of elements",
            .answer = [] { return means_of_a_tetrahedron(3e-4); },
            .is_long = true},
+          {.limit = "continuous/panel_reflectivity: triangles of a panel",
+           .answer = reflectivity_of_a_square,
+           .truth = top_of_the_reflectivity},
           {.limit = "continuous/point_values: elements for the kernels of points",
            .answer = value_in_a_furnace,
            .truth = [] { return std::vector<Ball>{Ball(1)}; },

@@ -53,11 +53,14 @@ TEST(Guarantee, IsRefusedByNameElsewhere) {
 
 TEST(Guarantee, RefusesDataThatItDoesNotKnow) {
   Problem problem = lit_cube();
-  problem.reflectivity = everywhere("1/2 + x/10");
-  EXPECT_EQ(refused(problem).pointer, "/reflectivity");
-  for (const char* rho : {"1", "3/2", "-1/10"}) {
+  for (const char* rho :
+       {"1", "3/2", "-1/10", "1/2 + x/2", "x - 1/1000", "exp(x)/4", "x^9/2", "(x - 1/3)^2/4"}) {
     problem.reflectivity = everywhere(rho);
     EXPECT_EQ(refused(problem).pointer, "/reflectivity") << rho;
+  }
+  for (const char* rho : {"1/2 + x/10", "x/2", "(x*y*z)^2*y*z/3 + 1/3", "1/2 - x*(1 - x)"}) {
+    problem.reflectivity = everywhere(rho);
+    EXPECT_NO_THROW(check_guarantee(problem, {Rational(1, 100)})) << rho;
   }
   problem = lit_cube();
   for (const char* emission : {"abs(x - 1/2)", "1/x", "sqrt(x + y)", "1/(x + 1/1000)"}) {
@@ -218,6 +221,40 @@ TEST(Guarantee, RefusesOnEllipsoidsWhatIsNoPolynomial) {
   EXPECT_EQ(fault("x", "1", {width}), "/reflectivity");
   EXPECT_EQ(fault("x", "1/2", {Rational::parse("1e-15").value()}), "/guarantee/width");
   EXPECT_EQ(fault("x", "1/2", {width, EnclosedQuantity::values, {{1, 1, 1}}}), "/guarantee/points/0");
+}
+
+TEST(Guarantee, IsOfSeveralEmissionsAtOnce) {
+  Problem problem = lit_cube();
+  Guarantee guarantee{Rational(1, 20)};
+  guarantee.emissions = emissions_by_piece({"west", "east", "south", "north", "floor", "ceiling"});
+  guarantee.emissions.push_back({"all", everywhere("1/2")});
+  const auto [level, enclosure] = solve_within(problem, guarantee);
+  ASSERT_EQ(enclosure.emissions.size(), 7U);
+  EXPECT_LE(enclosure.width, 0.05);
+  const auto mean = [](const auto& pieces, const std::string& piece) {
+    for (const auto& [name, value] : pieces)
+      if (name == piece) return value;
+    return Approximation::proved(0, -1);
+  };
+  for (const auto& [piece, own] : enclosure.pieces) {
+    // The floor emits, in the problem as in the fifth of these.
+    EXPECT_EQ(enclosure.emissions[4].emission, "floor");
+    const Approximation of_floor = mean(enclosure.emissions[4].pieces, piece);
+    EXPECT_NEAR(of_floor.value, own.value, of_floor.radius + own.radius);
+    // A furnace.
+    const Approximation of_all = mean(enclosure.emissions[6].pieces, piece);
+    EXPECT_NEAR(of_all.value, 1, of_all.radius);
+    EXPECT_GE(of_all.radius, 0);
+  }
+  guarantee.of = EnclosedQuantity::function;
+  const auto refusal = [&](const Problem& asked) {
+    return fault_of([&] { check_guarantee(asked, guarantee); }).pointer;
+  };
+  EXPECT_EQ(refusal(problem), "/guarantee/emissions");
+  guarantee.of = EnclosedQuantity::means;
+  EXPECT_EQ(refusal(with_emission(sample_problem("sphere"), "1")), "/guarantee/emissions");
+  guarantee.emissions[0].emission = everywhere("1/x");
+  EXPECT_EQ(refusal(problem), "/guarantee/emissions/west");
 }
 
 TEST(Guarantee, IsForSolveAlone) {

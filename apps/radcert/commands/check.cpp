@@ -31,6 +31,10 @@ struct CheckOptions {
   std::string seed;
 };
 
+std::string coordinates_text(const Vector<Rational>& p) {
+  return p.x.to_text() + "," + p.y.to_text() + "," + p.z.to_text();
+}
+
 /// How many of the elements are looked at.
 std::size_t part_of(const CheckOptions& options, std::size_t count) {
   if (options.all && !options.part.empty())
@@ -74,15 +78,18 @@ std::string summary(const CheckOptions& options, const Verdict& verdict) {
     return aligned_left(rows);
   }
   const bool all = verdict.report.looked_at.size() == c.elements.size();
-  rows.push_back({"verified", all ? "the surface, the sums, the means and the claims on all elements"
-                                  : "the surface, the sums, the means and the claims on " +
-                                        std::to_string(verdict.report.looked_at.size()) + " elements"});
+  const std::string exact = std::string("the surface, the sums, the ") +
+                            (c.of_values() ? "values" : "means") + " and the claims on ";
+  rows.push_back(
+      {"verified", exact + (all ? "all" : std::to_string(verdict.report.looked_at.size())) + " elements"});
   if (!all) rows.push_back({"taken over", "the claims on the other elements; --all looks at them"});
-  for (std::size_t k = 0; k < c.pieces.size(); ++k) {
+  for (std::size_t k = 0; k < c.goals(); ++k) {
     const certificate::Enclosure& mean = c.means[k];
     const Approximation about{mean.midpoint.to_double(), mean.radius.to_double(), false};
     const EnclosingText text = enclosing_text(mean.midpoint, mean.radius, form_of(about));
-    rows.push_back({k == 0 ? "means of u" : "", c.pieces[k] + " " + text.value + " +- " + text.radius});
+    const std::string of = c.of_values() ? coordinates_text(c.points[k].at) : c.pieces[k];
+    const std::string what = c.of_values() ? "values of u" : "means of u";
+    rows.push_back({k == 0 ? what : "", of + " " + text.value + " +- " + text.radius});
   }
   return aligned_left(rows);
 }
@@ -144,7 +151,7 @@ void add_check(Program& program) {
   command.footer(
       "Exit code 0: verified; 1: refused, with the first number that does not hold; 2: no certificate.\n"
       "Elements are chosen by SHA-256 of seed and number: the same each time. All claims together prove the\n"
-      "means; a part of them leaves the others to whoever made the file.");
+      "means or values; a part of them leaves the others to whoever made the file.");
   command.runs([&common = program.common(), options] { return check_file(common, *options); });
 }
 

@@ -345,8 +345,8 @@ ExitCode write_all(const Common& common, const ReferenceOptions& options, int di
   print_result(common, outputs,
                std::to_string(named.size()) + " values with radii <= 1e-" + std::to_string(digits) +
                    ", and " + std::to_string(records.size() - named.size()) +
-                   " means of continuous solutions with the radii of their certificates, in " + options.out +
-                   "\n",
+                   " means and values of continuous solutions with the radii of their certificates, in " +
+                   options.out + "\n",
                contents, std::move(files));
   return ExitCode::done;
 }
@@ -389,7 +389,7 @@ void add_reference(Program& program) {
   command.option(
       "--out", options->out,
       "With --all: a JSON file a value, references.csv, manifest.json and the certificates; with the "
-      "mean of a continuous solution its certificates, for radcert check",
+      "mean or value of a continuous solution its certificates, for radcert check",
       "DIR");
   command.repeated(
       "--at", options->at,

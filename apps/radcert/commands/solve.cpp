@@ -54,6 +54,7 @@ struct SolveOptions {
   std::vector<std::string> at;
   std::string of;
   std::string outside;
+  std::string emission_by;
   std::string certificate;
 };
 
@@ -145,10 +146,11 @@ JsonValue coordinates_json(const std::string& text) {
   return out;
 }
 
-/// The problem with what --guarantee, --of and --at say in place of its own words.
+/// The problem with what --guarantee, --of, --at, --outside and --emission-by say in place of its own words.
 Problem problem_of(const SolveOptions& options, const InputFile& input) {
   Problem problem = parse_problem(input.text, input.source);
-  if (options.guarantee.empty() && options.of.empty() && options.at.empty() && options.outside.empty())
+  if (options.guarantee.empty() && options.of.empty() && options.at.empty() && options.outside.empty() &&
+      options.emission_by.empty())
     return problem;
   JsonValue guarantee = JsonValue::object();
   if (!options.guarantee.empty())
@@ -170,8 +172,13 @@ Problem problem_of(const SolveOptions& options, const InputFile& input) {
   if (options.at.empty() && problem.guarantee)
     for (const Vector<Rational>& point : problem.guarantee->points) points.push(point_json(point));
   if (!points.elements()->empty()) guarantee.set("points", std::move(points));
-  problem.guarantee = with_source("--guarantee, --of, --at, --outside",
-                                  [&] { return read_guarantee(JsonReader(guarantee)); });
+  if (!options.emission_by.empty()) guarantee.set("emissions", "by " + options.emission_by);
+  std::vector<NamedEmission> emissions;
+  if (options.emission_by.empty() && problem.guarantee) emissions = problem.guarantee->emissions;
+  problem.guarantee = with_source("--guarantee, --of, --at, --outside, --emission-by", [&] {
+    return read_guarantee(JsonReader(guarantee), pieces_of(problem.surface));
+  });
+  if (!emissions.empty()) problem.guarantee->emissions = std::move(emissions);
   return problem;
 }
 
@@ -315,14 +322,20 @@ void add_solve(Program& program) {
       "Enclose the solution of the equation itself, within this width; the mesh and the degree are "
       "chosen by radcert",
       "WIDTH");
-  command.option("--certificate", options->certificate,
-                 "Write what encloses the means on a polyhedron as a file that radcert check verifies",
-                 "FILE.json");
+  command.option(
+      "--certificate", options->certificate,
+      "Write what encloses the means or values on a polyhedron as a file that radcert check verifies",
+      "FILE.json");
   command.option("--of", options->of, "What the guarantee is of: " + listed(guaranteed_quantities()), "WORD");
   command.option("--outside", options->outside,
                  "Of a function on a polyhedron: how far from the vertices the width is wanted. Default: a "
                  "hundredth of the shortest edge",
                  "DISTANCE");
+  command.option(
+      "--emission-by", options->emission_by,
+      "piece: on a polyhedron, the same is enclosed for each emission that is 1 on one piece and 0 "
+      "elsewhere, together",
+      "WORD");
   command.repeated("--at", options->at,
                    "Where values are asked for, inside a face or on the ellipsoid; may be repeated. Default: "
                    "the centres of the faces, the ends of the axes",

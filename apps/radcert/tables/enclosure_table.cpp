@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -73,8 +74,22 @@ std::string enclosure_table(const SolutionEnclosure& enclosure) {
       what = "the solution u of the equation itself is v within these bounds, a piecewise polynomial.";
       break;
   }
-  for (const auto& [piece, mean] : enclosure.pieces) add({piece}, mean);
-  for (const EnclosedValue& point : enclosure.points) add({point.piece, coordinates(point.at)}, point.value);
+  const bool are_several = !enclosure.emissions.empty();
+  if (are_several) rows.front().insert(rows.front().begin(), "emission");
+  const auto add_all = [&](const std::string& emission, const auto& pieces, const auto& points) {
+    std::vector<std::string> first;
+    if (are_several) first.push_back(emission);
+    const auto row = [&](std::initializer_list<std::string> more) {
+      std::vector<std::string> out = first;
+      out.insert(out.end(), more);
+      return out;
+    };
+    for (const auto& [piece, mean] : pieces) add(row({piece}), mean);
+    for (const EnclosedValue& point : points) add(row({point.piece, coordinates(point.at)}), point.value);
+  };
+  add_all("(own)", enclosure.pieces, enclosure.points);
+  for (const SolutionEnclosure::OfEmission& further : enclosure.emissions)
+    add_all(further.emission, further.pieces, further.points);
   if (enclosure.function) add_function(rows, *enclosure.function);
   return aligned(rows) + "\nProved: " + what + " Width " + upper_text(enclosure.width) + ", asked for " +
          enclosing_text(enclosure.wanted.width, 0, DecimalForm::general(17)).value + ".\n";

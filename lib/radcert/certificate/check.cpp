@@ -11,6 +11,7 @@
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/element_check.h"
 #include "radcert/certificate/line_bounds.h"
+#include "radcert/certificate/point_kernels.h"
 #include "radcert/certificate/polyhedron_facts.h"
 #include "radcert/certificate/scene.h"
 #include "radcert/core/digest.h"
@@ -43,8 +44,7 @@ struct ClaimSums {
 };
 
 ClaimSums sums_of_claims(const MeansCertificate& c) {
-  ClaimSums out{std::vector<Ball>(c.functions()), std::vector<Ball>(c.pieces.size()),
-                std::vector<Ball>(c.pieces.size())};
+  ClaimSums out{std::vector<Ball>(c.functions()), std::vector<Ball>(c.goals()), std::vector<Ball>(c.goals())};
   for (const Claim& claim : c.claims) {
     for (std::size_t k = 0; k < claim.norms.size(); ++k) out.squares[k] += power(Ball(claim.norms[k]), 2);
     for (std::size_t k = 0; k < claim.products.size(); ++k) {
@@ -55,8 +55,9 @@ ClaimSums sums_of_claims(const MeansCertificate& c) {
   return out;
 }
 
-/// The mean over each piece from sums.
+/// The mean over each piece, or the value at each point, from sums.
 std::vector<Ball> means_of(const MeansCertificate& c, const Sums& sums) {
+  if (c.of_values()) return values_of(c, sums, Ball(Rational(1) - largest_reflectivity(c)));
   const std::vector<Ball> areas = piece_areas(c);
   const std::vector<Ball> densities = Densities::integrals(c);
   const Ball gap = Ball(Rational(1) - largest_reflectivity(c));
@@ -80,19 +81,19 @@ double scaled_up(double x, int exponent) {
 }
 
 /// A claim held against what is proved in scaled units.
-/// Maths     lengths are 2^l, E and w_0 2^e times those: norms of function 0 2^(l+e), of the others 2^l,
-///           products 2^(2l+e)
+/// Maths     lengths are 2^l, function k 2^(e_k) times those: norms 2^(l+e_k), products 2^(2l+e_0+e_k)
 std::optional<Refusal> claim_fault(const MeansCertificate& c, std::size_t element,
-                                   const ResidualBounds& proved, int length, int size) {
+                                   const ResidualBounds& proved, int length, const Densities& densities) {
   const Claim& claim = c.claims[element];
   const std::string pointer = place("/claims", element);
   for (std::size_t k = 0; k < claim.norms.size(); ++k) {
-    const double norm = scaled_up(proved.norms[k], length + (k == 0 ? size : 0));
+    const double norm = scaled_up(proved.norms[k], length + densities.exponent(k));
     if (!(norm <= claim.norms[k]))
       return Refusal{place(pointer + "/norms", k),
                      "claims " + shortest(claim.norms[k]) + ", and " + bound_text(norm) + " is proved"};
   }
   for (std::size_t k = 0; k < claim.products.size(); ++k) {
+    const int size = densities.exponent() + densities.exponent(1 + k);
     const double product = std::ldexp(proved.products[k], 2 * length + size);
     // As much more as the product is off by where that is below the normal numbers.
     const bool is_exact = std::ldexp(product, -2 * length - size) == proved.products[k];
@@ -120,11 +121,11 @@ Allowance allowance_of(const MeansCertificate& c, const Densities& densities, st
   Allowance out{infinity, infinity};
   for (std::size_t k = 0; k < claim.norms.size(); ++k)
     if (!densities.vanishes(k))
-      out.norm =
-          std::min(out.norm, std::ldexp(claim.norms[k], -length - (k == 0 ? densities.exponent() : 0)));
+      out.norm = std::min(out.norm, std::ldexp(claim.norms[k], -length - densities.exponent(k)));
   for (std::size_t k = 0; k < claim.radii.size(); ++k)
     if (!densities.vanishes(k + 1))
-      out.product = std::min(out.product, std::ldexp(claim.radii[k], -2 * length - densities.exponent()));
+      out.product = std::min(out.product, std::ldexp(claim.radii[k], -2 * length - densities.exponent() -
+                                                                         densities.exponent(1 + k)));
   out.norm *= 0.07 * part;
   out.product *= 0.5 * part;
   return out;
@@ -146,15 +147,15 @@ std::optional<Refusal> element_fault(const MeansCertificate& c, const Scene& sce
   const Face& face = c.faces[c.elements[element].face];
   if (face.reflectivity.sign() == 0) {
     // rho t^2 and w_k t_0 = rho y t_0 are 0.
-    const ResidualBounds nothing{std::vector<double>(c.functions()), std::vector<double>(c.pieces.size()),
-                                 std::vector<double>(c.pieces.size())};
-    return claim_fault(c, element, nothing, scene.exponent(), densities.exponent());
+    const ResidualBounds nothing{std::vector<double>(c.functions()), std::vector<double>(c.goals()),
+                                 std::vector<double>(c.goals())};
+    return claim_fault(c, element, nothing, scene.exponent(), densities);
   }
   // The second time the claim is not to be refused for what rules leave.
   for (const double part : {1.0, 0.1}) {
     const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), part);
     const ResidualBounds proved = elements.bounds(element, allowance);
-    fault = claim_fault(c, element, proved, scene.exponent(), densities.exponent());
+    fault = claim_fault(c, element, proved, scene.exponent(), densities);
     if (!fault) return fault;
   }
   return fault;
@@ -165,7 +166,7 @@ std::optional<Refusal> sums_fault(const MeansCertificate& c) {
   for (std::size_t k = 0; k < c.functions(); ++k)
     if (!certainly_at_most(sqrt(claims.squares[k]), Ball(c.sums.norms[k])))
       return Refusal{place("/sums/norms", k), "is less than what the claims sum to"};
-  for (std::size_t k = 0; k < c.pieces.size(); ++k)
+  for (std::size_t k = 0; k < c.goals(); ++k)
     if (!certainly_at_most(abs(claims.products[k] - Ball(c.sums.products[k])) + claims.radii[k],
                            Ball(c.sums.radii[k])))
       return Refusal{place("/sums/products", k), "with its radius does not hold what the claims sum to"};
@@ -173,10 +174,11 @@ std::optional<Refusal> sums_fault(const MeansCertificate& c) {
   for (std::size_t k = 0; k < means.size(); ++k) {
     const Enclosure& stated = c.means[k];
     if (!certainly_at_most(abs(means[k] - Ball(stated.midpoint)), Ball(stated.radius)))
-      return Refusal{place("/means", k),
+      return Refusal{place(c.of_values() ? "/values" : "/means", k),
                      "with its radius does not hold what the sums prove, " + means[k].to_text(12)};
     if (Rational(2) * stated.radius > c.width)
-      return Refusal{place("/means", k), "is wider than the width that is stated"};
+      return Refusal{place(c.of_values() ? "/values" : "/means", k),
+                     "is wider than the width that is stated"};
   }
   return std::nullopt;
 }
@@ -187,7 +189,7 @@ Summed summed(const MeansCertificate& c) {
   const ClaimSums claims = sums_of_claims(c);
   Summed out;
   for (const Ball& square : claims.squares) out.sums.norms.push_back(above(sqrt(square)));
-  for (std::size_t k = 0; k < c.pieces.size(); ++k) {
+  for (std::size_t k = 0; k < c.goals(); ++k) {
     const double middle = claims.products[k].to_double();
     out.sums.products.push_back(middle);
     out.sums.radii.push_back(above(abs(claims.products[k] - Ball(middle)) + claims.radii[k]));
@@ -216,7 +218,7 @@ std::vector<std::size_t> chosen_elements(std::size_t count, const Part& part) {
 
 Report check(const MeansCertificate& c, const Part& part, const CheckListener& progress) {
   Report report;
-  for (const auto& fault : {&surface_fault, &reflectivity_fault, &tiling_fault, &sums_fault}) {
+  for (const auto& fault : {&surface_fault, &reflectivity_fault, &points_fault, &tiling_fault, &sums_fault}) {
     report.refusal = fault(c);
     if (report.refusal) return report;
   }
@@ -227,7 +229,8 @@ Report check(const MeansCertificate& c, const Part& part, const CheckListener& p
     if (report.refusal = zero_fault(c, scene, densities, element); report.refusal) return report;
   const LineBounds lines(c, scene, densities);
   const BallTransport transport(c, scene, densities, lines);
-  const ElementCheck elements(c, scene, densities, lines, transport);
+  const PointKernels kernels(c, scene, densities);
+  const ElementCheck elements(c, scene, densities, lines, transport, kernels);
   // A chunk after a fault is not looked at, unless it comes before it.
   const std::size_t count = report.looked_at.size();
   std::vector<std::optional<Refusal>> faults(count);

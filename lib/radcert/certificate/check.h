@@ -31,8 +31,9 @@ using CheckListener = std::function<void(std::size_t)>;
 ///           rho^(1/2) T rho^(1/2) is self-adjoint in L2 and not longer than s = max rho, by Schur's test
 ///           with T >= 0 symmetric and T 1 = 1. u - w_0 = (I - rho T)^-1 rho t_0, so that with j = 1 on piece
 ///           k, y = j + q_k: Int j (u - w_0) = (rho^(1/2) j, (I-B)^-1 rho^(1/2) t_0) and (I-B)^-1 rho^(1/2) j
-///           = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k; w_k = rho y
-/// Requires  surface_fault, reflectivity_fault, tiling_fault found nothing
+///           = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k; w_k = rho y. Values: with j = G(P,.)/pi and y = q_k,
+///           (I-B) rho^(1/2) y = rho^(1/2) (j - t_k), t_k = T w_k + j - y, and u(P) = E + rho Int j u at P
+/// Requires  surface_fault, reflectivity_fault, points_fault, tiling_fault found nothing
 /// Result    sums rounded outwards; the mean's radius bounds everything
 struct Summed {
   Sums sums;
@@ -46,9 +47,10 @@ struct Summed {
 [[nodiscard]] std::vector<std::size_t> chosen_elements(std::size_t count, const Part& part);
 
 /// Checks a certificate, by means that share no function with the search that made it.
-/// Maths     surface_fault, reflectivity_fault, tiling_fault; of the elements that are looked at, the claims
-///           by ElementCheck; the stated sums are those of the claims or wider, the means those of summed or
-///           wider, the width is no less than twice the largest radius. All claims together prove the means
+/// Maths     surface_fault, reflectivity_fault, points_fault, tiling_fault; of the elements that are looked
+///           at, the claims by ElementCheck; the stated sums are those of the claims or wider, the means or
+///           values those of summed or wider, the width is no less than twice the largest radius. All claims
+///           together prove the means or values
 /// Requires  lists of the lengths that MeansCertificate states, finite numbers
 /// Result    no refusal: what was looked at is proved, and the means are, if all claims hold. Depends on the
 ///           certificate and the part alone, whatever the number of threads

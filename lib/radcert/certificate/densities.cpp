@@ -153,7 +153,20 @@ Densities::Densities(const MeansCertificate& c)
     for (const Ball& x : first_coefficients.back()) sum += abs(x).upper_double();
     largest = std::max(largest, sum);
   }
-  if (largest > 0) std::frexp(largest, &exponent_);
+  exponents_.assign(count_, 0);
+  if (largest > 0) std::frexp(largest, exponents_.data());
+  // Functions of means are of the size of 1.
+  for (std::size_t k = 1; c.of_values() && k < count_; ++k) {
+    vanishes_[k] = 0;
+    double most = 0;
+    for (std::size_t e = 0; e < c.elements.size(); ++e) {
+      double sum = 0;
+      for (std::size_t i = 0; i < c.powers() * c.powers(); ++i)
+        sum += std::abs(c.coefficient(k, e, i / c.powers(), i % c.powers()));
+      most = std::max(most, sum);
+    }
+    if (most > 0) std::frexp(most, &exponents_[k]);
+  }
   w_.resize(c.elements.size() * size * stride_);
   q_.resize(w_.size());
   for (std::size_t e = 0; e < c.elements.size(); ++e) {
@@ -169,9 +182,9 @@ Densities::Densities(const MeansCertificate& c)
         for (std::size_t j = 0; j < powers(); ++j) {
           const bool has_q = i < c.powers() && j < c.powers();
           const Ball of_q(has_q ? c.coefficient(k, e, i, j) : 0.0);
-          const Ball scale = k == 0 ? power(Ball(2), -exponent_) : Ball(1);
-          Ball of_w = k == 0 ? first_coefficients[e][i * powers() + j] * scale : rho * of_q;
-          if (k > 0 && i == 0 && j == 0 && face.piece == k - 1) of_w += rho;
+          const Ball scale = power(Ball(2), -exponents_[k]);
+          Ball of_w = (k == 0 ? first_coefficients[e][i * powers() + j] : rho * of_q) * scale;
+          if (k > 0 && !c.of_values() && i == 0 && j == 0 && face.piece == k - 1) of_w += rho;
           const BoundedDouble near_w = bounded(of_w);
           const BoundedDouble near_q = bounded(of_q * scale);
           w[(i * powers() + j) * stride_ + k] = near_w.value();

@@ -21,7 +21,7 @@ struct LegendreTable {
 };
 
 /// The functions of a certificate on its elements, and the constant 1 after them.
-/// Maths     function 0 is 2^-exponent() times that of the certificate, so that none is much larger than 1.
+/// Maths     function k is 2^-exponent(k) times that of the certificate, so that none is much larger than 1.
 ///           w_0 = E + rho q_0: E is brought into Legendre polynomials by a Gauss rule that is exact for it.
 ///           |f| <= sum |c_ij| a^i b^j where |P_i(x)| <= a^i, |P_j(y)| <= b^j; |P_i(z)| <= R^i in the ellipse
 ///           with the foci -1, 1 and half axes summing to R (Laplace's integral)
@@ -30,7 +30,7 @@ class Densities {
 public:
   explicit Densities(const MeansCertificate& certificate);
 
-  [[nodiscard]] int exponent() const { return exponent_; }
+  [[nodiscard]] int exponent(std::size_t k = 0) const { return exponents_[k]; }
   [[nodiscard]] int degree() const { return degree_; }
   [[nodiscard]] std::size_t powers() const { return static_cast<std::size_t>(degree_) + 1; }
   [[nodiscard]] std::size_t count() const { return count_; }  ///< without the constant
@@ -59,7 +59,7 @@ public:
   /// sup |w_k| everywhere, and of all k with the constant.
   [[nodiscard]] double largest_of(std::size_t k) const { return largest_[k]; }
   [[nodiscard]] double largest() const { return all_; }
-  /// Whether w_k and q_k are 0.
+  /// Whether w_k, q_k and, of values, j_k are 0.
   [[nodiscard]] bool vanishes(std::size_t k) const { return vanishes_[k] != 0; }
   /// rho of the element's face, from above.
   [[nodiscard]] double reflectivity(std::size_t element) const { return rho_[element]; }
@@ -79,7 +79,7 @@ private:
     const std::size_t size = powers() * powers() * stride_;
     return {all.data() + element * size, size};
   }
-  int exponent_ = 0;
+  std::vector<int> exponents_;
   int degree_ = 0;
   std::size_t count_ = 0;
   std::size_t stride_ = 0;

@@ -45,6 +45,7 @@ public:
   Cutter(const ElementCheck& check, std::size_t element, double norm, double product)
       : lines_(check.lines_),
         densities_(check.densities_),
+        kernels_(check.kernels_),
         element_(element),
         triangle_(check.lines_.triangle(element)),
         norm_(norm),
@@ -109,10 +110,19 @@ private:
     return true;
   }
 
+  /// What polynomials leave of T w, or of F, and of the kernels of points.
+  [[nodiscard]] PolynomialErrors left(const Box& box, bool in_s, const EdgeClosing* closing) const {
+    PolynomialErrors out = lines_.left(element_, box, in_s, closing);
+    if (kernels_.count() == 0) return out;
+    const PolynomialErrors more = kernels_.left(lines_.triangle_place(element_), box, in_s);
+    for (std::size_t n = 0; n < out.size(); ++n) out[n] = (out[n] + more[n]) * upward;
+    return out;
+  }
+
   void add(const Box& box, int depth) {
-    if (is_little(box, residual_, 1) || depth >= deepest ||
-        plan_.cells.size() >= most_checked_cells.count()) {
-      accept({.box = box, .norm_left = residual_ * upward, .product_left = residual_ * upward});
+    const double residual = (residual_ + kernels_.size(lines_.triangle_place(element_), box)) * upward;
+    if (is_little(box, residual, 1) || depth >= deepest || plan_.cells.size() >= most_checked_cells.count()) {
+      accept({.box = box, .norm_left = residual, .product_left = residual});
       return;
     }
     Box lower = box;
@@ -122,8 +132,8 @@ private:
       if (triangle_.beyond) {
         std::optional<EdgeClosing> closing = lines_.closing(element_, box);
         if (closing && is_little(box, closing->beside, 0.5)) {
-          const PolynomialErrors in_s = lines_.left(element_, box, true, &*closing);
-          const PolynomialErrors in_t = lines_.left(element_, box, false, &*closing);
+          const PolynomialErrors in_s = left(box, true, &*closing);
+          const PolynomialErrors in_t = left(box, false, &*closing);
           if (try_rules(box, in_s, in_t, closing)) return;
           cuts_s = nodes(in_s, box, true) == 0 && nodes(in_t, box, false) != 0;
         } else {
@@ -139,8 +149,8 @@ private:
       add(upper, depth + 1);
       return;
     }
-    const PolynomialErrors in_s = lines_.left(element_, box, true, nullptr);
-    const PolynomialErrors in_t = lines_.left(element_, box, false, nullptr);
+    const PolynomialErrors in_s = left(box, true, nullptr);
+    const PolynomialErrors in_t = left(box, false, nullptr);
     if (try_rules(box, in_s, in_t, std::nullopt)) return;
     const bool lacks_s = nodes(in_s, box, true) == 0;
     const bool lacks_t = nodes(in_t, box, false) == 0;
@@ -156,6 +166,7 @@ private:
 
   const LineBounds& lines_;
   const Densities& densities_;
+  const PointKernels& kernels_;
   std::size_t element_;
   const SideTriangle& triangle_;
   double norm_;
@@ -169,8 +180,13 @@ private:
 
 ElementCheck::ElementCheck(const MeansCertificate& certificate, const Scene& scene,
                            const Densities& densities, const LineBounds& lines,
-                           const BallTransport& transport)
-    : certificate_(certificate), scene_(scene), densities_(densities), lines_(lines), transport_(transport) {}
+                           const BallTransport& transport, const PointKernels& kernels)
+    : certificate_(certificate),
+      scene_(scene),
+      densities_(densities),
+      lines_(lines),
+      transport_(transport),
+      kernels_(kernels) {}
 
 ElementCheck::Plan ElementCheck::plan(std::size_t element, const Allowance& allowance) const {
   Allowance share{allowance.norm / 10, allowance.product / 100};
@@ -269,6 +285,7 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
   for (std::size_t k = 0; k < count; ++k) q_size = std::max(q_size, densities_.q_size_of(element, k));
   std::vector<double> terms(count);
   std::vector<double> products(count);
+  std::vector<BoundedDouble> kernels(count);  // 0 for function 0, and of means
   for (std::size_t i = 0; i < at_s.size(); ++i) {
     if (cell.closing)
       Densities::values(densities_.w(cell.closing->element), stride, &edge_s[i * powers], edge_t.data(),
@@ -289,11 +306,16 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
       const double weight = triangle.jacobian * half_s * half_t * (1 - at_t[j].value()) *
                             rule_s.near_weights[i] * rule_t.near_weights[j];
       const double weight_error = 64 * unit + 2 * at_t[j].error() / (1 - at_t[j].value());
-      const auto t = [&](std::size_t k) { return found[k] + (cell.closing ? xi[k] * rest : 0) - q[k]; };
+      for (std::size_t k = 0; k < kernels_.count(); ++k)
+        kernels[1 + k] = kernels_.at(k, observers.triangle, at_s[i], at_t[j]);
+      const auto t = [&](std::size_t k) {
+        return found[k] + (cell.closing ? xi[k] * rest : 0) + (kernels[k].value() - q[k]);
+      };
       const double first = t(0);
       for (std::size_t k = 0; k < count; ++k) {
         if (densities_.vanishes(k)) continue;
-        const double most = std::abs(t(k)) + radius;
+        const double of_kernel = kernels[k].error() + 4 * unit * std::abs(kernels[k].value());
+        const double most = std::abs(t(k)) + radius + of_kernel;
         squares[k] += weight * (1 + weight_error) * rho * most * most * upward;
         if (k == 0) continue;
         products[k] += weight * w[k] * first;

@@ -9,6 +9,7 @@
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/line_bounds.h"
 #include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/point_kernels.h"
 #include "radcert/certificate/scene.h"
 #include "radcert/core/work_limit.h"
 
@@ -41,12 +42,13 @@ struct Allowance {
 ///             - p, since Gauss' rule is exact for the product with such polynomials; w q exactly
 ///           Next to an edge |T w - F| <= b adds |X|^(1/2) b and |X| sup|w| b. What is so small that it is
 ///           not looked into adds |X|^(1/2) sup|t| and |X| sup|w| sup|t|, |t| <= sup|w| + sup|q| by T 1 = 1.
-///           Norms of cells are joined by Minkowski's inequality
+///           Norms of cells are joined by Minkowski's inequality. Of values f = T w_k + j_k, with what
+///           polynomials leave of j_k (PointKernels) in e_s and e_t, its values at nodes and sup|j_k|
 /// Source    ours; theorem I of the layer continuous says the same, of which no line is used here
 class ElementCheck {
 public:
   ElementCheck(const MeansCertificate& certificate, const Scene& scene, const Densities& densities,
-               const LineBounds& lines, const BallTransport& transport);
+               const LineBounds& lines, const BallTransport& transport, const PointKernels& kernels);
 
   /// Requires  a face that reflects
   /// Result    proved, whatever the allowance; better where that is less
@@ -65,6 +67,7 @@ private:
   const Densities& densities_;
   const LineBounds& lines_;
   const BallTransport& transport_;
+  const PointKernels& kernels_;
 };
 
 }  // namespace radcert::certificate

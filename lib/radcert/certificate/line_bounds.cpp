@@ -52,6 +52,15 @@ struct Lines {
 };
 
 Lines lines_of(const SideTriangle& triangle, const Box& box, bool in_s) {
+  const BoxLines lines = box_lines(triangle, box, in_s);
+  return {.centre = 0.5 * (lines.from + lines.to),
+          .spread = 0.5 * norm(lines.to - lines.from) * upward + slack,
+          .half = lines.half};
+}
+
+}  // namespace
+
+BoxLines box_lines(const SideTriangle& triangle, const Box& box, bool in_s) {
   const Vector<double> from =
       in_s ? triangle.point(box.middle_s(), box.t0) : triangle.point(box.s0, box.middle_t());
   const Vector<double> to =
@@ -61,12 +70,18 @@ Lines lines_of(const SideTriangle& triangle, const Box& box, bool in_s) {
                                          norm(triangle.inward - box.s1 * triangle.along)) +
                                     slack;
   const double width = in_s ? box.s1 - box.s0 : box.t1 - box.t0;
-  return {.centre = 0.5 * (from + to),
-          .spread = 0.5 * norm(to - from) * upward + slack,
-          .half = 0.5 * width * longest * upward};
+  return {.from = from, .to = to, .half = 0.5 * width * longest * upward};
 }
 
-}  // namespace
+PolynomialErrors polynomial_errors(const EllipseBounds& bounds) {
+  PolynomialErrors out{};
+  for (std::size_t n = 0; n < out.size(); ++n) {
+    double least = infinity;
+    for (std::size_t k = 0; k < axes.size(); ++k) least = std::min(least, bounds[k] * factors()[k][n]);
+    out[n] = least * upward;
+  }
+  return out;
+}
 
 LineBounds::LineBounds(const MeansCertificate& certificate, const Scene& scene, const Densities& densities)
     : certificate_(certificate),
@@ -167,12 +182,8 @@ PolynomialErrors LineBounds::left(std::size_t element, const Box& box, bool in_s
   PolynomialErrors out{};
   for (std::size_t j = 0; j < scene_.faces(); ++j) {
     if (scene_.coplanar(own, j) || (closing != nullptr && closing->face == j)) continue;
-    const Bounds of_face = bounds(element, box, in_s, j, xi);
-    for (std::size_t n = 0; n < out.size(); ++n) {
-      double least = infinity;
-      for (std::size_t k = 0; k < axes.size(); ++k) least = std::min(least, of_face[k] * factors()[k][n]);
-      out[n] += least * upward;
-    }
+    const PolynomialErrors of_face = polynomial_errors(bounds(element, box, in_s, j, xi));
+    for (std::size_t n = 0; n < out.size(); ++n) out[n] += of_face[n];
   }
   return out;
 }

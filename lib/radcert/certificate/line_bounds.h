@@ -20,6 +20,19 @@ using EllipseBounds = std::array<double, ellipse_axes.size()>;
 /// What polynomials of degree N - 1 in one parameter leave of T w on a box of observers: [N - 1].
 using PolynomialErrors = std::array<double, 40>;
 
+/// The least of what the ellipses leave.
+/// Maths     |f| <= M in the ellipse whose half axes sum to R leaves 2 M R^(1-N)/(R-1), see LineBounds
+/// Result    rounded up
+[[nodiscard]] PolynomialErrors polynomial_errors(const EllipseBounds& bounds);
+
+/// The lines of a box of a triangle in one parameter.
+struct BoxLines {
+  Vector<double> from;  ///< their middles run from here
+  Vector<double> to;
+  double half = 0;  ///< |e| at most
+};
+[[nodiscard]] BoxLines box_lines(const SideTriangle& triangle, const Box& box, bool in_s);
+
 /// T w next to an edge, without what the face beyond makes singular there.
 /// Maths     T 1 = 1, so that T w = F + T_j (w - xi), F = sum_(i != j) T_i w + xi (1 - sum_(i != j) T_i 1);
 ///           the face beyond the edge is Q_j, and xi(s) = w in its element Y at the point x of the edge with

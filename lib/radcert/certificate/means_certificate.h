@@ -32,9 +32,15 @@ struct Element {
   double t1 = 1;
 };
 
+/// A point inside a face at which the solution is enclosed.
+struct Point {
+  std::size_t face = 0;
+  Vector<Rational> at;
+};
+
 /// What is claimed of the residuals on one element X.
-/// Maths     norms[k] >= (Int_X rho t_k^2)^(1/2), k = 0, ..., pieces;  |products[k] - Int_X w_(1+k) t_0| <=
-///           radii[k], k = 0, ..., pieces - 1
+/// Maths     norms[k] >= (Int_X rho t_k^2)^(1/2), k = 0, ..., n;  |products[k] - Int_X w_(1+k) t_0| <=
+///           radii[k], k = 0, ..., n - 1, n the number of goals
 struct Claim {
   std::vector<double> norms;
   std::vector<double> products;
@@ -53,25 +59,30 @@ struct Sums {
   std::vector<double> radii;
 };
 
-/// What encloses the means of the solution of a radiosity equation, to be checked again.
+/// What encloses the means of the solution of a radiosity equation, or its values, to be checked again.
 /// Maths     u = E + rho T u, T u(P) = (1/pi) Int G(P,Q) u(Q) dS_Q. q_0, ..., q_n are polynomials on
 ///           elements: q_k = sum c_ij P_i(x) P_j(y), x = (2s - s0 - s1)/(s1 - s0), y alike, P_i Legendre's.
-///           w_0 = E + rho q_0, w_k = rho (1 on piece k, else 0, + q_k), t_k = T w_k - q_k |Int_(piece k) u -
-///           Int_(piece k) w_0 - Int w_k t_0| <= (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - max rho)
+///           w_0 = E + rho q_0, t_0 = T w_0 - q_0. Goals are J_k(u) = Int j_k u. Of means: j_k = 1 on piece
+///           k, else 0; w_k = rho (j_k + q_k), t_k = T w_k - q_k. Of values, u(P_k) = E + rho J_k(u) at P_k:
+///           j_k = G(P_k,.)/pi; w_k = rho q_k, t_k = T w_k + j_k - q_k. In both
+///           |J_k(u) - J_k(w_0) - Int w_k t_0| <= (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - max rho)
 /// Source    lib/radcert/certificate/check.h
 /// Result    plain data; nothing here is known to be true
 struct MeansCertificate {
   std::vector<std::string> pieces;
   std::vector<Face> faces;
+  std::vector<Point> points;  ///< of values; none: of means
   std::vector<Element> elements;
   int degree = 0;
   std::vector<double> coefficients;  ///< by function, element, i, j
   std::vector<Claim> claims;         ///< by element
   Sums sums;
-  std::vector<Enclosure> means;  ///< by piece
-  Rational width;                ///< twice the largest radius of the means, or more
+  std::vector<Enclosure> means;  ///< by piece; or the values by point
+  Rational width;                ///< twice the largest radius of them, or more
 
-  [[nodiscard]] std::size_t functions() const { return pieces.size() + 1; }
+  [[nodiscard]] bool of_values() const { return !points.empty(); }
+  [[nodiscard]] std::size_t goals() const { return of_values() ? points.size() : pieces.size(); }
+  [[nodiscard]] std::size_t functions() const { return goals() + 1; }
   [[nodiscard]] std::size_t powers() const { return static_cast<std::size_t>(degree) + 1; }
   [[nodiscard]] double coefficient(std::size_t k, std::size_t element, std::size_t i, std::size_t j) const {
     return coefficients[((k * elements.size() + element) * powers() + i) * powers() + j];

@@ -168,28 +168,27 @@ public:
 
 private:
   /// |rho t| with the rounding of E, rho and v.
-  /// Maths     coefficients of E are off by u, rho by u and those of v by 2 u, together 4 u (|E| + rho |q|)
+  /// Maths     v is E + rho q within Trial::rounding
   /// Result    infinite where that is not bounded; what does not reflect has no residual, however little is
   ///           known of t
   [[nodiscard]] static double residual(const Trial& trial, std::size_t element, double largest) {
     const double reflected = trial.rho(element) > 0 ? trial.rho(element) * largest : 0;
-    const double bound =
-        (reflected + 16 * unit_roundoff<double>() * trial.smoothness.largest_residual() + 1e-300) * upward;
+    const double bound = (reflected + trial.rounding + 1e-300) * upward;
     return bound >= 0 ? bound : infinity;
   }
 
   /// One mesh; false where it is passed over, since its residuals would be too large.
   bool try_layers(int layers, const SearchContext& context) {
-    const int degree = std::max(layers - 1, data_.degree);
+    const int degree = data_.trial_degree(layers - 1);
     const double tolerance = 2e-4 * std::pow(4.0, -layers);
     std::vector<SectorElement> elements = graded_elements(data_.scene, layers);
     EnclosureProgress begun{.layers = layers, .degree = degree, .elements = elements.size()};
     begun.samples = best_.last.samples;
     begun.width = 2 * best_.sup;
     MeshWork work(context, begun);
-    const SectorFunctions emission =
-        emission_functions(data_.exact, data_.scene, elements, 1, degree, data_.exponent);
-    SectorFunctions q = kept_functions(work, emission, elements.size(), [&] {
+    const SectorFunctions emission = emission_functions(data_.exact, data_.scene, elements, 1,
+                                                        degree + data_.reflectivity.degree(), data_.exponent);
+    SectorFunctions q = kept_functions(work, 1, degree, elements.size(), [&] {
       return trial_functions(data_.scene, elements, data_.reflectivity, emission, tolerance);
     });
     const Trial trial(data_.scene, data_.reflectivity, std::move(elements), emission, std::move(q));
@@ -307,6 +306,7 @@ FunctionEnclosure enclose_function(const PolyhedronProblem& problem, double want
                                    const SearchContext& context) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   expects(outside >= 0, "0 <= outside", named("outside", outside));
+  expects(problem.further_emissions.empty(), "one emission");
   const ScaledProblem data(problem);
   return FunctionSearch(data, wanted, outside)(context);
 }

@@ -44,7 +44,7 @@ struct FunctionEnclosure {
 ///           of E, rho and v. |rho t| is bounded on cells (residual_sums); near vertices, where u tends to a
 ///           function of the direction, no polynomial makes it small. Its largest values by the distance from
 ///           the vertices give a bound of u - v by the distance (supersolution)
-/// Requires  as enclose_means; 0 <= outside
+/// Requires  as enclose_means, one emission; 0 <= outside
 /// Result    proved; the mesh as there, until |u - v| <= wanted/2 where the distance from all vertices is at
 ///           least `outside`; 0 there where that holds everywhere. The same bits for any number of threads
 /// Limits    edges whose two sides have not the same ends are as bad as vertices, and are not spared

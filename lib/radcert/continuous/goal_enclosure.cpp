@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "radcert/continuous/elements/graded_elements.h"
@@ -101,6 +102,28 @@ void shorten(SectorFunctions& functions, double allowed) {
     c = std::bit_cast<double>((std::bit_cast<std::uint64_t>(c) + half) >> dropped << dropped);
 }
 
+/// The functions of a certificate, q_0 and q_k, or q_k + j_kh where the j_kh are given; q is what they leave
+/// after they were shortened.
+SectorFunctions shortened(SectorFunctions& q, const DualErrors& duals, double allowed) {
+  if (!duals.polynomials) {
+    shorten(q, allowed);
+    return q;
+  }
+  const SectorFunctions& j = *duals.polynomials;
+  const std::size_t elements = q.all().size() / (q.count() * q.size());
+  SectorFunctions out = q;
+  const auto each = [&](const auto& act) {
+    for (std::size_t e = 0; e < elements; ++e)
+      for (std::size_t k = 0; k < j.count(); ++k)
+        for (std::size_t i = 0; i < q.size(); ++i) act(e, k, i);
+  };
+  each([&](std::size_t e, std::size_t k, std::size_t i) { out.of(e, 1 + k)[i] += j.of(e, k)[i]; });
+  shorten(out, allowed);
+  q = out;
+  each([&](std::size_t e, std::size_t k, std::size_t i) { q.of(e, 1 + k)[i] -= j.of(e, k)[i]; });
+  return out;
+}
+
 Approximation scaled(const Approximation& x, int exponent) {
   return {std::ldexp(x.value, exponent), std::ldexp(x.radius, exponent), x.guaranteed};
 }
@@ -114,7 +137,7 @@ public:
         with_proof_(with_proof),
         radius_(std::min(goals.radius(0.5 * std::ldexp(wanted, -data.exponent)), largest_radius)) {
     best_.width = infinity;
-    best_.numbers.assign(goals.count(), Approximation::proved(0, infinity));
+    best_.numbers.assign(data.emissions() * goals.count(), Approximation::proved(0, infinity));
   }
 
   GoalEnclosure operator()(const SearchContext& context) {
@@ -131,43 +154,52 @@ public:
   }
 
 private:
-  /// Functions of E and of the goals on elements, and what polynomials leave of the goals.
+  /// Functions of E and of the goals on elements beside q of a degree, and what they are off by.
   struct Emissions {
     SectorFunctions functions;
-    std::vector<double> left;
+    DualErrors duals;
   };
   [[nodiscard]] Emissions emissions(std::span<const SectorElement> elements, int degree) const {
-    Emissions out{.functions = emission_functions(data_.exact, data_.scene, elements, 1 + goals_.count(),
-                                                  degree, data_.exponent),
-                  .left = {}};
-    out.left = goals_.put_duals(elements, out.functions);
+    const int of_w = degree + data_.reflectivity.degree();
+    Emissions out{.functions = SectorFunctions(elements.size(), data_.emissions() + goals_.count(), of_w),
+                  .duals = {}};
+    for (std::size_t i = 0; i < data_.emissions(); ++i) {
+      const SectorFunctions f =
+          plane_functions(data_.emission(i), data_.scene, elements, 1, of_w, data_.exponent);
+      for (std::size_t e = 0; e < elements.size(); ++e)
+        std::copy(f.of(e, 0).begin(), f.of(e, 0).end(), out.functions.of(e, i).begin());
+    }
+    out.duals = goals_.put_duals(elements, out.functions);
     return out;
   }
 
   /// Where nothing reflects, u = E.
   GoalEnclosure of_emission() {
     const std::vector<SectorElement> whole = graded_elements(data_.scene, 1);
-    const Emissions given = emissions(whole, data_.degree);
+    const int degree = data_.trial_degree(0);
+    const Emissions given = emissions(whole, degree);
     const Trial trial(data_.scene, data_.reflectivity, whole, given.functions,
-                      SectorFunctions(whole.size(), 1 + goals_.count(), data_.degree));
-    const std::vector<Approximation> found = goals_.of_density(trial);
+                      SectorFunctions(whole.size(), given.functions.count(), degree), given.duals.rounding);
     best_.width = 0;
-    for (std::size_t k = 0; k < goals_.count(); ++k) take(k, found[k]);
+    for (std::size_t i = 0; i < data_.emissions(); ++i) {
+      const std::vector<Approximation> found = goals_.of_density(trial, i);
+      for (std::size_t k = 0; k < goals_.count(); ++k) take(i, k, found[k]);
+    }
     best_.last.width = best_.width;
     return best_;
   }
 
-  /// The enclosure of number k from that of J_k, for E times 2^-exponent, if it is better.
-  void take(std::size_t k, const Approximation& functional) {
-    const Approximation number = goals_.number(k, scaled(functional, data_.exponent));
-    if (std::isfinite(number.value) && number.radius >= 0 && number.radius < best_.numbers[k].radius)
-      best_.numbers[k] = number;
-    best_.width = std::max(best_.width, 2 * best_.numbers[k].radius);
+  /// The enclosure of number k of an emission from that of J_k, for E times 2^-exponent, if it is better.
+  void take(std::size_t emission, std::size_t k, const Approximation& functional) {
+    const Approximation number = goals_.number(k, scaled(functional, data_.exponent), emission);
+    Approximation& best = best_.numbers[emission * goals_.count() + k];
+    if (std::isfinite(number.value) && number.radius >= 0 && number.radius < best.radius) best = number;
+    best_.width = std::max(best_.width, 2 * best.radius);
   }
 
   /// One mesh; false where it is passed over, since its residuals would be too large.
   bool try_layers(int layers, const SearchContext& context) {
-    const int degree = std::max({layers - 1, data_.degree, goals_.least_degree()});
+    const int degree = data_.trial_degree(std::max(layers - 1, goals_.least_degree()));
     // About what the residuals of a cube come to on so many layers; the systems are solved far better.
     const double usual = 0.05 * std::pow(4.0, -layers);
     const double tolerance = 0.01 * usual;
@@ -179,22 +211,26 @@ private:
     begun.width = best_.width;
     MeshWork work(context, begun);
     const Emissions given = emissions(elements, degree);
-    for (const double left : given.left)
+    for (const double left : given.duals.left)
       if (!(left <= 10 * allowed)) {
         best_.hindrance = "too many elements would carry the kernel of a point near an edge";
         return true;
       }
-    SectorFunctions q = kept_functions(work, given.functions, elements.size(), [&] {
+    SectorFunctions q = kept_functions(work, given.functions.count(), degree, elements.size(), [&] {
       return trial_functions(data_.scene, elements, data_.reflectivity, given.functions, tolerance);
     });
     // Any functions will do, and those of a certificate are written down.
-    if (with_proof_) shorten(q, tolerance);
-    const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q));
+    std::optional<SectorFunctions> written;
+    if (with_proof_) written = shortened(q, given.duals, tolerance);
+    const Trial trial(data_.scene, data_.reflectivity, std::move(elements), given.functions, std::move(q),
+                      given.duals.rounding);
     const std::vector<double> expected = expected_norms(trial);
-    const double norm_0 = 1.2 * expected[0];
+    const std::size_t emissions = data_.emissions();
+    const double norm_0 =
+        1.2 * *std::max_element(expected.begin(), expected.begin() + static_cast<std::ptrdiff_t>(emissions));
     double norm_k = 0;
     for (std::size_t k = 0; k < goals_.count(); ++k)
-      norm_k = std::max(norm_k, 1.2 * expected[1 + k] + given.left[k]);
+      norm_k = std::max(norm_k, 1.2 * expected[emissions + k] + given.duals.left[k]);
     // What rules may miss, m: (norm_0 + m)(norm_k + m)/(1-s) is to leave a part of the radius for the rest.
     const bool is_open = data_.scene.sight().is_open();
     const double affordable = (is_open ? 0.7 : 0.25) * radius_ * data_.gap;
@@ -214,24 +250,38 @@ private:
       return true;
     }
     work.begin(plan.cells.size());
-    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_, &work);
-    const std::vector<Approximation> of_density = goals_.of_density(trial);
+    const ResidualSums sums = residual_sums(trial, plan.cells, plan.demand, with_proof_, &work, emissions);
     best_.width = 0;
     std::vector<double> radii;
-    for (std::size_t k = 0; k < goals_.count(); ++k) {
-      const double goal = sums.norms[0] * (sums.norms[1 + k] + given.left[k]) / data_.gap * upward;
-      const Approximation functional = of_density[k] + sums.products[1 + k] + Approximation::proved(0, goal);
-      radii.push_back(functional.radius);
-      take(k, functional);
+    for (std::size_t i = 0; i < emissions; ++i) {
+      const std::vector<Approximation> of_density = goals_.of_density(trial, i);
+      for (std::size_t k = 0; k < goals_.count(); ++k) {
+        const std::size_t dual = emissions + k;
+        const double goal = sums.norms[i] * (sums.norms[dual] + given.duals.left[k]) / data_.gap * upward;
+        const Approximation functional =
+            of_density[k] + sums.products[i * trial.w.count() + dual] + Approximation::proved(0, goal);
+        radii.push_back(functional.radius);
+        take(i, k, functional);
+      }
     }
-    if (with_proof_)
-      best_.proof = std::make_shared<const GoalProof>(GoalProof{.elements = trial.elements,
-                                                                .q = trial.q,
-                                                                .exponent = data_.exponent,
-                                                                .residuals = sums.elements,
-                                                                .norms = sums.norms,
-                                                                .radii = std::move(radii),
-                                                                .wanted = radius_});
+    if (with_proof_) {
+      GoalProof proof{.elements = trial.elements,
+                      .q = *std::move(written),
+                      .exponent = data_.exponent,
+                      .exponents = {},
+                      .residuals = sums.elements,
+                      .norms = sums.norms,
+                      .radii = std::move(radii),
+                      .wanted = radius_};
+      for (std::size_t k = 0; k < goals_.count(); ++k) {
+        proof.exponents.push_back(goals_.exponent(k));
+        proof.norms[1 + k] += given.duals.left[k];
+        if (!given.duals.polynomials) continue;
+        for (std::size_t e = 0; e < proof.residuals.size(); ++e)
+          proof.residuals[e].norms[1 + k] += given.duals.left_on_elements[e * goals_.count() + k];
+      }
+      best_.proof = std::make_shared<const GoalProof>(std::move(proof));
+    }
     best_.last = {.layers = layers,
                   .degree = degree,
                   .elements = trial.elements.size(),
@@ -239,7 +289,8 @@ private:
                   .mesh_size = mesh_size(data_.scene, trial.elements),
                   .samples = best_.last.samples + sums.samples,
                   .width = best_.width,
-                  .residual = sums.norms[0]};
+                  .residual = *std::max_element(sums.norms.begin(),
+                                                sums.norms.begin() + static_cast<std::ptrdiff_t>(emissions))};
     return true;
   }
 
@@ -257,23 +308,32 @@ GoalEnclosure enclose_means(const PolyhedronProblem& problem, double wanted, con
                             bool with_proof) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   const ScaledProblem data(problem);
+  expects(!with_proof || data.emissions() == 1, "one emission beside a proof");
   const std::unique_ptr<Goals> goals = piece_means(data.scene, data.reflectivity);
   return Search(data, *goals, wanted, with_proof)(context);
 }
 
 GoalEnclosure enclose_values(const PolyhedronProblem& problem, const std::vector<SolutionPoint>& points,
-                             double wanted, const SearchContext& context) {
+                             double wanted, const SearchContext& context, bool with_proof) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   const ScaledProblem data(problem);
-  std::vector<Approximation> emission;
+  expects(!with_proof || data.emissions() == 1, "one emission beside a proof");
+  std::vector<ValueGoal> asked;
   for (const SolutionPoint& point : points) {
     const ParameterPoint<Rational> at = plane_coordinates(problem.panels[point.panel], point.at);
-    const double value = problem.emission[point.panel].value(at.s, at.t).to_double();
-    emission.push_back(Approximation::proved(
-        value, unit_roundoff<double>() * std::abs(value) + std::numeric_limits<double>::denorm_min()));
+    std::vector<Approximation> emissions;
+    for (std::size_t i = 0; i < data.emissions(); ++i) {
+      const double value = data.emission(i)[point.panel].value(at.s, at.t).to_double();
+      emissions.push_back(Approximation::proved(
+          value, unit_roundoff<double>() * std::abs(value) + std::numeric_limits<double>::denorm_min()));
+    }
+    asked.push_back(
+        {.point = point,
+         .emissions = std::move(emissions),
+         .reflectivity = problem.reflectivity[point.panel].polynomial.value(at.s, at.t).to_double()});
   }
-  const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, points, emission);
-  return Search(data, *goals, wanted, false)(context);
+  const std::unique_ptr<Goals> goals = point_values(data.scene, data.reflectivity, asked);
+  return Search(data, *goals, wanted, with_proof)(context);
 }
 
 }  // namespace radcert

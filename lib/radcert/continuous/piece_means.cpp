@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "radcert/continuous/goals.h"
 
@@ -10,8 +11,8 @@ namespace {
 
 class PieceMeans final : public Goals {
 public:
-  PieceMeans(const SectorScene& scene, const std::vector<double>& reflectivity)
-      : scene_(scene), reflectivity_(reflectivity) {
+  PieceMeans(const SectorScene& scene, Reflectivity reflectivity)
+      : scene_(scene), reflectivity_(std::move(reflectivity)) {
     for (std::size_t j = 0; j < scene.panels().size(); ++j) {
       const std::size_t piece = scene.panels()[j].piece;
       areas_.resize(std::max(areas_.size(), piece + 1));
@@ -24,28 +25,36 @@ public:
   [[nodiscard]] double radius(double wanted) const override {
     return wanted * *std::min_element(areas_.begin(), areas_.end());
   }
+  [[nodiscard]] int exponent(std::size_t /*k*/) const override { return 0; }
   [[nodiscard]] int least_degree() const override { return 0; }
   [[nodiscard]] std::vector<SectorElement> refined(std::vector<SectorElement> elements, int /*degree*/,
                                                    double /*allowed*/) const override {
     return elements;
   }
-  std::vector<double> put_duals(std::span<const SectorElement> elements,
-                                SectorFunctions& emissions) const override {
+  DualErrors put_duals(std::span<const SectorElement> elements, SectorFunctions& emissions) const override {
+    const ElementReflectivity rho(reflectivity_, scene_, elements);
+    const std::size_t first = emissions.count() - count();
+    const auto from = static_cast<std::size_t>(rho.degree() + 1);
+    const auto to = static_cast<std::size_t>(emissions.degree() + 1);
     for (std::size_t e = 0; e < elements.size(); ++e) {
       const std::size_t panel = scene_.sectors()[elements[e].sector].panel;
-      emissions.of(e, 1 + scene_.panels()[panel].piece)[0] = reflectivity_[panel];
+      const std::span<const double> c = rho.functions().of(e, 0);
+      const std::span<double> out = emissions.of(e, first + scene_.panels()[panel].piece);
+      for (std::size_t i = 0; i < from; ++i)
+        for (std::size_t j = 0; j < from; ++j) out[i * to + j] = c[i * from + j];
     }
-    return std::vector<double>(count());
+    return {.left = std::vector<double>(count())};
   }
 
-  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial) const override {
+  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial,
+                                                      std::size_t emission) const override {
     std::vector<double> integrals(count());
     std::vector<double> sizes(count());
     const auto powers = static_cast<std::size_t>(trial.w.degree() + 1);
     for (std::size_t e = 0; e < trial.elements.size(); ++e) {
       const Sector& sector = trial.sector(e);
       const SectorBox& box = trial.elements[e].box;
-      const std::span<const double> c = trial.w.of(e, 0);
+      const std::span<const double> c = trial.w.of(e, emission);
       // Int P_0(y) (1-t) and Int P_1(y) (1-t): 1 - t = 1 - t_m - (t_1 - t_0)/2 y
       const double second = powers > 1 ? c[1] * (box.t1 - box.t0) / 6 : 0;
       const double scale = sector.jacobian * (box.s1 - box.s0) * (box.t1 - box.t0);
@@ -53,16 +62,16 @@ public:
       integrals[piece] += scale * (c[0] * (1 - box.middle_t()) - second);
       sizes[piece] += scale * (std::abs(c[0]) * (1 - box.middle_t()) + std::abs(second));
     }
-    // And what rounding makes of E, rho and w_0, at most 3 u (|E| + rho |q|).
-    const double of_w = 4 * unit_roundoff<double>() * trial.smoothness.largest_residual();
     const double terms = static_cast<double>(trial.elements.size() + 16) * unit_roundoff<double>();
     std::vector<Approximation> out;
     for (std::size_t k = 0; k < count(); ++k)
-      out.push_back(Approximation::proved(integrals[k], (terms * sizes[k] + of_w * areas_[k]) * upward));
+      out.push_back(
+          Approximation::proved(integrals[k], (terms * sizes[k] + trial.rounding * areas_[k]) * upward));
     return out;
   }
 
-  [[nodiscard]] Approximation number(std::size_t k, const Approximation& functional) const override {
+  [[nodiscard]] Approximation number(std::size_t k, const Approximation& functional,
+                                     std::size_t /*emission*/) const override {
     const auto sectors = static_cast<double>(scene_.sectors().size());
     const double value = functional.value / areas_[k];
     // The areas are sums of as many terms as there are sectors.
@@ -74,13 +83,13 @@ public:
 
 private:
   const SectorScene& scene_;
-  const std::vector<double>& reflectivity_;
+  Reflectivity reflectivity_;
   std::vector<double> areas_;  ///< by piece
 };
 
 }  // namespace
 
-std::unique_ptr<Goals> piece_means(const SectorScene& scene, const std::vector<double>& reflectivity) {
+std::unique_ptr<Goals> piece_means(const SectorScene& scene, const Reflectivity& reflectivity) {
   return std::make_unique<PieceMeans>(scene, reflectivity);
 }
 

@@ -26,7 +26,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Observer {
   std::size_t panel = 0;
   Vector<double> at;
-  Approximation emission;
+  std::vector<Approximation> emissions;
+  double reflectivity = 0;
   int exponent = 0;  ///< j is taken 2^-exponent times
 };
 
@@ -51,12 +52,13 @@ double least_error(double distance, double half, double height, int nodes) {
 
 class PointValues final : public Goals {
 public:
-  PointValues(const SectorScene& scene, const std::vector<double>& reflectivity,
-              const std::vector<SolutionPoint>& points, const std::vector<Approximation>& emission)
-      : scene_(scene), reflectivity_(reflectivity) {
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      Observer observer{
-          .panel = points[k].panel, .at = scene.place(points[k].at), .emission = emission[k], .exponent = 0};
+  PointValues(const SectorScene& scene, Reflectivity reflectivity, const std::vector<ValueGoal>& points)
+      : scene_(scene), reflectivity_(std::move(reflectivity)) {
+    for (const ValueGoal& goal : points) {
+      Observer observer{.panel = goal.point.panel,
+                        .at = scene.place(goal.point.at),
+                        .emissions = goal.emissions,
+                        .reflectivity = goal.reflectivity};
       double largest = 0;
       for (const Sector& sector : scene.sectors()) {
         const double d = std::max(distance(observer.at, sector.a, sector.b),
@@ -71,15 +73,16 @@ public:
   [[nodiscard]] std::size_t count() const override { return observers_.size(); }
   [[nodiscard]] bool depend_on_u() const override {
     return std::any_of(observers_.begin(), observers_.end(),
-                       [&](const Observer& observer) { return reflectivity_[observer.panel] > 0; });
+                       [](const Observer& observer) { return observer.reflectivity > 0; });
   }
   [[nodiscard]] double radius(double wanted) const override {
     double least = infinity;
     for (const Observer& observer : observers_)
-      least = std::min(least, std::ldexp(wanted / reflectivity_[observer.panel], -observer.exponent));
+      least = std::min(least, std::ldexp(wanted / observer.reflectivity, -observer.exponent));
     return least;
   }
 
+  [[nodiscard]] int exponent(std::size_t k) const override { return observers_[k].exponent; }
   [[nodiscard]] int least_degree() const override { return 5; }
   [[nodiscard]] std::vector<SectorElement> refined(std::vector<SectorElement> elements, int degree,
                                                    double allowed) const override {
@@ -93,46 +96,55 @@ public:
     return out;
   }
 
-  std::vector<double> put_duals(std::span<const SectorElement> elements,
-                                SectorFunctions& emissions) const override {
-    const ElementInterpolation interpolation(emissions.degree() + 1);
-    std::vector<double> left(count());
+  DualErrors put_duals(std::span<const SectorElement> elements, SectorFunctions& emissions) const override {
+    const ElementReflectivity rho(reflectivity_, scene_, elements);
+    const int degree = emissions.degree() - rho.degree();
+    const std::size_t first = emissions.count() - count();
+    const ElementInterpolation interpolation(degree + 1);
+    DualErrors out{.left = std::vector<double>(count()),
+                   .polynomials = SectorFunctions(elements.size(), count(), degree),
+                   .left_on_elements = std::vector<double>(elements.size() * count())};
     for (std::size_t e = 0; e < elements.size(); ++e)
       for (std::size_t k = 0; k < count(); ++k) {
-        const double own =
-            put(interpolation, elements[e], observers_[k], emissions.degree(), emissions.of(e, 1 + k));
-        left[k] += own * own;
+        if (!sends(elements[e], observers_[k])) continue;
+        const std::span<double> dual = out.polynomials->of(e, k);
+        const double own = put(interpolation, elements[e], observers_[k], degree, dual);
+        out.left[k] += own * own;
+        out.left_on_elements[e * count() + k] = own;
+        rho.add_product(e, dual, emissions.of(e, first + k));
+        out.rounding = std::max(out.rounding, rho.rounding(e, {}, dual));
       }
     const double terms = static_cast<double>(elements.size()) * unit_roundoff<double>();
-    for (double& sum : left) sum = std::sqrt(sum) * (1 + terms) * upward;
-    return left;
+    for (double& sum : out.left) sum = std::sqrt(sum) * (1 + terms) * upward;
+    return out;
   }
 
-  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial) const override {
+  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial,
+                                                      std::size_t emission) const override {
     const Transport transport(trial.scene, trial.elements, trial.w);
     std::vector<Approximation> out;
     for (const Observer& observer : observers_) {
       const ObserverGroup group{.panel = observer.panel, .points = {observer.at}};
       constexpr double tolerance = 1e-14;
       const Transport::Values found = transport(group, tolerance);
-      // And what rounding makes of E, rho and w_0, at most 3 u (|E| + rho |q|).
-      const double of_w = 4 * unit_roundoff<double>() * trial.smoothness.largest_residual();
-      out.push_back(Approximation::proved(std::ldexp(found.values[0], -observer.exponent),
-                                          std::ldexp(found.radius + of_w, -observer.exponent) * upward));
+      out.push_back(
+          Approximation::proved(std::ldexp(found.values[emission], -observer.exponent),
+                                std::ldexp(found.radius + trial.rounding, -observer.exponent) * upward));
     }
     return out;
   }
 
-  [[nodiscard]] Approximation number(std::size_t k, const Approximation& functional) const override {
+  [[nodiscard]] Approximation number(std::size_t k, const Approximation& functional,
+                                     std::size_t emission) const override {
     const Observer& observer = observers_[k];
-    const double rho = reflectivity_[observer.panel];
-    if (rho == 0) return observer.emission;
+    const double rho = observer.reflectivity;
+    if (rho == 0) return observer.emissions[emission];
     const double value = std::ldexp(rho * functional.value, observer.exponent);
     const Approximation reflected{.value = value,
                                   .radius = std::ldexp(rho * functional.radius, observer.exponent) * upward +
                                             4 * unit_roundoff<double>() * std::abs(value),
                                   .guaranteed = functional.guaranteed};
-    return observer.emission + reflected;
+    return observer.emissions[emission] + reflected;
   }
 
 private:
@@ -140,7 +152,13 @@ private:
     return panel != other && !scene_.coplanar(panel, other);
   }
 
-  /// rho^(1/2) |X|^(1/2) times twice what interpolation misses of any point's kernel, in s and in t.
+  /// Whether anything goes from an element to a point by reflection.
+  [[nodiscard]] bool sends(const SectorElement& element, const Observer& observer) const {
+    const std::size_t panel = scene_.sectors()[element.sector].panel;
+    return reflectivity_.largest(panel) > 0 && facing(observer.panel, panel);
+  }
+
+  /// sup rho^(1/2) |X|^(1/2) times twice what interpolation misses of any point's kernel, in s and in t.
   [[nodiscard]] KernelErrors errors(const SectorElement& element, int degree) const {
     KernelErrors worst;
     for (const Observer& observer : observers_) {
@@ -153,9 +171,9 @@ private:
 
   [[nodiscard]] KernelErrors errors(const SectorElement& element, const Observer& observer,
                                     int degree) const {
+    if (!sends(element, observer)) return {};
     const std::size_t panel = scene_.sectors()[element.sector].panel;
-    const double rho = reflectivity_[panel];
-    if (rho == 0 || !facing(observer.panel, panel)) return {};
+    const double rho = reflectivity_.largest(panel);
     const SeenPart part = seen(element, observer);
     const double scale = std::ldexp(2 * std::sqrt(part.area * rho), -observer.exponent) * upward;
     const double height = height_over(panel, observer);
@@ -173,14 +191,12 @@ private:
     return dot(scene_.normal(panel), observer.at - sector.a) + 64 * unit_roundoff<double>() * scene_.extent();
   }
 
-  /// The interpolant of rho j on an element, and (Int rho (j - j_h)^2)^(1/2) there.
+  /// The interpolant of j on an element, and (Int rho (j - j_h)^2)^(1/2) there.
   double put(const ElementInterpolation& interpolation, const SectorElement& element,
              const Observer& observer, int degree, std::span<double> coefficients) const {
     const Sector& sector = scene_.sectors()[element.sector];
-    const double rho = reflectivity_[sector.panel];
-    if (rho == 0 || !facing(observer.panel, sector.panel)) return 0;
     const double height = dot(scene_.normal(sector.panel), observer.at - sector.a);
-    const double scale = std::ldexp(rho * std::numbers::inv_pi, -observer.exponent);
+    const double scale = std::ldexp(std::numbers::inv_pi, -observer.exponent);
     std::vector<double> values;
     double largest = 0;
     for (const Vector<double>& q : interpolation.points(sector, element.box)) {
@@ -195,7 +211,8 @@ private:
     if (!(least > least_kernel_distance * scene_.extent())) return infinity;
     const double off = scale * kernel_rounding * scene_.extent() / (least * least * least);
     const KernelErrors missed = errors(element, observer, degree);
-    return (missed.in_s + missed.in_t + std::sqrt(part.area / rho) * interpolation.rounding(largest, off)) *
+    const double rho = reflectivity_.largest(sector.panel);
+    return (missed.in_s + missed.in_t + std::sqrt(part.area * rho) * interpolation.rounding(largest, off)) *
            upward;
   }
 
@@ -256,16 +273,15 @@ private:
   }
 
   const SectorScene& scene_;
-  const std::vector<double>& reflectivity_;
+  Reflectivity reflectivity_;
   std::vector<Observer> observers_;
 };
 
 }  // namespace
 
-std::unique_ptr<Goals> point_values(const SectorScene& scene, const std::vector<double>& reflectivity,
-                                    const std::vector<SolutionPoint>& points,
-                                    const std::vector<Approximation>& emission) {
-  return std::make_unique<PointValues>(scene, reflectivity, points, emission);
+std::unique_ptr<Goals> point_values(const SectorScene& scene, const Reflectivity& reflectivity,
+                                    const std::vector<ValueGoal>& points) {
+  return std::make_unique<PointValues>(scene, reflectivity, points);
 }
 
 }  // namespace radcert

@@ -121,15 +121,21 @@ std::size_t panel_inside(const std::vector<Panel>& panels, const Vector<Rational
 SectorFunctions emission_functions(const PolyhedronProblem& problem, const SectorScene& scene,
                                    std::span<const SectorElement> elements, std::size_t count, int degree,
                                    int exponent) {
+  return plane_functions(problem.emission, scene, elements, count, degree, exponent);
+}
+
+SectorFunctions plane_functions(std::span<const PlanePolynomial<Rational>> polynomials,
+                                const SectorScene& scene, std::span<const SectorElement> elements,
+                                std::size_t count, int degree, int exponent) {
   SectorFunctions out(elements.size(), count, degree);
   const auto powers = static_cast<std::size_t>(degree + 1);
   std::vector<TensorPolynomial> by_sector;
   for (std::size_t k = 0; k < scene.sectors().size(); ++k) {
     const std::size_t panel = scene.sectors()[k].panel;
-    const PlanePolynomial<Rational>& f = problem.emission[panel];
-    expects(f.degree() <= degree, "degree >= that of the emission", named("degree", degree));
+    const PlanePolynomial<Rational>& f = polynomials[panel];
+    expects(f.degree() <= degree, "degree >= that of each polynomial", named("degree", degree));
     const auto own = static_cast<std::size_t>(f.degree() + 1);
-    by_sector.push_back(on_sector(f, problem.panels[panel], k - scene.first_sector(panel), own));
+    by_sector.push_back(on_sector(f, scene.panels()[panel], k - scene.first_sector(panel), own));
   }
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const SectorBox& box = elements[e].box;

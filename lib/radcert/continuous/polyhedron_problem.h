@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "radcert/continuous/elements/graded_elements.h"
 #include "radcert/continuous/elements/panel.h"
+#include "radcert/continuous/elements/panel_reflectivity.h"
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/elements/tensor_legendre.h"
 #include "radcert/polynomial/plane_polynomial.h"
@@ -14,18 +16,24 @@
 namespace radcert {
 
 /// The radiosity equation u = E + rho T u on a polyhedron.
-/// Maths     T u(P) = (1/pi) Int G V u(Q) dS_Q;  rho constant on panels, E a polynomial on each, of the
-///           parameters of plane_coordinates
+/// Maths     T u(P) = (1/pi) Int G V u(Q) dS_Q;  rho and E polynomials on each panel, of the parameters of
+///           plane_coordinates
 /// Source    [ac98, (1)-(2)]
-/// Requires  panels of a closed surface; every piece has a panel; 0 <= rho < 1. Either they lie in the
+/// Requires  panels of a closed surface; every piece has a panel; 0 <= rho < 1, as reflectivity_of proves it
+///           of polynomials; their degree is most_polynomial_degree at most. Either the panels lie in the
 ///           boundary of a convex body, as convex_panels gives them, and there are no blockers; or they are
 ///           cut_panels of the blockers, which are convex_panels
 struct PolyhedronProblem {
   std::vector<Panel> panels;
-  std::vector<Rational> reflectivity;               ///< by panel
+  std::vector<PanelReflectivity> reflectivity;      ///< by panel
   std::vector<PlanePolynomial<Rational>> emission;  ///< by panel
-  std::vector<Panel> blockers = {};                 ///< the surface again, where parts of it hide each other
+  /// Further emissions, each by panel: what is asked of u is asked of their solutions too.
+  std::vector<std::vector<PlanePolynomial<Rational>>> further_emissions = {};
+  std::vector<Panel> blockers = {};  ///< the surface again, where parts of it hide each other
 };
+
+/// Of E and of rho.
+inline constexpr int most_polynomial_degree = 8;
 
 /// A point of a panel.
 struct SolutionPoint {
@@ -42,11 +50,18 @@ struct SolutionPoint {
 /// Result    exact; panels.size() where there is none: the point is off the surface or on an edge
 [[nodiscard]] std::size_t panel_inside(const std::vector<Panel>& panels, const Vector<Rational>& p);
 
-/// The emission on elements.
+/// Polynomials of the panels' planes, on elements.
 /// Maths     a polynomial of degree d on the panel has at most the degree d in each parameter of a sector
-/// Requires  the scene of the problem's panels; a degree of at least that of each polynomial
+/// Requires  a polynomial of plane_coordinates for each panel of the scene; a degree of at least that of each
 /// Result    function 0 of `count`, times 2^-exponent; coefficients are those of the exact polynomial to the
 ///           nearest
+[[nodiscard]] SectorFunctions plane_functions(std::span<const PlanePolynomial<Rational>> polynomials,
+                                              const SectorScene& scene,
+                                              std::span<const SectorElement> elements, std::size_t count,
+                                              int degree, int exponent);
+
+/// The emission on elements: its plane_functions.
+/// Requires  the scene of the problem's panels
 [[nodiscard]] SectorFunctions emission_functions(const PolyhedronProblem& problem, const SectorScene& scene,
                                                  std::span<const SectorElement> elements, std::size_t count,
                                                  int degree, int exponent);

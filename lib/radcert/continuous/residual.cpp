@@ -13,6 +13,7 @@
 #include "radcert/continuous/elements/gauss_tables.h"
 #include "radcert/continuous/occlusion/penumbra.h"
 #include "radcert/continuous/transport/transport.h"
+#include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 
 namespace radcert {
@@ -32,13 +33,20 @@ struct Share {
   double strips = 0;
   std::size_t samples = 0;
 
-  explicit Share(std::size_t count)
-      : squares(count), missed(count), products(count), sampling(count), rounding(count), shade(count) {}
+  explicit Share(std::size_t count, std::size_t residuals = 1)
+      : squares(count),
+        missed(count),
+        products(residuals * count),
+        sampling(count),
+        rounding(count),
+        shade(count) {}
 
   [[nodiscard]] std::array<std::vector<double>*, 6> by_function() {
     return {&squares, &missed, &products, &sampling, &rounding, &shade};
   }
-  static constexpr std::size_t numbers_of(std::size_t count) { return 6 * count + 3; }
+  static constexpr std::size_t numbers_of(std::size_t count, std::size_t residuals) {
+    return (5 + residuals) * count + 3;
+  }
   void put_into(std::vector<double>& numbers) {
     for (const std::vector<double>* part : by_function())
       numbers.insert(numbers.end(), part->begin(), part->end());
@@ -123,18 +131,19 @@ enum class Shade { bounded, ignored };
 
 class ResidualOverCells {
 public:
-  explicit ResidualOverCells(const Trial& trial, Shade shade = Shade::bounded)
+  explicit ResidualOverCells(const Trial& trial, std::size_t residuals = 1, Shade shade = Shade::bounded)
       : trial_(trial),
         shade_(shade),
         with_one_(with_one(trial.w, trial.elements.size())),
         transport_(trial.scene, trial.elements, trial.w),
         transport_with_one_(trial.scene, trial.elements, with_one_),
-        count_(trial.w.count()) {}
+        count_(trial.w.count()),
+        residuals_(residuals) {}
 
+  [[nodiscard]] Share none() const { return Share(count_, residuals_); }
   [[nodiscard]] Share of_cell(const ObserverCell& cell, const CellDemand& demand) const {
     // What neither reflects nor sends takes no part in either sum.
-    if (trial_.rho(cell.element) == 0 && trial_.smoothness.density_size(cell.element) == 0)
-      return Share(count_);
+    if (trial_.rho(cell.element) == 0 && trial_.smoothness.density_size(cell.element) == 0) return none();
     return cell.is_strip() ? of_strip(cell) : of_samples(cell, demand);
   }
 
@@ -159,14 +168,16 @@ public:
            upward;
   }
 
-  /// Int w_k trial_.q0 over a part of an element, by a rule that is exact for it.
+  /// Int w_k q_i over a part of an element, by i, k, by a rule that is exact for it.
   [[nodiscard]] std::vector<double> products_with_q(std::size_t e, const SectorBox& part) const {
-    const int nodes = trial_.w.degree() + 1;
+    // Of the degree of w, of q, and 1 for the area element.
+    const int nodes = (trial_.w.degree() + trial_.q.degree()) / 2 + 1;
     const IntervalRule<double>& rule = gauss_on_interval(nodes);
-    std::vector<double> sums(count_);
+    std::vector<double> sums(residuals_ * count_);
     visit(e, part, rule, rule,
           [&](std::size_t, double weight, std::span<const double> w, std::span<const double> q) {
-            for (std::size_t k = 0; k < count_; ++k) sums[k] += weight * w[k] * q[0];
+            for (std::size_t i = 0; i < residuals_; ++i)
+              for (std::size_t k = 0; k < count_; ++k) sums[i * count_ + k] += weight * w[k] * q[i];
           });
     return sums;
   }
@@ -176,12 +187,15 @@ private:
     return trial_.sector(e).jacobian * box.weight() * upward;
   }
 
-  /// A bound for the rounding of a sum of w (T w + q) over an area.
+  /// A bound for the rounding of a sum of w (T w + q) over an area, and of w itself.
   [[nodiscard]] double rounding(const ObserverCell& cell, double over) const {
     const auto powers = static_cast<double>(trial_.w.degree() + 1);
-    return over * trial_.smoothness.density_size(cell.element) *
-           (trial_.smoothness.size() + trial_.smoothness.residual_size(cell.element)) *
-           (96 * powers * powers + 256) * unit;
+    return over *
+           (trial_.smoothness.density_size(cell.element) *
+                (trial_.smoothness.size() + trial_.smoothness.residual_size(cell.element)) *
+                (96 * powers * powers + 256) * unit +
+            trial_.rounding * trial_.smoothness.residual_size(cell.element)) *
+           upward;
   }
 
   template <class Visitor>
@@ -204,7 +218,7 @@ private:
   }
 
   [[nodiscard]] Share of_strip(const ObserverCell& cell) const {
-    Share share(count_);
+    Share share = none();
     const double over = area(cell.element, cell.box);
     const double most = trial_.smoothness.residual_size(cell.element) * upward;
     for (std::size_t k = 0; k < count_; ++k)
@@ -221,8 +235,12 @@ private:
     double radius = 0;           ///< of values less q
     std::vector<double> shade;   ///< by function: of T w less that function, all over the cell
     std::size_t nodes = 0;
-    [[nodiscard]] double largest_shade() const {
-      return shade.empty() ? 0 : *std::max_element(shade.begin(), shade.end());
+    [[nodiscard]] double largest_shade() const { return largest_shade(shade.size()); }
+    /// Of the first functions.
+    [[nodiscard]] double largest_shade(std::size_t count) const {
+      double largest = 0;
+      for (std::size_t k = 0; k < std::min(count, shade.size()); ++k) largest = std::max(largest, shade[k]);
+      return largest;
     }
   };
   [[nodiscard]] Samples samples(const ObserverCell& cell, double tolerance) const {
@@ -240,13 +258,13 @@ private:
     const auto powers = static_cast<double>(trial_.q.degree() + 1);
     const double rounding = 40 * powers * powers * unit * trial_.smoothness.largest_residual();
     return {.values = std::move(found.values.values),
-            .radius = (found.values.radius + rounding) * upward,
+            .radius = (found.values.radius + rounding + trial_.rounding) * upward,
             .shade = std::move(found.shade),
             .nodes = group.points.size()};
   }
 
   [[nodiscard]] Share of_samples(const ObserverCell& cell, const CellDemand& demand) const {
-    Share share(count_);
+    Share share = none();
     const double over = area(cell.element, cell.box);
     const double size = trial_.smoothness.size();
     const double tolerance =
@@ -259,7 +277,8 @@ private:
             for (std::size_t k = 0; k < count_; ++k) {
               const double t = std::abs(found.values[place * count_ + k] - q[k]) + found.radius;
               if (rho > 0) share.squares[k] += weight * rho * t * t * upward;
-              share.products[k] += weight * w[k] * found.values[place * count_];
+              for (std::size_t i = 0; i < residuals_; ++i)
+                share.products[i * count_ + k] += weight * w[k] * found.values[place * count_ + i];
               if (w[k] != 0) share.sampling[k] += weight * std::abs(w[k]) * found.radius * upward;
             }
           });
@@ -269,7 +288,8 @@ private:
       share.missed[k] = missed;
       share.rounding[k] = rounding(cell, over);
       if (!found.shade.empty())
-        share.shade[k] = over * trial_.penumbra.size(cell.element, k) * found.shade[0] * upward;
+        share.shade[k] =
+            over * trial_.penumbra.size(cell.element, k) * found.largest_shade(residuals_) * upward;
     }
     share.truncation = over * cell.quadrature * upward;
     share.samples = found.nodes;
@@ -328,6 +348,7 @@ private:
   Transport transport_;
   Transport transport_with_one_;
   std::size_t count_;
+  std::size_t residuals_;  ///< for products
 };
 
 }  // namespace
@@ -426,11 +447,11 @@ namespace {
 
 ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
                        std::span<const ObserverCell> cells, const CellDemand& demand, bool by_element,
-                       MeshWork* work) {
+                       MeshWork* work, std::size_t residuals) {
   const std::size_t count = trial.w.count();
   SharesByCell by_cell(by_element ? cells.size() : 0, count);
   // Parts end where chunks do, so that sums do not depend on them.
-  Share total(count);
+  Share total = residual.none();
   for (std::size_t first = 0; first < cells.size(); first += cells_of_a_part) {
     const std::size_t size = std::min(cells_of_a_part, cells.size() - first);
     const std::span<double> of_cells = by_cell.of(first, size);
@@ -438,7 +459,7 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
       Share sum = parallel_reduce_ordered(
           size, cells_at_a_time, total,
           [&](std::size_t begin, std::size_t end) {
-            Share share(count);
+            Share share = residual.none();
             for (std::size_t c = first + begin; c < first + end; ++c) {
               const Share own = residual.of_cell(cells[c], demand);
               if (by_element) by_cell.put(c, own);
@@ -455,11 +476,11 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
     };
     const std::vector<double> numbers =
         numbers_of_cells(work, by_element ? "cells of elements" : "cells", first, size,
-                         Share::numbers_of(count) + of_cells.size(), find);
+                         Share::numbers_of(count, residuals) + of_cells.size(), find);
     total.take_from(numbers);
     std::copy(numbers.end() - static_cast<std::ptrdiff_t>(of_cells.size()), numbers.end(), of_cells.begin());
   }
-  std::vector<double> with_q(count);
+  std::vector<double> with_q(residuals * count);
   for (std::size_t e = 0; e < trial.elements.size(); ++e)
     add(with_q, residual.products_with_q(e, trial.elements[e].box));
 
@@ -469,16 +490,21 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
       static_cast<double>(cells_at_a_time + cells.size() / cells_at_a_time + trial.elements.size());
   const double order =
       terms * unit * trial.scene.area() * trial.smoothness.size() * 2 * trial.smoothness.largest_residual();
+  std::vector<double> radii;
   for (std::size_t k = 0; k < count; ++k) {
     sums.norms.push_back((std::sqrt(total.squares[k]) + std::sqrt(total.missed[k])) *
                          (1 + (terms + 512) * unit) * upward);
     const double radius =
         (total.sampling[k] + total.rounding[k] + total.shade[k] + total.truncation + total.strips + order) *
         upward;
-    sums.products.push_back(Approximation::proved(total.products[k] - with_q[k], radius));
+    radii.push_back(radius);
     sums.sampling = std::max(sums.sampling, total.sampling[k]);
     sums.shade = std::max(sums.shade, total.shade[k]);
   }
+  for (std::size_t i = 0; i < residuals; ++i)
+    for (std::size_t k = 0; k < count; ++k)
+      sums.products.push_back(
+          Approximation::proved(total.products[i * count + k] - with_q[i * count + k], radii[k]));
   sums.truncation = total.truncation;
   sums.strips = total.strips;
   sums.samples = total.samples;
@@ -489,8 +515,10 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
 }  // namespace
 
 ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells, const CellDemand& demand,
-                           bool by_element, MeshWork* work) {
-  return sums_over(ResidualOverCells(trial), trial, cells, demand, by_element, work);
+                           bool by_element, MeshWork* work, std::size_t residuals) {
+  expects(residuals >= 1 && residuals <= (by_element ? 1 : trial.w.count()),
+          "residuals that products are taken with", named("residuals", residuals));
+  return sums_over(ResidualOverCells(trial, residuals), trial, cells, demand, by_element, work, residuals);
 }
 
 std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
@@ -534,8 +562,8 @@ std::vector<double> expected_norms(const Trial& trial) {
   const CellDemand demand{
       .interpolation = rough(trial) * std::sqrt(area / static_cast<double>(trial.elements.size())),
       .quadrature = rough(trial) * area};
-  return sums_over(ResidualOverCells(trial, Shade::ignored), trial, whole_elements(trial), demand, false,
-                   nullptr)
+  return sums_over(ResidualOverCells(trial, 1, Shade::ignored), trial, whole_elements(trial), demand, false,
+                   nullptr, 1)
       .norms;
 }
 

@@ -19,7 +19,8 @@ struct ElementResidual {
 };
 
 /// What a proof needs of the residuals t_k = T w_k - q_k of a Trial.
-/// Maths     norms[k] >= (Int rho t_k^2)^(1/2);  products[k] encloses Int w_k t_0
+/// Maths     norms[k] >= (Int rho t_k^2)^(1/2);  products[i n + k] encloses Int w_k t_i, n the number of
+///           functions; i = 0 alone where no more residuals are asked for
 struct ResidualSums {
   std::vector<double> norms;
   std::vector<Approximation> products;
@@ -34,15 +35,15 @@ struct ResidualSums {
 /// Sums over cells of observers.
 /// Maths     ||t||_X <= (Gauss sum of t^2)^(1/2) + 2 sqrt|X| e, e the cell's interpolation bound: ||f - If||
 ///           <= 2 sqrt|X| (e_s + e_t), since Gauss rules with n nodes integrate |If|^2 (1-t) exactly and have
-///           positive weights; strips by |t| <= sup|w| + sup|q|. Int w_k T w_0 by the cells' rules, Int w_k
-///           q_0 exactly up to rounding. Where parts are shaded from a cell, f is F of Penumbra, and what it
+///           positive weights; strips by |t| <= sup|w| + sup|q|. Int w_k T w_i by the cells' rules, Int w_k
+///           q_i exactly up to rounding. Where parts are shaded from a cell, f is F of Penumbra, and what it
 ///           leaves of T w is added, in the mean with |w_k| <= sup|w_k| on the element
-/// Requires  cells of this trial
+/// Requires  cells of this trial; products with so many residuals, one where they are by element
 /// Result    norms rounded up, products proved; the same bits for any number of threads, and whatever the
 ///           work has kept of an earlier run
 [[nodiscard]] ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells,
                                          const CellDemand& demand, bool by_element = false,
-                                         MeshWork* work = nullptr);
+                                         MeshWork* work = nullptr, std::size_t residuals = 1);
 
 /// The largest values of |t_0| on cells.
 /// Maths     |t| <= sum |c_ij| + n_s n_t times the samples' radius + interpolation_gain e, c the coefficients

@@ -8,18 +8,20 @@
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/elements/tensor_legendre.h"
 #include "radcert/continuous/occlusion/penumbra.h"
+#include "radcert/continuous/reflectivity.h"
 #include "radcert/continuous/transport/edge_closure.h"
 #include "radcert/continuous/transport/smoothness.h"
 
 namespace radcert {
 
 /// Functions q_k on a mesh, whatever they are, and what is known of their residuals t_k = T w_k - q_k.
-/// Maths     w_k = E_k + rho q_k, rounded: each coefficient within 2 u of those of |E_k| + rho |q_k|;  rho
-///           constant on panels, E_k polynomials on elements of the degree of q
-/// Requires  the scene and the reflectivity outlive it; E and q have the same degree and count
+/// Maths     w_k is E_k + rho q_k within `rounding`, for the exact E_k and rho: E_k polynomials on elements,
+///           whose coefficients are given to the nearest, or which are within `of_emissions` of those given
+/// Requires  the scene outlives it; E and q have the same count, and E the degree of q and that of rho
+///           together
 struct Trial {
-  Trial(const SectorScene& on, const std::vector<double>& rho_by_panel, std::vector<SectorElement> mesh,
-        const SectorFunctions& emissions, SectorFunctions functions);
+  Trial(const SectorScene& on, const Reflectivity& rho, std::vector<SectorElement> mesh,
+        const SectorFunctions& emissions, SectorFunctions functions, double of_emissions = 0);
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
   Trial(Trial&&) = delete;
@@ -27,10 +29,11 @@ struct Trial {
   ~Trial() = default;
 
   const SectorScene& scene;
-  const std::vector<double>& reflectivity;  ///< by panel
   std::vector<SectorElement> elements;
+  ElementReflectivity reflectivity;
   SectorFunctions q;
   SectorFunctions w;
+  double rounding = 0;  ///< of all w_k in the maximum norm
   EdgeClosure closure;
   Smoothness smoothness;
   Penumbra penumbra;
@@ -38,7 +41,8 @@ struct Trial {
   [[nodiscard]] const Sector& sector(std::size_t element) const {
     return scene.sectors()[elements[element].sector];
   }
-  [[nodiscard]] double rho(std::size_t element) const { return reflectivity[sector(element).panel]; }
+  /// At least sup rho on an element, up to one rounding.
+  [[nodiscard]] double rho(std::size_t element) const { return reflectivity.largest(element); }
 };
 
 }  // namespace radcert

@@ -114,29 +114,30 @@ SectorFunctions panel_functions(const SectorScene& scene, std::span<const Sector
   return f;
 }
 
-SectorFunctions densities(const SectorScene& scene, std::span<const SectorElement> elements,
-                          const std::vector<double>& reflectivity, const SectorFunctions& emissions,
+SectorFunctions densities(const ElementReflectivity& reflectivity, const SectorFunctions& emissions,
                           const SectorFunctions& q) {
+  expects(emissions.degree() == q.degree() + reflectivity.degree(), "the degree of rho q",
+          named("degree", emissions.degree()));
   SectorFunctions w = emissions;
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    const double rho = reflectivity[scene.sectors()[elements[e].sector].panel];
-    for (std::size_t k = 0; k < q.count(); ++k) add_to(w.of(e, k), rho, q.of(e, k));
-  }
+  const std::size_t elements = q.all().size() / (q.count() * q.size());
+  for (std::size_t e = 0; e < elements; ++e)
+    for (std::size_t k = 0; k < q.count(); ++k) reflectivity.add_product(e, q.of(e, k), w.of(e, k));
   return w;
 }
 
 SectorFunctions trial_functions(const SectorScene& scene, std::span<const SectorElement> elements,
-                                const std::vector<double>& reflectivity, const SectorFunctions& emissions,
+                                const Reflectivity& reflectivity, const SectorFunctions& emissions,
                                 double tolerance) {
-  const int degree = emissions.degree();
-  expects(degree >= 0 && degree < most_gauss_nodes, "0 <= degree < most_gauss_nodes",
-          named("degree", degree));
+  expects(emissions.degree() >= reflectivity.degree() && emissions.degree() < most_gauss_nodes,
+          "the degree of rho <= degree < most_gauss_nodes", named("degree", emissions.degree()));
+  const int degree = emissions.degree() - reflectivity.degree();
   const std::size_t count = emissions.count();
   const std::size_t size = elements.size();
   const ProjectedTransport transport(scene, elements, degree, tolerance);
   const InnerProduct product(scene, elements, degree);
 
-  const SectorFunctions zero(size, count, degree);
+  const ElementReflectivity rho(reflectivity, scene, elements);
+  const SectorFunctions zero(size, count, emissions.degree());
   const SectorFunctions right_side = transport(emissions);
   std::vector<SectorFunctions> basis{right_side};
   std::vector<double> lengths(count);
@@ -149,7 +150,7 @@ SectorFunctions trial_functions(const SectorScene& scene, std::span<const Sector
   std::vector<Eigen::VectorXd> found(count);
   for (Eigen::Index m = 0; m < most; ++m) {
     // (I - P T rho) v
-    SectorFunctions next = transport(densities(scene, elements, reflectivity, zero, basis.back()));
+    SectorFunctions next = transport(densities(rho, zero, basis.back()));
     for (double& c : next.all()) c = -c;
     for (std::size_t k = 0; k < count; ++k) add(next, basis.back(), k, 1, size);
     double worst = 0;

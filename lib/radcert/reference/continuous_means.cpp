@@ -58,6 +58,12 @@ std::vector<ContinuousScene> made_scenes() {
            .emitting = cube.floor(),
            .reflectivity = half,
            .certificates = files("cube_rho_1_over_2")},
+          {.name = "cube_centres_rho_1/2",
+           .words = "the unit cube, rho = 1/2, the floor emits 1",
+           .corners = cube.all(),
+           .emitting = cube.floor(),
+           .reflectivity = half,
+           .certificates = files("cube_centres_rho_1_over_2")},
           {.name = "cube_quartic_rho_2/5",
            .words = "the unit cube, rho = 2/5, E = (1 - z)^4",
            .corners = cube.all(),
@@ -118,6 +124,19 @@ std::vector<ContinuousMean> made_means() {
     add("cube_" + rho, "cube_ceiling_" + rho, "the ceiling", cube.ceiling());
     add("cube_" + rho, "cube_wall_" + rho, "a wall", cube.west());
   }
+  const auto add_centre = [&](const std::string& name, const std::string& of, Corners face) {
+    const std::string scene = "cube_centres_rho_1/2";
+    out.push_back(
+        {.name = "continuous_value_" + name,
+         .summary = "value at the centre of " + of +
+                    " of the solution of the continuous equation: " + find_continuous_scene(scene)->words,
+         .scene = scene,
+         .face = std::move(face),
+         .at_centre = true});
+  };
+  add_centre("cube_floor_centre_rho_1/2", "the floor", cube.floor());
+  add_centre("cube_ceiling_centre_rho_1/2", "the ceiling", cube.ceiling());
+  add_centre("cube_wall_centre_rho_1/2", "a wall", cube.west());
   add("cube_quartic_rho_2/5", "cube_quartic_floor_rho_2/5", "the floor", cube.floor());
   add("cube_quartic_rho_2/5", "cube_quartic_ceiling_rho_2/5", "the ceiling", cube.ceiling());
   const Box box{1, 2, 3};
@@ -215,10 +234,24 @@ Outcome<Checked> checked(const ContinuousScene& scene, const std::string& file,
   return out;
 }
 
+/// The point that is the centre of the face with these corners.
+Outcome<std::size_t> point_of(const certificate::MeansCertificate& c, const Corners& corners) {
+  Vector<Rational> sum;
+  for (const Vector<Rational>& corner : corners) sum = sum + corner;
+  const Vector<Rational> centre = Rational(1, static_cast<long>(corners.size())) * sum;
+  const auto found = std::find_if(c.points.begin(), c.points.end(),
+                                  [&](const certificate::Point& point) { return point.at == centre; });
+  if (found == c.points.end()) return because("it has no value at the centre of the face");
+  return static_cast<std::size_t>(found - c.points.begin());
+}
+
 Outcome<RouteValue> value_of(const Checked& from, const ContinuousMean& mean) {
-  const Outcome<std::size_t> piece = piece_of(from.certificate, mean.face);
-  if (!piece) return because(mean.name + ": " + piece.reason());
-  const certificate::Enclosure& found = from.certificate.means[*piece];
+  if (from.certificate.of_values() != mean.at_centre)
+    return because(mean.name + ": the certificate is of " + (mean.at_centre ? "means" : "values"));
+  const Outcome<std::size_t> place =
+      mean.at_centre ? point_of(from.certificate, mean.face) : piece_of(from.certificate, mean.face);
+  if (!place) return because(mean.name + ": " + place.reason());
+  const certificate::Enclosure& found = from.certificate.means[*place];
   return RouteValue{.how = from.how, .value = widened(Ball(found.midpoint), Ball(found.radius))};
 }
 

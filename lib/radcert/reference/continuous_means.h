@@ -18,7 +18,7 @@
 
 namespace radcert::reference {
 
-/// A radiosity equation whose solution is not known and whose means are enclosed.
+/// A radiosity equation whose solution is not known and whose means, or values, are enclosed.
 /// Maths     u = E + rho T u on the boundary of the convex hull of the corners, T u(P) = (1/pi) Int G u dS;
 ///           E(P) = (offset + slope . P)^power on the face with the corners `emitting`, else 0; on all faces
 ///           where there are none. rho = 0 on the faces `black`, which close an open surface
@@ -36,13 +36,15 @@ struct ContinuousScene {
   std::array<std::string, 2> certificates;  ///< files of embedded_certificates, on a fine and a coarse mesh
 };
 
-/// The mean of the solution itself over a face, not of an approximation by one constant a face.
-/// Maths     (1/|F|) Int_F u, F the face with these corners
+/// The mean of the solution itself over a face, not of an approximation by one constant a face; or its value
+/// at the centre of the face.
+/// Maths     (1/|F|) Int_F u, F the face with these corners; or u at their mean
 struct ContinuousMean {
   std::string name;
   std::string summary;
   std::string scene;
   std::vector<Vector<Rational>> face;
+  bool at_centre = false;
 };
 
 /// In a fixed order; each mean names one of the scenes.
@@ -64,7 +66,7 @@ struct ContinuousMean {
 using CertificateReader =
     std::function<certificate::MeansCertificate(std::string_view text, const std::string& file)>;
 
-/// A mean by both certificates of its scene.
+/// A mean, or a value, by both certificates of its scene.
 struct EnclosedMean {
   const ContinuousMean* mean = nullptr;
   RouteValue first;
@@ -77,7 +79,7 @@ struct EnclosedMean {
 [[nodiscard]] std::string scene_fault(const ContinuousScene& scene,
                                       const certificate::MeansCertificate& certificate);
 
-/// The means of a scene, each enclosed by two certificates.
+/// The means or values of a scene, each enclosed by two certificates.
 /// Maths     certificate::check, of all that is exact and of the claims on so many elements of either; the
 ///           rest of the claims is taken over from whoever checked the files: `radcert check --all` does
 /// Source    certificate/check.h for the theorem; two trial functions on different meshes, each with its own

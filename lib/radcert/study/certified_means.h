@@ -8,16 +8,17 @@
 
 namespace radcert {
 
-/// Enclosed means of a solution, with what proves them.
+/// Enclosed means or values of a solution, with what proves them.
 struct CertifiedMeans {
   LevelResult level;
   SolutionEnclosure enclosure;
   certificate::MeansCertificate certificate;  ///< encloses a little less narrowly
 };
 
-/// Encloses the means of u over the pieces, and keeps what proves it for certificate::check.
+/// Encloses the means of u over the pieces or its values at points, and keeps what proves it for
+/// certificate::check.
 /// Maths     solve_within for three quarters of the width, and means_certificate
-/// Requires  what check_guarantee lets pass, of means on a polyhedron, else InputError
+/// Requires  what check_guarantee lets pass, of means or values on a polyhedron, else InputError
 /// Result    as solve_within; where the certificate is wider than the width, the enclosure says so
 [[nodiscard]] CertifiedMeans certified_means(const Problem& problem, const Guarantee& guarantee,
                                              const GuaranteeContext& context = {});

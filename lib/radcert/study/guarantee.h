@@ -12,6 +12,7 @@
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/approximation.h"
 #include "radcert/scalar/rational.h"
+#include "radcert/surface/surface_function.h"
 
 namespace radcert {
 
@@ -25,6 +26,12 @@ enum class EnclosedQuantity {
   function,  ///< itself, everywhere
 };
 
+/// An emission by name.
+struct NamedEmission {
+  std::string name;
+  PiecewiseExpression emission;
+};
+
 /// An error that the solution of the equation itself is wanted within.
 struct Guarantee {
   Rational width;  ///< of an enclosure: twice its radius
@@ -35,6 +42,9 @@ struct Guarantee {
   /// Of a function on a polyhedron: how far from the vertices its bound is wanted; absent: a hundredth of the
   /// shortest edge.
   std::optional<Rational> outside = std::nullopt;
+  /// Further emissions beside that of the problem, on a polyhedron: the means or values of each of their
+  /// solutions are asked for, within the same width, and found together.
+  std::vector<NamedEmission> emissions = {};
 };
 
 /// The least width that is taken, relative to the largest emission over 1 - sup rho: some hundred times what
@@ -85,7 +95,14 @@ struct SolutionEnclosure {
   std::vector<EnclosedValue> points = {};                ///< where values are asked for
   std::optional<FunctionBound> function = std::nullopt;  ///< where that is asked for
   std::vector<EnclosedPatch> patches = {};               ///< of the function
-  std::string hindrance = {};                            ///< where the width is not reached: by what
+  /// The same of each further emission, in their order.
+  struct OfEmission {
+    std::string emission;
+    std::vector<std::pair<std::string, Approximation>> pieces = {};
+    std::vector<EnclosedValue> points = {};
+  };
+  std::vector<OfEmission> emissions = {};
+  std::string hindrance = {};  ///< where the width is not reached: by what
 };
 
 /// How wide an enclosure has become.
@@ -102,13 +119,18 @@ using GuaranteeListener = std::function<void(const GuaranteeProgress&)>;
 /// Refuses a problem whose solution cannot be enclosed.
 /// Maths     an emission, a width that double can hold. Either a surface of plane charts that is proved to
 ///           lie in the boundary of a convex body, closed or without some faces of its convex hull
-///           (closing_panels), on each face rho constant, 0 <= rho < 1, and E a polynomial of degree 8 at
-///           most, or so near one (near_polynomial) that no more than a quarter of the width is lost, points
-///           inside faces; or, for means, a closed surface of plane charts whose parts hide each other, with
-///           the same data, whose planes cut it into few parts; or a sphere or an ellipsoid, rho and E
-///           polynomials, 0 <= rho < 1, points on the surface
+///           (closing_panels), on each face rho a polynomial of degree 8 at most that is proved to lie in
+///           [0,1), and E one, or so near one (near_polynomial) that no more than a quarter of the width is
+///           lost, points inside faces; or, for means, a closed surface of plane charts whose parts hide each
+///           other, with the same data, whose planes cut it into few parts; or a sphere or an ellipsoid, rho
+///           and E polynomials, 0 <= rho < 1, points on the surface
 /// Result    returns, or throws InputError with the JSON pointer, the value and what is allowed
 void check_guarantee(const Problem& problem, const Guarantee& guarantee);
+
+/// For each piece the emission that is 1 there and 0 on all others, by its name.
+/// Maths     the means of their solutions are the matrix B_ij: what a unit of emission on piece j makes of
+///           the mean over piece i
+[[nodiscard]] std::vector<NamedEmission> emissions_by_piece(const std::vector<std::string>& pieces);
 
 /// Encloses the means of u over the pieces, its values at points, or u itself.
 /// Maths     enclose_means, enclose_values, enclose_function: the residual of a piecewise polynomial and of

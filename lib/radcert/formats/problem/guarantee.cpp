@@ -15,8 +15,27 @@ std::string name_of(EnclosedQuantity quantity) {
   return guaranteed_quantities()[static_cast<std::size_t>(quantity)];
 }
 
-Guarantee read_guarantee(const JsonReader& guarantee) {
-  guarantee.require_object({"width", "of", "points", "outside"});
+namespace {
+
+constexpr const char* by_piece = "by piece";
+
+std::vector<NamedEmission> read_emissions(const JsonReader& emissions, std::span<const std::string> pieces) {
+  if (emissions.value().members() == nullptr) {
+    const std::vector<std::string> words{by_piece};
+    static_cast<void>(emissions.word(words));
+    return emissions_by_piece({pieces.begin(), pieces.end()});
+  }
+  std::vector<NamedEmission> out;
+  for (const auto& [name, emission] : emissions.members("an object"))
+    out.push_back({name, read_piecewise(emission, pieces)});
+  if (out.empty()) emissions.refuse("has no emission", "one emission or more, each by its name");
+  return out;
+}
+
+}  // namespace
+
+Guarantee read_guarantee(const JsonReader& guarantee, std::span<const std::string> pieces) {
+  guarantee.require_object({"width", "of", "points", "outside", "emissions"});
   const std::string allowed = "a positive decimal or fraction in a string";
   const JsonReader width = guarantee.at("width", allowed);
   Guarantee out{.width = width.rational(allowed)};
@@ -41,6 +60,7 @@ Guarantee read_guarantee(const JsonReader& guarantee) {
     out.outside = outside->rational(distance);
     if (out.outside->sign() < 0) outside->refuse("is negative", distance);
   }
+  if (const auto emissions = guarantee.find("emissions")) out.emissions = read_emissions(*emissions, pieces);
   return out;
 }
 
@@ -55,10 +75,16 @@ JsonValue guarantee_json(const Guarantee& guarantee) {
   out.set("width", exact_json(guarantee.width));
   out.set("of", name_of(guarantee.of));
   if (guarantee.outside) out.set("outside", exact_json(*guarantee.outside));
-  if (guarantee.points.empty()) return out;
-  JsonValue points = JsonValue::array();
-  for (const Vector<Rational>& p : guarantee.points) points.push(point_json(p));
-  out.set("points", std::move(points));
+  if (!guarantee.points.empty()) {
+    JsonValue points = JsonValue::array();
+    for (const Vector<Rational>& p : guarantee.points) points.push(point_json(p));
+    out.set("points", std::move(points));
+  }
+  if (guarantee.emissions.empty()) return out;
+  JsonValue emissions = JsonValue::object();
+  for (const NamedEmission& further : guarantee.emissions)
+    emissions.set(further.name, piecewise_json(further.emission));
+  out.set("emissions", std::move(emissions));
   return out;
 }
 

@@ -17,10 +17,6 @@ namespace {
 constexpr const char* schema = "radcert/problem/1";
 
 /// The pieces that the problem may name: of the catalogue, or of the mesh.
-std::vector<std::string> pieces_of(const SurfaceChoice& surface) {
-  return surface.mesh ? surface.mesh->surface->piece_names() : find_surface(surface.name)->pieces;
-}
-
 Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   const JsonReader root(document);
   root.require_schema(schema, "an object: a problem");
@@ -49,13 +45,17 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder) {
   if (const auto quadrature = root.find("quadrature")) problem.quadrature = read_quadrature(*quadrature);
   if (const auto matrix = root.find("operator")) problem.matrix = read_operator(*matrix);
   if (const auto solver = root.find("solver")) problem.solver = read_solver(*solver);
-  if (const auto guarantee = root.find("guarantee")) problem.guarantee = read_guarantee(*guarantee);
+  if (const auto guarantee = root.find("guarantee")) problem.guarantee = read_guarantee(*guarantee, pieces);
   if (const auto label = root.find("label")) problem.label = read_label(*label);
   if (const auto fit_from = root.find("fit_from")) problem.fit_from = read_fit_from(*fit_from);
   return problem;
 }
 
 }  // namespace
+
+std::vector<std::string> pieces_of(const SurfaceChoice& surface) {
+  return surface.mesh ? surface.mesh->surface->piece_names() : find_surface(surface.name)->pieces;
+}
 
 std::string read_label(const JsonReader& label) {
   constexpr std::size_t longest = 60;

@@ -27,8 +27,10 @@ Meshless read_meshless(const JsonReader& basis);
 QuadratureChoice read_quadrature(const JsonReader& quadrature);
 SolverChoice read_solver(const JsonReader& solver);
 OperatorChoice read_operator(const JsonReader& matrix);
-Guarantee read_guarantee(const JsonReader& guarantee);
+Guarantee read_guarantee(const JsonReader& guarantee, std::span<const std::string> pieces);
 PiecewiseExpression read_piecewise(const JsonReader& expression, std::span<const std::string> pieces);
+/// The names of the pieces of a surface.
+std::vector<std::string> pieces_of(const SurfaceChoice& surface);
 /// A short name, which is a cell of a CSV table and a line of a legend as it is.
 std::string read_label(const JsonReader& label);
 /// The level with which fitted orders begin.

@@ -23,6 +23,7 @@ using certificate::Element;
 using certificate::Enclosure;
 using certificate::Face;
 using certificate::MeansCertificate;
+using certificate::Point;
 
 constexpr int most_degree = 12;
 constexpr std::size_t digits_of_a_double = 16;
@@ -75,11 +76,15 @@ JsonValue claim_json(const Claim& claim) {
 
 JsonValue content_json(const MeansCertificate& c, const std::string& command) {
   JsonValue out = document_head("certificate", command);
-  out.set("of", "means");
-  out.set("problem",
-          JsonValue::object(
-              {{"pieces", json_array(c.pieces)},
-               {"faces", json_array(c.faces, [&](const Face& face) { return face_json(face, c); })}}));
+  out.set("of", c.of_values() ? "values" : "means");
+  JsonValue problem = JsonValue::object(
+      {{"pieces", json_array(c.pieces)},
+       {"faces", json_array(c.faces, [&](const Face& face) { return face_json(face, c); })}});
+  if (c.of_values())
+    problem.set("points", json_array(c.points, [](const Point& point) {
+                  return JsonValue::object({{"face", point.face}, {"at", point_json(point.at)}});
+                }));
+  out.set("problem", std::move(problem));
   out.set("elements", json_array(c.elements, element_json));
   out.set("degree", c.degree);
   const std::size_t size = c.elements.size() * c.powers() * c.powers();
@@ -89,12 +94,18 @@ JsonValue content_json(const MeansCertificate& c, const std::string& command) {
   out.set("coefficients", std::move(coefficients));
   out.set("claims", json_array(c.claims, claim_json));
   out.set("sums", claim_json({c.sums.norms, c.sums.products, c.sums.radii}));
-  JsonValue means = JsonValue::array();
-  for (std::size_t k = 0; k < c.means.size(); ++k)
-    means.push(JsonValue::object({{"piece", c.pieces[k]},
-                                  {"midpoint", double_text(c.means[k].midpoint)},
-                                  {"radius", double_text(c.means[k].radius)}}));
-  out.set("means", std::move(means));
+  JsonValue enclosures = JsonValue::array();
+  for (std::size_t k = 0; k < c.means.size(); ++k) {
+    JsonValue enclosure = JsonValue::object();
+    if (c.of_values())
+      enclosure.set("at", point_json(c.points[k].at));
+    else
+      enclosure.set("piece", c.pieces[k]);
+    enclosure.set("midpoint", double_text(c.means[k].midpoint));
+    enclosure.set("radius", double_text(c.means[k].radius));
+    enclosures.push(std::move(enclosure));
+  }
+  out.set(c.of_values() ? "values" : "means", std::move(enclosures));
   out.set("width", double_text(c.width));
   return out;
 }
@@ -130,6 +141,12 @@ std::size_t place_of(const JsonReader& reader, const std::vector<std::string>& p
   return static_cast<std::size_t>(std::find(pieces.begin(), pieces.end(), name) - pieces.begin());
 }
 
+Vector<Rational> exact_point(const JsonReader& reader) {
+  const std::vector<JsonReader> x = reader.elements("three coordinates");
+  if (x.size() != 3) reader.refuse("is not a point", "three coordinates");
+  return {exact_number(x[0]), exact_number(x[1]), exact_number(x[2])};
+}
+
 Face read_face(const JsonReader& reader, const std::vector<std::string>& pieces) {
   reader.require_object({"piece", "corners", "reflectivity", "emission"});
   Face face{.piece = place_of(reader.at("piece", "the name of a piece"), pieces),
@@ -137,11 +154,8 @@ Face read_face(const JsonReader& reader, const std::vector<std::string>& pieces)
             .reflectivity = {},
             .emission = {}};
   const JsonReader corners = reader.at("corners", "a list of points");
-  for (const JsonReader& corner : corners.elements("a list of points")) {
-    const std::vector<JsonReader> x = corner.elements("three coordinates");
-    if (x.size() != 3) corner.refuse("is not a point", "three coordinates");
-    face.corners.push_back({exact_number(x[0]), exact_number(x[1]), exact_number(x[2])});
-  }
+  for (const JsonReader& corner : corners.elements("a list of points"))
+    face.corners.push_back(exact_point(corner));
   if (face.corners.size() < 3) corners.refuse("are too few", "three corners or more");
   face.reflectivity = exact_number(reader.at("reflectivity", "an exact number"));
   const JsonReader emission = reader.at("emission", "coefficients, by the powers of x and y");
@@ -207,18 +221,25 @@ void read_bits(const JsonReader& reader, std::size_t count, std::vector<double>&
   }
 }
 
-Claim read_claim(const JsonReader& reader, std::size_t pieces) {
+Claim read_claim(const JsonReader& reader, std::size_t goals) {
   reader.require_object({"norms", "products", "radii"});
-  return {numbers(reader.at("norms", "a list of numbers"), pieces + 1, false),
-          numbers(reader.at("products", "a list of numbers"), pieces, true),
-          numbers(reader.at("radii", "a list of numbers"), pieces, false)};
+  return {numbers(reader.at("norms", "a list of numbers"), goals + 1, false),
+          numbers(reader.at("products", "a list of numbers"), goals, true),
+          numbers(reader.at("radii", "a list of numbers"), goals, false)};
 }
 
 MeansCertificate read_content(const JsonReader& reader) {
   MeansCertificate c;
-  static_cast<void>(reader.at("of", "what is enclosed").word(std::vector<std::string>{"means"}));
+  const bool of_values =
+      reader.at("of", "what is enclosed").word(std::vector<std::string>{"means", "values"}) == "values";
+  const std::string list = of_values ? "values" : "means";
+  reader.require_object({"schema", "radcert", "command", "of", "problem", "elements", "degree",
+                         "coefficients", "claims", "sums", list, "width", "digest"});
   const JsonReader problem = reader.at("problem", "pieces and faces");
-  problem.require_object({"pieces", "faces"});
+  if (of_values)
+    problem.require_object({"pieces", "faces", "points"});
+  else
+    problem.require_object({"pieces", "faces"});
   for (const JsonReader& name : problem.at("pieces", "a list of names").elements("a list of names")) {
     const std::string& word = name.string("a name");
     if (std::find(c.pieces.begin(), c.pieces.end(), word) != c.pieces.end())
@@ -229,6 +250,17 @@ MeansCertificate read_content(const JsonReader& reader) {
   for (const JsonReader& face : faces.elements("a list of faces"))
     c.faces.push_back(read_face(face, c.pieces));
   if (c.faces.size() < 4) faces.refuse("are too few", "the faces of a closed surface");
+  if (of_values) {
+    const JsonReader points = problem.at("points", "a list of points");
+    for (const JsonReader& point : points.elements("a list of points")) {
+      point.require_object({"face", "at"});
+      const auto face = static_cast<std::size_t>(
+          point.at("face", "the number of a face")
+              .whole(0, static_cast<std::int64_t>(c.faces.size()) - 1, "the number of a face"));
+      c.points.push_back({face, exact_point(point.at("at", "three coordinates"))});
+    }
+    if (c.points.empty()) points.refuse("has no point", "one point or more");
+  }
   const JsonReader elements = reader.at("elements", "a list of elements");
   for (const JsonReader& element : elements.elements("a list of elements"))
     c.elements.push_back(read_element(element, c.faces));
@@ -239,25 +271,31 @@ MeansCertificate read_content(const JsonReader& reader) {
   const std::vector<JsonReader> functions = coefficients.elements("a string for each function");
   if (functions.size() != c.functions())
     coefficients.refuse("has " + std::to_string(functions.size()) + " functions",
-                        "one, and one for each piece");
+                        "one, and one for each piece or point");
   for (const JsonReader& function : functions)
     read_bits(function, c.elements.size() * c.powers() * c.powers(), c.coefficients);
   const JsonReader claims = reader.at("claims", "a claim for each element");
   for (const JsonReader& claim : claims.elements("a claim for each element"))
-    c.claims.push_back(read_claim(claim, c.pieces.size()));
+    c.claims.push_back(read_claim(claim, c.goals()));
   if (c.claims.size() != c.elements.size())
     claims.refuse("has " + std::to_string(c.claims.size()) + " claims", "one for each element");
-  Claim sums = read_claim(reader.at("sums", "norms, products and radii"), c.pieces.size());
+  Claim sums = read_claim(reader.at("sums", "norms, products and radii"), c.goals());
   c.sums = {std::move(sums.norms), std::move(sums.products), std::move(sums.radii)};
-  const JsonReader means = reader.at("means", "an enclosure for each piece");
-  const std::vector<JsonReader> enclosures = means.elements("an enclosure for each piece");
-  if (enclosures.size() != c.pieces.size())
-    means.refuse("has " + std::to_string(enclosures.size()) + " enclosures",
-                 "one for each piece, in their order");
+  const std::string each = of_values ? "an enclosure for each point" : "an enclosure for each piece";
+  const JsonReader found = reader.at(list, each);
+  const std::vector<JsonReader> enclosures = found.elements(each);
+  if (enclosures.size() != c.goals())
+    found.refuse("has " + std::to_string(enclosures.size()) + " enclosures", each + ", in their order");
   for (std::size_t k = 0; k < enclosures.size(); ++k) {
-    enclosures[k].require_object({"piece", "midpoint", "radius"});
-    const JsonReader piece = enclosures[k].at("piece", "the name of a piece");
-    if (place_of(piece, c.pieces) != k) piece.refuse("is not the piece of this place", c.pieces[k]);
+    if (of_values) {
+      enclosures[k].require_object({"at", "midpoint", "radius"});
+      const JsonReader at = enclosures[k].at("at", "three coordinates");
+      if (!(exact_point(at) == c.points[k].at)) at.refuse("is not the point of this place", "the same point");
+    } else {
+      enclosures[k].require_object({"piece", "midpoint", "radius"});
+      const JsonReader piece = enclosures[k].at("piece", "the name of a piece");
+      if (place_of(piece, c.pieces) != k) piece.refuse("is not the piece of this place", c.pieces[k]);
+    }
     const JsonReader radius = enclosures[k].at("radius", "a decimal");
     c.means.push_back(
         {enclosures[k].at("midpoint", "a decimal").rational("a decimal"), radius.rational("a decimal")});
@@ -288,8 +326,6 @@ ReadCertificate read_certificate(std::string_view text, const std::string& sourc
   return with_source(source, [&] {
     const JsonReader reader(document);
     reader.require_schema("radcert/certificate/1", "a certificate");
-    reader.require_object({"schema", "radcert", "command", "of", "problem", "elements", "degree",
-                           "coefficients", "claims", "sums", "means", "width", "digest"});
     ReadCertificate out{.certificate = read_content(reader), .digest = digest_of(without_digest(document))};
     out.digest_holds = reader.at("digest", "the digest of the content").string("a digest") == out.digest;
     return out;

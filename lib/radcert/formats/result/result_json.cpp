@@ -70,20 +70,37 @@ JsonValue function_json(const FunctionBound& bound) {
                             {"pieces", std::move(pieces)}});
 }
 
+JsonValue means_json(const std::vector<std::pair<std::string, Approximation>>& pieces) {
+  JsonValue out = JsonValue::object();
+  for (const auto& [piece, mean] : pieces) out.set(piece, enclosing_json(mean));
+  return out;
+}
+
+JsonValue values_json(const std::vector<EnclosedValue>& points) {
+  JsonValue out = JsonValue::array();
+  for (const EnclosedValue& point : points) {
+    const EnclosingText text =
+        enclosing_text(point.value.value, point.value.radius, DecimalForm::general(17));
+    out.push(JsonValue::object({{"piece", point.piece},
+                                {"at", point_json(point.at)},
+                                {"midpoint", text.value},
+                                {"radius", text.radius}}));
+  }
+  return out;
+}
+
 /// What was not asked for is null.
 JsonValue enclosure_json(const SolutionEnclosure& enclosure) {
   const EnclosedQuantity of = enclosure.wanted.of;
-  JsonValue pieces = of == EnclosedQuantity::means ? JsonValue::object() : JsonValue();
-  for (const auto& [piece, mean] : enclosure.pieces) pieces.set(piece, enclosing_json(mean));
-  JsonValue points = of == EnclosedQuantity::values ? JsonValue::array() : JsonValue();
-  for (const EnclosedValue& point : enclosure.points) {
-    const EnclosingText text =
-        enclosing_text(point.value.value, point.value.radius, DecimalForm::general(17));
-    points.push(JsonValue::object({{"piece", point.piece},
-                                   {"at", point_json(point.at)},
-                                   {"midpoint", text.value},
-                                   {"radius", text.radius}}));
-  }
+  const bool of_means = of == EnclosedQuantity::means;
+  const bool of_values = of == EnclosedQuantity::values;
+  JsonValue pieces = of_means ? means_json(enclosure.pieces) : JsonValue();
+  JsonValue points = of_values ? values_json(enclosure.points) : JsonValue();
+  JsonValue emissions = enclosure.emissions.empty() ? JsonValue() : JsonValue::object();
+  for (const SolutionEnclosure::OfEmission& further : enclosure.emissions)
+    emissions.set(further.emission,
+                  JsonValue::object({{"pieces", of_means ? means_json(further.pieces) : JsonValue()},
+                                     {"points", of_values ? values_json(further.points) : JsonValue()}}));
   JsonValue function;
   if (enclosure.function) function = function_json(*enclosure.function);
   return JsonValue::object(
@@ -93,6 +110,7 @@ JsonValue enclosure_json(const SolutionEnclosure& enclosure) {
        {"pieces", std::move(pieces)},
        {"points", std::move(points)},
        {"function", std::move(function)},
+       {"emissions", std::move(emissions)},
        {"hindrance", enclosure.hindrance.empty() ? JsonValue() : JsonValue(enclosure.hindrance)},
        {"guaranteed", true}});
 }

@@ -28,9 +28,9 @@ public:
   [[nodiscard]] virtual std::pair<LevelResult, SolutionEnclosure> solve(
       const GuaranteeContext& context) const = 0;
 
-  /// Whether its means come with a certificate.
+  /// Whether its means and values come with a certificate.
   [[nodiscard]] virtual bool has_certificate() const { return false; }
-  /// Requires  has_certificate(), means are asked for, else ContractViolation
+  /// Requires  has_certificate(), means or values are asked for, else ContractViolation
   [[nodiscard]] virtual CertifiedMeans certified(const GuaranteeContext& context) const;
 };
 

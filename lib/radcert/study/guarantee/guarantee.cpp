@@ -6,6 +6,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
+#include "radcert/expression/parse.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/certified_means.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
@@ -37,21 +38,30 @@ std::unique_ptr<EnclosedProblem> enclosed_problem(const Problem& problem, const 
                       .problem = is_ellipsoid ? "is a distance from vertices, of which there are none"
                                               : "is for a function, which is not asked for",
                       .allowed = "\"of\": \"function\" on a polyhedron beside outside"});
+  if (!guarantee.emissions.empty() && (is_ellipsoid || guarantee.of == EnclosedQuantity::function))
+    throw InputError({.pointer = "/guarantee/emissions",
+                      .problem = is_ellipsoid ? "are for polyhedra" : "are not for a function",
+                      .allowed = "means or values on a convex polyhedron beside further emissions"});
   if (is_ellipsoid && !surface.mesh) return enclosed_ellipsoid(problem, guarantee, std::move(surface));
   return enclosed_polyhedron(problem, guarantee, std::move(surface));
 }
 
 std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const Guarantee& guarantee) {
   std::unique_ptr<EnclosedProblem> enclosed = enclosed_problem(problem, guarantee);
-  if (guarantee.of != EnclosedQuantity::means || !enclosed->has_certificate())
+  if (!guarantee.emissions.empty())
     throw InputError({.source = "--certificate",
-                      .problem = guarantee.of != EnclosedQuantity::means
-                                     ? "is not made for values or a function"
-                                     : "is not made for a sphere or an ellipsoid, nor where parts hide each "
-                                       "other, nor for an emission that is no polynomial of degree 8 or less",
-                      .allowed =
-                          "a guarantee of means on a closed convex polyhedron, the emission a polynomial "
-                          "on each piece"});
+                      .problem = "is of one emission, and there are further ones",
+                      .allowed = "a guarantee without emissions of its own"});
+  const bool of_function = guarantee.of == EnclosedQuantity::function;
+  if (of_function || !enclosed->has_certificate())
+    throw InputError(
+        {.source = "--certificate",
+         .problem = of_function ? "is not made for a function"
+                                : "is not made for a sphere or an ellipsoid, nor where parts hide each "
+                                  "other, nor for an emission that is no polynomial of degree 8 or less, "
+                                  "nor for a reflectivity that is not constant on each face",
+         .allowed = "a guarantee of means or values on a convex polyhedron, the emission a polynomial on "
+                    "each piece, the reflectivity constant"});
   return enclosed;
 }
 
@@ -83,6 +93,17 @@ void require_normal(const Rational& value, const std::string& pointer) {
                     .value = nearest_text(value, DecimalForm::general(6)),
                     .problem = "is too large or too small for a guarantee",
                     .allowed = "sizes from 1e-60 to 1e60"});
+}
+
+std::vector<NamedEmission> emissions_by_piece(const std::vector<std::string>& pieces) {
+  std::vector<NamedEmission> out;
+  for (const std::string& own : pieces) {
+    NamedEmission emission{.name = own, .emission = {}};
+    emission.emission.cases.push_back({own, parse_expression("1").value()});
+    if (pieces.size() > 1) emission.emission.cases.push_back({"*", parse_expression("0").value()});
+    out.push_back(std::move(emission));
+  }
+  return out;
 }
 
 void check_guarantee(const Problem& problem, const Guarantee& guarantee) {

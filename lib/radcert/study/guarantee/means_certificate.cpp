@@ -19,7 +19,7 @@ std::vector<certificate::Face> faces_of(const PolyhedronProblem& problem) {
   for (std::size_t k = 0; k < problem.panels.size(); ++k) {
     certificate::Face face{.piece = problem.panels[k].piece,
                            .corners = problem.panels[k].corners,
-                           .reflectivity = problem.reflectivity[k],
+                           .reflectivity = problem.reflectivity[k].largest,
                            .emission = {}};
     const PlanePolynomial<Rational>& f = problem.emission[k];
     for (int i = 0; i <= f.degree(); ++i) {
@@ -87,15 +87,16 @@ public:
     const ElementResidual& found = proof_.residuals[e];
     for (std::size_t k = 0; k <= pieces_; ++k) {
       const double norm = std::hypot(1.1 * found.norms[k], floors_[k]);
-      claim.norms[k] = short_bound(std::ldexp(norm, k == 0 ? proof_.exponent : 0));
+      claim.norms[k] = short_bound(std::ldexp(norm, k == 0 ? proof_.exponent : proof_.exponents[k - 1]));
     }
     for (std::size_t k = 0; k < pieces_; ++k) {
       const Approximation& product = found.products[1 + k];
       double more = 0.06 / static_cast<double>(elements_);
       if (proof_.elements[e].box.t0 == 0) more += 0.06 / static_cast<double>(at_edges_);
       more *= std::max(proof_.radii[k], proof_.wanted);
-      const double exact = std::ldexp(product.value, proof_.exponent);
-      const double radius = std::ldexp(product.radius + more, proof_.exponent);
+      const int exponent = proof_.exponent + proof_.exponents[k];
+      const double exact = std::ldexp(product.value, exponent);
+      const double radius = std::ldexp(product.radius + more, exponent);
       claim.products[k] = rounded_within(exact, radius);
       claim.radii[k] = short_bound(radius + 1.001 * std::abs(claim.products[k] - exact));
     }
@@ -115,7 +116,7 @@ void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, MeansCe
   const std::vector<Side> sides = sides_of(problem);
   std::vector<char> reflects;
   Rational sup = 0;
-  for (const Rational& rho : problem.reflectivity) sup = std::max(sup, rho);
+  for (const PanelReflectivity& rho : problem.reflectivity) sup = std::max(sup, rho.largest);
   for (const SectorElement& element : proof.elements) {
     const Side& side = sides[element.sector];
     out.elements.push_back({.face = side.face,
@@ -124,24 +125,26 @@ void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, MeansCe
                             .s1 = element.box.s1,
                             .t0 = element.box.t0,
                             .t1 = element.box.t1});
-    reflects.push_back(problem.reflectivity[side.face].sign() > 0 ? 1 : 0);
+    reflects.push_back(problem.reflectivity[side.face].largest.sign() > 0 ? 1 : 0);
   }
   out.degree = proof.q.degree();
   for (std::size_t k = 0; k < out.functions(); ++k)
     for (std::size_t e = 0; e < proof.elements.size(); ++e)
       for (const double c : proof.q.of(e, k))
-        out.coefficients.push_back(std::ldexp(c, k == 0 ? proof.exponent : 0));
+        out.coefficients.push_back(std::ldexp(c, k == 0 ? proof.exponent : proof.exponents[k - 1]));
   const WiderClaims claims(proof, reflects, (Rational(1) - sup).to_double());
   for (std::size_t e = 0; e < proof.elements.size(); ++e) out.claims.push_back(claims.on(e));
 }
 
-/// Nothing reflects: u = E.
+/// Nothing reflects that the numbers depend on: u = E there, and no residual has to be small.
 void put_nothing(const PolyhedronProblem& problem, MeansCertificate& out) {
+  constexpr double no_claim = 1e80;
   for (const Side& side : sides_of(problem)) {
     out.elements.push_back({.face = side.face, .side = side.side});
-    out.claims.push_back({.norms = std::vector<double>(out.functions()),
-                          .products = std::vector<double>(out.pieces.size()),
-                          .radii = std::vector<double>(out.pieces.size())});
+    const double bound = problem.reflectivity[side.face].largest.sign() > 0 ? no_claim : 0;
+    out.claims.push_back({.norms = std::vector<double>(out.functions(), bound),
+                          .products = std::vector<double>(out.goals()),
+                          .radii = std::vector<double>(out.goals(), bound)});
   }
   out.coefficients.resize(out.functions() * out.elements.size());
 }
@@ -149,10 +152,11 @@ void put_nothing(const PolyhedronProblem& problem, MeansCertificate& out) {
 }  // namespace
 
 MeansCertificate means_certificate(const PolyhedronProblem& problem, const std::vector<std::string>& pieces,
-                                   const GoalProof* proof) {
+                                   const GoalProof* proof, const std::vector<SolutionPoint>& points) {
   MeansCertificate out;
   out.pieces = pieces;
   out.faces = faces_of(problem);
+  for (const SolutionPoint& point : points) out.points.push_back({.face = point.panel, .at = point.at});
   if (proof != nullptr)
     put_proof(problem, *proof, out);
   else

@@ -14,17 +14,18 @@ namespace radcert {
 /// are wider than what the search has proved.
 inline constexpr double certified_share = 0.75;
 
-/// What encloses means, as something that can be checked again.
+/// What encloses means, or values at points, as something that can be checked again.
 /// Maths     the claims on an element are those that the search has proved, wider: norms by a tenth and a
 ///           part of the whole norm that is the same on all elements, at least a tenth of what the width has
 ///           room for beside the other norm; radii of products by a twelfth of the wanted radius in all, half
 ///           of it at the edges. So they hold by more than a checker's bounds are generous. Then all of them
 ///           are rounded to a few decimals, bounds upwards, products within their radii
-/// Requires  means of this problem, pieces by their names; the proof of enclose_means, none where nothing
-///           reflects
+/// Requires  means or values of this problem, pieces by their names; the proof of enclose_means or
+///           enclose_values, none where nothing reflects that the numbers depend on
 /// Result    sums and means are those of certificate::summed, the width twice the largest radius
 [[nodiscard]] certificate::MeansCertificate means_certificate(const PolyhedronProblem& problem,
                                                               const std::vector<std::string>& pieces,
-                                                              const GoalProof* proof);
+                                                              const GoalProof* proof,
+                                                              const std::vector<SolutionPoint>& points = {});
 
 }  // namespace radcert

@@ -79,26 +79,49 @@ std::optional<PlanePolynomial<Rational>> polynomial_on(const Panel& panel, const
   return polynomial_on_plane(f, c[0], c[1] - c[0], c[2] - c[0], largest_degree);
 }
 
-/// The reflectivity by panel.
-std::vector<Rational> reflectivities(const Problem& problem, const Surface& surface,
-                                     const std::vector<Panel>& panels) {
+/// A polynomial without leading coefficients that are all 0.
+PlanePolynomial<Rational> trimmed(const PlanePolynomial<Rational>& f) {
+  int degree = f.degree();
+  const auto is_zero = [&](int n) {
+    bool all = true;
+    for (int j = 0; j <= n; ++j) all = all && f(n - j, j).sign() == 0;
+    return all;
+  };
+  while (degree > 0 && is_zero(degree)) --degree;
+  PlanePolynomial<Rational> out(degree);
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; i + j <= degree; ++j) out(i, j) = f(i, j);
+  return out;
+}
+
+/// The reflectivity by panel, proved to lie in [0,1).
+std::vector<PanelReflectivity> reflectivities(const Problem& problem, const Surface& surface,
+                                              const std::vector<Panel>& panels) {
   const std::vector<std::string> names = surface.piece_names();
-  std::vector<Rational> out;
+  std::vector<PanelReflectivity> out;
   for (const Panel& panel : panels) {
     if (panel.piece == names.size()) {
       out.emplace_back(0);
       continue;
     }
-    const Expression& f = problem.reflectivity.on(names[panel.piece]);
-    const std::optional<PlanePolynomial<Rational>> constant = polynomial_on(panel, f, 0);
-    if (!constant)
+    const std::string& name = names[panel.piece];
+    const Expression& f = problem.reflectivity.on(name);
+    const std::optional<PlanePolynomial<Rational>> polynomial =
+        polynomial_on(panel, f, most_polynomial_degree);
+    if (!polynomial)
       throw InputError({.pointer = "/reflectivity",
                         .value = f.text(),
-                        .problem = "is not known to be constant on piece " + names[panel.piece],
-                        .allowed =
-                            "with a guarantee: constant on each piece, from whole numbers, decimals and "
-                            "fractions by + - * /"});
-    out.push_back((*constant)(0, 0));
+                        .problem = "is not known to be a polynomial of degree 8 or less on piece " + name,
+                        .allowed = "with a guarantee: polynomials in x, y, z on each piece, from whole "
+                                   "numbers, decimals and fractions by + - * /"});
+    Outcome<PanelReflectivity> rho = reflectivity_of(panel, trimmed(*polynomial));
+    if (!rho)
+      throw InputError(
+          {.pointer = "/reflectivity",
+           .value = f.text(),
+           .problem = "is not known to be from 0 to below 1 on piece " + name + ": " + rho.reason(),
+           .allowed = "from 0 to below 1"});
+    out.push_back(std::move(rho).value());
   }
   return out;
 }
@@ -184,8 +207,9 @@ struct PanelEmission {
 };
 
 /// Where E is a polynomial of degree 8 or less that one, else one near it.
-PanelEmission emission_on(const Panel& panel, const Expression& f, const std::string& piece) {
-  constexpr int largest_degree = 8;
+PanelEmission emission_on(const Panel& panel, const Expression& f, const std::string& piece,
+                          const std::string& pointer) {
+  constexpr int largest_degree = most_polynomial_degree;
   if (std::optional<PlanePolynomial<Rational>> exact = polynomial_on(panel, f, largest_degree)) {
     Rational size = largest_on(panel, *exact);
     return {.polynomial = std::move(*exact), .distance = 0, .size = std::move(size)};
@@ -209,7 +233,7 @@ PanelEmission emission_on(const Panel& panel, const Expression& f, const std::st
   const Outcome<NearPolynomial> near = near_polynomial(plane_function(on_plane), frame.about, largest_degree);
   if (!near || !std::isfinite(near->size))
     throw InputError(
-        {.pointer = "/emission",
+        {.pointer = pointer,
          .value = f.text(),
          .problem = "has no polynomial near it on piece " + piece + ": " +
                     (near ? std::string("its values are beyond double") : near.reason()),
@@ -218,6 +242,31 @@ PanelEmission emission_on(const Panel& panel, const Expression& f, const std::st
   return {.polynomial = frame.in_plane(near->polynomial),
           .distance = near->distance,
           .size = Rational::exactly(near->size)};
+}
+
+/// An emission by panel.
+struct PanelEmissions {
+  std::vector<PlanePolynomial<Rational>> polynomials;
+  double distance = 0;  ///< at least sup |E - the polynomials|
+  Rational size = 0;    ///< at least sup |the polynomials|
+};
+
+PanelEmissions emissions_on(const std::vector<Panel>& panels, const PiecewiseExpression& emission,
+                            const std::vector<std::string>& names, const std::string& pointer) {
+  PanelEmissions out;
+  for (const Panel& panel : panels) {
+    if (panel.piece == names.size()) {
+      out.polynomials.emplace_back(0);
+      continue;
+    }
+    const std::string& name = names[panel.piece];
+    PanelEmission own = emission_on(panel, emission.on(name), name, pointer);
+    require_normal(own.size, pointer);
+    out.distance = std::max(out.distance, own.distance);
+    out.size = std::max(out.size, own.size);
+    out.polynomials.push_back(std::move(own.polynomial));
+  }
+  return out;
 }
 
 /// A problem whose emission is polynomials, and how far its solution may be from that of the problem asked.
@@ -232,32 +281,21 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
   put_panels(out, problem, surface, guarantee);
   out.reflectivity = reflectivities(problem, surface, out.panels);
   const std::vector<std::string> names = surface.piece_names();
-  double left_out = 0;
-  std::vector<Rational> sizes;
-  for (const Panel& panel : out.panels) {
-    if (panel.piece == names.size()) {
-      sizes.emplace_back(0);
-      out.emission.emplace_back(0);
-      continue;
-    }
-    const std::string& name = names[panel.piece];
-    PanelEmission emission = emission_on(panel, problem.emission->on(name), name);
-    left_out = std::max(left_out, emission.distance);
-    sizes.push_back(std::move(emission.size));
-    out.emission.push_back(std::move(emission.polynomial));
+  PanelEmissions own = emissions_on(out.panels, *problem.emission, names, "/emission");
+  double left_out = own.distance;
+  Rational largest = own.size;
+  out.emission = std::move(own.polynomials);
+  for (const NamedEmission& further : guarantee.emissions) {
+    PanelEmissions found =
+        emissions_on(out.panels, further.emission, names, "/guarantee/emissions/" + further.name);
+    left_out = std::max(left_out, found.distance);
+    largest = std::max(largest, found.size);
+    out.further_emissions.push_back(std::move(found.polynomials));
   }
-  Rational largest = 0;
   Rational sup = 0;
   for (std::size_t j = 0; j < out.panels.size(); ++j) {
-    const Rational& rho = out.reflectivity[j];
-    if (rho.sign() < 0 || rho >= Rational(1))
-      throw InputError({.pointer = "/reflectivity",
-                        .value = rho.to_text(),
-                        .problem = "is not below 1, or is negative",
-                        .allowed = "from 0 to below 1"});
-    const Rational& emission = sizes[j];
+    const Rational& rho = out.reflectivity[j].largest;
     require_normal(rho, "/reflectivity");
-    require_normal(emission, "/emission");
     const std::vector<Vector<Rational>>& corners = out.panels[j].corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const Vector<Rational>& corner = corners[i];
@@ -267,7 +305,6 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
         require_normal(number, pointer);
     }
     sup = std::max(sup, rho);
-    largest = std::max(largest, emission);
   }
   require_width(guarantee, least_relative_width, largest / (Rational(1) - sup));
   const double distance = (Ball(left_out) / Ball(Rational(1) - sup)).upper_double();
@@ -337,9 +374,10 @@ double distance_from_vertices(const Guarantee& guarantee, const PolyhedronProble
   return 0.01 * shortest;
 }
 
-Ball from_0_to(const Rational& most) {
-  const Ball half = Ball(most) / 2;
-  return widened(half, half);
+Ball between(const Rational& least, const Rational& most) {
+  if (least == most) return Ball(most);
+  const Ball half = Ball(most - least) / 2;
+  return widened(Ball(least) + half, half);
 }
 
 class EnclosedPolyhedron final : public EnclosedProblem {
@@ -363,18 +401,24 @@ public:
                                                        : numbers(wanted(), told(context));
   }
 
-  /// A certificate is of polynomials.
+  /// A certificate is of an emission by polynomials and constant reflectivities on a convex polyhedron.
   [[nodiscard]] bool has_certificate() const override {
-    return near_.distance == 0 && near_.polyhedron.blockers.empty();
+    const std::vector<PanelReflectivity>& rho = near_.polyhedron.reflectivity;
+    return near_.distance == 0 && near_.polyhedron.blockers.empty() &&
+           std::all_of(rho.begin(), rho.end(),
+                       [](const PanelReflectivity& on_panel) { return on_panel.is_constant(); });
   }
   [[nodiscard]] CertifiedMeans certified(const GuaranteeContext& context) const override {
-    const GoalEnclosure found =
-        enclose_means(near_.polyhedron, certified_share * wanted(), told(context), true);
-    auto [level, enclosure] = result_of(found, false);
+    const bool of_values = guarantee_.of == EnclosedQuantity::values;
+    const double aim = certified_share * wanted();
+    const GoalEnclosure found = of_values
+                                    ? enclose_values(near_.polyhedron, points_, aim, told(context), true)
+                                    : enclose_means(near_.polyhedron, aim, told(context), true);
+    auto [level, enclosure] = result_of(found, of_values);
     CertifiedMeans out{
         .level = std::move(level),
         .enclosure = std::move(enclosure),
-        .certificate = means_certificate(near_.polyhedron, certified_names(), found.proof.get())};
+        .certificate = means_certificate(near_.polyhedron, certified_names(), found.proof.get(), points_)};
     if (out.certificate.width <= guarantee_.width)
       out.enclosure.hindrance.clear();
     else if (out.enclosure.hindrance.empty())
@@ -425,9 +469,13 @@ private:
     level.unknowns = last.unknowns;
     level.mesh_size = last.mesh_size;
     // On a closed surface sup rho, on an open one at most; enclosing rounds it as norm_of_K does.
-    const Rational sup =
-        *std::max_element(near_.polyhedron.reflectivity.begin(), near_.polyhedron.reflectivity.end());
-    level.norm_K = enclosing(surface_.closed ? Ball(sup) : from_0_to(sup));
+    Rational largest = 0;
+    Rational seen = 0;
+    for (const PanelReflectivity& rho : near_.polyhedron.reflectivity) {
+      largest = std::max(largest, rho.largest);
+      seen = std::max(seen, rho.seen);
+    }
+    level.norm_K = enclosing(surface_.closed ? between(seen, largest) : between(0, largest));
     return level;
   }
 
@@ -447,16 +495,27 @@ private:
     SolutionEnclosure enclosure{
         .wanted = guarantee_, .width = 2 * widened(0.5 * found.width), .hindrance = found.hindrance};
     LevelResult level = level_of(found.last);
-    for (std::size_t k = 0; k < found.numbers.size(); ++k) {
-      if (!of_values && is_opening(k)) continue;
-      const Approximation number = widened(found.numbers[k]);
-      if (of_values) {
-        const SolutionPoint& point = points_[k];
-        enclosure.points.push_back({names[near_.polyhedron.panels[point.panel].piece], point.at, number});
-      } else {
-        enclosure.pieces.emplace_back(names[k], number);
-        level.piece_means.emplace_back(names[k], number);
+    const std::size_t emissions = 1 + guarantee_.emissions.size();
+    const std::size_t count = found.numbers.size() / emissions;
+    for (std::size_t i = 0; i < emissions; ++i) {
+      SolutionEnclosure::OfEmission of;
+      for (std::size_t k = 0; k < count; ++k) {
+        if (!of_values && is_opening(k)) continue;
+        const Approximation number = widened(found.numbers[i * count + k]);
+        if (of_values)
+          of.points.push_back(
+              {names[near_.polyhedron.panels[points_[k].panel].piece], points_[k].at, number});
+        else
+          of.pieces.emplace_back(names[k], number);
       }
+      if (i > 0) {
+        of.emission = guarantee_.emissions[i - 1].name;
+        enclosure.emissions.push_back(std::move(of));
+        continue;
+      }
+      level.piece_means = of.pieces;
+      enclosure.pieces = std::move(of.pieces);
+      enclosure.points = std::move(of.points);
     }
     return {std::move(level), std::move(enclosure)};
   }
