@@ -85,6 +85,7 @@ inline void put_sums(certificate::MeansCertificate& c) {
   certificate::Summed found = certificate::summed(c);
   c.sums = std::move(found.sums);
   c.means = std::move(found.means);
+  c.width = 0;
   for (const certificate::Enclosure& mean : c.means) c.width = std::max(c.width, Rational(2) * mean.radius);
 }
 
