@@ -40,8 +40,8 @@ class FactorsOfScenes(ModuleTest):
         self.assertTrue((radius > 0).all())
 
     def test_the_numbers_are_those_of_the_program(self):
-        factors = rc.Mesh(ATTIC).factors(by="group", certified=True)
-        theirs = self.program("factors", ATTIC, "--by", "group", "--certified")
+        factors = rc.Mesh(ATTIC).factors(by="piece", certified=True)
+        theirs = self.program("factors", ATTIC, "--by", "piece", "--certified")
         names = [surface["name"] for surface in theirs["surfaces"]]
         self.assertEqual(factors.names, names)
         value, radius = factors.value, factors.radius
@@ -49,11 +49,16 @@ class FactorsOfScenes(ModuleTest):
             i, j = names.index(entry["from"]), names.index(entry["to"])
             self.assertEqual((value[i, j], radius[i, j]), (entry["factor"], entry["radius"]))
         self.assertEqual(len(theirs["factors"]), np.count_nonzero(value))
+        # Rows and columns are told apart.
+        self.assertGreater(np.abs(value - value.T).max(), 0.01)
 
     def test_a_surface_of_the_catalogue(self):
         factors = rc.box(1, 2, 3).factors(by="piece", certified=True)
         self.assertEqual(sorted(factors.names), sorted(rc.box().pieces))
         self.assertTrue((factors.closure <= factors.row_sum.radius).all())
+        # What leaves a large face arrives at a small one, and less of it than the other way.
+        exchange = factors.area.value[:, None] * factors.value
+        np.testing.assert_allclose(exchange, exchange.T, rtol=1e-13)
         # Another box has other factors.
         self.assertNotEqual(factors.value.tolist(), rc.box(1, 1, 3).factors(by="piece").value.tolist())
         self.assertEqual(rc.cube().factors(by="triangle", level=1).value.shape, (48, 48))

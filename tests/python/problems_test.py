@@ -49,6 +49,9 @@ class Problems(ModuleTest):
         self.assertEqual(solution.mesh_size.tolist(), [level["mesh_size"] for level in levels])
         for name, error in solution.errors.items():
             self.assertEqual(error.value.tolist(), [level[name]["value"] for level in levels])
+            self.assertEqual([radius if np.isfinite(radius) else None for radius in error.radius.tolist()],
+                             [level[name]["radius"] for level in levels])
+            self.assertEqual(error.guaranteed.tolist(), [level[name]["guaranteed"] for level in levels])
         self.assertEqual(set(solution.errors), {"discretisation_error", "node_error", "uniform_error"})
         self.assertEqual(solution.eoc("node_error")[1:].tolist(), [level["node_order"] for level in levels[1:]])
         self.assertTrue(np.isnan(solution.eoc()[0]))
