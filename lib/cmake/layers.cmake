@@ -50,6 +50,7 @@ function(radcert_layer name)
   if(arg_SOURCES)
     list(TRANSFORM arg_SOURCES PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/radcert/${name}/")
     add_library(${target} STATIC ${arg_SOURCES})
+    radcert_for_shared_objects(${target})
     set(scope PUBLIC)
     foreach(third_party IN LISTS arg_PRIVATE)
       # A library of headers alone leaves nothing to link: who uses the installed radcert need not have it.

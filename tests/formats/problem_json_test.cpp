@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "radcert/core/errors.h"
 #include "radcert/formats/json/json_document.h"
 #include "tests/formats/sample.h"
 
@@ -33,6 +34,22 @@ TEST(ParseProblem, ReadsTheExampleOfTheFormat) {
   EXPECT_EQ(triangle_basis_of(problem.method).alpha, Rational(1, 6));
   EXPECT_EQ(problem.solution->on("upper").text(), "1/sqrt(x^2 + y^2 + (z-1/2)^2)");
   EXPECT_FALSE(problem.emission);
+}
+
+TEST(ProblemOf, IsThatOfTheText) {
+  const JsonValue document = parse_json(sample_problem_text, "");
+  EXPECT_EQ(problem_text(problem_of(document, "sample")), problem_text(test::sample_problem()));
+}
+
+TEST(ProblemOf, TakesASurfaceThatStandsBesideTheDocument) {
+  const Problem sample = test::sample_problem();
+  const JsonValue whole = parse_json(sample_problem_text, "");
+  JsonValue rest = JsonValue::object();
+  for (const auto& [name, value] : *whole.members())
+    if (name != "surface") rest.set(name, value);
+  EXPECT_EQ(problem_text(problem_of(rest, "sample", sample.surface)), problem_text(sample));
+  EXPECT_THROW(static_cast<void>(problem_of(rest, "sample")), InputError);
+  EXPECT_THROW(static_cast<void>(problem_of(whole, "sample", sample.surface)), InputError);
 }
 
 /// The basis on triangles of a problem with this basis.

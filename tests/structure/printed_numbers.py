@@ -46,7 +46,11 @@ READS_BACK = {
     "lib/radcert/surface/surface_function.h": "coordinates",
     "lib/radcert/study/collocation/matrix_form.cpp": "constants that are allowed as input, and the input",
     "lib/radcert/study/problem.cpp": "constants that are allowed as input",
-    "apps/radcert/commands/factors.cpp": "coordinates of the input",
+    "lib/radcert/factors/input/factor_scene.cpp": "coordinates of the input",
+    "lib/radcert/formats/result/factor_remarks.cpp": "the demand of the user",
+    "apps/python/bindings/exact.cpp": "what is no finite number",
+    "apps/python/bindings/factors.cpp": "numbers of the input, and doubles that Python reads back",
+    "apps/python/bindings/json.cpp": "what is no finite number",
     "apps/radcert/commands/surface.cpp": "coordinates of the input, and an OFF file, which is read back",
     "verification/framework/stored_finding.cpp": "a store, which is read back",
     "verification/framework/stored_number.cpp": "a store, which is read back",
@@ -155,7 +159,7 @@ def main():
     root = pathlib.Path(sys.argv[1])
     faults = controls()
     seen = set()
-    for folder, endings in [("lib/radcert", (".h", ".cpp")), ("apps/radcert", (".h", ".cpp")), ("verification", (".h", ".cpp", ".js"))]:
+    for folder, endings in [("lib/radcert", (".h", ".cpp")), ("apps/radcert", (".h", ".cpp")), ("apps/python", (".h", ".cpp")), ("verification", (".h", ".cpp", ".js"))]:
         for path in sorted((root / folder).rglob("*")):
             name = path.relative_to(root).as_posix()
             if path.suffix not in endings or "node_modules" in name:

@@ -16,9 +16,8 @@
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/problem/node_file.h"
 #include "radcert/formats/result/basis_json.h"
-#include "radcert/polynomial/nodes/lattice.h"
-#include "radcert/polynomial/nodes/superconvergent_inset.h"
-#include "radcert/scalar/real.h"
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
+#include "records/basis_records.h"
 
 namespace radcert::app {
 
@@ -39,24 +38,6 @@ struct DegreeRange {
   int first = 0;
   int last = 0;
 };
-
-// The norm is enclosed to ten digits.
-const Rational& norm_tolerance() {
-  static const Rational tolerance = 1 / power(Rational(10), 10);
-  return tolerance;
-}
-
-// Irrational insets are rounded to as many digits as node files have.
-const Rational& inset_width() {
-  static const Rational width = 1 / power(Rational(10), 60);
-  return width;
-}
-
-// The digits of symmetric sets hold to this; see their test.
-const Rational& symmetric_radius() {
-  static const Rational radius = 1 / power(Rational(10), 59);
-  return radius;
-}
 
 DegreeRange degrees_of(const std::string& text, int least, int largest) {
   const std::string allowed = "a whole number from " + std::to_string(least) + " to " +
@@ -81,91 +62,6 @@ DegreeRange degrees_of(const std::string& text, int least, int largest) {
   return range;
 }
 
-BasisFacts facts_of(const std::vector<Barycentric<Rational>>& nodes) {
-  Outcome<LagrangeFunctions, NotUnisolvent> functions = lagrange_functions(nodes);
-  if (!functions) throw InputError({.problem = "is not unisolvent: " + functions.reason().to_text()});
-  return basis_facts(*functions, norm_tolerance());
-}
-
-// Facts that hold for the true nodes; a refusal where that is not decided.
-BasisFacts decided(const Outcome<BasisFacts>& facts) {
-  if (!facts) throw InputError({.problem = "has nodes that are not decided: " + facts.reason()});
-  return *facts;
-}
-
-BasisFacts facts_with(const LagrangeFunctions& functions, const SymmetricCertificate& certificate) {
-  return decided(certified_facts(basis_facts(functions, norm_tolerance()), functions, certificate));
-}
-
-BasisRecord superconvergent_record(int degree) {
-  const Outcome<NearInset> alpha = superconvergent_inset(degree, inset_width());
-  if (!alpha)
-    throw InputError({.source = "--alpha",
-                      .value = "superconvergent",
-                      .problem = "does not exist: " + alpha.reason(),
-                      .allowed = "a number in [0, 1/3)"});
-  BasisRecord record{.family = "inset",
-                     .alpha = "superconvergent",
-                     .file = std::nullopt,
-                     .space = std::nullopt,
-                     .facts = facts_of(inset_nodes(degree, alpha->value))};
-  if (!alpha->is_exact) {
-    const BallPrecision scope(256);
-    const std::vector<Barycentric<Rational>> nodes = inset_nodes(degree, alpha->value);
-    const Ball alpha_0 = widened(Ball(alpha->value), Ball(inset_width()));
-    record.facts = decided(at_true_nodes(std::move(record.facts), lagrange_functions(nodes).value(),
-                                         inset_nodes(degree, alpha_0)));
-    record.facts.triangle = precision_at_superconvergent_inset(degree, Region::triangle);
-    record.facts.parallelogram = precision_at_superconvergent_inset(degree, Region::parallelogram);
-    record.facts.proof = PrecisionProof::algebraic;
-  }
-  return record;
-}
-
-BasisRecord inset_record(int degree, const std::string& alpha_text) {
-  const std::string allowed =
-      "a decimal or fraction in [0, 1/3), or superconvergent; none is needed at degree 0";
-  if (degree > 0 && alpha_text.empty())
-    throw InputError({.source = "--alpha", .problem = "is missing", .allowed = allowed});
-  if (degree > 0 && alpha_text == "superconvergent") return superconvergent_record(degree);
-  Rational alpha = 0;
-  if (!alpha_text.empty() && alpha_text != "superconvergent") {
-    const Outcome<Rational> value = Rational::parse(alpha_text);
-    if (!value || value->sign() < 0 || *value >= Rational(1, 3))
-      throw InputError({.source = "--alpha", .value = alpha_text, .allowed = allowed});
-    alpha = *value;
-  }
-  return {.family = "inset",
-          .alpha = degree == 0 ? std::nullopt : std::optional(alpha.to_text()),
-          .file = std::nullopt,
-          .space = std::nullopt,
-          .facts = facts_of(inset_nodes(degree, alpha))};
-}
-
-BasisRecord symmetric_record(int degree) {
-  const SymmetricNodes& set = symmetric_nodes(degree);
-  return {
-      .family = "symmetric",
-      .alpha = std::nullopt,
-      .file = std::nullopt,
-      .space = std::nullopt,
-      .facts = facts_with(lagrange_functions(set.nodes()).value(), certify(set, symmetric_radius()).value())};
-}
-
-BasisRecord file_record(const std::string& path) {
-  const NodeFile file = read_nodes(path);
-  return {.family = "file",
-          .alpha = std::nullopt,
-          .file = path,
-          .space = file.space,
-          .facts = with_source(path, [&] {
-            if (file.algebraic)
-              return decided(basis_facts(file.functions, *file.algebraic, norm_tolerance()));
-            return file.certificate ? facts_with(file.functions, *file.certificate)
-                                    : basis_facts(file.functions, norm_tolerance());
-          })};
-}
-
 bool is_file(const std::string& name) {
   return name.ends_with(".json") || name.find('/') != std::string::npos;
 }
@@ -179,7 +75,7 @@ std::vector<BasisRecord> records_of(const BasisOptions& options) {
   if (is_file(options.name)) {
     refuse_option("--degree", options.degree, "a file of nodes");
     refuse_option("--alpha", options.alpha, "a file of nodes");
-    return {file_record(options.name)};
+    return {basis_record(options.name, read_nodes(options.name))};
   }
   const std::vector<std::string> families = {"inset", "symmetric"};
   if (std::find(families.begin(), families.end(), options.name) == families.end()) {
@@ -196,7 +92,8 @@ std::vector<BasisRecord> records_of(const BasisOptions& options) {
   std::vector<BasisRecord> records;
   for (int degree = range.first; degree <= range.last; ++degree) {
     throw_if_interrupted();
-    records.push_back(is_inset ? inset_record(degree, options.alpha) : symmetric_record(degree));
+    records.push_back(is_inset ? inset_record(degree, options.alpha, OptionStyle::command_line)
+                               : symmetric_record(degree));
   }
   return records;
 }

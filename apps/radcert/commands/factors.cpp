@@ -24,13 +24,16 @@
 #include "radcert/core/interrupt.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
-#include "radcert/factors/exchange_area.h"
 #include "radcert/factors/factor_mesh.h"
+#include "radcert/factors/input/factor_scene.h"
 #include "radcert/factors/ray_factors.h"
 #include "radcert/formats/json/json_reader.h"
+#include "radcert/formats/result/factor_remarks.h"
 #include "radcert/formats/result/factors_json.h"
 #include "radcert/formats/table/factor_comparison.h"
 #include "radcert/formats/table/factors_csv.h"
+#include "radcert/formats/table/unoccluded_factor.h"
+#include "radcert/geometry/mesh_file/mesh_file.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/surface/catalogue.h"
 #include "tables/factors_table.h"
@@ -56,10 +59,6 @@ struct FactorsOptions {
   bool rays = false;
   bool space = false;
 };
-
-std::string point_text(const Vector<double>& p) {
-  return "(" + shortest(p.x) + ", " + shortest(p.y) + ", " + shortest(p.z) + ")";
-}
 
 FactorUnit unit_of(const std::string& word) {
   if (word == "triangle") return FactorUnit::triangle;
@@ -95,189 +94,29 @@ double accuracy_of(const FactorsOptions& options) {
   return *accuracy;
 }
 
-/// What makes the numbers meaningless is the input's fault, with coordinates.
-void require_scene(const std::string& name, const TriangleMesh& mesh) {
-  const std::vector<SceneFault> faults = scene_faults(mesh);
-  if (faults.empty()) {
-    if (const auto words = beyond_doubles(mesh))
-      throw InputError({.source = name, .problem = *words, .allowed = "a scene that doubles carry"});
-    return;
-  }
-  const std::string more = faults.size() == 1 ? "" : fmt::format("; and {} more faults", faults.size() - 1);
-  throw InputError({.source = name,
-                    .problem = faults.front().words + more,
-                    .allowed = "triangles that have a vertex or a side in common, or nothing"});
-}
-
-/// A mesh, a text that says which, and what was mended in it.
-struct NamedMesh {
-  FactorMesh mesh;
-  std::string identity;
-  std::vector<std::string> mended;
-  /// Where light travels, and whether it leaves a mesh without an open edge; of the catalogue it is known.
-  std::string front{};
-  bool in_the_open = false;
-};
-
-NamedMesh mesh_of_file(const FactorsOptions& options) {
-  if (!options.level.empty())
-    throw InputError(
-        {.source = "--level", .problem = "is for surfaces of the catalogue", .allowed = "no mesh file"});
-  for (auto name = options.two_sided.begin(); name != options.two_sided.end(); ++name)
-    if (std::find(options.two_sided.begin(), name, *name) != name)
-      throw InputError({.source = "--two-sided",
-                        .value = *name,
-                        .problem = "is named twice",
-                        .allowed = "each group once: it has two sides"});
-  const MeshSurvey survey = survey_mesh(options.name, default_sharp_degrees, repair_of(options.repair),
-                                        front_of(options.front), options.two_sided);
-  if (!survey.defects.degenerate_triangles.empty()) {
-    const auto corners = survey.mesh.corners(survey.defects.degenerate_triangles.front());
-    throw InputError({.source = options.name,
-                      .problem = "has a triangle with its corners on one line: " + point_text(corners[0]) +
-                                 ", " + point_text(corners[1]) + ", " + point_text(corners[2]),
-                      .allowed = "triangles with an area"});
-  }
-  if (options.two_sided.empty()) {
-    require_scene(options.name, survey.mesh);
-  } else {
-    // The backs are doubled triangles, which are no fault.
-    require_scene(options.name,
-                  survey_mesh(options.name, default_sharp_degrees, repair_of(options.repair)).mesh);
-  }
-  if (survey.front.undecided && survey.topology.disagreeing_edges.empty())
-    throw InputError(
-        {.source = options.name,
-         .problem = *survey.front.undecided,
-         .allowed = "--front right-hand or --front left-hand, where a file can be read both ways"});
-  if (!survey.front.misoriented.empty())
-    throw InputError({.source = options.name,
-                      .problem = "has reversed normals: the triangles connected with the one at " +
-                                 point_text(survey.mesh.corners(survey.front.misoriented.front())[0]) +
-                                 " look away from where the light of the others is",
-                      .allowed = "bodies within a room run the other way round than the room"});
-  const bool right = survey.front.orientation == Orientation::along_the_cross_product;
-  const std::string front = right ? "right-hand" : "left-hand";
-  return {.mesh = factor_mesh(survey),
-          .identity = survey.digest + " repair " + listed(options.repair) + " front " + front +
-                      " two-sided " + listed(options.two_sided),
-          .mended = survey.mended,
-          .front = front,
-          .in_the_open = !survey.front.encloses};
-}
-
-NamedMesh mesh_of_catalogue(const FactorsOptions& options) {
-  if (!options.repair.empty())
-    throw InputError(
-        {.source = "--repair", .problem = "is for meshes", .allowed = "a file in " + mesh_file_endings()});
-  if (!options.two_sided.empty())
-    throw InputError({.source = "--two-sided",
-                      .problem = "is for groups of a mesh",
-                      .allowed = "a file in " + mesh_file_endings()});
-  if (options.front != "auto")
-    throw InputError(
-        {.source = "--front", .problem = "is for meshes", .allowed = "a file in " + mesh_file_endings()});
-  const Surface surface = default_surface(surface_named(options.name));
-  for (const Chart& chart : surface.charts)
-    if (!chart.facts().plane)
+/// The scene of a mesh file or of a surface of the catalogue, with the options that belong to it.
+FactorScene scene_of(const FactorsOptions& options) {
+  if (is_mesh_file_name(options.name)) {
+    if (!options.level.empty())
       throw InputError(
-          {.source = "surface",
-           .value = options.name,
-           .problem = "is curved",
-           .allowed = "surfaces of plane pieces, or a mesh file: then the factors are those of its facets"});
-  NamedMesh named{.mesh = factor_mesh(surface, level_of(options.level)),
-                  .identity = options.name + " " + std::to_string(level_of(options.level)),
-                  .mended = {}};
-  require_scene(options.name, named.mesh.mesh);
-  return named;
-}
-
-std::string edge_text(const FacetScene& scene, std::size_t edge) {
-  const MeshEdge& e = scene.topology().edges[edge];
-  return point_text(scene.scene().vertex(e.from)) + " to " + point_text(scene.scene().vertex(e.to));
-}
-
-void require_orientation(const std::string& name, const FacetScene& scene) {
-  const MeshTopology& topology = scene.topology();
-  if (topology.disagreeing_edges.empty()) return;
-  throw InputError(
-      {.source = name,
-       .problem = fmt::format(
-           "has reversed normals: triangles run against each other along {} edges, the first {}",
-           topology.disagreeing_edges.size(), edge_text(scene, topology.disagreeing_edges.front())),
-       .allowed = "neighbours that look to the same side"});
-}
-
-/// Whether light can leave; then --space must have been given.
-bool is_open(const FactorsOptions& options, const NamedMesh& named, const FacetScene& scene) {
-  const std::vector<std::size_t>& open = scene.topology().open_edges;
-  if (open.empty() && named.in_the_open) {
-    if (options.space) return true;
-    throw InputError({.source = options.name,
-                      .problem = "has closed bodies, and with front " + named.front +
-                                 " its light is outside of them and leaves",
-                      .allowed = "--space for what leaves, or another --front"});
+          {.source = "--level", .problem = "is for surfaces of the catalogue", .allowed = "no mesh file"});
+    static_cast<void>(repair_of(options.repair));
+    return factor_scene(options.name, read_mesh_file(options.name),
+                        {.repair = options.repair,
+                         .front = front_of(options.front),
+                         .two_sided = options.two_sided,
+                         .space = options.space},
+                        OptionStyle::command_line);
   }
-  if (open.empty()) {
-    if (options.space)
-      throw InputError({.source = "--space",
-                        .problem = "is for open scenes: " + options.name + " is closed, its light is inside",
-                        .allowed = "with a mesh --front right-hand or left-hand, whichever has it outside"});
-    return false;
-  }
-  if (options.space) return true;
-  constexpr std::size_t most_edges = 3;
-  std::string edges;
-  for (std::size_t k = 0; k < std::min(open.size(), most_edges); ++k)
-    edges += (k == 0 ? "" : ", ") + edge_text(scene, open[k]);
-  throw InputError({.source = options.name,
-                    .problem = fmt::format("is open: {} edges with one triangle: {}{}", open.size(), edges,
-                                           open.size() > most_edges ? ", ..." : ""),
-                    .allowed = "a closed scene, or --space for what leaves it"});
-}
-
-std::vector<std::string> warnings(const FactorReport& report) {
-  std::vector<std::string> out;
-  const FactorMatrix& matrix = report.matrix;
-  if (matrix.entry_count == 0 && report.front)
-    out.push_back("nothing sees anything with front " + *report.front + "; --front " +
-                  (*report.front == "right-hand" ? "left-hand" : "right-hand") +
-                  " reads the file the other way");
-  for (std::size_t i = 0; i < matrix.rows.size(); ++i)
-    if (matrix.rows[i].sum.value == 0 && matrix.rows[i].sum.radius == 0)
-      out.push_back(report.names[i] + " sees nothing: its normals are probably reversed");
-  return out;
-}
-
-/// The rows, worst first, of which something is to be said: their number, and the names of the first.
-std::string worst_rows(const FactorReport& report, std::vector<std::pair<double, std::size_t>> rows) {
-  std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  constexpr std::size_t most_names = 3;
-  std::string out = fmt::format("{} of {} rows", rows.size(), report.names.size());
-  for (std::size_t k = 0; k < std::min(rows.size(), most_names); ++k)
-    out += (k == 0 ? ": " : ", ") + report.names[rows[k].second];
-  return out + (rows.size() > most_names ? ", ..." : "");
-}
-
-/// Why the numbers must not be relied on: rows of a closed scene that do not sum to 1 within their radius, or
-/// an accuracy that was demanded and not reached.
-std::vector<std::string> failures(const FactorReport& report, const std::optional<double>& demanded) {
-  std::vector<std::string> out;
-  const FactorMatrix& matrix = report.matrix;
-  std::vector<std::pair<double, std::size_t>> unclosed;
-  std::vector<std::pair<double, std::size_t>> wide;
-  for (std::size_t i = 0; i < matrix.rows.size(); ++i) {
-    const double off = matrix.closure_defect(i) - matrix.rows[i].sum.radius;
-    if (!report.open && off > 0) unclosed.emplace_back(off, i);
-    if (demanded && matrix.rows[i].sum.radius > *demanded) wide.emplace_back(matrix.rows[i].sum.radius, i);
-  }
-  if (!unclosed.empty())
-    out.push_back("rows of a closed scene that do not sum to 1 within their radius: " +
-                  worst_rows(report, std::move(unclosed)));
-  if (!wide.empty())
-    out.push_back("incomplete: the row sums' radius is above the accuracy asked for, " + shortest(*demanded) +
-                  ", in " + worst_rows(report, std::move(wide)));
-  return out;
+  const std::string files = "a file in " + mesh_file_endings();
+  if (!options.repair.empty())
+    throw InputError({.source = "--repair", .problem = "is for meshes", .allowed = files});
+  if (!options.two_sided.empty())
+    throw InputError({.source = "--two-sided", .problem = "is for groups of a mesh", .allowed = files});
+  if (options.front != "auto")
+    throw InputError({.source = "--front", .problem = "is for meshes", .allowed = files});
+  return factor_scene(options.name, default_surface(surface_named(options.name)), level_of(options.level),
+                      options.space, OptionStyle::command_line);
 }
 
 /// FILE of FILE.csv.
@@ -306,30 +145,6 @@ FactorTolerance tolerance_of(const std::string& text) {
     place = relative ? percent * *number : *number;
   }
   return out;
-}
-
-/// The factor of two rows as if nothing stood between them, where it is not too much work.
-UnoccludedFactor unoccluded_factor(const FacetScene& scene, const FactorUnits& units) {
-  auto members = std::make_shared<std::vector<std::vector<std::size_t>>>(units.names.size());
-  for (std::size_t t = 0; t < units.of_triangle.size(); ++t) (*members)[units.of_triangle[t]].push_back(t);
-  constexpr std::size_t most_pairs = 200'000;  // of triangles, in all
-  auto left = std::make_shared<std::size_t>(most_pairs);
-  return [&scene, members, left](std::size_t from, std::size_t to) -> std::optional<double> {
-    const auto& mine = (*members)[from];
-    const auto& others = (*members)[to];
-    if (mine.size() * others.size() > *left) return std::nullopt;
-    *left -= mine.size() * others.size();
-    double sum = 0;
-    double area = 0;
-    for (const std::size_t i : mine) {
-      area += scene.area(i);
-      for (const std::size_t j : others) {
-        const FacetPair pair = scene.pair(i, j);
-        if (pair.sight != PairSight::nothing) sum += exchange_area(pair.first, pair.second).value;
-      }
-    }
-    return sum / area;
-  };
 }
 
 void say_plan(const Common& common, const FactorPlan& plan, const std::string& what) {
@@ -387,11 +202,9 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   if (options.rays && options.certified)
     throw InputError({.source = "--rays", .problem = "proves nothing", .allowed = "without --certified"});
 
-  const NamedMesh named =
-      is_mesh_file_name(options.name) ? mesh_of_file(options) : mesh_of_catalogue(options);
-  const FacetScene scene(named.mesh.mesh);
-  require_orientation(options.name, scene);
-  demand.open_to_space = is_open(options, named, scene);
+  const FactorScene named = scene_of(options);
+  const FacetScene& scene = named.scene;
+  demand.open_to_space = named.open;
   const FactorUnits units = factor_units(named.mesh, by);
   std::optional<ClaimedFactors> claimed;
   if (!options.compare.empty()) claimed = read_factors(options.compare, units.names);
@@ -432,7 +245,7 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   }
   say_where_nothing_is_kept(store);
   Files files;
-  report.warnings = warnings(report);
+  report.warnings = factor_warnings(report, OptionStyle::command_line);
   for (const std::string& done : named.mended) report.warnings.push_back("mended: " + done);
   for (const std::string& warning : report.warnings) say("radcert: warning: " + warning + "\n");
   if (claimed) {
@@ -461,7 +274,7 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
                                                           return pair.agreement == Agreement::differs;
                                                         });
   const std::vector<std::string> failed =
-      failures(report, options.accuracy.empty() ? std::nullopt : std::optional(demand.accuracy));
+      factor_failures(report, options.accuracy.empty() ? std::nullopt : std::optional(demand.accuracy));
   for (const std::string& failure : failed) say("radcert: " + failure + "\n");
   return differs || !failed.empty() ? ExitCode::differs : ExitCode::done;
 }

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "command.h"
-#include "continuous_records.h"
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
@@ -24,6 +23,8 @@
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/result/reference_json.h"
 #include "radcert/reference/reference_value.h"
+#include "records/continuous_records.h"
+#include "records/reference_records.h"
 #include "verification/claims/psg10/figures/sphere_over_disk_records.h"
 
 namespace radcert::app {
@@ -46,13 +47,6 @@ struct ReferenceOptions {
   std::string points = "201";
 };
 
-/// A member of a family, with the name under which it was asked for.
-struct Wanted {
-  std::string name;
-  const reference::ValueFamily* family = nullptr;
-  reference::Arguments arguments;
-};
-
 constexpr int usual_digits = 20;
 
 int digits_of(const std::string& text) {
@@ -68,87 +62,16 @@ int digits_of(const std::string& text) {
   return digits;
 }
 
-/// Puts the words "name=value" of --set into the arguments of a family.
-void apply(const std::vector<std::string>& settings, std::string_view family,
-           std::span<const reference::ValueParameter> parameters, reference::Arguments& arguments) {
-  std::vector<std::string> names;
-  for (const reference::ValueParameter& parameter : parameters) names.push_back(parameter.name);
-  std::vector<std::string> seen;
-  for (const std::string& setting : settings) {
-    const std::size_t sign = setting.find('=');
-    const std::string name = setting.substr(0, sign);
+/// The words "name=value" of --set.
+std::vector<Setting> settings_of(const std::vector<std::string>& words) {
+  std::vector<Setting> out;
+  for (const std::string& word : words) {
+    const std::size_t sign = word.find('=');
     if (sign == std::string::npos)
-      throw InputError({.source = "--set", .value = setting, .allowed = "NAME=VALUE"});
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-      throw InputError({.source = "--set",
-                        .value = name,
-                        .problem = "is no parameter of " + std::string(family),
-                        .allowed = names.empty() ? "it has none" : listed(names)});
-    if (std::find(seen.begin(), seen.end(), name) != seen.end())
-      throw InputError({.source = "--set", .value = name, .problem = "is given twice"});
-    seen.push_back(name);
-    const auto i = static_cast<std::size_t>(found - names.begin());
-    const std::string text = setting.substr(sign + 1);
-    const Outcome<Rational> value = Rational::parse(text);
-    if (!value || !parameters[i].allows(*value))
-      throw InputError({.source = "--set " + name, .value = text, .allowed = parameters[i].allowed});
-    arguments[i] = *value;
+      throw InputError({.source = "--set", .value = word, .allowed = "NAME=VALUE"});
+    out.push_back({word.substr(0, sign), word.substr(sign + 1)});
   }
-}
-
-Wanted member(const reference::NamedValue& value) {
-  return {.name = value.name, .family = reference::find_family(value.family), .arguments = value.arguments};
-}
-
-[[noreturn]] void refuse_name(const std::string& name) {
-  std::vector<std::string> names;
-  for (const reference::NamedValue& value : reference::named_values()) names.push_back(value.name);
-  for (const reference::ValueFamily& family : reference::value_families()) names.push_back(family.name);
-  for (const reference::ContinuousMean& mean : reference::continuous_means()) names.push_back(mean.name);
-  names.emplace_back(psg10::sphere_over_disk_name);
-  throw InputError({.source = "reference",
-                    .value = name,
-                    .problem = with_nearest_word("is unknown", name, names),
-                    .allowed = "the names of radcert list references"});
-}
-
-Wanted wanted(const ReferenceOptions& options) {
-  if (const reference::NamedValue* value = reference::find_value(options.name)) {
-    if (!options.settings.empty())
-      throw InputError({.source = "--set",
-                        .value = options.settings.front(),
-                        .problem = "is for a family, and " + options.name + " is one value",
-                        .allowed = "the family is " + value->family});
-    return member(*value);
-  }
-  const reference::ValueFamily* family = reference::find_family(options.name);
-  if (family == nullptr) refuse_name(options.name);
-  Wanted out{.name = family->name, .family = family, .arguments = reference::default_arguments(*family)};
-  apply(options.settings, family->name, family->parameters, out.arguments);
   return out;
-}
-
-ReferenceRecord record_with(const Wanted& wanted, int digits, std::vector<ReferenceRoute> routes) {
-  ReferenceRecord record;
-  record.name = wanted.name;
-  record.digits = digits;
-  record.formula = wanted.family->formula;
-  record.source = wanted.family->source;
-  for (std::size_t i = 0; i < wanted.arguments.size(); ++i)
-    record.parameters.emplace_back(wanted.family->parameters[i].name, wanted.arguments[i].to_text());
-  record.routes = std::move(routes);
-  return record;
-}
-
-ReferenceRecord record_of(const Wanted& wanted, int digits) {
-  const Outcome<reference::EnclosedValue> value =
-      reference::enclose(*wanted.family, wanted.arguments, digits + 1);
-  if (!value)
-    throw AccuracyNotReached(
-        wanted.name, "a radius of 1e-" + std::to_string(digits) + " was not reached; " + value.reason());
-  return record_with(wanted, digits,
-                     {{value->first.how, value->first.value}, {value->second.how, value->second.value}});
 }
 
 std::string text_of(const ReferenceRecord& record) {
@@ -231,7 +154,8 @@ ReferenceRecord kept_record(const reference::NamedValue& value, int digits, Resu
 
 ExitCode print_one(const Common& common, const ReferenceOptions& options, int digits) {
   const Outputs outputs(common);
-  const ReferenceRecord record = record_of(wanted(options), digits);
+  const ReferenceRecord record = record_of(
+      wanted_reference(options.name, settings_of(options.settings), OptionStyle::command_line), digits);
   print_result(common, outputs, text_of(record), reference_json(record, common.command).pretty() + "\n");
   return ExitCode::done;
 }
@@ -264,7 +188,8 @@ ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& opt
   const auto parameters = psg10::sphere_over_disk_parameters();
   for (const reference::ValueParameter& parameter : parameters)
     wish.arguments.push_back(Rational::parse(parameter.default_text).value());
-  apply(options.settings, psg10::sphere_over_disk_name, parameters, wish.arguments);
+  apply(settings_of(options.settings), psg10::sphere_over_disk_name, parameters, wish.arguments,
+        OptionStyle::command_line);
   if (wish.at.empty() && wish.curve.empty())
     throw InputError({.source = "reference",
                       .problem = std::string(psg10::sphere_over_disk_name) + " without a point",

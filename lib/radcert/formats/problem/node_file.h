@@ -12,6 +12,7 @@
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/nodes/algebraic_nodes.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
+#include "radcert/study/triangle_basis_choice.h"
 
 namespace radcert {
 
@@ -52,6 +53,10 @@ struct NodeFile {
 
 /// The same from a text; `source` names it in messages.
 [[nodiscard]] NodeFile parse_nodes(std::string_view text, const std::string& source);
+
+/// Such nodes as the basis of a problem, which names them so.
+/// Result    InputError, with the name, for functions of a degree above 8
+[[nodiscard]] TriangleBasisChoice node_file_basis(NodeFile nodes, const std::string& name);
 
 /// Nodes as such a file.
 /// Source    the file format radcert/nodes/1

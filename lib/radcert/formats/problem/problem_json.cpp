@@ -16,15 +16,20 @@ namespace {
 
 constexpr const char* schema = "radcert/problem/1";
 
-/// The pieces that the problem may name: of the catalogue, or of the mesh.
-Problem read(const JsonValue& document, const std::filesystem::path& folder) {
+Problem read(const JsonValue& document, const std::filesystem::path& folder,
+             const std::optional<SurfaceChoice>& surface = std::nullopt) {
   const JsonReader root(document);
   root.require_schema(schema, "an object: a problem");
   root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
                        "emission", "quadrature", "operator", "solver", "guarantee", "label", "fit_from"});
   Problem problem;
-  problem.surface = read_surface(
-      root.at("surface", "an object with a name, see radcert list surfaces, or with a file"), folder);
+  if (const auto stated = root.find("surface"); surface && stated)
+    stated->refuse("stands beside another surface", "one of them");
+  problem.surface =
+      surface ? *surface
+              : read_surface(
+                    root.at("surface", "an object with a name, see radcert list surfaces, or with a file"),
+                    folder);
   const std::vector<std::string> pieces = pieces_of(problem.surface);
   problem.triangulation = read_triangulation(root.at("triangulation", "an object with levels"), pieces);
   if (const auto geometry = root.find("geometry")) problem.geometry = read_geometry(*geometry);
@@ -81,6 +86,12 @@ Problem read_problem(const std::filesystem::path& path) {
 Problem parse_problem(std::string_view text, const std::string& source) {
   const JsonValue document = parse_json(text, source);
   return with_source(source, [&] { return read(document, std::filesystem::path(source).parent_path()); });
+}
+
+Problem problem_of(const JsonValue& document, const std::string& source,
+                   const std::optional<SurfaceChoice>& surface) {
+  return with_source(source,
+                     [&] { return read(document, std::filesystem::path(source).parent_path(), surface); });
 }
 
 JsonValue problem_json(const Problem& problem) {

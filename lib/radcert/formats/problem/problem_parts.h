@@ -13,6 +13,8 @@
 
 namespace radcert {
 
+struct MeshSurvey;
+
 /// The parts of a problem file, each read from its own place in it.
 /// Source    the file format radcert/problem/1
 /// Requires  pieces: the names of the pieces of the problem's surface; folder: where the names of files begin
@@ -35,6 +37,15 @@ std::vector<std::string> pieces_of(const SurfaceChoice& surface);
 std::string read_label(const JsonReader& label);
 /// The level with which fitted orders begin.
 int read_fit_from(const JsonReader& level);
+
+/// Why a mesh is no surface of a problem, if so.
+/// Requires  front_allowed: how its user chooses the side where light is
+[[nodiscard]] std::optional<InputFault> mesh_surface_fault(const std::string& name, const MeshSurvey& survey,
+                                                           const std::string& front_allowed);
+/// A mesh as the surface of a problem. Requires one without such a fault, and what it was surveyed with.
+[[nodiscard]] SurfaceChoice mesh_surface_choice(const std::string& name, const MeshSurvey& survey,
+                                                const Rational& angle, const std::vector<std::string>& repair,
+                                                FrontRule front);
 
 /// The same parts as JSON.
 /// Source    the file format radcert/problem/1

@@ -50,31 +50,21 @@ FrontRule read_front(const JsonReader& surface) {
 SurfaceChoice read_mesh(const JsonReader& surface, const JsonReader& file,
                         const std::filesystem::path& folder) {
   surface.require_object(mesh_keys);
-  MeshChoice mesh{.file = file.string("the name of a mesh file, relative to the problem's folder"),
-                  .digest = {},
-                  .angle = read_angle(surface),
-                  .repair = read_repair(surface),
-                  .mended = {},
-                  .surface = nullptr,
-                  .front = read_front(surface)};
-  const std::filesystem::path path = folder / mesh.file;
-  if (!is_mesh_file_name(mesh.file))
-    file.refuse("has no name of a mesh file", "names in " + mesh_file_endings());
+  const std::string& name = file.string("the name of a mesh file, relative to the problem's folder");
+  const Rational angle = read_angle(surface);
+  const std::vector<std::string> repair = read_repair(surface);
+  const FrontRule front = read_front(surface);
+  const std::filesystem::path path = folder / name;
+  if (!is_mesh_file_name(name)) file.refuse("has no name of a mesh file", "names in " + mesh_file_endings());
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     file.refuse("is not there", "a mesh file, its name relative to the problem's folder");
-  const MeshSurvey survey = survey_mesh(path, mesh.angle.to_double(), repair_named(mesh.repair), mesh.front);
+  const MeshSurvey survey = survey_mesh(path, angle.to_double(), repair_named(repair), front);
   require_digest(surface, survey.digest);
-  if (survey.front.undecided || survey.looks_away)
-    file.refuse(*survey.obstacle(), "\"front\": \"right-hand\" or \"left-hand\" beside the file");
-  if (const auto obstacle = survey.obstacle())
-    file.refuse(*obstacle,
-                "a mesh of triangles that neither cross nor run against each other; see radcert surface " +
-                    mesh.file);
-  mesh.digest = survey.digest;
-  mesh.mended = survey.mended;
-  mesh.surface = std::make_shared<const Surface>(survey.surface(mesh.file));
-  return {.name = mesh.file, .parameters = {}, .mesh = std::move(mesh)};
+  if (const auto fault =
+          mesh_surface_fault(name, survey, "\"front\": \"right-hand\" or \"left-hand\" beside the file"))
+    file.refuse(fault->problem, fault->allowed);
+  return mesh_surface_choice(name, survey, angle, repair, front);
 }
 
 Rational default_value(const ParameterDescription& parameter) {
@@ -82,6 +72,32 @@ Rational default_value(const ParameterDescription& parameter) {
 }
 
 }  // namespace
+
+std::optional<InputFault> mesh_surface_fault(const std::string& name, const MeshSurvey& survey,
+                                             const std::string& front_allowed) {
+  const std::optional<std::string> obstacle = survey.obstacle();
+  if (survey.front.undecided || survey.looks_away)
+    return InputFault{.source = name, .problem = *obstacle, .allowed = front_allowed};
+  if (!obstacle) return std::nullopt;
+  return InputFault{
+      .source = name,
+      .problem = *obstacle,
+      .allowed =
+          "a mesh of triangles that neither cross nor run against each other; see radcert surface " + name};
+}
+
+SurfaceChoice mesh_surface_choice(const std::string& name, const MeshSurvey& survey, const Rational& angle,
+                                  const std::vector<std::string>& repair, FrontRule front) {
+  return {.name = name,
+          .parameters = {},
+          .mesh = MeshChoice{.file = name,
+                             .digest = survey.digest,
+                             .angle = angle,
+                             .repair = repair,
+                             .mended = survey.mended,
+                             .surface = std::make_shared<const Surface>(survey.surface(name)),
+                             .front = front}};
+}
 
 std::vector<std::string> surface_names() {
   std::vector<std::string> names;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/core/errors.h"
 #include "radcert/formats/problem/node_file.h"
 #include "radcert/formats/problem/problem_parts.h"
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
@@ -39,20 +40,16 @@ void read_alpha(const JsonReader& alpha, TriangleBasisChoice& choice) {
 TriangleBasisChoice read_file(const JsonReader& basis, const JsonReader& file,
                               const std::filesystem::path& folder) {
   basis.require_object({"file", "digest"});
-  TriangleBasisChoice choice;
-  choice.family = NodeFamily::file;
-  choice.file = file.string("the name of a file of nodes, relative to the problem's folder");
-  const std::filesystem::path path = folder / choice.file;
+  const std::string& name = file.string("the name of a file of nodes, relative to the problem's folder");
+  const std::filesystem::path path = folder / name;
   if (!std::filesystem::exists(path))
     file.refuse("is not there", "a file of nodes, its name relative to the problem's folder");
   NodeFile nodes = read_nodes(path);
   require_digest(basis, nodes.digest);
-  choice.digest = nodes.digest;
-  choice.degree = nodes.functions.degree();
-  if (choice.degree > largest_degree)
-    file.refuse("has functions of degree " + std::to_string(choice.degree), "functions of degree 0 to 8");
-  choice.functions = std::make_shared<const LagrangeFunctions>(std::move(nodes.functions));
-  return choice;
+  const int degree = nodes.functions.degree();
+  if (degree > largest_degree)
+    file.refuse("has functions of degree " + std::to_string(degree), "functions of degree 0 to 8");
+  return node_file_basis(std::move(nodes), name);
 }
 
 TriangleBasisChoice read_symmetric(const JsonReader& basis) {
@@ -84,6 +81,20 @@ TriangleBasisChoice read_inset(const JsonReader& basis) {
 }  // namespace
 
 std::vector<std::string> triangle_basis_families() { return {"inset", "symmetric"}; }
+
+TriangleBasisChoice node_file_basis(NodeFile nodes, const std::string& name) {
+  TriangleBasisChoice choice;
+  choice.family = NodeFamily::file;
+  choice.file = name;
+  choice.digest = std::move(nodes.digest);
+  choice.degree = nodes.functions.degree();
+  if (choice.degree > largest_degree)
+    throw InputError({.source = name,
+                      .problem = "has functions of degree " + std::to_string(choice.degree),
+                      .allowed = "functions of degree 0 to 8"});
+  choice.functions = std::make_shared<const LagrangeFunctions>(std::move(nodes.functions));
+  return choice;
+}
 
 TriangleBasisChoice read_triangle_basis(const JsonReader& basis, const std::filesystem::path& folder) {
   if (const auto file = basis.find("file")) return read_file(basis, *file, folder);

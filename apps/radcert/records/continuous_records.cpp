@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "continuous_records.h"
+#include "records/continuous_records.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "arrays.h"
+#include "exact.h"
+#include "json.h"
+#include "problem.h"
+#include "python.h"
+#include "radcert/certificate/check.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
+#include "radcert/formats/field/vtu.h"
+#include "radcert/formats/json/json_document.h"
+#include "radcert/formats/problem/problem_parts.h"
+#include "radcert/formats/result/certificate_json.h"
+#include "radcert/formats/result/result_json.h"
+#include "radcert/formats/result/stored_numbers.h"
+#include "radcert/scalar/enclosing_text.h"
+#include "radcert/study/certified_means.h"
+#include "store.h"
+#include "work.h"
+
+namespace radcert::python {
+
+namespace {
+
+/// An enclosure of the solution itself, with what proves it where that was asked for.
+struct Enclosed {
+  Result result;
+  std::optional<std::string> certificate;
+
+  [[nodiscard]] const SolutionEnclosure& enclosure() const { return *result.enclosure; }
+};
+
+/// "4 layers of degree 6, width 1e-3": how far the search has come.
+std::string words_of(const GuaranteeProgress& now) {
+  return std::to_string(now.layers) + " layers, degree " + std::to_string(now.degree) + ", width " +
+         upper_text(now.width);
+}
+
+std::string words_of(const MeshProgress& now) {
+  return std::to_string(now.layers) + " layers, degree " + std::to_string(now.degree) + ", cells " +
+         std::to_string(now.cells_done) + " of " + std::to_string(now.cells);
+}
+
+double part_of(const MeshProgress& now) {
+  return now.cells == 0 ? 0 : static_cast<double>(now.cells_done) / static_cast<double>(now.cells);
+}
+
+Enclosed enclose(PythonProblem problem, const py::object& document, bool with_certificate,
+                 const std::string& store, const py::object& progress) {
+  const JsonValue json = with_source("guarantee", [&] { return json_of(document); });
+  problem.problem.guarantee = with_source("guarantee", [&] { return read_guarantee(JsonReader(json)); });
+  return compute(progress, [&](Progress& told) {
+    return with_source(problem.source, [&] {
+      const Guarantee& wanted = *problem.problem.guarantee;
+      check_guarantee(problem.problem, wanted);
+      if (with_certificate) check_certified(problem.problem, wanted);
+      ResultStore folder = store_named(store);
+      // A mesh or nodes of Python's own stand in the key by their digests.
+      StoredNumbers kept(folder, guarantee_key(problem.problem, with_certificate));
+      const GuaranteeContext context{
+          .progress = [&](const GuaranteeProgress& now) { told.say(0, words_of(now)); },
+          .meshes = [&](const MeshProgress& now) { told.say(part_of(now), words_of(now)); },
+          .kept = &kept};
+      Enclosed out;
+      LevelResult level;
+      SolutionEnclosure enclosure;
+      if (with_certificate) {
+        CertifiedMeans found = certified_means(problem.problem, wanted, context);
+        out.certificate = certificate_text(found.certificate, "radcert.Problem.guarantee");
+        level = std::move(found.level);
+        enclosure = std::move(found.enclosure);
+      } else {
+        std::tie(level, enclosure) = solve_within(problem.problem, wanted, context);
+      }
+      out.result = {.problem = problem.problem,
+                    .levels = {std::move(level)},
+                    .orders = {},
+                    .timing = {{}},
+                    .enclosure = std::move(enclosure)};
+      return out;
+    });
+  });
+}
+
+py::object points_of(const Enclosed& enclosed) {
+  py::list out;
+  for (const EnclosedValue& value : enclosed.enclosure().points)
+    out.append(py::dict(py::arg("piece") = value.piece,
+                        py::arg("at") = py::make_tuple(fraction_of(value.at.x), fraction_of(value.at.y),
+                                                       fraction_of(value.at.z)),
+                        py::arg("value") = value.value.value, py::arg("radius") = value.value.radius,
+                        py::arg("guaranteed") = value.value.guaranteed));
+  return out;
+}
+
+py::object function_of(const Enclosed& enclosed) {
+  const auto& function = enclosed.enclosure().function;
+  if (!function) return py::none();
+  py::list pieces;
+  for (const FunctionBound::OnPiece& piece : function->pieces)
+    pieces.append(py::dict(py::arg("piece") = piece.piece, py::arg("outside") = piece.outside,
+                           py::arg("everywhere") = piece.everywhere));
+  return py::dict(py::arg("sup") = function->sup, py::arg("outside") = function->outside,
+                  py::arg("pieces") = pieces);
+}
+
+/// A certificate read and checked again.
+py::dict checked(const std::string& file, const std::optional<std::int64_t>& elements,
+                 const std::optional<std::string>& seed, const py::object& progress) {
+  if (elements && *elements < 1)
+    throw InputError({.source = "elements",
+                      .value = std::to_string(*elements),
+                      .allowed = "a whole number from 1 on, or None for all"});
+  struct Verdict {
+    ReadCertificate read;
+    certificate::Report report;
+  };
+  const Verdict verdict = compute(progress, [&](Progress& told) {
+    const std::string text = with_source(file, [&] { return read_file(file, json_size_limit); });
+    Verdict out{.read = read_certificate(text, file), .report = {}};
+    if (!out.read.digest_holds) {
+      out.report.refusal = certificate::Refusal{"/digest", "is not that of the content"};
+      return out;
+    }
+    const std::size_t count = out.read.certificate.elements.size();
+    const std::size_t part = elements ? std::min(count, static_cast<std::size_t>(*elements)) : count;
+    out.report = certificate::check(
+        out.read.certificate, {.elements = part, .seed = seed.value_or(out.read.digest)},
+        [&](std::size_t done) {
+          told.say(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(part, 1)),
+                   "elements");
+        });
+    return out;
+  });
+  py::dict means;
+  const certificate::MeansCertificate& c = verdict.read.certificate;
+  py::object refusal = py::none();
+  if (verdict.report.refusal) {
+    refusal = py::str(verdict.report.refusal->pointer + ": " + verdict.report.refusal->says);
+  } else {
+    for (std::size_t k = 0; k < c.pieces.size(); ++k)
+      means[py::str(c.pieces[k])] =
+          py::make_tuple(fraction_of(c.means[k].midpoint), fraction_of(c.means[k].radius));
+  }
+  return py::dict(py::arg("verified") = !verdict.report.refusal.has_value(), py::arg("refusal") = refusal,
+                  py::arg("elements") = c.elements.size(),
+                  py::arg("looked_at") = verdict.report.looked_at.size(), py::arg("means") = means);
+}
+
+}  // namespace
+
+void add_guarantees(py::module_& module) {
+  module.def("enclose", enclose, py::arg("problem"), py::arg("guarantee"), py::arg("certificate"),
+             py::arg("store"), py::arg("progress"));
+  module.def("check_certificate", checked, py::arg("file"), py::arg("elements"), py::arg("seed"),
+             py::arg("progress"));
+  py::class_<Enclosed>(module, "Enclosed")
+      .def_property_readonly("width", [](const Enclosed& e) { return e.enclosure().width; })
+      .def_property_readonly("wanted",
+                             [](const Enclosed& e) { return fraction_of(e.enclosure().wanted.width); })
+      .def_property_readonly("hindrance", [](const Enclosed& e) { return e.enclosure().hindrance; })
+      .def_readonly("certificate", &Enclosed::certificate)
+      .def("means",
+           [](const Enclosed& e) {
+             py::dict out;
+             for (const auto& [piece, mean] : e.enclosure().pieces)
+               out[py::str(piece)] = py::make_tuple(mean.value, mean.radius, mean.guaranteed);
+             return out;
+           })
+      .def("points", points_of)
+      .def("function", function_of)
+      .def("json",
+           [](const Enclosed& e) { return object_of(result_json(e.result, "radcert.Problem.guarantee")); })
+      .def("vtu", [](const Enclosed& e) {
+        if (e.enclosure().wanted.of == EnclosedQuantity::means)
+          throw InputError({.source = "vtu",
+                            .problem = "is of values or of a function, and these are means",
+                            .allowed = "of=\"values\" or of=\"function\""});
+        return py::bytes(vtu_text(e.enclosure()));
+      });
+}
+
+}  // namespace radcert::python

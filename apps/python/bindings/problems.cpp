@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "json.h"
+#include "mesh.h"
+#include "nodes.h"
+#include "problem.h"
+#include "python.h"
+#include "radcert/core/errors.h"
+#include "radcert/formats/problem/problem_json.h"
+#include "radcert/formats/problem/problem_parts.h"
+#include "radcert/formats/result/stored_levels.h"
+#include "radcert/reference/operator_integral.h"
+#include "radcert/solve/linear_solver.h"
+#include "radcert/surface/catalogue.h"
+#include "solution.h"
+#include "store.h"
+#include "work.h"
+
+namespace radcert::python {
+
+namespace {
+
+PythonProblem problem_from(const py::object& document, const std::string& source,
+                           const SurfaceChoice* surface, const Nodes* nodes) {
+  JsonValue json = with_source(source, [&] { return json_of(document); });
+  std::optional<SurfaceChoice> chosen;
+  if (surface != nullptr) chosen = *surface;
+  PythonProblem out;
+  out.source = source;
+  out.problem = compute(py::none(), [&](Progress&) { return problem_of(json, source, chosen); });
+  if (nodes != nullptr) triangle_basis_of(out.problem.method) = node_file_basis(*nodes->file, nodes->name);
+  return out;
+}
+
+/// The entries of the matrix at a level, in units of those at level 0.
+double work(int level) { return std::pow(16.0, level); }
+
+Solution solved(const PythonProblem& given, const std::string& store, const py::object& progress) {
+  return compute(progress, [&](Progress& told) {
+    const Problem& problem = given.problem;
+    const std::uint64_t memory = available_memory();
+    return with_source(given.source, [&] {
+      check(problem, memory);
+      ResultStore kept = store_named(store);
+      StoredLevels source(kept, solve_with(reference::applied_operator, memory));
+      double all = 0;
+      for (const int level : problem.triangulation.levels) all += work(level);
+      double done = 0;
+      std::vector<LevelOutcome> levels;
+      std::vector<LevelResult> results;
+      std::vector<LevelTiming> timing;
+      for (const int level : problem.triangulation.levels) {
+        told.say(done / all, "level " + std::to_string(level));
+        levels.push_back(source.level(problem, level));
+        results.push_back(levels.back().result);
+        timing.push_back(levels.back().timing);
+        done += work(level);
+      }
+      told.say(1, "done");
+      return Solution{collect(problem, std::move(results), std::move(timing)), std::move(levels)};
+    });
+  });
+}
+
+py::list surface_listing() {
+  py::list out;
+  for (const SurfaceDescription& surface : surface_catalogue()) {
+    py::list parameters;
+    for (const ParameterDescription& parameter : surface.parameters)
+      parameters.append(
+          py::dict(py::arg("name") = parameter.name, py::arg("default") = parameter.default_text,
+                   py::arg("requirement") = parameter.requirement, py::arg("meaning") = parameter.meaning));
+    out.append(py::dict(py::arg("name") = surface.name, py::arg("summary") = surface.summary,
+                        py::arg("pieces") = surface.pieces, py::arg("parameters") = parameters,
+                        py::arg("served") = surface.unoccluded));
+  }
+  return out;
+}
+
+}  // namespace
+
+void add_problems(py::module_& module) {
+  py::class_<SurfaceChoice>(module, "SurfaceChoice")
+      .def_static("named",
+                  [](const py::object& document) {
+                    const JsonValue json = json_of(document, "");
+                    return with_source("surface", [&] { return read_surface(JsonReader(json), {}); });
+                  })
+      .def_static(
+          "of_mesh",
+          [](const Mesh& mesh) { return compute(py::none(), [&](Progress&) { return mesh.surface(); }); })
+      .def_readonly("name", &SurfaceChoice::name)
+      .def_property_readonly("pieces", [](const SurfaceChoice& surface) {
+        return surface.mesh ? surface.mesh->surface->piece_names() : find_surface(surface.name)->pieces;
+      });
+  py::class_<PythonProblem>(module, "Problem")
+      .def(py::init(&problem_from), py::arg("document"), py::arg("source"), py::arg("surface"),
+           py::arg("nodes"))
+      .def_static(
+          "read",
+          [](const std::string& file) {
+            return PythonProblem{compute(py::none(), [&](Progress&) { return read_problem(file); }), file};
+          })
+      .def("json", [](const PythonProblem& problem) { return object_of(problem_json(problem.problem)); })
+      .def("text", [](const PythonProblem& problem) { return problem_text(problem.problem); })
+      .def("check",
+           [](const PythonProblem& problem) {
+             return compute(py::none(), [&](Progress&) {
+               with_source(problem.source, [&] { check(problem.problem, available_memory()); });
+               return true;
+             });
+           })
+      .def("solve", solved, py::arg("store"), py::arg("progress"));
+  module.def("surfaces", surface_listing);
+  module.def("solvers", [] {
+    std::vector<std::string> out;
+    for (const LinearSolver& solver : linear_solvers()) out.push_back(solver.name);
+    return out;
+  });
+}
+
+}  // namespace radcert::python

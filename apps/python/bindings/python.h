@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+// The module radcert._core: the library for Python, one source a part. What is pleasant to write in Python,
+// as names of surfaces and operators of expressions, is in the package beside it; what is computed or decided
+// is in the library.
+namespace radcert::python {
+
+namespace py = pybind11;
+
+/// Each adds its part of the module.
+void add_errors(py::module_& module);
+void add_work(py::module_& module);
+void add_exact(py::module_& module);
+void add_references(py::module_& module);
+void add_expressions(py::module_& module);
+void add_meshes(py::module_& module);
+void add_factors(py::module_& module);
+void add_bases(py::module_& module);
+void add_problems(py::module_& module);
+void add_solutions(py::module_& module);
+void add_experiments(py::module_& module);
+void add_guarantees(py::module_& module);
+void add_verification(py::module_& module);
+
+}  // namespace radcert::python

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "json.h"
+#include "python.h"
+#include "radcert/core/errors.h"
+#include "radcert/core/memory_plan.h"
+#include "radcert/formats/result/stored_levels.h"
+#include "radcert/reference/operator_integral.h"
+#include "store.h"
+#include "verification/framework/run_verification.h"
+#include "verification/report/report_text.h"
+#include "work.h"
+
+namespace radcert::python {
+
+namespace {
+
+using verification::ClaimReport;
+using verification::Report;
+
+Report verify(const std::vector<std::string>& words, const std::string& budget, const std::string& store,
+              const py::object& progress) {
+  const auto wanted = verification::budget_named(budget);
+  if (!wanted) throw InputError({.source = "budget", .value = budget, .allowed = "quick, standard, full"});
+  return compute(progress, [&](Progress& told) {
+    const OperatorRoute route = reference::applied_operator;
+    ResultStore kept = store_named(store);
+    StoredLevels levels(kept, solve_with(route, available_memory()));
+    const verification::Bench bench{.budget = *wanted, .route = route, .levels = levels, .store = kept};
+    return verification::run_verification(words, bench, [&](const verification::Progress& now) {
+      told.say(now.total == 0 ? 0 : static_cast<double>(now.done) / static_cast<double>(now.total),
+               now.statement);
+    });
+  });
+}
+
+}  // namespace
+
+void add_verification(py::module_& module) {
+  module.def("verify", verify, py::arg("words"), py::arg("budget"), py::arg("store"), py::arg("progress"));
+  py::class_<ClaimReport>(module, "Statement",
+                          "What a run found of one statement, or of one cell of a table.")
+      .def_property_readonly("name", [](const ClaimReport& claim) { return claim.paper + "/" + claim.label; })
+      .def_readonly("says", &ClaimReport::says)
+      .def_property_readonly(
+          "verdict", [](const ClaimReport& claim) { return std::string(verification::name(claim.found)); })
+      .def_property_readonly(
+          "recorded",
+          [](const ClaimReport& claim) { return std::string(verification::name(claim.recorded)); })
+      .def_property_readonly("as_recorded", &ClaimReport::as_recorded)
+      .def_property_readonly(
+          "value",
+          [](const ClaimReport& claim) -> py::object {
+            if (!claim.ours) return py::none();
+            return py::make_tuple(claim.ours->value, claim.ours->radius, claim.ours->guaranteed);
+          },
+          "(value, radius, guaranteed) of what was computed here, None where there is no number")
+      .def_readonly("printed", &ClaimReport::printed)
+      .def_readonly("note", &ClaimReport::note)
+      .def_readonly("remarks", &ClaimReport::remarks)
+      .def_readonly("failure", &ClaimReport::failure)
+      .def_readonly("seconds", &ClaimReport::seconds)
+      .def("__repr__", [](const ClaimReport& claim) {
+        return "<Statement " + claim.paper + "/" + claim.label + ": " +
+               std::string(verification::name(claim.found)) +
+               (claim.as_recorded() ? "" : ", recorded " + std::string(verification::name(claim.recorded))) +
+               ">";
+      });
+  py::class_<Report>(module, "Report")
+      .def_readonly("statements", &Report::claims)
+      .def_property_readonly("as_recorded", &Report::as_recorded)
+      .def("text", [](const Report& report) { return verification::report_table(report); })
+      .def("json", [](const Report& report) {
+        return object_of(verification::report_json(report, "radcert.verify"));
+      });
+}
+
+}  // namespace radcert::python

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/factors/input/factor_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "radcert/surface/catalogue.h"
+#include "tests/core/refusal.h"
+#include "tests/geometry/sample_meshes.h"
+
+namespace radcert {
+namespace {
+
+using test::refusal_of;
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr OptionStyle words = OptionStyle::command_line;
+
+MeshFile file_of(const sample::Polyhedron& polyhedron) {
+  return parse_mesh_file(sample::off_text(polyhedron), "sample.off");
+}
+
+/// The cube without its last face.
+sample::Polyhedron open_cube() {
+  sample::Polyhedron cube = sample::cube();
+  cube.faces.pop_back();
+  return cube;
+}
+
+std::string refusal(const sample::Polyhedron& polyhedron, const FactorSceneChoice& choice = {},
+                    OptionStyle style = words) {
+  return refusal_of([&] { return factor_scene("sample", file_of(polyhedron), choice, style); });
+}
+
+TEST(FactorScene, OfAClosedMeshIsARoom) {
+  const FactorScene scene = factor_scene("sample", file_of(sample::cube()), {}, words);
+  EXPECT_FALSE(scene.open);
+  EXPECT_EQ(scene.scene.facet_count(), 12U);
+  EXPECT_EQ(scene.front, "left-hand");
+}
+
+TEST(FactorScene, OfAnOpenMeshSaysWhatLeavesOnlyWhereThatIsMeant) {
+  EXPECT_THAT(refusal(open_cube()),
+              AllOf(HasSubstr("is open: 4 edges"), HasSubstr("--space for what leaves it")));
+  EXPECT_THAT(refusal(open_cube(), {}, OptionStyle::argument), HasSubstr("or space for what leaves it"));
+  EXPECT_TRUE(factor_scene("sample", file_of(open_cube()), {.space = true}, words).open);
+  EXPECT_THAT(refusal(sample::cube(), {.space = true}), HasSubstr("is for open scenes"));
+  EXPECT_THAT(refusal(sample::cube(), {.front = FrontRule::right_hand}), HasSubstr("has closed bodies"));
+}
+
+TEST(FactorScene, RefusesWhatFactorsOfMeanNothing) {
+  sample::Polyhedron turned = sample::cube();
+  std::reverse(turned.faces.front().begin(), turned.faces.front().end());
+  EXPECT_THAT(refusal(turned), HasSubstr("has reversed normals"));
+  sample::Polyhedron thin = sample::cube();
+  thin.vertices.insert(thin.vertices.end(), {{2, 0, 0}, {3, 0, 0}, {4, 0, 0}});
+  thin.faces.push_back({8, 9, 10});
+  EXPECT_THAT(refusal(thin), HasSubstr("corners on one line"));
+  sample::Polyhedron crossing = sample::cube();
+  crossing.vertices.insert(crossing.vertices.end(), {{0.5, 0.5, -1}, {0.5, 0.5, 2}, {0.6, 0.7, 0.5}});
+  crossing.faces.push_back({8, 9, 10});
+  EXPECT_THAT(refusal(crossing), HasSubstr("triangles that have a vertex or a side in common, or nothing"));
+  sample::Polyhedron small = sample::cube();
+  for (Vector<double>& v : small.vertices) v = 0x1p-110 * v;
+  EXPECT_THAT(refusal(small), HasSubstr("a scene that doubles carry"));
+  sample::Polyhedron bent = sample::cube();
+  bent.vertices.front().z = -1;
+  EXPECT_THAT(refusal(bent), AllOf(HasSubstr("sample: "), HasSubstr("do not lie in one plane")));
+  EXPECT_THAT(refusal(sample::cube(), {.two_sided = {"", ""}}), HasSubstr("--two-sided"));
+}
+
+TEST(FactorScene, IdentityTellsReadingsApart) {
+  const auto identity = [](const FactorSceneChoice& choice) {
+    return factor_scene("sample", file_of(open_cube()), choice, words).identity;
+  };
+  const std::string plain = identity({.space = true});
+  EXPECT_EQ(identity({.space = true}), plain);
+  EXPECT_NE(identity({.front = FrontRule::left_hand, .space = true}), plain);
+  EXPECT_NE(identity({.repair = {"vertices"}, .space = true}), plain);
+}
+
+TEST(FactorScene, OfACatalogueKnowsItsParameters) {
+  const SurfaceDescription& box = *find_surface("box");
+  const auto scene = [&](const std::vector<Rational>& values, int level) {
+    return factor_scene("box", box.make(values), level, false, words);
+  };
+  EXPECT_NE(scene({1, 2, 3}, 0).identity, scene({1, 2, 4}, 0).identity);
+  EXPECT_NE(scene({1, 2, 3}, 0).identity, scene({1, 2, 3}, 1).identity);
+  EXPECT_THAT(refusal_of([&] {
+                return factor_scene("sphere", default_surface(*find_surface("sphere")), 0, false, words);
+              }),
+              HasSubstr("is curved"));
+}
+
+}  // namespace
+}  // namespace radcert

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Enclosures of solutions of the equation itself, and their certificates."""
+import json
+import unittest
+
+import radcert as rc
+
+from module import ModuleTest, without
+
+
+class Guarantees(ModuleTest):
+    def setUp(self):
+        super().setUp()
+        self.cube = rc.Problem(rc.cube(), reflectivity="1/2", emission={"floor": 1, "*": 0}, levels=[0])
+
+    def test_means_are_proved_and_those_of_the_program(self):
+        enclosure = self.cube.guarantee("0.05")
+        self.assertTrue(enclosure.reached)
+        self.assertLessEqual(enclosure.width, 0.05)
+        self.assertEqual(set(enclosure.means), set(rc.cube().pieces))
+        for mean in enclosure.means.values():
+            self.assertTrue(mean.guaranteed)
+            self.assertLessEqual(2 * mean.radius, 0.05)
+        # Another route: certificates inside the library.
+        known = rc.reference("continuous_mean_cube_floor_rho_1/2")
+        floor = enclosure.means["floor"]
+        self.assertLessEqual(abs(floor.value - float(known)), floor.radius + float(known.ball.radius))
+        self.cube.write(self.folder / "cube.json")
+        theirs = self.program("solve", self.folder / "cube.json", "--guarantee", "0.05")
+        self.assertEqual(without(enclosure.to_json(), "command", "timing"), without(theirs, "command", "timing"))
+
+    def test_a_furnace_is_known_everywhere(self):
+        # u = E/(1 - rho) = 2.
+        furnace = rc.Problem(rc.ellipsoid(1, "5/4", "3/2"), reflectivity="1/2", emission=1, levels=[0])
+        values = furnace.guarantee("1e-6", of="values", points=[(1, 0, 0), (0, 0, "3/2")]).points
+        self.assertEqual([value["at"] for value in values], [(1, 0, 0), (0, 0, rc.Q("3/2"))])
+        for value in values:
+            self.assertTrue(value["guaranteed"])
+            self.assertLessEqual(abs(value["value"] - 2), value["radius"])
+        enclosure = furnace.guarantee("1e-6", of="function")
+        self.assertLessEqual(enclosure.function["sup"], 1e-6)
+        enclosure.to_vtu(self.folder / "u.vtu")
+        self.assertIn("bound", (self.folder / "u.vtu").read_text(encoding="utf-8"))
+        self.refused(lambda: self.cube.guarantee("0.1").to_vtu(self.folder / "u.vtu"), "these are means")
+
+    def test_a_certificate_is_verified_and_a_changed_one_refused(self):
+        enclosure = self.cube.guarantee("0.2", certificate=True)
+        path = self.folder / "means.json"
+        enclosure.certificate_to(path)
+        check = rc.check_certificate(path)
+        self.assertTrue(check.verified)
+        self.assertEqual(check.looked_at, check.elements)
+        for piece, (midpoint, radius) in check.means.items():
+            mean = enclosure.means[piece]
+            self.assertLessEqual(abs(float(midpoint) - mean.value), float(radius) + mean.radius)
+        self.assertEqual(rc.check_certificate(path, 3, seed="a").looked_at, 3)
+        document = json.loads(path.read_text(encoding="utf-8"))
+        document["means"][0]["midpoint"] = "1/7"
+        path.write_text(json.dumps(document), encoding="utf-8")
+        check = rc.check_certificate(path)
+        self.assertFalse(check.verified)
+        self.assertIn("/digest", check.refusal)
+        self.assertEqual(check.means, {})
+        self.refused(lambda: rc.check_certificate(path, 0), "from 1 on")
+        self.refused(lambda: rc.check_certificate(self.folder / "nothing.json"), "nothing.json")
+        with self.assertRaises(TypeError):
+            self.cube.guarantee("0.2").certificate_to(path)
+
+    def test_what_cannot_be_enclosed_is_refused(self):
+        self.refused(lambda: self.cube.guarantee(0), "/width")
+        self.refused(lambda: self.cube.guarantee(float("nan")), "is not finite")
+        self.refused(lambda: self.cube.guarantee("0.1", of="mean"), "/of")
+        self.refused(lambda: self.cube.guarantee("0.1", of="values", points=[(2, 2, 2)]), "/points")
+        self.refused(lambda: self.cube.guarantee("0.1", of="values", points=[(float("inf"), 0, 0)]), "points/0/0")
+        self.refused(lambda: self.cube.replace(emission=None, solution=1).guarantee("0.1"), "emission")
+        self.refused(lambda: self.cube.replace(surface="two_piece").guarantee("0.1"))
+
+    def test_finished_work_is_kept(self):
+        first = self.cube.guarantee("0.1", store=self.folder / "kept")
+        self.assertEqual(first.means, self.cube.guarantee("0.1", store=self.folder / "kept").means)
+        self.assertTrue(any((self.folder / "kept").rglob("*")))
+
+    def test_a_mesh_of_arrays_is_enclosed_like_the_surface_that_it_is(self):
+        from module import unit_cube
+
+        points, triangles, _ = unit_cube()
+        mesh = rc.Mesh((points, triangles))
+        enclosure = rc.Problem(mesh, reflectivity="1/2", emission=1, levels=[0]).guarantee("0.05")
+        for mean in enclosure.means.values():
+            self.assertLessEqual(abs(mean.value - 2), mean.radius)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every block of the page runs, in its order, and prints what the page says."""
+import contextlib
+import io
+import os
+import re
+import unittest
+
+from module import SOURCE, ModuleTest
+
+BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n^```\n(.*?)^```\n)?", re.MULTILINE | re.DOTALL)
+
+
+class Page(ModuleTest):
+    def test_every_block_prints_what_the_page_says(self):
+        text = (SOURCE / "apps" / "python" / "README.md").read_text(encoding="utf-8")
+        blocks = BLOCK.findall(text)
+        self.assertEqual(len(blocks), text.count("```python"))
+        self.assertGreater(len(blocks), 8)
+        names = {"__name__": "page"}
+        before = os.getcwd()
+        os.chdir(self.folder)
+        self.addCleanup(os.chdir, before)
+        for code, expected in blocks:
+            printed = io.StringIO()
+            with self.subTest(code=code), contextlib.redirect_stdout(printed):
+                exec(compile(code, "README.md", "exec"), names)  # noqa: S102
+            self.assertEqual(printed.getvalue(), expected, code)
+
+
+if __name__ == "__main__":
+    unittest.main()
