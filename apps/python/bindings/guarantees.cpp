@@ -57,7 +57,8 @@ double part_of(const MeshProgress& now) {
 Enclosed enclose(PythonProblem problem, const py::object& document, bool with_certificate,
                  const std::string& store, const py::object& progress) {
   const JsonValue json = with_source("guarantee", [&] { return json_of(document); });
-  problem.problem.guarantee = with_source("guarantee", [&] { return read_guarantee(JsonReader(json)); });
+  problem.problem.guarantee = with_source(
+      "guarantee", [&] { return read_guarantee(JsonReader(json), pieces_of(problem.problem.surface)); });
   return compute(progress, [&](Progress& told) {
     return with_source(problem.source, [&] {
       const Guarantee& wanted = *problem.problem.guarantee;

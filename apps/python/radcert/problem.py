@@ -83,10 +83,12 @@ class Problem:
 
         width: of the enclosures that are wanted, an exact number. of: "means" over the pieces, "values" at points, or
         "function", u everywhere. points: triples of exact numbers, inside faces. outside: of a function on a polyhedron,
-        how far from the vertices. certificate: of means on a polyhedron, with what ``check_certificate`` verifies.
+        how far from the vertices. certificate: of means or values on a convex polyhedron, with what
+        ``check_certificate`` verifies.
 
-        Serves convex polyhedra, open ones too, spheres and ellipsoids; levels, basis and solver do not matter. Raises
-        AccuracyNotReached where nothing is proved; where the width is not reached ``Enclosure.hindrance`` says so.
+        Serves convex polyhedra, open ones too, spheres and ellipsoids, and for means closed meshes whose parts hide each
+        other; levels, basis and solver do not matter. Raises AccuracyNotReached where nothing is proved; where the width
+        is not reached ``Enclosure.hindrance`` says so.
         """
         document: dict[str, Any] = {"width": _core.exact_text(width, "width"), "of": of}
         if points is not None:
