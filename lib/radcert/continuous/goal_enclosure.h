@@ -48,7 +48,7 @@ struct GoalEnclosure {
 ///           rho^(1/2) t_0), and (I-B)^-1 rho^(1/2) j = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k. Where y_k =
 ///           j_kh + q_k with j_kh near j_k, (Int rho (j_k - j_kh)^2)^(1/2) is added to the norm of t_k. The q
 ///           are polynomials on elements that shrink towards edges (trial_functions), as good as they happen
-///           to be; t_0 and t_k are enclosed (residual_sums), also where parts hide each other (Sight,
+///           to be; t_0 and t_k are enclosed (residual_sums), also where parts hide each other (PanelSight,
 ///           Penumbra)
 /// Source    dual weighted residuals: R. Becker, R. Rannacher, "An optimal control approach to a posteriori
 ///           error estimation", 2001; here without an unknown constant

@@ -124,11 +124,11 @@ public:
         judge_(judge) {
     for (std::size_t j = 0; j < trial.scene.panels().size(); ++j)
       if (trial.scene.touching(trial.elements[number].sector, j) &&
-          trial.scene.sight().view(sector_.panel, j) != View::none)
+          trial.scene.sight().view(sector_.panel, j) != PanelView::none)
         is_at_edge_ = true;
     const bool is_open = trial.scene.sight().is_open();
     add(trial.elements[number].box, 0,
-        is_open ? std::vector<ElementPart>{} : trial.penumbra.may_be_shaded(sector_.panel));
+        is_open ? std::vector<PartOfElement>{} : trial.penumbra.may_be_shaded(sector_.panel));
   }
   std::vector<ObserverCell> take() && { return std::move(cells_); }
 
@@ -138,7 +138,7 @@ private:
   /// Takes the cell where rules are enough, with what `beside` leaves where the cell is closed. Of the parts
   /// that may be shaded those are left which are, where it is only for them that it is not taken.
   Judgement accept(const SectorBox& box, const RuleErrors& in_s, const RuleErrors& in_t,
-                   std::optional<EdgeClosure::Nearby> beside, std::vector<ElementPart>& may_be_shaded) {
+                   std::optional<EdgeClosure::Nearby> beside, std::vector<PartOfElement>& may_be_shaded) {
     if (beside && !judge_.is_little(*beside, box)) return Judgement::needs_rules;
     const int nodes_s = nodes(in_s, box);
     const int nodes_t = nodes(in_t, box);
@@ -159,7 +159,7 @@ private:
         .quadrature = in_s.quadrature[s] + in_t.quadrature[t] + more * smoothness_.density_size(number_)};
     if (!trial_.scene.sight().is_open()) {
       cell.least_mass = 0.02 * judge_.allowed_shade(box);
-      std::vector<ElementPart> shaded = put_shade(cell, may_be_shaded);
+      std::vector<PartOfElement> shaded = put_shade(cell, may_be_shaded);
       if (!judge_.is_in_the_light(cell)) {
         may_be_shaded = std::move(shaded);
         return Judgement::is_shaded;
@@ -170,10 +170,10 @@ private:
   }
 
   /// Result    the parts that are shaded
-  std::vector<ElementPart> put_shade(ObserverCell& cell, std::span<const ElementPart> parts) const {
+  std::vector<PartOfElement> put_shade(ObserverCell& cell, std::span<const PartOfElement> parts) const {
     const std::array<Vector<double>, 4> hull = corners_of(sector_, cell.box);
     std::vector<ShadedPart> shaded = trial_.penumbra.shaded(sector_.panel, hull, parts, cell.least_mass);
-    std::vector<ElementPart> left;
+    std::vector<PartOfElement> left;
     for (const ShadedPart& own : shaded) left.push_back(own.part);
     if (const std::optional<std::size_t> mirror = closure_.mirror(number_); cell.closed && mirror) {
       const std::size_t beyond = trial_.sector(*mirror).panel;
@@ -191,7 +191,7 @@ private:
   }
 
   /// Cuts the longer sides of a cell.
-  void halve(const SectorBox& box, long depth_of_cuts, std::vector<ElementPart> may_be_shaded) {
+  void halve(const SectorBox& box, long depth_of_cuts, std::vector<PartOfElement> may_be_shaded) {
     SectorBox lower = box;
     SectorBox upper = box;
     const double length = (1 - box.middle_t()) * (box.s1 - box.s0) * norm(sector_.b - sector_.a);
@@ -204,7 +204,7 @@ private:
     add(upper, depth_of_cuts + 1, std::move(may_be_shaded));
   }
 
-  void add(const SectorBox& box, long depth_of_cuts, std::vector<ElementPart> may_be_shaded) {
+  void add(const SectorBox& box, long depth_of_cuts, std::vector<PartOfElement> may_be_shaded) {
     const bool at_edge = box.t0 == 0 && is_at_edge_;
     if (judge_.may_be_strip(box) || depth_of_cuts >= deepest_cell.value() ||
         cells_.size() >= most_cells.count()) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "radcert/continuous/elements/panel.h"
-#include "radcert/continuous/occlusion/sight.h"
+#include "radcert/continuous/occlusion/panel_sight.h"
 #include "radcert/continuous/upward.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/real.h"
@@ -84,7 +84,7 @@ public:
   [[nodiscard]] double area(std::size_t panel) const { return areas_[panel]; }
   [[nodiscard]] double area() const { return area_; }
   [[nodiscard]] double extent() const { return extent_; }
-  [[nodiscard]] const Sight& sight() const { return *sight_; }
+  [[nodiscard]] const PanelSight& sight() const { return *sight_; }
   /// What the coordinates here are taken from, rounded.
   [[nodiscard]] Vector<double> origin() const;
   /// A point of the surface, within displacement of the exact one.
@@ -104,7 +104,7 @@ private:
   std::vector<std::optional<std::size_t>> opposite_;
   double area_ = 0;
   double extent_ = 0;
-  std::optional<Sight> sight_;
+  std::optional<PanelSight> sight_;
 };
 
 /// The distance of a point from a segment, rounded.

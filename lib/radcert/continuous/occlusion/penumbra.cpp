@@ -29,14 +29,14 @@ double height_above(const SectorScene& scene, std::size_t panel, std::span<const
 
 }  // namespace
 
-View view_of_panel(const SectorScene& scene, std::size_t panel, std::span<const Vector<double>> hull,
-                   std::size_t other) {
-  const View view = scene.sight().view(panel, other);
-  if (view != View::partly) return view;
+PanelView view_of_panel(const SectorScene& scene, std::size_t panel, std::span<const Vector<double>> hull,
+                        std::size_t other) {
+  const PanelView view = scene.sight().view(panel, other);
+  if (view != PanelView::partly) return view;
   std::vector<Vector<double>> corners;
   for (std::size_t s = scene.first_sector(other); s < scene.first_sector(other + 1); ++s)
     corners.push_back(scene.sectors()[s].a);
-  return Sight::Lookout(scene.sight(), panel, hull, other).view(corners);
+  return PanelSight::Lookout(scene.sight(), panel, hull, other).view(corners);
 }
 
 double slope_size(std::span<const double> sizes) {
@@ -65,29 +65,29 @@ Penumbra::Penumbra(const SectorScene& scene, std::span<const SectorElement> elem
 
 SeenPanel Penumbra::seen(std::size_t panel, std::span<const Vector<double>> hull, std::size_t other,
                          double least_mass) const {
-  const View view = view_of_panel(scene_, panel, hull, other);
-  if (view == View::none) return {};
-  std::vector<ElementPart> parts;
+  const PanelView view = view_of_panel(scene_, panel, hull, other);
+  if (view == PanelView::none) return {};
+  std::vector<PartOfElement> parts;
   for (std::size_t e = first_element_[other]; e < first_element_[other + 1]; ++e)
     parts.push_back({e, elements_[e].box});
-  if (view == View::whole) return {.whole = std::move(parts), .shaded = {}};
+  if (view == PanelView::whole) return {.whole = std::move(parts), .shaded = {}};
   return look(panel, hull, other, std::move(parts), least_mass);
 }
 
 SeenPanel Penumbra::look(std::size_t panel, std::span<const Vector<double>> hull, std::size_t other,
-                         std::vector<ElementPart> parts, double least_mass) const {
+                         std::vector<PartOfElement> parts, double least_mass) const {
   SeenPanel out;
   const ObserverBall ball = ball_about(hull, scene_.extent());
   const double height = height_above(scene_, other, hull);
-  Sight::Lookout lookout(scene_.sight(), panel, hull, other);
+  PanelSight::Lookout lookout(scene_.sight(), panel, hull, other);
   while (!parts.empty()) {
-    const ElementPart part = parts.back();
+    const PartOfElement part = parts.back();
     parts.pop_back();
     const SectorElement& element = elements_[part.element];
     const std::array<Vector<double>, 4> corners = corners_of(scene_.sectors()[element.sector], part.box);
-    const View view = lookout.view(corners);
-    if (view == View::none) continue;
-    if (view == View::whole) {
+    const PanelView view = lookout.view(corners);
+    if (view == PanelView::none) continue;
+    if (view == PanelView::whole) {
       out.whole.push_back(part);
       continue;
     }
@@ -97,8 +97,8 @@ SeenPanel Penumbra::look(std::size_t panel, std::span<const Vector<double>> hull
       out.shaded.push_back({part, mass});
       continue;
     }
-    ElementPart lower = part;
-    ElementPart upper = part;
+    PartOfElement lower = part;
+    PartOfElement upper = part;
     if (seen.half_s >= seen.half_t)
       lower.box.s1 = upper.box.s0 = part.box.middle_s();
     else
@@ -109,10 +109,10 @@ SeenPanel Penumbra::look(std::size_t panel, std::span<const Vector<double>> hull
   return out;
 }
 
-std::vector<ElementPart> Penumbra::may_be_shaded(std::size_t panel) const {
-  std::vector<ElementPart> parts;
+std::vector<PartOfElement> Penumbra::may_be_shaded(std::size_t panel) const {
+  std::vector<PartOfElement> parts;
   for (std::size_t j = 0; j < scene_.panels().size(); ++j) {
-    if (scene_.sight().view(panel, j) != View::partly) continue;
+    if (scene_.sight().view(panel, j) != PanelView::partly) continue;
     for (std::size_t e = first_element_[j]; e < first_element_[j + 1]; ++e)
       parts.push_back({e, elements_[e].box});
   }
@@ -120,7 +120,7 @@ std::vector<ElementPart> Penumbra::may_be_shaded(std::size_t panel) const {
 }
 
 std::vector<ShadedPart> Penumbra::shaded(std::size_t panel, std::span<const Vector<double>> hull,
-                                         std::span<const ElementPart> parts, double least_mass) const {
+                                         std::span<const PartOfElement> parts, double least_mass) const {
   std::vector<ShadedPart> out;
   while (!parts.empty()) {
     const std::size_t other = panel_of(parts.front());

@@ -13,26 +13,26 @@
 namespace radcert {
 
 /// A part of an element.
-struct ElementPart {
+struct PartOfElement {
   std::size_t element = 0;
   SectorBox box;
 };
 
 /// A part of which observers see any share, from nothing to all.
 struct ShadedPart {
-  ElementPart part;
+  PartOfElement part;
   double mass = 0;  ///< of T 1, at most, if it were seen
 };
 
 /// What observers see of a panel: some parts, and of others any share.
 struct SeenPanel {
-  std::vector<ElementPart> whole;
+  std::vector<PartOfElement> whole;
   std::vector<ShadedPart> shaded;
 };
 
 /// What is seen of a whole panel from the convex hull of points of another.
-[[nodiscard]] View view_of_panel(const SectorScene& scene, std::size_t panel,
-                                 std::span<const Vector<double>> hull, std::size_t other);
+[[nodiscard]] PanelView view_of_panel(const SectorScene& scene, std::size_t panel,
+                                      std::span<const Vector<double>> hull, std::size_t other);
 
 /// What a cell's observers see of the elements.
 /// Maths     parts of which nothing is known are halved until they are half as large as the cell, or send no
@@ -49,10 +49,10 @@ public:
   [[nodiscard]] SeenPanel seen(std::size_t panel, std::span<const Vector<double>> hull, std::size_t other,
                                double least_mass) const;
   /// All elements that may be shaded from somewhere in a panel.
-  [[nodiscard]] std::vector<ElementPart> may_be_shaded(std::size_t panel) const;
+  [[nodiscard]] std::vector<PartOfElement> may_be_shaded(std::size_t panel) const;
   /// What of these parts, in the order of their panels, is shaded from a convex hull of points of a panel.
   [[nodiscard]] std::vector<ShadedPart> shaded(std::size_t panel, std::span<const Vector<double>> hull,
-                                               std::span<const ElementPart> parts, double least_mass) const;
+                                               std::span<const PartOfElement> parts, double least_mass) const;
 
   /// Numbers c_k near what shaded parts send, and what is left.
   struct Rest {
@@ -76,8 +76,8 @@ private:
     void add(const Penumbra& of, std::size_t element, const PartOfInterval& in_s, const PartOfInterval& in_t);
   };
   [[nodiscard]] SeenPanel look(std::size_t panel, std::span<const Vector<double>> hull, std::size_t other,
-                               std::vector<ElementPart> parts, double least_mass) const;
-  [[nodiscard]] std::size_t panel_of(const ElementPart& part) const {
+                               std::vector<PartOfElement> parts, double least_mass) const;
+  [[nodiscard]] std::size_t panel_of(const PartOfElement& part) const {
     return scene_.sectors()[elements_[part.element].sector].panel;
   }
   [[nodiscard]] Values values(std::span<const ShadedPart> shaded) const;

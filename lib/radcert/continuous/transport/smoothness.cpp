@@ -221,12 +221,12 @@ double Smoothness::reach_of_turn(const Cell& cell) const {
 }
 
 /// What a cell sees of each panel.
-std::vector<View> Smoothness::seen_from(const Cell& cell) const {
+std::vector<PanelView> Smoothness::seen_from(const Cell& cell) const {
   const std::size_t panels = scene_.panels().size();
-  if (scene_.sight().is_open()) return std::vector<View>(panels, View::whole);
+  if (scene_.sight().is_open()) return std::vector<PanelView>(panels, PanelView::whole);
   const Sector& sector = scene_.sectors()[elements_[cell.element].sector];
   const std::array<Vector<double>, 4> hull = corners_of(sector, cell.box);
-  std::vector<View> views;
+  std::vector<PanelView> views;
   for (std::size_t j = 0; j < panels; ++j) views.push_back(view_of_panel(scene_, sector.panel, hull, j));
   return views;
 }
@@ -250,7 +250,7 @@ RuleErrors Smoothness::along(const Cell& cell, bool closed) const {
   }
   RuleErrors errors;
   add_interpolation(errors, moving_q, q_sizes.size());
-  const std::vector<View> views = seen_from(cell);
+  const std::vector<PanelView> views = seen_from(cell);
   Bounds xi{};
   if (closed) {
     const std::span<const double> sizes = closure_.edge_sizes(*closure_.mirror(cell.element));
@@ -261,7 +261,7 @@ RuleErrors Smoothness::along(const Cell& cell, bool closed) const {
       moving_xi[k] = cell.along_edge ? xi[k] - sizes[0] : 0;
     }
     add_interpolation(errors, moving_xi, sizes.size());
-  } else if (std::find(views.begin(), views.end(), View::partly) != views.end()) {
+  } else if (std::find(views.begin(), views.end(), PanelView::partly) != views.end()) {
     // c (1 - F 1) of Penumbra, |c| <= sup |w|.
     xi.fill(size_);
   }
@@ -271,9 +271,9 @@ RuleErrors Smoothness::along(const Cell& cell, bool closed) const {
   for (std::size_t j = 0; j < scene_.panels().size(); ++j) {
     if (j == panel || scene_.coplanar(j, panel)) continue;
     const bool beyond_edge = opposite && j == scene_.sectors()[*opposite].panel;
-    if ((closed && beyond_edge) || views[j] == View::none) continue;
+    if ((closed && beyond_edge) || views[j] == PanelView::none) continue;
     const ObserverLines seen = lines(cell, j);
-    const bool is_whole = views[j] == View::whole;
+    const bool is_whole = views[j] == PanelView::whole;
     const bool may_slide = is_whole && cell.along_edge && scene_.parallel(own.sector, j);
     const double slide = may_slide ? reach_of_slide(cell, j) : 0;
     Bounds bounds{};

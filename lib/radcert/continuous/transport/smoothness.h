@@ -57,7 +57,7 @@ private:
   [[nodiscard]] ObserverLines lines(const Cell& cell, std::size_t panel) const;
   [[nodiscard]] double reach_of_slide(const Cell& cell, std::size_t panel) const;
   [[nodiscard]] double reach_of_turn(const Cell& cell) const;
-  [[nodiscard]] std::vector<View> seen_from(const Cell& cell) const;
+  [[nodiscard]] std::vector<PanelView> seen_from(const Cell& cell) const;
   [[nodiscard]] RuleErrors along(const Cell& cell, bool closed) const;
 
   const SectorScene& scene_;

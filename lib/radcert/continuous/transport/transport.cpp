@@ -90,7 +90,7 @@ public:
 
   void add_panel(std::size_t panel) {
     if (panel == panel_ || scene_.coplanar(panel, panel_)) return;
-    if (scene_.sight().view(panel_, panel) == View::none) return;
+    if (scene_.sight().view(panel_, panel) == PanelView::none) return;
     const Sector& sector = scene_.sectors()[scene_.first_sector(panel)];
     const Vector<double>& n = scene_.normal(panel);
     heights_.clear();
@@ -100,7 +100,7 @@ public:
       highest = std::max(highest, heights_.back());
     }
     height_ = highest + 64 * unit_roundoff<double>() * scene_.extent();
-    if (!by_points_ || view_of_panel(scene_, panel_, hull_, panel) == View::whole) {
+    if (!by_points_ || view_of_panel(scene_, panel_, hull_, panel) == PanelView::whole) {
       add_parts(0, seen_parts(panel, hull_));
       return;
     }
@@ -138,7 +138,7 @@ private:
     const auto sends = [&](std::size_t e) { return size_in_ellipse(transport_.sizes_[e].by_s, 1) > 0; };
     std::vector<Part> parts;
     const SeenPanel seen = transport_.penumbra_.seen(panel_, hull, panel, least_mass_);
-    for (const ElementPart& part : seen.whole)
+    for (const PartOfElement& part : seen.whole)
       if (sends(part.element)) parts.push_back({part.element, part.box});
     for (const ShadedPart& shaded : seen.shaded)
       if (sends(shaded.part.element)) {

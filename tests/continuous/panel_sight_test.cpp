@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/occlusion/sight.h"
+#include "radcert/continuous/occlusion/panel_sight.h"
 
 #include <gtest/gtest.h>
 
@@ -58,8 +58,8 @@ TEST(CutPanels, HaveTheSameEdgesOnBothSides) {
   for (std::size_t k = 0; k < scene.sectors().size(); ++k) {
     bool touches = false;
     for (std::size_t j = 0; j < scene.panels().size(); ++j)
-      touches =
-          touches || (scene.touching(k, j) && scene.sight().view(scene.sectors()[k].panel, j) != View::none);
+      touches = touches ||
+                (scene.touching(k, j) && scene.sight().view(scene.sectors()[k].panel, j) != PanelView::none);
     if (scene.opposite(k)) ++opposite;
     if (!touches) ++inner;
   }
@@ -127,17 +127,18 @@ void expect_views_are_true(const std::vector<Panel>& whole, std::uint64_t seed, 
   for (std::size_t n = 0; n < pairs; ++n) {
     const Sector& from = scene.sectors()[draw.below(scene.sectors().size())];
     const Sector& to = scene.sectors()[draw.below(scene.sectors().size())];
-    if (from.panel == to.panel || scene.sight().view(from.panel, to.panel) != View::partly) continue;
+    if (from.panel == to.panel || scene.sight().view(from.panel, to.panel) != PanelView::partly) continue;
     const SectorBox box = drawn_box(draw);
     const SectorBox other = drawn_box(draw);
     const auto hull = corners_of(from, box);
-    const View view = Sight::Lookout(scene.sight(), from.panel, hull, to.panel).view(corners_of(to, other));
+    const PanelView view =
+        PanelSight::Lookout(scene.sight(), from.panel, hull, to.panel).view(corners_of(to, other));
     ++found[static_cast<std::size_t>(view)];
     for (int k = 0; k < 40; ++k) {
       const Vector<double> p = point_in(from, box, draw);
       const Vector<double> q = point_in(to, other, draw);
       const bool blocked = is_blocked(whole, scene.origin(), p, q);
-      EXPECT_TRUE(view == View::partly || blocked == (view == View::none)) << "pair " << n;
+      EXPECT_TRUE(view == PanelView::partly || blocked == (view == PanelView::none)) << "pair " << n;
     }
   }
   for (const std::size_t count : found) EXPECT_GT(count, pairs / 50);
@@ -155,8 +156,8 @@ TEST(Sight, IsOfPanelsThatLookAtEachOther) {
     for (std::size_t i = 0; i < cut.size(); ++i)
       for (std::size_t j = 0; j < cut.size(); ++j) {
         const bool both = side_of(cut[i], cut[j]) == 1 && side_of(cut[j], cut[i]) == 1;
-        EXPECT_TRUE(both || scene.sight().view(i, j) == View::none) << i << " " << j;
-        if (both && scene.sight().view(i, j) != View::none) ++facing;
+        EXPECT_TRUE(both || scene.sight().view(i, j) == PanelView::none) << i << " " << j;
+        if (both && scene.sight().view(i, j) != PanelView::none) ++facing;
       }
     EXPECT_GT(facing, cut.size());
   }
@@ -174,7 +175,7 @@ TEST(Sight, IsAlmostAlwaysDecidedBetweenSmallParts) {
     while (pairs < 4000) {
       const Sector& from = scene.sectors()[draw.below(scene.sectors().size())];
       const Sector& to = scene.sectors()[draw.below(scene.sectors().size())];
-      if (scene.sight().view(from.panel, to.panel) != View::partly) continue;
+      if (scene.sight().view(from.panel, to.panel) != PanelView::partly) continue;
       ++pairs;
       const auto box = [&] {
         const double s = (1 - size) * draw();
@@ -182,8 +183,9 @@ TEST(Sight, IsAlmostAlwaysDecidedBetweenSmallParts) {
         return SectorBox{.s0 = s, .s1 = s + size, .t0 = t, .t1 = t + size};
       };
       const auto hull = corners_of(from, box());
-      const View view = Sight::Lookout(scene.sight(), from.panel, hull, to.panel).view(corners_of(to, box()));
-      if (view == View::partly) ++partly;
+      const PanelView view =
+          PanelSight::Lookout(scene.sight(), from.panel, hull, to.panel).view(corners_of(to, box()));
+      if (view == PanelView::partly) ++partly;
     }
     EXPECT_LT(static_cast<double>(partly), 6 * size * static_cast<double>(pairs)) << size;
   }
@@ -196,7 +198,7 @@ struct PartSum {
   const SectorFunctions& w;
   const std::vector<Panel>* blockers = nullptr;
 
-  double operator()(std::size_t panel, const Vector<double>& p, const ElementPart& part, std::size_t k,
+  double operator()(std::size_t panel, const Vector<double>& p, const PartOfElement& part, std::size_t k,
                     int steps) const {
     const SectorElement& element = elements[part.element];
     const Sector& sector = scene.sectors()[element.sector];
@@ -277,7 +279,7 @@ TEST(Penumbra, BoundsWhatIsShaded) {
     for (std::size_t j = 0; j < scene.panels().size(); ++j) {
       if (j == panel || scene.coplanar(j, panel)) continue;
       const SeenPanel own = penumbra.seen(panel, cell.hull, j, 0);
-      for (const ElementPart& part : own.whole) counted += all(panel, p, part, 1, 24);
+      for (const PartOfElement& part : own.whole) counted += all(panel, p, part, 1, 24);
       for (const ShadedPart& part : own.shaded) half += all(panel, p, part.part, 1, 4) / 2;
     }
     EXPECT_NEAR(found.values[1], counted + half, 5e-3);
@@ -302,7 +304,7 @@ TEST(Penumbra, KnowsWhatAPartMaySend) {
     const DrawnCell cell(scene, 0.25, draw);
     const std::size_t panel = scene.sectors()[cell.sector].panel;
     const std::size_t other = draw.below(scene.panels().size());
-    if (scene.sight().view(panel, other) != View::partly) continue;
+    if (scene.sight().view(panel, other) != PanelView::partly) continue;
     for (const ShadedPart& own : penumbra.seen(panel, cell.hull, other, 0).shaded) {
       if (!(own.mass < 1)) continue;
       const Vector<double> p = point_in(scene.sectors()[cell.sector], cell.box, draw);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/continuous/occlusion/sight.h"
+#include "radcert/continuous/occlusion/panel_sight.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,8 +37,8 @@ Vector<Rational> outward(const Panel& panel, std::size_t side) {
 
 }  // namespace
 
-Sight::Sight(const std::vector<Panel>& panels, const std::vector<Panel>& blockers,
-             const Vector<Rational>& origin, double extent)
+PanelSight::PanelSight(const std::vector<Panel>& panels, const std::vector<Panel>& blockers,
+                       const Vector<Rational>& origin, double extent)
     : panels_(panels.size()), slack_(rounding_of_distance * extent) {
   for (const Panel& panel : blockers) {
     Blocker blocker{.at = rounded(panel.corners[0] - origin), .normal = direction(panel.normal), .sides = {}};
@@ -78,7 +78,7 @@ Sight::Sight(const std::vector<Panel>& panels, const std::vector<Panel>& blocker
         return signs_at(panels[to], panels[from].normal, panels[from].corners[0]).largest > 0;
       };
       if (!faces(i, j) || !faces(j, i)) {
-        pair.view = View::none;
+        pair.view = PanelView::none;
         continue;
       }
       std::vector<std::size_t> hiding;
@@ -87,20 +87,20 @@ Sight::Sight(const std::vector<Panel>& panels, const std::vector<Panel>& blocker
         const Signs y = of_plane(j, b);
         if (!((x.least < 0 && y.largest > 0) || (x.largest > 0 && y.least < 0))) continue;
         pair.blockers = {b};
-        const View found = Lookout(*this, i, corners[i], j).view(corners[j]);
-        if (found == View::none) {
-          pair.view = View::none;
+        const PanelView found = Lookout(*this, i, corners[i], j).view(corners[j]);
+        if (found == PanelView::none) {
+          pair.view = PanelView::none;
           break;
         }
-        if (found == View::partly) hiding.push_back(b);
+        if (found == PanelView::partly) hiding.push_back(b);
       }
-      pair.blockers = pair.view == View::none ? std::vector<std::size_t>{} : std::move(hiding);
-      if (!pair.blockers.empty()) pair.view = View::partly;
+      pair.blockers = pair.view == PanelView::none ? std::vector<std::size_t>{} : std::move(hiding);
+      if (!pair.blockers.empty()) pair.view = PanelView::partly;
     }
 }
 
-void Sight::Lookout::Distances::put(const Sight& sight, std::size_t panel, std::size_t blocker,
-                                    std::span<const Vector<double>> points) {
+void PanelSight::Lookout::Distances::put(const PanelSight& sight, std::size_t panel, std::size_t blocker,
+                                         std::span<const Vector<double>> points) {
   const Blocker& past = sight.blockers_[blocker];
   const std::size_t number = panel * sight.blockers_.size() + blocker;
   const std::vector<Signs>& of_sides = sight.of_sides_[number];
@@ -120,7 +120,7 @@ void Sight::Lookout::Distances::put(const Sight& sight, std::size_t panel, std::
 }
 
 /// The least g_e/|d| over the points, from below; infinite where it bounds nothing, or where there is none.
-double Sight::Lookout::Distances::least_slope(std::size_t side) const {
+double PanelSight::Lookout::Distances::least_slope(std::size_t side) const {
   const std::size_t sides = beyond.size() / from_plane.size();
   double least = infinity;
   for (std::size_t p = 0; p < from_plane.size(); ++p) {
@@ -134,8 +134,8 @@ double Sight::Lookout::Distances::least_slope(std::size_t side) const {
   return least;
 }
 
-Sight::Lookout::Lookout(const Sight& sight, std::size_t panel, std::span<const Vector<double>> hull,
-                        std::size_t other)
+PanelSight::Lookout::Lookout(const PanelSight& sight, std::size_t panel, std::span<const Vector<double>> hull,
+                             std::size_t other)
     : sight_(sight), other_(other), without_blockers_(sight.view(panel, other)) {
   if (sight.is_open()) return;
   for (const std::size_t b : sight.pairs_[panel * sight.panels_ + other].blockers) {
@@ -147,24 +147,24 @@ Sight::Lookout::Lookout(const Sight& sight, std::size_t panel, std::span<const V
   }
 }
 
-View Sight::Lookout::view(std::span<const Vector<double>> points) {
+PanelView PanelSight::Lookout::view(std::span<const Vector<double>> points) {
   if (past_.empty()) return without_blockers_;
-  View found = View::whole;
+  PanelView found = PanelView::whole;
   for (const Past& past : past_) {
     points_.put(sight_, other_, past.blocker, points);
-    const View here = view(past);
-    if (here == View::none) return View::none;
-    if (here == View::partly) found = View::partly;
+    const PanelView here = view(past);
+    if (here == PanelView::none) return PanelView::none;
+    if (here == PanelView::partly) found = PanelView::partly;
   }
   return found;
 }
 
-View Sight::Lookout::view(const Past& past) const {
+PanelView PanelSight::Lookout::view(const Past& past) const {
   const std::size_t sides = past.slopes.size();
   for (std::size_t e = 0; e < sides; ++e) {
     const double of_points = points_.least_slope(e);
     if (past.slopes[e] > -infinity && of_points > -infinity && -past.slopes[e] <= of_points)
-      return View::whole;
+      return PanelView::whole;
   }
   const auto is_inside = [&](std::size_t p, std::size_t q, std::size_t e) {
     const double of_p = past.hull.beyond[p * sides + e].largest;
@@ -178,8 +178,8 @@ View Sight::Lookout::view(const Past& past) const {
   for (std::size_t p = 0; p < past.hull.from_plane.size(); ++p)
     for (std::size_t q = 0; q < points_.from_plane.size(); ++q)
       for (std::size_t e = 0; e < sides; ++e)
-        if (!is_inside(p, q, e)) return View::partly;
-  return View::none;
+        if (!is_inside(p, q, e)) return PanelView::partly;
+  return PanelView::none;
 }
 
 }  // namespace radcert

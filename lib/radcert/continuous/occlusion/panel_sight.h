@@ -13,7 +13,7 @@ namespace radcert {
 
 /// How much points of one convex set see of those of another: V = 0 almost everywhere, unknown, V = 1 almost
 /// everywhere.
-enum class View { none, partly, whole };
+enum class PanelView { none, partly, whole };
 
 /// What panels of a polyhedron see of each other.
 /// Maths     a blocker B is a convex polygon with the normal n at a, and d(p) = n.(p-a); g_e(p) <= 0 on the
@@ -28,17 +28,17 @@ enum class View { none, partly, whole };
 /// Requires  panels of which each is on one side of the plane of every blocker and every panel, or in it
 /// Result    decided in double with bounds for rounding; on which side of which plane a panel lies is exact.
 ///           `partly` where nothing is decided
-class Sight {
+class PanelSight {
 public:
   /// Coordinates of points are those less the origin, none larger than extent.
-  Sight(const std::vector<Panel>& panels, const std::vector<Panel>& blockers, const Vector<Rational>& origin,
-        double extent);
+  PanelSight(const std::vector<Panel>& panels, const std::vector<Panel>& blockers,
+             const Vector<Rational>& origin, double extent);
 
   /// Whether every panel sees all others that are not in its plane.
   [[nodiscard]] bool is_open() const { return blockers_.empty(); }
   /// Of a whole panel.
-  [[nodiscard]] View view(std::size_t panel, std::size_t other) const {
-    return is_open() ? View::whole : pairs_[panel * panels_ + other].view;
+  [[nodiscard]] PanelView view(std::size_t panel, std::size_t other) const {
+    return is_open() ? PanelView::whole : pairs_[panel * panels_ + other].view;
   }
   /// From the convex hull of points of a panel to those of another, all within rounding (displacement).
   class Lookout;
@@ -59,7 +59,7 @@ private:
     signed char largest = 0;
   };
   struct Pair {
-    View view = View::whole;
+    PanelView view = PanelView::whole;
     std::vector<std::size_t> blockers;  ///< that may hide something
   };
   [[nodiscard]] Signs of_plane(std::size_t panel, std::size_t blocker) const {
@@ -75,12 +75,13 @@ private:
 };
 
 /// Requires  the sight outlives it
-class Sight::Lookout {
+class PanelSight::Lookout {
 public:
-  Lookout(const Sight& sight, std::size_t panel, std::span<const Vector<double>> hull, std::size_t other);
+  Lookout(const PanelSight& sight, std::size_t panel, std::span<const Vector<double>> hull,
+          std::size_t other);
 
   /// The convex hull of points of the other panel.
-  [[nodiscard]] View view(std::span<const Vector<double>> points);
+  [[nodiscard]] PanelView view(std::span<const Vector<double>> points);
 
 private:
   struct Between {
@@ -91,7 +92,7 @@ private:
   struct Distances {
     std::vector<Between> from_plane;
     std::vector<Between> beyond;  ///< by point, side
-    void put(const Sight& sight, std::size_t panel, std::size_t blocker,
+    void put(const PanelSight& sight, std::size_t panel, std::size_t blocker,
              std::span<const Vector<double>> points);
     [[nodiscard]] double least_slope(std::size_t side) const;
   };
@@ -100,11 +101,11 @@ private:
     Distances hull;
     std::vector<double> slopes;  ///< by side
   };
-  [[nodiscard]] View view(const Past& past) const;
+  [[nodiscard]] PanelView view(const Past& past) const;
 
-  const Sight& sight_;
+  const PanelSight& sight_;
   std::size_t other_;
-  View without_blockers_;
+  PanelView without_blockers_;
   std::vector<Past> past_;
   Distances points_;  ///< of the last view
 };
