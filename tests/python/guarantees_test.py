@@ -66,6 +66,34 @@ class Guarantees(ModuleTest):
         with self.assertRaises(TypeError):
             self.cube.guarantee("0.2").certificate_to(path)
 
+    def test_values_have_certificates(self):
+        face = rc.Problem(rc.tetrahedron(), reflectivity="3/10", emission="7/10", levels=[0])
+        enclosure = face.guarantee(1, of="values", certificate=True)
+        path = self.folder / "values.json"
+        enclosure.certificate_to(path)
+        check = rc.check_certificate(path, 2)
+        self.assertTrue(check.verified)
+        self.assertEqual(check.means, {})
+        self.assertEqual([point["at"] for point in check.points], [point["at"] for point in enclosure.points])
+        for point in check.points:
+            midpoint, radius = point["value"]
+            self.assertLessEqual(abs(midpoint - 1), radius)
+
+    def test_several_emissions_add_up(self):
+        # u = 1 where E = 1 - rho, and u is linear in E.
+        faces = rc.tetrahedron().pieces
+        halves = {name: {piece: "7/10" if (k < 2) == (name == "first") else 0 for k, piece in enumerate(faces)}
+                  for name in ("first", "second")}
+        room = rc.Problem(rc.tetrahedron(), reflectivity="3/10", emission="7/10", levels=[0])
+        enclosure = room.guarantee("0.5", emissions=halves)
+        self.assertEqual(set(enclosure.emissions), {"first", "second"})
+        for piece in faces:
+            parts = [enclosure.emissions[name].means[piece] for name in halves]
+            self.assertLessEqual(abs(sum(part.value for part in parts) - 1), sum(part.radius for part in parts))
+        by_piece = room.guarantee("0.5", emissions="by piece").emissions
+        self.assertEqual(set(by_piece), set(faces))
+        self.refused(lambda: room.guarantee("0.5", emissions={"one": "no"}), "emissions")
+
     def test_what_cannot_be_enclosed_is_refused(self):
         self.refused(lambda: self.cube.guarantee(0), "/width")
         self.refused(lambda: self.cube.guarantee(float("nan")), "is not finite")

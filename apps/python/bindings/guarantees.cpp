@@ -92,9 +92,16 @@ Enclosed enclose(PythonProblem problem, const py::object& document, bool with_ce
   });
 }
 
-py::object points_of(const Enclosed& enclosed) {
+py::object means_of(const std::vector<std::pair<std::string, Approximation>>& pieces) {
+  py::dict out;
+  for (const auto& [piece, mean] : pieces)
+    out[py::str(piece)] = py::make_tuple(mean.value, mean.radius, mean.guaranteed);
+  return out;
+}
+
+py::object points_of(const std::vector<EnclosedValue>& points) {
   py::list out;
-  for (const EnclosedValue& value : enclosed.enclosure().points)
+  for (const EnclosedValue& value : points)
     out.append(py::dict(py::arg("piece") = value.piece,
                         py::arg("at") = py::make_tuple(fraction_of(value.at.x), fraction_of(value.at.y),
                                                        fraction_of(value.at.z)),
@@ -143,18 +150,30 @@ py::dict checked(const std::string& file, const std::optional<std::int64_t>& ele
     return out;
   });
   py::dict means;
+  py::list points;
   const certificate::MeansCertificate& c = verdict.read.certificate;
   py::object refusal = py::none();
   if (verdict.report.refusal) {
     refusal = py::str(verdict.report.refusal->pointer + ": " + verdict.report.refusal->says);
   } else {
-    for (std::size_t k = 0; k < c.pieces.size(); ++k)
-      means[py::str(c.pieces[k])] =
+    for (std::size_t k = 0; k < c.goals(); ++k) {
+      const py::tuple enclosed =
           py::make_tuple(fraction_of(c.means[k].midpoint), fraction_of(c.means[k].radius));
+      if (!c.of_values()) {
+        means[py::str(c.pieces[k])] = enclosed;
+        continue;
+      }
+      const Vector<Rational>& at = c.points[k].at;
+      points.append(
+          py::dict(py::arg("piece") = c.pieces[c.faces[c.points[k].face].piece],
+                   py::arg("at") = py::make_tuple(fraction_of(at.x), fraction_of(at.y), fraction_of(at.z)),
+                   py::arg("value") = enclosed));
+    }
   }
   return py::dict(py::arg("verified") = !verdict.report.refusal.has_value(), py::arg("refusal") = refusal,
                   py::arg("elements") = c.elements.size(),
-                  py::arg("looked_at") = verdict.report.looked_at.size(), py::arg("means") = means);
+                  py::arg("looked_at") = verdict.report.looked_at.size(), py::arg("means") = means,
+                  py::arg("points") = points);
 }
 
 }  // namespace
@@ -170,14 +189,15 @@ void add_guarantees(py::module_& module) {
                              [](const Enclosed& e) { return fraction_of(e.enclosure().wanted.width); })
       .def_property_readonly("hindrance", [](const Enclosed& e) { return e.enclosure().hindrance; })
       .def_readonly("certificate", &Enclosed::certificate)
-      .def("means",
+      .def("means", [](const Enclosed& e) { return means_of(e.enclosure().pieces); })
+      .def("points", [](const Enclosed& e) { return points_of(e.enclosure().points); })
+      .def("emissions",
            [](const Enclosed& e) {
              py::dict out;
-             for (const auto& [piece, mean] : e.enclosure().pieces)
-               out[py::str(piece)] = py::make_tuple(mean.value, mean.radius, mean.guaranteed);
+             for (const SolutionEnclosure::OfEmission& own : e.enclosure().emissions)
+               out[py::str(own.emission)] = py::make_tuple(means_of(own.pieces), points_of(own.points));
              return out;
            })
-      .def("points", points_of)
       .def("function", function_of)
       .def("json",
            [](const Enclosed& e) { return object_of(result_json(e.result, "radcert.Problem.guarantee")); })

@@ -16,12 +16,20 @@ class Proved(NamedTuple):
     guaranteed: bool
 
 
+class OfEmission(NamedTuple):
+    """What is proved of the solution for a further emission: as means and points of an Enclosure."""
+
+    means: dict[str, Proved]
+    points: list[dict[str, Any]]
+
+
 class Enclosure:
     """What is proved of the solution u of a problem.
 
     width: that was reached; wanted: that was asked for. hindrance: "" where it was reached, else what hindered it.
     means: ``Proved`` by piece. points: a list of dicts with piece, at (Fractions), value, radius. function: a dict with
-    sup |u - v| for an approximation v, None where that was not asked for.
+    sup |u - v| for an approximation v, None where that was not asked for. emissions: ``OfEmission`` by the names of
+    further emissions.
     """
 
     def __init__(self, enclosed):
@@ -53,6 +61,11 @@ class Enclosure:
         return self._enclosed.points()
 
     @property
+    def emissions(self) -> dict[str, OfEmission]:
+        return {name: OfEmission({piece: Proved(*mean) for piece, mean in means.items()}, points)
+                for name, (means, points) in self._enclosed.emissions().items()}
+
+    @property
     def function(self) -> Optional[dict[str, Any]]:
         return self._enclosed.function()
 
@@ -78,7 +91,8 @@ class Check(NamedTuple):
     """What a check of a certificate found.
 
     verified: whether all that was looked at holds; refusal: else the place and the reason. elements: how many the certificate
-    has; looked_at: the claims on how many were proved again. means: (midpoint, radius) by piece, Fractions.
+    has; looked_at: the claims on how many were proved again. means: (midpoint, radius) by piece, Fractions. points: of a
+    certificate of values, a list of dicts with piece, at and value, a (midpoint, radius).
     """
 
     verified: bool
@@ -86,6 +100,7 @@ class Check(NamedTuple):
     elements: int
     looked_at: int
     means: dict[str, tuple[Fraction, Fraction]]
+    points: list[dict[str, Any]]
 
 
 def check_certificate(path: Path, elements: Optional[int] = None, *, seed: Optional[str] = None,

@@ -77,14 +77,15 @@ class Problem:
         problem = self.replace(**changes) if changes else self
         return Solution(problem._problem.solve(store_name(store), progress))
 
-    def guarantee(self, width: Any, of: str = "means", *, points: Any = None, outside: Any = None, certificate: bool = False,
-                  store: Store = None, progress: Listener = None) -> Enclosure:
+    def guarantee(self, width: Any, of: str = "means", *, points: Any = None, outside: Any = None, emissions: Any = None,
+                  certificate: bool = False, store: Store = None, progress: Listener = None) -> Enclosure:
         """Encloses the solution u of the equation itself, not of an approximation to it, with a proof.
 
         width: of the enclosures that are wanted, an exact number. of: "means" over the pieces, "values" at points, or
         "function", u everywhere. points: triples of exact numbers, inside faces. outside: of a function on a polyhedron,
-        how far from the vertices. certificate: of means or values on a convex polyhedron, with what
-        ``check_certificate`` verifies.
+        how far from the vertices. emissions: further ones on a polyhedron whose means or values are enclosed too, "by piece"
+        or a dict of expressions by name, each as the problem's emission. certificate: of means or values on a convex
+        polyhedron, with what ``check_certificate`` verifies.
 
         Serves convex polyhedra, open ones too, spheres and ellipsoids, and for means closed meshes whose parts hide each
         other; levels, basis and solver do not matter. Raises AccuracyNotReached where nothing is proved; where the width
@@ -96,6 +97,8 @@ class Problem:
                                   for i, point in enumerate(points)]
         if outside is not None:
             document["outside"] = _core.exact_text(outside, "outside")
+        if emissions is not None:
+            document["emissions"] = emissions
         return Enclosure(_core.enclose(self._problem, document, certificate, store_name(store), progress))
 
     def to_json(self) -> dict[str, Any]:
