@@ -62,6 +62,26 @@ class Solve(ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.assertIn(b"standard input: /surface", done.stderr)
 
+    def test_a_guarantee_where_parts_hide_each_other_says_what_was_mended(self):
+        lines = []
+        for base, (name, low, high, inwards) in enumerate([("room", 0, (3, 3, 3), True), ("box", 1, (2, 2, 1), False)]):
+            bottom = (low, low, 0)
+            lines += ["v %d %d %d" % tuple((high if n >> k & 1 else bottom)[k] for k in range(3)) for n in range(8)]
+            for face, quad in [("bottom", (0, 2, 3, 1)), ("top", (4, 5, 7, 6)), ("south", (0, 1, 5, 4)),
+                               ("north", (2, 6, 7, 3)), ("west", (0, 4, 6, 2)), ("east", (1, 3, 7, 5))]:
+                corners = [8 * base + n + 1 for n in (reversed(quad) if inwards else quad)]
+                lines += [f"g {name}_{face}", "f " + " ".join(map(str, corners))]
+        self.write("room.obj", "\n".join(lines).encode() + b"\n")
+        problem = {"schema": "radcert/problem/1", "surface": {"file": "room.obj"}, "triangulation": {"levels": [0]},
+                   "basis": {"family": "inset", "degree": 0}, "reflectivity": "0", "emission": "1/2"}
+        said = self.expect(0, "solve", self.write("room.json", problem), "--guarantee", "0.1")
+        self.assertIn("Mended: room.obj: contact of room_bottom and box_bottom: an area of 1", said)
+        self.assertIn("box_top            0.5", said)
+        for of in ("values", "function"):
+            done = self.run_program("solve", "room.json", "--guarantee", "0.1", "--of", of)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("where only means are enclosed", done.stderr.decode())
+
     def test_a_guarantee_on_an_open_surface_is_that_beside_black_faces(self):
         self.write("open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                                "g floor\nf 1 2 3 4\ng south\nf 1 5 6 2\ng east\nf 2 6 7 3\ng north\nf 3 7 8 4\n"

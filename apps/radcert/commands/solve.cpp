@@ -196,6 +196,14 @@ void refuse_fields(const SolveOptions& options, const Guarantee& guarantee) {
                                               : "--json beside a guarantee of means"});
 }
 
+/// What was found, with what was mended of the mesh on which it was.
+void print_solved(const Common& common, const Outputs& outputs, const Problem& problem,
+                  const std::string& table, const std::string& json, Files files) {
+  const std::string mended = mended_text({&problem, 1});
+  if (common.json_to_stdout()) say(mended);
+  print_result(common, outputs, table + (mended.empty() ? "" : "\n" + mended), json, std::move(files));
+}
+
 ExitCode enclose(const Common& common, const SolveOptions& options, const Outputs& outputs,
                  const Problem& problem, const std::string& source) {
   refuse_fields(options, *problem.guarantee);
@@ -238,7 +246,7 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Output
   const std::string json = result_text(result, common.command);
   if (!options.vtu.empty()) files.emplace_back(options.vtu, vtu_text(*result.enclosure));
   if (!options.nodes.empty()) files.emplace_back(options.nodes, enclosure_csv(*result.enclosure));
-  print_result(common, outputs, enclosure_table(*result.enclosure), json, std::move(files));
+  print_solved(common, outputs, problem, enclosure_table(*result.enclosure), json, std::move(files));
   if (hindrance.empty()) return ExitCode::done;
   complain("the width " + upper_text(result.enclosure->width) + " and not " +
            upper_text(result.enclosure->wanted.width) + " is reached: " + hindrance);
@@ -285,10 +293,7 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   if (!options.ply.empty())
     files.emplace_back(options.ply, ply_text(elements, corner_errors(problem, elements)));
   say_where_nothing_is_kept(store);
-  const std::string mended = mended_text({&problem, 1});
-  if (common.json_to_stdout()) say(mended);
-  print_result(common, outputs, solve_table(result) + (mended.empty() ? "" : "\n" + mended), json,
-               std::move(files));
+  print_solved(common, outputs, problem, solve_table(result), json, std::move(files));
   return ExitCode::done;
 }
 
