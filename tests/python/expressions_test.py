@@ -110,6 +110,14 @@ class Expressions(ModuleTest):
         self.refused(lambda: x + x1, "beside barycentric ones")
         self.refused(lambda: rc.expression("x +"), "is no expression: column 4")
         self.refused(lambda: x + float("nan"), "is not finite")
+
+        def squared(f, times):
+            for _ in range(times):
+                f = f * f
+            return f
+
+        self.assertLess(len(squared(x, 10).text), 4097)
+        self.refused(lambda: squared(x, 60), "characters; allowed: at most 4096")
         with self.assertRaises(TypeError):
             rc.exp("x")
         with self.assertRaises(TypeError):

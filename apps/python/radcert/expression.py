@@ -10,6 +10,8 @@ from typing import Any
 
 from . import _core
 
+# What the library reads of one expression; a longer one is refused while it is built, not when memory has ended.
+_LONGEST = 4096
 _SUM, _PRODUCT, _SIGNED, _POWER, _PRIMARY = 1, 2, 3, 4, 5
 _SPACE = frozenset("xyz")
 _BARYCENTRIC = frozenset(["x1", "x2", "x3"])
@@ -43,6 +45,8 @@ class Expression:
         self.text = text
         self._level = level
         self.names = names
+        if len(text) > _LONGEST:
+            _core.refuse("expression", "", text[:40] + "...", f"has {len(text)} characters", f"at most {_LONGEST}")
         if names & _SPACE and names & _BARYCENTRIC:
             _core.refuse("expression", "", text, "has coordinates of space beside barycentric ones", "one kind of them")
 
