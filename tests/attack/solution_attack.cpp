@@ -200,19 +200,25 @@ std::string text_of_lit(const Lit& x) {
   return out;
 }
 
-Lit drawn_lit(Draw& draw) {
+/// A little skew, and two faces are black: their residuals do not count. The others reflect from `least`
+/// hundredths on.
+Lit drawn_with_two_faces(Draw& draw, long least, std::size_t range) {
   Lit x{.scene = drawn(draw)};
   x.scene.surface = "tetrahedron";
   x.scene.emission.clear();
-  // A little skew, and two faces are black: their residuals do not count.
+  x.scene.bends.clear();
   x.scene.map = SkewMap::drawn(draw, 85, 31, 15);
   x.scene.reflectivity.assign(4, 0);
   x.face = draw.below(4);
-  x.scene.reflectivity[x.face] = 20 + static_cast<long>(draw.below(50));
-  x.scene.reflectivity[(x.face + 1 + draw.below(3)) % 4] = 20 + static_cast<long>(draw.below(50));
+  x.scene.reflectivity[x.face] = least + static_cast<long>(draw.below(range));
+  x.scene.reflectivity[(x.face + 1 + draw.below(3)) % 4] = least + static_cast<long>(draw.below(range));
+  return x;
+}
+
+Lit drawn_lit(Draw& draw) {
+  Lit x = drawn_with_two_faces(draw, 20, 50);
   x.scene.width = 0.3;
   for (long& weight : x.weights) weight = 2 + static_cast<long>(draw.below(5));
-  x.scene.bends.clear();
   bend(x.scene, draw);
   return x;
 }
@@ -333,15 +339,7 @@ TEST(SolutionAttack, MeansAroundACornerFollowFromFactors) {
 
 /// Some faces of a polyhedron are openings.
 Lit drawn_open(Draw& draw) {
-  Lit x{.scene = drawn(draw)};
-  x.scene.surface = "tetrahedron";
-  x.scene.emission.clear();
-  x.scene.map = SkewMap::drawn(draw, 85, 31, 15);
-  x.scene.reflectivity.assign(4, 0);
-  x.face = draw.below(4);
-  x.scene.reflectivity[x.face] = 10 + static_cast<long>(draw.below(40));
-  x.scene.reflectivity[(x.face + 1 + draw.below(3)) % 4] = 10 + static_cast<long>(draw.below(40));
-  x.scene.bends.clear();
+  Lit x = drawn_with_two_faces(draw, 10, 40);
   bend(x.scene, draw);
   return x;
 }

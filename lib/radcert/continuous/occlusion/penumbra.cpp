@@ -27,6 +27,15 @@ double height_above(const SectorScene& scene, std::size_t panel, std::span<const
   return highest + 4 * displacement * scene.extent();
 }
 
+/// A bound of |f'| on [-1,1] for f = sum c_i P_i, from |c_i|.
+/// Maths     |P_i'| <= i (i+1)/2
+double slope_size(std::span<const double> sizes) {
+  double sum = 0;
+  for (std::size_t i = 1; i < sizes.size(); ++i)
+    sum += 0.5 * static_cast<double>(i * (i + 1)) * std::abs(sizes[i]);
+  return sum * upward;
+}
+
 }  // namespace
 
 PanelView view_of_panel(const SectorScene& scene, std::size_t panel, std::span<const Vector<double>> hull,
@@ -37,13 +46,6 @@ PanelView view_of_panel(const SectorScene& scene, std::size_t panel, std::span<c
   for (std::size_t s = scene.first_sector(other); s < scene.first_sector(other + 1); ++s)
     corners.push_back(scene.sectors()[s].a);
   return PanelSight::Lookout(scene.sight(), panel, hull, other).view(corners);
-}
-
-double slope_size(std::span<const double> sizes) {
-  double sum = 0;
-  for (std::size_t i = 1; i < sizes.size(); ++i)
-    sum += 0.5 * static_cast<double>(i * (i + 1)) * std::abs(sizes[i]);
-  return sum * upward;
 }
 
 Penumbra::Penumbra(const SectorScene& scene, std::span<const SectorElement> elements,

@@ -99,8 +99,4 @@ private:
           sector.point(box.s0, box.t1)};
 }
 
-/// A bound of |f'| on [-1,1] for f = sum c_i P_i, from |c_i|.
-/// Maths     |P_i'| <= i (i+1)/2
-[[nodiscard]] double slope_size(std::span<const double> sizes);
-
 }  // namespace radcert
