@@ -70,7 +70,7 @@ public:
         polygons_.push_back(polygon);
         boxes.push_back(box);
       }
-    tree_ = BoxTree(std::move(boxes));
+    tree_ = BoxTree(std::move(boxes), TreeParting::least_surface);
   }
 
   struct Hit {

@@ -39,10 +39,18 @@ template <std::size_t count>
 /// The box of each triangle of a mesh; exact.
 [[nodiscard]] std::vector<BoundingBox> triangle_boxes(const TriangleMesh& mesh);
 
+/// Where a tree parts what is below a node.
+enum class TreeParting {
+  middle,  ///< at the median of the points along the widest side of the box about them
+  /// Of the places along each axis that leave both sides an eighth at least, where the sum over both halves of
+  /// their number times the surface of their box is least: a line that meets a convex body meets one within it
+  /// with the probability of the quotient of their surfaces, so that lines look into fewest boxes.
+  least_surface,
+};
+
 /// A tree of boxes, for questions that most boxes answer.
-/// Maths     each node's box holds those below it; what is below is parted at the median of the points along
-///           the widest side of the box about them
-/// Source    ours; why not CGAL's: see CONTRIBUTING.md
+/// Maths     each node's box holds those below it; what is below is parted as TreeParting says
+/// Source    ours; why not CGAL's: see CONTRIBUTING.md; least_surface by Goldsmith & Salmon, 1987
 /// Requires  finite points, as many as boxes; leaf_size >= 1
 /// Result    leaves hold leaf_size numbers of boxes, the last one maybe fewer; order() has these numbers leaf
 ///           by leaf. Walks go through the leaves in this order. Boxes are exact, so nothing is lost where
@@ -55,9 +63,9 @@ public:
   BoxTree() = default;
   /// Boxes, and a point of each to part them by.
   BoxTree(std::vector<BoundingBox> boxes, std::span<const Vector<double>> points,
-          std::size_t leaf_size = usual_leaf_size);
-  /// Boxes, parted by their middles.
-  explicit BoxTree(std::vector<BoundingBox> boxes);
+          std::size_t leaf_size = usual_leaf_size, TreeParting parting = TreeParting::middle);
+  /// Boxes, and their middles as points; with least_surface a leaf for each.
+  explicit BoxTree(std::vector<BoundingBox> boxes, TreeParting parting = TreeParting::middle);
 
   [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
   /// About all boxes; ContractViolation where there are none.
@@ -99,8 +107,8 @@ public:
       std::size_t node;
       double upper;
     };
-    // Each level leaves one, and halves are parted at most as often as a number has digits.
-    std::array<Pending, 2 + std::numeric_limits<std::size_t>::digits> pending;
+    // Each level leaves one. A half has at most 7/8 of the leaves, rounded up, and 2 are parted into 1 and 1.
+    std::array<Pending, 2 + most_levels> pending;
     std::size_t count = 0;
     if (!nodes_.empty()) pending[count++] = {0, upper(nodes_[0].box)};
     while (count > 0) {
@@ -128,8 +136,11 @@ private:
     std::size_t begin = 0;
     std::size_t end = 0;
   };
-  void build(std::span<const Vector<double>> points, std::size_t leaf_size, std::size_t begin,
-             std::size_t end);
+  struct Division;
+  /// (8/7)^334 > 2^64, and rounding up adds a level for each of the numbers below 8.
+  static constexpr std::size_t most_levels = 344;
+
+  void build(const Division& division, std::size_t begin, std::size_t end);
 
   std::vector<Node> nodes_;
   std::vector<BoundingBox> boxes_;  ///< of order_[i]
