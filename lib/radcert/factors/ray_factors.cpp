@@ -23,6 +23,7 @@
 #include "radcert/geometry/box_tree.h"
 #include "radcert/geometry/orientation.h"
 #include "radcert/geometry/plane_classes.h"
+#include "radcert/polynomial/rules/sobol_net.h"
 
 namespace radcert {
 
@@ -38,7 +39,6 @@ constexpr double rare_hits = 10;
 constexpr std::uint64_t first_points = 1024;
 /// From round to round, of the points of a row whose radii are too large.
 constexpr double growth = 1.5;
-constexpr std::size_t dimensions = 4;
 
 /// A ray, with the plane in which it starts.
 struct Ray {
@@ -172,7 +172,7 @@ public:
     }
   }
 
-  [[nodiscard]] Ray at(const std::array<double, dimensions>& x) const {
+  [[nodiscard]] Ray at(const std::array<double, SobolNet::dimensions>& x) const {
     const double place = x[0] * area_;
     const auto found = std::upper_bound(up_to_.begin(), up_to_.end(), place);
     const std::size_t k = std::min(static_cast<std::size_t>(found - up_to_.begin()), places_.size() - 1);
@@ -215,20 +215,6 @@ private:
   double area_ = 0;
 };
 
-/// The k-th point of a Kronecker sequence.
-std::array<double, dimensions> sequence_point(const std::array<double, dimensions>& shift, std::uint64_t k) {
-  // The real root of t^5 = t + 1, and its powers from -1 to -4.
-  constexpr double root = 1.1673039782614187;
-  constexpr std::array<double, dimensions> step{1 / root, 1 / root / root, 1 / root / root / root,
-                                                1 / root / root / root / root};
-  std::array<double, dimensions> x{};
-  for (std::size_t j = 0; j < dimensions; ++j) {
-    const double turns = shift[j] + static_cast<double>(k) * step[j];
-    x[j] = turns - std::floor(turns);
-  }
-  return x;
-}
-
 /// Hits of a row: of each replicate those on each unit.
 struct RowCount {
   std::uint64_t points = 0;  ///< of each replicate
@@ -245,9 +231,9 @@ public:
     for (RowCount& row : rows_) row.hits.assign(replicates * size(), 0);
     constexpr std::mt19937_64::result_type seed = 20260;
     std::mt19937_64 random(seed);
+    for (std::size_t r = 0; r < replicates; ++r) nets_.emplace_back(random);
     shifts_.resize(size() * replicates);
-    for (auto& shift : shifts_)
-      for (double& x : shift) x = static_cast<double>(random() >> 11U) * 0x1p-53;
+    for (SobolNet::Digits& shift : shifts_) shift = SobolNet::draw_shift(random);
   }
 
   [[nodiscard]] std::size_t size() const { return units_.names.size(); }
@@ -267,10 +253,12 @@ public:
         const std::size_t replicate = block % replicates;
         const std::uint64_t from = count.points + block / replicates * grain;
         const std::uint64_t to = std::min(points, from + grain);
+        SobolNet::Digits point = nets_[replicate].at(from);
         for (std::uint64_t k = from; k < to; ++k) {
-          const auto hit =
-              first_hits_.along(samplers_[row].at(sequence_point(shifts_[row * replicates + replicate], k)));
+          const auto x = SobolNet::shifted(point, shifts_[row * replicates + replicate]);
+          const auto hit = first_hits_.along(samplers_[row].at(x));
           if (hit && hit->front) ++hits[hit->unit];
+          nets_[replicate].advance(point, k);
         }
         const std::scoped_lock lock(mutex);
         for (std::size_t j = 0; j < hits.size(); ++j) count.hits[replicate * size() + j] += hits[j];
@@ -285,7 +273,8 @@ private:
   FirstHits first_hits_;
   std::vector<UnitSampler> samplers_;
   std::vector<RowCount> rows_;
-  std::vector<std::array<double, dimensions>> shifts_;
+  std::vector<SobolNet> nets_;            ///< of each replicate
+  std::vector<SobolNet::Digits> shifts_;  ///< of each row's replicates
 };
 
 /// The mean of independent numbers, with the radius of ray_factors.

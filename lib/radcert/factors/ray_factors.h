@@ -17,12 +17,12 @@ struct RayDemand {
 /// The configuration factors between units by rays, whole units at once.
 /// Maths     F_IJ = 1/A_I Int_I Int_{u in the hemisphere} [the first triangle along u is of J, and its front]
 ///           cos / pi du dP, an integral over the cube of four dimensions: a point of I, uniform in area, and
-///           a direction, uniform in the disk that the hemisphere covers. Each of 32 replicates is a
-///           Kronecker sequence of points, x_k = frac(s + k a), a_j the powers of the root of t^5 = t + 1,
-///           with a shift s of its own, from std::mt19937_64. The exchange areas found from I and from J are
-///           put together with weights as the numbers of rays over the areas, so that A_I F_IJ = A_J F_JI
-/// Source    randomised quasi-Monte Carlo: Cranley & Patterson, 1976; Owen, Monte Carlo theory, chapter 17;
-///           the disk by Shirley & Chiu, 1997
+///           a direction, uniform in the disk that the hemisphere covers. Each of 32 replicates takes the
+///           points of a SobolNet of its own, with a shift for each row. The exchange areas found from I and
+///           from J are put together with weights as the numbers of rays over the areas, so that
+///           A_I F_IJ = A_J F_JI
+/// Source    randomised quasi-Monte Carlo: Owen, Monte Carlo theory, chapter 17; the disk by Shirley & Chiu,
+///           1997
 /// Requires  as factor_matrix; accuracy > 0
 /// Result    the radius is an estimate: the quantile of Student's distribution that one mean of 32 replicates
 ///           in 10,000 leaves, times their standard error, and 10 hits over the number of rays, which covers
