@@ -94,9 +94,19 @@ ProgressDisplay::~ProgressDisplay() {
 
 void ProgressDisplay::at(double fraction, const std::string& label, double expected_seconds) {
   const std::scoped_lock lock(mutex_);
+  expected_ = expected_seconds;
+  begin_part(fraction, label);
+}
+
+void ProgressDisplay::counted(std::size_t done, std::size_t all, const std::string& label) {
+  const std::scoped_lock lock(mutex_);
+  count_ = std::to_string(done) + " of " + std::to_string(all);
+  begin_part(all == 0 ? 0 : static_cast<double>(done) / static_cast<double>(all), label);
+}
+
+void ProgressDisplay::begin_part(double fraction, const std::string& label) {
   fraction_ = std::clamp(fraction, 0.0, 1.0);
   label_ = label;
-  expected_ = expected_seconds;
   since_ = Clock::now();
   extent_known_ = true;
   const bool due = seconds(since_ - last_line_) >= seconds_between_lines;
@@ -137,11 +147,14 @@ double ProgressDisplay::shown_fraction() const {
 }
 
 std::string ProgressDisplay::status() const {
-  if (!extent_known_) return time_text(seconds(Clock::now() - start_)) + ": " + label_.substr(0, label_width);
-  const double left = seconds_left();
-  std::string out = fmt::format("{:>3} %  {}", nearest_text(100 * shown_fraction(), DecimalForm::fixed(0)),
-                                time_text(seconds(Clock::now() - start_)));
-  if (left > 0) out += ", about " + time_text(left) + " left";
+  std::string out = time_text(seconds(Clock::now() - start_));
+  if (extent_known_ && !count_.empty()) {
+    out = count_ + "  " + out;
+  } else if (extent_known_) {
+    out = fmt::format("{:>3} %  ", nearest_text(100 * shown_fraction(), DecimalForm::fixed(0))) + out;
+    const double left = seconds_left();
+    if (left > 0) out += ", about " + time_text(left) + " left";
+  }
   return out + ": " + label_.substr(0, label_width);
 }
 

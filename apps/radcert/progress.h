@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -25,6 +26,8 @@ public:
   /// The work before this point is so much of the whole; `label` is what begins now. `expected_seconds` is
   /// how long all the rest may take, if that is known.
   void at(double fraction, const std::string& label, double expected_seconds = 0);
+  /// So many parts of all are done, whose times differ too much to foresee that of the rest.
+  void counted(std::size_t done, std::size_t all, const std::string& label);
   /// Clears what is drawn and draws no more: a result follows.
   static void put_away();
   /// A line that stays.
@@ -34,6 +37,7 @@ private:
   using Clock = std::chrono::steady_clock;
   enum class Mode { none, lines, bar };
   void begin();
+  void begin_part(double fraction, const std::string& label);
   [[nodiscard]] bool silent() const;
   double seconds_left() const;
   double shown_fraction() const;
@@ -50,6 +54,7 @@ private:
   double fraction_ = 0;
   double expected_ = 0;
   std::string label_;
+  std::string count_;  ///< "3 of 20", in place of a share and the time left; else empty
   bool extent_known_ = true;
   bool drawn_ = false;
   bool said_ = false;

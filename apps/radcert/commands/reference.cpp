@@ -242,7 +242,7 @@ ExitCode write_all(const Common& common, const ReferenceOptions& options, int di
   outputs.folder("--out", certificates);
   const auto named = reference::named_values();
   const auto scenes = reference::continuous_scenes();
-  const auto all = static_cast<double>(named.size() + reference::continuous_means().size());
+  const std::size_t all = named.size() + reference::continuous_means().size();
   ResultStore store = common.store();
   std::vector<ReferenceRecord> records;
   std::vector<std::pair<std::filesystem::path, std::string>> files;
@@ -250,12 +250,12 @@ ExitCode write_all(const Common& common, const ReferenceOptions& options, int di
     ProgressDisplay progress(common.quiet);
     for (const reference::NamedValue& value : named) {
       throw_if_interrupted();
-      progress.at(static_cast<double>(records.size()) / all, value.name);
+      progress.counted(records.size(), all, value.name);
       records.push_back(kept_record(value, digits, store));
     }
     for (const reference::ContinuousScene& scene : scenes) {
       throw_if_interrupted();
-      progress.at(static_cast<double>(records.size()) / all, scene.name);
+      progress.counted(records.size(), all, scene.name);
       for (ReferenceRecord& record : continuous_records(scene)) records.push_back(std::move(record));
       for (auto& file : certificate_files(scene, certificates)) files.push_back(std::move(file));
     }

@@ -47,9 +47,7 @@ verification::Report run(const Common& common, const VerifyOptions& options, ver
   const verification::Bench bench{.budget = budget, .route = route, .levels = levels, .store = store};
   ProgressDisplay progress(common.quiet);
   return verification::run_verification(options.words, bench, [&](const verification::Progress& now) {
-    const double fraction =
-        now.total == 0 ? 0 : static_cast<double>(now.done) / static_cast<double>(now.total);
-    progress.at(fraction, now.statement);
+    progress.counted(now.done, now.total, now.statement);
   });
 }
 
