@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Configuration factors: the whole matrix of a cube of 768 triangles, one row of a room with boxes in it, and by rays
-// a furnished room, beside a plain ray caster.
+// Configuration factors: the whole matrix of a cube of 768 triangles, one row of a room with boxes in it, and
+// by rays a furnished room, beside a plain ray caster.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -15,8 +15,9 @@ struct PlainRow {
 };
 
 /// Configuration factors of a group of a mesh by a plain program: what ray_factors is compared with.
-/// Maths     F_IJ is the probability that a ray from a point of I, uniform in area, in a direction distributed
-///           as the cosine, first meets the front of a triangle of J; the standard error is that of a binomial
+/// Maths     F_IJ is the probability that a ray from a point of I, uniform in area, in a direction
+///           distributed as the cosine, first meets the front of a triangle of J; the standard error is that
+///           of a binomial
 /// Source    Monte Carlo as in textbooks; Moeller & Trumbore, 1997
 /// Requires  triangles that look to the side from which their corners run counterclockwise
 /// Result    unoptimised on purpose: pseudo-random numbers, one thread, each ray tries every triangle

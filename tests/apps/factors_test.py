@@ -354,6 +354,13 @@ class Factors(ProgramTest):
             self.assertAlmostEqual(areas[name], area, delta=1e-12)
         for pair, factor in cut_factors.items():
             self.assertAlmostEqual(factors[pair], factor, delta=5e-6, msg=pair)
+        # The same a rounding above the floor is no contact, and that is said.
+        above = [[(x, y, z + 2.0 ** -52) for x, y, z in face] for face in body]
+        self.obj("above.obj", {"floor": walls[4:5], "rest": walls[:4] + walls[5:], "cupboard": above})
+        done = self.run_program("factors", "above.obj", "--by", "group", "--out", "f.csv", "--accuracy", "1e-3")
+        self.assertIn(b"floor and cupboard face each other across a gap of 2.2e-16 at (", done.stderr)
+        told = json.loads(self.expect(0, "surface", "above.obj", "--json", "-"))
+        self.assertRegex(told["file"]["remarks"][0], "^floor and cupboard face each other")
         pieces = json.loads(self.expect(0, "surface", "contact.obj", "--json", "-"))
         self.assertTrue(pieces["closed"])
 

@@ -24,8 +24,8 @@ TEST(SobolNet, GoesThroughItsPointsInOrder) {
   EXPECT_THROW((void)net.at(std::uint64_t{1} << 32U), ContractViolation);
 }
 
-/// What the constants promise (Joe & Kuo, 2008): each coordinate is a (0,m,1)-net, of each two coordinates 2^m
-/// points are a net of quality 0 or 1, and of all four one of quality 3.
+/// What the initial numbers promise: each coordinate alone is a net of quality 0, and all four are one of
+/// quality 3, the sum of the degrees of their polynomials less one each.
 TEST(SobolNet, HasAsManyPointsInEachDyadicBoxAsItsVolumeSays) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     std::mt19937_64 random(seed);

@@ -247,6 +247,7 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   Files files;
   report.warnings = factor_warnings(report, OptionStyle::command_line);
   for (const std::string& done : named.mended) report.warnings.push_back("mended: " + done);
+  report.warnings.insert(report.warnings.end(), named.remarks.begin(), named.remarks.end());
   for (const std::string& warning : report.warnings) say("radcert: warning: " + warning + "\n");
   if (claimed) {
     report.comparison = with_source(

@@ -75,6 +75,7 @@ void file_rows(Rows& rows, const MeshSurvey& survey) {
     rows.push_back({"", line});
   }
   for (const std::string& line : survey.mended) rows.push_back({"mended", line});
+  for (const std::string& line : survey.remarks) rows.push_back({"remark", line});
 }
 
 void piece_rows(Rows& rows, const MeshSurvey& survey) {

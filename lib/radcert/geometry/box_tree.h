@@ -42,9 +42,9 @@ template <std::size_t count>
 /// Where a tree parts what is below a node.
 enum class TreeParting {
   middle,  ///< at the median of the points along the widest side of the box about them
-  /// Of the places along each axis that leave both sides an eighth at least, where the sum over both halves of
-  /// their number times the surface of their box is least: a line that meets a convex body meets one within it
-  /// with the probability of the quotient of their surfaces, so that lines look into fewest boxes.
+  /// Of the places along each axis that leave both sides an eighth at least, where the sum over both halves
+  /// of their number times the surface of their box is least: a line that meets a convex body meets one
+  /// within it with the probability of the quotient of their surfaces, so that lines look into fewest boxes.
   least_surface,
 };
 

@@ -8,6 +8,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/geometry/contacts/mesh_contacts.h"
+#include "radcert/geometry/contacts/near_contacts.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/surface/mesh_surface.h"
 
@@ -28,6 +29,8 @@ void require_orientable(const TriangleMesh& mesh, const MeshTopology& topology) 
                         "surface is not orientable and has no inner normals",
                     .allowed = "orientable surfaces"});
 }
+
+std::string group_text(const std::string& group) { return group.empty() ? "a face" : group; }
 
 /// The backs of these groups as triangles of their own.
 void add_backs(TriangleMesh& mesh, const std::vector<std::string>& two_sided) {
@@ -61,7 +64,6 @@ std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule,
       without_contacts(survey.mesh, orientation == Orientation::along_the_cross_product);
   if (!uncovered) throw InputError({.problem = uncovered.reason()});
   if (uncovered->contacts.empty()) return std::nullopt;
-  const auto name = [](const std::string& group) { return group.empty() ? std::string("a face") : group; };
   for (const MeshContact& contact : uncovered->contacts) {
     // What stands on one side of a plate leaves the other as it is.
     for (const std::string& group : two_sided)
@@ -69,16 +71,29 @@ std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule,
         throw InputError(
             {.source = "--two-sided",
              .value = group,
-             .problem = "touches " + name(group == contact.one ? contact.other : contact.one) +
+             .problem = "touches " + group_text(group == contact.one ? contact.other : contact.one) +
                         ", which covers a part of one of its sides",
              .allowed = "groups that touch nothing; give the plate a thickness, or move it off"});
-    survey.mended.push_back("contact of " + name(contact.one) + " and " + name(contact.other) +
+    survey.mended.push_back("contact of " + group_text(contact.one) + " and " + group_text(contact.other) +
                             ": an area of " + nearest_text(contact.area, DecimalForm::general(6)) +
                             " of each is covered and takes no part");
   }
   survey.mesh = std::move(uncovered->mesh);
   survey.defects = mesh_defects(survey.mesh);
   return orientation;
+}
+
+/// Faces that look at each other across a gap as rounding leaves it.
+std::vector<std::string> near_contact_remarks(const MeshSurvey& survey) {
+  std::vector<std::string> out;
+  for (const NearContact& near :
+       near_contacts(survey.mesh, survey.front.orientation == Orientation::along_the_cross_product))
+    out.push_back(
+        group_text(near.one) + " and " + group_text(near.other) + " face each other across a gap of " +
+        nearest_text(near.gap, DecimalForm::general(2)) + " at " + point_text(near.at) +
+        ": no contact, so that what lies between takes part; where they are to touch, give both the "
+        "same coordinates");
+  return out;
 }
 
 bool agrees(const MeshTopology& topology) {
@@ -179,6 +194,7 @@ MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& r
     throw InputError(
         {.problem = "has faces that touch, and with what they cover taken out its front is another",
          .allowed = "--front right-hand or --front left-hand"});
+  survey.remarks = near_contact_remarks(survey);
   decide_containment(survey);
   return survey;
 }

@@ -34,6 +34,7 @@ struct MeshSurvey {
   std::size_t cut_faces = 0;
   std::vector<std::size_t> bent_faces;
   std::vector<std::string> mended;
+  std::vector<std::string> remarks;  ///< what looks like a slip and was left as it is
   TriangleMesh mesh;
   MeshTopology topology;
   MeshDefects defects;

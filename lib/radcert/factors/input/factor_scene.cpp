@@ -135,6 +135,7 @@ FactorScene factor_scene(const std::string& name, const MeshFile& file, const Fa
           .identity = survey.digest + " repair " + listed(choice.repair) + " front " + front + " two-sided " +
                       listed(choice.two_sided),
           .mended = survey.mended,
+          .remarks = survey.remarks,
           .front = front,
           .open = open};
 }
@@ -160,6 +161,7 @@ FactorScene factor_scene(const std::string& name, const Surface& surface, int le
           .scene = std::move(scene),
           .identity = identity + " " + std::to_string(level),
           .mended = {},
+          .remarks = {},
           .open = open};
 }
 

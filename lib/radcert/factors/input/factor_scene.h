@@ -28,9 +28,10 @@ struct FactorScene {
   FactorMesh mesh;
   FacetScene scene;
   std::string identity;
-  std::vector<std::string> mended;  ///< what was, in words
-  std::string front = {};           ///< of a mesh where light travels: "right-hand" or "left-hand"
-  bool open = false;                ///< light leaves, and that was said to be meant
+  std::vector<std::string> mended;   ///< what was, in words
+  std::vector<std::string> remarks;  ///< of survey_mesh
+  std::string front = {};            ///< of a mesh where light travels: "right-hand" or "left-hand"
+  bool open = false;                 ///< light leaves, and that was said to be meant
 };
 
 /// A mesh as a scene, or what makes factors of it meaningless.

@@ -88,7 +88,8 @@ JsonValue file_json(const MeshSurvey& survey) {
                             {"bent_faces", survey.bent_faces.size()},
                             {"precision", survey.precision.words},
                             {"precision_unit", survey.precision.unit},
-                            {"mended", json_array(survey.mended)}});
+                            {"mended", json_array(survey.mended)},
+                            {"remarks", json_array(survey.remarks)}});
 }
 
 /// Where an edge begins and ends.

@@ -9,17 +9,18 @@
 namespace radcert {
 
 /// Points of the unit cube in four dimensions that fill it evenly, randomised.
-/// Maths     the k-th point of Sobol's sequence in the order of Gray's code: coordinate j has the binary digits
-///           sum over the bits b of k ^ (k >> 1) of column b of a matrix C_j over the field of two elements.
-///           C_j is replaced by L_j C_j with random lower triangular L_j, ones on the diagonal; then random
-///           digits, those of a shift, are added. So any 2^m points from a multiple of 2^m on stay as evenly
-///           spread as Sobol's, and each point is uniform in the cube (on multiples of 2^-53)
-/// Source    Sobol', 1967; Antonov & Saleev, 1979; initial numbers: Joe & Kuo, 2008; scrambling: Matousek, 1998
+/// Maths     the k-th point of Sobol's sequence in the order of Gray's code: coordinate j has the binary
+///           digits sum over the bits b of k ^ (k >> 1) of column b of a matrix C_j over the field of two
+///           elements. C_j is replaced by L_j C_j with random lower triangular L_j, ones on the diagonal;
+///           then random digits, those of a shift, are added. So any 2^m points from a multiple of 2^m on
+///           stay as evenly spread as Sobol's, and each point is uniform in the cube (on multiples of 2^-53)
+/// Source    Sobol', 1967; Antonov & Saleev, 1979; initial numbers: Joe & Kuo, 2008; scrambling: Matousek,
+///           1998
 /// Requires  k < 2^32
 /// Result    from two nets, drawn one after the other, and two shifts, means that are independent. The same
 ///           bits on every machine
-/// Limits    the mean of an integrand that jumps across surfaces is off by about the -5/8th power of the number
-///           of points
+/// Limits    the mean of an integrand that jumps across surfaces is off by about the -5/8th power of the
+///           number of points
 class SobolNet {
 public:
   static constexpr std::size_t dimensions = 4;

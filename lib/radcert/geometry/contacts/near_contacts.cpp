@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/geometry/contacts/near_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "radcert/geometry/box_tree.h"
+#include "radcert/geometry/plane_classes.h"
+
+namespace radcert {
+namespace {
+
+constexpr double next_to_nothing = 1e-9;  // of the diagonal
+
+using Corners = std::array<Vector<double>, 3>;
+
+Vector<double> front_of(const Corners& c, bool right_hand) {
+  const Vector<double> normal = cross(c[1] - c[0], c[2] - c[0]);
+  return ((right_hand ? 1 : -1) / norm(normal)) * normal;
+}
+
+struct Heights {
+  double least;
+  double largest;
+};
+
+/// Of corners above a plane.
+Heights heights(const Corners& corners, const Vector<double>& normal, const Vector<double>& origin) {
+  Heights out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Vector<double>& p : corners) {
+    const double height = dot(normal, p - origin);
+    out = {std::min(out.least, height), std::max(out.largest, height)};
+  }
+  return out;
+}
+
+/// Whether no line across a side of `one`, in its plane, leaves less than `least` of common width.
+bool overlap_along_sides(const Corners& one, const Corners& other, const Vector<double>& normal,
+                         double least) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector<double> side = one[(k + 1) % 3] - one[k];
+    const Vector<double> across = (1 / norm(side)) * cross(normal, side);
+    const Heights a = heights(one, across, one[k]);
+    const Heights b = heights(other, across, one[k]);
+    if (std::min(a.largest, b.largest) - std::max(a.least, b.least) <= least) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand) {
+  const BoxTree tree(triangle_boxes(mesh));
+  if (mesh.triangles.empty()) return {};
+  const PlaneClasses planes = plane_classes(mesh);
+  const double most = next_to_nothing * norm(tree.box().high - tree.box().low);
+  std::map<std::pair<std::size_t, std::size_t>, NearContact> found;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Corners here = mesh.corners(t);
+    const Vector<double> front = front_of(here, right_hand);
+    BoundingBox around = box_about(here);
+    const Vector<double> margin{most, most, most};
+    around = {around.low - margin, around.high + margin};
+    const auto meets = [&](const BoundingBox& box) {
+      return box.low.x <= around.high.x && around.low.x <= box.high.x && box.low.y <= around.high.y &&
+             around.low.y <= box.high.y && box.low.z <= around.high.z && around.low.z <= box.high.z;
+    };
+    static_cast<void>(tree.visit(meets, [&](std::size_t u) {
+      if (u <= t || planes.of_triangle[u] == planes.of_triangle[t]) return true;
+      const Corners there = mesh.corners(u);
+      const Vector<double> back = front_of(there, right_hand);
+      if (dot(front, back) >= 0) return true;
+      const Heights above = heights(there, front, here[0]);
+      const Heights below = heights(here, back, there[0]);
+      const double gap = std::max(above.largest, below.largest);
+      // Rounding may put a corner of a slanted face behind a plane before which the others lie.
+      if (!(above.largest > -above.least && below.largest > -below.least && gap <= most)) return true;
+      if (!overlap_along_sides(here, there, front, most) || !overlap_along_sides(there, here, back, most))
+        return true;
+      const auto groups = std::minmax(mesh.group[t], mesh.group[u]);
+      const auto [place, is_new] = found.try_emplace({groups.first, groups.second});
+      if (!is_new && place->second.gap <= gap) return true;
+      place->second = {.one = mesh.group_names[groups.first],
+                       .other = mesh.group_names[groups.second],
+                       .gap = gap,
+                       .at = here[0]};
+      return true;
+    }));
+  }
+  std::vector<NearContact> out;
+  for (auto& [groups, contact] : found) out.push_back(std::move(contact));
+  return out;
+}
+
+}  // namespace radcert

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "radcert/geometry/triangle_mesh.h"
+
+namespace radcert {
+
+/// Two groups of a mesh that face each other across next to nothing.
+struct NearContact {
+  std::string one;  ///< names of the groups, "" for what has no name
+  std::string other;
+  double gap = 0;  ///< the largest distance of a corner of the one from the plane of the other, rounded
+  Vector<double> at = {};  ///< a corner there
+};
+
+/// Where faces of a mesh probably were meant to touch, and rounded coordinates leave a gap.
+/// Maths     pairs of triangles of different planes whose fronts look at each other, whose corners lie at
+///           most 10^-9 times the diagonal of the mesh in front of each other's planes, and that overlap,
+///           seen along the normal, by more than 10^-9 times the diagonal in each direction
+/// Source    ours: such a gap is no contact for without_contacts, which asks for equality; what lies between
+///           takes part in the exchange of light
+/// Requires  no degenerate triangle. right_hand: see without_contacts
+/// Result    of each two groups the pair of triangles with the least gap, in the order of the groups
+/// Limits    a remark for the reader, decided in doubles: nothing is changed
+[[nodiscard]] std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand);
+
+}  // namespace radcert

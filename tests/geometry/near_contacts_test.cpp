@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/geometry/contacts/near_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/geometry/sample_meshes.h"
+
+namespace radcert {
+namespace {
+
+/// A room of the side 4 and a box in it, from `low` on, whose sides are `width`.
+TriangleMesh room_with_box(const Vector<double>& low, double width) {
+  TriangleMesh mesh;
+  for (const bool is_room : {true, false}) {
+    const sample::Polyhedron box = sample::cube();
+    const std::size_t first = mesh.vertices.size();
+    for (const Vector<double>& v : box.vertices) mesh.vertices.push_back(is_room ? 4 * v : low + width * v);
+    mesh.group_names.emplace_back(is_room ? "room" : "box");
+    for (const std::vector<std::size_t>& face : box.faces)
+      for (const std::size_t k : {1U, 2U}) {
+        VertexTriple t{first + face[0], first + face[k], first + face[k + 1]};
+        if (is_room) std::swap(t[1], t[2]);
+        mesh.triangles.push_back(t);
+        mesh.group.push_back(mesh.group_names.size() - 1);
+        mesh.face.push_back(mesh.triangles.size() - 1);
+      }
+  }
+  return mesh;
+}
+
+TEST(NearContacts, AreFacesThatLookAtEachOtherAcrossNextToNothing) {
+  const auto found = near_contacts(room_with_box({1, 1, 0x1p-52}, 1), true);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].one, "room");
+  EXPECT_EQ(found[0].other, "box");
+  EXPECT_DOUBLE_EQ(found[0].gap, 0x1p-52);
+  EXPECT_EQ(found[0].at.z, 0);
+}
+
+TEST(NearContacts, AreNoneWhereAGapIsSeenOrThereIsNone) {
+  for (const double height : {0.0, 1e-6, 0.5})
+    EXPECT_TRUE(near_contacts(room_with_box({1, 1, height}, 1), true).empty()) << height;
+}
+
+// A thin plate: its fronts look away from each other, and its sides are next to nothing wide.
+TEST(NearContacts, AreNoneBetweenTheSidesOfAThinPlate) {
+  TriangleMesh mesh = room_with_box({1, 1, 1}, 1);
+  for (Vector<double>& v : mesh.vertices)
+    if (v.z == 2) v.z = 1 + 0x1p-50;
+  EXPECT_TRUE(near_contacts(mesh, true).empty());
+}
+
+// A tilted box on a tilted floor: what is equal before rounding is off by a rounding here and there.
+TEST(NearContacts, AreFoundWhereBothAreTilted) {
+  TriangleMesh mesh = room_with_box({1, 1, 1e-12}, 1);
+  const double c = std::cos(0.3);
+  const double s = std::sin(0.3);
+  for (Vector<double>& v : mesh.vertices) v = {c * v.x - s * v.z, v.y, s * v.x + c * v.z};
+  const auto found = near_contacts(mesh, true);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].gap, 1e-12, 1e-15);
+}
+
+TEST(NearContacts, AreNoneBetweenTheSidesOfAPlateWithoutThickness) {
+  TriangleMesh mesh = room_with_box({1, 1, 1}, 1);
+  const std::size_t count = mesh.triangles.size();
+  for (std::size_t t = 0; t < count; ++t) {
+    const VertexTriple front = mesh.triangles[t];
+    mesh.triangles.push_back({front[0], front[2], front[1]});
+    mesh.group.push_back(mesh.group[t]);
+    mesh.face.push_back(mesh.face[t]);
+  }
+  const double c = std::cos(0.3);
+  const double s = std::sin(0.3);
+  for (Vector<double>& v : mesh.vertices) v = {c * v.x - s * v.z, v.y, s * v.x + c * v.z};
+  EXPECT_TRUE(near_contacts(mesh, true).empty());
+}
+
+TEST(NearContacts, AreFoundFromTheOtherSideWithTheOtherHand) {
+  TriangleMesh mesh = room_with_box({1, 0x1p-50, 1}, 1);
+  for (VertexTriple& t : mesh.triangles) std::swap(t[1], t[2]);
+  EXPECT_EQ(near_contacts(mesh, false).size(), 1U);
+  EXPECT_TRUE(near_contacts(mesh, true).empty());
+}
+
+}  // namespace
+}  // namespace radcert
