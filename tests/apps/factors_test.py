@@ -111,6 +111,7 @@ class Factors(ProgramTest):
         done = self.run_program(*words, "--accuracy", "1e-12")
         self.assertEqual(done.returncode, 1)
         self.assertIn(b"incomplete: the row sums' radius is above the accuracy asked for, 1e-12, in ", done.stderr)
+        self.assertIn(b"; with few triangles --certified goes further, with thousands --rays", done.stderr)
         self.expect(0, *words, "--accuracy", "1e-6")
         self.expect(0, *words, "--certified", "--accuracy", "1e-6")
 

@@ -110,7 +110,8 @@ Factors factors_of(FactorScene scene, const std::string& name, const Wish& wish,
   out.report.warnings = factor_warnings(out.report, OptionStyle::argument);
   for (const std::string& done : out.scene->mended) out.report.warnings.push_back("mended: " + done);
   out.report.warnings.insert(out.report.warnings.end(), out.scene->remarks.begin(), out.scene->remarks.end());
-  out.failures = factor_failures(out.report, wish.accuracy ? std::optional(accuracy) : std::nullopt);
+  out.failures = factor_failures(out.report, wish.accuracy ? std::optional(accuracy) : std::nullopt,
+                                 OptionStyle::argument);
   return out;
 }
 

@@ -275,7 +275,8 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
                                                           return pair.agreement == Agreement::differs;
                                                         });
   const std::vector<std::string> failed =
-      factor_failures(report, options.accuracy.empty() ? std::nullopt : std::optional(demand.accuracy));
+      factor_failures(report, options.accuracy.empty() ? std::nullopt : std::optional(demand.accuracy),
+                      OptionStyle::command_line);
   for (const std::string& failure : failed) say("radcert: " + failure + "\n");
   return differs || !failed.empty() ? ExitCode::differs : ExitCode::done;
 }

@@ -36,7 +36,8 @@ std::vector<std::string> factor_warnings(const FactorReport& report, OptionStyle
   return out;
 }
 
-std::vector<std::string> factor_failures(const FactorReport& report, const std::optional<double>& demanded) {
+std::vector<std::string> factor_failures(const FactorReport& report, const std::optional<double>& demanded,
+                                         OptionStyle style) {
   std::vector<std::string> out;
   const FactorMatrix& matrix = report.matrix;
   std::vector<std::pair<double, std::size_t>> unclosed;
@@ -49,9 +50,15 @@ std::vector<std::string> factor_failures(const FactorReport& report, const std::
   if (!unclosed.empty())
     out.push_back("rows of a closed scene that do not sum to 1 within their radius: " +
                   worst_rows(report, std::move(unclosed)));
-  if (!wide.empty())
+  if (!wide.empty()) {
+    // By pairs, estimated: the two others go further, each on its kind of scene.
+    const std::string further = matrix.guaranteed || matrix.rays > 0
+                                    ? ""
+                                    : "; with few triangles " + option_name(style, "certified") +
+                                          " goes further, with thousands " + option_name(style, "rays");
     out.push_back("incomplete: the row sums' radius is above the accuracy asked for, " + shortest(*demanded) +
-                  ", in " + worst_rows(report, std::move(wide)));
+                  ", in " + worst_rows(report, std::move(wide)) + further);
+  }
   return out;
 }
 

@@ -20,6 +20,7 @@ namespace radcert {
 /// an accuracy that was demanded and not reached.
 /// Result    in words, a line each; none where nothing is wrong
 [[nodiscard]] std::vector<std::string> factor_failures(const FactorReport& report,
-                                                       const std::optional<double>& demanded);
+                                                       const std::optional<double>& demanded,
+                                                       OptionStyle style);
 
 }  // namespace radcert
