@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/factors/factor_matrix.h"
+#include "radcert/core/contract.h"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,17 @@ TEST(FactorMatrix, OfTheUnitCubeIsTheClosedForm) {
     }
     EXPECT_LE(matrix.closure_defect(matrix.worst_row()), 1e-14);
   }
+}
+
+TEST(FactorMatrix, AsksForAnAccuracyAndAUnitForEachTriangle) {
+  const FactorMesh mesh = factor_mesh(find_surface("cube")->make({}), 0);
+  const FacetScene scene(mesh.mesh);
+  FactorUnits units = factor_units(mesh, FactorUnit::piece);
+  for (const bool certified : {false, true})
+    EXPECT_THROW((void)factor_matrix(scene, units, {.certified = certified, .accuracy = 0}, {}),
+                 ContractViolation);
+  units.of_triangle.pop_back();
+  EXPECT_THROW((void)factor_matrix(scene, units, {}, {}), ContractViolation);
 }
 
 TEST(FactorMatrix, OfACubeCutFinerIsClosed) {

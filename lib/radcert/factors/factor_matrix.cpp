@@ -437,6 +437,7 @@ FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units, co
                            const FactorProgress& progress) {
   expects(units.of_triangle.size() == scene.facet_count(), "a unit for each triangle",
           named("units", units.of_triangle.size()));
+  expects(demand.accuracy > 0, "accuracy > 0", named("accuracy", demand.accuracy));
   FactorMatrix matrix;
   matrix.guaranteed = demand.certified;
   matrix.rows.resize(units.names.size());

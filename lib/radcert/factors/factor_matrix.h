@@ -114,8 +114,8 @@ struct FactorPlan {
 
 /// All factors between units.
 /// Maths     FactorMatrix
-/// Requires  of_triangle has a unit below names.size() for each triangle, each unit a triangle, else
-///           ContractViolation
+/// Requires  of_triangle has a unit below names.size() for each triangle, each unit a triangle, accuracy > 0,
+///           else ContractViolation
 /// Result    the same bits for any number of threads, and whether rows came from the store or not;
 ///           Interrupted where the user asked to stop: finished blocks of pairs are in the store
 /// Limits    holds two doubles for each pair of units, and each factor unless FactorProgress::row takes it
