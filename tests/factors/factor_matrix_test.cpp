@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "radcert/closed_form/factor_catalogue.h"
+#include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/parallel.h"

@@ -65,6 +65,52 @@ TEST(RayFactors, AgreeWithThoseByPairsWhereBodiesHideEachOther) {
   EXPECT_EQ(between(rays, 1, 1).radius, 0);
 }
 
+/// Of boxes, whose pairs are wholly seen: the errors of many factors, in parts of their radii, are spread as
+/// Student's distribution has it, so that a radius is 4.49 standard errors and not less.
+TEST(RayFactors, HaveRadiiAsTheirErrorsAreSpread) {
+  double squares = 0;
+  double count = 0;
+  for (const long length : {1, 2, 3, 4, 5, 6}) {
+    const std::array<Rational, 3> edges{1, 2, Rational(length) / 2};
+    const FactorMesh mesh = factor_mesh(find_surface("box")->make(edges), 0);
+    const FacetScene scene(mesh.mesh);
+    const FactorUnits units = factor_units(mesh, FactorUnit::piece);
+    const FactorMatrix rays = ray_factors(scene, units, {.accuracy = 2e-3}, {});
+    const FactorMatrix pairs = factor_matrix(scene, units, {}, {});
+    for (std::size_t i = 0; i < units.names.size(); ++i)
+      for (std::size_t j = i + 1; j < units.names.size(); ++j) {
+        const Approximation ours = between(rays, i, j);
+        const double error = (ours.value - between(pairs, i, j).value) / ours.radius;
+        EXPECT_LE(std::abs(error), 1) << length << ": " << i << ", " << j;
+        squares += error * error;
+        count += 1;
+      }
+  }
+  const double spread = 4.49 * std::sqrt(squares / count);
+  EXPECT_GT(spread, 0.8);
+  EXPECT_LT(spread, 1.2);
+}
+
+TEST(RayFactors, EndAtBacksWithoutAnyExchange) {
+  // Two sheets one above the other that both look upwards: the lower one sees the back of the upper.
+  TriangleMesh mesh;
+  for (const double z : {0.0, 1.0}) {
+    const std::size_t first = mesh.vertices.size();
+    mesh.vertices.insert(mesh.vertices.end(), {{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+  }
+  mesh.group.assign(4, 0);
+  mesh.face.assign(4, 0);
+  mesh.group_names = {""};
+  const FacetScene scene(std::move(mesh));
+  const FactorUnits units{.of_triangle = {0, 0, 1, 1}, .names = {"lower", "upper"}};
+  const FactorMatrix matrix = ray_factors(scene, units, {.accuracy = 1e-2, .open_to_space = true}, {});
+  EXPECT_EQ(between(matrix, 0, 1).value, 0);
+  EXPECT_EQ(matrix.rows[0].sum.value, 0);
+  EXPECT_EQ(matrix.rows[1].sum.value, 0);
+}
+
 TEST(RayFactors, OfAnOpenSceneLeaveTheRestToSpace) {
   const TriangleMesh mesh = sample::obstructed_squares();
   const FacetScene scene(mesh);

@@ -82,6 +82,25 @@ TEST(NearContacts, AreNoneBetweenTheSidesOfAPlateWithoutThickness) {
   EXPECT_TRUE(near_contacts(mesh, true).empty());
 }
 
+TEST(NearContacts, AreNoneBetweenFacesBesideEachOther) {
+  TriangleMesh mesh;
+  for (const bool lower : {true, false}) {
+    const double x = lower ? 0 : 1;
+    const double z = lower ? 0 : 1e-12;
+    const std::size_t first = mesh.vertices.size();
+    for (const auto& [s, t] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
+      mesh.vertices.push_back({x + s, 1.0 * t, z});
+    for (const std::size_t k : {1U, 2U})
+      mesh.triangles.push_back({first, first + (lower ? k : k + 1), first + (lower ? k + 1 : k)});
+    mesh.group.insert(mesh.group.end(), 2, lower ? 0 : 1);
+    mesh.face.insert(mesh.face.end(), 2, 0);
+  }
+  mesh.group_names = {"lower", "upper"};
+  EXPECT_TRUE(near_contacts(mesh, true).empty());
+  for (std::size_t v = 4; v < 8; ++v) mesh.vertices[v].x -= 0.25;
+  EXPECT_EQ(near_contacts(mesh, true).size(), 1U);
+}
+
 TEST(NearContacts, AreFoundFromTheOtherSideWithTheOtherHand) {
   TriangleMesh mesh = room_with_box({1, 0x1p-50, 1}, 1);
   for (VertexTriple& t : mesh.triangles) std::swap(t[1], t[2]);
