@@ -6,7 +6,11 @@
 
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <vector>
 
+#include "radcert/clusters/cluster_operator.h"
+#include "radcert/collocation/nodes.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/study/collocation/collocation.h"
@@ -170,6 +174,34 @@ TEST(MatrixForm, NeedsMemoryInProportionToTheUnknowns) {
   const std::uint64_t large = level_plan(problem, 4 * 8192).total();
   EXPECT_LE(large, 4 * small);
   EXPECT_GE(large, 3 * small);
+}
+
+TEST(MatrixForm, PlansWhatClustersOnPlanesTake) {
+  for (const auto& [name, degree, level] : {std::tuple{"cube", 0, 4},
+                                            {"cube", 1, 3},
+                                            {"cube", 2, 3},
+                                            {"octahedron", 1, 4},
+                                            {"tetrahedron", 0, 5}}) {
+    Problem problem = held_as(with_basis(sample_problem(name, {}), degree, Rational(1, 6)), "h2");
+    const Surface surface = surface_of(problem);
+    const Triangulation triangulation = triangulate(surface, level);
+    const TriangleBasis<double> basis(InsetBasis<double>(degree, 1.0 / 6));
+    const std::vector<CollocationPoint<double>> nodes =
+        collocation_nodes<double>(surface, triangulation, basis);
+    const std::vector<double> rho(nodes.size(), 0.5);
+    const ClusterOperator k({.surface = surface,
+                             .triangulation = triangulation,
+                             .level = level,
+                             .basis = basis,
+                             .nodes = nodes,
+                             .reflectivity = rho});
+    EXPECT_GE(level_plan(problem, triangulation.triangles.size()).total(), k.memory().total())
+        << name << ", degree " << degree << ", level " << level;
+  }
+  // Its clusters are near each other at the edges alone.
+  constexpr std::uint64_t elements = std::uint64_t{12} << 16U;
+  EXPECT_LE(level_plan(held_as(sample_problem("cube", {}), "h2"), elements).total(),
+            level_plan(held_as(on_ellipsoid(), "h2"), elements).total() / 4);
 }
 
 }  // namespace
