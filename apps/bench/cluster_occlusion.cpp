@@ -4,8 +4,8 @@
 // A pair of triangles exchanges nothing where one lies behind the other's plane. It is visible where the hull
 // of both has no point inside a box, and hidden where each segment between their corners passes through one
 // and the same box: what a convex body hides from a point is convex, and so are the points from which it
-// hides a set. Else it is partial, and is divided into the pairs of its children. A matrix that is exact about
-// shadows has entries for the partial pairs of its elements, and for those that are near.
+// hides a set. Else it is partial, and is divided into the pairs of its children. A matrix that is exact
+// about shadows has entries for the partial pairs of its elements, and for those that are near.
 #include <algorithm>
 #include <array>
 #include <cmath>
