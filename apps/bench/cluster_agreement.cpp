@@ -184,8 +184,8 @@ std::vector<Case> all_cases(std::size_t most_unknowns) {
   return cases;
 }
 
-/// An operator that couples: with leaves of the usual size, else of one element, else with the tolerance
-/// multiplied by ten until pairs couple.
+/// An operator that couples: with leaves of the usual size, else with smaller ones, else with the tolerance
+/// multiplied by ten until pairs of elements couple.
 struct Coupled {
   int refinements;
   double tolerance;
@@ -196,7 +196,10 @@ Coupled coupled(const Discretisation& d, double tolerance) {
   const int usual = std::min(leaf_refinements(d.basis.size()), d.level);
   Coupled made{usual, tolerance, clusters_of(d, tolerance, usual)};
   const auto couples = [&] { return made.k->couplings().evaluations() >= d.nodes.size(); };
-  if (!couples()) made = {0, tolerance, clusters_of(d, tolerance, 0)};
+  while (!couples() && made.refinements > 0) {
+    const int smaller = made.refinements - 1;
+    made = {smaller, tolerance, clusters_of(d, tolerance, smaller)};
+  }
   constexpr double coarser = 10;
   while (!couples() && made.tolerance * coarser <= ClusterTolerance::coarsest * (1 + 0x1p-30)) {
     const double next = std::min(made.tolerance * coarser, ClusterTolerance::coarsest);
