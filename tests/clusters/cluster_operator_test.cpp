@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <span>
 
 #include "radcert/collocation/assembly.h"
 #include "radcert/collocation/nodes.h"
@@ -202,6 +203,34 @@ TEST(ClusterOperator, HasTheSameBitsForAnyNumberOfThreads) {
   };
   const Bits one = bits_on(1);
   for (const std::size_t threads : {2, 3, 8}) EXPECT_TRUE(one == bits_on(threads)) << threads << " threads";
+}
+
+TEST(ClusterOperator, IsLinearWhereADensityVanishesOnMostClusters) {
+  const Discretisation d(ellipsoid(1, Rational(3, 2), 2), 3, 1);
+  const ClusterOperator k = d.clusters(1e-5, 0);
+  std::vector<double> x = random_vector(d.size(), 3);
+  for (double& each : x) each = std::abs(each);
+  const std::size_t p = d.basis.size();
+  using Product = void (ClusterOperator::*)(std::span<const double>, std::span<double>) const;
+  for (const Product product : {&ClusterOperator::multiply, &ClusterOperator::multiply_accurately,
+                                &ClusterOperator::multiply_sizes}) {
+    std::vector<double> whole(d.size());
+    (k.*product)(x, whole);
+    // One element alone, every seventh of the others, and of the rest the last unknowns and the others:
+    // leaves and nodes of clusters at which a density vanishes everywhere, in part, or on one side alone.
+    std::vector<double> sum(d.size());
+    for (std::size_t part = 0; part < 4; ++part) {
+      std::vector<double> of_part(d.size());
+      for (std::size_t i = 0; i < d.size(); ++i) {
+        const std::size_t which = i / p == 5 ? 3 : i / p % 7 == 0 ? 2 : i % p == p - 1 ? 1 : 0;
+        if (which == part) of_part[i] = x[i];
+      }
+      std::vector<double> y(d.size());
+      (k.*product)(of_part, y);
+      for (std::size_t i = 0; i < d.size(); ++i) sum[i] += y[i];
+    }
+    for (std::size_t i = 0; i < d.size(); ++i) EXPECT_NEAR(sum[i], whole[i], 1e-13) << "row " << i;
+  }
 }
 
 TEST(ClusterOperator, MapsOneToTheReflectivityOnClosedSurfaces) {

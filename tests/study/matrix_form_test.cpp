@@ -6,8 +6,14 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
 
+#include "radcert/clusters/cluster_operator.h"
+#include "radcert/collocation/nodes.h"
 #include "radcert/reference/operator_integral.h"
+#include "radcert/solve/estimated_contraction.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/study/collocation/collocation.h"
 #include "radcert/study/study.h"
@@ -61,7 +67,7 @@ TEST(MatrixForm, LeavesTheSolutionWithinItsRadius) {
     EXPECT_LT(largest, 1e-6);
     ASSERT_TRUE(clusters.result.iteration);
     EXPECT_EQ(clusters.result.matrix_form, "h2");
-    EXPECT_EQ(clusters.result.solver, solver == "auto" ? "gmres" : solver);
+    EXPECT_EQ(clusters.result.solver, solver == "auto" || solver == gmres_by_estimate ? "gmres" : solver);
     EXPECT_LT(clusters.result.iteration->contraction, 1);
     for (std::size_t i = 0; i < dense.result.piece_means.size(); ++i)
       EXPECT_NEAR(clusters.result.piece_means[i].second.value, dense.result.piece_means[i].second.value,
@@ -88,6 +94,37 @@ TEST(MatrixForm, FallsBackToEntriesWhereNothingContracts) {
       fault_of([&] { static_cast<void>(solve_level(held_as(problem, "h2", "gmres"), 1, no_route)); });
   EXPECT_EQ(fault.pointer, "/solver/name");
   EXPECT_THAT(fault.problem, HasSubstr("contracts"));
+}
+
+TEST(MatrixForm, GoesOnByAnEstimateWhereNothingContracts) {
+  Problem problem =
+      with_emission(with_basis(sample_problem("ellipsoid", {{"a", 1}, {"b", Rational(3, 2)}, {"c", 2}}), 4,
+                               Rational(1, 10)),
+                    "1 + x*y");
+  problem.reflectivity = everywhere("19/20");
+  const std::string by_estimate(gmres_by_estimate);
+  const LevelOutcome dense = solve_level(held_as(problem, "dense", "direct"), 2, no_route);
+  for (const char* form : {"h2", "dense"}) {
+    const LevelOutcome found = solve_level(held_as(problem, form, by_estimate), 2, no_route);
+    EXPECT_EQ(found.result.matrix_form, form);
+    EXPECT_EQ(found.result.solver, by_estimate);
+    ASSERT_EQ(found.nodes.size(), dense.nodes.size());
+    for (std::size_t i = 0; i < dense.nodes.size(); ++i) {
+      EXPECT_FALSE(found.nodes[i].u_n.guaranteed);
+      EXPECT_NEAR(found.nodes[i].u_n.value, dense.nodes[i].u_n.value,
+                  found.nodes[i].u_n.radius + dense.nodes[i].u_n.radius);
+    }
+    EXPECT_LT(found.result.solution_radius.value(), 1e-4);
+  }
+  // Of level 0 alone nothing is told, and nothing where the inverses grow from level to level.
+  const InputFault fault =
+      fault_of([&] { static_cast<void>(solve_level(held_as(problem, "h2", by_estimate), 1, no_route)); });
+  EXPECT_EQ(fault.pointer, "/solver/name");
+  EXPECT_THAT(fault.problem, HasSubstr("fewer than two"));
+  problem.method = Collocation{{.degree = 3, .alpha = Rational(3, 10)}};
+  const InputFault growing =
+      fault_of([&] { static_cast<void>(solve_level(held_as(problem, "h2", by_estimate), 2, no_route)); });
+  EXPECT_THAT(growing.problem, HasSubstr("more than a fifth"));
 }
 
 TEST(MatrixForm, LeavesTheProvedSolutionWithinItsRadius) {
@@ -170,6 +207,34 @@ TEST(MatrixForm, NeedsMemoryInProportionToTheUnknowns) {
   const std::uint64_t large = level_plan(problem, 4 * 8192).total();
   EXPECT_LE(large, 4 * small);
   EXPECT_GE(large, 3 * small);
+}
+
+TEST(MatrixForm, PlansWhatClustersOnPlanesTake) {
+  for (const auto& [name, degree, level] : {std::tuple{"cube", 0, 4},
+                                            {"cube", 1, 3},
+                                            {"cube", 2, 3},
+                                            {"octahedron", 1, 4},
+                                            {"tetrahedron", 0, 5}}) {
+    Problem problem = held_as(with_basis(sample_problem(name, {}), degree, Rational(1, 6)), "h2");
+    const Surface surface = surface_of(problem);
+    const Triangulation triangulation = triangulate(surface, level);
+    const TriangleBasis<double> basis(InsetBasis<double>(degree, 1.0 / 6));
+    const std::vector<CollocationPoint<double>> nodes =
+        collocation_nodes<double>(surface, triangulation, basis);
+    const std::vector<double> rho(nodes.size(), 0.5);
+    const ClusterOperator k({.surface = surface,
+                             .triangulation = triangulation,
+                             .level = level,
+                             .basis = basis,
+                             .nodes = nodes,
+                             .reflectivity = rho});
+    EXPECT_GE(level_plan(problem, triangulation.triangles.size()).total(), k.memory().total())
+        << name << ", degree " << degree << ", level " << level;
+  }
+  // Its clusters are near each other at the edges alone.
+  constexpr std::uint64_t elements = std::uint64_t{12} << 16U;
+  EXPECT_LE(level_plan(held_as(sample_problem("cube", {}), "h2"), elements).total(),
+            level_plan(held_as(on_ellipsoid(), "h2"), elements).total() / 4);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "output.h"
 #include "radcert/formats/table/order_text.h"
 #include "radcert/scalar/enclosing_text.h"
+#include "radcert/solve/estimated_contraction.h"
 #include "radcert/study/collocation/matrix_form.h"
 
 namespace radcert::app {
@@ -181,15 +182,22 @@ std::string iteration_line(const Result& result) {
   bool is_proved = true;
   for (const LevelResult& level : result.levels) {
     if (!level.iteration) continue;
-    solver = level.solver;
+    if (solver != gmres_by_estimate) solver = level.solver;
     iterations += (iterations.empty() ? "" : ", ") + std::to_string(level.iteration->iterations);
     contraction = std::max(contraction, level.iteration->contraction);
     error_bound = std::max(error_bound, level.iteration->error_bound);
     is_proved = is_proved && level.matrix_form == "dense";
   }
   if (iterations.empty()) return {};
+  const std::string iterated = "Iterations of " + solver + ": " + iterations;
+  // Then 1 - 1/N stands for a contraction.
+  if (solver == gmres_by_estimate)
+    return iterated +
+           "; no contraction is found: by the inverses of coarser levels the norm of the inverse is " +
+           "estimated at " + nearest_text(1 / (1 - contraction), DecimalForm::general(3)) +
+           ", and the error of the linear system at " + upper_text(error_bound) + "\n";
   const std::string theta = contraction < 1 ? upper_text_below_one(contraction, 3) : upper_text(contraction);
-  return "Iterations of " + solver + ": " + iterations + "; contraction at most " + theta +
+  return iterated + "; contraction at most " + theta +
          (is_proved ? ", error of the linear system at most " : ", error of the linear system about ") +
          upper_text(error_bound) + "\n";
 }

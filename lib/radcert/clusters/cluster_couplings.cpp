@@ -6,6 +6,7 @@
 
 #include "radcert/clusters/mode_products.h"
 #include "radcert/clusters/triangle_modes.h"
+#include "radcert/clusters/vanishing.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/kernel/geometric_kernel.h"
@@ -254,6 +255,11 @@ void ClusterCouplings::evaluate(const Coupling& coupling, std::span<const double
   const std::size_t b = sets_[coupling.b].first;
   const std::size_t k = coupling.nodes;
   const std::size_t stride = padded<double>(k);
+  // Where light comes from one lamp, or from one element, most pairs send nothing.
+  if (vanishes(weights.subspan(a, k)) && vanishes(weights.subspan(b, k))) {
+    std::fill_n(values, 2 * stride, 0.0);
+    return;
+  }
   if (scratch.size() < k * Pack::lanes) scratch.resize(k * Pack::lanes);
   std::fill_n(scratch.begin(), k * Pack::lanes, 0.0);
   for (std::size_t j = 0; j < stride; j += Pack::lanes) {

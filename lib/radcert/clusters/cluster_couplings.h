@@ -43,7 +43,7 @@ public:
   void multiply(ClusterDensity density, std::span<const double> x, std::span<double> y) const;
 
   [[nodiscard]] std::size_t unknowns_of_leaf() const { return leaf_.unknowns; }
-  /// The number of evaluations of G in a product.
+  /// The number of evaluations of G in a product with a vector that vanishes on no cluster.
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
   /// Adds what it holds, and what a product takes.
   void count(MemoryPlan& plan) const;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "radcert/clusters/vanishing.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/quadrature/collocation_point_block.h"
@@ -173,7 +174,8 @@ void NearEntries::sum_rows(std::span<const double> x, std::span<const double> st
       sums.start(start.subspan(leaf * unknowns_, unknowns_));
       for (std::size_t number = first_[leaf]; number < first_[leaf + 1]; ++number) {
         const double* column = block(number);
-        const double* factor = &x[sources_[number] * unknowns_];
+        const std::span<const double> factor = x.subspan(sources_[number] * unknowns_, unknowns_);
+        if (vanishes(factor)) continue;
         for (std::size_t j = 0; j < unknowns_; ++j, column += rows_) sums.add(column, rows_, factor[j]);
       }
       for (std::size_t i = 0; i < unknowns_; ++i) y[leaf * unknowns_ + i] = sums.sum(i);

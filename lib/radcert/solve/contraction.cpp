@@ -7,6 +7,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/scalar/real.h"
+#include "radcert/solve/estimated_contraction.h"
 #include "radcert/solve/rounding.h"
 
 namespace radcert {
@@ -84,6 +85,13 @@ struct ContractionSearch {
     return c.theta_ < 1 ? 1 / ((1 - c.theta_) * c.least_weight()) : infinity;
   }
 
+  static Contraction of_inverse(std::size_t rows, double norm_of_inverse) {
+    Contraction made;
+    made.weights_.assign(rows, 1.0);
+    made.theta_ = 1 - 1 / norm_of_inverse * (2 - upward);
+    return made;
+  }
+
   Outcome<Contraction, NoContraction> run(long most_steps) {
     Contraction best;
     best.weights_.assign(k.rows(), 1.0);
@@ -114,6 +122,15 @@ Outcome<Contraction, NoContraction> find_contraction(const SystemMatrix& k,
   expects(row_radius.empty() || row_radius.size() == k.rows(), "a radius a row or none",
           named("radii", row_radius.size()));
   return ContractionSearch{.k = k, .row_radius = row_radius}.run(most_steps);
+}
+
+Contraction contraction_by_estimate(std::size_t rows, double inverse_norm, double row_radius) {
+  expects(std::isfinite(inverse_norm) && inverse_norm >= 1, "a norm of an inverse of 1 at least",
+          named("norm", inverse_norm));
+  const double moved = inverse_norm * row_radius * upward;
+  expects(row_radius >= 0 && moved < 1, "radii so small that all matrices within them are regular",
+          named("moved", moved));
+  return ContractionSearch::of_inverse(rows, inverse_norm / (1 - moved) * upward);
 }
 
 }  // namespace radcert

@@ -16,7 +16,7 @@ namespace radcert {
 ///           exists, and (I - K) x = d gives ||x||_w <= ||d||_w / (1 - theta). Since max w = 1, max_i |x_i|
 ///           <= ||x||_w
 /// Source    Collatz (1942) and Wielandt (1950) for w, Perron and Frobenius; w = 1 is residual/(1 - ||K||)
-/// Requires  made by find_contraction
+/// Requires  made by find_contraction; or by contraction_by_estimate, and then an estimate in all it says
 /// Result    theta, norm and inverse_bound are rounded up: the bounds hold for the numbers as stored. The
 ///           largest weight is 1
 /// Limits    says nothing of matrices whose |K| has a spectral radius >= 1, though I - K may be regular

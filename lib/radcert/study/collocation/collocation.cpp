@@ -106,11 +106,11 @@ MemoryPlan level_plan(const Problem& problem, std::uint64_t elements) {
   MemoryPlan plan;
   const std::uint64_t functions = function_count(triangle_basis_of(problem.method));
   if (clusters && solver->proves()) {
-    plan_proved_clusters(plan, unknowns, functions);
+    plan_proved_clusters(plan, surface_of(problem), unknowns, functions);
     find_linear_solver("gmres")->plan(plan, unknowns);
   } else {
     if (clusters)
-      plan_clusters(plan, unknowns, functions);
+      plan_clusters(plan, surface_of(problem), unknowns, functions);
     else
       plan.add("collocation matrix", saturated_product(unknowns, unknowns), sizeof(double));
     solver->plan(plan, unknowns);

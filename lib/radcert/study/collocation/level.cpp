@@ -13,8 +13,10 @@
 #include "radcert/polynomial/largest_values.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/contraction.h"
+#include "radcert/solve/estimated_contraction.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/solve/system_matrix.h"
+#include "radcert/study/collocation/coarser_inverses.h"
 #include "radcert/study/collocation/level_geometry.h"
 #include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/collocation/nodal_description.h"
@@ -220,22 +222,25 @@ private:
   void find_weights() {
     const Stopwatch watch;
     Outcome<Contraction, NoContraction> found = find_contraction(matrix(), matrix_.row_radius);
-    if (!found && clusters_ && solver_->choose) {
+    if (!found && clusters_ && solver_->choose && !solver_->iterates()) {
       hold_entries(found.reason().theta);
       found = find_contraction(matrix(), matrix_.row_radius);
     }
     if (found) contraction_ = std::move(found).value();
     solver_ = &chosen(*solver_, contraction_.has_value());
     outcome_.result.solver = solver_->name;
-    if (!found && (solver_->iterates() || clusters_))
-      throw InputError({.pointer = "/solver/name",
-                        .value = problem_.solver.name,
-                        .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
-                                   ": the collocation matrix, known within " +
-                                   upper_text(largest(matrix_.row_radius)) + " a row, contracts by " +
-                                   upper_text(found.reason().theta, DecimalForm::general(6)) +
-                                   " at best, which is not below 1",
-                        .allowed = clusters_ ? "direct, with the operator dense" : "direct"});
+    if (!found && solver_->name == gmres_by_estimate) estimate_inverse(found.reason().theta);
+    if (!contraction_ && (solver_->iterates() || clusters_))
+      throw InputError(
+          {.pointer = "/solver/name",
+           .value = problem_.solver.name,
+           .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
+                      ": the collocation matrix, known within " + upper_text(largest(matrix_.row_radius)) +
+                      " a row, contracts by " + upper_text(found.reason().theta, DecimalForm::general(6)) +
+                      " at best, which is not below 1",
+           .allowed = clusters_ ? "direct, with the operator dense, or " + std::string(gmres_by_estimate) +
+                                      ", whose error bound is an estimate"
+                                : std::string("direct")});
     if (solver_->name != problem_.solver.name && !solver_->iterates()) {
       MemoryPlan more;
       solver_->plan(more, nodes_.size());
@@ -262,11 +267,44 @@ private:
                                    upper_text(theta, DecimalForm::general(6)) +
                                    " at best, and dense with direct takes " + std::to_string(more.total()) +
                                    " bytes of the " + std::to_string(available) + " that are available",
-                        .allowed = "a lower level, a smaller reflectivity, or functions whose sizes have a "
-                                   "smaller sum"});
+                        .allowed = "a lower level, a smaller reflectivity, functions whose sizes have a "
+                                   "smaller sum, or the solver " +
+                                   std::string(gmres_by_estimate) + ", whose error bound is an estimate"});
     outcome_.result.matrix_form = "dense";
     assemble_matrix();
     require_rows_of_pi();
+  }
+
+  /// Where nothing is shown to contract, and the solver goes on by an estimate: what the inverses of coarser
+  /// levels say of that of this one.
+  void estimate_inverse(double theta) {
+    const Outcome<double> norm =
+        estimated_inverse_norm(inverse_norms_of_coarser_levels(problem_, outcome_.result.level, basis_));
+    const auto refused = [&](const std::string& why) {
+      return InputError({.pointer = "/solver/name",
+                         .value = problem_.solver.name,
+                         .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
+                                    ": the matrix contracts by " +
+                                    upper_text(theta, DecimalForm::general(6)) +
+                                    " at best, and the norm of its inverse cannot be estimated: " + why,
+                         .allowed = "direct, or two coarser levels of at most " +
+                                    std::to_string(most_unknowns_of_inverses) + " unknowns"});
+    };
+    if (!norm) throw refused(norm.reason());
+    const double radius = largest(matrix_.row_radius);
+    // Matrices that are known so badly may not be regular, however good the estimate.
+    if (!(*norm * radius < 0.5))
+      throw refused("its rows are known within " + upper_text(radius) + ", and the inverse is about " +
+                    nearest_text(*norm, DecimalForm::general(4)));
+    contraction_ = contraction_by_estimate(nodes_.size(), *norm, radius);
+    estimated_inverse_ = *norm;
+  }
+
+  /// What would show that the inverse is larger than was estimated: |u_n| is at most its norm times |E|.
+  void require_estimate_holds() const {
+    if (!estimated_inverse_ || max_abs(u_n_) <= *estimated_inverse_ * max_abs(emission_)) return;
+    refuse("the inverse is larger than the estimate " +
+           nearest_text(*estimated_inverse_, DecimalForm::general(4)) + " by which the solution was bounded");
   }
 
   void solve() {
@@ -281,6 +319,7 @@ private:
                                                 *solver_, tolerance);
     if (!found) refuse(found.reason());
     u_n_ = std::move(found->values);
+    require_estimate_holds();
     outcome_.result.iteration = found->iteration;
     if (data_are_known_) solution_radius_ = found->radius;
     if (problem_.solution)
@@ -310,6 +349,7 @@ private:
   CollocationMatrix<double> matrix_;           ///< without entries where there are clusters
   std::unique_ptr<ClusterOperator> clusters_;  ///< or none
   std::optional<Contraction> contraction_;
+  std::optional<double> estimated_inverse_;  ///< its norm, where that stands for a contraction
   std::vector<double> u_n_;
   LevelOutcome outcome_;
 };

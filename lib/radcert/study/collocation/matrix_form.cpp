@@ -2,6 +2,7 @@
 #include "radcert/study/collocation/matrix_form.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <variant>
 
@@ -43,6 +44,18 @@ std::optional<Obstacle> obstacle(const Problem& problem, const Surface& surface)
   return std::nullopt;
 }
 
+/// How many leaves are near each of so many.
+std::uint64_t near_leaves(const Surface& surface, std::uint64_t leaves) {
+  constexpr std::uint64_t most = 64;
+  constexpr double at_edges = 600;
+  constexpr std::uint64_t least_at_edges = 4;
+  const bool plane = std::all_of(surface.charts.begin(), surface.charts.end(),
+                                 [](const Chart& chart) { return chart.facts().plane.has_value(); });
+  if (!plane) return most;
+  const double near = at_edges / std::sqrt(static_cast<double>(std::max<std::uint64_t>(leaves, 1)));
+  return std::clamp(static_cast<std::uint64_t>(near), least_at_edges, most);
+}
+
 }  // namespace
 
 std::vector<std::string> operator_names() { return {"dense", "h2", "auto"}; }
@@ -70,8 +83,9 @@ bool takes_clusters(const Problem& problem, std::uint64_t unknowns) {
          !obstacle(problem, surface_of(problem));
 }
 
-void plan_proved_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions) {
-  plan_clusters(plan, unknowns, functions);
+void plan_proved_clusters(MemoryPlan& plan, const Surface& surface, std::uint64_t unknowns,
+                          std::uint64_t functions) {
+  plan_clusters(plan, surface, unknowns, functions);
   constexpr std::uint64_t near_leaves = 96;
   constexpr std::uint64_t node_bytes = 8192;
   const std::uint64_t leaf =
@@ -80,12 +94,13 @@ void plan_proved_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_
   plan.add("enclosed couplings of clusters", unknowns, node_bytes);
 }
 
-void plan_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions) {
-  constexpr std::uint64_t near_leaves = 64;
+void plan_clusters(MemoryPlan& plan, const Surface& surface, std::uint64_t unknowns,
+                   std::uint64_t functions) {
   constexpr std::uint64_t node_bytes = 4096;
   const std::uint64_t leaf =
       functions << static_cast<unsigned>(2 * leaf_refinements(static_cast<std::size_t>(functions)));
-  plan.add("near entries", unknowns, saturated_product(near_leaves * leaf, sizeof(double)));
+  plan.add("near entries", unknowns,
+           saturated_product(near_leaves(surface, unknowns / leaf) * leaf, sizeof(double)));
   plan.add("couplings of clusters", unknowns, node_bytes);
 }
 

@@ -34,12 +34,14 @@ void check_operator(const Problem& problem, const Surface& surface);
 [[nodiscard]] bool takes_clusters(const Problem& problem, std::uint64_t unknowns);
 
 /// Adds what a ClusterOperator will need, before it is made.
-/// Maths     near entries: 64 leaves near each leaf; nodes: 4 kB an unknown
-/// Source    apps/bench/README.md has what was measured: at most 58 leaves
+/// Maths     near entries: 64 leaves near each leaf, on a surface of plane charts, where only leaves at edges
+///           are near each other, at most 600 n^(-1/2), but 4 at least, of n leaves; nodes: 4 kB an unknown
+/// Source    apps/bench/README.md has what was measured: at most 58 leaves; on the cube 222 n^(-1/2)
 /// Limits    an estimate. Once the lists are made they are counted, and more than there is memory for is
 ///           refused before any entry is integrated
-void plan_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions);
+void plan_clusters(MemoryPlan& plan, const Surface& surface, std::uint64_t unknowns, std::uint64_t functions);
 /// With EnclosedClusters beside it, for a solver that proves.
-void plan_proved_clusters(MemoryPlan& plan, std::uint64_t unknowns, std::uint64_t functions);
+void plan_proved_clusters(MemoryPlan& plan, const Surface& surface, std::uint64_t unknowns,
+                          std::uint64_t functions);
 
 }  // namespace radcert

@@ -22,11 +22,9 @@
 #include <array>
 #include <cmath>
 
-#include "radcert/kernel/geometric_kernel.h"
-#include "radcert/polynomial/rules/conical_rule.h"
-#include "radcert/reference/operator_integral.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/triangulation/triangulation.h"
+#include "verification/claims/ac98/collocation/error_from_afar.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
@@ -35,35 +33,23 @@
 namespace radcert::verification::ac98 {
 namespace {
 
-using Corners = std::array<ParameterPoint<double>, 3>;
-
-struct Element {
-  std::size_t chart;
-  Corners corners;
-};
-
 Surface test_ellipsoid() { return ellipsoid(1, Rational(3, 2), 2); }
 
-double wave(const Vector<double>& q) { return std::exp(q.x + q.y / 2 - q.z / 3); }
-
-std::vector<Element> symmetric_elements(const Surface& surface, int level) {
-  std::vector<Element> result;
-  for (const ParameterTriangle& t : triangulate(surface, level).triangles)
-    result.push_back({t.chart, t.vertices});
-  return result;
+std::vector<ParameterTriangle> symmetric_elements(const Surface& surface, int level) {
+  return triangulate(surface, level).triangles;
 }
 
 // On a unit triangle those that are not turned have their right angle below and left of their other corners.
-bool upright(const Corners& v) {
+bool upright(const std::array<ParameterPoint<double>, 3>& v) {
   const double s = std::min({v[0].s, v[1].s, v[2].s});
   const double t = std::min({v[0].t, v[1].t, v[2].t});
   return std::any_of(v.begin(), v.end(), [&](const auto& p) { return p.s == s && p.t == t; });
 }
 
-std::vector<Element> upright_divided_elements(const Surface& surface, int level) {
-  std::vector<Element> result;
-  for (const Element& each : symmetric_elements(surface, level)) {
-    const Corners& v = each.corners;
+std::vector<ParameterTriangle> upright_divided_elements(const Surface& surface, int level) {
+  std::vector<ParameterTriangle> result;
+  for (const ParameterTriangle& each : symmetric_elements(surface, level)) {
+    const auto& v = each.vertices;
     if (!upright(v)) {
       result.push_back(each);
       continue;
@@ -76,101 +62,19 @@ std::vector<Element> upright_divided_elements(const Surface& surface, int level)
   return result;
 }
 
-// u - P_n u on one element; (33) and (34) written out.
-struct InterpolationError {
-  const Surface* surface;
-  Element element;
-  double alpha;
-  std::array<double, 3> at_nodes{};
-
-  InterpolationError(const Surface& on, const Element& of, double inset)
-      : surface(&on), element(of), alpha(inset) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      ParameterPoint<double> q{0, 0};
-      for (std::size_t i = 0; i < 3; ++i) q = q + (i == j ? 1 - 2 * alpha : alpha) * element.corners.at(i);
-      at_nodes.at(j) = wave(on.charts.at(of.chart).in<double>().frame(q).point);
-    }
-  }
-  double operator()(const SurfacePoint<double>& q, const Vector<double>& point) const {
-    const Corners& v = element.corners;
-    const double area = cross(v[1] - v[0], v[2] - v[0]);
-    const double x_2 = cross(q.at - v[0], v[2] - v[0]) / area;
-    const double x_3 = cross(v[1] - v[0], q.at - v[0]) / area;
-    const std::array<double, 3> x{1 - x_2 - x_3, x_2, x_3};
-    double value = wave(point);
-    for (std::size_t j = 0; j < 3; ++j) value -= at_nodes.at(j) * (x.at(j) - alpha) / (1 - 3 * alpha);
-    return value;
-  }
-};
-
-double size(const Surface& surface, const Element& element) {
-  std::array<Vector<double>, 3> corners;
-  for (std::size_t i = 0; i < 3; ++i)
-    corners.at(i) = surface.charts.at(element.chart).in<double>().frame(element.corners.at(i)).point;
-  return std::max(
-      {norm(corners[1] - corners[0]), norm(corners[2] - corners[1]), norm(corners[0] - corners[2])});
-}
-
-// Int G (u - P_n u) over an element away from P, by one rule.
-double by_rule(const Frame<double>& p, const InterpolationError& error, const TriangleRule<double>& rule) {
-  const Corners& v = error.element.corners;
-  const double twice_the_area = std::abs(cross(v[1] - v[0], v[2] - v[0]));
-  const ChartIn<double>& chart = error.surface->charts.at(error.element.chart).in<double>();
-  double sum = 0;
-  for (std::size_t i = 0; i < rule.points.size(); ++i) {
-    const std::array<double, 3>& x = rule.points[i].x;
-    const ParameterPoint<double> at = x[0] * v[0] + x[1] * v[1] + x[2] * v[2];
-    const Frame<double> q = chart.frame(at);
-    // G is linear in the normals: the area normal carries the area element.
-    sum += rule.weights[i] * geometric_kernel(p.point, p.area_normal, q.point, q.area_normal) *
-           error({error.element.chart, at}, q.point);
-  }
-  return twice_the_area * sum / norm(p.area_normal);
-}
-
-// Int G (u - P_n u) over elements, seen from P: by the library's cubature where P is within a size of an
-// element's centroid, by product rules of two orders elsewhere.
-Approximation seen_from(const Surface& surface, const SurfacePoint<double>& p,
-                        const std::vector<Element>& elements, double alpha) {
-  // Two rules beside the element of P and its neighbours, two for the others.
-  static const std::array<TriangleRule<double>, 4> rules{
-      conical_rule<double>(12, Grading::none), conical_rule<double>(16, Grading::none),
-      conical_rule<double>(4, Grading::none), conical_rule<double>(6, Grading::none)};
-  const Frame<double> frame = surface.charts.at(p.chart).in<double>().frame(p.at);
-  Approximation sum{.value = 0, .radius = 0};
-  for (const Element& each : elements) {
-    const InterpolationError error(surface, each, alpha);
-    const ParameterPoint<double> middle = (1.0 / 3) * (each.corners[0] + each.corners[1] + each.corners[2]);
-    const double distance =
-        norm(surface.charts.at(each.chart).in<double>().frame(middle).point - frame.point) /
-        size(surface, each);
-    if (distance < 1) {
-      const Approximation part = reference::operator_integral(surface, p, each.chart, each.corners, error);
-      sum.value += part.value;
-      sum.radius += part.radius;
-    } else {
-      const std::size_t first = distance < 3 ? 0 : 2;
-      const double value = by_rule(frame, error, rules.at(first + 1));
-      sum.value += value;
-      sum.radius += std::abs(value - by_rule(frame, error, rules.at(first)));
-    }
-  }
-  return sum;
-}
-
-Approximation largest_over_points(const Surface& surface, const std::vector<Element>& elements,
+Approximation largest_over_points(const Surface& surface, const std::vector<ParameterTriangle>& elements,
                                   double alpha) {
   Approximation worst{.value = 0, .radius = 0};
   for (const auto& [chart, s, t] :
        {std::tuple<std::size_t, double, double>{0, 0.31, 0.42}, {1, 0.17, 0.29}, {6, 0.55, 0.13}}) {
-    const Approximation here = seen_from(surface, {chart, {s, t}}, elements, alpha);
+    const Approximation here = error_seen_from(surface, {chart, {s, t}}, elements, alpha);
     worst.value = std::max(worst.value, std::abs(here.value));
     worst.radius = std::max(worst.radius, here.radius);
   }
   return worst;
 }
 
-bool contains(const Corners& v, const ParameterPoint<double>& p) {
+bool contains(const std::array<ParameterPoint<double>, 3>& v, const ParameterPoint<double>& p) {
   return cross(v[1] - v[0], p - v[0]) >= 0 && cross(v[2] - v[1], p - v[1]) >= 0 &&
          cross(v[0] - v[2], p - v[2]) >= 0;
 }
@@ -179,17 +83,18 @@ bool contains(const Corners& v, const ParameterPoint<double>& p) {
 // have their right angle at a vertex of level 2, of one shape and at one place at every level from there on.
 Approximation own_element(const Surface& surface, int level, double alpha) {
   Approximation worst{.value = 0, .radius = 0};
-  for (const Element& each : symmetric_elements(surface, level)) {
+  for (const ParameterTriangle& each : symmetric_elements(surface, level)) {
     const auto holds_one = [&](const std::pair<double, double>& at) {
-      return contains(each.corners, {at.first, at.second});
+      return contains(each.vertices, {at.first, at.second});
     };
     constexpr std::array<std::pair<double, double>, 2> points{
         {{0.25 + 1e-9, 0.25 + 1e-9}, {0.5 + 1e-9, 0.25 + 1e-9}}};
     if (each.chart != 0 || std::none_of(points.begin(), points.end(), holds_one)) continue;
     for (std::size_t j = 0; j < 3; ++j) {
       ParameterPoint<double> node{0, 0};
-      for (std::size_t i = 0; i < 3; ++i) node = node + (i == j ? 1 - 2 * alpha : alpha) * each.corners.at(i);
-      const Approximation here = seen_from(surface, {0, node}, {each}, alpha);
+      for (std::size_t i = 0; i < 3; ++i)
+        node = node + (i == j ? 1 - 2 * alpha : alpha) * each.vertices.at(i);
+      const Approximation here = error_seen_from(surface, {0, node}, {each}, alpha);
       worst.value = std::max(worst.value, std::abs(here.value));
       worst.radius = std::max(worst.radius, here.radius);
     }
@@ -228,7 +133,7 @@ std::vector<Approximation> scaled_errors_at_centroids(int last) {
   std::vector<Approximation> result;
   for (int level = 1; level <= last; ++level) {
     const Approximation error =
-        seen_from(surface, {0, {third, third}}, symmetric_elements(surface, level), 1.0 / 6);
+        error_seen_from(surface, {0, {third, third}}, symmetric_elements(surface, level), 1.0 / 6);
     const double scale = std::pow(16.0, level) / 4;  // h = 2^(1/2) 2^-level
     result.push_back({.value = scale * error.value, .radius = scale * error.radius});
   }

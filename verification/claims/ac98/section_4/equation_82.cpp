@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/core/contract.h"
@@ -32,6 +33,7 @@
 #include "verification/claims/ac98/collocation/edge_value.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/framework/fine_levels.h"
 #include "verification/framework/level_errors.h"
 
 namespace radcert::verification::ac98 {
@@ -74,20 +76,59 @@ double value_beside_an_edge_of_the_cube(const LevelOutcome& level) {
   return sum / count;
 }
 
-// The order of what u_n changes by there from level to level, for E = x^2 and rho = 2/5, which (80) allows.
-Approximation order_on_the_cube(const Bench& bench, int finest) {
+// At a corner |l_1| + |l_2| + |l_3| is 7/3.
+Approximation value_with_radius_beside_an_edge(const LevelOutcome& level) {
+  return {.value = value_beside_an_edge_of_the_cube(level),
+          .radius = 7.0 / 3 * level.result.solution_radius.value()};
+}
+
+// E = x^2 and rho = 2/5, which (80) allows.
+Problem cube_lit_by_x_squared() {
   Problem cube = linear_problem("cube", {}, "2/5");
   cube.emission = on_all_pieces("x^2");
   cube.solver = {.name = "gmres", .tolerance = std::nullopt};
+  return cube;
+}
+
+// The order of what u_n changes by there from level to level.
+Approximation order_on_the_cube(const Bench& bench, int finest) {
+  const Problem cube = cube_lit_by_x_squared();
   const auto change = [&](int level) {
-    const LevelOutcome fine = bench.levels.level(cube, level);
-    const LevelOutcome coarse = bench.levels.level(cube, level - 1);
-    // At a corner |l_1| + |l_2| + |l_3| is 7/3.
-    return Approximation{
-        .value = std::abs(value_beside_an_edge_of_the_cube(fine) - value_beside_an_edge_of_the_cube(coarse)),
-        .radius = 7.0 / 3 * (fine.result.solution_radius.value() + coarse.result.solution_radius.value())};
+    const Approximation fine = value_with_radius_beside_an_edge(bench.levels.level(cube, level));
+    const Approximation coarse = value_with_radius_beside_an_edge(bench.levels.level(cube, level - 1));
+    return Approximation{.value = std::abs(fine.value - coarse.value), .radius = fine.radius + coarse.radius};
   };
   return exponent_between(change(finest - 1), change(finest));
+}
+
+// What u_n changes by there on a uniform mesh of up to 589,824 unknowns. It is a sum of h^b and of h, whose
+// powers are near each other, so that its exponent comes down slowly, and that of what is left without the
+// multiple of h goes up.
+void add_fine_orders_on_the_cube(Finding& finding, const Bench& bench) {
+  const FineStudy study{.problem = cube_lit_by_x_squared(),
+                        .first = 1,
+                        .last = 7,
+                        .tolerance = Rational(1, 10000000),
+                        .order = 0};
+  const LevelFigure beside_the_edge{"beside (1, 1/2, 0) on x = 1", [](const LevelOutcome& level) {
+                                      return value_with_radius_beside_an_edge(level);
+                                    }};
+  const std::vector<Approximation> values = fine_levels(bench, study, {beside_the_edge}).front().errors;
+  const auto difference = [](double a, const Approximation& x, double b, const Approximation& y) {
+    return Approximation{.value = a * x.value - b * y.value, .radius = a * x.radius + b * y.radius};
+  };
+  std::vector<Approximation> changes;
+  for (std::size_t k = 1; k < values.size(); ++k)
+    changes.push_back(difference(1, values[k], 1, values[k - 1]));
+  for (std::size_t k = 1; k < changes.size(); ++k)
+    finding.remark("the same, E = x^2, from level " + std::to_string(k) + " to " + std::to_string(k + 2),
+                   exponent_between(changes[k - 1], changes[k]));
+  std::vector<Approximation> without_h;
+  for (std::size_t k = 2; k < changes.size(); ++k)
+    without_h.push_back(difference(2, changes[k], 1, changes[k - 1]));
+  for (std::size_t k = 1; k < without_h.size(); ++k)
+    finding.remark("the same of the changes without the multiple of h, up to level " + std::to_string(k + 4),
+                   exponent_between(without_h[k - 1], without_h[k]));
 }
 
 }  // namespace
@@ -142,6 +183,7 @@ Finding equation_82(const Bench& bench) {
                   of_constant.errors.back());
   finding.remark("order of the change of u_n beside an edge of the cube, E = x^2, rho = 2/5",
                  order_on_the_cube(bench, bench.budget == Budget::quick ? 3 : 4));
+  if (bench.budget == Budget::full) add_fine_orders_on_the_cube(finding, bench);
   return finding;
 }
 
