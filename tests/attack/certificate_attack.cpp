@@ -20,7 +20,7 @@ namespace radcert::attack {
 namespace {
 
 using certificate::Claim;
-using certificate::MeansCertificate;
+using certificate::PolyhedronCertificate;
 
 /// A furnace with one reflectivity, as a certificate with one claim that is false or nearly so.
 /// Maths     E = 1 - rho, q_0 = 1 - d, q_k = b: w_0 = 1 - rho d, t_0 = d (1 - rho) by T 1 = 1, w_k = rho
@@ -49,13 +49,13 @@ std::string text(const Instance& x) {
 }
 
 struct Made {
-  MeansCertificate certificate;
+  PolyhedronCertificate certificate;
   std::size_t element = 0;
 };
 
 Made certificate_of(const Instance& x) {
   Made out{.certificate = test::bare_certificate(x.surface, x.layers, 0, 1)};
-  MeansCertificate& c = out.certificate;
+  PolyhedronCertificate& c = out.certificate;
   const Rational rho = hundredths(x.reflectivity);
   const double r = rho.to_double();
   for (certificate::Face& face : c.faces) {
@@ -137,17 +137,17 @@ certificate::Part part_with(std::size_t element, std::size_t count) {
 
 Judgement judge(const Instance& x) {
   const Made made = certificate_of(x);
-  const MeansCertificate& c = made.certificate;
+  const PolyhedronCertificate& c = made.certificate;
   const certificate::Report report = certificate::check(c, part_with(made.element, c.elements.size()));
   // The doubles of the claims are off by some roundings.
   constexpr double roundings = 1e-9;
   const bool is_false = x.norm < 1 - roundings || std::abs(x.off) > 1 + roundings;
   if (is_false) return report.refusal ? Judgement::held(1) : Judgement::violated("a false claim is verified");
   if (report.refusal) return Judgement::refused();
-  for (const certificate::Enclosure& mean : c.means)
+  for (const certificate::Enclosure& mean : c.enclosures)
     if (abs(mean.midpoint - Rational::exactly(x.size)) > mean.radius)
       return Judgement::violated("a mean of 1 lies outside what is verified");
-  return Judgement::held(1 + c.means.size());
+  return Judgement::held(1 + c.enclosures.size());
 }
 
 TEST(CertificateAttack, FalseClaimsAreRefused) {
@@ -178,7 +178,7 @@ std::string text_of_value(const ValueInstance& x) {
 
 Made certificate_of_value(const ValueInstance& x) {
   Made out{.certificate = test::bare_certificate(x.scene.surface, x.scene.layers, 0, 1)};
-  MeansCertificate& c = out.certificate;
+  PolyhedronCertificate& c = out.certificate;
   const Rational rho = hundredths(x.scene.reflectivity);
   const double r = rho.to_double();
   for (certificate::Face& face : c.faces) {
@@ -212,14 +212,14 @@ Made certificate_of_value(const ValueInstance& x) {
 
 Judgement judge_value(const ValueInstance& x) {
   const Made made = certificate_of_value(x);
-  const MeansCertificate& c = made.certificate;
+  const PolyhedronCertificate& c = made.certificate;
   const certificate::Report report = certificate::check(c, part_with(made.element, c.elements.size()));
   // Of the rule of 16 x 16 nodes for the square of the kernel.
   constexpr double of_rule = 1e-3;
   if (x.scene.norm < 1 - of_rule)
     return report.refusal ? Judgement::held(1) : Judgement::violated("a false claim is verified");
   if (report.refusal) return Judgement::refused();
-  if (abs(c.means[0].midpoint - Rational(1)) > c.means[0].radius)
+  if (abs(c.enclosures[0].midpoint - Rational(1)) > c.enclosures[0].radius)
     return Judgement::violated("a value of 1 lies outside what is verified");
   return Judgement::held(2);
 }

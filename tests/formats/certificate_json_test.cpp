@@ -13,8 +13,8 @@ namespace radcert {
 namespace {
 
 /// A tetrahedron with odd numbers; nothing here is true.
-certificate::MeansCertificate sample() {
-  certificate::MeansCertificate c;
+certificate::PolyhedronCertificate sample() {
+  certificate::PolyhedronCertificate c;
   c.pieces = {"one", "other"};
   const std::vector<Vector<Rational>> p{
       {0, 0, 0}, {Rational(1, 3), 0, 0}, {0, 1, 0}, {0, 0, Rational(-7, 2)}};
@@ -28,13 +28,13 @@ certificate::MeansCertificate sample() {
   for (int k = 0; k < 24; ++k) c.coefficients.push_back(0.1 * k - 1e-30);
   c.claims.assign(2, {.norms = {1e-3, 0, 0.1}, .products = {-1e-9, 3}, .radii = {1e-300, 2}});
   c.sums = {.norms = {1, 2, 3}, .products = {0.1, -0.2}, .radii = {2e-7, 7}};
-  c.means = {{Rational::exactly(0.1), Rational::exactly(1e-5)}, {Rational(2), Rational(1)}};
+  c.enclosures = {{Rational::exactly(0.1), Rational::exactly(1e-5)}, {Rational(2), Rational(1)}};
   c.width = Rational(3);
   return c;
 }
 
 TEST(CertificateJson, IsReadAsItWasWritten) {
-  const certificate::MeansCertificate c = sample();
+  const certificate::PolyhedronCertificate c = sample();
   const std::string text = certificate_text(c, "radcert test");
   const ReadCertificate read = read_certificate(text, "c.json");
   EXPECT_TRUE(read.digest_holds);
@@ -48,12 +48,12 @@ TEST(CertificateJson, IsReadAsItWasWritten) {
 }
 
 TEST(CertificateJson, IsOfValuesWhereItHasPoints) {
-  certificate::MeansCertificate c = sample();
+  certificate::PolyhedronCertificate c = sample();
   c.points = {{.face = 2, .at = {Rational(1, 9), 0, Rational(-1, 3)}},
               {.face = 0, .at = {0, Rational(1, 5), 1}}};
   const std::string text = certificate_text(c, "a command");
   EXPECT_NE(text.find("\"of\": \"values\""), std::string::npos) << text;
-  const certificate::MeansCertificate read = intact_certificate(text, "file");
+  const certificate::PolyhedronCertificate read = intact_certificate(text, "file");
   ASSERT_EQ(read.points.size(), 2U);
   EXPECT_EQ(read.points[0].face, 2U);
   EXPECT_EQ(read.points[1].at, c.points[1].at);
@@ -67,7 +67,7 @@ TEST(CertificateJson, IsOfValuesWhereItHasPoints) {
 }
 
 TEST(CertificateJson, LeavesOutDigitsThatAreZeroInAllNumbersOfAFunction) {
-  certificate::MeansCertificate c = sample();
+  certificate::PolyhedronCertificate c = sample();
   for (std::size_t k = 0; k < c.coefficients.size(); ++k) c.coefficients[k] = 0.25 * static_cast<double>(k);
   c.coefficients[3] = -0x1.8p-900;
   const std::string text = certificate_text(c, "radcert test");

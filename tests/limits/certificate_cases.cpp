@@ -8,7 +8,7 @@ namespace {
 
 /// The certificate of u = 1 in a furnace, q = 1 - 2^-7: a residual of 2^-7 rho - 2^-7, claimed generously.
 Answer furnace() {
-  certificate::MeansCertificate c = test::bare_certificate("tetrahedron", 2, 0, 1);
+  certificate::PolyhedronCertificate c = test::bare_certificate("tetrahedron", 2, 0, 1);
   const Rational half(1, 2);
   for (certificate::Face& face : c.faces) face.emission = {{half}};
   for (std::size_t i = 0; i < c.coefficients.size(); ++i)
@@ -18,12 +18,12 @@ Answer furnace() {
                                       .radii = std::vector<double>(c.pieces.size(), 0.05)});
   certificate::Summed sums = certificate::summed(c);
   c.sums = sums.sums;
-  c.means = sums.means;
+  c.enclosures = sums.enclosures;
   c.width = Rational(1000);
   const certificate::Report report = certificate::check(c, {.elements = 3, .seed = "furnace"});
   if (report.refusal) return refusal(report.refusal->pointer);
   std::vector<Ball> means;
-  for (const certificate::Enclosure& mean : c.means)
+  for (const certificate::Enclosure& mean : c.enclosures)
     means.push_back(widened(Ball(mean.midpoint), Ball(mean.radius)));
   return numbers(std::move(means));
 }

@@ -18,12 +18,12 @@
 namespace radcert::reference {
 namespace {
 
-using certificate::MeansCertificate;
+using certificate::PolyhedronCertificate;
 
 /// A change of a certificate on its way from the file.
-CertificateReader changing(std::function<void(MeansCertificate&)> change) {
+CertificateReader changing(std::function<void(PolyhedronCertificate&)> change) {
   return [change = std::move(change)](std::string_view text, const std::string& file) {
-    MeansCertificate c = intact_certificate(text, file);
+    PolyhedronCertificate c = intact_certificate(text, file);
     change(c);
     return c;
   };
@@ -42,9 +42,9 @@ TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
       EXPECT_LT(mean.first.value.radius(), 1e-4) << mean.mean->name;
       EXPECT_NE(mean.first.how, mean.second.how);
     }
-    const MeansCertificate fine =
+    const PolyhedronCertificate fine =
         intact_certificate(certificate_content(scene.certificates[0]), scene.certificates[0]);
-    const MeansCertificate coarse =
+    const PolyhedronCertificate coarse =
         intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]);
     EXPECT_NE(fine.elements.size(), coarse.elements.size()) << scene.name;
     // The kernels of points ask for a degree of their own.
@@ -63,7 +63,7 @@ TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
 TEST(ContinuousMeans, KeepTheBalanceOfEnergy) {
   for (const ContinuousScene& scene : continuous_scenes())
     for (const std::string& file : scene.certificates) {
-      const MeansCertificate c = intact_certificate(certificate_content(file), file);
+      const PolyhedronCertificate c = intact_certificate(certificate_content(file), file);
       ASSERT_EQ(scene_fault(scene, c), "") << file;
       // Of values nothing is known, and where there are openings not how much leaves.
       if (!scene.black.empty() || c.of_values()) continue;
@@ -71,7 +71,7 @@ TEST(ContinuousMeans, KeepTheBalanceOfEnergy) {
       Ball left;
       Ball right;
       for (std::size_t k = 0; k < c.pieces.size(); ++k)
-        left += areas[k] * widened(Ball(c.means[k].midpoint), Ball(c.means[k].radius));
+        left += areas[k] * widened(Ball(c.enclosures[k].midpoint), Ball(c.enclosures[k].radius));
       // Of (1 - z)^4 and of 1 on one face, by hand.
       if (scene.power == 4) {
         right = Ball(Rational(1) + Rational(4, 5));
@@ -93,7 +93,7 @@ TEST(ContinuousMeans, HaveClaimsThatHold) {
   const char* const seed = std::getenv("RADCERT_ATTACK_SEED");
   const std::size_t elements = asked == nullptr ? 1 : static_cast<std::size_t>(std::max(1, std::atoi(asked)));
   for (const EmbeddedFile& file : embedded_certificates()) {
-    const MeansCertificate c = intact_certificate(file.content, std::string(file.path));
+    const PolyhedronCertificate c = intact_certificate(file.content, std::string(file.path));
     const certificate::Report report =
         certificate::check(c, {.elements = elements, .seed = seed == nullptr ? "a test" : seed});
     EXPECT_FALSE(report.refusal) << file.path << report.refusal->pointer << ": " << report.refusal->says;
@@ -103,61 +103,63 @@ TEST(ContinuousMeans, HaveClaimsThatHold) {
 TEST(ContinuousMeans, AreRefusedWhereTheCertificateIsOfAnotherEquation) {
   const ContinuousScene& scene = *find_continuous_scene("cube_rho_1/2");
   // A certificate of another equation may hold by itself: the scene has to tell them apart.
-  const auto is_another = [&](const std::function<void(MeansCertificate&)>& change) {
-    MeansCertificate certificate =
+  const auto is_another = [&](const std::function<void(PolyhedronCertificate&)>& change) {
+    PolyhedronCertificate certificate =
         intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]);
     change(certificate);
     return !scene_fault(scene, certificate).empty();
   };
-  EXPECT_FALSE(is_another([](MeansCertificate&) {}));
-  EXPECT_TRUE(is_another([](MeansCertificate& c) { c.faces[3].reflectivity = Rational(2, 5); }));
-  EXPECT_TRUE(is_another([](MeansCertificate& c) {
+  EXPECT_FALSE(is_another([](PolyhedronCertificate&) {}));
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) { c.faces[3].reflectivity = Rational(2, 5); }));
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces) face.emission[0][0] = Rational(1) - face.emission[0][0];
   }));
-  EXPECT_TRUE(is_another([](MeansCertificate& c) { c.faces[1].emission = {{Rational(0)}, {Rational(1)}}; }));
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) {
+    c.faces[1].emission = {{Rational(0)}, {Rational(1)}};
+  }));
   // A face that is black, and one that closes an open surface and is not.
-  EXPECT_TRUE(is_another([](MeansCertificate& c) { c.faces[2].reflectivity = Rational(0); }));
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) { c.faces[2].reflectivity = Rational(0); }));
   const ContinuousScene& open = *find_continuous_scene("two_squares_rho_1/2");
-  MeansCertificate of_open =
+  PolyhedronCertificate of_open =
       intact_certificate(certificate_content(open.certificates[1]), open.certificates[1]);
   EXPECT_EQ(scene_fault(open, of_open), "");
   of_open.faces.back().reflectivity = Rational(1, 2);
   EXPECT_NE(scene_fault(open, of_open), "");
-  EXPECT_TRUE(is_another([](MeansCertificate& c) {
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces)
       for (Vector<Rational>& corner : face.corners) corner.x *= Rational(2);
   }));
-  EXPECT_TRUE(is_another([](MeansCertificate& c) {
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces)
       for (Vector<Rational>& corner : face.corners) corner.z = Rational(1) - corner.z;
   }));
-  const auto is_refused = [&](const std::function<void(MeansCertificate&)>& change) {
+  const auto is_refused = [&](const std::function<void(PolyhedronCertificate&)>& change) {
     return !enclose(scene, changing(change), 0);
   };
-  EXPECT_FALSE(is_refused([](MeansCertificate&) {}));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.faces[3].reflectivity = Rational(2, 5); }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+  EXPECT_FALSE(is_refused([](PolyhedronCertificate&) {}));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.faces[3].reflectivity = Rational(2, 5); }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces) face.emission[0][0] = Rational(1) - face.emission[0][0];
   }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces)
       for (Vector<Rational>& corner : face.corners) corner.x *= Rational(2);
   }));
   // The emission on another face: the cube turned over.
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces) {
       for (Vector<Rational>& corner : face.corners) corner.z = Rational(1) - corner.z;
       std::reverse(face.corners.begin(), face.corners.end());
     }
   }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) {
     c.faces[1].emission = {{Rational(0), Rational(0)}, {Rational(1, 1000)}};
   }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.faces[1].piece = c.faces[0].piece; }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.means[2].midpoint += Rational(1, 1000000); }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.claims[100].radii[1] *= 2; }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.sums.norms[3] *= 0.99; }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.elements.pop_back(), c.claims.pop_back(); }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.faces[1].piece = c.faces[0].piece; }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.enclosures[2].midpoint += Rational(1, 1000000); }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.claims[100].radii[1] *= 2; }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.sums.norms[3] *= 0.99; }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.elements.pop_back(), c.claims.pop_back(); }));
 }
 
 TEST(ContinuousMeans, AreNotGivenWhereTheFileWasChanged) {

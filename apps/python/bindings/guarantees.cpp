@@ -23,7 +23,7 @@
 #include "radcert/formats/result/result_json.h"
 #include "radcert/formats/result/stored_numbers.h"
 #include "radcert/scalar/enclosing_text.h"
-#include "radcert/study/certified_means.h"
+#include "radcert/study/certified_solution.h"
 #include "store.h"
 #include "work.h"
 
@@ -75,7 +75,7 @@ Enclosed enclose(PythonProblem problem, const py::object& document, bool with_ce
       LevelResult level;
       SolutionEnclosure enclosure;
       if (with_certificate) {
-        CertifiedMeans found = certified_means(problem.problem, wanted, context);
+        CertifiedSolution found = certified_solution(problem.problem, wanted, context);
         out.certificate = certificate_text(found.certificate, "radcert.Problem.guarantee");
         level = std::move(found.level);
         enclosure = std::move(found.enclosure);
@@ -151,14 +151,14 @@ py::dict checked(const std::string& file, const std::optional<std::int64_t>& ele
   });
   py::dict means;
   py::list points;
-  const certificate::MeansCertificate& c = verdict.read.certificate;
+  const certificate::PolyhedronCertificate& c = verdict.read.certificate;
   py::object refusal = py::none();
   if (verdict.report.refusal) {
     refusal = py::str(verdict.report.refusal->pointer + ": " + verdict.report.refusal->says);
   } else {
     for (std::size_t k = 0; k < c.goals(); ++k) {
       const py::tuple enclosed =
-          py::make_tuple(fraction_of(c.means[k].midpoint), fraction_of(c.means[k].radius));
+          py::make_tuple(fraction_of(c.enclosures[k].midpoint), fraction_of(c.enclosures[k].radius));
       if (!c.of_values()) {
         means[py::str(c.pieces[k])] = enclosed;
         continue;

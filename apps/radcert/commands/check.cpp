@@ -65,7 +65,7 @@ struct Verdict {
 };
 
 std::string summary(const CheckOptions& options, const Verdict& verdict) {
-  const certificate::MeansCertificate& c = verdict.read.certificate;
+  const certificate::PolyhedronCertificate& c = verdict.read.certificate;
   std::vector<std::vector<std::string>> rows;
   rows.push_back({"certificate", options.file});
   rows.push_back({"digest", verdict.read.digest});
@@ -84,7 +84,7 @@ std::string summary(const CheckOptions& options, const Verdict& verdict) {
       {"verified", exact + (all ? "all" : std::to_string(verdict.report.looked_at.size())) + " elements"});
   if (!all) rows.push_back({"taken over", "the claims on the other elements; --all looks at them"});
   for (std::size_t k = 0; k < c.goals(); ++k) {
-    const certificate::Enclosure& mean = c.means[k];
+    const certificate::Enclosure& mean = c.enclosures[k];
     const Approximation about{mean.midpoint.to_double(), mean.radius.to_double(), false};
     const EnclosingText text = enclosing_text(mean.midpoint, mean.radius, form_of(about));
     const std::string of = c.of_values() ? coordinates_text(c.points[k].at) : c.pieces[k];
@@ -95,7 +95,7 @@ std::string summary(const CheckOptions& options, const Verdict& verdict) {
 }
 
 JsonValue report_json(const Verdict& verdict, const std::string& command) {
-  const certificate::MeansCertificate& c = verdict.read.certificate;
+  const certificate::PolyhedronCertificate& c = verdict.read.certificate;
   JsonValue out = document_head("check", command);
   out.set("digest", verdict.read.digest);
   out.set("verified", !verdict.report.refusal.has_value());

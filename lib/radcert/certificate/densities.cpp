@@ -43,7 +43,7 @@ Ball emission_at(const std::vector<std::vector<Ball>>& f, const Ball& x, const B
 /// w_0 = E + rho q_0 on elements in Legendre polynomials.
 class FirstDensity {
 public:
-  FirstDensity(const MeansCertificate& certificate, int degree) : c_(certificate), degree_(degree) {
+  FirstDensity(const PolyhedronCertificate& certificate, int degree) : c_(certificate), degree_(degree) {
     for (const Face& face : c_.faces) {
       emission_.emplace_back();
       for (const std::vector<Rational>& row : face.emission) {
@@ -98,14 +98,14 @@ private:
       }
   }
 
-  const MeansCertificate& c_;
+  const PolyhedronCertificate& c_;
   int degree_;
   std::vector<std::vector<std::vector<Ball>>> emission_;
   std::vector<std::vector<Frame>> frames_;
   std::vector<std::vector<Ball>> p_;
 };
 
-int whole_degree(const MeansCertificate& c) {
+int whole_degree(const PolyhedronCertificate& c) {
   int degree = c.degree;
   for (const Face& face : c.faces) degree = std::max(degree, emission_degree(face));
   return degree;
@@ -137,7 +137,7 @@ LegendreTable::LegendreTable(int degree, std::span<const BoundedDouble> places)
   }
 }
 
-Densities::Densities(const MeansCertificate& c)
+Densities::Densities(const PolyhedronCertificate& c)
     : degree_(whole_degree(c)),
       count_(c.functions()),
       stride_((count_ + Pack::lanes) / Pack::lanes * Pack::lanes),
@@ -289,7 +289,7 @@ std::vector<double> Densities::edge_sizes(std::size_t element) const {
   return out;
 }
 
-std::vector<Ball> Densities::integrals(const MeansCertificate& c) {
+std::vector<Ball> Densities::integrals(const PolyhedronCertificate& c) {
   const int degree = whole_degree(c);
   const FirstDensity first(c, degree);
   std::vector<Ball> out(c.pieces.size());
@@ -322,7 +322,7 @@ Ball area_of(const Face& face) {
   return sqrt(Ball(dot(sum, sum))) / Ball(2);
 }
 
-std::vector<Ball> piece_areas(const MeansCertificate& c) {
+std::vector<Ball> piece_areas(const PolyhedronCertificate& c) {
   std::vector<Ball> out(c.pieces.size());
   for (const Face& face : c.faces) out[face.piece] += area_of(face);
   return out;

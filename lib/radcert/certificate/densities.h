@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/certificate/scene.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/bounded_double.h"
@@ -28,7 +28,7 @@ struct LegendreTable {
 /// Requires  surface_fault, tiling_fault found nothing
 class Densities {
 public:
-  explicit Densities(const MeansCertificate& certificate);
+  explicit Densities(const PolyhedronCertificate& certificate);
 
   [[nodiscard]] int exponent(std::size_t k = 0) const { return exponents_[k]; }
   [[nodiscard]] int degree() const { return degree_; }
@@ -72,7 +72,7 @@ public:
   /// Bounds of the coefficients of w(., -1) on the edge, by i, over all k.
   [[nodiscard]] std::vector<double> edge_sizes(std::size_t element) const;
   /// Int w_0 over each piece, of the certificate's functions and lengths.
-  [[nodiscard]] static std::vector<Ball> integrals(const MeansCertificate& certificate);
+  [[nodiscard]] static std::vector<Ball> integrals(const PolyhedronCertificate& certificate);
 
 private:
   [[nodiscard]] std::span<const double> of(const std::vector<double>& all, std::size_t element) const {
@@ -96,6 +96,6 @@ private:
 
 /// The area of a face, and of a piece, of the certificate.
 [[nodiscard]] Ball area_of(const Face& face);
-[[nodiscard]] std::vector<Ball> piece_areas(const MeansCertificate& certificate);
+[[nodiscard]] std::vector<Ball> piece_areas(const PolyhedronCertificate& certificate);
 
 }  // namespace radcert::certificate

@@ -47,7 +47,7 @@ Place place_in(const Face& face, const Vector<Rational>& p) {
 
 }  // namespace
 
-PointKernels::PointKernels(const MeansCertificate& c, const Scene& scene, const Densities& densities)
+PointKernels::PointKernels(const PolyhedronCertificate& c, const Scene& scene, const Densities& densities)
     : scene_(scene) {
   for (std::size_t k = 0; k < c.points.size(); ++k) {
     const Point& point = c.points[k];
@@ -126,7 +126,7 @@ BoundedDouble PointKernels::at(std::size_t k, std::size_t triangle, const Bounde
   return BoundedDouble(value, off * upward);
 }
 
-std::optional<Refusal> points_fault(const MeansCertificate& c) {
+std::optional<Refusal> points_fault(const PolyhedronCertificate& c) {
   for (std::size_t k = 0; k < c.points.size(); ++k) {
     const Point& point = c.points[k];
     const std::vector<Vector<Rational>>& corners = c.faces[point.face].corners;
@@ -142,7 +142,7 @@ std::optional<Refusal> points_fault(const MeansCertificate& c) {
   return std::nullopt;
 }
 
-std::vector<Ball> values_of(const MeansCertificate& c, const Sums& sums, const Ball& gap) {
+std::vector<Ball> values_of(const PolyhedronCertificate& c, const Sums& sums, const Ball& gap) {
   const Scene scene(c);
   const Densities densities(c);
   const LineBounds lines(c, scene, densities);

@@ -78,7 +78,7 @@ Plane plane_of(const Face& face) {
   return {face.corners[0], face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]};
 }
 
-std::optional<Refusal> facet_fault(const MeansCertificate& c, Facet& facet) {
+std::optional<Refusal> facet_fault(const PolyhedronCertificate& c, Facet& facet) {
   const Face& frame = c.faces[facet.faces.front()];
   const std::string pointer = face_pointer(facet.faces.front());
   const Vector<Rational> normal = normal_of(frame);
@@ -128,7 +128,7 @@ std::optional<Refusal> closedness_fault(const std::vector<Facet>& facets) {
 
 }  // namespace
 
-std::optional<Refusal> surface_fault(const MeansCertificate& c) {
+std::optional<Refusal> surface_fault(const PolyhedronCertificate& c) {
   for (std::size_t k = 0; k < c.faces.size(); ++k)
     if (std::optional<Refusal> fault = polygon_fault(c.faces[k], k)) return fault;
   std::vector<bool> has_face(c.pieces.size());
@@ -161,7 +161,7 @@ std::optional<Refusal> surface_fault(const MeansCertificate& c) {
   return closedness_fault(facets);
 }
 
-std::optional<Refusal> reflectivity_fault(const MeansCertificate& c) {
+std::optional<Refusal> reflectivity_fault(const PolyhedronCertificate& c) {
   for (std::size_t k = 0; k < c.faces.size(); ++k) {
     const Rational& rho = c.faces[k].reflectivity;
     if (rho.sign() < 0 || rho >= Rational(1))
@@ -170,7 +170,7 @@ std::optional<Refusal> reflectivity_fault(const MeansCertificate& c) {
   return std::nullopt;
 }
 
-std::optional<Refusal> tiling_fault(const MeansCertificate& c) {
+std::optional<Refusal> tiling_fault(const PolyhedronCertificate& c) {
   std::vector<std::vector<std::vector<std::size_t>>> by_side;
   for (const Face& face : c.faces) by_side.emplace_back(face.corners.size());
   for (std::size_t e = 0; e < c.elements.size(); ++e) {

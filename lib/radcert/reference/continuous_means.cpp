@@ -196,7 +196,7 @@ Corners as_set(Corners corners) {
 }
 
 /// The faces with these corners.
-std::vector<std::size_t> faces_with(const certificate::MeansCertificate& c, const Corners& corners) {
+std::vector<std::size_t> faces_with(const certificate::PolyhedronCertificate& c, const Corners& corners) {
   const Corners wanted = as_set(corners);
   std::vector<std::size_t> out;
   for (std::size_t k = 0; k < c.faces.size(); ++k)
@@ -205,7 +205,7 @@ std::vector<std::size_t> faces_with(const certificate::MeansCertificate& c, cons
 }
 
 /// The piece that is the face with these corners and no other.
-Outcome<std::size_t> piece_of(const certificate::MeansCertificate& c, const Corners& corners) {
+Outcome<std::size_t> piece_of(const certificate::PolyhedronCertificate& c, const Corners& corners) {
   const std::vector<std::size_t> faces = faces_with(c, corners);
   if (faces.size() != 1) return because("no face has the corners of the one that is asked for");
   const std::size_t piece = c.faces[faces[0]].piece;
@@ -217,14 +217,14 @@ Outcome<std::size_t> piece_of(const certificate::MeansCertificate& c, const Corn
 
 /// One certificate of a scene, checked.
 struct Checked {
-  certificate::MeansCertificate certificate;
+  certificate::PolyhedronCertificate certificate;
   std::string how;
 };
 
 Outcome<Checked> checked(const ContinuousScene& scene, const std::string& file,
                          const CertificateReader& reader, std::size_t elements) {
   Checked out{.certificate = reader(certificate_content(file), file), .how = {}};
-  const certificate::MeansCertificate& c = out.certificate;
+  const certificate::PolyhedronCertificate& c = out.certificate;
   if (const std::string fault = scene_fault(scene, c); !fault.empty()) return because(file + ": " + fault);
   const certificate::Report report = certificate::check(c, {.elements = elements, .seed = file});
   if (report.refusal) return because(file + ": " + report.refusal->pointer + ": " + report.refusal->says);
@@ -235,7 +235,7 @@ Outcome<Checked> checked(const ContinuousScene& scene, const std::string& file,
 }
 
 /// The point that is the centre of the face with these corners.
-Outcome<std::size_t> point_of(const certificate::MeansCertificate& c, const Corners& corners) {
+Outcome<std::size_t> point_of(const certificate::PolyhedronCertificate& c, const Corners& corners) {
   Vector<Rational> sum;
   for (const Vector<Rational>& corner : corners) sum = sum + corner;
   const Vector<Rational> centre = Rational(1, static_cast<long>(corners.size())) * sum;
@@ -251,7 +251,7 @@ Outcome<RouteValue> value_of(const Checked& from, const ContinuousMean& mean) {
   const Outcome<std::size_t> place =
       mean.at_centre ? point_of(from.certificate, mean.face) : piece_of(from.certificate, mean.face);
   if (!place) return because(mean.name + ": " + place.reason());
-  const certificate::Enclosure& found = from.certificate.means[*place];
+  const certificate::Enclosure& found = from.certificate.enclosures[*place];
   return RouteValue{.how = from.how, .value = widened(Ball(found.midpoint), Ball(found.radius))};
 }
 
@@ -287,7 +287,7 @@ std::string_view certificate_content(std::string_view file) {
   return {};
 }
 
-std::string scene_fault(const ContinuousScene& scene, const certificate::MeansCertificate& c) {
+std::string scene_fault(const ContinuousScene& scene, const certificate::PolyhedronCertificate& c) {
   Corners corners;
   for (const certificate::Face& face : c.faces)
     corners.insert(corners.end(), face.corners.begin(), face.corners.end());

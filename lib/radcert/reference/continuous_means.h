@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/core/embedded_file.h"
 #include "radcert/core/outcome.h"
 #include "radcert/geometry/vector.h"
@@ -64,7 +64,7 @@ struct ContinuousMean {
 /// Makes a certificate of a file's text: formats/result/certificate_json.h, which this layer does not see.
 /// Requires  throws where the text is no certificate or is not what its digest says
 using CertificateReader =
-    std::function<certificate::MeansCertificate(std::string_view text, const std::string& file)>;
+    std::function<certificate::PolyhedronCertificate(std::string_view text, const std::string& file)>;
 
 /// A mean, or a value, by both certificates of its scene.
 struct EnclosedMean {
@@ -77,7 +77,7 @@ struct EnclosedMean {
 /// Maths     that the surface is the boundary of the hull of its corners is checked with it (surface_fault);
 ///           here that these are the corners of the scene, and that E and rho are those of the scene
 [[nodiscard]] std::string scene_fault(const ContinuousScene& scene,
-                                      const certificate::MeansCertificate& certificate);
+                                      const certificate::PolyhedronCertificate& certificate);
 
 /// The means or values of a scene, each enclosed by two certificates.
 /// Maths     certificate::check, of all that is exact and of the claims on so many elements of either; the

@@ -22,8 +22,8 @@ using certificate::Claim;
 using certificate::Element;
 using certificate::Enclosure;
 using certificate::Face;
-using certificate::MeansCertificate;
 using certificate::Point;
+using certificate::PolyhedronCertificate;
 
 constexpr int most_degree = 12;
 constexpr std::size_t digits_of_a_double = 16;
@@ -54,7 +54,7 @@ JsonValue point_json(const Vector<Rational>& p) {
   return out;
 }
 
-JsonValue face_json(const Face& face, const MeansCertificate& c) {
+JsonValue face_json(const Face& face, const PolyhedronCertificate& c) {
   return JsonValue::object({{"piece", c.pieces[face.piece]},
                             {"corners", json_array(face.corners, point_json)},
                             {"reflectivity", face.reflectivity.to_text()},
@@ -74,7 +74,7 @@ JsonValue claim_json(const Claim& claim) {
                             {"radii", json_array(claim.radii)}});
 }
 
-JsonValue content_json(const MeansCertificate& c, const std::string& command) {
+JsonValue content_json(const PolyhedronCertificate& c, const std::string& command) {
   JsonValue out = document_head("certificate", command);
   out.set("of", c.of_values() ? "values" : "means");
   JsonValue problem = JsonValue::object(
@@ -95,14 +95,14 @@ JsonValue content_json(const MeansCertificate& c, const std::string& command) {
   out.set("claims", json_array(c.claims, claim_json));
   out.set("sums", claim_json({c.sums.norms, c.sums.products, c.sums.radii}));
   JsonValue enclosures = JsonValue::array();
-  for (std::size_t k = 0; k < c.means.size(); ++k) {
+  for (std::size_t k = 0; k < c.enclosures.size(); ++k) {
     JsonValue enclosure = JsonValue::object();
     if (c.of_values())
       enclosure.set("at", point_json(c.points[k].at));
     else
       enclosure.set("piece", c.pieces[k]);
-    enclosure.set("midpoint", double_text(c.means[k].midpoint));
-    enclosure.set("radius", double_text(c.means[k].radius));
+    enclosure.set("midpoint", double_text(c.enclosures[k].midpoint));
+    enclosure.set("radius", double_text(c.enclosures[k].radius));
     enclosures.push(std::move(enclosure));
   }
   out.set(c.of_values() ? "values" : "means", std::move(enclosures));
@@ -228,8 +228,8 @@ Claim read_claim(const JsonReader& reader, std::size_t goals) {
           numbers(reader.at("radii", "a list of numbers"), goals, false)};
 }
 
-MeansCertificate read_content(const JsonReader& reader) {
-  MeansCertificate c;
+PolyhedronCertificate read_content(const JsonReader& reader) {
+  PolyhedronCertificate c;
   const bool of_values =
       reader.at("of", "what is enclosed").word(std::vector<std::string>{"means", "values"}) == "values";
   const std::string list = of_values ? "values" : "means";
@@ -297,9 +297,9 @@ MeansCertificate read_content(const JsonReader& reader) {
       if (place_of(piece, c.pieces) != k) piece.refuse("is not the piece of this place", c.pieces[k]);
     }
     const JsonReader radius = enclosures[k].at("radius", "a decimal");
-    c.means.push_back(
+    c.enclosures.push_back(
         {enclosures[k].at("midpoint", "a decimal").rational("a decimal"), radius.rational("a decimal")});
-    if (c.means.back().radius.sign() < 0) radius.refuse("is negative", "0 or more");
+    if (c.enclosures.back().radius.sign() < 0) radius.refuse("is negative", "0 or more");
   }
   c.width = reader.at("width", "a decimal").rational("a decimal");
   return c;
@@ -315,7 +315,7 @@ std::string without_digest(const JsonValue& document) {
 
 }  // namespace
 
-std::string certificate_text(const MeansCertificate& certificate, const std::string& command) {
+std::string certificate_text(const PolyhedronCertificate& certificate, const std::string& command) {
   JsonValue out = content_json(certificate, command);
   out.set("digest", digest_of(out.compact()));
   return out.compact() + "\n";
@@ -332,7 +332,7 @@ ReadCertificate read_certificate(std::string_view text, const std::string& sourc
   });
 }
 
-MeansCertificate intact_certificate(std::string_view text, const std::string& source) {
+PolyhedronCertificate intact_certificate(std::string_view text, const std::string& source) {
   ReadCertificate read = read_certificate(text, source);
   if (!read.digest_holds)
     throw InputError({.source = source, .pointer = "/digest", .problem = "is not that of the content"});

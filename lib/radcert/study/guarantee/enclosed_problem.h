@@ -7,7 +7,7 @@
 
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/rational.h"
-#include "radcert/study/certified_means.h"
+#include "radcert/study/certified_solution.h"
 #include "radcert/study/guarantee.h"
 #include "radcert/study/guarantee_context.h"
 #include "radcert/surface/surface.h"
@@ -31,7 +31,7 @@ public:
   /// Whether its means and values come with a certificate.
   [[nodiscard]] virtual bool has_certificate() const { return false; }
   /// Requires  has_certificate(), means or values are asked for, else ContractViolation
-  [[nodiscard]] virtual CertifiedMeans certified(const GuaranteeContext& context) const;
+  [[nodiscard]] virtual CertifiedSolution certified(const GuaranteeContext& context) const;
 };
 
 /// The kinds of problems, by their surfaces.

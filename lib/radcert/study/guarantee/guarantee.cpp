@@ -8,7 +8,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/expression/parse.h"
 #include "radcert/scalar/enclosing_text.h"
-#include "radcert/study/certified_means.h"
+#include "radcert/study/certified_solution.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
@@ -68,7 +68,7 @@ std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const
 
 }  // namespace
 
-CertifiedMeans EnclosedProblem::certified(const GuaranteeContext& /*context*/) const {
+CertifiedSolution EnclosedProblem::certified(const GuaranteeContext& /*context*/) const {
   expects(has_certificate(), "a problem that has certificates");
   throw AccuracyNotReached("the means of u", "there is no certificate");
 }
@@ -121,8 +121,8 @@ std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem, c
   return enclosed_problem(problem, guarantee)->solve(context);
 }
 
-CertifiedMeans certified_means(const Problem& problem, const Guarantee& guarantee,
-                               const GuaranteeContext& context) {
+CertifiedSolution certified_solution(const Problem& problem, const Guarantee& guarantee,
+                                     const GuaranteeContext& context) {
   return certified_problem(problem, guarantee)->certified(context);
 }
 

@@ -15,7 +15,7 @@
 #include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
-#include "radcert/study/guarantee/means_certificate.h"
+#include "radcert/study/guarantee/polyhedron_certificate.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
 
@@ -408,17 +408,17 @@ public:
            std::all_of(rho.begin(), rho.end(),
                        [](const PanelReflectivity& on_panel) { return on_panel.is_constant(); });
   }
-  [[nodiscard]] CertifiedMeans certified(const GuaranteeContext& context) const override {
+  [[nodiscard]] CertifiedSolution certified(const GuaranteeContext& context) const override {
     const bool of_values = guarantee_.of == EnclosedQuantity::values;
     const double aim = certified_share * wanted();
     const GoalEnclosure found = of_values
                                     ? enclose_values(near_.polyhedron, points_, aim, told(context), true)
                                     : enclose_means(near_.polyhedron, aim, told(context), true);
     auto [level, enclosure] = result_of(found, of_values);
-    CertifiedMeans out{
-        .level = std::move(level),
-        .enclosure = std::move(enclosure),
-        .certificate = means_certificate(near_.polyhedron, certified_names(), found.proof.get(), points_)};
+    CertifiedSolution out{.level = std::move(level),
+                          .enclosure = std::move(enclosure),
+                          .certificate = polyhedron_certificate(near_.polyhedron, certified_names(),
+                                                                found.proof.get(), points_)};
     if (out.certificate.width <= guarantee_.width)
       out.enclosure.hindrance.clear();
     else if (out.enclosure.hindrance.empty())

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/study/guarantee.h"
 #include "radcert/study/guarantee_context.h"
 #include "radcert/study/result.h"
@@ -9,21 +9,21 @@
 namespace radcert {
 
 /// Enclosed means or values of a solution, with what proves them.
-struct CertifiedMeans {
+struct CertifiedSolution {
   LevelResult level;
   SolutionEnclosure enclosure;
-  certificate::MeansCertificate certificate;  ///< encloses a little less narrowly
+  certificate::PolyhedronCertificate certificate;  ///< encloses a little less narrowly
 };
 
 /// Encloses the means of u over the pieces or its values at points, and keeps what proves it for
 /// certificate::check.
-/// Maths     solve_within for three quarters of the width, and means_certificate
+/// Maths     solve_within for three quarters of the width, and polyhedron_certificate
 /// Requires  what check_guarantee lets pass, of means or values on a polyhedron, else InputError
 /// Result    as solve_within; where the certificate is wider than the width, the enclosure says so
-[[nodiscard]] CertifiedMeans certified_means(const Problem& problem, const Guarantee& guarantee,
-                                             const GuaranteeContext& context = {});
+[[nodiscard]] CertifiedSolution certified_solution(const Problem& problem, const Guarantee& guarantee,
+                                                   const GuaranteeContext& context = {});
 
-/// Refuses what certified_means cannot do.
+/// Refuses what certified_solution cannot do.
 void check_certified(const Problem& problem, const Guarantee& guarantee);
 
 }  // namespace radcert

@@ -68,7 +68,7 @@ struct Sums {
 ///           |J_k(u) - J_k(w_0) - Int w_k t_0| <= (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - max rho)
 /// Source    lib/radcert/certificate/check.h
 /// Result    plain data; nothing here is known to be true
-struct MeansCertificate {
+struct PolyhedronCertificate {
   std::vector<std::string> pieces;
   std::vector<Face> faces;
   std::vector<Point> points;  ///< of values; none: of means
@@ -77,8 +77,8 @@ struct MeansCertificate {
   std::vector<double> coefficients;  ///< by function, element, i, j
   std::vector<Claim> claims;         ///< by element
   Sums sums;
-  std::vector<Enclosure> means;  ///< by piece; or the values by point
-  Rational width;                ///< twice the largest radius of them, or more
+  std::vector<Enclosure> enclosures;  ///< by piece; or the values by point
+  Rational width;                     ///< twice the largest radius of them, or more
 
   [[nodiscard]] bool of_values() const { return !points.empty(); }
   [[nodiscard]] std::size_t goals() const { return of_values() ? points.size() : pieces.size(); }

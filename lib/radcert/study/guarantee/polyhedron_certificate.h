@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/continuous/polyhedron_problem.h"
 
@@ -23,9 +23,8 @@ inline constexpr double certified_share = 0.75;
 /// Requires  means or values of this problem, pieces by their names; the proof of enclose_means or
 ///           enclose_values, none where nothing reflects that the numbers depend on
 /// Result    sums and means are those of certificate::summed, the width twice the largest radius
-[[nodiscard]] certificate::MeansCertificate means_certificate(const PolyhedronProblem& problem,
-                                                              const std::vector<std::string>& pieces,
-                                                              const GoalProof* proof,
-                                                              const std::vector<SolutionPoint>& points = {});
+[[nodiscard]] certificate::PolyhedronCertificate polyhedron_certificate(
+    const PolyhedronProblem& problem, const std::vector<std::string>& pieces, const GoalProof* proof,
+    const std::vector<SolutionPoint>& points = {});
 
 }  // namespace radcert
