@@ -23,7 +23,7 @@ using certificate::PolyhedronCertificate;
 /// A change of a certificate on its way from the file.
 CertificateReader changing(std::function<void(PolyhedronCertificate&)> change) {
   return [change = std::move(change)](std::string_view text, const std::string& file) {
-    PolyhedronCertificate c = intact_certificate(text, file);
+    PolyhedronCertificate c = std::get<PolyhedronCertificate>(intact_certificate(text, file));
     change(c);
     return c;
   };
@@ -42,10 +42,10 @@ TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
       EXPECT_LT(mean.first.value.radius(), 1e-4) << mean.mean->name;
       EXPECT_NE(mean.first.how, mean.second.how);
     }
-    const PolyhedronCertificate fine =
-        intact_certificate(certificate_content(scene.certificates[0]), scene.certificates[0]);
-    const PolyhedronCertificate coarse =
-        intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]);
+    const PolyhedronCertificate fine = std::get<PolyhedronCertificate>(
+        intact_certificate(certificate_content(scene.certificates[0]), scene.certificates[0]));
+    const PolyhedronCertificate coarse = std::get<PolyhedronCertificate>(
+        intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]));
     EXPECT_NE(fine.elements.size(), coarse.elements.size()) << scene.name;
     // The kernels of points ask for a degree of their own.
     EXPECT_EQ(fine.degree == coarse.degree, scene.power > 1 || fine.of_values()) << scene.name;
@@ -63,7 +63,8 @@ TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
 TEST(ContinuousMeans, KeepTheBalanceOfEnergy) {
   for (const ContinuousScene& scene : continuous_scenes())
     for (const std::string& file : scene.certificates) {
-      const PolyhedronCertificate c = intact_certificate(certificate_content(file), file);
+      const PolyhedronCertificate c =
+          std::get<PolyhedronCertificate>(intact_certificate(certificate_content(file), file));
       ASSERT_EQ(scene_fault(scene, c), "") << file;
       // Of values nothing is known, and where there are openings not how much leaves.
       if (!scene.black.empty() || c.of_values()) continue;
@@ -93,7 +94,8 @@ TEST(ContinuousMeans, HaveClaimsThatHold) {
   const char* const seed = std::getenv("RADCERT_ATTACK_SEED");
   const std::size_t elements = asked == nullptr ? 1 : static_cast<std::size_t>(std::max(1, std::atoi(asked)));
   for (const EmbeddedFile& file : embedded_certificates()) {
-    const PolyhedronCertificate c = intact_certificate(file.content, std::string(file.path));
+    const PolyhedronCertificate c =
+        std::get<PolyhedronCertificate>(intact_certificate(file.content, std::string(file.path)));
     const certificate::Report report =
         certificate::check(c, {.elements = elements, .seed = seed == nullptr ? "a test" : seed});
     EXPECT_FALSE(report.refusal) << file.path << report.refusal->pointer << ": " << report.refusal->says;
@@ -104,8 +106,8 @@ TEST(ContinuousMeans, AreRefusedWhereTheCertificateIsOfAnotherEquation) {
   const ContinuousScene& scene = *find_continuous_scene("cube_rho_1/2");
   // A certificate of another equation may hold by itself: the scene has to tell them apart.
   const auto is_another = [&](const std::function<void(PolyhedronCertificate&)>& change) {
-    PolyhedronCertificate certificate =
-        intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]);
+    PolyhedronCertificate certificate = std::get<PolyhedronCertificate>(
+        intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]));
     change(certificate);
     return !scene_fault(scene, certificate).empty();
   };
@@ -120,8 +122,8 @@ TEST(ContinuousMeans, AreRefusedWhereTheCertificateIsOfAnotherEquation) {
   // A face that is black, and one that closes an open surface and is not.
   EXPECT_TRUE(is_another([](PolyhedronCertificate& c) { c.faces[2].reflectivity = Rational(0); }));
   const ContinuousScene& open = *find_continuous_scene("two_squares_rho_1/2");
-  PolyhedronCertificate of_open =
-      intact_certificate(certificate_content(open.certificates[1]), open.certificates[1]);
+  PolyhedronCertificate of_open = std::get<PolyhedronCertificate>(
+      intact_certificate(certificate_content(open.certificates[1]), open.certificates[1]));
   EXPECT_EQ(scene_fault(open, of_open), "");
   of_open.faces.back().reflectivity = Rational(1, 2);
   EXPECT_NE(scene_fault(open, of_open), "");

@@ -2,7 +2,6 @@
 #include "radcert/certificate/check.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,8 +13,6 @@
 #include "radcert/certificate/point_kernels.h"
 #include "radcert/certificate/polyhedron_facts.h"
 #include "radcert/certificate/scene.h"
-#include "radcert/core/digest.h"
-#include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/enclosing_text.h"
@@ -206,17 +203,6 @@ Summed summed(const PolyhedronCertificate& c) {
   return out;
 }
 
-std::vector<std::size_t> chosen_elements(std::size_t count, const Part& part) {
-  std::vector<std::pair<std::string, std::size_t>> order;
-  for (std::size_t e = 0; e < count; ++e) order.emplace_back(sha256(part.seed + "/" + std::to_string(e)), e);
-  std::sort(order.begin(), order.end());
-  order.resize(std::min(count, part.elements));
-  std::vector<std::size_t> out;
-  for (const auto& [digest, element] : order) out.push_back(element);
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
 Report check(const PolyhedronCertificate& c, const Part& part, const CheckListener& progress) {
   Report report;
   for (const auto& fault : {&surface_fault, &reflectivity_fault, &points_fault, &tiling_fault, &sums_fault}) {
@@ -232,23 +218,9 @@ Report check(const PolyhedronCertificate& c, const Part& part, const CheckListen
   const BallTransport transport(c, scene, densities, lines);
   const PointKernels kernels(c, scene, densities);
   const ElementCheck elements(c, scene, densities, lines, transport, kernels);
-  // A chunk after a fault is not looked at, unless it comes before it.
-  const std::size_t count = report.looked_at.size();
-  std::vector<std::optional<Refusal>> faults(count);
-  std::atomic<std::size_t> first_fault = count;
-  std::atomic<std::size_t> done = 0;
-  parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      if (k > first_fault) continue;
-      faults[k] = element_fault(c, scene, densities, elements, report.looked_at[k]);
-      if (faults[k])
-        for (std::size_t found = first_fault; k < found;)
-          if (first_fault.compare_exchange_weak(found, k)) break;
-      const std::size_t now = ++done;
-      if (progress) progress(now);
-    }
-  });
-  if (first_fault < count) report.refusal = faults[first_fault];
+  report.refusal = first_fault(
+      report.looked_at,
+      [&](std::size_t element) { return element_fault(c, scene, densities, elements, element); }, progress);
   return report;
 }
 

@@ -1,29 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
+#include "radcert/certificate/part.h"
 #include "radcert/certificate/polyhedron_certificate.h"
 
 namespace radcert::certificate {
-
-/// Which elements are looked at.
-struct Part {
-  std::size_t elements = 0;  ///< so many, or all where there are no more
-  std::string seed;          ///< what the choice follows from
-};
-
-struct Report {
-  std::vector<std::size_t> looked_at;  ///< elements, ascending
-  std::optional<Refusal> refusal;      ///< the first number that does not hold
-};
-
-/// The number of elements whose claims have been held against proofs.
-using CheckListener = std::function<void(std::size_t)>;
 
 /// Sums of the claims, and the means or values that follow from them.
 /// Maths     norms[k] = (sum norms_k^2)^(1/2), products and radii as sums; the mean over piece k is (Int_k
@@ -40,11 +23,6 @@ struct Summed {
   std::vector<Enclosure> enclosures;
 };
 [[nodiscard]] Summed summed(const PolyhedronCertificate& certificate);
-
-/// The elements that a part chooses.
-/// Maths     those with the least SHA-256 of seed and number
-/// Result    ascending, the same for the same seed
-[[nodiscard]] std::vector<std::size_t> chosen_elements(std::size_t count, const Part& part);
 
 /// Checks a certificate, by means that share no function with the search that made it.
 /// Maths     surface_fault, reflectivity_fault, points_fault, tiling_fault; of the elements that are looked

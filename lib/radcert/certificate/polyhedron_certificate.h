@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/certificate/enclosure.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/rational.h"
 
@@ -47,11 +48,6 @@ struct Claim {
   std::vector<double> radii;
 };
 
-struct Enclosure {
-  Rational midpoint;
-  Rational radius;
-};
-
 /// The sums over all elements: norms, and of the products midpoint and radius.
 struct Sums {
   std::vector<double> norms;
@@ -87,12 +83,6 @@ struct PolyhedronCertificate {
   [[nodiscard]] double coefficient(std::size_t k, std::size_t element, std::size_t i, std::size_t j) const {
     return coefficients[((k * elements.size() + element) * powers() + i) * powers() + j];
   }
-};
-
-/// What in a certificate does not hold.
-struct Refusal {
-  std::string pointer;  ///< the place in the file
-  std::string says;
 };
 
 }  // namespace radcert::certificate

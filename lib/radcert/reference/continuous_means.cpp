@@ -2,10 +2,12 @@
 #include "radcert/reference/continuous_means.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "radcert/certificate/check.h"
+#include "radcert/certificate/certificate.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/ball.h"
 
@@ -217,20 +219,28 @@ Outcome<std::size_t> piece_of(const certificate::PolyhedronCertificate& c, const
 
 /// One certificate of a scene, checked.
 struct Checked {
-  certificate::PolyhedronCertificate certificate;
+  certificate::Certificate certificate;
   std::string how;
 };
+
+std::string how_of(const certificate::PolyhedronCertificate& c, std::size_t looked_at) {
+  return "functions of degree " + std::to_string(c.degree) + " on " + std::to_string(c.elements.size()) +
+         " elements, " + std::to_string(looked_at) + " of which were checked now";
+}
+std::string how_of(const certificate::EllipsoidCertificate& c, std::size_t looked_at) {
+  return "a polynomial of degree " + std::to_string(c.degree) + ", its residual checked now at " +
+         std::to_string(looked_at) + " rows of points";
+}
 
 Outcome<Checked> checked(const ContinuousScene& scene, const std::string& file,
                          const CertificateReader& reader, std::size_t elements) {
   Checked out{.certificate = reader(certificate_content(file), file), .how = {}};
-  const certificate::PolyhedronCertificate& c = out.certificate;
+  const certificate::Certificate& c = out.certificate;
   if (const std::string fault = scene_fault(scene, c); !fault.empty()) return because(file + ": " + fault);
   const certificate::Report report = certificate::check(c, {.elements = elements, .seed = file});
   if (report.refusal) return because(file + ": " + report.refusal->pointer + ": " + report.refusal->says);
-  out.how = "certificate " + file + ", functions of degree " + std::to_string(c.degree) + " on " +
-            std::to_string(c.elements.size()) + " elements, " + std::to_string(report.looked_at.size()) +
-            " of which were checked now";
+  out.how = "certificate " + file + ", " +
+            std::visit([&](const auto& of) { return how_of(of, report.looked_at.size()); }, c);
   return out;
 }
 
@@ -245,14 +255,30 @@ Outcome<std::size_t> point_of(const certificate::PolyhedronCertificate& c, const
   return static_cast<std::size_t>(found - c.points.begin());
 }
 
+/// The place of a mean or value among those of a certificate.
+Outcome<std::size_t> place_of(const certificate::PolyhedronCertificate& c, const ContinuousMean& mean) {
+  if (c.of_values() != mean.at_centre)
+    return because(std::string("the certificate is of ") + (mean.at_centre ? "means" : "values"));
+  return mean.at_centre ? point_of(c, mean.face) : piece_of(c, mean.face);
+}
+Outcome<std::size_t> place_of(const certificate::EllipsoidCertificate& c, const ContinuousMean& mean) {
+  if (c.of != (mean.point ? certificate::OnEllipsoid::values : certificate::OnEllipsoid::mean))
+    return because(std::string("the certificate is not of ") + (mean.point ? "values" : "the mean"));
+  if (!mean.point) return std::size_t{0};
+  const auto found = std::find(c.points.begin(), c.points.end(), *mean.point);
+  if (found == c.points.end()) return because("it has no value at the point");
+  return static_cast<std::size_t>(found - c.points.begin());
+}
+
 Outcome<RouteValue> value_of(const Checked& from, const ContinuousMean& mean) {
-  if (from.certificate.of_values() != mean.at_centre)
-    return because(mean.name + ": the certificate is of " + (mean.at_centre ? "means" : "values"));
-  const Outcome<std::size_t> place =
-      mean.at_centre ? point_of(from.certificate, mean.face) : piece_of(from.certificate, mean.face);
-  if (!place) return because(mean.name + ": " + place.reason());
-  const certificate::Enclosure& found = from.certificate.enclosures[*place];
-  return RouteValue{.how = from.how, .value = widened(Ball(found.midpoint), Ball(found.radius))};
+  return std::visit(
+      [&](const auto& c) -> Outcome<RouteValue> {
+        const Outcome<std::size_t> place = place_of(c, mean);
+        if (!place) return because(mean.name + ": " + place.reason());
+        const certificate::Enclosure& found = c.enclosures[*place];
+        return RouteValue{.how = from.how, .value = widened(Ball(found.midpoint), Ball(found.radius))};
+      },
+      from.certificate);
 }
 
 template <class List>
@@ -287,7 +313,10 @@ std::string_view certificate_content(std::string_view file) {
   return {};
 }
 
-std::string scene_fault(const ContinuousScene& scene, const certificate::PolyhedronCertificate& c) {
+namespace {
+
+std::string fault_of(const ContinuousScene& scene, const certificate::PolyhedronCertificate& c) {
+  if (scene.ellipsoid) return "is of a polyhedron, and " + scene.name + " is an ellipsoid";
   Corners corners;
   for (const certificate::Face& face : c.faces)
     corners.insert(corners.end(), face.corners.begin(), face.corners.end());
@@ -318,6 +347,30 @@ std::string scene_fault(const ContinuousScene& scene, const certificate::Polyhed
       }
   }
   return {};
+}
+
+/// As exponents and coefficients that are not 0.
+std::map<std::array<int, 3>, Rational> as_map(const std::vector<certificate::Monomial>& f) {
+  std::map<std::array<int, 3>, Rational> out;
+  for (const certificate::Monomial& monomial : f) out[monomial.powers] += monomial.coefficient;
+  std::erase_if(out, [](const auto& term) { return term.second.sign() == 0; });
+  return out;
+}
+
+std::string fault_of(const ContinuousScene& scene, const certificate::EllipsoidCertificate& c) {
+  if (!scene.ellipsoid) return "is of an ellipsoid, and " + scene.name + " is none";
+  if (!(c.half_axes == scene.ellipsoid->half_axes)) return "has not the half axes of " + scene.name;
+  if (as_map(c.reflectivity) != as_map(scene.ellipsoid->reflectivity))
+    return "has another reflectivity than " + scene.name;
+  if (as_map(c.emission) != as_map(scene.ellipsoid->emission))
+    return "has another emission than " + scene.name;
+  return {};
+}
+
+}  // namespace
+
+std::string scene_fault(const ContinuousScene& scene, const certificate::Certificate& c) {
+  return std::visit([&](const auto& of_its_kind) { return fault_of(scene, of_its_kind); }, c);
 }
 
 Outcome<std::vector<EnclosedMean>> enclose(const ContinuousScene& scene, const CertificateReader& reader,

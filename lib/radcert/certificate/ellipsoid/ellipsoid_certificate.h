@@ -40,11 +40,11 @@ struct EllipsoidCertificate {
   OnEllipsoid of = OnEllipsoid::mean;
   std::vector<Vector<Rational>> points;  ///< on the surface, of values
   int degree = 0;
-  std::vector<double> cosines;    ///< a_mk by m, k
-  std::vector<double> sines;      ///< b_mk by m, k
-  Rational largest_reflectivity;  ///< at least sup |rho|
-  double residual = 0;            ///< at least sup |t|
-  Rational bound;                 ///< at least sup |u - w|
+  std::vector<double> cosines;        ///< a_mk by m, k
+  std::vector<double> sines;          ///< b_mk by m, k
+  Rational largest_reflectivity;      ///< at least sup |rho|
+  double residual = 0;                ///< at least sup |t|
+  Rational bound;                     ///< at least sup |u - w|
   std::vector<Enclosure> enclosures;  ///< the mean, or values by point; of the function none
   Rational width;                     ///< twice the largest radius, of the function twice the bound, or more
 

@@ -24,7 +24,6 @@ constexpr double slightly = 1 + 0x1p-40;
 constexpr double widest_strip = 6;
 /// Strips that are tried: parts of the widest.
 constexpr int strips = 40;
-constexpr int most_rows = 400;
 
 /// The least number of nodes that misses no more than allowed, and what it misses; 0 where there is none.
 struct Choice {
@@ -61,7 +60,8 @@ EllipsoidStretch::EllipsoidStretch(const Vector<Rational>& half_axes) {
   inverse_ = {(largest / half_axes.x).to_double(), (largest / half_axes.y).to_double(),
               (largest / half_axes.z).to_double()};
   kappa_ = largest == smallest ? 1 : (largest / smallest).to_double() * slightly;
-  determinant_ = (half_axes.x * half_axes.y * half_axes.z / (largest * largest * largest)).to_double() * slightly;
+  determinant_ =
+      (half_axes.x * half_axes.y * half_axes.z / (largest * largest * largest)).to_double() * slightly;
 }
 
 double EllipsoidStretch::turned(double s) const {
@@ -87,7 +87,7 @@ PolarRule polar_rule(const PolarBounds& bounds, double tolerance, bool halved) {
   const Choice rows = least(
       bounds.meridian_strip, bounds.meridian,
       [](double size, double n, double s) { return 4 * size * std::exp(-2 * n * s) / -std::expm1(-s); }, 2,
-      0.4 * tolerance, std::min<double>(most_rows, most));
+      0.4 * tolerance, std::min<double>(most_long_nodes, most));
   if (rows.nodes == 0) return out;
   const GaussRule gauss = long_gauss_rule(rows.nodes);
   out.error = rows.error;
@@ -100,11 +100,9 @@ PolarRule polar_rule(const PolarBounds& bounds, double tolerance, bool halved) {
     const double above = sine.upper_double();
     const double weight = gauss.weights[i].to_double() / 2;
     const Choice row = least(
-        bounds.row_strip, [&](double s) { return bounds.row(s, above); },
-        [](double size, double n, double s) {
-          return n > 0 ? 2 * size / std::expm1(n * s) : 2 * size;
-        },
-        1, 0.5 * tolerance, left);
+        bounds.row_strip(above), [&](double s) { return bounds.row(s, above); },
+        [](double size, double n, double s) { return n > 0 ? 2 * size / std::expm1(n * s) : 2 * size; }, 1,
+        0.5 * tolerance, left);
     if (row.nodes == 0) return {};
     left -= row.nodes;
     out.error += weight * row.error * slightly;

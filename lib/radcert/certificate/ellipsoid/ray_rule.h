@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "radcert/scalar/rational.h"
 #include "radcert/geometry/vector.h"
+#include "radcert/scalar/rational.h"
 
 namespace radcert::certificate {
 
@@ -22,7 +22,7 @@ public:
 
   /// 1 over each half axis of A, within 2 units.
   [[nodiscard]] const Vector<double>& inverse() const { return inverse_; }
-  [[nodiscard]] double kappa() const { return kappa_; }            ///< rounded up
+  [[nodiscard]] double kappa() const { return kappa_; }              ///< rounded up
   [[nodiscard]] double determinant() const { return determinant_; }  ///< of A, rounded up
   /// artanh(kappa tanh s), rounded up; infinite where there is none.
   [[nodiscard]] double turned(double s) const;
@@ -49,12 +49,12 @@ struct PolarRule {
 
 /// What a function is bounded by around the sphere.
 /// Maths     |f| <= meridian(s) where psi is complex, |Im psi| <= s < meridian_strip, phi real; |f| <= row(s,
-///           psi) where phi is, |Im phi| <= s < row_strip, psi real, given by the sine of psi, or of psi/2. f
+///           psi) where phi is, |Im phi| <= s < row_strip(sine), psi real, sine that of psi, or of psi/2. f
 ///           is holomorphic there, and its mean over phi is an even function of psi of the period 2 pi
 struct PolarBounds {
   double meridian_strip = 0;
   std::function<double(double s)> meridian;
-  double row_strip = 0;
+  std::function<double(double sine)> row_strip;
   std::function<double(double s, double sine)> row;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/certificate/ellipsoid/ray_transport.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -69,22 +70,25 @@ double displacement(double kappa) {
 RayTransport::RayTransport(const EllipsoidStretch& stretch, const SphereDensity& density, double tolerance)
     : stretch_(stretch), density_(density), constant_(density.constant()), radius_(infinity) {
   if (!(stretch.kappa() <= largest_kappa)) return;
-  rule_ = polar_rule({.meridian_strip = 2 * stretch.widest(),
-                      .meridian = [&](double s) { return density.rest(2 * stretch.turned(0.5 * s)); },
-                      .row_strip = 4 * stretch.widest(),
-                      .row =
-                          [&](double s, double sine) {
-                            const double by = std::asinh(sine * std::sinh(s)) * (1 + 0x1p-40);
-                            return density.rest(2 * stretch.turned(by));
-                          }},
-                     tolerance, true);
+  rule_ = polar_rule(
+      {.meridian_strip = 2 * stretch.widest(),
+       .meridian = [&](double s) { return density.rest(2 * stretch.turned(0.5 * s)); },
+       .row_strip =
+           [&](double sine) { return std::min(8.0, std::asinh(std::sinh(stretch.widest()) / sine)); },
+       .row =
+           [&](double s, double sine) {
+             const double by = std::asinh(sine * std::sinh(s)) * (1 + 0x1p-40);
+             return density.rest(2 * stretch.turned(by));
+           }},
+      tolerance, true);
   if (!exists()) return;
   // w, the difference from c, weights and the sum of as many packs.
   const double rest = density.rest(0);
   const double off = density.error(displacement(stretch.kappa()));
   const auto packs = static_cast<double>(rule_.points.size() / Pack::lanes);
-  radius_ = (rule_.error + off + unit * (packs + 24) * (rest + off) + 2 * unit * (std::abs(constant_) + rest)) *
-            generous;
+  radius_ =
+      (rule_.error + off + unit * (packs + 24) * (rest + off) + 2 * unit * (std::abs(constant_) + rest)) *
+      generous;
 }
 
 Approximation RayTransport::operator()(const Vector<double>& p) const {
@@ -130,9 +134,9 @@ Approximation mean_over_surface(const EllipsoidStretch& stretch, const SphereDen
   };
   const PolarRule rule = polar_rule({.meridian_strip = stretch.widest(),
                                      .meridian = bound,
-                                     .row_strip = stretch.widest(),
+                                     .row_strip = [&](double) { return stretch.widest(); },
                                      .row = [&](double s, double) { return bound(s); }},
-                                    tolerance * of_area, false);
+                                    std::min(tolerance, 0.01 * of_area), false);
   if (rule.nodes == 0) return Approximation::proved(0, infinity);
   const double off = density.error(8 * unit);
   const Vector<double>& inverse = stretch.inverse();
@@ -158,8 +162,9 @@ Approximation mean_over_surface(const EllipsoidStretch& stretch, const SphereDen
   area = area + BoundedDouble(0, rule.error / of_area * generous);
   sum = sum + BoundedDouble(0, rule.error * generous);
   const BoundedDouble mean = BoundedDouble::exactly(constant) + sum / area;
-  return std::isfinite(mean.value()) && mean.error() >= 0 ? Approximation::proved(mean.value(), mean.error() * generous)
-                                                           : Approximation::proved(0, infinity);
+  return std::isfinite(mean.value()) && mean.error() >= 0
+             ? Approximation::proved(mean.value(), mean.error() * generous)
+             : Approximation::proved(0, infinity);
 }
 
 }  // namespace radcert::certificate

@@ -50,13 +50,14 @@ private:
 ///           rest(s) / margin(s)^(5/2). The first formula: dS = det A |A^-1 q| dq, n.(Q-P) = |p-q|^2 / (2
 ///           |A^-1 p|)
 /// Result    rounded up; infinite where margin(s) is 0
-[[nodiscard]] double transported_around(const EllipsoidStretch& stretch, const SphereDensity& density, double s);
+[[nodiscard]] double transported_around(const EllipsoidStretch& stretch, const SphereDensity& density,
+                                        double s);
 
 /// The mean of w over the surface.
 /// Maths     Int w dS / Int dS = mean_p |A^-1 p| w(A p) / mean_p |A^-1 p|. Around the sphere |(A^-1 p).(A^-1
 ///           p)| <= kappa^2 cosh 2s, and it vanishes nowhere where margin(s) > 0. psi complex rotates p by i
 ///           Im psi, phi by no more than i Im phi
-/// Result    proved, missing about the tolerance times the size of w; no bound of the radius where there is no rule
+/// Result    proved, missing about the tolerance beside rounding; no bound of the radius where there is no rule
 [[nodiscard]] Approximation mean_over_surface(const EllipsoidStretch& stretch, const SphereDensity& density,
                                               double tolerance);
 

@@ -180,7 +180,9 @@ SphereDensity::SphereDensity(const EllipsoidCertificate& c)
       reflectivity(c.reflectivity, c.half_axes),
       q(c.degree, c.cosines, c.sines) {}
 
-Pack SphereDensity::operator()(const Vector<Pack>& p) const { return fma(reflectivity(p), q(p), emission(p)); }
+Pack SphereDensity::operator()(const Vector<Pack>& p) const {
+  return fma(reflectivity(p), q(p), emission(p));
+}
 
 double SphereDensity::error(double d) const {
   const double of_rho = reflectivity.error(d);

@@ -14,46 +14,20 @@
 #include "radcert/core/text.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
+#include "radcert/formats/problem/problem_parts.h"
+#include "radcert/formats/result/certificate_parts.h"
 
 namespace radcert {
 namespace {
 
 using certificate::Claim;
 using certificate::Element;
-using certificate::Enclosure;
+using certificate::EllipsoidCertificate;
 using certificate::Face;
 using certificate::Point;
 using certificate::PolyhedronCertificate;
 
 constexpr int most_degree = 12;
-constexpr std::size_t digits_of_a_double = 16;
-constexpr std::string_view hexadecimal = "0123456789abcdef";
-
-/// Without the digits that are 0 in all of them.
-std::string bits_text(std::span<const double> numbers) {
-  std::uint64_t all = 0;
-  for (const double x : numbers) all |= std::bit_cast<std::uint64_t>(x);
-  constexpr int least_digits = 3;
-  const int dropped = std::min(all == 0 ? 64 : std::countr_zero(all), 64 - 4 * least_digits) / 4;
-  std::string out;
-  out.reserve(numbers.size() * digits_of_a_double);
-  for (const double x : numbers) {
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    for (int shift = 60; shift >= 4 * dropped; shift -= 4)
-      out += hexadecimal[(bits >> static_cast<unsigned>(shift)) & 15U];
-  }
-  return out;
-}
-
-/// The decimal that reads back as the double nearest to a number: certificate::summed leaves room for that.
-std::string double_text(const Rational& value) { return shortest(value.to_double()); }
-
-JsonValue point_json(const Vector<Rational>& p) {
-  JsonValue out = JsonValue::array();
-  for (const Rational& x : {p.x, p.y, p.z}) out.push(x.to_text());
-  return out;
-}
-
 JsonValue face_json(const Face& face, const PolyhedronCertificate& c) {
   return JsonValue::object({{"piece", c.pieces[face.piece]},
                             {"corners", json_array(face.corners, point_json)},
@@ -110,10 +84,6 @@ JsonValue content_json(const PolyhedronCertificate& c, const std::string& comman
   return out;
 }
 
-constexpr const char* what_a_number_is = "a finite number";
-
-double number_from(const JsonReader& reader) { return reader.number(what_a_number_is); }
-
 std::vector<double> numbers(const JsonReader& list, std::size_t count, bool may_be_negative) {
   const std::string what = "a list of " + std::to_string(count) + " numbers";
   std::vector<double> out;
@@ -125,26 +95,9 @@ std::vector<double> numbers(const JsonReader& list, std::size_t count, bool may_
   return out;
 }
 
-/// An exact number of a size that double can work with.
-Rational exact_number(const JsonReader& reader) {
-  const std::string what = "a decimal or fraction in a string, 0 or from 1e-60 to 1e60 in size";
-  Rational value = reader.rational(what);
-  Rational most = 1;
-  for (int k = 0; k < 60; ++k) most *= Rational(10);
-  if (value.sign() != 0 && (abs(value) > most || abs(value) * most < Rational(1)))
-    reader.refuse("is too large or too small", what);
-  return value;
-}
-
 std::size_t place_of(const JsonReader& reader, const std::vector<std::string>& pieces) {
   const std::string& name = reader.word(pieces);
   return static_cast<std::size_t>(std::find(pieces.begin(), pieces.end(), name) - pieces.begin());
-}
-
-Vector<Rational> exact_point(const JsonReader& reader) {
-  const std::vector<JsonReader> x = reader.elements("three coordinates");
-  if (x.size() != 3) reader.refuse("is not a point", "three coordinates");
-  return {exact_number(x[0]), exact_number(x[1]), exact_number(x[2])};
 }
 
 Face read_face(const JsonReader& reader, const std::vector<std::string>& pieces) {
@@ -196,31 +149,6 @@ Element read_element(const JsonReader& reader, const std::vector<Face>& faces) {
   return out;
 }
 
-/// The doubles of one function.
-void read_bits(const JsonReader& reader, std::size_t count, std::vector<double>& out) {
-  const std::string what = std::to_string(count) +
-                           " numbers, each as the first of the 16 hexadecimal digits of its 64 bits, as many "
-                           "for all of them";
-  const std::string& text = reader.string(what);
-  const std::size_t digits = count == 0 ? 0 : text.size() / count;
-  if (text.size() != count * digits || digits > digits_of_a_double || (count > 0 && digits == 0))
-    reader.refuse("has " + std::to_string(text.size()) + " characters", what);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::uint64_t bits = 0;
-    for (std::size_t d = 0; d < digits; ++d) {
-      const std::size_t digit = hexadecimal.find(text[i * digits + d]);
-      if (digit == std::string_view::npos) reader.refuse("has a character that is no digit", what);
-      bits = bits << 4U | digit;
-    }
-    bits <<= 4U * (digits_of_a_double - digits);
-    const auto value = std::bit_cast<double>(bits);
-    if (!(std::abs(value) <= 1e60))
-      reader.refuse("has a number that is not finite or too large, number " + std::to_string(i),
-                    "finite numbers of at most 1e60");
-    out.push_back(value);
-  }
-}
-
 Claim read_claim(const JsonReader& reader, std::size_t goals) {
   reader.require_object({"norms", "products", "radii"});
   return {numbers(reader.at("norms", "a list of numbers"), goals + 1, false),
@@ -228,7 +156,7 @@ Claim read_claim(const JsonReader& reader, std::size_t goals) {
           numbers(reader.at("radii", "a list of numbers"), goals, false)};
 }
 
-PolyhedronCertificate read_content(const JsonReader& reader) {
+PolyhedronCertificate read_polyhedron_content(const JsonReader& reader) {
   PolyhedronCertificate c;
   const bool of_values =
       reader.at("of", "what is enclosed").word(std::vector<std::string>{"means", "values"}) == "values";
@@ -296,13 +224,19 @@ PolyhedronCertificate read_content(const JsonReader& reader) {
       const JsonReader piece = enclosures[k].at("piece", "the name of a piece");
       if (place_of(piece, c.pieces) != k) piece.refuse("is not the piece of this place", c.pieces[k]);
     }
-    const JsonReader radius = enclosures[k].at("radius", "a decimal");
-    c.enclosures.push_back(
-        {enclosures[k].at("midpoint", "a decimal").rational("a decimal"), radius.rational("a decimal")});
-    if (c.enclosures.back().radius.sign() < 0) radius.refuse("is negative", "0 or more");
+    c.enclosures.push_back(read_enclosure(enclosures[k]));
   }
   c.width = reader.at("width", "a decimal").rational("a decimal");
   return c;
+}
+
+certificate::Certificate read_content(const JsonReader& reader) {
+  if (reader.at("problem", "the equation").find("half_axes")) return read_ellipsoid_content(reader);
+  return read_polyhedron_content(reader);
+}
+
+JsonValue content_json(const EllipsoidCertificate& c, const std::string& command) {
+  return ellipsoid_content_json(c, command);
 }
 
 /// What the digest is of.
@@ -315,8 +249,8 @@ std::string without_digest(const JsonValue& document) {
 
 }  // namespace
 
-std::string certificate_text(const PolyhedronCertificate& certificate, const std::string& command) {
-  JsonValue out = content_json(certificate, command);
+std::string certificate_text(const certificate::Certificate& certificate, const std::string& command) {
+  JsonValue out = std::visit([&](const auto& c) { return content_json(c, command); }, certificate);
   out.set("digest", digest_of(out.compact()));
   return out.compact() + "\n";
 }
@@ -332,7 +266,7 @@ ReadCertificate read_certificate(std::string_view text, const std::string& sourc
   });
 }
 
-PolyhedronCertificate intact_certificate(std::string_view text, const std::string& source) {
+certificate::Certificate intact_certificate(std::string_view text, const std::string& source) {
   ReadCertificate read = read_certificate(text, source);
   if (!read.digest_holds)
     throw InputError({.source = source, .pointer = "/digest", .problem = "is not that of the content"});

@@ -402,11 +402,16 @@ public:
   }
 
   /// A certificate is of an emission by polynomials and constant reflectivities on a convex polyhedron.
-  [[nodiscard]] bool has_certificate() const override {
+  [[nodiscard]] std::vector<std::string> certificate_hindrances() const override {
+    std::vector<std::string> out;
+    if (guarantee_.of == EnclosedQuantity::function) out.emplace_back("a function is asked for");
+    if (!near_.polyhedron.blockers.empty()) out.emplace_back("parts of the surface hide each other");
+    if (near_.distance != 0) out.emplace_back("an emission is no polynomial of degree 8 or less");
     const std::vector<PanelReflectivity>& rho = near_.polyhedron.reflectivity;
-    return near_.distance == 0 && near_.polyhedron.blockers.empty() &&
-           std::all_of(rho.begin(), rho.end(),
-                       [](const PanelReflectivity& on_panel) { return on_panel.is_constant(); });
+    if (!std::all_of(rho.begin(), rho.end(),
+                     [](const PanelReflectivity& on_panel) { return on_panel.is_constant(); }))
+      out.emplace_back("a reflectivity is not constant on a face");
+    return out;
   }
   [[nodiscard]] CertifiedSolution certified(const GuaranteeContext& context) const override {
     const bool of_values = guarantee_.of == EnclosedQuantity::values;
@@ -415,14 +420,12 @@ public:
                                     ? enclose_values(near_.polyhedron, points_, aim, told(context), true)
                                     : enclose_means(near_.polyhedron, aim, told(context), true);
     auto [level, enclosure] = result_of(found, of_values);
-    CertifiedSolution out{.level = std::move(level),
-                          .enclosure = std::move(enclosure),
-                          .certificate = polyhedron_certificate(near_.polyhedron, certified_names(),
-                                                                found.proof.get(), points_)};
-    if (out.certificate.width <= guarantee_.width)
-      out.enclosure.hindrance.clear();
-    else if (out.enclosure.hindrance.empty())
-      out.enclosure.hindrance = "the certificate has the width " + upper_text(out.certificate.width);
+    certificate::PolyhedronCertificate certificate =
+        polyhedron_certificate(near_.polyhedron, certified_names(), found.proof.get(), points_);
+    const Rational width = certificate.width;
+    CertifiedSolution out{
+        .level = std::move(level), .enclosure = std::move(enclosure), .certificate = std::move(certificate)};
+    say_width_of_certificate(width, guarantee_, out.enclosure);
     return out;
   }
 

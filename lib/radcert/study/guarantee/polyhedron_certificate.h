@@ -10,10 +10,6 @@
 
 namespace radcert {
 
-/// Of the width that is wanted, what a search aims at whose result becomes a certificate: the claims there
-/// are wider than what the search has proved.
-inline constexpr double certified_share = 0.75;
-
 /// What encloses means, or values at points, as something that can be checked again.
 /// Maths     the claims on an element are those that the search has proved, wider: norms by a tenth and a
 ///           part of the whole norm that is the same on all elements, at least a tenth of what the width has
