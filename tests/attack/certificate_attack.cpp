@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates whose claims are true or false by a little, on skew polyhedra: in a furnace with u = 1 and
 // constant functions the residuals are known exactly, and the check must refuse what is false; of values at
-// points as well, whose duals' residuals are known by integrals of kernels.
+// points as well, whose duals' residuals are known by integrals of kernels; and on spheres and ellipsoids.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,9 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "radcert/certificate/certificate.h"
 #include "radcert/certificate/check.h"
 #include "radcert/core/text.h"
 #include "tests/attack/attack.h"
+#include "tests/certificate/ellipsoid_samples.h"
 #include "tests/certificate/samples.h"
 #include "tests/continuous/skew_map.h"
 
@@ -242,6 +244,69 @@ TEST(CertificateAttack, FalseClaimsOfValuesAreRefused) {
                                                  .judge = judge_value,
                                                  .text = text_of_value});
   EXPECT_LE(count.refused, std::max<std::size_t>(1, count.instances / 3));
+}
+
+/// A furnace on a sphere or an ellipsoid whose residual is known, as test::furnace_ellipsoid has it, claimed
+/// by so much.
+struct EllipsoidInstance {
+  std::array<long, 3> axes{100, 100, 100};  ///< in hundredths
+  long reflectivity = 50;
+  double d = 0.25;
+  double e = 0;  ///< on a sphere alone
+  int m = 0;
+  double claim = 3;
+  std::size_t of = 0;
+};
+
+std::string text_of_ellipsoid(const EllipsoidInstance& x) {
+  std::string out = "axes";
+  for (const long axis : x.axes) out += " " + std::to_string(axis);
+  return out + ", rho " + std::to_string(x.reflectivity) + ", d " + shortest(x.d) + ", e " + shortest(x.e) +
+         ", m " + std::to_string(x.m) + ", claim " + shortest(x.claim) + ", of " + std::to_string(x.of);
+}
+
+Judgement judge_ellipsoid(const EllipsoidInstance& x) {
+  const Rational rho = hundredths(x.reflectivity);
+  const double sup = (1 - rho.to_double()) * x.d + x.e;
+  const certificate::EllipsoidCertificate c =
+      test::furnace_ellipsoid({hundredths(x.axes[0]), hundredths(x.axes[1]), hundredths(x.axes[2])}, rho, x.d,
+                              x.e, x.m, x.claim * sup, static_cast<certificate::OnEllipsoid>(x.of));
+  const certificate::Report report =
+      certificate::check(c, {.elements = certificate::part_count(c), .seed = {}});
+  if (x.claim < 1 - 1e-9)
+    return report.refusal ? Judgement::held(1) : Judgement::violated("a false residual is verified");
+  if (report.refusal) return Judgement::refused();
+  for (const certificate::Enclosure& one : c.enclosures)
+    if (abs(one.midpoint - Rational(1)) > one.radius)
+      return Judgement::violated("1 lies outside what is verified");
+  if (x.claim < 1.5) return Judgement::violated("what lies between points is not accounted for");
+  return Judgement::held(1 + c.enclosures.size());
+}
+
+EllipsoidInstance drawn_ellipsoid(Draw& draw) {
+  EllipsoidInstance x;
+  const auto axis = [&] { return 20 + static_cast<long>(draw.below(40)); };
+  const bool is_sphere = draw.below(2) == 0;
+  const long radius = axis();
+  x.axes = {is_sphere ? radius : axis(), is_sphere ? radius : axis(), is_sphere ? radius : axis()};
+  x.reflectivity = 1 + static_cast<long>(draw.below(98));
+  x.d = std::ldexp(1 + draw.unit(), -1 - static_cast<int>(draw.below(20)));
+  if (is_sphere) {
+    x.m = 1 + static_cast<int>(draw.below(24));
+    x.e = x.d * std::ldexp(1 + draw.unit(), 3 - static_cast<int>(draw.below(6)));
+  }
+  x.claim = draw.below(2) == 0 ? 2.7 : 1 - std::pow(10.0, -4 * draw.unit()) / 2;
+  x.of = draw.below(3);
+  return x;
+}
+
+TEST(CertificateAttack, FalseResidualsOnEllipsoidsAreRefused) {
+  const Count count = hold(Attack<EllipsoidInstance>{.name = "residuals of certificates on ellipsoids",
+                                                     .usual_instances = 40,
+                                                     .make = drawn_ellipsoid,
+                                                     .judge = judge_ellipsoid,
+                                                     .text = text_of_ellipsoid});
+  EXPECT_LE(count.refused, count.instances / 4);
 }
 
 }  // namespace

@@ -132,9 +132,11 @@ inline certificate::EllipsoidCertificate certified_ellipsoid(
   return ellipsoid_certificate(problem, found, "ellipsoid", of, points);
 }
 
-/// A furnace whose residual is known: rho and E = 1 - rho are constant, q = 1 - d - e Re zeta^m, on the sphere.
-/// Maths     w = 1 - rho d - rho e Re zeta^m. On any ellipsoid, e = 0: t = (1 - rho) d. On the sphere T w is the mean
-///           of w, so that t = (1 - rho) d + e Re zeta^m, sup |t| = (1 - rho) d + e. u = 1; the claim is `claimed`
+/// A furnace whose residual is known: rho and E = 1 - rho are constant, q = 1 - d - e Re zeta^m, on the
+/// sphere.
+/// Maths     w = 1 - rho d - rho e Re zeta^m. On any ellipsoid, e = 0: t = (1 - rho) d. On the sphere T w is
+///           the mean of w, so that t = (1 - rho) d + e Re zeta^m, sup |t| = (1 - rho) d + e. u = 1; the
+///           claim is `claimed`
 inline certificate::EllipsoidCertificate furnace_ellipsoid(const Vector<Rational>& axes, const Rational& rho,
                                                            double d, double e, int m, double claimed,
                                                            certificate::OnEllipsoid of) {

@@ -39,12 +39,13 @@ TEST(CertificateJson, IsReadAsItWasWritten) {
   const ReadCertificate read = read_certificate(text, "c.json");
   EXPECT_TRUE(read.digest_holds);
   EXPECT_EQ(certificate_text(read.certificate, "radcert test"), text);
-  EXPECT_EQ(read.certificate.coefficients, c.coefficients);
-  EXPECT_EQ(read.certificate.faces[2].corners, c.faces[2].corners);
-  EXPECT_EQ(read.certificate.faces[0].emission, c.faces[0].emission);
-  EXPECT_EQ(read.certificate.claims[1].products, c.claims[1].products);
-  EXPECT_EQ(read.certificate.sums.radii, c.sums.radii);
-  EXPECT_EQ(read.certificate.elements[0].t0, 0.25);
+  const auto& back = std::get<certificate::PolyhedronCertificate>(read.certificate);
+  EXPECT_EQ(back.coefficients, c.coefficients);
+  EXPECT_EQ(back.faces[2].corners, c.faces[2].corners);
+  EXPECT_EQ(back.faces[0].emission, c.faces[0].emission);
+  EXPECT_EQ(back.claims[1].products, c.claims[1].products);
+  EXPECT_EQ(back.sums.radii, c.sums.radii);
+  EXPECT_EQ(back.elements[0].t0, 0.25);
 }
 
 TEST(CertificateJson, IsOfValuesWhereItHasPoints) {
@@ -136,6 +137,47 @@ TEST(CertificateJson, RefusesWhatIsNoCertificate) {
         changed("\"means\": [", "\"means\": [1,"),
         changed("\"digest\"", "\"digestion\"")})
     EXPECT_THROW(static_cast<void>(read_certificate(wrong, "c.json")), InputError) << wrong.substr(0, 200);
+}
+
+TEST(EllipsoidCertificateJson, ReadsBackAsItWas) {
+  using certificate::EllipsoidCertificate;
+  using certificate::OnEllipsoid;
+  for (const OnEllipsoid of : {OnEllipsoid::mean, OnEllipsoid::values, OnEllipsoid::function}) {
+    EllipsoidCertificate c;
+    c.piece = "a/b~c";
+    c.half_axes = {1, Rational(1, 3), Rational(17, 10)};
+    c.reflectivity = {{{0, 0, 0}, Rational(1, 2)}, {{1, 2, 3}, Rational(-1, 7)}};
+    c.emission = {{{64, 0, 0}, 5}};
+    c.of = of;
+    if (of == OnEllipsoid::values) c.points = {{1, 0, 0}, {0, Rational(-1, 3), 0}};
+    c.degree = 2;
+    c.cosines = {1, 0.1, -0x1p-40, 3, 1e-9, 7};
+    c.sines = {0, 0, 0, 0.25, -1e-12, 1};
+    c.largest_reflectivity = Rational(2, 3);
+    c.residual = 1.5e-9;
+    c.bound = Rational(3, 1000000000);
+    if (of != OnEllipsoid::function)
+      c.enclosures.push_back({Rational::exactly(0.1), Rational::exactly(1e-5)});
+    if (of == OnEllipsoid::values) c.enclosures.push_back({2, 1});
+    c.width = Rational(2);
+    const std::string text = certificate_text(c, "radcert test");
+    const ReadCertificate read = read_certificate(text, "c.json");
+    EXPECT_TRUE(read.digest_holds);
+    EXPECT_EQ(certificate_text(read.certificate, "radcert test"), text);
+    const auto& back = std::get<EllipsoidCertificate>(read.certificate);
+    EXPECT_EQ(back.piece, c.piece);
+    EXPECT_EQ(back.half_axes, c.half_axes);
+    EXPECT_EQ(back.emission[0].powers, c.emission[0].powers);
+    EXPECT_EQ(back.reflectivity[1].coefficient, c.reflectivity[1].coefficient);
+    EXPECT_EQ(back.points, c.points);
+    EXPECT_EQ(back.cosines, c.cosines);
+    EXPECT_EQ(back.sines, c.sines);
+    EXPECT_EQ(back.largest_reflectivity, c.largest_reflectivity);
+    EXPECT_EQ(back.residual, c.residual);
+    EXPECT_EQ(back.bound, c.bound);
+    EXPECT_EQ(back.enclosures.size(), c.enclosures.size());
+    EXPECT_EQ(back.width, c.width);
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/certificate/check.h"
+#include "tests/certificate/ellipsoid_samples.h"
 #include "tests/certificate/samples.h"
 #include "tests/limits/limits.h"
 
@@ -28,6 +29,19 @@ Answer furnace() {
   return numbers(std::move(means));
 }
 
+/// The certificate of a furnace on an ellipsoid, q = 1 - d - d Re zeta^6: a residual of 2 d at most.
+Answer furnace_on_ellipsoid() {
+  constexpr double d = 0x1p-7;
+  const certificate::EllipsoidCertificate c = test::furnace_ellipsoid(
+      {1, Rational(6, 5), Rational(3, 2)}, Rational(1, 2), d, d, 6, 6 * d, certificate::OnEllipsoid::values);
+  const certificate::Report report = certificate::check(c, {.elements = 3, .seed = "furnace"});
+  if (report.refusal) return refusal(report.refusal->pointer);
+  std::vector<Ball> values;
+  for (const certificate::Enclosure& value : c.enclosures)
+    values.push_back(widened(Ball(value.midpoint), Ball(value.radius)));
+  return numbers(std::move(values));
+}
+
 std::vector<Ball> ones() { return std::vector<Ball>(4, Ball(1)); }
 
 }  // namespace
@@ -36,6 +50,12 @@ std::vector<Case> certificate_cases() {
   return {{.limit = "certificate/ball_transport: parts of elements for a group of points",
            .answer = furnace,
            .truth = ones},
+          {.limit = "certificate/ellipsoid_check: degree on great circles",
+           .answer = furnace_on_ellipsoid,
+           .truth = [] { return std::vector<Ball>(2, Ball(1)); }},
+          {.limit = "certificate/ray_rule: nodes of a rule",
+           .answer = furnace_on_ellipsoid,
+           .truth = [] { return std::vector<Ball>(2, Ball(1)); }},
           {.limit = "certificate/element_check: cells of an element", .answer = furnace, .truth = ones}};
 }
 

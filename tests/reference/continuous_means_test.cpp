@@ -18,6 +18,7 @@
 namespace radcert::reference {
 namespace {
 
+using certificate::EllipsoidCertificate;
 using certificate::PolyhedronCertificate;
 
 /// A change of a certificate on its way from the file.
@@ -42,19 +43,25 @@ TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
       EXPECT_LT(mean.first.value.radius(), 1e-4) << mean.mean->name;
       EXPECT_NE(mean.first.how, mean.second.how);
     }
-    const PolyhedronCertificate fine = std::get<PolyhedronCertificate>(
-        intact_certificate(certificate_content(scene.certificates[0]), scene.certificates[0]));
-    const PolyhedronCertificate coarse = std::get<PolyhedronCertificate>(
-        intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]));
-    EXPECT_NE(fine.elements.size(), coarse.elements.size()) << scene.name;
+    const certificate::Certificate fine =
+        intact_certificate(certificate_content(scene.certificates[0]), scene.certificates[0]);
+    const certificate::Certificate coarse =
+        intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]);
+    if (scene.ellipsoid) {
+      EXPECT_GT(std::get<EllipsoidCertificate>(fine).degree, std::get<EllipsoidCertificate>(coarse).degree);
+      continue;
+    }
+    const auto& first = std::get<PolyhedronCertificate>(fine);
+    const auto& second = std::get<PolyhedronCertificate>(coarse);
+    EXPECT_NE(first.elements.size(), second.elements.size()) << scene.name;
     // The kernels of points ask for a degree of their own.
-    EXPECT_EQ(fine.degree == coarse.degree, scene.power > 1 || fine.of_values()) << scene.name;
+    EXPECT_EQ(first.degree == second.degree, scene.power > 1 || first.of_values()) << scene.name;
   }
   EXPECT_EQ(found.size(), continuous_means().size());
   for (const ContinuousMean& mean : continuous_means()) {
     EXPECT_EQ(find_value(mean.name), nullptr) << mean.name;
     EXPECT_EQ(find_family(mean.name), nullptr) << mean.name;
-    EXPECT_TRUE(mean.name.starts_with(mean.at_centre ? "continuous_value_" : "continuous_mean_"))
+    EXPECT_TRUE(mean.name.starts_with(mean.is_value() ? "continuous_value_" : "continuous_mean_"))
         << mean.name;
   }
 }
@@ -63,6 +70,7 @@ TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
 TEST(ContinuousMeans, KeepTheBalanceOfEnergy) {
   for (const ContinuousScene& scene : continuous_scenes())
     for (const std::string& file : scene.certificates) {
+      if (scene.ellipsoid) continue;
       const PolyhedronCertificate c =
           std::get<PolyhedronCertificate>(intact_certificate(certificate_content(file), file));
       ASSERT_EQ(scene_fault(scene, c), "") << file;
@@ -94,8 +102,7 @@ TEST(ContinuousMeans, HaveClaimsThatHold) {
   const char* const seed = std::getenv("RADCERT_ATTACK_SEED");
   const std::size_t elements = asked == nullptr ? 1 : static_cast<std::size_t>(std::max(1, std::atoi(asked)));
   for (const EmbeddedFile& file : embedded_certificates()) {
-    const PolyhedronCertificate c =
-        std::get<PolyhedronCertificate>(intact_certificate(file.content, std::string(file.path)));
+    const certificate::Certificate c = intact_certificate(file.content, std::string(file.path));
     const certificate::Report report =
         certificate::check(c, {.elements = elements, .seed = seed == nullptr ? "a test" : seed});
     EXPECT_FALSE(report.refusal) << file.path << report.refusal->pointer << ": " << report.refusal->says;
@@ -162,6 +169,40 @@ TEST(ContinuousMeans, AreRefusedWhereTheCertificateIsOfAnotherEquation) {
   EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.claims[100].radii[1] *= 2; }));
   EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.sums.norms[3] *= 0.99; }));
   EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.elements.pop_back(), c.claims.pop_back(); }));
+}
+
+TEST(ContinuousMeans, OfEllipsoidsAreRefusedWhereTheCertificateIsOfAnotherEquation) {
+  const ContinuousScene& scene = *find_continuous_scene("ellipsoid_linear_rho");
+  const EllipsoidCertificate good = std::get<EllipsoidCertificate>(
+      intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]));
+  EXPECT_EQ(scene_fault(scene, good), "");
+  const auto is_another = [&](const std::function<void(EllipsoidCertificate&)>& change) {
+    EllipsoidCertificate c = good;
+    change(c);
+    return !scene_fault(scene, c).empty();
+  };
+  EXPECT_TRUE(is_another([](EllipsoidCertificate& c) { c.half_axes.x = 2; }));
+  EXPECT_TRUE(is_another([](EllipsoidCertificate& c) { c.reflectivity[1].coefficient = Rational(1, 5); }));
+  EXPECT_TRUE(is_another([](EllipsoidCertificate& c) { c.reflectivity.pop_back(); }));
+  EXPECT_TRUE(is_another([](EllipsoidCertificate& c) { c.emission.push_back({{1, 1, 0}, 1}); }));
+  // Written otherwise, it is the same.
+  EXPECT_FALSE(is_another([](EllipsoidCertificate& c) {
+    c.emission.push_back({{1, 1, 0}, 0});
+    c.emission[0].coefficient = Rational(1, 3);
+    c.emission.push_back({{0, 0, 2}, Rational(2, 3)});
+  }));
+  const PolyhedronCertificate of_cube = std::get<PolyhedronCertificate>(
+      intact_certificate(certificate_content("cube_rho_1_over_2_coarse.json"), "cube"));
+  EXPECT_NE(scene_fault(scene, of_cube), "");
+  EXPECT_NE(scene_fault(*find_continuous_scene("cube_rho_1/2"), good), "");
+  // Of values and means, each names its own.
+  EXPECT_FALSE(enclose(
+      scene,
+      [](std::string_view, const std::string&) {
+        return certificate::Certificate(std::get<EllipsoidCertificate>(
+            intact_certificate(certificate_content("ellipsoid_values_coarse.json"), "values")));
+      },
+      0));
 }
 
 TEST(ContinuousMeans, AreNotGivenWhereTheFileWasChanged) {

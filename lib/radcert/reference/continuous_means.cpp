@@ -46,6 +46,14 @@ struct TwoSquares {
   }
 };
 
+/// rho = 1/2 + x/4 and E = z^2 on an ellipsoid with three different half axes.
+EllipsoidScene ellipsoid_with_linear_rho() {
+  return {.half_axes = {1, Rational(13, 10), Rational(17, 10)},
+          .reflectivity = {{{0, 0, 0}, Rational(1, 2)}, {{1, 0, 0}, Rational(1, 4)}},
+          .emission = {{{0, 0, 2}, 1}}};
+}
+const char* const ellipsoid_words = "the ellipsoid with the half axes 1, 1.3, 1.7, rho = 1/2 + x/4, E = z^2";
+
 std::array<std::string, 2> files(const std::string& scene) {
   return {scene + "_fine.json", scene + "_coarse.json"};
 }
@@ -106,7 +114,15 @@ std::vector<ContinuousScene> made_scenes() {
            .emitting = TwoSquares::standing(),
            .black = TwoSquares::open(),
            .reflectivity = half,
-           .certificates = files("two_squares_rho_1_over_2")}};
+           .certificates = files("two_squares_rho_1_over_2")},
+          {.name = "ellipsoid_linear_rho",
+           .words = ellipsoid_words,
+           .ellipsoid = ellipsoid_with_linear_rho(),
+           .certificates = files("ellipsoid_mean")},
+          {.name = "ellipsoid_linear_rho_values",
+           .words = ellipsoid_words,
+           .ellipsoid = ellipsoid_with_linear_rho(),
+           .certificates = files("ellipsoid_values")}};
 }
 
 std::vector<ContinuousMean> made_means() {
@@ -161,6 +177,18 @@ std::vector<ContinuousMean> made_means() {
   const std::string of_squares = "two_squares_rho_1/2";
   add(of_squares, "two_squares_emitting_rho_1/2", "the square that emits", TwoSquares::standing());
   add(of_squares, "two_squares_other_rho_1/2", "the other square", TwoSquares::lying());
+  add("ellipsoid_linear_rho", "ellipsoid_linear_rho", "the surface", {});
+  const auto add_end = [&](const std::string& name, const std::string& of, const Vector<Rational>& point) {
+    out.push_back({.name = "continuous_value_ellipsoid_linear_rho_" + name,
+                   .summary = "value at the end of the " + of +
+                              " of the solution of the continuous equation: " + ellipsoid_words,
+                   .scene = "ellipsoid_linear_rho_values",
+                   .point = point});
+  };
+  add_end("at_x", "half axis in x", {1, 0, 0});
+  add_end("at_minus_x", "half axis in -x", {-1, 0, 0});
+  add_end("at_y", "half axis in y", {0, Rational(13, 10), 0});
+  add_end("at_z", "half axis in z", {0, 0, Rational(17, 10)});
   return out;
 }
 

@@ -48,8 +48,8 @@ struct ContinuousScene {
 
 /// The mean of the solution itself over a face, not of an approximation by one constant a face; or its value
 /// at the centre of the face.
-/// Maths     (1/|F|) Int_F u, F the face with these corners; or u at their mean. On an ellipsoid the mean over
-///           the surface, or u at the point
+/// Maths     (1/|F|) Int_F u, F the face with these corners; or u at their mean. On an ellipsoid the mean
+///           over the surface, or u at the point
 struct ContinuousMean {
   std::string name;
   std::string summary;

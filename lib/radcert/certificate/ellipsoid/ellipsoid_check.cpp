@@ -268,7 +268,8 @@ std::vector<Ball> enclosed(const EllipsoidCertificate& c) {
   Ball mean = widened(enclosing_ball(mean_over_surface(stretch, w, tolerance)), bound);
   if (const std::optional<Rational> rho = constant_of(c.reflectivity); rho && *rho < Rational(1)) {
     const SphereDensity emission(emission_alone(c));
-    const Ball own = enclosing_ball(mean_over_surface(stretch, emission, tolerance)) / Ball(Rational(1) - *rho);
+    const Ball own =
+        enclosing_ball(mean_over_surface(stretch, emission, tolerance)) / Ball(Rational(1) - *rho);
     if (!(own.radius() >= mean.radius())) mean = own;
   }
   out.push_back(mean);

@@ -11,10 +11,10 @@
 namespace radcert::certificate {
 
 /// How an ellipsoid turns complex points of the sphere.
-/// Maths     A diagonal with the half axes over the largest of them, kappa = largest over smallest. For e = x +
-///           i y, e.e = 1, |x| = cosh s, |y| = sinh s: |A^-1 x| >= |x| and |A^-1 y| <= kappa |y|, so that d = A^-1 e
-///           has |d|^2 / |d.d| <= (1 + r^2) / (1 - r^2), r = kappa tanh s < 1: scaled to d.d = 1, d is such a
-///           point itself, with the angle artanh(kappa tanh s) at most
+/// Maths     A diagonal with the half axes over the largest of them, kappa = largest over smallest. For e = x
+///           + i y, e.e = 1, |x| = cosh s, |y| = sinh s: |A^-1 x| >= |x| and |A^-1 y| <= kappa |y|, so that d
+///           = A^-1 e has |d|^2 / |d.d| <= (1 + r^2) / (1 - r^2), r = kappa tanh s < 1: scaled to d.d = 1, d
+///           is such a point itself, with the angle artanh(kappa tanh s) at most
 /// Requires  half axes > 0, else ContractViolation
 class EllipsoidStretch {
 public:
@@ -59,8 +59,8 @@ struct PolarBounds {
 };
 
 /// A rule that misses a tolerance at most.
-/// Maths     the mean over phi is holomorphic in x in the ellipse with the foci -1, 1 whose half axes sum to r
-///           = exp(s), and bounded there by M: Chebyshev's coefficients are 2 M r^-k at most, so that a
+/// Maths     the mean over phi is holomorphic in x in the ellipse with the foci -1, 1 whose half axes sum to
+///           r = exp(s), and bounded there by M: Chebyshev's coefficients are 2 M r^-k at most, so that a
 ///           polynomial of degree 2n - 1 is off by 2 M r^(-2n) / (1 - 1/r), and both means of that count. N
 ///           nodes in phi miss the Fourier coefficients whose number is a multiple of N, 0 aside: 2 M /
 ///           (exp(N s) - 1)

@@ -19,8 +19,8 @@ constexpr double largest_kappa = 1e4;
 
 /// The inner normal at A p and two unit vectors across it and each other.
 /// Maths     p is normalised within 5 u and A^-1 p, |A^-1 p| >= 1, off by 5 kappa u and 5 units of its size:
-///           n within N = (5 kappa + 10) u. The axis of the least coordinate makes a vector product of at least the
-///           length 0.81: first within 1.24 N + 5 u, second within 2.24 N + 9 u
+///           n within N = (5 kappa + 10) u. The axis of the least coordinate makes a vector product of at
+///           least the length 0.81: first within 1.24 N + 5 u, second within 2.24 N + 9 u
 struct RayFrame {
   Vector<double> p, normal, first, second;
 };
@@ -57,9 +57,9 @@ Vector<Pack> points_from(const std::vector<Vector<double>>& points, std::size_t 
 /// How far a computed q is from the exact one.
 /// Maths     e = sin(psi/2) (cos phi first + sin phi second) + cos(psi/2) n: ((1.24 N + 5 u)^2 + (2.24 N + 9
 ///           u)^2 + N^2)^(1/2) + 10 u <= 2.8 N + 21 u, coordinates of the rule and sums included. d = A^-1 e
-///           is off by kappa times that and 3 u of its size, |d| >= 1; the reflection moves by 4 times the angle of d,
-///           as much as p, 5 u, and rounds by 24 u: 3 u of p.d, 3 u of d.d and 1 of the quotient, twice, 2 of the product, 1
-///           of the difference, each for numbers of at most 2
+///           is off by kappa times that and 3 u of its size, |d| >= 1; the reflection moves by 4 times the
+///           angle of d, as much as p, 5 u, and rounds by 24 u: 3 u of p.d, 3 u of d.d and 1 of the quotient,
+///           twice, 2 of the product, 1 of the difference, each for numbers of at most 2
 double displacement(double kappa) {
   const double of_normal = 5 * kappa + 10;
   return unit * (4 * (kappa * (2.8 * of_normal + 21) + 3) + 29) * generous;

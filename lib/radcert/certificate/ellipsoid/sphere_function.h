@@ -25,12 +25,12 @@ struct SphereSizes {
 };
 
 /// q: sum_(m + k <= n) (a_mk Re zeta^m + b_mk Im zeta^m) T_k(z).
-/// Maths     value: Clenshaw's rule in z for each m, b_k = c_k + 2 z b_(k+1) - b_(k+2): an error of b_k is one
-///           of c_k, and moves the sum by no more, since |T_k| <= 1; |b_k| <= sum_(j >= k) (j - k + 1) |c_j|.
-///           Then Horner's rule in zeta, |zeta| <= 1. A point that is off by d moves a term by (m + k^2) d at
-///           most. Around the sphere |x_1 + i x_2|, |x_1 - i x_2| <= exp(tau) for unit vectors across each
-///           other, and z lies in the ellipse with the half axes cosh tau and sinh tau, where |T_k| <= cosh(k
-///           tau): a term is at most |(a, b)| exp((m + k) tau)
+/// Maths     value: Clenshaw's rule in z for each m, b_k = c_k + 2 z b_(k+1) - b_(k+2): an error of b_k is
+///           one of c_k, and moves the sum by no more, since |T_k| <= 1; |b_k| <= sum_(j >= k) (j - k + 1)
+///           |c_j|. Then Horner's rule in zeta, |zeta| <= 1. A point that is off by d moves a term by (m +
+///           k^2) d at most. Around the sphere |x_1 + i x_2|, |x_1 - i x_2| <= exp(tau) for unit vectors
+///           across each other, and z lies in the ellipse with the half axes cosh tau and sinh tau, where
+///           |T_k| <= cosh(k tau): a term is at most |(a, b)| exp((m + k) tau)
 /// Result    values within error(d), rounding included; bounds rounded up
 class TurnedPolynomial {
 public:
