@@ -44,7 +44,7 @@ Choice least(double strip, const Bound& bound, const Error& error, double rate, 
     for (int n = std::max(1, static_cast<int>(about)); n <= most; ++n) {
       const double missed = size > 0 ? error(size, static_cast<double>(n), s) * slightly : 0;
       if (!(missed <= allowed)) continue;
-      if (best.nodes == 0 || n < best.nodes) best = {n, missed};
+      if (best.nodes == 0 || n < best.nodes || (n == best.nodes && missed < best.error)) best = {n, missed};
       break;
     }
   }
