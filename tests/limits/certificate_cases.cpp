@@ -8,12 +8,19 @@ namespace radcert::limits {
 namespace {
 
 /// The certificate of u = 1 in a furnace, q = 1 - 2^-7: a residual of 2^-7 rho - 2^-7, claimed generously.
-Answer furnace() {
+Answer furnace(bool varies = false) {
   certificate::PolyhedronCertificate c = test::bare_certificate("tetrahedron", 2, 0, 1);
   const Rational half(1, 2);
   for (certificate::Face& face : c.faces) face.emission = {{half}};
   for (std::size_t i = 0; i < c.coefficients.size(); ++i)
     c.coefficients[i] = i < c.elements.size() ? 1 - 0x1p-7 : 0.25;
+  // 7/16 + x (1 - x)/6, which its Bernstein coefficients bound by 1/2 after some cuts.
+  if (varies)
+    for (certificate::Face& face : c.faces) {
+      const Rational bent(1, 6);
+      face.varying_reflectivity = {{Rational(7, 16), 0, 0}, {bent, 0}, {-bent}};
+      face.emission = {{Rational(9, 16), 0, 0}, {-bent, 0}, {bent}};
+    }
   c.claims.assign(c.elements.size(), {.norms = std::vector<double>(c.functions(), 1),
                                       .products = std::vector<double>(c.pieces.size()),
                                       .radii = std::vector<double>(c.pieces.size(), 0.05)});
@@ -48,7 +55,10 @@ std::vector<Ball> ones() { return std::vector<Ball>(4, Ball(1)); }
 
 std::vector<Case> certificate_cases() {
   return {{.limit = "certificate/ball_transport: parts of elements for a group of points",
-           .answer = furnace,
+           .answer = [] { return furnace(); },
+           .truth = ones},
+          {.limit = "certificate/face_polynomial: parts of a face",
+           .answer = [] { return furnace(true); },
            .truth = ones},
           {.limit = "certificate/ellipsoid_check: degree on great circles",
            .answer = furnace_on_ellipsoid,
@@ -56,7 +66,9 @@ std::vector<Case> certificate_cases() {
           {.limit = "certificate/ray_rule: nodes of a rule",
            .answer = furnace_on_ellipsoid,
            .truth = [] { return std::vector<Ball>(2, Ball(1)); }},
-          {.limit = "certificate/element_check: cells of an element", .answer = furnace, .truth = ones}};
+          {.limit = "certificate/element_check: cells of an element",
+           .answer = [] { return furnace(); },
+           .truth = ones}};
 }
 
 }  // namespace radcert::limits

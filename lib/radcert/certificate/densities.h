@@ -22,9 +22,10 @@ struct LegendreTable {
 
 /// The functions of a certificate on its elements, and the constant 1 after them.
 /// Maths     function k is 2^-exponent(k) times that of the certificate, so that none is much larger than 1.
-///           w_0 = E + rho q_0: E is brought into Legendre polynomials by a Gauss rule that is exact for it.
-///           |f| <= sum |c_ij| a^i b^j where |P_i(x)| <= a^i, |P_j(y)| <= b^j; |P_i(z)| <= R^i in the ellipse
-///           with the foci -1, 1 and half axes summing to R (Laplace's integral)
+///           E, and products with rho where it is a polynomial, are brought into Legendre polynomials by a
+///           Gauss rule that is exact for them. |f| <= sum |c_ij| a^i b^j where |P_i(x)| <= a^i, |P_j(y)| <=
+///           b^j; |P_i(z)| <= R^i in the ellipse with the foci -1, 1 and half axes summing to R (Laplace's
+///           integral)
 /// Requires  surface_fault, tiling_fault found nothing
 class Densities {
 public:
@@ -61,7 +62,7 @@ public:
   [[nodiscard]] double largest() const { return all_; }
   /// Whether w_k, q_k and, of values, j_k are 0.
   [[nodiscard]] bool vanishes(std::size_t k) const { return vanishes_[k] != 0; }
-  /// rho of the element's face, from above.
+  /// At least sup rho on an element.
   [[nodiscard]] double reflectivity(std::size_t element) const { return rho_[element]; }
   /// A Lipschitz constant of all w_k in x, and in y.
   struct Slopes {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "radcert/certificate/face_polynomial.h"
 #include "radcert/certificate/gauss_rule.h"
 #include "radcert/core/contract.h"
 #include "radcert/geometry/plane_polygon.h"
@@ -163,18 +164,13 @@ std::vector<Ball> values_of(const PolyhedronCertificate& c, const Sums& sums, co
     const ParameterPoint<Rational> at =
         coordinates(c.points[k].at - face.corners[0], face.corners[1] - face.corners[0],
                     face.corners[2] - face.corners[0]);
-    Rational emission = 0;
-    for (std::size_t i = face.emission.size(); i-- > 0;) {
-      Rational inner = 0;
-      for (std::size_t j = face.emission[i].size(); j-- > 0;) inner = inner * at.t + face.emission[i][j];
-      emission = emission * at.s + inner;
-    }
+    const Rational emission = polynomial_value(face.emission, at.s, at.t);
+    const Rational rho = reflectivity_at(face, c.points[k].at);
     // Where rho is 0 nothing has to be known of the rest.
-    if (face.reflectivity.sign() == 0)
+    if (rho.sign() == 0)
       out.emplace_back(emission);
     else
-      out.push_back(Ball(emission) +
-                    Ball(face.reflectivity) * widened(of_w + Ball(sums.products[k]), radius));
+      out.push_back(Ball(emission) + Ball(rho) * widened(of_w + Ball(sums.products[k]), radius));
   }
   return out;
 }

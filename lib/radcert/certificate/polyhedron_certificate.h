@@ -13,12 +13,14 @@ namespace radcert::certificate {
 
 /// A convex polygon of the surface, and the data on it.
 /// Maths     corners counterclockwise as seen from the inside; emission[i][j] is the coefficient of x^i y^j
-///           in E at corners[0] + x (corners[1] - corners[0]) + y (corners[2] - corners[0])
+///           in E at corners[0] + x (corners[1] - corners[0]) + y (corners[2] - corners[0]), and so are those
+///           of rho where it is no constant
 struct Face {
   std::size_t piece = 0;
   std::vector<Vector<Rational>> corners;
-  Rational reflectivity;
+  Rational reflectivity;  ///< at least sup rho; rho itself where it is a constant
   std::vector<std::vector<Rational>> emission;
+  std::vector<std::vector<Rational>> varying_reflectivity = {};  ///< none: a constant
 };
 
 /// A part of a face on which the functions are polynomials.

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "radcert/certificate/face_polynomial.h"
 #include "radcert/geometry/plane.h"
 #include "radcert/geometry/plane_polygon.h"
 
@@ -166,6 +167,10 @@ std::optional<Refusal> reflectivity_fault(const PolyhedronCertificate& c) {
     const Rational& rho = c.faces[k].reflectivity;
     if (rho.sign() < 0 || rho >= Rational(1))
       return Refusal{face_pointer(k) + "/reflectivity", "is not from 0 to below 1"};
+    const std::vector<std::vector<Rational>>& varying = c.faces[k].varying_reflectivity;
+    if (!varying.empty() && !lies_within(c.faces[k], varying, rho))
+      return Refusal{face_pointer(k) + "/reflectivity",
+                     "is not shown to lie from 0 to the largest one that is stated"};
   }
   return std::nullopt;
 }

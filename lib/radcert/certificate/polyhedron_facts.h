@@ -17,7 +17,7 @@ namespace radcert::certificate {
 /// Result    exact; nothing where all of it holds
 [[nodiscard]] std::optional<Refusal> surface_fault(const PolyhedronCertificate& certificate);
 
-/// Whether 0 <= rho < 1 on every face.
+/// Whether 0 <= rho <= what is stated < 1 on every face: lies_within.
 [[nodiscard]] std::optional<Refusal> reflectivity_fault(const PolyhedronCertificate& certificate);
 
 /// Whether the elements cover the sectors of all faces, each point but borders once.

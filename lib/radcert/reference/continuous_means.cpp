@@ -356,7 +356,8 @@ std::string fault_of(const ContinuousScene& scene, const certificate::Polyhedron
     const bool is_black = std::any_of(scene.black.begin(), scene.black.end(), [&](const Corners& black) {
       return as_set(black) == as_set(face.corners);
     });
-    if (!(face.reflectivity == (is_black ? Rational(0) : scene.reflectivity)))
+    if (!face.varying_reflectivity.empty() ||
+        !(face.reflectivity == (is_black ? Rational(0) : scene.reflectivity)))
       return "has another reflectivity than " + scene.name;
     const bool emits = scene.emitting.empty() || k == emitting[0];
     const Vector<Rational>& corner = face.corners[0];

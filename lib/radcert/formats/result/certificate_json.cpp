@@ -28,14 +28,23 @@ using certificate::Point;
 using certificate::PolyhedronCertificate;
 
 constexpr int most_degree = 12;
+/// Of rho q.
+constexpr int most_product_degree = 15;
+JsonValue polynomial_json(const std::vector<std::vector<Rational>>& f) {
+  return json_array(f, [](const std::vector<Rational>& row) {
+    return json_array(row, [](const Rational& x) { return JsonValue(x.to_text()); });
+  });
+}
+
 JsonValue face_json(const Face& face, const PolyhedronCertificate& c) {
+  JsonValue reflectivity = face.reflectivity.to_text();
+  if (!face.varying_reflectivity.empty())
+    reflectivity = JsonValue::object({{"largest", face.reflectivity.to_text()},
+                                      {"polynomial", polynomial_json(face.varying_reflectivity)}});
   return JsonValue::object({{"piece", c.pieces[face.piece]},
                             {"corners", json_array(face.corners, point_json)},
-                            {"reflectivity", face.reflectivity.to_text()},
-                            {"emission", json_array(face.emission, [](const std::vector<Rational>& row) {
-                               return json_array(row,
-                                                 [](const Rational& x) { return JsonValue(x.to_text()); });
-                             })}});
+                            {"reflectivity", std::move(reflectivity)},
+                            {"emission", polynomial_json(face.emission)}});
 }
 
 JsonValue element_json(const Element& x) {
@@ -100,6 +109,22 @@ std::size_t place_of(const JsonReader& reader, const std::vector<std::string>& p
   return static_cast<std::size_t>(std::find(pieces.begin(), pieces.end(), name) - pieces.begin());
 }
 
+/// Coefficients by the powers of x and y.
+std::vector<std::vector<Rational>> polynomial_from(const JsonReader& reader) {
+  std::vector<std::vector<Rational>> out;
+  for (const JsonReader& row : reader.elements("a list of lists of coefficients")) {
+    out.emplace_back();
+    for (const JsonReader& x : row.elements("a list of coefficients")) out.back().push_back(exact_number(x));
+  }
+  const std::size_t rows = out.size();
+  const std::string shape =
+      "n + 1 lists of n + 1, n, ..., 1 coefficients, n at most " + std::to_string(most_degree);
+  if (rows == 0 || rows > most_degree + 1) reader.refuse("is no polynomial", shape);
+  for (std::size_t i = 0; i < rows; ++i)
+    if (out[i].size() != rows - i) reader.refuse("is no polynomial", shape);
+  return out;
+}
+
 Face read_face(const JsonReader& reader, const std::vector<std::string>& pieces) {
   reader.require_object({"piece", "corners", "reflectivity", "emission"});
   Face face{.piece = place_of(reader.at("piece", "the name of a piece"), pieces),
@@ -110,19 +135,15 @@ Face read_face(const JsonReader& reader, const std::vector<std::string>& pieces)
   for (const JsonReader& corner : corners.elements("a list of points"))
     face.corners.push_back(exact_point(corner));
   if (face.corners.size() < 3) corners.refuse("are too few", "three corners or more");
-  face.reflectivity = exact_number(reader.at("reflectivity", "an exact number"));
-  const JsonReader emission = reader.at("emission", "coefficients, by the powers of x and y");
-  for (const JsonReader& row : emission.elements("a list of lists of coefficients")) {
-    face.emission.emplace_back();
-    for (const JsonReader& x : row.elements("a list of coefficients"))
-      face.emission.back().push_back(exact_number(x));
+  const JsonReader reflectivity = reader.at("reflectivity", "an exact number, or a polynomial");
+  if (reflectivity.value().members() != nullptr) {
+    reflectivity.require_object({"largest", "polynomial"});
+    face.reflectivity = exact_number(reflectivity.at("largest", "an exact number"));
+    face.varying_reflectivity = polynomial_from(reflectivity.at("polynomial", "lists of coefficients"));
+  } else {
+    face.reflectivity = exact_number(reflectivity);
   }
-  const std::size_t rows = face.emission.size();
-  const std::string shape =
-      "n + 1 lists of n + 1, n, ..., 1 coefficients, n at most " + std::to_string(most_degree);
-  if (rows == 0 || rows > most_degree + 1) emission.refuse("is no polynomial", shape);
-  for (std::size_t i = 0; i < rows; ++i)
-    if (face.emission[i].size() != rows - i) emission.refuse("is no polynomial", shape);
+  face.emission = polynomial_from(reader.at("emission", "coefficients, by the powers of x and y"));
   return face;
 }
 
@@ -195,6 +216,11 @@ PolyhedronCertificate read_polyhedron_content(const JsonReader& reader) {
   c.degree =
       static_cast<int>(reader.at("degree", "the degree of the functions")
                            .whole(0, most_degree, "a whole number from 0 to " + std::to_string(most_degree)));
+  for (std::size_t k = 0; k < c.faces.size(); ++k)
+    if (c.degree + static_cast<int>(c.faces[k].varying_reflectivity.size()) - 1 > most_product_degree)
+      reader.at("degree", "the degree of the functions")
+          .refuse("and that of a reflectivity are too much together",
+                  std::to_string(most_product_degree) + " or less in all");
   const JsonReader coefficients = reader.at("coefficients", "a string for each function");
   const std::vector<JsonReader> functions = coefficients.elements("a string for each function");
   if (functions.size() != c.functions())

@@ -60,7 +60,7 @@ std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const
                     .problem = "is not made here: " + all,
                     .allowed =
                         "one emission; means or values on a convex polyhedron, the emission a polynomial "
-                        "of degree 8 or less on each piece, the reflectivity constant; anything on a "
+                        "of degree 8 or less on each piece; anything on a "
                         "sphere or an ellipsoid"});
 }
 

@@ -14,18 +14,24 @@ namespace {
 
 using certificate::PolyhedronCertificate;
 
+std::vector<std::vector<Rational>> rows_of(const PlanePolynomial<Rational>& f) {
+  std::vector<std::vector<Rational>> out;
+  for (int i = 0; i <= f.degree(); ++i) {
+    out.emplace_back();
+    for (int j = 0; i + j <= f.degree(); ++j) out.back().push_back(f(i, j));
+  }
+  return out;
+}
+
 std::vector<certificate::Face> faces_of(const PolyhedronProblem& problem) {
   std::vector<certificate::Face> out;
   for (std::size_t k = 0; k < problem.panels.size(); ++k) {
     certificate::Face face{.piece = problem.panels[k].piece,
                            .corners = problem.panels[k].corners,
                            .reflectivity = problem.reflectivity[k].largest,
-                           .emission = {}};
-    const PlanePolynomial<Rational>& f = problem.emission[k];
-    for (int i = 0; i <= f.degree(); ++i) {
-      face.emission.emplace_back();
-      for (int j = 0; i + j <= f.degree(); ++j) face.emission.back().push_back(f(i, j));
-    }
+                           .emission = rows_of(problem.emission[k])};
+    if (!problem.reflectivity[k].is_constant())
+      face.varying_reflectivity = rows_of(problem.reflectivity[k].polynomial);
     out.push_back(std::move(face));
   }
   return out;
