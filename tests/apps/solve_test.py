@@ -216,6 +216,15 @@ class Solve(ProgramTest):
             self.assertIn(words, message)
         self.assertFalse(os.path.exists(self.path("d.json")))
 
+    def test_pointers_escape_the_names_of_emissions(self):
+        self.write("named.json", {"schema": "radcert/problem/1", "surface": {"name": "cube"},
+                                  "triangulation": {"levels": [0]}, "basis": {"family": "inset", "degree": 0},
+                                  "reflectivity": "1/2", "emission": "1",
+                                  "guarantee": {"width": "1/2", "emissions": {"a/b~c": "1/(x-1/2)"}}})
+        done = self.run_program("solve", "named.json")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("/guarantee/emissions/a~1b~0c", done.stderr.decode())
+
     def test_a_reflectivity_that_varies_has_a_certificate(self):
         self.write("bent.json", {"schema": "radcert/problem/1", "surface": {"name": "tetrahedron"},
                                  "triangulation": {"levels": [0]}, "basis": {"family": "inset", "degree": 0},

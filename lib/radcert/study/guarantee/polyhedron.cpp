@@ -9,6 +9,7 @@
 #include "radcert/continuous/function_enclosure.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/json_pointer.h"
 #include "radcert/core/text.h"
 #include "radcert/enclosure/near_polynomial.h"
 #include "radcert/hypotheses/convex_containment.h"
@@ -286,8 +287,8 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
   Rational largest = own.size;
   out.emission = std::move(own.polynomials);
   for (const NamedEmission& further : guarantee.emissions) {
-    PanelEmissions found =
-        emissions_on(out.panels, further.emission, names, "/guarantee/emissions/" + further.name);
+    PanelEmissions found = emissions_on(out.panels, further.emission, names,
+                                        pointer_below("/guarantee/emissions", further.name));
     left_out = std::max(left_out, found.distance);
     largest = std::max(largest, found.size);
     out.further_emissions.push_back(std::move(found.polynomials));
