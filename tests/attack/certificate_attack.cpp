@@ -309,5 +309,91 @@ TEST(CertificateAttack, FalseResidualsOnEllipsoidsAreRefused) {
   EXPECT_LE(count.refused, count.instances / 4);
 }
 
+/// A problem on an ellipsoid with random polynomials, searched twice, and what certificates say of it.
+struct EllipsoidProblemInstance {
+  std::array<long, 3> axes{100, 100, 100};  ///< in hundredths
+  std::array<long, 4> rho{};                ///< of 1, x, y z, z^2, in hundredths of what keeps rho below 1
+  std::array<long, 4> emission{};           ///< of 1, x, y^2, x y z, in tenths
+  int digits = 4;                           ///< of the width
+};
+
+std::string text_of_problem(const EllipsoidProblemInstance& x) {
+  std::string out = "axes";
+  for (const long axis : x.axes) out += " " + std::to_string(axis);
+  out += ", rho";
+  for (const long c : x.rho) out += " " + std::to_string(c);
+  out += ", E";
+  for (const long c : x.emission) out += " " + std::to_string(c);
+  return out + ", digits " + std::to_string(x.digits);
+}
+
+EllipsoidProblem problem_of(const EllipsoidProblemInstance& x) {
+  const auto sum = [](const std::array<long, 4>& c, const std::array<std::string, 4>& of, long over) {
+    std::string out = "0";
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::string part = std::to_string(std::abs(c[k])) + "/" + std::to_string(over) + of[k];
+      out += (c[k] < 0 ? " - " : " + ") + part;
+    }
+    return parse_expression(out).value();
+  };
+  // The half axes are at most 2: the four together are at most 1/2 in size.
+  return {.half_axes = {hundredths(x.axes[0]), hundredths(x.axes[1]), hundredths(x.axes[2])},
+          .reflectivity = sum(x.rho, {"", "*x/16", "*y*z/32", "*z^2/32"}, 100),
+          .emission = sum(x.emission, {"", "*x", "*y^2", "*x*y*z"}, 10)};
+}
+
+/// The finer search's enclosure lies within the certificate's, or near it: both hold u.
+Judgement judge_problem(const EllipsoidProblemInstance& x) {
+  const EllipsoidProblem problem = problem_of(x);
+  const double wanted = std::pow(10.0, -x.digits);
+  const Outcome<EllipsoidEnclosure> coarse = enclose_on_ellipsoid(problem, wanted);
+  const Outcome<EllipsoidEnclosure> fine = enclose_on_ellipsoid(problem, 1e-2 * wanted);
+  if (!coarse || !fine || !std::isfinite(coarse->bound)) return Judgement::refused();
+  const std::vector<Vector<Rational>> points{
+      {problem.half_axes.x, 0, 0},
+      {0, Rational(-3, 5) * problem.half_axes.y, Rational(4, 5) * problem.half_axes.z}};
+  std::size_t values = 0;
+  for (const certificate::OnEllipsoid of :
+       {certificate::OnEllipsoid::mean, certificate::OnEllipsoid::values}) {
+    const bool of_values = of == certificate::OnEllipsoid::values;
+    const certificate::EllipsoidCertificate c = ellipsoid_certificate(
+        problem, *coarse, "ellipsoid", of, of_values ? points : std::vector<Vector<Rational>>{});
+    const certificate::Report report = certificate::check(c, {.elements = 12, .seed = "attack"});
+    if (report.refusal)
+      return Judgement::violated("what the search proved is refused: " + report.refusal->pointer + " " +
+                                 report.refusal->says);
+    for (std::size_t k = 0; k < c.enclosures.size(); ++k) {
+      const Approximation near =
+          of_values ? (k == 0 ? fine->at({1, 0, 0}) : fine->at({0, -0.6, 0.8})) : fine->mean;
+      const double off = std::abs(c.enclosures[k].midpoint.to_double() - near.value);
+      if (!(off <= (c.enclosures[k].radius.to_double() + near.radius) * (1 + 1e-9)))
+        return Judgement::violated("a certificate and a finer search contradict each other");
+      ++values;
+    }
+  }
+  return Judgement::held(values);
+}
+
+EllipsoidProblemInstance drawn_problem(Draw& draw) {
+  EllipsoidProblemInstance x;
+  for (long& axis : x.axes) axis = 90 + static_cast<long>(draw.below(60));
+  x.rho[0] = 50;
+  for (std::size_t k = 1; k < 4; ++k)
+    x.rho[k] = draw.below(3) == 0 ? 0 : static_cast<long>(draw.below(200)) - 100;
+  for (long& c : x.emission) c = draw.below(3) == 0 ? 0 : static_cast<long>(draw.below(20)) - 10;
+  x.emission[0] += 1;
+  x.digits = 2 + static_cast<int>(draw.below(3));
+  return x;
+}
+
+TEST(CertificateAttack, SearchesOnEllipsoidsAreVerified) {
+  const Count count = hold(Attack<EllipsoidProblemInstance>{.name = "certificates of searches on ellipsoids",
+                                                            .usual_instances = 5,
+                                                            .make = drawn_problem,
+                                                            .judge = judge_problem,
+                                                            .text = text_of_problem});
+  EXPECT_LE(count.refused, count.instances / 3);
+}
+
 }  // namespace
 }  // namespace radcert::attack

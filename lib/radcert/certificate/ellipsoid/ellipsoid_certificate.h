@@ -21,6 +21,8 @@ struct Monomial {
 
 /// Largest i + j + k of a monomial, and largest degree of q.
 inline constexpr int most_sphere_powers = 64;
+/// The same of rho, whose supremum is looked for.
+inline constexpr int most_reflectivity_powers = 16;
 
 /// What of the solution on an ellipsoid is enclosed.
 enum class OnEllipsoid : std::uint8_t { mean, values, function };

@@ -25,8 +25,11 @@ constexpr double unit = 0x1p-53;
 constexpr double slightly = 1 + 0x1p-40;
 /// L h: half of its square is what points leave of the largest value.
 constexpr double angle = 1.05;
-/// Of reflectivities, whose values cost little.
-constexpr double narrow_angle = 0.03;
+/// Of reflectivities, whose values cost little: half of its square is a small part of what is left below 1.
+double narrow_angle(const Rational& stated) {
+  const double gap = (Rational(1) - stated).to_double();
+  return std::clamp(std::sqrt(0.006 * gap), 0.01, 0.03);
+}
 /// Distances are this much smaller than what bounds take them for: points are rounded.
 constexpr double for_rounding = 1e-9;
 
@@ -66,7 +69,7 @@ std::optional<Refusal> reflectivity_fault(const EllipsoidCertificate& c) {
   const StretchedPolynomial rho(c.reflectivity, c.half_axes);
   if (!rho.is_finite()) return Refusal{"/problem/reflectivity", "is beyond the range of double"};
   const BetweenPoints between{
-      .degree = rho.degree(), .distance = narrow_angle / rho.degree(), .left = 0, .slope_left = 0};
+      .degree = rho.degree(), .distance = narrow_angle(stated) / rho.degree(), .left = 0, .slope_left = 0};
   const SphereCover cover(between.distance * (1 - for_rounding));
   double least = infinity;
   double largest = -infinity;

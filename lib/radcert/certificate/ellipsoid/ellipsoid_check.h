@@ -80,7 +80,7 @@ struct BetweenPoints {
 /// Source    enclosed, BetweenPoints and RayTransport for the theorems. The search takes the kernel about
 ///           each point, harmonics and Riesz's theorem
 /// Requires  lists of the lengths that EllipsoidCertificate states, finite numbers, 0 <= i + j + k <=
-///           most_sphere_powers
+///           most_sphere_powers, of rho most_reflectivity_powers
 /// Result    no refusal: what was looked at is proved, and the enclosures are, if all rows are looked at.
 ///           Depends on the certificate and the part alone, whatever the number of threads
 /// Limits    a residual that holds by less than the bounds here are generous is refused

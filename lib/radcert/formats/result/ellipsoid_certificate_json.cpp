@@ -28,7 +28,7 @@ JsonValue polynomial_json(const std::vector<Monomial>& f) {
   });
 }
 
-std::vector<Monomial> polynomial_from(const JsonReader& reader) {
+std::vector<Monomial> polynomial_from(const JsonReader& reader, int most) {
   const std::string what = "a list of monomials, the powers of x, y and z and a coefficient";
   std::vector<Monomial> out;
   for (const JsonReader& monomial : reader.elements(what)) {
@@ -41,8 +41,7 @@ std::vector<Monomial> polynomial_from(const JsonReader& reader) {
           static_cast<int>(x[axis].whole(0, certificate::most_sphere_powers, "a power of a coordinate"));
       sum += read.powers[axis];
     }
-    if (sum > certificate::most_sphere_powers)
-      monomial.refuse("has too high a degree", std::to_string(certificate::most_sphere_powers) + " or less");
+    if (sum > most) monomial.refuse("has too high a degree", std::to_string(most) + " or less");
     read.coefficient = exact_number(x[3]);
     out.push_back(std::move(read));
   }
@@ -65,8 +64,10 @@ void read_problem(const JsonReader& problem, EllipsoidCertificate& c) {
   c.half_axes = exact_point(axes);
   for (const Rational* const axis : {&c.half_axes.x, &c.half_axes.y, &c.half_axes.z})
     if (axis->sign() <= 0) axes.refuse("has a half axis that is not positive", "three positive numbers");
-  c.reflectivity = polynomial_from(problem.at("reflectivity", "a list of monomials"));
-  c.emission = polynomial_from(problem.at("emission", "a list of monomials"));
+  c.reflectivity = polynomial_from(problem.at("reflectivity", "a list of monomials"),
+                                   certificate::most_reflectivity_powers);
+  c.emission =
+      polynomial_from(problem.at("emission", "a list of monomials"), certificate::most_sphere_powers);
   if (c.of != OnEllipsoid::values) return;
   const JsonReader points = problem.at("points", "a list of points");
   for (const JsonReader& point : points.elements("a list of points")) c.points.push_back(exact_point(point));
