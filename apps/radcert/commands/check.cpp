@@ -182,8 +182,10 @@ void add_check(Program& program) {
                  "What the choice of elements follows from. Default: the digest of the content", "TEXT");
   command.footer(
       "Exit code 0: verified; 1: refused, with the first number that does not hold; 2: no certificate.\n"
-      "Elements are chosen by SHA-256 of seed and number: the same each time. All claims together prove the\n"
-      "means or values; a part of them leaves the others to whoever made the file.");
+      "Elements, or on an ellipsoid rows of points, are chosen by SHA-256 of seed and number: the same each\n"
+      "time. All claims together prove what is enclosed; a part of them leaves the others to whoever made "
+      "the\n"
+      "file.");
   command.runs([&common = program.common(), options] { return check_file(common, *options); });
 }
 

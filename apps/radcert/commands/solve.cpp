@@ -327,10 +327,11 @@ void add_solve(Program& program) {
       "Enclose the solution of the equation itself, within this width; the mesh and the degree are "
       "chosen by radcert",
       "WIDTH");
-  command.option(
-      "--certificate", options->certificate,
-      "Write what encloses the means or values on a polyhedron as a file that radcert check verifies",
-      "FILE.json");
+  command.option("--certificate", options->certificate,
+                 "Write what encloses the means or values on a convex polyhedron, or anything on an "
+                 "ellipsoid, as a file "
+                 "that radcert check verifies",
+                 "FILE.json");
   command.option("--of", options->of, "What the guarantee is of: " + listed(guaranteed_quantities()), "WORD");
   command.option("--outside", options->outside,
                  "Of a function on a polyhedron: how far from the vertices the width is wanted. Default: a "

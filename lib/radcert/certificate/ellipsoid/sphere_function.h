@@ -37,7 +37,7 @@ public:
   TurnedPolynomial(int degree, std::span<const double> cosines, std::span<const double> sines);
 
   [[nodiscard]] int degree() const { return degree_; }
-  /// Requires  points within 1e-8 of the sphere, |z| <= 1
+  /// Requires  points within 1e-5 of the sphere, |z| <= 1
   [[nodiscard]] Pack operator()(const Vector<Pack>& p) const;
   /// Of a value at a point that is off by d.
   [[nodiscard]] double error(double d) const;
