@@ -206,9 +206,68 @@ class Solve(ProgramTest):
         self.expect(2, "check", "changed.json")
         for words in [["--guarantee", "1/5", "--of", "function"], []]:
             self.expect(2, "solve", "furnace.json", *words, "--certificate", "d.json")
-        self.write("ball.json", {**furnace, "surface": {"name": "sphere"}})
-        self.expect(2, "solve", "ball.json", "--guarantee", "1/5", "--certificate", "d.json")
+        # Each condition that stands in the way.
+        self.write("bent.json", {**furnace, "emission": "exp(x)"})
+        done = self.run_program("solve", "bent.json", "--guarantee", "1/5", "--emission-by", "piece",
+                                "--certificate", "d.json")
+        self.assertEqual(done.returncode, 2)
+        message = done.stderr.decode()
+        for words in ["further emissions", "no polynomial"]:
+            self.assertIn(words, message)
         self.assertFalse(os.path.exists(self.path("d.json")))
+
+    def test_pointers_escape_the_names_of_emissions(self):
+        self.write("named.json", {"schema": "radcert/problem/1", "surface": {"name": "cube"},
+                                  "triangulation": {"levels": [0]}, "basis": {"family": "inset", "degree": 0},
+                                  "reflectivity": "1/2", "emission": "1",
+                                  "guarantee": {"width": "1/2", "emissions": {"a/b~c": "1/(x-1/2)"}}})
+        done = self.run_program("solve", "named.json")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("/guarantee/emissions/a~1b~0c", done.stderr.decode())
+
+    def test_a_reflectivity_that_varies_has_a_certificate(self):
+        self.write("bent.json", {"schema": "radcert/problem/1", "surface": {"name": "tetrahedron"},
+                                 "triangulation": {"levels": [0]}, "basis": {"family": "inset", "degree": 0},
+                                 "reflectivity": "1/4 + x/8", "emission": "3/4 - x/8"})
+        self.expect(0, "solve", "bent.json", "--guarantee", "1/5", "--certificate", "c.json")
+        with open(self.path("c.json"), encoding="utf-8") as file:
+            certificate = json.load(file)
+        jsonschema.validate(certificate, json.loads(self.expect(0, "schema", "certificate")))
+        for mean in certificate["means"]:
+            self.assertLessEqual(abs(float(mean["midpoint"]) - 1), float(mean["radius"]), mean["piece"])
+        self.assertIn("verified", self.expect(0, "check", "c.json", "--part", "6"))
+        certificate["problem"]["faces"][0]["reflectivity"]["polynomial"] = [["1/4"]] * 2
+        self.write("changed.json", certificate)
+        self.expect(2, "check", "changed.json")
+
+    def test_an_ellipsoid_has_certificates_of_all_kinds(self):
+        problem = {"schema": "radcert/problem/1", "surface": {"name": "ellipsoid", "a": 1, "b": "6/5", "c": "3/2"},
+                   "triangulation": {"levels": [0]}, "basis": {"family": "inset", "degree": 0},
+                   "reflectivity": "1/2 + x/8", "emission": "1/2 - x/8"}
+        self.write("lit.json", problem)
+        for of, words in [("means", ["means of u"]), ("values", ["values of u", "0,0,-3/2"]),
+                          ("function", ["everywhere"])]:
+            self.expect(0, "solve", "lit.json", "--guarantee", "1e-4", "--of", of, "--certificate", "c.json")
+            with open(self.path("c.json"), encoding="utf-8") as file:
+                certificate = json.load(file)
+            jsonschema.validate(certificate, json.loads(self.expect(0, "schema", "certificate")))
+            self.assertEqual(certificate["of"], of)
+            self.assertLessEqual(float(certificate["width"]), 1e-4)
+            # u = 1.
+            for enclosed in certificate.get(of, []) if of != "function" else []:
+                self.assertLessEqual(abs(float(enclosed["midpoint"]) - 1), float(enclosed["radius"]))
+            report = self.expect(0, "check", "c.json", "--all")
+            for word in ["verified", "all rows", *words]:
+                self.assertIn(word, report)
+            report = json.loads(self.expect(0, "check", "c.json", "--part", "4", "--json", "-"))
+            jsonschema.validate(report, json.loads(self.expect(0, "schema", "check")))
+            self.assertEqual(len(report["looked_at"]), 4)
+            certificate["residual"] /= 2
+            self.write("changed.json", certificate)
+            self.assertIn("/digest", self.expect(1, "check", "changed.json"))
+            for key, wrong in [("degree", 65), ("coefficients", ["0"]), ("residual", -1), ("bound", "x")]:
+                self.write("changed.json", {**certificate, key: wrong})
+                self.expect(2, "check", "changed.json")
 
     def test_errors_are_null_without_a_solution_and_ratios_are_quotients_with_one(self):
         emitted = json.loads(self.solution(self.write("p.json", small(solution=None, emission="1"))))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Certificates whose claims are true or false by a little, on skew polyhedra: in a furnace with u = 1 and
 // constant functions the residuals are known exactly, and the check must refuse what is false; of values at
-// points as well, whose duals' residuals are known by integrals of kernels.
+// points as well, whose duals' residuals are known by integrals of kernels; and on spheres and ellipsoids.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,9 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "radcert/certificate/certificate.h"
 #include "radcert/certificate/check.h"
 #include "radcert/core/text.h"
 #include "tests/attack/attack.h"
+#include "tests/certificate/ellipsoid_samples.h"
 #include "tests/certificate/samples.h"
 #include "tests/continuous/skew_map.h"
 
@@ -20,7 +22,7 @@ namespace radcert::attack {
 namespace {
 
 using certificate::Claim;
-using certificate::MeansCertificate;
+using certificate::PolyhedronCertificate;
 
 /// A furnace with one reflectivity, as a certificate with one claim that is false or nearly so.
 /// Maths     E = 1 - rho, q_0 = 1 - d, q_k = b: w_0 = 1 - rho d, t_0 = d (1 - rho) by T 1 = 1, w_k = rho
@@ -49,13 +51,13 @@ std::string text(const Instance& x) {
 }
 
 struct Made {
-  MeansCertificate certificate;
+  PolyhedronCertificate certificate;
   std::size_t element = 0;
 };
 
 Made certificate_of(const Instance& x) {
   Made out{.certificate = test::bare_certificate(x.surface, x.layers, 0, 1)};
-  MeansCertificate& c = out.certificate;
+  PolyhedronCertificate& c = out.certificate;
   const Rational rho = hundredths(x.reflectivity);
   const double r = rho.to_double();
   for (certificate::Face& face : c.faces) {
@@ -137,17 +139,17 @@ certificate::Part part_with(std::size_t element, std::size_t count) {
 
 Judgement judge(const Instance& x) {
   const Made made = certificate_of(x);
-  const MeansCertificate& c = made.certificate;
+  const PolyhedronCertificate& c = made.certificate;
   const certificate::Report report = certificate::check(c, part_with(made.element, c.elements.size()));
   // The doubles of the claims are off by some roundings.
   constexpr double roundings = 1e-9;
   const bool is_false = x.norm < 1 - roundings || std::abs(x.off) > 1 + roundings;
   if (is_false) return report.refusal ? Judgement::held(1) : Judgement::violated("a false claim is verified");
   if (report.refusal) return Judgement::refused();
-  for (const certificate::Enclosure& mean : c.means)
+  for (const certificate::Enclosure& mean : c.enclosures)
     if (abs(mean.midpoint - Rational::exactly(x.size)) > mean.radius)
       return Judgement::violated("a mean of 1 lies outside what is verified");
-  return Judgement::held(1 + c.means.size());
+  return Judgement::held(1 + c.enclosures.size());
 }
 
 TEST(CertificateAttack, FalseClaimsAreRefused) {
@@ -178,7 +180,7 @@ std::string text_of_value(const ValueInstance& x) {
 
 Made certificate_of_value(const ValueInstance& x) {
   Made out{.certificate = test::bare_certificate(x.scene.surface, x.scene.layers, 0, 1)};
-  MeansCertificate& c = out.certificate;
+  PolyhedronCertificate& c = out.certificate;
   const Rational rho = hundredths(x.scene.reflectivity);
   const double r = rho.to_double();
   for (certificate::Face& face : c.faces) {
@@ -212,14 +214,14 @@ Made certificate_of_value(const ValueInstance& x) {
 
 Judgement judge_value(const ValueInstance& x) {
   const Made made = certificate_of_value(x);
-  const MeansCertificate& c = made.certificate;
+  const PolyhedronCertificate& c = made.certificate;
   const certificate::Report report = certificate::check(c, part_with(made.element, c.elements.size()));
   // Of the rule of 16 x 16 nodes for the square of the kernel.
   constexpr double of_rule = 1e-3;
   if (x.scene.norm < 1 - of_rule)
     return report.refusal ? Judgement::held(1) : Judgement::violated("a false claim is verified");
   if (report.refusal) return Judgement::refused();
-  if (abs(c.means[0].midpoint - Rational(1)) > c.means[0].radius)
+  if (abs(c.enclosures[0].midpoint - Rational(1)) > c.enclosures[0].radius)
     return Judgement::violated("a value of 1 lies outside what is verified");
   return Judgement::held(2);
 }
@@ -242,6 +244,155 @@ TEST(CertificateAttack, FalseClaimsOfValuesAreRefused) {
                                                  .judge = judge_value,
                                                  .text = text_of_value});
   EXPECT_LE(count.refused, std::max<std::size_t>(1, count.instances / 3));
+}
+
+/// A furnace on a sphere or an ellipsoid whose residual is known, as test::furnace_ellipsoid has it, claimed
+/// by so much.
+struct EllipsoidInstance {
+  std::array<long, 3> axes{100, 100, 100};  ///< in hundredths
+  long reflectivity = 50;
+  double d = 0.25;
+  double e = 0;  ///< on a sphere alone
+  int m = 0;
+  double claim = 3;
+  std::size_t of = 0;
+};
+
+std::string text_of_ellipsoid(const EllipsoidInstance& x) {
+  std::string out = "axes";
+  for (const long axis : x.axes) out += " " + std::to_string(axis);
+  return out + ", rho " + std::to_string(x.reflectivity) + ", d " + shortest(x.d) + ", e " + shortest(x.e) +
+         ", m " + std::to_string(x.m) + ", claim " + shortest(x.claim) + ", of " + std::to_string(x.of);
+}
+
+Judgement judge_ellipsoid(const EllipsoidInstance& x) {
+  const Rational rho = hundredths(x.reflectivity);
+  const double sup = (1 - rho.to_double()) * x.d + x.e;
+  const certificate::EllipsoidCertificate c =
+      test::furnace_ellipsoid({hundredths(x.axes[0]), hundredths(x.axes[1]), hundredths(x.axes[2])}, rho, x.d,
+                              x.e, x.m, x.claim * sup, static_cast<certificate::OnEllipsoid>(x.of));
+  const certificate::Report report =
+      certificate::check(c, {.elements = certificate::part_count(c), .seed = {}});
+  if (x.claim < 1 - 1e-9)
+    return report.refusal ? Judgement::held(1) : Judgement::violated("a false residual is verified");
+  if (report.refusal) return Judgement::refused();
+  for (const certificate::Enclosure& one : c.enclosures)
+    if (abs(one.midpoint - Rational(1)) > one.radius)
+      return Judgement::violated("1 lies outside what is verified");
+  if (x.claim < 1.5) return Judgement::violated("what lies between points is not accounted for");
+  return Judgement::held(1 + c.enclosures.size());
+}
+
+EllipsoidInstance drawn_ellipsoid(Draw& draw) {
+  EllipsoidInstance x;
+  const auto axis = [&] { return 20 + static_cast<long>(draw.below(40)); };
+  const bool is_sphere = draw.below(2) == 0;
+  const long radius = axis();
+  x.axes = {is_sphere ? radius : axis(), is_sphere ? radius : axis(), is_sphere ? radius : axis()};
+  x.reflectivity = 1 + static_cast<long>(draw.below(98));
+  x.d = std::ldexp(1 + draw.unit(), -1 - static_cast<int>(draw.below(20)));
+  if (is_sphere) {
+    x.m = 1 + static_cast<int>(draw.below(24));
+    x.e = x.d * std::ldexp(1 + draw.unit(), 3 - static_cast<int>(draw.below(6)));
+  }
+  x.claim = draw.below(2) == 0 ? 2.7 : 1 - std::pow(10.0, -4 * draw.unit()) / 2;
+  x.of = draw.below(3);
+  return x;
+}
+
+TEST(CertificateAttack, FalseResidualsOnEllipsoidsAreRefused) {
+  const Count count = hold(Attack<EllipsoidInstance>{.name = "residuals of certificates on ellipsoids",
+                                                     .usual_instances = 40,
+                                                     .make = drawn_ellipsoid,
+                                                     .judge = judge_ellipsoid,
+                                                     .text = text_of_ellipsoid});
+  EXPECT_LE(count.refused, count.instances / 4);
+}
+
+/// A problem on an ellipsoid with random polynomials, searched twice, and what certificates say of it.
+struct EllipsoidProblemInstance {
+  std::array<long, 3> axes{100, 100, 100};  ///< in hundredths
+  std::array<long, 4> rho{};                ///< of 1, x, y z, z^2, in hundredths of what keeps rho below 1
+  std::array<long, 4> emission{};           ///< of 1, x, y^2, x y z, in tenths
+  int digits = 4;                           ///< of the width
+};
+
+std::string text_of_problem(const EllipsoidProblemInstance& x) {
+  std::string out = "axes";
+  for (const long axis : x.axes) out += " " + std::to_string(axis);
+  out += ", rho";
+  for (const long c : x.rho) out += " " + std::to_string(c);
+  out += ", E";
+  for (const long c : x.emission) out += " " + std::to_string(c);
+  return out + ", digits " + std::to_string(x.digits);
+}
+
+EllipsoidProblem problem_of(const EllipsoidProblemInstance& x) {
+  const auto sum = [](const std::array<long, 4>& c, const std::array<std::string, 4>& of, long over) {
+    std::string out = "0";
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::string part = std::to_string(std::abs(c[k])) + "/" + std::to_string(over) + of[k];
+      out += (c[k] < 0 ? " - " : " + ") + part;
+    }
+    return parse_expression(out).value();
+  };
+  // The half axes are at most 2: the four together are at most 1/2 in size.
+  return {.half_axes = {hundredths(x.axes[0]), hundredths(x.axes[1]), hundredths(x.axes[2])},
+          .reflectivity = sum(x.rho, {"", "*x/16", "*y*z/32", "*z^2/32"}, 100),
+          .emission = sum(x.emission, {"", "*x", "*y^2", "*x*y*z"}, 10)};
+}
+
+/// The finer search's enclosure lies within the certificate's, or near it: both hold u.
+Judgement judge_problem(const EllipsoidProblemInstance& x) {
+  const EllipsoidProblem problem = problem_of(x);
+  const double wanted = std::pow(10.0, -x.digits);
+  const Outcome<EllipsoidEnclosure> coarse = enclose_on_ellipsoid(problem, wanted);
+  const Outcome<EllipsoidEnclosure> fine = enclose_on_ellipsoid(problem, 1e-2 * wanted);
+  if (!coarse || !fine || !std::isfinite(coarse->bound)) return Judgement::refused();
+  const std::vector<Vector<Rational>> points{
+      {problem.half_axes.x, 0, 0},
+      {0, Rational(-3, 5) * problem.half_axes.y, Rational(4, 5) * problem.half_axes.z}};
+  std::size_t values = 0;
+  for (const certificate::OnEllipsoid of :
+       {certificate::OnEllipsoid::mean, certificate::OnEllipsoid::values}) {
+    const bool of_values = of == certificate::OnEllipsoid::values;
+    const certificate::EllipsoidCertificate c = ellipsoid_certificate(
+        problem, *coarse, "ellipsoid", of, of_values ? points : std::vector<Vector<Rational>>{});
+    const certificate::Report report = certificate::check(c, {.elements = 12, .seed = "attack"});
+    if (report.refusal)
+      return Judgement::violated("what the search proved is refused: " + report.refusal->pointer + " " +
+                                 report.refusal->says);
+    for (std::size_t k = 0; k < c.enclosures.size(); ++k) {
+      const Approximation near =
+          of_values ? (k == 0 ? fine->at({1, 0, 0}) : fine->at({0, -0.6, 0.8})) : fine->mean;
+      const double off = std::abs(c.enclosures[k].midpoint.to_double() - near.value);
+      if (!(off <= (c.enclosures[k].radius.to_double() + near.radius) * (1 + 1e-9)))
+        return Judgement::violated("a certificate and a finer search contradict each other");
+      ++values;
+    }
+  }
+  return Judgement::held(values);
+}
+
+EllipsoidProblemInstance drawn_problem(Draw& draw) {
+  EllipsoidProblemInstance x;
+  for (long& axis : x.axes) axis = 90 + static_cast<long>(draw.below(60));
+  x.rho[0] = 50;
+  for (std::size_t k = 1; k < 4; ++k)
+    x.rho[k] = draw.below(3) == 0 ? 0 : static_cast<long>(draw.below(200)) - 100;
+  for (long& c : x.emission) c = draw.below(3) == 0 ? 0 : static_cast<long>(draw.below(20)) - 10;
+  x.emission[0] += 1;
+  x.digits = 2 + static_cast<int>(draw.below(3));
+  return x;
+}
+
+TEST(CertificateAttack, SearchesOnEllipsoidsAreVerified) {
+  const Count count = hold(Attack<EllipsoidProblemInstance>{.name = "certificates of searches on ellipsoids",
+                                                            .usual_instances = 5,
+                                                            .make = drawn_problem,
+                                                            .judge = judge_problem,
+                                                            .text = text_of_problem});
+  EXPECT_LE(count.refused, count.instances / 3);
 }
 
 }  // namespace

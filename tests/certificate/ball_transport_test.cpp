@@ -18,8 +18,8 @@ using radcert::test::bare_certificate;
 using radcert::test::Draw;
 using test::Bench;
 
-Vector<Rational> point_of(const MeansCertificate& c, std::size_t face, std::size_t side, const Rational& s,
-                          const Rational& t) {
+Vector<Rational> point_of(const PolyhedronCertificate& c, std::size_t face, std::size_t side,
+                          const Rational& s, const Rational& t) {
   const std::vector<Vector<Rational>>& p = c.faces[face].corners;
   Vector<Rational> sum;
   for (const Vector<Rational>& corner : p) sum = sum + corner;
@@ -34,7 +34,7 @@ Vector<Rational> normal_of(const Face& face) {
 }
 
 /// T w_k by closed forms, w_k constant on elements.
-Ball sent(const MeansCertificate& c, std::size_t k, std::size_t face, const Vector<Rational>& at) {
+Ball sent(const PolyhedronCertificate& c, std::size_t k, std::size_t face, const Vector<Rational>& at) {
   Ball sum;
   for (std::size_t e = 0; e < c.elements.size(); ++e) {
     const Element& x = c.elements[e];

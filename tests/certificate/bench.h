@@ -6,20 +6,20 @@
 #include "radcert/certificate/ball_transport.h"
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/line_bounds.h"
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/certificate/scene.h"
 
 namespace radcert::certificate::test {
 
 /// A certificate and what its check is made of.
 struct Bench {
-  explicit Bench(MeansCertificate given)
+  explicit Bench(PolyhedronCertificate given)
       : c(std::move(given)),
         scene(c),
         densities(c),
         lines(c, scene, densities),
         transport(c, scene, densities, lines) {}
-  MeansCertificate c;
+  PolyhedronCertificate c;
   Scene scene;
   Densities densities;
   LineBounds lines;

@@ -34,8 +34,8 @@ PolyhedronProblem one_face_emits() {
   return test::constant_problem("tetrahedron", Rational(1, 2), {1, 0, 0, 0});
 }
 
-const MeansCertificate& small() {
-  static const MeansCertificate made = test::certified_means(one_face_emits(), "tetrahedron", 0.15);
+const PolyhedronCertificate& small() {
+  static const PolyhedronCertificate made = test::certified_solution(one_face_emits(), "tetrahedron", 0.15);
   return made;
 }
 
@@ -47,7 +47,7 @@ TEST(Check, VerifiesWhatTheSearchFound) {
   // Light that is emitted leaves by absorption: Int (1/rho - 1) u = Int E/rho, faces alike.
   Rational middle = 0;
   Rational radius = 0;
-  for (const Enclosure& mean : small().means) {
+  for (const Enclosure& mean : small().enclosures) {
     middle += mean.midpoint;
     radius += mean.radius;
   }
@@ -58,8 +58,8 @@ TEST(Check, VerifiesOnesInFurnaces) {
   for (const auto& [name, rho] :
        {std::pair("tetrahedron", Rational(1, 4)), std::pair("cube", Rational(2, 3))}) {
     const PolyhedronProblem furnace = test::constant_problem(name, rho, {Rational(1) - rho});
-    const MeansCertificate c = test::certified_means(furnace, name, 0.1);
-    for (const Enclosure& mean : c.means) EXPECT_TRUE(holds(mean, 1)) << name;
+    const PolyhedronCertificate c = test::certified_solution(furnace, name, 0.1);
+    for (const Enclosure& mean : c.enclosures) EXPECT_TRUE(holds(mean, 1)) << name;
     const Report report = check(c, {.elements = 30, .seed = "furnace"});
     EXPECT_FALSE(report.refusal) << name << " " << text_of(report);
   }
@@ -73,23 +73,23 @@ TEST(Check, VerifiesFacesThatReflectDifferentlyAndPolynomials) {
   problem.emission[2](0, 0) = Rational(1);
   problem.emission[2](1, 0) = Rational(-1, 3);
   problem.emission[2](1, 1) = Rational(1, 2);
-  const MeansCertificate c = test::certified_means(problem, "box", 0.5);
+  const PolyhedronCertificate c = test::certified_solution(problem, "box", 0.5);
   const Report report = check(c, {.elements = 40, .seed = "box"});
   EXPECT_FALSE(report.refusal) << text_of(report);
 }
 
 TEST(Check, TakesTheEmissionWhereNothingReflects) {
   const PolyhedronProblem dark = test::constant_problem("cube", 0, {1, 2, 3, 4, 5, 6});
-  const MeansCertificate c = means_certificate(dark, test::names_of("cube"), nullptr);
+  const PolyhedronCertificate c = polyhedron_certificate(dark, test::names_of("cube"), nullptr);
   EXPECT_FALSE(check(c, {.elements = all, .seed = {}}).refusal);
   for (std::size_t k = 0; k < c.faces.size(); ++k)
-    EXPECT_TRUE(holds(c.means[c.faces[k].piece], c.faces[k].emission[0][0]));
+    EXPECT_TRUE(holds(c.enclosures[c.faces[k].piece], c.faces[k].emission[0][0]));
   EXPECT_LT(c.width, Rational::exactly(1e-12));
 }
 
 /// By hand: faces of the area a, S = 4 a, d = b = 1/4.
 TEST(Summed, IsWhatTheTheoremSays) {
-  const MeansCertificate c = test::furnace_certificate("tetrahedron", 0.25, 0.25, 1.2, 0.02);
+  const PolyhedronCertificate c = test::furnace_certificate("tetrahedron", 0.25, 0.25, 1.2, 0.02);
   double area = 0;
   for (const Element& x : c.elements) area += test::element_area(c, x);
   const double a = area / 4;
@@ -100,10 +100,10 @@ TEST(Summed, IsWhatTheTheoremSays) {
     EXPECT_NEAR(c.sums.norms[1 + k], dual, 1e-12 * dual);
     EXPECT_NEAR(c.sums.products[k], 0.125 * a, 1e-12 * a);
     EXPECT_NEAR(c.sums.radii[k], 0.02 * area, 1e-12 * area);
-    EXPECT_NEAR(c.means[k].midpoint.to_double(), 1, 1e-12);
+    EXPECT_NEAR(c.enclosures[k].midpoint.to_double(), 1, 1e-12);
     const double radius = (0.02 * area + 2 * first * dual) / a;
-    EXPECT_NEAR(c.means[k].radius.to_double(), radius, 1e-6 * radius);
-    EXPECT_GE(c.means[k].radius.to_double(), radius * (1 - 1e-12));
+    EXPECT_NEAR(c.enclosures[k].radius.to_double(), radius, 1e-6 * radius);
+    EXPECT_GE(c.enclosures[k].radius.to_double(), radius * (1 - 1e-12));
   }
 }
 
@@ -114,11 +114,11 @@ TEST(Check, IsSharpWhereResidualsAreKnown) {
     const Report above = check(test::furnace_certificate(name, 0.25, 0.25, 1.02, 1e-3), part);
     EXPECT_FALSE(above.refusal) << name << " " << text_of(above);
     EXPECT_TRUE(check(test::furnace_certificate(name, 0.25, 0.25, 0.999, 1e-3), part).refusal) << name;
-    MeansCertificate shifted = test::furnace_certificate(name, 0.25, 0.25, 1.02, 1e-3);
+    PolyhedronCertificate shifted = test::furnace_certificate(name, 0.25, 0.25, 1.02, 1e-3);
     const std::size_t e = chosen_elements(shifted.elements.size(), part)[3];
     shifted.claims[e].products[1] += 1.05 * shifted.claims[e].radii[1];
     shifted.sums.radii[1] *= 1.05;
-    shifted.means[1].radius *= Rational(2);
+    shifted.enclosures[1].radius *= Rational(2);
     shifted.width *= Rational(2);
     const Report report = check(shifted, part);
     ASSERT_TRUE(report.refusal) << name;
@@ -129,7 +129,7 @@ TEST(Check, IsSharpWhereResidualsAreKnown) {
 /// Of a value: u = 1 is within what is stated, 1 - d/4 and the product of the norms over 1 - s = 1/2.
 TEST(Summed, OfValuesIsWhatTheTheoremSays) {
   for (const std::string name : {"tetrahedron", "cube"}) {
-    const MeansCertificate c = test::furnace_value_certificate(name, 0.25, 1.02, 1e-3);
+    const PolyhedronCertificate c = test::furnace_value_certificate(name, 0.25, 1.02, 1e-3);
     double area = 0;
     double kernel = 0;
     double own = 0;
@@ -143,25 +143,25 @@ TEST(Summed, OfValuesIsWhatTheTheoremSays) {
     }
     const double first = 1.02 * 0.125 * std::sqrt(area / 2);
     const double dual = std::sqrt(1.02 * 1.02 * kernel / 2 + own);
-    ASSERT_EQ(c.means.size(), 1U);
-    EXPECT_NEAR(c.means[0].midpoint.to_double(), 1 - 0.0625, 1e-6);
+    ASSERT_EQ(c.enclosures.size(), 1U);
+    EXPECT_NEAR(c.enclosures[0].midpoint.to_double(), 1 - 0.0625, 1e-6);
     const double radius = 0.5 * (1e-3 * area + 2 * first * dual);
-    EXPECT_NEAR(c.means[0].radius.to_double(), radius, 1e-5 * radius);
-    EXPECT_TRUE(holds(c.means[0], 1));
+    EXPECT_NEAR(c.enclosures[0].radius.to_double(), radius, 1e-5 * radius);
+    EXPECT_TRUE(holds(c.enclosures[0], 1));
   }
 }
 
 TEST(Check, IsSharpForTheKernelsOfPoints) {
   for (const std::string name : {"tetrahedron", "cube"}) {
     const Part part{.elements = 5, .seed = "kernels"};
-    const MeansCertificate below = test::furnace_value_certificate(name, 0.25, 1.02, 0.02);
+    const PolyhedronCertificate below = test::furnace_value_certificate(name, 0.25, 1.02, 0.02);
     const Report above = check(below, part);
     EXPECT_FALSE(above.refusal) << name << " " << text_of(above);
     int tried = 0;
     for (const std::size_t e : chosen_elements(below.elements.size(), part)) {
       if (below.elements[e].face == below.points[0].face) continue;
       ++tried;
-      MeansCertificate one = below;
+      PolyhedronCertificate one = below;
       one.claims[e].norms[1] *= 0.98 / 1.02;
       const Report report = check(one, part);
       ASSERT_TRUE(report.refusal) << name;
@@ -177,12 +177,12 @@ TEST(Check, VerifiesValuesThatASearchFound) {
   furnace.emission[2] = constant_polynomial(Rational(1));
   const std::vector<SolutionPoint> points{{1, furnace.panels[1].centre}, {2, furnace.panels[2].centre}};
   const GoalEnclosure found = enclose_values(furnace, points, 0.2, {}, true);
-  const MeansCertificate c =
-      means_certificate(furnace, test::names_of("tetrahedron"), found.proof.get(), points);
-  ASSERT_EQ(c.means.size(), 2U);
-  for (const Enclosure& value : c.means) EXPECT_TRUE(holds(value, 1));
+  const PolyhedronCertificate c =
+      polyhedron_certificate(furnace, test::names_of("tetrahedron"), found.proof.get(), points);
+  ASSERT_EQ(c.enclosures.size(), 2U);
+  for (const Enclosure& value : c.enclosures) EXPECT_TRUE(holds(value, 1));
   // Black, it is lit by nothing but itself.
-  EXPECT_LT(c.means[1].radius, Rational::exactly(1e-12));
+  EXPECT_LT(c.enclosures[1].radius, Rational::exactly(1e-12));
   EXPECT_LT(c.width, Rational::exactly(0.4));
   const Report report = check(c, {.elements = 20, .seed = "values"});
   EXPECT_FALSE(report.refusal) << text_of(report);
@@ -193,15 +193,15 @@ TEST(Check, TakesValuesWhereNothingIsReflected) {
   problem.reflectivity[1] = Rational(0);
   const std::vector<SolutionPoint> points{{1, problem.panels[1].centre}};
   const GoalEnclosure found = enclose_values(problem, points, 0.2, {}, true);
-  const MeansCertificate c =
-      means_certificate(problem, test::names_of("tetrahedron"), found.proof.get(), points);
-  EXPECT_TRUE(holds(c.means[0], 2));
+  const PolyhedronCertificate c =
+      polyhedron_certificate(problem, test::names_of("tetrahedron"), found.proof.get(), points);
+  EXPECT_TRUE(holds(c.enclosures[0], 2));
   EXPECT_FALSE(check(c, {.elements = all, .seed = {}}).refusal);
 }
 
 /// Int_X w_k t_0 = w_k |X| d/2 where the functions are constants; cells at edges are closed.
 TEST(ElementCheck, EnclosesProductsThatAreKnown) {
-  const MeansCertificate c = test::furnace_certificate("cube", 0.25, 0.25, 1.2, 0.02);
+  const PolyhedronCertificate c = test::furnace_certificate("cube", 0.25, 0.25, 1.2, 0.02);
   const Scene scene(c);
   const Densities densities(c);
   const LineBounds lines(c, scene, densities);
@@ -226,7 +226,7 @@ struct Change {
   std::size_t element = 0;  ///< whose claim is false, where no exact part of the check sees it
 };
 
-Change change(MeansCertificate& c, Draw& draw) {
+Change change(PolyhedronCertificate& c, Draw& draw) {
   const auto sign = [&] { return draw() < 0.5 ? -1.0 : 1.0; };
   const std::size_t e = draw.below(c.elements.size());
   const std::size_t k = draw.below(c.pieces.size());
@@ -261,8 +261,8 @@ Change change(MeansCertificate& c, Draw& draw) {
       return {"sum of norms" + at};
     case 6: c.sums.products[k] += sign() * 0.01 * c.sums.radii[k]; return {"sum of products" + at};
     case 7: c.sums.radii[k] *= draw() < 0.5 ? 0.999 : 1.01; return {"sum of radii" + at};
-    case 8: c.means[k].midpoint += Rational::exactly(sign() * 1e-6); return {"midpoint" + at};
-    case 9: c.means[k].radius *= Rational(999999, 1000000); return {"radius of a mean" + at};
+    case 8: c.enclosures[k].midpoint += Rational::exactly(sign() * 1e-6); return {"midpoint" + at};
+    case 9: c.enclosures[k].radius *= Rational(999999, 1000000); return {"radius of a mean" + at};
     case 10: c.width *= Rational(999, 1000); return {"width" + at};
     case 11:
       c.faces[face].reflectivity += Rational::exactly(sign() * 0.1);
@@ -278,7 +278,7 @@ Change change(MeansCertificate& c, Draw& draw) {
 }
 
 /// The same of a value.
-Change change_of_a_value(MeansCertificate& c, Draw& draw) {
+Change change_of_a_value(PolyhedronCertificate& c, Draw& draw) {
   const auto sign = [&] { return draw() < 0.5 ? -1.0 : 1.0; };
   const std::size_t own = c.points[0].face;
   std::size_t e = draw.below(c.elements.size());
@@ -302,8 +302,8 @@ Change change_of_a_value(MeansCertificate& c, Draw& draw) {
     case 3: c.coefficients[c.elements.size() + e] += sign() * 0.5; return {"dual" + at, e};
     case 4: c.claims[e].norms[1] *= draw() < 0.5 ? 0.7 : 1.01; return {"norm" + at, e};
     case 5: c.claims[e].products[0] += sign() * 3 * c.claims[e].radii[0]; return {"product" + at, e};
-    case 6: c.means[0].midpoint += Rational::exactly(sign() * 1e-5); return {"midpoint"};
-    case 7: c.means[0].radius *= Rational(9999, 10000); return {"radius"};
+    case 6: c.enclosures[0].midpoint += Rational::exactly(sign() * 1e-5); return {"midpoint"};
+    case 7: c.enclosures[0].radius *= Rational(9999, 10000); return {"radius"};
     default: c.sums.norms[1] *= draw() < 0.5 ? 0.999 : 1.2; return {"sum of norms"};
   }
 }
@@ -321,12 +321,12 @@ Part part_with(std::size_t element, std::size_t count) {
 TEST(Check, RefusesAnyNumberChanged) {
   const char* const asked = std::getenv("RADCERT_LAWS");
   const int changes = 100 * (asked == nullptr ? 1 : std::max(1, std::atoi(asked)));
-  const MeansCertificate whole = test::furnace_certificate("tetrahedron", 0.25, 0.25, 1.2, 0.02);
+  const PolyhedronCertificate whole = test::furnace_certificate("tetrahedron", 0.25, 0.25, 1.2, 0.02);
   // Unchanged it holds.
   ASSERT_FALSE(check(whole, {.elements = 12, .seed = "unchanged"}).refusal);
   Draw draw(31);
   for (int n = 0; n < changes; ++n) {
-    MeansCertificate c = whole;
+    PolyhedronCertificate c = whole;
     const Change changed = change(c, draw);
     // The element itself is refused, and not one that the change happens to reach as well.
     const Report report = check(c, part_with(changed.element, c.elements.size()));
@@ -335,11 +335,11 @@ TEST(Check, RefusesAnyNumberChanged) {
 }
 
 TEST(Check, RefusesAnyNumberOfAValueChanged) {
-  const MeansCertificate whole = test::furnace_value_certificate("tetrahedron", 0.25, 1.2, 0.02);
+  const PolyhedronCertificate whole = test::furnace_value_certificate("tetrahedron", 0.25, 1.2, 0.02);
   ASSERT_FALSE(check(whole, {.elements = 12, .seed = "unchanged"}).refusal);
   Draw draw(37);
   for (int n = 0; n < 100; ++n) {
-    MeansCertificate c = whole;
+    PolyhedronCertificate c = whole;
     const Change changed = change_of_a_value(c, draw);
     const Report report = check(c, part_with(changed.element, c.elements.size()));
     EXPECT_TRUE(report.refusal) << changed.what;
@@ -356,7 +356,7 @@ TEST(Check, LooksAtTheSameElementsForTheSameSeed) {
 }
 
 TEST(Check, SaysTheSameForAnyNumberOfThreads) {
-  MeansCertificate c = test::furnace_certificate("tetrahedron", 0.25, 0.25, 1.2, 0.02);
+  PolyhedronCertificate c = test::furnace_certificate("tetrahedron", 0.25, 0.25, 1.2, 0.02);
   const Part part{.elements = 10, .seed = "threads"};
   const std::vector<std::size_t> chosen = chosen_elements(c.elements.size(), part);
   for (const std::size_t k : {std::size_t{2}, std::size_t{5}, std::size_t{9}})

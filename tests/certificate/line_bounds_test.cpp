@@ -84,7 +84,7 @@ Complex sent(const Bench& bench, std::size_t e, Complex s, Complex t, std::size_
 }
 
 /// w_0 = 1 on one element, and 0 on all others; all other functions are 0.
-MeansCertificate lonely(MeansCertificate c, std::size_t element) {
+PolyhedronCertificate lonely(PolyhedronCertificate c, std::size_t element) {
   for (Face& face : c.faces) face.emission = {{Rational(0)}};
   const std::size_t size = c.powers() * c.powers();
   std::fill(c.coefficients.begin(), c.coefficients.end(), 0.0);
@@ -108,7 +108,7 @@ TEST(LineBounds, HoldAtComplexPoints) {
   double closest_slid = 0;
   int tried = 0;
   for (const std::string name : {"cube", "tetrahedron", "octahedron"}) {
-    const MeansCertificate whole = bare_certificate(name, 3, 0, 21);
+    const PolyhedronCertificate whole = bare_certificate(name, 3, 0, 21);
     std::optional<Bench> made;
     Draw draw(22);
     for (int n = 0; n < 400; ++n) {

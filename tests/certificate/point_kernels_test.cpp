@@ -15,7 +15,7 @@ namespace {
 using test::Draw;
 
 struct Kernels {
-  MeansCertificate c;
+  PolyhedronCertificate c;
   Scene scene;
   Densities densities;
   PointKernels kernels;
@@ -142,7 +142,7 @@ TEST(PointKernels, HaveBoundsOnEllipses) {
 }
 
 TEST(PointKernels, AreOfPointsInsideTheirFacesAlone) {
-  MeansCertificate c = test::furnace_value_certificate("cube", 0.25, 1.2, 0.02);
+  PolyhedronCertificate c = test::furnace_value_certificate("cube", 0.25, 1.2, 0.02);
   EXPECT_FALSE(points_fault(c));
   const std::vector<Vector<Rational>>& p = c.faces[1].corners;
   for (const Vector<Rational>& wrong :

@@ -15,7 +15,7 @@ using test::bare_certificate;
 
 TEST(SurfaceFault, FindsNoneInConvexPolyhedra) {
   for (const std::string name : {"cube", "box", "tetrahedron", "octahedron"}) {
-    const MeansCertificate c = bare_certificate(name, 2, 1, 1);
+    const PolyhedronCertificate c = bare_certificate(name, 2, 1, 1);
     EXPECT_FALSE(surface_fault(c)) << name;
     EXPECT_FALSE(tiling_fault(c)) << name;
     EXPECT_FALSE(reflectivity_fault(c)) << name;
@@ -23,7 +23,7 @@ TEST(SurfaceFault, FindsNoneInConvexPolyhedra) {
 }
 
 TEST(SurfaceFault, TakesTwoFacesInOnePlane) {
-  MeansCertificate c = bare_certificate("cube", 2, 1, 1);
+  PolyhedronCertificate c = bare_certificate("cube", 2, 1, 1);
   const Face square = c.faces[0];
   Face one = square;
   Face other = square;
@@ -38,11 +38,11 @@ TEST(SurfaceFault, TakesTwoFacesInOnePlane) {
 
 TEST(SurfaceFault, SeesAnyCornerThatMoves) {
   for (const std::string name : {"cube", "tetrahedron"}) {
-    const MeansCertificate whole = bare_certificate(name, 2, 1, 1);
+    const PolyhedronCertificate whole = bare_certificate(name, 2, 1, 1);
     for (std::size_t f = 0; f < whole.faces.size(); ++f)
       for (std::size_t i = 0; i < whole.faces[f].corners.size(); ++i)
         for (const Rational& by : {Rational(1, 1000000), Rational(-1, 7), Rational(-2)}) {
-          MeansCertificate c = whole;
+          PolyhedronCertificate c = whole;
           c.faces[f].corners[i].x += by;
           EXPECT_TRUE(surface_fault(c)) << name << " " << f << " " << i << " " << by.to_text();
         }
@@ -50,7 +50,7 @@ TEST(SurfaceFault, SeesAnyCornerThatMoves) {
 }
 
 TEST(SurfaceFault, EndsBeforeItLooksAtFacesOfManyCorners) {
-  MeansCertificate c = bare_certificate("cube", 2, 1, 1);
+  PolyhedronCertificate c = bare_certificate("cube", 2, 1, 1);
   c.faces[0].corners.clear();
   constexpr int many = 100000;
   for (int i = 0; i < many; ++i) c.faces[0].corners.push_back({i, Rational(i) * Rational(i), 0});
@@ -59,51 +59,51 @@ TEST(SurfaceFault, EndsBeforeItLooksAtFacesOfManyCorners) {
 }
 
 TEST(SurfaceFault, SeesWhatIsMissingTurnedOrTwice) {
-  const MeansCertificate whole = bare_certificate("cube", 2, 1, 1);
+  const PolyhedronCertificate whole = bare_certificate("cube", 2, 1, 1);
   for (std::size_t f = 0; f < whole.faces.size(); ++f) {
-    MeansCertificate missing = whole;
+    PolyhedronCertificate missing = whole;
     missing.faces[f] = missing.faces[(f + 1) % whole.faces.size()];
     missing.faces[f].piece = whole.faces[f].piece;
     EXPECT_TRUE(surface_fault(missing)) << f;
-    MeansCertificate turned = whole;
+    PolyhedronCertificate turned = whole;
     std::reverse(turned.faces[f].corners.begin(), turned.faces[f].corners.end());
     EXPECT_TRUE(surface_fault(turned)) << f;
-    MeansCertificate crossed = whole;
+    PolyhedronCertificate crossed = whole;
     std::swap(crossed.faces[f].corners[1], crossed.faces[f].corners[2]);
     EXPECT_TRUE(surface_fault(crossed)) << f;
   }
   // Every face seen from the outside.
-  MeansCertificate outside = whole;
+  PolyhedronCertificate outside = whole;
   for (Face& face : outside.faces) std::reverse(face.corners.begin(), face.corners.end());
   EXPECT_TRUE(surface_fault(outside));
   // A piece without a face.
-  MeansCertificate nameless = whole;
+  PolyhedronCertificate nameless = whole;
   nameless.pieces.emplace_back("nothing");
   EXPECT_TRUE(surface_fault(nameless));
 }
 
 TEST(TilingFault, SeesGapsAndOverlaps) {
-  const MeansCertificate whole = bare_certificate("tetrahedron", 3, 1, 1);
+  const PolyhedronCertificate whole = bare_certificate("tetrahedron", 3, 1, 1);
   for (std::size_t e = 0; e < whole.elements.size(); ++e) {
     for (double Element::*const end : {&Element::s0, &Element::s1, &Element::t0, &Element::t1})
       for (const double by : {0x1p-40, -0x1p-40, 0.125}) {
-        MeansCertificate c = whole;
+        PolyhedronCertificate c = whole;
         c.elements[e].*end += by;
         EXPECT_TRUE(tiling_fault(c)) << e;
       }
-    MeansCertificate missing = whole;
+    PolyhedronCertificate missing = whole;
     missing.elements.erase(missing.elements.begin() + static_cast<std::ptrdiff_t>(e));
     EXPECT_TRUE(tiling_fault(missing));
-    MeansCertificate twice = whole;
+    PolyhedronCertificate twice = whole;
     twice.elements.push_back(whole.elements[e]);
     EXPECT_TRUE(tiling_fault(twice));
     // A gap and an overlap of one size.
     const Element& x = whole.elements[e];
-    MeansCertificate mirrored = whole;
+    PolyhedronCertificate mirrored = whole;
     mirrored.elements[e].s0 = 1 - x.s1;
     mirrored.elements[e].s1 = 1 - x.s0;
     EXPECT_EQ(tiling_fault(mirrored).has_value(), x.s0 != 1 - x.s1) << e;
-    MeansCertificate elsewhere = whole;
+    PolyhedronCertificate elsewhere = whole;
     elsewhere.elements[e].side = (elsewhere.elements[e].side + 1) % 3;
     EXPECT_TRUE(tiling_fault(elsewhere));
   }
@@ -111,7 +111,7 @@ TEST(TilingFault, SeesGapsAndOverlaps) {
 
 TEST(ReflectivityFault, SeesOneAndNegativeNumbers) {
   for (const Rational& rho : {Rational(1), Rational(-1, 1000000), Rational(3)}) {
-    MeansCertificate c = bare_certificate("cube", 2, 1, 1);
+    PolyhedronCertificate c = bare_certificate("cube", 2, 1, 1);
     c.faces[3].reflectivity = rho;
     EXPECT_TRUE(reflectivity_fault(c));
   }

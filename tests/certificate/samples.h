@@ -10,10 +10,10 @@
 
 #include "radcert/certificate/check.h"
 #include "radcert/certificate/gauss_rule.h"
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/continuous/polyhedron_problem.h"
-#include "radcert/study/guarantee/means_certificate.h"
+#include "radcert/study/guarantee/polyhedron_certificate.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert::test {
@@ -33,17 +33,17 @@ inline PolyhedronProblem constant_problem(const std::string& surface, const Rati
   return out;
 }
 
-inline certificate::MeansCertificate certified_means(const PolyhedronProblem& problem,
-                                                     const std::string& surface, double wanted) {
+inline certificate::PolyhedronCertificate certified_solution(const PolyhedronProblem& problem,
+                                                             const std::string& surface, double wanted) {
   const GoalEnclosure found = enclose_means(problem, wanted, {}, true);
-  return means_certificate(problem, names_of(surface), found.proof.get());
+  return polyhedron_certificate(problem, names_of(surface), found.proof.get());
 }
 
 /// Faces of a surface with elements of two layers and nothing else: no claims are made.
-inline certificate::MeansCertificate bare_certificate(const std::string& surface, int layers, int degree,
-                                                      std::uint64_t seed) {
+inline certificate::PolyhedronCertificate bare_certificate(const std::string& surface, int layers, int degree,
+                                                           std::uint64_t seed) {
   const PolyhedronProblem problem = constant_problem(surface, Rational(1, 2), {1, 0});
-  certificate::MeansCertificate out = means_certificate(problem, names_of(surface), nullptr);
+  certificate::PolyhedronCertificate out = polyhedron_certificate(problem, names_of(surface), nullptr);
   out.elements.clear();
   out.claims.clear();
   out.degree = degree;
@@ -70,7 +70,7 @@ inline certificate::MeansCertificate bare_certificate(const std::string& surface
 }
 
 /// The area of an element.
-inline double element_area(const certificate::MeansCertificate& c, const certificate::Element& x) {
+inline double element_area(const certificate::PolyhedronCertificate& c, const certificate::Element& x) {
   const std::vector<Vector<Rational>>& p = c.faces[x.face].corners;
   Vector<Rational> sum;
   for (const Vector<Rational>& corner : p) sum = sum + corner;
@@ -81,21 +81,22 @@ inline double element_area(const certificate::MeansCertificate& c, const certifi
 }
 
 /// Sums, numbers and the width that follow from claims.
-inline void put_sums(certificate::MeansCertificate& c) {
+inline void put_sums(certificate::PolyhedronCertificate& c) {
   certificate::Summed found = certificate::summed(c);
   c.sums = std::move(found.sums);
-  c.means = std::move(found.means);
+  c.enclosures = std::move(found.enclosures);
   c.width = 0;
-  for (const certificate::Enclosure& mean : c.means) c.width = std::max(c.width, Rational(2) * mean.radius);
+  for (const certificate::Enclosure& mean : c.enclosures)
+    c.width = std::max(c.width, Rational(2) * mean.radius);
 }
 
 /// A certificate of u = 1 in a furnace, whose functions and residuals are known exactly.
 /// Maths     rho = E = 1/2, q_0 = 1 - d: w_0 = 1 - d/2 and t_0 = d/2 by T 1 = 1. q_k = b: w_k = (1 on piece
 ///           k, else 0, + b)/2, |t_k| <= (1 + b)/2. Claims on an element X: norms slack d/2 (|X|/2)^(1/2)
 ///           and (1 + b)/2 (|X|/2)^(1/2); Int w_k t_0 = w_k |X| d/2, within room |X|
-inline certificate::MeansCertificate furnace_certificate(const std::string& surface, double d, double b,
-                                                         double slack, double room) {
-  certificate::MeansCertificate c = bare_certificate(surface, 2, 0, 1);
+inline certificate::PolyhedronCertificate furnace_certificate(const std::string& surface, double d, double b,
+                                                              double slack, double room) {
+  certificate::PolyhedronCertificate c = bare_certificate(surface, 2, 0, 1);
   for (certificate::Face& face : c.faces) face.emission = {{Rational(1, 2)}};
   for (std::size_t i = 0; i < c.coefficients.size(); ++i)
     c.coefficients[i] = i < c.elements.size() ? 1 - d : b;
@@ -114,7 +115,7 @@ inline certificate::MeansCertificate furnace_certificate(const std::string& surf
 }
 
 /// The inner normal of a face.
-inline Vector<double> unit_normal(const certificate::MeansCertificate& c, std::size_t face) {
+inline Vector<double> unit_normal(const certificate::PolyhedronCertificate& c, std::size_t face) {
   const std::vector<Vector<Rational>>& p = c.faces[face].corners;
   const Vector<Rational> n = cross(p[1] - p[0], p[2] - p[0]);
   const double size = std::sqrt(dot(n, n).to_double());
@@ -122,7 +123,7 @@ inline Vector<double> unit_normal(const certificate::MeansCertificate& c, std::s
 }
 
 /// G(P,Q)/pi for P of one face and Q of another, by their exact corners.
-inline double point_kernel(const certificate::MeansCertificate& c, const certificate::Point& point,
+inline double point_kernel(const certificate::PolyhedronCertificate& c, const certificate::Point& point,
                            std::size_t face, const Vector<double>& q) {
   const Vector<double> way =
       q - Vector<double>{point.at.x.to_double(), point.at.y.to_double(), point.at.z.to_double()};
@@ -132,7 +133,7 @@ inline double point_kernel(const certificate::MeansCertificate& c, const certifi
 }
 
 /// The same at Q = m + z e.
-inline std::complex<double> point_kernel(const certificate::MeansCertificate& c,
+inline std::complex<double> point_kernel(const certificate::PolyhedronCertificate& c,
                                          const certificate::Point& point, std::size_t face,
                                          const Vector<double>& m, const Vector<double>& e,
                                          const std::complex<double>& z) {
@@ -144,8 +145,8 @@ inline std::complex<double> point_kernel(const certificate::MeansCertificate& c,
 }
 
 /// Q of an element at parameters.
-inline Vector<double> element_point(const certificate::MeansCertificate& c, const certificate::Element& x,
-                                    double s, double t) {
+inline Vector<double> element_point(const certificate::PolyhedronCertificate& c,
+                                    const certificate::Element& x, double s, double t) {
   const std::vector<Vector<Rational>>& p = c.faces[x.face].corners;
   Vector<Rational> sum;
   for (const Vector<Rational>& corner : p) sum = sum + corner;
@@ -159,7 +160,7 @@ inline Vector<double> element_point(const certificate::MeansCertificate& c, cons
 }
 
 /// (Int_X (j - less)^2)^(1/2), j = G(P,.)/pi, by 16 x 16 nodes.
-inline double kernel_norm(const certificate::MeansCertificate& c, const certificate::Point& point,
+inline double kernel_norm(const certificate::PolyhedronCertificate& c, const certificate::Point& point,
                           const certificate::Element& x, double less = 0) {
   const certificate::GaussRule& rule = certificate::gauss_rule(16);
   double sum = 0;
@@ -180,9 +181,9 @@ inline double kernel_norm(const certificate::MeansCertificate& c, const certific
 /// Maths     rho = E = 1/2, q_0 = 1 - d: w_0 = 1 - d/2, t_0 = d/2. q_1 = 0: w_1 = 0 and t_1 = j. Claims on an
 ///           element X: norms slack d/2 (|X|/2)^(1/2) and slack (Int_X j^2/2)^(1/2), on the point's own face,
 ///           where j is 0, 0.01; Int w_1 t_0 = 0, within room |X|
-inline certificate::MeansCertificate furnace_value_certificate(const std::string& surface, double d,
-                                                               double slack, double room) {
-  certificate::MeansCertificate c = bare_certificate(surface, 2, 0, 1);
+inline certificate::PolyhedronCertificate furnace_value_certificate(const std::string& surface, double d,
+                                                                    double slack, double room) {
+  certificate::PolyhedronCertificate c = bare_certificate(surface, 2, 0, 1);
   const std::vector<Vector<Rational>>& corners = c.faces[1].corners;
   c.points = {
       {.face = 1,

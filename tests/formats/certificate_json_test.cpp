@@ -13,8 +13,8 @@ namespace radcert {
 namespace {
 
 /// A tetrahedron with odd numbers; nothing here is true.
-certificate::MeansCertificate sample() {
-  certificate::MeansCertificate c;
+certificate::PolyhedronCertificate sample() {
+  certificate::PolyhedronCertificate c;
   c.pieces = {"one", "other"};
   const std::vector<Vector<Rational>> p{
       {0, 0, 0}, {Rational(1, 3), 0, 0}, {0, 1, 0}, {0, 0, Rational(-7, 2)}};
@@ -28,32 +28,34 @@ certificate::MeansCertificate sample() {
   for (int k = 0; k < 24; ++k) c.coefficients.push_back(0.1 * k - 1e-30);
   c.claims.assign(2, {.norms = {1e-3, 0, 0.1}, .products = {-1e-9, 3}, .radii = {1e-300, 2}});
   c.sums = {.norms = {1, 2, 3}, .products = {0.1, -0.2}, .radii = {2e-7, 7}};
-  c.means = {{Rational::exactly(0.1), Rational::exactly(1e-5)}, {Rational(2), Rational(1)}};
+  c.enclosures = {{Rational::exactly(0.1), Rational::exactly(1e-5)}, {Rational(2), Rational(1)}};
   c.width = Rational(3);
   return c;
 }
 
 TEST(CertificateJson, IsReadAsItWasWritten) {
-  const certificate::MeansCertificate c = sample();
+  const certificate::PolyhedronCertificate c = sample();
   const std::string text = certificate_text(c, "radcert test");
   const ReadCertificate read = read_certificate(text, "c.json");
   EXPECT_TRUE(read.digest_holds);
   EXPECT_EQ(certificate_text(read.certificate, "radcert test"), text);
-  EXPECT_EQ(read.certificate.coefficients, c.coefficients);
-  EXPECT_EQ(read.certificate.faces[2].corners, c.faces[2].corners);
-  EXPECT_EQ(read.certificate.faces[0].emission, c.faces[0].emission);
-  EXPECT_EQ(read.certificate.claims[1].products, c.claims[1].products);
-  EXPECT_EQ(read.certificate.sums.radii, c.sums.radii);
-  EXPECT_EQ(read.certificate.elements[0].t0, 0.25);
+  const auto& back = std::get<certificate::PolyhedronCertificate>(read.certificate);
+  EXPECT_EQ(back.coefficients, c.coefficients);
+  EXPECT_EQ(back.faces[2].corners, c.faces[2].corners);
+  EXPECT_EQ(back.faces[0].emission, c.faces[0].emission);
+  EXPECT_EQ(back.claims[1].products, c.claims[1].products);
+  EXPECT_EQ(back.sums.radii, c.sums.radii);
+  EXPECT_EQ(back.elements[0].t0, 0.25);
 }
 
 TEST(CertificateJson, IsOfValuesWhereItHasPoints) {
-  certificate::MeansCertificate c = sample();
+  certificate::PolyhedronCertificate c = sample();
   c.points = {{.face = 2, .at = {Rational(1, 9), 0, Rational(-1, 3)}},
               {.face = 0, .at = {0, Rational(1, 5), 1}}};
   const std::string text = certificate_text(c, "a command");
   EXPECT_NE(text.find("\"of\": \"values\""), std::string::npos) << text;
-  const certificate::MeansCertificate read = intact_certificate(text, "file");
+  const certificate::PolyhedronCertificate read =
+      std::get<certificate::PolyhedronCertificate>(intact_certificate(text, "file"));
   ASSERT_EQ(read.points.size(), 2U);
   EXPECT_EQ(read.points[0].face, 2U);
   EXPECT_EQ(read.points[1].at, c.points[1].at);
@@ -67,16 +69,20 @@ TEST(CertificateJson, IsOfValuesWhereItHasPoints) {
 }
 
 TEST(CertificateJson, LeavesOutDigitsThatAreZeroInAllNumbersOfAFunction) {
-  certificate::MeansCertificate c = sample();
+  certificate::PolyhedronCertificate c = sample();
   for (std::size_t k = 0; k < c.coefficients.size(); ++k) c.coefficients[k] = 0.25 * static_cast<double>(k);
   c.coefficients[3] = -0x1.8p-900;
   const std::string text = certificate_text(c, "radcert test");
   EXPECT_LT(text.size() + 200, certificate_text(sample(), "radcert test").size());
-  EXPECT_EQ(read_certificate(text, "c.json").certificate.coefficients, c.coefficients);
+  EXPECT_EQ(
+      std::get<certificate::PolyhedronCertificate>(read_certificate(text, "c.json").certificate).coefficients,
+      c.coefficients);
   // One odd number, and its function has all digits again; zeros alone have a few.
   c.coefficients[1] = 0.1;
   std::fill(c.coefficients.end() - 8, c.coefficients.end(), 0.0);
-  EXPECT_EQ(read_certificate(certificate_text(c, "radcert test"), "c.json").certificate.coefficients,
+  EXPECT_EQ(std::get<certificate::PolyhedronCertificate>(
+                read_certificate(certificate_text(c, "radcert test"), "c.json").certificate)
+                .coefficients,
             c.coefficients);
 }
 
@@ -131,6 +137,47 @@ TEST(CertificateJson, RefusesWhatIsNoCertificate) {
         changed("\"means\": [", "\"means\": [1,"),
         changed("\"digest\"", "\"digestion\"")})
     EXPECT_THROW(static_cast<void>(read_certificate(wrong, "c.json")), InputError) << wrong.substr(0, 200);
+}
+
+TEST(EllipsoidCertificateJson, ReadsBackAsItWas) {
+  using certificate::EllipsoidCertificate;
+  using certificate::OnEllipsoid;
+  for (const OnEllipsoid of : {OnEllipsoid::mean, OnEllipsoid::values, OnEllipsoid::function}) {
+    EllipsoidCertificate c;
+    c.piece = "a/b~c";
+    c.half_axes = {1, Rational(1, 3), Rational(17, 10)};
+    c.reflectivity = {{{0, 0, 0}, Rational(1, 2)}, {{1, 2, 3}, Rational(-1, 7)}};
+    c.emission = {{{64, 0, 0}, 5}};
+    c.of = of;
+    if (of == OnEllipsoid::values) c.points = {{1, 0, 0}, {0, Rational(-1, 3), 0}};
+    c.degree = 2;
+    c.cosines = {1, 0.1, -0x1p-40, 3, 1e-9, 7};
+    c.sines = {0, 0, 0, 0.25, -1e-12, 1};
+    c.largest_reflectivity = Rational(2, 3);
+    c.residual = 1.5e-9;
+    c.bound = Rational(3, 1000000000);
+    if (of != OnEllipsoid::function)
+      c.enclosures.push_back({Rational::exactly(0.1), Rational::exactly(1e-5)});
+    if (of == OnEllipsoid::values) c.enclosures.push_back({2, 1});
+    c.width = Rational(2);
+    const std::string text = certificate_text(c, "radcert test");
+    const ReadCertificate read = read_certificate(text, "c.json");
+    EXPECT_TRUE(read.digest_holds);
+    EXPECT_EQ(certificate_text(read.certificate, "radcert test"), text);
+    const auto& back = std::get<EllipsoidCertificate>(read.certificate);
+    EXPECT_EQ(back.piece, c.piece);
+    EXPECT_EQ(back.half_axes, c.half_axes);
+    EXPECT_EQ(back.emission[0].powers, c.emission[0].powers);
+    EXPECT_EQ(back.reflectivity[1].coefficient, c.reflectivity[1].coefficient);
+    EXPECT_EQ(back.points, c.points);
+    EXPECT_EQ(back.cosines, c.cosines);
+    EXPECT_EQ(back.sines, c.sines);
+    EXPECT_EQ(back.largest_reflectivity, c.largest_reflectivity);
+    EXPECT_EQ(back.residual, c.residual);
+    EXPECT_EQ(back.bound, c.bound);
+    EXPECT_EQ(back.enclosures.size(), c.enclosures.size());
+    EXPECT_EQ(back.width, c.width);
+  }
 }
 
 }  // namespace

@@ -79,6 +79,21 @@ class Guarantees(ModuleTest):
             midpoint, radius = point["value"]
             self.assertLessEqual(abs(midpoint - 1), radius)
 
+    def test_ellipsoids_have_certificates_of_functions(self):
+        room = rc.Problem(rc.ellipsoid(1, "6/5", "3/2"), reflectivity="1/2 + x/8", emission="1/2 - x/8", levels=[0])
+        path = self.folder / "function.json"
+        room.guarantee("1e-4", of="function", certificate=True).certificate_to(path)
+        check = rc.check_certificate(path)
+        self.assertTrue(check.verified)
+        self.assertEqual(check.elements, check.looked_at)
+        self.assertLessEqual(2 * check.function, 1e-4)
+        room.guarantee("1e-4", certificate=True).certificate_to(path)
+        check = rc.check_certificate(path, 5)
+        self.assertTrue(check.verified)
+        self.assertIsNone(check.function)
+        [(midpoint, radius)] = check.means.values()
+        self.assertLessEqual(abs(midpoint - 1), radius)
+
     def test_several_emissions_add_up(self):
         # u = 1 where E = 1 - rho, and u is linear in E.
         faces = rc.tetrahedron().pieces

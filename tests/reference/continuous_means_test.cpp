@@ -18,12 +18,13 @@
 namespace radcert::reference {
 namespace {
 
-using certificate::MeansCertificate;
+using certificate::EllipsoidCertificate;
+using certificate::PolyhedronCertificate;
 
 /// A change of a certificate on its way from the file.
-CertificateReader changing(std::function<void(MeansCertificate&)> change) {
+CertificateReader changing(std::function<void(PolyhedronCertificate&)> change) {
   return [change = std::move(change)](std::string_view text, const std::string& file) {
-    MeansCertificate c = intact_certificate(text, file);
+    PolyhedronCertificate c = std::get<PolyhedronCertificate>(intact_certificate(text, file));
     change(c);
     return c;
   };
@@ -42,19 +43,25 @@ TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
       EXPECT_LT(mean.first.value.radius(), 1e-4) << mean.mean->name;
       EXPECT_NE(mean.first.how, mean.second.how);
     }
-    const MeansCertificate fine =
+    const certificate::Certificate fine =
         intact_certificate(certificate_content(scene.certificates[0]), scene.certificates[0]);
-    const MeansCertificate coarse =
+    const certificate::Certificate coarse =
         intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]);
-    EXPECT_NE(fine.elements.size(), coarse.elements.size()) << scene.name;
+    if (scene.ellipsoid) {
+      EXPECT_GT(std::get<EllipsoidCertificate>(fine).degree, std::get<EllipsoidCertificate>(coarse).degree);
+      continue;
+    }
+    const auto& first = std::get<PolyhedronCertificate>(fine);
+    const auto& second = std::get<PolyhedronCertificate>(coarse);
+    EXPECT_NE(first.elements.size(), second.elements.size()) << scene.name;
     // The kernels of points ask for a degree of their own.
-    EXPECT_EQ(fine.degree == coarse.degree, scene.power > 1 || fine.of_values()) << scene.name;
+    EXPECT_EQ(first.degree == second.degree, scene.power > 1 || first.of_values()) << scene.name;
   }
   EXPECT_EQ(found.size(), continuous_means().size());
   for (const ContinuousMean& mean : continuous_means()) {
     EXPECT_EQ(find_value(mean.name), nullptr) << mean.name;
     EXPECT_EQ(find_family(mean.name), nullptr) << mean.name;
-    EXPECT_TRUE(mean.name.starts_with(mean.at_centre ? "continuous_value_" : "continuous_mean_"))
+    EXPECT_TRUE(mean.name.starts_with(mean.is_value() ? "continuous_value_" : "continuous_mean_"))
         << mean.name;
   }
 }
@@ -63,7 +70,9 @@ TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
 TEST(ContinuousMeans, KeepTheBalanceOfEnergy) {
   for (const ContinuousScene& scene : continuous_scenes())
     for (const std::string& file : scene.certificates) {
-      const MeansCertificate c = intact_certificate(certificate_content(file), file);
+      if (scene.ellipsoid) continue;
+      const PolyhedronCertificate c =
+          std::get<PolyhedronCertificate>(intact_certificate(certificate_content(file), file));
       ASSERT_EQ(scene_fault(scene, c), "") << file;
       // Of values nothing is known, and where there are openings not how much leaves.
       if (!scene.black.empty() || c.of_values()) continue;
@@ -71,7 +80,7 @@ TEST(ContinuousMeans, KeepTheBalanceOfEnergy) {
       Ball left;
       Ball right;
       for (std::size_t k = 0; k < c.pieces.size(); ++k)
-        left += areas[k] * widened(Ball(c.means[k].midpoint), Ball(c.means[k].radius));
+        left += areas[k] * widened(Ball(c.enclosures[k].midpoint), Ball(c.enclosures[k].radius));
       // Of (1 - z)^4 and of 1 on one face, by hand.
       if (scene.power == 4) {
         right = Ball(Rational(1) + Rational(4, 5));
@@ -93,7 +102,7 @@ TEST(ContinuousMeans, HaveClaimsThatHold) {
   const char* const seed = std::getenv("RADCERT_ATTACK_SEED");
   const std::size_t elements = asked == nullptr ? 1 : static_cast<std::size_t>(std::max(1, std::atoi(asked)));
   for (const EmbeddedFile& file : embedded_certificates()) {
-    const MeansCertificate c = intact_certificate(file.content, std::string(file.path));
+    const certificate::Certificate c = intact_certificate(file.content, std::string(file.path));
     const certificate::Report report =
         certificate::check(c, {.elements = elements, .seed = seed == nullptr ? "a test" : seed});
     EXPECT_FALSE(report.refusal) << file.path << report.refusal->pointer << ": " << report.refusal->says;
@@ -103,61 +112,97 @@ TEST(ContinuousMeans, HaveClaimsThatHold) {
 TEST(ContinuousMeans, AreRefusedWhereTheCertificateIsOfAnotherEquation) {
   const ContinuousScene& scene = *find_continuous_scene("cube_rho_1/2");
   // A certificate of another equation may hold by itself: the scene has to tell them apart.
-  const auto is_another = [&](const std::function<void(MeansCertificate&)>& change) {
-    MeansCertificate certificate =
-        intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]);
+  const auto is_another = [&](const std::function<void(PolyhedronCertificate&)>& change) {
+    PolyhedronCertificate certificate = std::get<PolyhedronCertificate>(
+        intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]));
     change(certificate);
     return !scene_fault(scene, certificate).empty();
   };
-  EXPECT_FALSE(is_another([](MeansCertificate&) {}));
-  EXPECT_TRUE(is_another([](MeansCertificate& c) { c.faces[3].reflectivity = Rational(2, 5); }));
-  EXPECT_TRUE(is_another([](MeansCertificate& c) {
+  EXPECT_FALSE(is_another([](PolyhedronCertificate&) {}));
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) { c.faces[3].reflectivity = Rational(2, 5); }));
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces) face.emission[0][0] = Rational(1) - face.emission[0][0];
   }));
-  EXPECT_TRUE(is_another([](MeansCertificate& c) { c.faces[1].emission = {{Rational(0)}, {Rational(1)}}; }));
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) {
+    c.faces[1].emission = {{Rational(0)}, {Rational(1)}};
+  }));
   // A face that is black, and one that closes an open surface and is not.
-  EXPECT_TRUE(is_another([](MeansCertificate& c) { c.faces[2].reflectivity = Rational(0); }));
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) { c.faces[2].reflectivity = Rational(0); }));
   const ContinuousScene& open = *find_continuous_scene("two_squares_rho_1/2");
-  MeansCertificate of_open =
-      intact_certificate(certificate_content(open.certificates[1]), open.certificates[1]);
+  PolyhedronCertificate of_open = std::get<PolyhedronCertificate>(
+      intact_certificate(certificate_content(open.certificates[1]), open.certificates[1]));
   EXPECT_EQ(scene_fault(open, of_open), "");
   of_open.faces.back().reflectivity = Rational(1, 2);
   EXPECT_NE(scene_fault(open, of_open), "");
-  EXPECT_TRUE(is_another([](MeansCertificate& c) {
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces)
       for (Vector<Rational>& corner : face.corners) corner.x *= Rational(2);
   }));
-  EXPECT_TRUE(is_another([](MeansCertificate& c) {
+  EXPECT_TRUE(is_another([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces)
       for (Vector<Rational>& corner : face.corners) corner.z = Rational(1) - corner.z;
   }));
-  const auto is_refused = [&](const std::function<void(MeansCertificate&)>& change) {
+  const auto is_refused = [&](const std::function<void(PolyhedronCertificate&)>& change) {
     return !enclose(scene, changing(change), 0);
   };
-  EXPECT_FALSE(is_refused([](MeansCertificate&) {}));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.faces[3].reflectivity = Rational(2, 5); }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+  EXPECT_FALSE(is_refused([](PolyhedronCertificate&) {}));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.faces[3].reflectivity = Rational(2, 5); }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces) face.emission[0][0] = Rational(1) - face.emission[0][0];
   }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces)
       for (Vector<Rational>& corner : face.corners) corner.x *= Rational(2);
   }));
   // The emission on another face: the cube turned over.
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) {
     for (certificate::Face& face : c.faces) {
       for (Vector<Rational>& corner : face.corners) corner.z = Rational(1) - corner.z;
       std::reverse(face.corners.begin(), face.corners.end());
     }
   }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) {
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) {
     c.faces[1].emission = {{Rational(0), Rational(0)}, {Rational(1, 1000)}};
   }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.faces[1].piece = c.faces[0].piece; }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.means[2].midpoint += Rational(1, 1000000); }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.claims[100].radii[1] *= 2; }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.sums.norms[3] *= 0.99; }));
-  EXPECT_TRUE(is_refused([](MeansCertificate& c) { c.elements.pop_back(), c.claims.pop_back(); }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.faces[1].piece = c.faces[0].piece; }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.enclosures[2].midpoint += Rational(1, 1000000); }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.claims[100].radii[1] *= 2; }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.sums.norms[3] *= 0.99; }));
+  EXPECT_TRUE(is_refused([](PolyhedronCertificate& c) { c.elements.pop_back(), c.claims.pop_back(); }));
+}
+
+TEST(ContinuousMeans, OfEllipsoidsAreRefusedWhereTheCertificateIsOfAnotherEquation) {
+  const ContinuousScene& scene = *find_continuous_scene("ellipsoid_linear_rho");
+  const EllipsoidCertificate good = std::get<EllipsoidCertificate>(
+      intact_certificate(certificate_content(scene.certificates[1]), scene.certificates[1]));
+  EXPECT_EQ(scene_fault(scene, good), "");
+  const auto is_another = [&](const std::function<void(EllipsoidCertificate&)>& change) {
+    EllipsoidCertificate c = good;
+    change(c);
+    return !scene_fault(scene, c).empty();
+  };
+  EXPECT_TRUE(is_another([](EllipsoidCertificate& c) { c.half_axes.x = 2; }));
+  EXPECT_TRUE(is_another([](EllipsoidCertificate& c) { c.reflectivity[1].coefficient = Rational(1, 5); }));
+  EXPECT_TRUE(is_another([](EllipsoidCertificate& c) { c.reflectivity.pop_back(); }));
+  EXPECT_TRUE(is_another([](EllipsoidCertificate& c) { c.emission.push_back({{1, 1, 0}, 1}); }));
+  // Written otherwise, it is the same.
+  EXPECT_FALSE(is_another([](EllipsoidCertificate& c) {
+    c.emission.push_back({{1, 1, 0}, 0});
+    c.emission[0].coefficient = Rational(1, 3);
+    c.emission.push_back({{0, 0, 2}, Rational(2, 3)});
+  }));
+  const PolyhedronCertificate of_cube = std::get<PolyhedronCertificate>(
+      intact_certificate(certificate_content("cube_rho_1_over_2_coarse.json"), "cube"));
+  EXPECT_NE(scene_fault(scene, of_cube), "");
+  EXPECT_NE(scene_fault(*find_continuous_scene("cube_rho_1/2"), good), "");
+  // Of values and means, each names its own.
+  EXPECT_FALSE(enclose(
+      scene,
+      [](std::string_view, const std::string&) {
+        return certificate::Certificate(std::get<EllipsoidCertificate>(
+            intact_certificate(certificate_content("ellipsoid_values_coarse.json"), "values")));
+      },
+      0));
 }
 
 TEST(ContinuousMeans, AreNotGivenWhereTheFileWasChanged) {

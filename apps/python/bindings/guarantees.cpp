@@ -13,7 +13,7 @@
 #include "json.h"
 #include "problem.h"
 #include "python.h"
-#include "radcert/certificate/check.h"
+#include "radcert/certificate/certificate.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/files/atomic_file.h"
 #include "radcert/formats/field/vtu.h"
@@ -23,7 +23,7 @@
 #include "radcert/formats/result/result_json.h"
 #include "radcert/formats/result/stored_numbers.h"
 #include "radcert/scalar/enclosing_text.h"
-#include "radcert/study/certified_means.h"
+#include "radcert/study/certified_solution.h"
 #include "store.h"
 #include "work.h"
 
@@ -75,7 +75,7 @@ Enclosed enclose(PythonProblem problem, const py::object& document, bool with_ce
       LevelResult level;
       SolutionEnclosure enclosure;
       if (with_certificate) {
-        CertifiedMeans found = certified_means(problem.problem, wanted, context);
+        CertifiedSolution found = certified_solution(problem.problem, wanted, context);
         out.certificate = certificate_text(found.certificate, "radcert.Problem.guarantee");
         level = std::move(found.level);
         enclosure = std::move(found.enclosure);
@@ -139,7 +139,7 @@ py::dict checked(const std::string& file, const std::optional<std::int64_t>& ele
       out.report.refusal = certificate::Refusal{"/digest", "is not that of the content"};
       return out;
     }
-    const std::size_t count = out.read.certificate.elements.size();
+    const std::size_t count = certificate::part_count(out.read.certificate);
     const std::size_t part = elements ? std::min(count, static_cast<std::size_t>(*elements)) : count;
     out.report = certificate::check(
         out.read.certificate, {.elements = part, .seed = seed.value_or(out.read.digest)},
@@ -151,29 +151,31 @@ py::dict checked(const std::string& file, const std::optional<std::int64_t>& ele
   });
   py::dict means;
   py::list points;
-  const certificate::MeansCertificate& c = verdict.read.certificate;
   py::object refusal = py::none();
+  py::object function = py::none();
+  const certificate::Certificate& c = verdict.read.certificate;
   if (verdict.report.refusal) {
     refusal = py::str(verdict.report.refusal->pointer + ": " + verdict.report.refusal->says);
   } else {
-    for (std::size_t k = 0; k < c.goals(); ++k) {
+    for (const certificate::CertifiedNumber& number : certificate::numbers(c)) {
       const py::tuple enclosed =
-          py::make_tuple(fraction_of(c.means[k].midpoint), fraction_of(c.means[k].radius));
-      if (!c.of_values()) {
-        means[py::str(c.pieces[k])] = enclosed;
+          py::make_tuple(fraction_of(number.enclosure.midpoint), fraction_of(number.enclosure.radius));
+      if (!number.at) {
+        means[py::str(number.piece)] = enclosed;
         continue;
       }
-      const Vector<Rational>& at = c.points[k].at;
+      const Vector<Rational>& at = *number.at;
       points.append(
-          py::dict(py::arg("piece") = c.pieces[c.faces[c.points[k].face].piece],
+          py::dict(py::arg("piece") = number.piece,
                    py::arg("at") = py::make_tuple(fraction_of(at.x), fraction_of(at.y), fraction_of(at.z)),
                    py::arg("value") = enclosed));
     }
+    if (const std::optional<Rational> sup = certificate::function_bound(c)) function = fraction_of(*sup);
   }
   return py::dict(py::arg("verified") = !verdict.report.refusal.has_value(), py::arg("refusal") = refusal,
-                  py::arg("elements") = c.elements.size(),
+                  py::arg("elements") = certificate::part_count(c),
                   py::arg("looked_at") = verdict.report.looked_at.size(), py::arg("means") = means,
-                  py::arg("points") = points);
+                  py::arg("points") = points, py::arg("function") = function);
 }
 
 }  // namespace

@@ -91,8 +91,9 @@ class Check(NamedTuple):
     """What a check of a certificate found.
 
     verified: whether all that was looked at holds; refusal: else the place and the reason. elements: how many the certificate
-    has; looked_at: the claims on how many were proved again. means: (midpoint, radius) by piece, Fractions. points: of a
-    certificate of values, a list of dicts with piece, at and value, a (midpoint, radius).
+    has, on an ellipsoid rows of points; looked_at: the claims on how many were proved again. means: (midpoint, radius) by
+    piece, Fractions. points: of a certificate of values, a list of dicts with piece, at and value, a (midpoint, radius).
+    function: of a certificate of a function, how far the solution is from it at most.
     """
 
     verified: bool
@@ -101,6 +102,7 @@ class Check(NamedTuple):
     looked_at: int
     means: dict[str, tuple[Fraction, Fraction]]
     points: list[dict[str, Any]]
+    function: Optional[Fraction] = None
 
 
 def check_certificate(path: Path, elements: Optional[int] = None, *, seed: Optional[str] = None,

@@ -85,7 +85,7 @@ class Problem:
         "function", u everywhere. points: triples of exact numbers, inside faces. outside: of a function on a polyhedron,
         how far from the vertices. emissions: further ones on a polyhedron whose means or values are enclosed too, "by piece"
         or a dict of expressions by name, each as the problem's emission. certificate: of means or values on a convex
-        polyhedron, with what ``check_certificate`` verifies.
+        polyhedron, or of anything on a sphere or an ellipsoid, with what ``check_certificate`` verifies.
 
         Serves convex polyhedra, open ones too, spheres and ellipsoids, and for means closed meshes whose parts hide each
         other; levels, basis and solver do not matter. Raises AccuracyNotReached where nothing is proved; where the width

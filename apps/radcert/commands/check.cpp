@@ -11,7 +11,7 @@
 #include "command.h"
 #include "output.h"
 #include "progress.h"
-#include "radcert/certificate/check.h"
+#include "radcert/certificate/certificate.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/files/atomic_file.h"
 #include "radcert/formats/json/json_document.h"
@@ -61,41 +61,72 @@ std::size_t part_of(const CheckOptions& options, std::size_t count) {
 
 struct Verdict {
   ReadCertificate read;
+  std::size_t parts = 0;  ///< that there are
   certificate::Report report;
 };
 
-std::string summary(const CheckOptions& options, const Verdict& verdict) {
-  const certificate::MeansCertificate& c = verdict.read.certificate;
-  std::vector<std::vector<std::string>> rows;
-  rows.push_back({"certificate", options.file});
-  rows.push_back({"digest", verdict.read.digest});
+using Rows = std::vector<std::vector<std::string>>;
+
+/// What a certificate is made of.
+void add_size(const certificate::PolyhedronCertificate& c, Rows& rows) {
   rows.push_back(
       {"surface", std::to_string(c.faces.size()) + " faces, " + std::to_string(c.pieces.size()) + " pieces"});
   rows.push_back({"functions", std::to_string(c.functions()) + " of degree " + std::to_string(c.degree) +
                                    " on " + std::to_string(c.elements.size()) + " elements"});
+}
+void add_size(const certificate::EllipsoidCertificate& c, Rows& rows) {
+  rows.push_back({"surface", "the ellipsoid with the half axes " + coordinates_text(c.half_axes)});
+  rows.push_back({"function", "a polynomial of degree " + std::to_string(c.degree)});
+}
+
+/// What is looked at in parts, and what exactly.
+struct PartWords {
+  std::string of_all;
+  std::string part;
+};
+PartWords part_words(const certificate::Certificate& certificate) {
+  if (const auto* const c = std::get_if<certificate::PolyhedronCertificate>(&certificate))
+    return {std::string("the surface, the sums, the ") + (c->of_values() ? "values" : "means") +
+                " and the claims on ",
+            "elements"};
+  return {"the reflectivity, what follows from the residual, and the residual at ", "rows of points"};
+}
+
+std::string enclosed_text(const certificate::Enclosure& enclosure) {
+  const Approximation about{enclosure.midpoint.to_double(), enclosure.radius.to_double(), false};
+  const EnclosingText text = enclosing_text(enclosure.midpoint, enclosure.radius, form_of(about));
+  return text.value + " +- " + text.radius;
+}
+
+std::string summary(const CheckOptions& options, const Verdict& verdict) {
+  const certificate::Certificate& c = verdict.read.certificate;
+  Rows rows;
+  rows.push_back({"certificate", options.file});
+  rows.push_back({"digest", verdict.read.digest});
+  std::visit([&](const auto& of_its_kind) { add_size(of_its_kind, rows); }, c);
   if (verdict.report.refusal) {
     rows.push_back({"refused", verdict.report.refusal->pointer + ": " + verdict.report.refusal->says});
     return aligned_left(rows);
   }
-  const bool all = verdict.report.looked_at.size() == c.elements.size();
-  const std::string exact = std::string("the surface, the sums, the ") +
-                            (c.of_values() ? "values" : "means") + " and the claims on ";
-  rows.push_back(
-      {"verified", exact + (all ? "all" : std::to_string(verdict.report.looked_at.size())) + " elements"});
-  if (!all) rows.push_back({"taken over", "the claims on the other elements; --all looks at them"});
-  for (std::size_t k = 0; k < c.goals(); ++k) {
-    const certificate::Enclosure& mean = c.means[k];
-    const Approximation about{mean.midpoint.to_double(), mean.radius.to_double(), false};
-    const EnclosingText text = enclosing_text(mean.midpoint, mean.radius, form_of(about));
-    const std::string of = c.of_values() ? coordinates_text(c.points[k].at) : c.pieces[k];
-    const std::string what = c.of_values() ? "values of u" : "means of u";
-    rows.push_back({k == 0 ? what : "", of + " " + text.value + " +- " + text.radius});
+  const bool all = verdict.report.looked_at.size() == verdict.parts;
+  const PartWords words = part_words(c);
+  rows.push_back({"verified", words.of_all + (all ? "all" : std::to_string(verdict.report.looked_at.size())) +
+                                  " " + words.part});
+  if (!all) rows.push_back({"taken over", "the claims on the other " + words.part + "; --all looks at them"});
+  bool is_first = true;
+  for (const certificate::CertifiedNumber& number : certificate::numbers(c)) {
+    const std::string what = number.at ? "values of u" : "means of u";
+    rows.push_back({is_first ? what : "", (number.at ? coordinates_text(*number.at) : number.piece) + " " +
+                                              enclosed_text(number.enclosure)});
+    is_first = false;
   }
+  if (const std::optional<Rational> sup = certificate::function_bound(c))
+    rows.push_back(
+        {"u", "within " + upper_text(*sup, DecimalForm::general(6)) + " of the function, everywhere"});
   return aligned_left(rows);
 }
 
 JsonValue report_json(const Verdict& verdict, const std::string& command) {
-  const certificate::MeansCertificate& c = verdict.read.certificate;
   JsonValue out = document_head("check", command);
   out.set("digest", verdict.read.digest);
   out.set("verified", !verdict.report.refusal.has_value());
@@ -104,7 +135,7 @@ JsonValue report_json(const Verdict& verdict, const std::string& command) {
     refusal = JsonValue::object(
         {{"pointer", verdict.report.refusal->pointer}, {"says", verdict.report.refusal->says}});
   out.set("refusal", std::move(refusal));
-  out.set("elements", c.elements.size());
+  out.set("elements", verdict.parts);
   out.set("looked_at", json_array(verdict.report.looked_at));
   return out;
 }
@@ -116,8 +147,9 @@ ExitCode check_file(const Common& common, const CheckOptions& options) {
   const std::string text =
       with_source(options.file, [&] { return read_file(options.file, json_size_limit); });
   Verdict verdict{.read = read_certificate(text, options.file), .report = {}};
+  verdict.parts = certificate::part_count(verdict.read.certificate);
   if (verdict.read.digest_holds) {
-    const std::size_t elements = part_of(options, verdict.read.certificate.elements.size());
+    const std::size_t elements = part_of(options, verdict.parts);
     ProgressDisplay display(common.quiet);
     display.at(0, "surface and sums");
     verdict.report = certificate::check(
@@ -125,7 +157,7 @@ ExitCode check_file(const Common& common, const CheckOptions& options) {
         {.elements = elements, .seed = options.seed.empty() ? verdict.read.digest : options.seed},
         [&](std::size_t done) {
           display.at(static_cast<double>(done) / static_cast<double>(elements),
-                     std::to_string(done) + " of " + std::to_string(elements) + " elements");
+                     std::to_string(done) + " of " + std::to_string(elements) + " parts");
         });
   } else {
     verdict.report.refusal = certificate::Refusal{"/digest", "is not that of the content"};
@@ -150,8 +182,10 @@ void add_check(Program& program) {
                  "What the choice of elements follows from. Default: the digest of the content", "TEXT");
   command.footer(
       "Exit code 0: verified; 1: refused, with the first number that does not hold; 2: no certificate.\n"
-      "Elements are chosen by SHA-256 of seed and number: the same each time. All claims together prove the\n"
-      "means or values; a part of them leaves the others to whoever made the file.");
+      "Elements, or on an ellipsoid rows of points, are chosen by SHA-256 of seed and number: the same each\n"
+      "time. All claims together prove what is enclosed; a part of them leaves the others to whoever made "
+      "the\n"
+      "file.");
   command.runs([&common = program.common(), options] { return check_file(common, *options); });
 }
 

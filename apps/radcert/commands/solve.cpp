@@ -35,7 +35,7 @@
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/scalar/enclosing_text.h"
-#include "radcert/study/certified_means.h"
+#include "radcert/study/certified_solution.h"
 #include "radcert/study/expected_seconds.h"
 #include "tables/enclosure_table.h"
 #include "tables/solve_table.h"
@@ -228,7 +228,7 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Output
         std::tie(level, enclosure) = solve_within(problem, *problem.guarantee, context);
         return;
       }
-      CertifiedMeans found = certified_means(problem, *problem.guarantee, context);
+      CertifiedSolution found = certified_solution(problem, *problem.guarantee, context);
       files.emplace_back(options.certificate, certificate_text(found.certificate, common.command));
       level = std::move(found.level);
       enclosure = std::move(found.enclosure);
@@ -327,10 +327,11 @@ void add_solve(Program& program) {
       "Enclose the solution of the equation itself, within this width; the mesh and the degree are "
       "chosen by radcert",
       "WIDTH");
-  command.option(
-      "--certificate", options->certificate,
-      "Write what encloses the means or values on a polyhedron as a file that radcert check verifies",
-      "FILE.json");
+  command.option("--certificate", options->certificate,
+                 "Write what encloses the means or values on a convex polyhedron, or anything on an "
+                 "ellipsoid, as a file "
+                 "that radcert check verifies",
+                 "FILE.json");
   command.option("--of", options->of, "What the guarantee is of: " + listed(guaranteed_quantities()), "WORD");
   command.option("--outside", options->outside,
                  "Of a function on a polyhedron: how far from the vertices the width is wanted. Default: a "

@@ -20,16 +20,31 @@ int digits_of(const Ball& value) {
   return std::clamp(static_cast<int>(std::floor(-std::log10(radius))), 1, 17);
 }
 
+std::string integral_of(const reference::ContinuousMean& mean) {
+  if (mean.point) return "u at a point of the surface";
+  if (mean.at_centre) return "u at the mean of the corners of a face";
+  return mean.face.empty() ? "(1/|S|) Int_S u" : "(1/|F|) Int_F u";
+}
+
 ReferenceRecord record_of(const reference::ContinuousScene& scene, const reference::EnclosedMean& found) {
   ReferenceRecord record;
   record.name = found.mean->name;
   record.digits = digits_of(found.first.value);
-  record.formula =
-      std::string(found.mean->at_centre ? "u at the mean of the corners of a face" : "(1/|F|) Int_F u") +
-      ",  u = E + (rho/pi) Int G u dS: of the solution itself, not of one constant a face";
+  record.formula = integral_of(*found.mean) +
+                   ",  u = E + (rho/pi) Int G u dS: of the solution itself, not of one constant a face";
   record.source =
-      "a theorem of duality with enclosed residuals: lib/radcert/certificate/check.h; " + scene.words;
-  record.parameters.emplace_back("rho", scene.reflectivity.to_text());
+      (scene.ellipsoid
+           ? std::string("a residual that is bounded everywhere: "
+                         "lib/radcert/certificate/ellipsoid/ellipsoid_check.h; ")
+           : std::string("a theorem of duality with enclosed residuals: lib/radcert/certificate/check.h; ")) +
+      scene.words;
+  if (scene.ellipsoid) {
+    record.parameters.emplace_back("a", scene.ellipsoid->half_axes.x.to_text());
+    record.parameters.emplace_back("b", scene.ellipsoid->half_axes.y.to_text());
+    record.parameters.emplace_back("c", scene.ellipsoid->half_axes.z.to_text());
+  } else {
+    record.parameters.emplace_back("rho", scene.reflectivity.to_text());
+  }
   record.routes = {{found.first.how, found.first.value, scene.certificates[0]},
                    {found.second.how, found.second.value, scene.certificates[1]}};
   return record;

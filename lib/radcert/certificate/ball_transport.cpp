@@ -50,7 +50,7 @@ double sum_of_axes(double axis) { return axis + std::sqrt(std::max(0.0, axis * a
 
 }  // namespace
 
-BallTransport::BallTransport(const MeansCertificate& certificate, const Scene& scene,
+BallTransport::BallTransport(const PolyhedronCertificate& certificate, const Scene& scene,
                              const Densities& densities, const LineBounds& lines)
     : certificate_(certificate), scene_(scene), densities_(densities), lines_(lines) {}
 
@@ -337,7 +337,7 @@ private:
     return {densities_.degree(), std::span(places).first(rule.size())};
   }
 
-  const MeansCertificate& certificate_;
+  const PolyhedronCertificate& certificate_;
   const Scene& scene_;
   const Densities& densities_;
   const LineBounds& lines_;

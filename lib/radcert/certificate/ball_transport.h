@@ -8,7 +8,7 @@
 
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/line_bounds.h"
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/certificate/scene.h"
 #include "radcert/core/work_limit.h"
 
@@ -40,7 +40,7 @@ struct Observers {
 /// Requires  all of it outlives this
 class BallTransport {
 public:
-  BallTransport(const MeansCertificate& certificate, const Scene& scene, const Densities& densities,
+  BallTransport(const PolyhedronCertificate& certificate, const Scene& scene, const Densities& densities,
                 const LineBounds& lines);
 
   struct Values {
@@ -54,7 +54,7 @@ public:
 
 private:
   class Sum;
-  const MeansCertificate& certificate_;
+  const PolyhedronCertificate& certificate_;
   const Scene& scene_;
   const Densities& densities_;
   const LineBounds& lines_;

@@ -2,7 +2,6 @@
 #include "radcert/certificate/check.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -14,8 +13,6 @@
 #include "radcert/certificate/point_kernels.h"
 #include "radcert/certificate/polyhedron_facts.h"
 #include "radcert/certificate/scene.h"
-#include "radcert/core/digest.h"
-#include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/enclosing_text.h"
@@ -27,7 +24,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::string place(const std::string& list, std::size_t number) { return list + "/" + std::to_string(number); }
 
-Rational largest_reflectivity(const MeansCertificate& c) {
+Rational largest_reflectivity(const PolyhedronCertificate& c) {
   Rational largest = 0;
   for (const Face& face : c.faces) largest = std::max(largest, face.reflectivity);
   return largest;
@@ -43,7 +40,7 @@ struct ClaimSums {
   std::vector<Ball> radii;
 };
 
-ClaimSums sums_of_claims(const MeansCertificate& c) {
+ClaimSums sums_of_claims(const PolyhedronCertificate& c) {
   ClaimSums out{std::vector<Ball>(c.functions()), std::vector<Ball>(c.goals()), std::vector<Ball>(c.goals())};
   for (const Claim& claim : c.claims) {
     for (std::size_t k = 0; k < claim.norms.size(); ++k) out.squares[k] += power(Ball(claim.norms[k]), 2);
@@ -56,7 +53,7 @@ ClaimSums sums_of_claims(const MeansCertificate& c) {
 }
 
 /// The mean over each piece, or the value at each point, from sums.
-std::vector<Ball> means_of(const MeansCertificate& c, const Sums& sums) {
+std::vector<Ball> means_of(const PolyhedronCertificate& c, const Sums& sums) {
   if (c.of_values()) return values_of(c, sums, Ball(Rational(1) - largest_reflectivity(c)));
   const std::vector<Ball> areas = piece_areas(c);
   const std::vector<Ball> densities = Densities::integrals(c);
@@ -82,7 +79,7 @@ double scaled_up(double x, int exponent) {
 
 /// A claim held against what is proved in scaled units.
 /// Maths     lengths are 2^l, function k 2^(e_k) times those: norms 2^(l+e_k), products 2^(2l+e_0+e_k)
-std::optional<Refusal> claim_fault(const MeansCertificate& c, std::size_t element,
+std::optional<Refusal> claim_fault(const PolyhedronCertificate& c, std::size_t element,
                                    const ResidualBounds& proved, int length, const Densities& densities) {
   const Claim& claim = c.claims[element];
   const std::string pointer = place("/claims", element);
@@ -115,8 +112,8 @@ std::optional<Refusal> claim_fault(const MeansCertificate& c, std::size_t elemen
 }
 
 /// Of the claims on one element, in scaled units: what rules may leave.
-Allowance allowance_of(const MeansCertificate& c, const Densities& densities, std::size_t element, int length,
-                       double part) {
+Allowance allowance_of(const PolyhedronCertificate& c, const Densities& densities, std::size_t element,
+                       int length, double part) {
   const Claim& claim = c.claims[element];
   Allowance out{infinity, infinity};
   for (std::size_t k = 0; k < claim.norms.size(); ++k)
@@ -132,15 +129,15 @@ Allowance allowance_of(const MeansCertificate& c, const Densities& densities, st
 }
 
 /// Whether something is claimed to be exactly 0 that no rounded computation could prove.
-std::optional<Refusal> zero_fault(const MeansCertificate& c, const Scene& scene, const Densities& densities,
-                                  std::size_t element) {
+std::optional<Refusal> zero_fault(const PolyhedronCertificate& c, const Scene& scene,
+                                  const Densities& densities, std::size_t element) {
   if (c.faces[c.elements[element].face].reflectivity.sign() == 0) return std::nullopt;
   const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), 1);
   if (allowance.norm > 0 && allowance.product > 0) return std::nullopt;
   return Refusal{place("/claims", element), "claims that something is exactly 0"};
 }
 
-std::optional<Refusal> element_fault(const MeansCertificate& c, const Scene& scene,
+std::optional<Refusal> element_fault(const PolyhedronCertificate& c, const Scene& scene,
                                      const Densities& densities, const ElementCheck& elements,
                                      std::size_t element) {
   std::optional<Refusal> fault;
@@ -161,7 +158,7 @@ std::optional<Refusal> element_fault(const MeansCertificate& c, const Scene& sce
   return fault;
 }
 
-std::optional<Refusal> sums_fault(const MeansCertificate& c) {
+std::optional<Refusal> sums_fault(const PolyhedronCertificate& c) {
   const ClaimSums claims = sums_of_claims(c);
   for (std::size_t k = 0; k < c.functions(); ++k)
     if (!certainly_at_most(sqrt(claims.squares[k]), Ball(c.sums.norms[k])))
@@ -172,7 +169,7 @@ std::optional<Refusal> sums_fault(const MeansCertificate& c) {
       return Refusal{place("/sums/products", k), "with its radius does not hold what the claims sum to"};
   const std::vector<Ball> means = means_of(c, c.sums);
   for (std::size_t k = 0; k < means.size(); ++k) {
-    const Enclosure& stated = c.means[k];
+    const Enclosure& stated = c.enclosures[k];
     if (!certainly_at_most(abs(means[k] - Ball(stated.midpoint)), Ball(stated.radius)))
       return Refusal{place(c.of_values() ? "/values" : "/means", k),
                      "with its radius does not hold what the sums prove, " + means[k].to_text(12)};
@@ -185,7 +182,7 @@ std::optional<Refusal> sums_fault(const MeansCertificate& c) {
 
 }  // namespace
 
-Summed summed(const MeansCertificate& c) {
+Summed summed(const PolyhedronCertificate& c) {
   const ClaimSums claims = sums_of_claims(c);
   Summed out;
   for (const Ball& square : claims.squares) out.sums.norms.push_back(above(sqrt(square)));
@@ -200,23 +197,13 @@ Summed summed(const MeansCertificate& c) {
     const double midpoint = mean.to_double();
     const double radius =
         abs(mean - Ball(midpoint)).upper_double() * (1 + 0x1p-24) + std::abs(midpoint) * 0x1p-50;
-    out.means.push_back({Rational::exactly(midpoint), Rational::exactly(std::nextafter(radius, infinity))});
+    out.enclosures.push_back(
+        {Rational::exactly(midpoint), Rational::exactly(std::nextafter(radius, infinity))});
   }
   return out;
 }
 
-std::vector<std::size_t> chosen_elements(std::size_t count, const Part& part) {
-  std::vector<std::pair<std::string, std::size_t>> order;
-  for (std::size_t e = 0; e < count; ++e) order.emplace_back(sha256(part.seed + "/" + std::to_string(e)), e);
-  std::sort(order.begin(), order.end());
-  order.resize(std::min(count, part.elements));
-  std::vector<std::size_t> out;
-  for (const auto& [digest, element] : order) out.push_back(element);
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
-Report check(const MeansCertificate& c, const Part& part, const CheckListener& progress) {
+Report check(const PolyhedronCertificate& c, const Part& part, const CheckListener& progress) {
   Report report;
   for (const auto& fault : {&surface_fault, &reflectivity_fault, &points_fault, &tiling_fault, &sums_fault}) {
     report.refusal = fault(c);
@@ -231,23 +218,9 @@ Report check(const MeansCertificate& c, const Part& part, const CheckListener& p
   const BallTransport transport(c, scene, densities, lines);
   const PointKernels kernels(c, scene, densities);
   const ElementCheck elements(c, scene, densities, lines, transport, kernels);
-  // A chunk after a fault is not looked at, unless it comes before it.
-  const std::size_t count = report.looked_at.size();
-  std::vector<std::optional<Refusal>> faults(count);
-  std::atomic<std::size_t> first_fault = count;
-  std::atomic<std::size_t> done = 0;
-  parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      if (k > first_fault) continue;
-      faults[k] = element_fault(c, scene, densities, elements, report.looked_at[k]);
-      if (faults[k])
-        for (std::size_t found = first_fault; k < found;)
-          if (first_fault.compare_exchange_weak(found, k)) break;
-      const std::size_t now = ++done;
-      if (progress) progress(now);
-    }
-  });
-  if (first_fault < count) report.refusal = faults[first_fault];
+  report.refusal = first_fault(
+      report.looked_at,
+      [&](std::size_t element) { return element_fault(c, scene, densities, elements, element); }, progress);
   return report;
 }
 

@@ -1,31 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/part.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 
 namespace radcert::certificate {
 
-/// Which elements are looked at.
-struct Part {
-  std::size_t elements = 0;  ///< so many, or all where there are no more
-  std::string seed;          ///< what the choice follows from
-};
-
-struct Report {
-  std::vector<std::size_t> looked_at;  ///< elements, ascending
-  std::optional<Refusal> refusal;      ///< the first number that does not hold
-};
-
-/// The number of elements whose claims have been held against proofs.
-using CheckListener = std::function<void(std::size_t)>;
-
-/// Sums of the claims, and the means that follow from them.
+/// Sums of the claims, and the means or values that follow from them.
 /// Maths     norms[k] = (sum norms_k^2)^(1/2), products and radii as sums; the mean over piece k is (Int_k
 ///           w_0 + products[k] +- (radii[k] + norms[0] norms[1+k]/(1 - max rho)))/area. Theorem: B =
 ///           rho^(1/2) T rho^(1/2) is self-adjoint in L2 and not longer than s = max rho, by Schur's test
@@ -37,27 +20,22 @@ using CheckListener = std::function<void(std::size_t)>;
 /// Result    sums rounded outwards; the mean's radius bounds everything
 struct Summed {
   Sums sums;
-  std::vector<Enclosure> means;
+  std::vector<Enclosure> enclosures;
 };
-[[nodiscard]] Summed summed(const MeansCertificate& certificate);
-
-/// The elements that a part chooses.
-/// Maths     those with the least SHA-256 of seed and number
-/// Result    ascending, the same for the same seed
-[[nodiscard]] std::vector<std::size_t> chosen_elements(std::size_t count, const Part& part);
+[[nodiscard]] Summed summed(const PolyhedronCertificate& certificate);
 
 /// Checks a certificate, by means that share no function with the search that made it.
 /// Maths     surface_fault, reflectivity_fault, points_fault, tiling_fault; of the elements that are looked
 ///           at, the claims by ElementCheck; the stated sums are those of the claims or wider, the means or
 ///           values those of summed or wider, the width is no less than twice the largest radius. All claims
 ///           together prove the means or values
-/// Requires  lists of the lengths that MeansCertificate states, finite numbers
+/// Requires  lists of the lengths that PolyhedronCertificate states, finite numbers
 /// Result    no refusal: what was looked at is proved, and the means are, if all claims hold. Depends on the
 ///           certificate and the part alone, whatever the number of threads
 /// Limits    a claim that holds by less than the bounds here are generous is refused. Both take Gauss rules:
 ///           the search of densities at nodes, this of moments of the kernel (BallTransport), which a test
 ///           holds against closed forms in balls
-[[nodiscard]] Report check(const MeansCertificate& certificate, const Part& part,
+[[nodiscard]] Report check(const PolyhedronCertificate& certificate, const Part& part,
                            const CheckListener& progress = {});
 
 }  // namespace radcert::certificate

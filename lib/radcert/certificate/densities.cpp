@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radcert/certificate/face_polynomial.h"
 #include "radcert/certificate/gauss_rule.h"
 #include "radcert/geometry/plane_polygon.h"
 #include "radcert/scalar/pack.h"
@@ -30,26 +31,24 @@ Frame frame(const Face& face, std::size_t side) {
 
 int emission_degree(const Face& face) { return static_cast<int>(face.emission.size()) - 1; }
 
-Ball emission_at(const std::vector<std::vector<Ball>>& f, const Ball& x, const Ball& y) {
-  Ball sum;
-  for (std::size_t i = f.size(); i-- > 0;) {
-    Ball inner;
-    for (std::size_t j = f[i].size(); j-- > 0;) inner = inner * y + f[i][j];
-    sum = sum * x + inner;
+using BallPolynomial = std::vector<std::vector<Ball>>;
+
+BallPolynomial enclosed(const std::vector<std::vector<Rational>>& f) {
+  BallPolynomial out;
+  for (const std::vector<Rational>& row : f) {
+    out.emplace_back();
+    for (const Rational& x : row) out.back().emplace_back(x);
   }
-  return sum;
+  return out;
 }
 
-/// w_0 = E + rho q_0 on elements in Legendre polynomials.
-class FirstDensity {
+/// The functions w_k and rho on elements in Legendre polynomials.
+class ElementFunctions {
 public:
-  FirstDensity(const MeansCertificate& certificate, int degree) : c_(certificate), degree_(degree) {
+  ElementFunctions(const PolyhedronCertificate& certificate, int degree) : c_(certificate), degree_(degree) {
     for (const Face& face : c_.faces) {
-      emission_.emplace_back();
-      for (const std::vector<Rational>& row : face.emission) {
-        emission_.back().emplace_back();
-        for (const Rational& x : row) emission_.back().back().emplace_back(x);
-      }
+      emission_.push_back(enclosed(face.emission));
+      reflectivity_.push_back(enclosed(face.varying_reflectivity));
       frames_.emplace_back();
       for (std::size_t side = 0; side < face.corners.size(); ++side)
         frames_.back().push_back(frame(face, side));
@@ -57,57 +56,108 @@ public:
     for (const Ball& node : gauss_rule(degree + 1).nodes) p_.push_back(legendre(degree, node));
   }
 
-  /// By i, j.
-  [[nodiscard]] std::vector<Ball> coefficients(std::size_t e) const {
+  /// w_0 = E + rho q_0 by i, j.
+  [[nodiscard]] std::vector<Ball> first(std::size_t e) const {
     const Element& element = c_.elements[e];
     const Face& face = c_.faces[element.face];
-    const auto powers = static_cast<std::size_t>(degree_) + 1;
-    std::vector<Ball> out(powers * powers);
+    std::vector<Ball> out(size());
     if (emission_degree(face) == 0)
       out[0] = emission_[element.face][0][0];
     else
-      add_emission(element, out);
-    const Ball rho(face.reflectivity);
-    for (std::size_t i = 0; i < c_.powers(); ++i)
-      for (std::size_t j = 0; j < c_.powers(); ++j)
-        out[i * powers + j] += rho * Ball(c_.coefficient(0, e, i, j));
+      out = expanded(element,
+                     [&](const At& at) { return polynomial_value(emission_[element.face], at.x, at.y); });
+    add_reflected(e, 0, 0, out);
     return out;
   }
 
+  /// w_k = rho (j + q_k) by i, j for k > 0, j constant.
+  [[nodiscard]] std::vector<Ball> dual(std::size_t e, std::size_t k, int j) const {
+    std::vector<Ball> out(size());
+    add_reflected(e, k, j, out);
+    return out;
+  }
+
+  /// At least sup rho.
+  /// Maths     the sum of the sizes of its coefficients, or what is stated for the face
+  [[nodiscard]] double largest_reflectivity(std::size_t e) const {
+    const Element& element = c_.elements[e];
+    const double stated = Ball(c_.faces[element.face].reflectivity).upper_double();
+    if (reflectivity_[element.face].empty()) return stated;
+    Ball sum;
+    for (const Ball& x : expanded(element, [&](const At& at) { return rho(element, at); })) sum += abs(x);
+    return std::min(stated, sum.upper_double());
+  }
+
 private:
-  /// c_ij = (2i+1)(2j+1)/4 sum W_m W_l P_i(x_m) P_j(x_l) E
-  void add_emission(const Element& element, std::vector<Ball>& out) const {
+  /// A node of an element, and its place in the face's frame.
+  struct At {
+    std::size_t m, l;
+    Ball x, y;
+  };
+
+  [[nodiscard]] std::size_t powers() const { return static_cast<std::size_t>(degree_) + 1; }
+  [[nodiscard]] std::size_t size() const { return powers() * powers(); }
+
+  [[nodiscard]] Ball rho(const Element& element, const At& at) const {
+    return polynomial_value(reflectivity_[element.face], at.x, at.y);
+  }
+
+  /// out += rho (j + q_k).
+  void add_reflected(std::size_t e, std::size_t k, int j, std::vector<Ball>& out) const {
+    const Element& element = c_.elements[e];
+    if (reflectivity_[element.face].empty()) {
+      const Ball constant(c_.faces[element.face].reflectivity);
+      for (std::size_t i = 0; i < c_.powers(); ++i)
+        for (std::size_t l = 0; l < c_.powers(); ++l)
+          out[i * powers() + l] += constant * Ball(c_.coefficient(k, e, i, l));
+      out[0] += constant * Ball(j);
+      return;
+    }
+    const std::vector<Ball> more = expanded(element, [&](const At& at) {
+      Ball q(j);
+      for (std::size_t i = 0; i < c_.powers(); ++i)
+        for (std::size_t l = 0; l < c_.powers(); ++l)
+          q += Ball(c_.coefficient(k, e, i, l)) * p_[at.m][i] * p_[at.l][l];
+      return rho(element, at) * q;
+    });
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] += more[i];
+  }
+
+  /// c_ij = (2i+1)(2j+1)/4 sum W_m W_l P_i(x_m) P_j(x_l) f, for f of no higher degree.
+  template <class F>
+  [[nodiscard]] std::vector<Ball> expanded(const Element& element, const F& f) const {
+    std::vector<Ball> out(size());
     const GaussRule& rule = gauss_rule(degree_ + 1);
-    const auto powers = static_cast<std::size_t>(degree_) + 1;
-    const Frame& at = frames_[element.face][element.side];
+    const Frame& in = frames_[element.face][element.side];
     const auto place = [](double from, double to, const Ball& x) {
       const Ball low(from);
       const Ball high(to);
       return (low + high + (high - low) * x) / Ball(2);
     };
-    for (std::size_t m = 0; m < powers; ++m)
-      for (std::size_t l = 0; l < powers; ++l) {
+    for (std::size_t m = 0; m < powers(); ++m)
+      for (std::size_t l = 0; l < powers(); ++l) {
         const Ball s = place(element.s0, element.s1, rule.nodes[m]);
         const Ball t = place(element.t0, element.t1, rule.nodes[l]);
-        const ParameterPoint<Ball> p = at.a + (s * (Ball(1) - t)) * at.along + t * at.inward;
-        const Ball value =
-            emission_at(emission_[element.face], p.s, p.t) * rule.weights[m] * rule.weights[l] / Ball(4);
-        for (std::size_t i = 0; i < powers; ++i)
-          for (std::size_t j = 0; j < powers; ++j)
-            out[i * powers + j] += Ball((2 * i + 1) * (2 * j + 1)) * p_[m][i] * p_[l][j] * value;
+        const ParameterPoint<Ball> p = in.a + (s * (Ball(1) - t)) * in.along + t * in.inward;
+        const Ball value = f(At{m, l, p.s, p.t}) * rule.weights[m] * rule.weights[l] / Ball(4);
+        for (std::size_t i = 0; i < powers(); ++i)
+          for (std::size_t j = 0; j < powers(); ++j)
+            out[i * powers() + j] += Ball((2 * i + 1) * (2 * j + 1)) * p_[m][i] * p_[l][j] * value;
       }
+    return out;
   }
 
-  const MeansCertificate& c_;
+  const PolyhedronCertificate& c_;
   int degree_;
-  std::vector<std::vector<std::vector<Ball>>> emission_;
+  std::vector<BallPolynomial> emission_, reflectivity_;
   std::vector<std::vector<Frame>> frames_;
   std::vector<std::vector<Ball>> p_;
 };
 
-int whole_degree(const MeansCertificate& c) {
+int whole_degree(const PolyhedronCertificate& c) {
   int degree = c.degree;
-  for (const Face& face : c.faces) degree = std::max(degree, emission_degree(face));
+  for (const Face& face : c.faces)
+    degree = std::max({degree, emission_degree(face), c.degree + reflectivity_degree(face)});
   return degree;
 }
 
@@ -137,18 +187,18 @@ LegendreTable::LegendreTable(int degree, std::span<const BoundedDouble> places)
   }
 }
 
-Densities::Densities(const MeansCertificate& c)
+Densities::Densities(const PolyhedronCertificate& c)
     : degree_(whole_degree(c)),
       count_(c.functions()),
       stride_((count_ + Pack::lanes) / Pack::lanes * Pack::lanes),
       largest_(count_),
       vanishes_(count_, 1) {
-  const FirstDensity first(c, degree_);
+  const ElementFunctions functions(c, degree_);
   const std::size_t size = powers() * powers();
   std::vector<std::vector<Ball>> first_coefficients;
   double largest = 0;
   for (std::size_t e = 0; e < c.elements.size(); ++e) {
-    first_coefficients.push_back(first.coefficients(e));
+    first_coefficients.push_back(functions.first(e));
     double sum = 0;
     for (const Ball& x : first_coefficients.back()) sum += abs(x).upper_double();
     largest = std::max(largest, sum);
@@ -171,20 +221,20 @@ Densities::Densities(const MeansCertificate& c)
   q_.resize(w_.size());
   for (std::size_t e = 0; e < c.elements.size(); ++e) {
     const Face& face = c.faces[c.elements[e].face];
-    const Ball rho(face.reflectivity);
-    rho_.push_back(rho.upper_double());
+    rho_.push_back(functions.largest_reflectivity(e));
     double* const w = w_.data() + e * size * stride_;
     double* const q = q_.data() + e * size * stride_;
     double off = 0;
     for (std::size_t k = 0; k < count_; ++k) {
       double own_off = 0;
+      const bool is_one = k > 0 && !c.of_values() && face.piece == k - 1;
+      const Ball scale = power(Ball(2), -exponents_[k]);
+      const std::vector<Ball> w_k = k == 0 ? first_coefficients[e] : functions.dual(e, k, is_one ? 1 : 0);
       for (std::size_t i = 0; i < powers(); ++i)
         for (std::size_t j = 0; j < powers(); ++j) {
           const bool has_q = i < c.powers() && j < c.powers();
           const Ball of_q(has_q ? c.coefficient(k, e, i, j) : 0.0);
-          const Ball scale = power(Ball(2), -exponents_[k]);
-          Ball of_w = (k == 0 ? first_coefficients[e][i * powers() + j] : rho * of_q) * scale;
-          if (k > 0 && !c.of_values() && i == 0 && j == 0 && face.piece == k - 1) of_w += rho;
+          const Ball of_w = w_k[i * powers() + j] * scale;
           const BoundedDouble near_w = bounded(of_w);
           const BoundedDouble near_q = bounded(of_q * scale);
           w[(i * powers() + j) * stride_ + k] = near_w.value();
@@ -289,14 +339,14 @@ std::vector<double> Densities::edge_sizes(std::size_t element) const {
   return out;
 }
 
-std::vector<Ball> Densities::integrals(const MeansCertificate& c) {
+std::vector<Ball> Densities::integrals(const PolyhedronCertificate& c) {
   const int degree = whole_degree(c);
-  const FirstDensity first(c, degree);
+  const ElementFunctions functions(c, degree);
   std::vector<Ball> out(c.pieces.size());
   for (std::size_t e = 0; e < c.elements.size(); ++e) {
     const Element& element = c.elements[e];
     const Face& face = c.faces[element.face];
-    const std::vector<Ball> w = first.coefficients(e);
+    const std::vector<Ball> w = functions.first(e);
     // Int P_0(y) (1-t) and Int P_1(y) (1-t) over [-1,1], 1 - t = 1 - m - h y; P_i, i > 0, has the mean 0.
     const Ball t0(element.t0);
     const Ball t1(element.t1);
@@ -322,7 +372,7 @@ Ball area_of(const Face& face) {
   return sqrt(Ball(dot(sum, sum))) / Ball(2);
 }
 
-std::vector<Ball> piece_areas(const MeansCertificate& c) {
+std::vector<Ball> piece_areas(const PolyhedronCertificate& c) {
   std::vector<Ball> out(c.pieces.size());
   for (const Face& face : c.faces) out[face.piece] += area_of(face);
   return out;

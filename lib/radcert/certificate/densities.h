@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/certificate/scene.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/bounded_double.h"
@@ -22,13 +22,14 @@ struct LegendreTable {
 
 /// The functions of a certificate on its elements, and the constant 1 after them.
 /// Maths     function k is 2^-exponent(k) times that of the certificate, so that none is much larger than 1.
-///           w_0 = E + rho q_0: E is brought into Legendre polynomials by a Gauss rule that is exact for it.
-///           |f| <= sum |c_ij| a^i b^j where |P_i(x)| <= a^i, |P_j(y)| <= b^j; |P_i(z)| <= R^i in the ellipse
-///           with the foci -1, 1 and half axes summing to R (Laplace's integral)
+///           E, and products with rho where it is a polynomial, are brought into Legendre polynomials by a
+///           Gauss rule that is exact for them. |f| <= sum |c_ij| a^i b^j where |P_i(x)| <= a^i, |P_j(y)| <=
+///           b^j; |P_i(z)| <= R^i in the ellipse with the foci -1, 1 and half axes summing to R (Laplace's
+///           integral)
 /// Requires  surface_fault, tiling_fault found nothing
 class Densities {
 public:
-  explicit Densities(const MeansCertificate& certificate);
+  explicit Densities(const PolyhedronCertificate& certificate);
 
   [[nodiscard]] int exponent(std::size_t k = 0) const { return exponents_[k]; }
   [[nodiscard]] int degree() const { return degree_; }
@@ -61,7 +62,7 @@ public:
   [[nodiscard]] double largest() const { return all_; }
   /// Whether w_k, q_k and, of values, j_k are 0.
   [[nodiscard]] bool vanishes(std::size_t k) const { return vanishes_[k] != 0; }
-  /// rho of the element's face, from above.
+  /// At least sup rho on an element.
   [[nodiscard]] double reflectivity(std::size_t element) const { return rho_[element]; }
   /// A Lipschitz constant of all w_k in x, and in y.
   struct Slopes {
@@ -72,7 +73,7 @@ public:
   /// Bounds of the coefficients of w(., -1) on the edge, by i, over all k.
   [[nodiscard]] std::vector<double> edge_sizes(std::size_t element) const;
   /// Int w_0 over each piece, of the certificate's functions and lengths.
-  [[nodiscard]] static std::vector<Ball> integrals(const MeansCertificate& certificate);
+  [[nodiscard]] static std::vector<Ball> integrals(const PolyhedronCertificate& certificate);
 
 private:
   [[nodiscard]] std::span<const double> of(const std::vector<double>& all, std::size_t element) const {
@@ -96,6 +97,6 @@ private:
 
 /// The area of a face, and of a piece, of the certificate.
 [[nodiscard]] Ball area_of(const Face& face);
-[[nodiscard]] std::vector<Ball> piece_areas(const MeansCertificate& certificate);
+[[nodiscard]] std::vector<Ball> piece_areas(const PolyhedronCertificate& certificate);
 
 }  // namespace radcert::certificate

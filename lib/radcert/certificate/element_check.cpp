@@ -178,7 +178,7 @@ private:
   Plan plan_;
 };
 
-ElementCheck::ElementCheck(const MeansCertificate& certificate, const Scene& scene,
+ElementCheck::ElementCheck(const PolyhedronCertificate& certificate, const Scene& scene,
                            const Densities& densities, const LineBounds& lines,
                            const BallTransport& transport, const PointKernels& kernels)
     : certificate_(certificate),

@@ -8,8 +8,8 @@
 #include "radcert/certificate/ball_transport.h"
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/line_bounds.h"
-#include "radcert/certificate/means_certificate.h"
 #include "radcert/certificate/point_kernels.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/certificate/scene.h"
 #include "radcert/core/work_limit.h"
 
@@ -47,7 +47,7 @@ struct Allowance {
 /// Source    ours; theorem I of the layer continuous says the same, of which no line is used here
 class ElementCheck {
 public:
-  ElementCheck(const MeansCertificate& certificate, const Scene& scene, const Densities& densities,
+  ElementCheck(const PolyhedronCertificate& certificate, const Scene& scene, const Densities& densities,
                const LineBounds& lines, const BallTransport& transport, const PointKernels& kernels);
 
   /// Requires  a face that reflects
@@ -62,7 +62,7 @@ private:
   void add_cell(std::size_t element, const Cell& cell, const Allowance& allowance, std::size_t cells,
                 ResidualBounds& sums, std::vector<double>& squares) const;
 
-  const MeansCertificate& certificate_;
+  const PolyhedronCertificate& certificate_;
   const Scene& scene_;
   const Densities& densities_;
   const LineBounds& lines_;

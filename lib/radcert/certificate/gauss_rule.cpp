@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/certificate/gauss_rule.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -16,10 +17,15 @@ Ball slope(int n, const Ball& x, const std::vector<Ball>& p) {
   return Ball(n) * (x * p[last] - p[last - 1]) / (x * x - Ball(1));
 }
 
-GaussRule made(int n) {
-  const BallPrecision precision(256);
+}  // namespace
+
+GaussRule long_gauss_rule(int n) {
+  expects(n >= 1 && n <= most_long_nodes, "1 <= n <= most_long_nodes", named("n", n));
+  // A step of the recurrence in balls may cost a bit and a half.
+  const int more = 2 * std::max(0, n - most_nodes);
+  const BallPrecision precision(256 + 2 * more);
   GaussRule rule;
-  const Ball reach = Ball(0x1p-200);
+  const Ball reach(std::ldexp(1.0, -200 - more));
   for (int k = 0; k < n; ++k) {
     Ball x(-std::cos(std::numbers::pi * (k + 0.75) / (n + 0.5)));
     constexpr int steps = 8;
@@ -43,13 +49,11 @@ GaussRule made(int n) {
   return rule;
 }
 
-}  // namespace
-
 const GaussRule& gauss_rule(int n) {
   expects(n >= 1 && n <= most_nodes, "1 <= n <= most_nodes", named("n", n));
   static const std::vector<GaussRule> rules = [] {
     std::vector<GaussRule> all;
-    for (int count = 1; count <= most_nodes; ++count) all.push_back(made(count));
+    for (int count = 1; count <= most_nodes; ++count) all.push_back(long_gauss_rule(count));
     return all;
   }();
   return rules[static_cast<std::size_t>(n - 1)];

@@ -25,6 +25,11 @@ inline constexpr int most_nodes = 20;
 /// Result    made once
 [[nodiscard]] const GaussRule& gauss_rule(int n);
 
+inline constexpr int most_long_nodes = 400;
+
+/// The same for 1 <= n <= most_long_nodes, else ContractViolation; made anew.
+[[nodiscard]] GaussRule long_gauss_rule(int n);
+
 /// A ball in double.
 [[nodiscard]] BoundedDouble bounded(const Ball& x);
 

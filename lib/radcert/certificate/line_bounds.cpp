@@ -83,7 +83,8 @@ PolynomialErrors polynomial_errors(const EllipseBounds& bounds) {
   return out;
 }
 
-LineBounds::LineBounds(const MeansCertificate& certificate, const Scene& scene, const Densities& densities)
+LineBounds::LineBounds(const PolyhedronCertificate& certificate, const Scene& scene,
+                       const Densities& densities)
     : certificate_(certificate),
       scene_(scene),
       densities_(densities),

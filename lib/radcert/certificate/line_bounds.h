@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "radcert/certificate/densities.h"
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/certificate/scene.h"
 
 namespace radcert::certificate {
@@ -74,7 +74,7 @@ struct EdgeClosing {
 /// Result    rounded up, infinite where nothing is known
 class LineBounds {
 public:
-  LineBounds(const MeansCertificate& certificate, const Scene& scene, const Densities& densities);
+  LineBounds(const PolyhedronCertificate& certificate, const Scene& scene, const Densities& densities);
 
   /// Of T w, or of F where there is a closing, along s = parameter 0 or t = parameter 1.
   [[nodiscard]] PolynomialErrors left(std::size_t element, const Box& box, bool in_s,
@@ -103,7 +103,7 @@ private:
   [[nodiscard]] std::optional<std::size_t> element_beyond(std::size_t element, double s0, double s1) const;
   [[nodiscard]] double slide_reach(std::size_t triangle, std::size_t face, const Vector<double>& c) const;
 
-  const MeansCertificate& certificate_;
+  const PolyhedronCertificate& certificate_;
   const Scene& scene_;
   const Densities& densities_;
   std::vector<std::size_t> triangle_;              ///< of each element

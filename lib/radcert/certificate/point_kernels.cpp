@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "radcert/certificate/face_polynomial.h"
 #include "radcert/certificate/gauss_rule.h"
 #include "radcert/core/contract.h"
 #include "radcert/geometry/plane_polygon.h"
@@ -47,7 +48,7 @@ Place place_in(const Face& face, const Vector<Rational>& p) {
 
 }  // namespace
 
-PointKernels::PointKernels(const MeansCertificate& c, const Scene& scene, const Densities& densities)
+PointKernels::PointKernels(const PolyhedronCertificate& c, const Scene& scene, const Densities& densities)
     : scene_(scene) {
   for (std::size_t k = 0; k < c.points.size(); ++k) {
     const Point& point = c.points[k];
@@ -126,7 +127,7 @@ BoundedDouble PointKernels::at(std::size_t k, std::size_t triangle, const Bounde
   return BoundedDouble(value, off * upward);
 }
 
-std::optional<Refusal> points_fault(const MeansCertificate& c) {
+std::optional<Refusal> points_fault(const PolyhedronCertificate& c) {
   for (std::size_t k = 0; k < c.points.size(); ++k) {
     const Point& point = c.points[k];
     const std::vector<Vector<Rational>>& corners = c.faces[point.face].corners;
@@ -142,7 +143,7 @@ std::optional<Refusal> points_fault(const MeansCertificate& c) {
   return std::nullopt;
 }
 
-std::vector<Ball> values_of(const MeansCertificate& c, const Sums& sums, const Ball& gap) {
+std::vector<Ball> values_of(const PolyhedronCertificate& c, const Sums& sums, const Ball& gap) {
   const Scene scene(c);
   const Densities densities(c);
   const LineBounds lines(c, scene, densities);
@@ -163,18 +164,13 @@ std::vector<Ball> values_of(const MeansCertificate& c, const Sums& sums, const B
     const ParameterPoint<Rational> at =
         coordinates(c.points[k].at - face.corners[0], face.corners[1] - face.corners[0],
                     face.corners[2] - face.corners[0]);
-    Rational emission = 0;
-    for (std::size_t i = face.emission.size(); i-- > 0;) {
-      Rational inner = 0;
-      for (std::size_t j = face.emission[i].size(); j-- > 0;) inner = inner * at.t + face.emission[i][j];
-      emission = emission * at.s + inner;
-    }
+    const Rational emission = polynomial_value(face.emission, at.s, at.t);
+    const Rational rho = reflectivity_at(face, c.points[k].at);
     // Where rho is 0 nothing has to be known of the rest.
-    if (face.reflectivity.sign() == 0)
+    if (rho.sign() == 0)
       out.emplace_back(emission);
     else
-      out.push_back(Ball(emission) +
-                    Ball(face.reflectivity) * widened(of_w + Ball(sums.products[k]), radius));
+      out.push_back(Ball(emission) + Ball(rho) * widened(of_w + Ball(sums.products[k]), radius));
   }
   return out;
 }

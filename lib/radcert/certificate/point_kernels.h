@@ -8,7 +8,7 @@
 #include "radcert/certificate/ball_transport.h"
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/line_bounds.h"
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/certificate/scene.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/bounded_double.h"
@@ -26,7 +26,7 @@ namespace radcert::certificate {
 /// Result    bounds rounded up; infinite where nothing is known
 class PointKernels {
 public:
-  PointKernels(const MeansCertificate& certificate, const Scene& scene, const Densities& densities);
+  PointKernels(const PolyhedronCertificate& certificate, const Scene& scene, const Densities& densities);
 
   [[nodiscard]] std::size_t count() const { return points_.size(); }
   /// Of |j_k| on the ellipses of each line of a box in one parameter.
@@ -59,13 +59,13 @@ private:
 };
 
 /// Whether each point lies inside its face, exactly.
-[[nodiscard]] std::optional<Refusal> points_fault(const MeansCertificate& certificate);
+[[nodiscard]] std::optional<Refusal> points_fault(const PolyhedronCertificate& certificate);
 
 /// u at each point from sums.
 /// Maths     E(P) + rho(P) (T w_0(P) + products[k] +- (radii[k] + norms[0] norms[1+k]/(1 - max rho)))
 /// Requires  as PointKernels
 /// Result    enclosed
-[[nodiscard]] std::vector<Ball> values_of(const MeansCertificate& certificate, const Sums& sums,
+[[nodiscard]] std::vector<Ball> values_of(const PolyhedronCertificate& certificate, const Sums& sums,
                                           const Ball& gap);
 
 }  // namespace radcert::certificate

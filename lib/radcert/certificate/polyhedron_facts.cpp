@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "radcert/certificate/face_polynomial.h"
 #include "radcert/geometry/plane.h"
 #include "radcert/geometry/plane_polygon.h"
 
@@ -78,7 +79,7 @@ Plane plane_of(const Face& face) {
   return {face.corners[0], face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]};
 }
 
-std::optional<Refusal> facet_fault(const MeansCertificate& c, Facet& facet) {
+std::optional<Refusal> facet_fault(const PolyhedronCertificate& c, Facet& facet) {
   const Face& frame = c.faces[facet.faces.front()];
   const std::string pointer = face_pointer(facet.faces.front());
   const Vector<Rational> normal = normal_of(frame);
@@ -128,7 +129,7 @@ std::optional<Refusal> closedness_fault(const std::vector<Facet>& facets) {
 
 }  // namespace
 
-std::optional<Refusal> surface_fault(const MeansCertificate& c) {
+std::optional<Refusal> surface_fault(const PolyhedronCertificate& c) {
   for (std::size_t k = 0; k < c.faces.size(); ++k)
     if (std::optional<Refusal> fault = polygon_fault(c.faces[k], k)) return fault;
   std::vector<bool> has_face(c.pieces.size());
@@ -161,16 +162,20 @@ std::optional<Refusal> surface_fault(const MeansCertificate& c) {
   return closedness_fault(facets);
 }
 
-std::optional<Refusal> reflectivity_fault(const MeansCertificate& c) {
+std::optional<Refusal> reflectivity_fault(const PolyhedronCertificate& c) {
   for (std::size_t k = 0; k < c.faces.size(); ++k) {
     const Rational& rho = c.faces[k].reflectivity;
     if (rho.sign() < 0 || rho >= Rational(1))
       return Refusal{face_pointer(k) + "/reflectivity", "is not from 0 to below 1"};
+    const std::vector<std::vector<Rational>>& varying = c.faces[k].varying_reflectivity;
+    if (!varying.empty() && !lies_within(c.faces[k], varying, rho))
+      return Refusal{face_pointer(k) + "/reflectivity",
+                     "is not shown to lie from 0 to the largest one that is stated"};
   }
   return std::nullopt;
 }
 
-std::optional<Refusal> tiling_fault(const MeansCertificate& c) {
+std::optional<Refusal> tiling_fault(const PolyhedronCertificate& c) {
   std::vector<std::vector<std::vector<std::size_t>>> by_side;
   for (const Face& face : c.faces) by_side.emplace_back(face.corners.size());
   for (std::size_t e = 0; e < c.elements.size(); ++e) {

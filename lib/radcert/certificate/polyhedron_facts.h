@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 
 namespace radcert::certificate {
 
@@ -15,14 +15,14 @@ namespace radcert::certificate {
 ///           facets of a polytope are connected over their edges, so that none is missing. Then V = 1, T is
 ///           symmetric and not negative, and T 1 = 1 almost everywhere
 /// Result    exact; nothing where all of it holds
-[[nodiscard]] std::optional<Refusal> surface_fault(const MeansCertificate& certificate);
+[[nodiscard]] std::optional<Refusal> surface_fault(const PolyhedronCertificate& certificate);
 
-/// Whether 0 <= rho < 1 on every face.
-[[nodiscard]] std::optional<Refusal> reflectivity_fault(const MeansCertificate& certificate);
+/// Whether 0 <= rho <= what is stated < 1 on every face: lies_within.
+[[nodiscard]] std::optional<Refusal> reflectivity_fault(const PolyhedronCertificate& certificate);
 
 /// Whether the elements cover the sectors of all faces, each point but borders once.
 /// Maths     boxes in [0,1]^2 without common interior points whose areas sum to 1
 /// Result    exact
-[[nodiscard]] std::optional<Refusal> tiling_fault(const MeansCertificate& certificate);
+[[nodiscard]] std::optional<Refusal> tiling_fault(const PolyhedronCertificate& certificate);
 
 }  // namespace radcert::certificate

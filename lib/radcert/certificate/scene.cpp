@@ -45,7 +45,7 @@ struct ExactTriangle {
 
 }  // namespace
 
-Scene::Scene(const MeansCertificate& certificate) {
+Scene::Scene(const PolyhedronCertificate& certificate) {
   const std::vector<Face>& faces = certificate.faces;
   const Vector<Rational> origin = middle(faces);
   Rational largest = 0;

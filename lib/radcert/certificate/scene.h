@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/bounded_double.h"
 
@@ -56,7 +56,7 @@ inline constexpr double upward = 1 + 0x1p-38;
 /// Requires  surface_fault found nothing
 class Scene {
 public:
-  explicit Scene(const MeansCertificate& certificate);
+  explicit Scene(const PolyhedronCertificate& certificate);
 
   /// Lengths here are 2^-exponent() times those of the certificate.
   [[nodiscard]] int exponent() const { return exponent_; }

@@ -2,10 +2,12 @@
 #include "radcert/reference/continuous_means.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
-#include "radcert/certificate/check.h"
+#include "radcert/certificate/certificate.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/ball.h"
 
@@ -43,6 +45,14 @@ struct TwoSquares {
             {{1, 0, 0}, {1, 0, 1}, {1, 1, 0}}};
   }
 };
+
+/// rho = 1/2 + x/4 and E = z^2 on an ellipsoid with three different half axes.
+EllipsoidScene ellipsoid_with_linear_rho() {
+  return {.half_axes = {1, Rational(13, 10), Rational(17, 10)},
+          .reflectivity = {{{0, 0, 0}, Rational(1, 2)}, {{1, 0, 0}, Rational(1, 4)}},
+          .emission = {{{0, 0, 2}, 1}}};
+}
+const char* const ellipsoid_words = "the ellipsoid with the half axes 1, 1.3, 1.7, rho = 1/2 + x/4, E = z^2";
 
 std::array<std::string, 2> files(const std::string& scene) {
   return {scene + "_fine.json", scene + "_coarse.json"};
@@ -104,7 +114,15 @@ std::vector<ContinuousScene> made_scenes() {
            .emitting = TwoSquares::standing(),
            .black = TwoSquares::open(),
            .reflectivity = half,
-           .certificates = files("two_squares_rho_1_over_2")}};
+           .certificates = files("two_squares_rho_1_over_2")},
+          {.name = "ellipsoid_linear_rho",
+           .words = ellipsoid_words,
+           .ellipsoid = ellipsoid_with_linear_rho(),
+           .certificates = files("ellipsoid_mean")},
+          {.name = "ellipsoid_linear_rho_values",
+           .words = ellipsoid_words,
+           .ellipsoid = ellipsoid_with_linear_rho(),
+           .certificates = files("ellipsoid_values")}};
 }
 
 std::vector<ContinuousMean> made_means() {
@@ -159,6 +177,18 @@ std::vector<ContinuousMean> made_means() {
   const std::string of_squares = "two_squares_rho_1/2";
   add(of_squares, "two_squares_emitting_rho_1/2", "the square that emits", TwoSquares::standing());
   add(of_squares, "two_squares_other_rho_1/2", "the other square", TwoSquares::lying());
+  add("ellipsoid_linear_rho", "ellipsoid_linear_rho", "the surface", {});
+  const auto add_end = [&](const std::string& name, const std::string& of, const Vector<Rational>& point) {
+    out.push_back({.name = "continuous_value_ellipsoid_linear_rho_" + name,
+                   .summary = "value at the end of the " + of +
+                              " of the solution of the continuous equation: " + ellipsoid_words,
+                   .scene = "ellipsoid_linear_rho_values",
+                   .point = point});
+  };
+  add_end("at_x", "half axis in x", {1, 0, 0});
+  add_end("at_minus_x", "half axis in -x", {-1, 0, 0});
+  add_end("at_y", "half axis in y", {0, Rational(13, 10), 0});
+  add_end("at_z", "half axis in z", {0, 0, Rational(17, 10)});
   return out;
 }
 
@@ -196,7 +226,7 @@ Corners as_set(Corners corners) {
 }
 
 /// The faces with these corners.
-std::vector<std::size_t> faces_with(const certificate::MeansCertificate& c, const Corners& corners) {
+std::vector<std::size_t> faces_with(const certificate::PolyhedronCertificate& c, const Corners& corners) {
   const Corners wanted = as_set(corners);
   std::vector<std::size_t> out;
   for (std::size_t k = 0; k < c.faces.size(); ++k)
@@ -205,7 +235,7 @@ std::vector<std::size_t> faces_with(const certificate::MeansCertificate& c, cons
 }
 
 /// The piece that is the face with these corners and no other.
-Outcome<std::size_t> piece_of(const certificate::MeansCertificate& c, const Corners& corners) {
+Outcome<std::size_t> piece_of(const certificate::PolyhedronCertificate& c, const Corners& corners) {
   const std::vector<std::size_t> faces = faces_with(c, corners);
   if (faces.size() != 1) return because("no face has the corners of the one that is asked for");
   const std::size_t piece = c.faces[faces[0]].piece;
@@ -217,25 +247,33 @@ Outcome<std::size_t> piece_of(const certificate::MeansCertificate& c, const Corn
 
 /// One certificate of a scene, checked.
 struct Checked {
-  certificate::MeansCertificate certificate;
+  certificate::Certificate certificate;
   std::string how;
 };
+
+std::string how_of(const certificate::PolyhedronCertificate& c, std::size_t looked_at) {
+  return "functions of degree " + std::to_string(c.degree) + " on " + std::to_string(c.elements.size()) +
+         " elements, " + std::to_string(looked_at) + " of which were checked now";
+}
+std::string how_of(const certificate::EllipsoidCertificate& c, std::size_t looked_at) {
+  return "a polynomial of degree " + std::to_string(c.degree) + ", its residual checked now at " +
+         std::to_string(looked_at) + " rows of points";
+}
 
 Outcome<Checked> checked(const ContinuousScene& scene, const std::string& file,
                          const CertificateReader& reader, std::size_t elements) {
   Checked out{.certificate = reader(certificate_content(file), file), .how = {}};
-  const certificate::MeansCertificate& c = out.certificate;
+  const certificate::Certificate& c = out.certificate;
   if (const std::string fault = scene_fault(scene, c); !fault.empty()) return because(file + ": " + fault);
   const certificate::Report report = certificate::check(c, {.elements = elements, .seed = file});
   if (report.refusal) return because(file + ": " + report.refusal->pointer + ": " + report.refusal->says);
-  out.how = "certificate " + file + ", functions of degree " + std::to_string(c.degree) + " on " +
-            std::to_string(c.elements.size()) + " elements, " + std::to_string(report.looked_at.size()) +
-            " of which were checked now";
+  out.how = "certificate " + file + ", " +
+            std::visit([&](const auto& of) { return how_of(of, report.looked_at.size()); }, c);
   return out;
 }
 
 /// The point that is the centre of the face with these corners.
-Outcome<std::size_t> point_of(const certificate::MeansCertificate& c, const Corners& corners) {
+Outcome<std::size_t> point_of(const certificate::PolyhedronCertificate& c, const Corners& corners) {
   Vector<Rational> sum;
   for (const Vector<Rational>& corner : corners) sum = sum + corner;
   const Vector<Rational> centre = Rational(1, static_cast<long>(corners.size())) * sum;
@@ -245,14 +283,30 @@ Outcome<std::size_t> point_of(const certificate::MeansCertificate& c, const Corn
   return static_cast<std::size_t>(found - c.points.begin());
 }
 
+/// The place of a mean or value among those of a certificate.
+Outcome<std::size_t> place_of(const certificate::PolyhedronCertificate& c, const ContinuousMean& mean) {
+  if (c.of_values() != mean.at_centre)
+    return because(std::string("the certificate is of ") + (mean.at_centre ? "means" : "values"));
+  return mean.at_centre ? point_of(c, mean.face) : piece_of(c, mean.face);
+}
+Outcome<std::size_t> place_of(const certificate::EllipsoidCertificate& c, const ContinuousMean& mean) {
+  if (c.of != (mean.point ? certificate::OnEllipsoid::values : certificate::OnEllipsoid::mean))
+    return because(std::string("the certificate is not of ") + (mean.point ? "values" : "the mean"));
+  if (!mean.point) return std::size_t{0};
+  const auto found = std::find(c.points.begin(), c.points.end(), *mean.point);
+  if (found == c.points.end()) return because("it has no value at the point");
+  return static_cast<std::size_t>(found - c.points.begin());
+}
+
 Outcome<RouteValue> value_of(const Checked& from, const ContinuousMean& mean) {
-  if (from.certificate.of_values() != mean.at_centre)
-    return because(mean.name + ": the certificate is of " + (mean.at_centre ? "means" : "values"));
-  const Outcome<std::size_t> place =
-      mean.at_centre ? point_of(from.certificate, mean.face) : piece_of(from.certificate, mean.face);
-  if (!place) return because(mean.name + ": " + place.reason());
-  const certificate::Enclosure& found = from.certificate.means[*place];
-  return RouteValue{.how = from.how, .value = widened(Ball(found.midpoint), Ball(found.radius))};
+  return std::visit(
+      [&](const auto& c) -> Outcome<RouteValue> {
+        const Outcome<std::size_t> place = place_of(c, mean);
+        if (!place) return because(mean.name + ": " + place.reason());
+        const certificate::Enclosure& found = c.enclosures[*place];
+        return RouteValue{.how = from.how, .value = widened(Ball(found.midpoint), Ball(found.radius))};
+      },
+      from.certificate);
 }
 
 template <class List>
@@ -287,7 +341,10 @@ std::string_view certificate_content(std::string_view file) {
   return {};
 }
 
-std::string scene_fault(const ContinuousScene& scene, const certificate::MeansCertificate& c) {
+namespace {
+
+std::string fault_of(const ContinuousScene& scene, const certificate::PolyhedronCertificate& c) {
+  if (scene.ellipsoid) return "is of a polyhedron, and " + scene.name + " is an ellipsoid";
   Corners corners;
   for (const certificate::Face& face : c.faces)
     corners.insert(corners.end(), face.corners.begin(), face.corners.end());
@@ -299,7 +356,8 @@ std::string scene_fault(const ContinuousScene& scene, const certificate::MeansCe
     const bool is_black = std::any_of(scene.black.begin(), scene.black.end(), [&](const Corners& black) {
       return as_set(black) == as_set(face.corners);
     });
-    if (!(face.reflectivity == (is_black ? Rational(0) : scene.reflectivity)))
+    if (!face.varying_reflectivity.empty() ||
+        !(face.reflectivity == (is_black ? Rational(0) : scene.reflectivity)))
       return "has another reflectivity than " + scene.name;
     const bool emits = scene.emitting.empty() || k == emitting[0];
     const Vector<Rational>& corner = face.corners[0];
@@ -318,6 +376,30 @@ std::string scene_fault(const ContinuousScene& scene, const certificate::MeansCe
       }
   }
   return {};
+}
+
+/// As exponents and coefficients that are not 0.
+std::map<std::array<int, 3>, Rational> as_map(const std::vector<certificate::Monomial>& f) {
+  std::map<std::array<int, 3>, Rational> out;
+  for (const certificate::Monomial& monomial : f) out[monomial.powers] += monomial.coefficient;
+  std::erase_if(out, [](const auto& term) { return term.second.sign() == 0; });
+  return out;
+}
+
+std::string fault_of(const ContinuousScene& scene, const certificate::EllipsoidCertificate& c) {
+  if (!scene.ellipsoid) return "is of an ellipsoid, and " + scene.name + " is none";
+  if (!(c.half_axes == scene.ellipsoid->half_axes)) return "has not the half axes of " + scene.name;
+  if (as_map(c.reflectivity) != as_map(scene.ellipsoid->reflectivity))
+    return "has another reflectivity than " + scene.name;
+  if (as_map(c.emission) != as_map(scene.ellipsoid->emission))
+    return "has another emission than " + scene.name;
+  return {};
+}
+
+}  // namespace
+
+std::string scene_fault(const ContinuousScene& scene, const certificate::Certificate& c) {
+  return std::visit([&](const auto& of_its_kind) { return fault_of(scene, of_its_kind); }, c);
 }
 
 Outcome<std::vector<EnclosedMean>> enclose(const ContinuousScene& scene, const CertificateReader& reader,

@@ -4,12 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/certificate.h"
 #include "radcert/core/embedded_file.h"
 #include "radcert/core/outcome.h"
 #include "radcert/geometry/vector.h"
@@ -18,33 +19,46 @@
 
 namespace radcert::reference {
 
+/// (x/a)^2 + (y/b)^2 + (z/c)^2 = 1 with polynomials on it.
+struct EllipsoidScene {
+  Vector<Rational> half_axes;
+  std::vector<certificate::Monomial> reflectivity;
+  std::vector<certificate::Monomial> emission;
+};
+
 /// A radiosity equation whose solution is not known and whose means, or values, are enclosed.
-/// Maths     u = E + rho T u on the boundary of the convex hull of the corners, T u(P) = (1/pi) Int G u dS;
-///           E(P) = (offset + slope . P)^power on the face with the corners `emitting`, else 0; on all faces
-///           where there are none. rho = 0 on the faces `black`, which close an open surface
+/// Maths     u = E + rho T u on an ellipsoid or, where there is none, on the boundary of the convex hull of
+///           the corners, T u(P) = (1/pi) Int G u dS; E(P) = (offset + slope . P)^power on the face with the
+///           corners `emitting`, else 0; on all faces where there are none. rho = 0 on the faces `black`,
+///           which close an open surface
 /// Result    plain data, exact
 struct ContinuousScene {
   std::string name;
   std::string words;  ///< the scene in a sentence
-  std::vector<Vector<Rational>> corners;
-  std::vector<Vector<Rational>> emitting;
+  std::optional<EllipsoidScene> ellipsoid = {};
+  std::vector<Vector<Rational>> corners = {};
+  std::vector<Vector<Rational>> emitting = {};
   Rational offset = 1;
   Vector<Rational> slope = {};
   int power = 1;
   std::vector<std::vector<Vector<Rational>>> black = {};
-  Rational reflectivity;
+  Rational reflectivity = {};
   std::array<std::string, 2> certificates;  ///< files of embedded_certificates, on a fine and a coarse mesh
 };
 
 /// The mean of the solution itself over a face, not of an approximation by one constant a face; or its value
 /// at the centre of the face.
-/// Maths     (1/|F|) Int_F u, F the face with these corners; or u at their mean
+/// Maths     (1/|F|) Int_F u, F the face with these corners; or u at their mean. On an ellipsoid the mean
+///           over the surface, or u at the point
 struct ContinuousMean {
   std::string name;
   std::string summary;
   std::string scene;
-  std::vector<Vector<Rational>> face;
+  std::vector<Vector<Rational>> face = {};
   bool at_centre = false;
+  std::optional<Vector<Rational>> point = {};  ///< of an ellipsoid
+
+  [[nodiscard]] bool is_value() const { return at_centre || point; }
 };
 
 /// In a fixed order; each mean names one of the scenes.
@@ -64,7 +78,7 @@ struct ContinuousMean {
 /// Makes a certificate of a file's text: formats/result/certificate_json.h, which this layer does not see.
 /// Requires  throws where the text is no certificate or is not what its digest says
 using CertificateReader =
-    std::function<certificate::MeansCertificate(std::string_view text, const std::string& file)>;
+    std::function<certificate::Certificate(std::string_view text, const std::string& file)>;
 
 /// A mean, or a value, by both certificates of its scene.
 struct EnclosedMean {
@@ -75,9 +89,10 @@ struct EnclosedMean {
 
 /// Why a certificate is not of the scene; empty where it is.
 /// Maths     that the surface is the boundary of the hull of its corners is checked with it (surface_fault);
-///           here that these are the corners of the scene, and that E and rho are those of the scene
+///           here that these are the corners of the scene, or its half axes, and that E and rho are those of
+///           the scene
 [[nodiscard]] std::string scene_fault(const ContinuousScene& scene,
-                                      const certificate::MeansCertificate& certificate);
+                                      const certificate::Certificate& certificate);
 
 /// The means or values of a scene, each enclosed by two certificates.
 /// Maths     certificate::check, of all that is exact and of the claims on so many elements of either; the

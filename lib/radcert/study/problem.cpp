@@ -6,6 +6,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/json_pointer.h"
 #include "radcert/core/text.h"
 #include "radcert/quadrature/tolerance.h"
 #include "radcert/solve/linear_solver.h"
@@ -39,7 +40,7 @@ void check_reflectivity(const Problem& problem, const Surface& surface) {
   for (const PiecewiseExpression::Case& part : cases) {
     if (!covers_a_piece(problem.reflectivity, part, surface)) continue;
     const std::string pointer =
-        cases.size() == 1 && part.piece == "*" ? "/reflectivity" : "/reflectivity/" + part.piece;
+        cases.size() == 1 && part.piece == "*" ? "/reflectivity" : pointer_below("/reflectivity", part.piece);
     const std::optional<Rational> value = part.expression.is_constant();
     if (!value) {
       all_constant = false;
@@ -90,7 +91,7 @@ void check_pieces(const PiecewiseExpression& function, const std::string& pointe
   }
   for (const PiecewiseExpression::Case& part : function.cases)
     if (part.piece != "*" && std::find(names.begin(), names.end(), part.piece) == names.end())
-      refuse_input(pointer + "/" + part.piece, part.piece, "is not a piece of the surface",
+      refuse_input(pointer_below(pointer, part.piece), part.piece, "is not a piece of the surface",
                    "its pieces, or * for the rest");
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -24,9 +23,6 @@ constexpr double unit = unit_roundoff<double>();
 constexpr double least_size = std::numeric_limits<double>::min();
 /// Numbers of a formula: powers of powers grow without end.
 constexpr std::size_t most_bits = 65536;
-
-/// A polynomial in x, y, z: coefficients by exponents, none of them zero.
-using SpacePolynomial = std::map<std::array<int, 3>, Rational>;
 
 int degree_of(const SpacePolynomial& f) {
   int degree = 0;
@@ -68,8 +64,47 @@ SpacePolynomial constant_of(const Rational& c) {
   return out;
 }
 
-/// The polynomial that an expression is written as.
-Outcome<SpacePolynomial> polynomial_of(const Expression& f) {
+/// (X + 1)^i (X - 1)^j = sum_a e_a X^a.
+/// Maths     x^i y^j = 2^-n (-i)^j sum_a e_a zeta^a conj(zeta)^(n-a), n = i + j, (-i)^j a power of the
+///           imaginary unit
+RationalPolynomial binomial_product(int i, int j) {
+  RationalPolynomial out(1);
+  const RationalPolynomial sum(std::vector<Rational>{1, 1});
+  const RationalPolynomial difference(std::vector<Rational>{-1, 1});
+  for (int k = 0; k < i; ++k) out *= sum;
+  for (int k = 0; k < j; ++k) out *= difference;
+  return out;
+}
+
+/// z f, both by their coefficients for Chebyshev's polynomials: z T_k = (T_(k+1) + T_(k-1)) / 2.
+template <class R>
+std::vector<R> times_z(const std::vector<R>& f, const R& half) {
+  std::vector<R> out(f.size() + 1, R(0));
+  for (std::size_t k = 0; k < f.size(); ++k) {
+    if (k == 0) {
+      out[1] += f[0];
+      continue;
+    }
+    const R part = half * f[k];
+    out[k + 1] += part;
+    out[k - 1] += part;
+  }
+  return out;
+}
+
+/// By Horner's rule.
+std::vector<Rational> chebyshev_coefficients(const RationalPolynomial& f) {
+  std::vector<Rational> out{0};
+  for (int k = f.degree(); k >= 0; --k) {
+    if (k < f.degree()) out = times_z(out, Rational(1, 2));
+    out[0] += f.coefficient(static_cast<std::size_t>(k));
+  }
+  return out;
+}
+
+}  // namespace
+
+Outcome<SpacePolynomial> space_polynomial(const Expression& f) {
   const auto too_high = [] {
     return because("its degree is more than " + std::to_string(most_sphere_degree));
   };
@@ -121,46 +156,6 @@ Outcome<SpacePolynomial> polynomial_of(const Expression& f) {
   }
   return std::move(values.back());
 }
-
-/// (X + 1)^i (X - 1)^j = sum_a e_a X^a.
-/// Maths     x^i y^j = 2^-n (-i)^j sum_a e_a zeta^a conj(zeta)^(n-a), n = i + j, (-i)^j a power of the
-///           imaginary unit
-RationalPolynomial binomial_product(int i, int j) {
-  RationalPolynomial out(1);
-  const RationalPolynomial sum(std::vector<Rational>{1, 1});
-  const RationalPolynomial difference(std::vector<Rational>{-1, 1});
-  for (int k = 0; k < i; ++k) out *= sum;
-  for (int k = 0; k < j; ++k) out *= difference;
-  return out;
-}
-
-/// z f, both by their coefficients for Chebyshev's polynomials: z T_k = (T_(k+1) + T_(k-1)) / 2.
-template <class R>
-std::vector<R> times_z(const std::vector<R>& f, const R& half) {
-  std::vector<R> out(f.size() + 1, R(0));
-  for (std::size_t k = 0; k < f.size(); ++k) {
-    if (k == 0) {
-      out[1] += f[0];
-      continue;
-    }
-    const R part = half * f[k];
-    out[k + 1] += part;
-    out[k - 1] += part;
-  }
-  return out;
-}
-
-/// By Horner's rule.
-std::vector<Rational> chebyshev_coefficients(const RationalPolynomial& f) {
-  std::vector<Rational> out{0};
-  for (int k = f.degree(); k >= 0; --k) {
-    if (k < f.degree()) out = times_z(out, Rational(1, 2));
-    out[0] += f.coefficient(static_cast<std::size_t>(k));
-  }
-  return out;
-}
-
-}  // namespace
 
 void SpherePolynomial::allocate(int degree) {
   expects(degree >= 0 && degree <= most_sphere_degree, "0 <= degree <= most_sphere_degree",
@@ -258,7 +253,7 @@ SpherePolynomial::SpherePolynomial(int degree, std::span<const double> harmonics
 }
 
 Outcome<SpherePolynomial> SpherePolynomial::along(const Expression& f, const Vector<Rational>& half_axes) {
-  const Outcome<SpacePolynomial> in_space = polynomial_of(f);
+  const Outcome<SpacePolynomial> in_space = space_polynomial(f);
   if (!in_space) return because(in_space.reason());
   const int degree = degree_of(in_space.value());
   const auto count = static_cast<std::size_t>(degree + 1);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "radcert/expression/expression.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/pack.h"
+#include "radcert/scalar/rational.h"
 
 namespace radcert {
 
@@ -18,6 +20,14 @@ inline constexpr int most_sphere_degree = 64;
 
 /// How far the point at which a SpherePolynomial is evaluated may be from the one that is meant.
 inline constexpr double sphere_displacement = 48 * unit_roundoff<double>();
+
+/// A polynomial in x, y, z: coefficients by exponents, none of them zero.
+using SpacePolynomial = std::map<std::array<int, 3>, Rational>;
+
+/// The polynomial that an expression is written as.
+/// Requires  an expression in x, y, z
+/// Result    exact; refused where it is not written as one, or has more than the largest degree
+[[nodiscard]] Outcome<SpacePolynomial> space_polynomial(const Expression& f);
 
 /// Two packs of points of the sphere.
 using SpherePoints = std::array<Vector<Pack>, 2>;
@@ -46,6 +56,12 @@ public:
                                                        const Vector<Rational>& half_axes);
 
   [[nodiscard]] int degree() const { return degree_; }
+  /// Doubles near a_mk and b_mk, of all functions together within rounding() of f.
+  /// Requires  0 <= m, 0 <= k, m + k <= degree()
+  [[nodiscard]] std::array<double, 2> coefficients(int m, int k) const {
+    const std::size_t at = place(m) + 2 * static_cast<std::size_t>(k);
+    return {coefficients_[at], coefficients_[at + 1]};
+  }
 
   /// The values, each off by at most rounding().
   /// Requires  points within sphere_displacement of the exact ones on the sphere

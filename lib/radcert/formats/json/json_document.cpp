@@ -8,6 +8,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/core/files/atomic_file.h"
+#include "radcert/core/json_pointer.h"
 #include "radcert/core/text.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/json/json_reader.h"
@@ -162,23 +163,6 @@ std::string as_utf8(std::string_view text) {
 JsonValue document_head(const std::string& type, const std::string& command) {
   return JsonValue::object(
       {{"schema", "radcert/" + type + "/1"}, {"radcert", version()}, {"command", command}});
-}
-
-std::string pointer_below(const std::string& pointer, std::string_view key) {
-  std::string out = pointer + "/";
-  for (const char c : key) {
-    if (c == '~')
-      out += "~0";
-    else if (c == '/')
-      out += "~1";
-    else
-      out += c;
-  }
-  return out;
-}
-
-std::string pointer_below(const std::string& pointer, std::size_t place) {
-  return pointer + "/" + std::to_string(place);
 }
 
 }  // namespace radcert

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "radcert/core/json_pointer.h"
 #include "radcert/formats/json/json_value.h"
 
 namespace radcert {
@@ -35,12 +36,5 @@ inline constexpr std::uint64_t json_size_limit = std::uint64_t{64} << 20;
 /// Requires  nothing
 /// Result    the text itself where it is UTF-8; else U+FFFD in the place of each byte that is not
 [[nodiscard]] std::string as_utf8(std::string_view text);
-
-/// A place in a JSON document, one step deeper.
-/// Source    RFC 6901
-/// Requires  nothing
-/// Result    the pointer with "/key" appended, "~" and "/" in the key escaped
-[[nodiscard]] std::string pointer_below(const std::string& pointer, std::string_view key);
-[[nodiscard]] std::string pointer_below(const std::string& pointer, std::size_t place);
 
 }  // namespace radcert

@@ -14,54 +14,37 @@
 #include "radcert/core/text.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/json/json_reader.h"
+#include "radcert/formats/problem/problem_parts.h"
+#include "radcert/formats/result/certificate_parts.h"
 
 namespace radcert {
 namespace {
 
 using certificate::Claim;
 using certificate::Element;
-using certificate::Enclosure;
+using certificate::EllipsoidCertificate;
 using certificate::Face;
-using certificate::MeansCertificate;
 using certificate::Point;
+using certificate::PolyhedronCertificate;
 
 constexpr int most_degree = 12;
-constexpr std::size_t digits_of_a_double = 16;
-constexpr std::string_view hexadecimal = "0123456789abcdef";
-
-/// Without the digits that are 0 in all of them.
-std::string bits_text(std::span<const double> numbers) {
-  std::uint64_t all = 0;
-  for (const double x : numbers) all |= std::bit_cast<std::uint64_t>(x);
-  constexpr int least_digits = 3;
-  const int dropped = std::min(all == 0 ? 64 : std::countr_zero(all), 64 - 4 * least_digits) / 4;
-  std::string out;
-  out.reserve(numbers.size() * digits_of_a_double);
-  for (const double x : numbers) {
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    for (int shift = 60; shift >= 4 * dropped; shift -= 4)
-      out += hexadecimal[(bits >> static_cast<unsigned>(shift)) & 15U];
-  }
-  return out;
+/// Of rho q.
+constexpr int most_product_degree = 15;
+JsonValue polynomial_json(const std::vector<std::vector<Rational>>& f) {
+  return json_array(f, [](const std::vector<Rational>& row) {
+    return json_array(row, [](const Rational& x) { return JsonValue(x.to_text()); });
+  });
 }
 
-/// The decimal that reads back as the double nearest to a number: certificate::summed leaves room for that.
-std::string double_text(const Rational& value) { return shortest(value.to_double()); }
-
-JsonValue point_json(const Vector<Rational>& p) {
-  JsonValue out = JsonValue::array();
-  for (const Rational& x : {p.x, p.y, p.z}) out.push(x.to_text());
-  return out;
-}
-
-JsonValue face_json(const Face& face, const MeansCertificate& c) {
+JsonValue face_json(const Face& face, const PolyhedronCertificate& c) {
+  JsonValue reflectivity = face.reflectivity.to_text();
+  if (!face.varying_reflectivity.empty())
+    reflectivity = JsonValue::object({{"largest", face.reflectivity.to_text()},
+                                      {"polynomial", polynomial_json(face.varying_reflectivity)}});
   return JsonValue::object({{"piece", c.pieces[face.piece]},
                             {"corners", json_array(face.corners, point_json)},
-                            {"reflectivity", face.reflectivity.to_text()},
-                            {"emission", json_array(face.emission, [](const std::vector<Rational>& row) {
-                               return json_array(row,
-                                                 [](const Rational& x) { return JsonValue(x.to_text()); });
-                             })}});
+                            {"reflectivity", std::move(reflectivity)},
+                            {"emission", polynomial_json(face.emission)}});
 }
 
 JsonValue element_json(const Element& x) {
@@ -74,7 +57,7 @@ JsonValue claim_json(const Claim& claim) {
                             {"radii", json_array(claim.radii)}});
 }
 
-JsonValue content_json(const MeansCertificate& c, const std::string& command) {
+JsonValue content_json(const PolyhedronCertificate& c, const std::string& command) {
   JsonValue out = document_head("certificate", command);
   out.set("of", c.of_values() ? "values" : "means");
   JsonValue problem = JsonValue::object(
@@ -95,24 +78,20 @@ JsonValue content_json(const MeansCertificate& c, const std::string& command) {
   out.set("claims", json_array(c.claims, claim_json));
   out.set("sums", claim_json({c.sums.norms, c.sums.products, c.sums.radii}));
   JsonValue enclosures = JsonValue::array();
-  for (std::size_t k = 0; k < c.means.size(); ++k) {
+  for (std::size_t k = 0; k < c.enclosures.size(); ++k) {
     JsonValue enclosure = JsonValue::object();
     if (c.of_values())
       enclosure.set("at", point_json(c.points[k].at));
     else
       enclosure.set("piece", c.pieces[k]);
-    enclosure.set("midpoint", double_text(c.means[k].midpoint));
-    enclosure.set("radius", double_text(c.means[k].radius));
+    enclosure.set("midpoint", double_text(c.enclosures[k].midpoint));
+    enclosure.set("radius", double_text(c.enclosures[k].radius));
     enclosures.push(std::move(enclosure));
   }
   out.set(c.of_values() ? "values" : "means", std::move(enclosures));
   out.set("width", double_text(c.width));
   return out;
 }
-
-constexpr const char* what_a_number_is = "a finite number";
-
-double number_from(const JsonReader& reader) { return reader.number(what_a_number_is); }
 
 std::vector<double> numbers(const JsonReader& list, std::size_t count, bool may_be_negative) {
   const std::string what = "a list of " + std::to_string(count) + " numbers";
@@ -125,26 +104,25 @@ std::vector<double> numbers(const JsonReader& list, std::size_t count, bool may_
   return out;
 }
 
-/// An exact number of a size that double can work with.
-Rational exact_number(const JsonReader& reader) {
-  const std::string what = "a decimal or fraction in a string, 0 or from 1e-60 to 1e60 in size";
-  Rational value = reader.rational(what);
-  Rational most = 1;
-  for (int k = 0; k < 60; ++k) most *= Rational(10);
-  if (value.sign() != 0 && (abs(value) > most || abs(value) * most < Rational(1)))
-    reader.refuse("is too large or too small", what);
-  return value;
-}
-
 std::size_t place_of(const JsonReader& reader, const std::vector<std::string>& pieces) {
   const std::string& name = reader.word(pieces);
   return static_cast<std::size_t>(std::find(pieces.begin(), pieces.end(), name) - pieces.begin());
 }
 
-Vector<Rational> exact_point(const JsonReader& reader) {
-  const std::vector<JsonReader> x = reader.elements("three coordinates");
-  if (x.size() != 3) reader.refuse("is not a point", "three coordinates");
-  return {exact_number(x[0]), exact_number(x[1]), exact_number(x[2])};
+/// Coefficients by the powers of x and y.
+std::vector<std::vector<Rational>> polynomial_from(const JsonReader& reader) {
+  std::vector<std::vector<Rational>> out;
+  for (const JsonReader& row : reader.elements("a list of lists of coefficients")) {
+    out.emplace_back();
+    for (const JsonReader& x : row.elements("a list of coefficients")) out.back().push_back(exact_number(x));
+  }
+  const std::size_t rows = out.size();
+  const std::string shape =
+      "n + 1 lists of n + 1, n, ..., 1 coefficients, n at most " + std::to_string(most_degree);
+  if (rows == 0 || rows > most_degree + 1) reader.refuse("is no polynomial", shape);
+  for (std::size_t i = 0; i < rows; ++i)
+    if (out[i].size() != rows - i) reader.refuse("is no polynomial", shape);
+  return out;
 }
 
 Face read_face(const JsonReader& reader, const std::vector<std::string>& pieces) {
@@ -157,19 +135,15 @@ Face read_face(const JsonReader& reader, const std::vector<std::string>& pieces)
   for (const JsonReader& corner : corners.elements("a list of points"))
     face.corners.push_back(exact_point(corner));
   if (face.corners.size() < 3) corners.refuse("are too few", "three corners or more");
-  face.reflectivity = exact_number(reader.at("reflectivity", "an exact number"));
-  const JsonReader emission = reader.at("emission", "coefficients, by the powers of x and y");
-  for (const JsonReader& row : emission.elements("a list of lists of coefficients")) {
-    face.emission.emplace_back();
-    for (const JsonReader& x : row.elements("a list of coefficients"))
-      face.emission.back().push_back(exact_number(x));
+  const JsonReader reflectivity = reader.at("reflectivity", "an exact number, or a polynomial");
+  if (reflectivity.value().members() != nullptr) {
+    reflectivity.require_object({"largest", "polynomial"});
+    face.reflectivity = exact_number(reflectivity.at("largest", "an exact number"));
+    face.varying_reflectivity = polynomial_from(reflectivity.at("polynomial", "lists of coefficients"));
+  } else {
+    face.reflectivity = exact_number(reflectivity);
   }
-  const std::size_t rows = face.emission.size();
-  const std::string shape =
-      "n + 1 lists of n + 1, n, ..., 1 coefficients, n at most " + std::to_string(most_degree);
-  if (rows == 0 || rows > most_degree + 1) emission.refuse("is no polynomial", shape);
-  for (std::size_t i = 0; i < rows; ++i)
-    if (face.emission[i].size() != rows - i) emission.refuse("is no polynomial", shape);
+  face.emission = polynomial_from(reader.at("emission", "coefficients, by the powers of x and y"));
   return face;
 }
 
@@ -196,31 +170,6 @@ Element read_element(const JsonReader& reader, const std::vector<Face>& faces) {
   return out;
 }
 
-/// The doubles of one function.
-void read_bits(const JsonReader& reader, std::size_t count, std::vector<double>& out) {
-  const std::string what = std::to_string(count) +
-                           " numbers, each as the first of the 16 hexadecimal digits of its 64 bits, as many "
-                           "for all of them";
-  const std::string& text = reader.string(what);
-  const std::size_t digits = count == 0 ? 0 : text.size() / count;
-  if (text.size() != count * digits || digits > digits_of_a_double || (count > 0 && digits == 0))
-    reader.refuse("has " + std::to_string(text.size()) + " characters", what);
-  for (std::size_t i = 0; i < count; ++i) {
-    std::uint64_t bits = 0;
-    for (std::size_t d = 0; d < digits; ++d) {
-      const std::size_t digit = hexadecimal.find(text[i * digits + d]);
-      if (digit == std::string_view::npos) reader.refuse("has a character that is no digit", what);
-      bits = bits << 4U | digit;
-    }
-    bits <<= 4U * (digits_of_a_double - digits);
-    const auto value = std::bit_cast<double>(bits);
-    if (!(std::abs(value) <= 1e60))
-      reader.refuse("has a number that is not finite or too large, number " + std::to_string(i),
-                    "finite numbers of at most 1e60");
-    out.push_back(value);
-  }
-}
-
 Claim read_claim(const JsonReader& reader, std::size_t goals) {
   reader.require_object({"norms", "products", "radii"});
   return {numbers(reader.at("norms", "a list of numbers"), goals + 1, false),
@@ -228,8 +177,8 @@ Claim read_claim(const JsonReader& reader, std::size_t goals) {
           numbers(reader.at("radii", "a list of numbers"), goals, false)};
 }
 
-MeansCertificate read_content(const JsonReader& reader) {
-  MeansCertificate c;
+PolyhedronCertificate read_polyhedron_content(const JsonReader& reader) {
+  PolyhedronCertificate c;
   const bool of_values =
       reader.at("of", "what is enclosed").word(std::vector<std::string>{"means", "values"}) == "values";
   const std::string list = of_values ? "values" : "means";
@@ -267,6 +216,11 @@ MeansCertificate read_content(const JsonReader& reader) {
   c.degree =
       static_cast<int>(reader.at("degree", "the degree of the functions")
                            .whole(0, most_degree, "a whole number from 0 to " + std::to_string(most_degree)));
+  for (std::size_t k = 0; k < c.faces.size(); ++k)
+    if (c.degree + static_cast<int>(c.faces[k].varying_reflectivity.size()) - 1 > most_product_degree)
+      reader.at("degree", "the degree of the functions")
+          .refuse("and that of a reflectivity are too much together",
+                  std::to_string(most_product_degree) + " or less in all");
   const JsonReader coefficients = reader.at("coefficients", "a string for each function");
   const std::vector<JsonReader> functions = coefficients.elements("a string for each function");
   if (functions.size() != c.functions())
@@ -296,13 +250,19 @@ MeansCertificate read_content(const JsonReader& reader) {
       const JsonReader piece = enclosures[k].at("piece", "the name of a piece");
       if (place_of(piece, c.pieces) != k) piece.refuse("is not the piece of this place", c.pieces[k]);
     }
-    const JsonReader radius = enclosures[k].at("radius", "a decimal");
-    c.means.push_back(
-        {enclosures[k].at("midpoint", "a decimal").rational("a decimal"), radius.rational("a decimal")});
-    if (c.means.back().radius.sign() < 0) radius.refuse("is negative", "0 or more");
+    c.enclosures.push_back(read_enclosure(enclosures[k]));
   }
   c.width = reader.at("width", "a decimal").rational("a decimal");
   return c;
+}
+
+certificate::Certificate read_content(const JsonReader& reader) {
+  if (reader.at("problem", "the equation").find("half_axes")) return read_ellipsoid_content(reader);
+  return read_polyhedron_content(reader);
+}
+
+JsonValue content_json(const EllipsoidCertificate& c, const std::string& command) {
+  return ellipsoid_content_json(c, command);
 }
 
 /// What the digest is of.
@@ -315,8 +275,8 @@ std::string without_digest(const JsonValue& document) {
 
 }  // namespace
 
-std::string certificate_text(const MeansCertificate& certificate, const std::string& command) {
-  JsonValue out = content_json(certificate, command);
+std::string certificate_text(const certificate::Certificate& certificate, const std::string& command) {
+  JsonValue out = std::visit([&](const auto& c) { return content_json(c, command); }, certificate);
   out.set("digest", digest_of(out.compact()));
   return out.compact() + "\n";
 }
@@ -332,7 +292,7 @@ ReadCertificate read_certificate(std::string_view text, const std::string& sourc
   });
 }
 
-MeansCertificate intact_certificate(std::string_view text, const std::string& source) {
+certificate::Certificate intact_certificate(std::string_view text, const std::string& source) {
   ReadCertificate read = read_certificate(text, source);
   if (!read.digest_holds)
     throw InputError({.source = source, .pointer = "/digest", .problem = "is not that of the content"});

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/certificate.h"
 
 namespace radcert {
 
@@ -14,12 +14,12 @@ namespace radcert {
 /// Result    JSON on one line: exact numbers as decimals or fractions in strings, doubles so that they read
 ///           back, coefficients as the 64 bits of each in hexadecimal, without the last digits where they are
 ///           0 for a whole function. `digest` is digest_of the same line without it
-[[nodiscard]] std::string certificate_text(const certificate::MeansCertificate& certificate,
+[[nodiscard]] std::string certificate_text(const certificate::Certificate& certificate,
                                            const std::string& command);
 
 /// A certificate that was read, and the digest of its content.
 struct ReadCertificate {
-  certificate::MeansCertificate certificate;
+  certificate::Certificate certificate;
   std::string digest;
   bool digest_holds = false;  ///< whether it is the one that the file states
 };
@@ -32,7 +32,6 @@ struct ReadCertificate {
 [[nodiscard]] ReadCertificate read_certificate(std::string_view text, const std::string& source);
 
 /// The same of a file that is as it was written; InputError where its digest is not that of the content.
-[[nodiscard]] certificate::MeansCertificate intact_certificate(std::string_view text,
-                                                               const std::string& source);
+[[nodiscard]] certificate::Certificate intact_certificate(std::string_view text, const std::string& source);
 
 }  // namespace radcert

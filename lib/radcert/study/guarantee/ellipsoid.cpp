@@ -7,6 +7,7 @@
 #include "radcert/continuous/ellipsoid/ellipsoid_enclosure.h"
 #include "radcert/core/errors.h"
 #include "radcert/study/collocation/operator_norm.h"
+#include "radcert/study/guarantee/ellipsoid_certificate.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
@@ -77,6 +78,36 @@ public:
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
       const GuaranteeContext& context) const override {
+    return result_of(found(wanted(), context));
+  }
+
+  [[nodiscard]] std::vector<std::string> certificate_hindrances() const override { return {}; }
+
+  [[nodiscard]] CertifiedSolution certified(const GuaranteeContext& context) const override {
+    const EllipsoidEnclosure enclosure = found(certified_share * wanted(), context);
+    auto [level, result] = result_of(enclosure);
+    certificate::EllipsoidCertificate certificate =
+        ellipsoid_certificate(ellipsoid_, enclosure, piece_, kind(), points_);
+    const Rational width = certificate.width;
+    CertifiedSolution out{
+        .level = std::move(level), .enclosure = std::move(result), .certificate = std::move(certificate)};
+    say_width_of_certificate(width, guarantee_, out.enclosure);
+    return out;
+  }
+
+private:
+  [[nodiscard]] double wanted() const { return guarantee_.width.to_double() * (1 - unit_roundoff<double>()); }
+
+  [[nodiscard]] certificate::OnEllipsoid kind() const {
+    switch (guarantee_.of) {
+      case EnclosedQuantity::means: return certificate::OnEllipsoid::mean;
+      case EnclosedQuantity::values: return certificate::OnEllipsoid::values;
+      case EnclosedQuantity::function: break;
+    }
+    return certificate::OnEllipsoid::function;
+  }
+
+  [[nodiscard]] EllipsoidEnclosure found(double width, const GuaranteeContext& context) const {
     const auto tell = [&](const EllipsoidProgress& now) {
       if (context.progress)
         context.progress({.degree = now.degree,
@@ -86,48 +117,50 @@ public:
     };
     // Means and values have roundings of their own beside the bound.
     const double share = guarantee_.of == EnclosedQuantity::function ? 0.5 : 0.45;
-    const double wanted = guarantee_.width.to_double() * (1 - unit_roundoff<double>());
-    const Outcome<EllipsoidEnclosure> found = enclose_on_ellipsoid(ellipsoid_, share * wanted, tell);
-    if (!found) throw AccuracyNotReached("the solution u", found.reason());
-    if (!std::isfinite(found->bound)) throw AccuracyNotReached("the solution u", found->hindrance);
-    SolutionEnclosure enclosure{.wanted = guarantee_, .width = 0, .hindrance = found->hindrance};
+    Outcome<EllipsoidEnclosure> out = enclose_on_ellipsoid(ellipsoid_, share * width, tell);
+    if (!out) throw AccuracyNotReached("the solution u", out.reason());
+    if (!std::isfinite(out->bound)) throw AccuracyNotReached("the solution u", out->hindrance);
+    return *std::move(out);
+  }
+
+  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> result_of(const EllipsoidEnclosure& found) const {
+    SolutionEnclosure enclosure{.wanted = guarantee_, .width = 0, .hindrance = found.hindrance};
     LevelResult level;
-    level.level = found->last.degree;
+    level.level = found.last.degree;
     level.elements = 1;
-    level.unknowns = unknowns(found->last);
+    level.unknowns = unknowns(found.last);
     const Vector<Rational>& axes = ellipsoid_.half_axes;
     level.mesh_size = 2 * std::max({axes.x, axes.y, axes.z}).to_double();
     level.norm_K = norm_;
     const auto widen = [&](double radius) { enclosure.width = std::max(enclosure.width, 2 * radius); };
     switch (guarantee_.of) {
       case EnclosedQuantity::means:
-        enclosure.pieces.emplace_back(piece_, found->mean);
+        enclosure.pieces.emplace_back(piece_, found.mean);
         level.piece_means = enclosure.pieces;
-        widen(found->mean.radius);
+        widen(found.mean.radius);
         break;
       case EnclosedQuantity::values:
         for (const Vector<Rational>& point : points_) {
           const Vector<Rational> p = on_sphere(point, axes);
-          const Approximation value = found->at({p.x.to_double(), p.y.to_double(), p.z.to_double()});
+          const Approximation value = found.at({p.x.to_double(), p.y.to_double(), p.z.to_double()});
           enclosure.points.push_back({piece_, point, value});
           widen(value.radius);
         }
         break;
       case EnclosedQuantity::function:
-        enclosure.function = FunctionBound{.sup = found->bound, .outside = 0};
-        enclosure.patches = patches(*found);
-        widen(found->bound);
+        enclosure.function = FunctionBound{.sup = found.bound, .outside = 0};
+        enclosure.patches = patches(found);
+        widen(found.bound);
         break;
     }
-    if (!std::isfinite(enclosure.width)) throw AccuracyNotReached("the solution u", found->hindrance);
-    if (enclosure.width <= wanted)
+    if (!std::isfinite(enclosure.width)) throw AccuracyNotReached("the solution u", found.hindrance);
+    if (enclosure.width <= wanted())
       enclosure.hindrance.clear();
     else if (enclosure.hindrance.empty())
       enclosure.hindrance = "the rounding of double";
     return {std::move(level), std::move(enclosure)};
   }
 
-private:
   static std::uint64_t unknowns(const EllipsoidProgress& now) {
     const auto powers = static_cast<std::uint64_t>(now.degree + 1);
     return powers * powers;

@@ -4,10 +4,11 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/rational.h"
-#include "radcert/study/certified_means.h"
+#include "radcert/study/certified_solution.h"
 #include "radcert/study/guarantee.h"
 #include "radcert/study/guarantee_context.h"
 #include "radcert/surface/surface.h"
@@ -28,10 +29,10 @@ public:
   [[nodiscard]] virtual std::pair<LevelResult, SolutionEnclosure> solve(
       const GuaranteeContext& context) const = 0;
 
-  /// Whether its means and values come with a certificate.
-  [[nodiscard]] virtual bool has_certificate() const { return false; }
-  /// Requires  has_certificate(), means or values are asked for, else ContractViolation
-  [[nodiscard]] virtual CertifiedMeans certified(const GuaranteeContext& context) const;
+  /// What stands in the way of a certificate, each condition in words; nothing: there is one.
+  [[nodiscard]] virtual std::vector<std::string> certificate_hindrances() const = 0;
+  /// Requires  no hindrances, else ContractViolation
+  [[nodiscard]] virtual CertifiedSolution certified(const GuaranteeContext& context) const = 0;
 };
 
 /// The kinds of problems, by their surfaces.
@@ -43,6 +44,13 @@ public:
 [[nodiscard]] std::unique_ptr<EnclosedProblem> enclosed_ellipsoid(const Problem& problem,
                                                                   const Guarantee& guarantee,
                                                                   Surface surface);
+
+/// Of the width that is wanted, what a search aims at whose result becomes a certificate: the claims there
+/// are wider than what the search has proved.
+inline constexpr double certified_share = 0.75;
+/// Says where a certificate is wider than wanted, and nothing where it is not.
+void say_width_of_certificate(const Rational& width, const Guarantee& guarantee,
+                              SolutionEnclosure& enclosure);
 
 /// "(1/2, 0, 1)".
 [[nodiscard]] std::string coordinates_text(const Vector<Rational>& p);

@@ -3,12 +3,13 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/expression/parse.h"
 #include "radcert/scalar/enclosing_text.h"
-#include "radcert/study/certified_means.h"
+#include "radcert/study/certified_solution.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
@@ -49,28 +50,28 @@ std::unique_ptr<EnclosedProblem> enclosed_problem(const Problem& problem, const 
 
 std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const Guarantee& guarantee) {
   std::unique_ptr<EnclosedProblem> enclosed = enclosed_problem(problem, guarantee);
+  std::vector<std::string> hindrances = enclosed->certificate_hindrances();
   if (!guarantee.emissions.empty())
-    throw InputError({.source = "--certificate",
-                      .problem = "is of one emission, and there are further ones",
-                      .allowed = "a guarantee without emissions of its own"});
-  const bool of_function = guarantee.of == EnclosedQuantity::function;
-  if (of_function || !enclosed->has_certificate())
-    throw InputError(
-        {.source = "--certificate",
-         .problem = of_function ? "is not made for a function"
-                                : "is not made for a sphere or an ellipsoid, nor where parts hide each "
-                                  "other, nor for an emission that is no polynomial of degree 8 or less, "
-                                  "nor for a reflectivity that is not constant on each face",
-         .allowed = "a guarantee of means or values on a convex polyhedron, the emission a polynomial on "
-                    "each piece, the reflectivity constant"});
-  return enclosed;
+    hindrances.insert(hindrances.begin(), "the guarantee has further emissions");
+  if (hindrances.empty()) return enclosed;
+  std::string all;
+  for (const std::string& hindrance : hindrances) all += (all.empty() ? "" : "; ") + hindrance;
+  throw InputError({.source = "--certificate",
+                    .problem = "is not made here: " + all,
+                    .allowed =
+                        "one emission; means or values on a convex polyhedron, the emission a polynomial "
+                        "of degree 8 or less on each piece; anything on a "
+                        "sphere or an ellipsoid"});
 }
 
 }  // namespace
 
-CertifiedMeans EnclosedProblem::certified(const GuaranteeContext& /*context*/) const {
-  expects(has_certificate(), "a problem that has certificates");
-  throw AccuracyNotReached("the means of u", "there is no certificate");
+void say_width_of_certificate(const Rational& width, const Guarantee& guarantee,
+                              SolutionEnclosure& enclosure) {
+  if (width <= guarantee.width)
+    enclosure.hindrance.clear();
+  else if (enclosure.hindrance.empty())
+    enclosure.hindrance = "the certificate has the width " + upper_text(width);
 }
 
 std::string coordinates_text(const Vector<Rational>& p) {
@@ -121,8 +122,8 @@ std::pair<LevelResult, SolutionEnclosure> solve_within(const Problem& problem, c
   return enclosed_problem(problem, guarantee)->solve(context);
 }
 
-CertifiedMeans certified_means(const Problem& problem, const Guarantee& guarantee,
-                               const GuaranteeContext& context) {
+CertifiedSolution certified_solution(const Problem& problem, const Guarantee& guarantee,
+                                     const GuaranteeContext& context) {
   return certified_problem(problem, guarantee)->certified(context);
 }
 

@@ -9,13 +9,14 @@
 #include "radcert/continuous/function_enclosure.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/json_pointer.h"
 #include "radcert/core/text.h"
 #include "radcert/enclosure/near_polynomial.h"
 #include "radcert/hypotheses/convex_containment.h"
 #include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/guarantee/enclosed_problem.h"
-#include "radcert/study/guarantee/means_certificate.h"
+#include "radcert/study/guarantee/polyhedron_certificate.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
 
@@ -286,8 +287,8 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
   Rational largest = own.size;
   out.emission = std::move(own.polynomials);
   for (const NamedEmission& further : guarantee.emissions) {
-    PanelEmissions found =
-        emissions_on(out.panels, further.emission, names, "/guarantee/emissions/" + further.name);
+    PanelEmissions found = emissions_on(out.panels, further.emission, names,
+                                        pointer_below("/guarantee/emissions", further.name));
     left_out = std::max(left_out, found.distance);
     largest = std::max(largest, found.size);
     out.further_emissions.push_back(std::move(found.polynomials));
@@ -401,28 +402,27 @@ public:
                                                        : numbers(wanted(), told(context));
   }
 
-  /// A certificate is of an emission by polynomials and constant reflectivities on a convex polyhedron.
-  [[nodiscard]] bool has_certificate() const override {
-    const std::vector<PanelReflectivity>& rho = near_.polyhedron.reflectivity;
-    return near_.distance == 0 && near_.polyhedron.blockers.empty() &&
-           std::all_of(rho.begin(), rho.end(),
-                       [](const PanelReflectivity& on_panel) { return on_panel.is_constant(); });
+  /// A certificate is of an emission by polynomials on a convex polyhedron.
+  [[nodiscard]] std::vector<std::string> certificate_hindrances() const override {
+    std::vector<std::string> out;
+    if (guarantee_.of == EnclosedQuantity::function) out.emplace_back("a function is asked for");
+    if (!near_.polyhedron.blockers.empty()) out.emplace_back("parts of the surface hide each other");
+    if (near_.distance != 0) out.emplace_back("an emission is no polynomial of degree 8 or less");
+    return out;
   }
-  [[nodiscard]] CertifiedMeans certified(const GuaranteeContext& context) const override {
+  [[nodiscard]] CertifiedSolution certified(const GuaranteeContext& context) const override {
     const bool of_values = guarantee_.of == EnclosedQuantity::values;
     const double aim = certified_share * wanted();
     const GoalEnclosure found = of_values
                                     ? enclose_values(near_.polyhedron, points_, aim, told(context), true)
                                     : enclose_means(near_.polyhedron, aim, told(context), true);
     auto [level, enclosure] = result_of(found, of_values);
-    CertifiedMeans out{
-        .level = std::move(level),
-        .enclosure = std::move(enclosure),
-        .certificate = means_certificate(near_.polyhedron, certified_names(), found.proof.get(), points_)};
-    if (out.certificate.width <= guarantee_.width)
-      out.enclosure.hindrance.clear();
-    else if (out.enclosure.hindrance.empty())
-      out.enclosure.hindrance = "the certificate has the width " + upper_text(out.certificate.width);
+    certificate::PolyhedronCertificate certificate =
+        polyhedron_certificate(near_.polyhedron, certified_names(), found.proof.get(), points_);
+    const Rational width = certificate.width;
+    CertifiedSolution out{
+        .level = std::move(level), .enclosure = std::move(enclosure), .certificate = std::move(certificate)};
+    say_width_of_certificate(width, guarantee_, out.enclosure);
     return out;
   }
 

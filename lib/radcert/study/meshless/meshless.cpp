@@ -9,6 +9,7 @@
 #include "radcert/core/checked.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/json_pointer.h"
 #include "radcert/core/text.h"
 #include "radcert/meshless/surface_cells.h"
 #include "radcert/polynomial/rules/conical_rule.h"
@@ -55,7 +56,7 @@ void check_choice(const Problem& problem, const Meshless& method) {
     if (const std::optional<Rational> value = part.expression.is_constant(); value && *value >= Rational(1))
       refuse_input(problem.reflectivity.cases.size() == 1 && part.piece == "*"
                        ? "/reflectivity"
-                       : "/reflectivity/" + part.piece,
+                       : pointer_below("/reflectivity", part.piece),
                    part.expression.text(), "is not below 1",
                    "reflectivities in [0, 1): a meshless basis scatters less than arrives");
 }

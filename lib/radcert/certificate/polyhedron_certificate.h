@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/certificate/enclosure.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/rational.h"
 
@@ -12,12 +13,14 @@ namespace radcert::certificate {
 
 /// A convex polygon of the surface, and the data on it.
 /// Maths     corners counterclockwise as seen from the inside; emission[i][j] is the coefficient of x^i y^j
-///           in E at corners[0] + x (corners[1] - corners[0]) + y (corners[2] - corners[0])
+///           in E at corners[0] + x (corners[1] - corners[0]) + y (corners[2] - corners[0]), and so are those
+///           of rho where it is no constant
 struct Face {
   std::size_t piece = 0;
   std::vector<Vector<Rational>> corners;
-  Rational reflectivity;
+  Rational reflectivity;  ///< at least sup rho; rho itself where it is a constant
   std::vector<std::vector<Rational>> emission;
+  std::vector<std::vector<Rational>> varying_reflectivity = {};  ///< none: a constant
 };
 
 /// A part of a face on which the functions are polynomials.
@@ -47,11 +50,6 @@ struct Claim {
   std::vector<double> radii;
 };
 
-struct Enclosure {
-  Rational midpoint;
-  Rational radius;
-};
-
 /// The sums over all elements: norms, and of the products midpoint and radius.
 struct Sums {
   std::vector<double> norms;
@@ -68,7 +66,7 @@ struct Sums {
 ///           |J_k(u) - J_k(w_0) - Int w_k t_0| <= (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - max rho)
 /// Source    lib/radcert/certificate/check.h
 /// Result    plain data; nothing here is known to be true
-struct MeansCertificate {
+struct PolyhedronCertificate {
   std::vector<std::string> pieces;
   std::vector<Face> faces;
   std::vector<Point> points;  ///< of values; none: of means
@@ -77,8 +75,8 @@ struct MeansCertificate {
   std::vector<double> coefficients;  ///< by function, element, i, j
   std::vector<Claim> claims;         ///< by element
   Sums sums;
-  std::vector<Enclosure> means;  ///< by piece; or the values by point
-  Rational width;                ///< twice the largest radius of them, or more
+  std::vector<Enclosure> enclosures;  ///< by piece; or the values by point
+  Rational width;                     ///< twice the largest radius of them, or more
 
   [[nodiscard]] bool of_values() const { return !points.empty(); }
   [[nodiscard]] std::size_t goals() const { return of_values() ? points.size() : pieces.size(); }
@@ -87,12 +85,6 @@ struct MeansCertificate {
   [[nodiscard]] double coefficient(std::size_t k, std::size_t element, std::size_t i, std::size_t j) const {
     return coefficients[((k * elements.size() + element) * powers() + i) * powers() + j];
   }
-};
-
-/// What in a certificate does not hold.
-struct Refusal {
-  std::string pointer;  ///< the place in the file
-  std::string says;
 };
 
 }  // namespace radcert::certificate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/guarantee/means_certificate.h"
+#include "radcert/study/guarantee/polyhedron_certificate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,16 @@
 namespace radcert {
 namespace {
 
-using certificate::MeansCertificate;
+using certificate::PolyhedronCertificate;
+
+std::vector<std::vector<Rational>> rows_of(const PlanePolynomial<Rational>& f) {
+  std::vector<std::vector<Rational>> out;
+  for (int i = 0; i <= f.degree(); ++i) {
+    out.emplace_back();
+    for (int j = 0; i + j <= f.degree(); ++j) out.back().push_back(f(i, j));
+  }
+  return out;
+}
 
 std::vector<certificate::Face> faces_of(const PolyhedronProblem& problem) {
   std::vector<certificate::Face> out;
@@ -20,12 +29,9 @@ std::vector<certificate::Face> faces_of(const PolyhedronProblem& problem) {
     certificate::Face face{.piece = problem.panels[k].piece,
                            .corners = problem.panels[k].corners,
                            .reflectivity = problem.reflectivity[k].largest,
-                           .emission = {}};
-    const PlanePolynomial<Rational>& f = problem.emission[k];
-    for (int i = 0; i <= f.degree(); ++i) {
-      face.emission.emplace_back();
-      for (int j = 0; i + j <= f.degree(); ++j) face.emission.back().push_back(f(i, j));
-    }
+                           .emission = rows_of(problem.emission[k])};
+    if (!problem.reflectivity[k].is_constant())
+      face.varying_reflectivity = rows_of(problem.reflectivity[k].polynomial);
     out.push_back(std::move(face));
   }
   return out;
@@ -112,7 +118,7 @@ private:
   std::vector<double> floors_;
 };
 
-void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, MeansCertificate& out) {
+void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, PolyhedronCertificate& out) {
   const std::vector<Side> sides = sides_of(problem);
   std::vector<char> reflects;
   Rational sup = 0;
@@ -137,7 +143,7 @@ void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, MeansCe
 }
 
 /// Nothing reflects that the numbers depend on: u = E there, and no residual has to be small.
-void put_nothing(const PolyhedronProblem& problem, MeansCertificate& out) {
+void put_nothing(const PolyhedronProblem& problem, PolyhedronCertificate& out) {
   constexpr double no_claim = 1e80;
   for (const Side& side : sides_of(problem)) {
     out.elements.push_back({.face = side.face, .side = side.side});
@@ -151,9 +157,10 @@ void put_nothing(const PolyhedronProblem& problem, MeansCertificate& out) {
 
 }  // namespace
 
-MeansCertificate means_certificate(const PolyhedronProblem& problem, const std::vector<std::string>& pieces,
-                                   const GoalProof* proof, const std::vector<SolutionPoint>& points) {
-  MeansCertificate out;
+PolyhedronCertificate polyhedron_certificate(const PolyhedronProblem& problem,
+                                             const std::vector<std::string>& pieces, const GoalProof* proof,
+                                             const std::vector<SolutionPoint>& points) {
+  PolyhedronCertificate out;
   out.pieces = pieces;
   out.faces = faces_of(problem);
   for (const SolutionPoint& point : points) out.points.push_back({.face = point.panel, .at = point.at});
@@ -163,9 +170,10 @@ MeansCertificate means_certificate(const PolyhedronProblem& problem, const std::
     put_nothing(problem, out);
   certificate::Summed found = certificate::summed(out);
   out.sums = std::move(found.sums);
-  out.means = std::move(found.means);
+  out.enclosures = std::move(found.enclosures);
   double radius = 0;
-  for (const certificate::Enclosure& mean : out.means) radius = std::max(radius, mean.radius.to_double());
+  for (const certificate::Enclosure& mean : out.enclosures)
+    radius = std::max(radius, mean.radius.to_double());
   // Wider than the rounding of both to decimals.
   out.width = Rational::exactly(2 * radius * (1 + 0x1p-40));
   return out;

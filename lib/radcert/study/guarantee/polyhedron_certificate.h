@@ -4,15 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "radcert/certificate/means_certificate.h"
+#include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/continuous/polyhedron_problem.h"
 
 namespace radcert {
-
-/// Of the width that is wanted, what a search aims at whose result becomes a certificate: the claims there
-/// are wider than what the search has proved.
-inline constexpr double certified_share = 0.75;
 
 /// What encloses means, or values at points, as something that can be checked again.
 /// Maths     the claims on an element are those that the search has proved, wider: norms by a tenth and a
@@ -23,9 +19,8 @@ inline constexpr double certified_share = 0.75;
 /// Requires  means or values of this problem, pieces by their names; the proof of enclose_means or
 ///           enclose_values, none where nothing reflects that the numbers depend on
 /// Result    sums and means are those of certificate::summed, the width twice the largest radius
-[[nodiscard]] certificate::MeansCertificate means_certificate(const PolyhedronProblem& problem,
-                                                              const std::vector<std::string>& pieces,
-                                                              const GoalProof* proof,
-                                                              const std::vector<SolutionPoint>& points = {});
+[[nodiscard]] certificate::PolyhedronCertificate polyhedron_certificate(
+    const PolyhedronProblem& problem, const std::vector<std::string>& pieces, const GoalProof* proof,
+    const std::vector<SolutionPoint>& points = {});
 
 }  // namespace radcert
