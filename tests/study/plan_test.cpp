@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "radcert/solve/estimated_contraction.h"
 #include "radcert/study/collocation/collocation.h"
 #include "tests/study/problems.h"
 
@@ -39,7 +40,8 @@ TEST(LevelPlan, GrowsSixteenfoldALevel) {
     for (std::uint64_t elements = 1U << 12U; elements < 1U << 20U; elements *= 4) {
       const double ratio = static_cast<double>(planned(4 * elements, 2, solver)) /
                            static_cast<double>(planned(elements, 2, solver));
-      EXPECT_GT(ratio, 15.8);
+      // The coarser level of an estimate does not grow.
+      EXPECT_GT(ratio, solver == gmres_by_estimate ? 15 : 15.8);
       EXPECT_LT(ratio, 16);
     }
 }
