@@ -296,6 +296,14 @@ private:
     if (!(*norm * radius < 0.5))
       throw refused("its rows are known within " + upper_text(radius) + ", and the inverse is about " +
                     nearest_text(*norm, DecimalForm::general(4)));
+    // The inverse takes (I - K) 1 to 1: where all reflect nearly everything, it is large.
+    std::vector<double> of_one(nodes_.size());
+    matrix().accurate_product(std::vector<double>(nodes_.size(), 1.0), of_one);
+    for (double& x : of_one) x = 1 - x;
+    if (!(*norm * max_abs(of_one) >= 1))
+      throw refused("it was " + nearest_text(*norm / 2, DecimalForm::general(4)) +
+                    " on coarser levels, and here 1 shows that it is more than " +
+                    nearest_text(*norm, DecimalForm::general(4)));
     contraction_ = contraction_by_estimate(nodes_.size(), *norm, radius);
     estimated_inverse_ = *norm;
   }
