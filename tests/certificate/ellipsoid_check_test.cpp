@@ -266,7 +266,7 @@ TEST(EllipsoidCheck, RefusesWhatIsNoSuchProblem) {
   EXPECT_EQ(refused([](EllipsoidCertificate&) {}), "verified");
   EXPECT_EQ(refused([](EllipsoidCertificate& c) { c.half_axes.y = 0; }), "/problem/half_axes/1");
   EXPECT_EQ(refused([](EllipsoidCertificate& c) { c.largest_reflectivity = 1; }), "/largest_reflectivity");
-  EXPECT_EQ(refused([](EllipsoidCertificate& c) { c.reflectivity[0].coefficient = Rational(-6, 10); }),
+  EXPECT_EQ(refused([](EllipsoidCertificate& c) { c.reflectivity[0].coefficient = Rational(6, 10); }),
             "/largest_reflectivity");
   EXPECT_EQ(refused([](EllipsoidCertificate& c) {
               c.reflectivity.push_back({{2, 0, 0}, Rational(1, 100)});
@@ -292,6 +292,23 @@ TEST(EllipsoidCheck, BoundsReflectivitiesEverywhere) {
   };
   EXPECT_EQ(pointer(Rational(7499, 10000)), "/largest_reflectivity");
   EXPECT_NE(pointer(Rational(752, 1000)), "/largest_reflectivity");
+}
+
+TEST(EllipsoidCheck, RefusesReflectivitiesThatAreNegative) {
+  EllipsoidCertificate c =
+      test::furnace_ellipsoid({1, 1, 1}, Rational(1, 2), 0.001, 0, 0, 0.02, OnEllipsoid::function);
+  const auto pointer = [&](const std::vector<Monomial>& rho) {
+    c.reflectivity = rho;
+    c.largest_reflectivity = Rational(9, 10);
+    c.bound = 100;
+    c.width = 1000;
+    const Report report = check(c, {.elements = 1, .seed = {}});
+    return report.refusal ? report.refusal->pointer : std::string();
+  };
+  EXPECT_EQ(pointer({{{0, 0, 0}, Rational(-1, 2)}}), "/problem/reflectivity");
+  EXPECT_EQ(pointer({{{0, 0, 0}, Rational(1, 4)}, {{1, 0, 0}, Rational(1, 3)}}), "/problem/reflectivity");
+  // 0 at (-1, 0, 0) alone.
+  EXPECT_NE(pointer({{{0, 0, 0}, Rational(1, 4)}, {{1, 0, 0}, Rational(1, 4)}}), "/problem/reflectivity");
 }
 
 TEST(EllipsoidCheck, IsTheSameForAnyNumberOfThreads) {

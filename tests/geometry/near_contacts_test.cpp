@@ -41,6 +41,21 @@ TEST(NearContacts, AreFacesThatLookAtEachOtherAcrossNextToNothing) {
   EXPECT_EQ(found[0].other, "box");
   EXPECT_DOUBLE_EQ(found[0].gap, 0x1p-52);
   EXPECT_EQ(found[0].at.z, 0);
+  for (const double x : {found[0].at.x, found[0].at.y}) EXPECT_TRUE(1 < x && x < 2) << x;
+  EXPECT_GE(found[0].pairs, 2U);
+}
+
+TEST(NearContacts, AreToldAtTheNarrowestAndCounted) {
+  // A pillar between floor and ceiling, with a wider gap below.
+  TriangleMesh mesh = room_with_box({1, 1, 0x1p-32}, 1);
+  for (Vector<double>& v : mesh.vertices)
+    if (v.z == 1 + 0x1p-32) v.z = 4 - 0x1p-40;
+  const auto found = near_contacts(mesh, true);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_DOUBLE_EQ(found[0].gap, 0x1p-40);
+  EXPECT_NEAR(found[0].at.z, 4, 1e-9);
+  for (const double x : {found[0].at.x, found[0].at.y}) EXPECT_TRUE(1 < x && x < 2) << x;
+  EXPECT_GE(found[0].pairs, 4U);
 }
 
 TEST(NearContacts, AreNoneWhereAGapIsSeenOrThereIsNone) {

@@ -127,6 +127,18 @@ TEST(MatrixForm, GoesOnByAnEstimateWhereNothingContracts) {
   EXPECT_THAT(growing.problem, HasSubstr("more than a fifth"));
 }
 
+TEST(MatrixForm, TakesNoEstimateThatOneContradicts) {
+  // The reflectivity is 0 at the nodes of levels 0 and 1, whose inverses are therefore I, and 0.9999 at those
+  // of level 2: (I - K) 1 = 1e-4 there.
+  Problem problem = with_emission(sample_problem("cube"), "1");
+  problem.reflectivity = everywhere("9999/10000*(1 - cos(12*pi*x)^2*cos(12*pi*y)^2*cos(12*pi*z)^2)");
+  const InputFault fault = fault_of([&] {
+    static_cast<void>(solve_level(held_as(problem, "dense", std::string(gmres_by_estimate)), 2, no_route));
+  });
+  EXPECT_EQ(fault.pointer, "/solver/name");
+  EXPECT_THAT(fault.problem, HasSubstr("K 1 shows that it is more"));
+}
+
 TEST(MatrixForm, LeavesTheProvedSolutionWithinItsRadius) {
   const Problem box = with_basis(sample_problem("box", {{"a", 1}, {"b", 1}, {"c", 3}}), 1, Rational(1, 6));
   for (const Problem& problem : {with_emission(box, "exp(x) + y"), with_solution(box, "1 + x*y + z^2")}) {

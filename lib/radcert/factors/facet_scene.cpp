@@ -110,11 +110,6 @@ BoundingBox hull_box(const std::array<Point, 3>& a, const std::array<Point, 3>& 
   return box_about(std::array<Point, 6>{a[0], a[1], a[2], b[0], b[1], b[2]});
 }
 
-bool apart(const BoundingBox& a, const BoundingBox& b) {
-  return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y ||
-         a.high.z < b.low.z || b.high.z < a.low.z;
-}
-
 }  // namespace
 
 std::optional<std::string> beyond_doubles(const TriangleMesh& mesh) {

@@ -36,6 +36,12 @@ template <std::size_t count>
   return box_about(std::array{a.low, a.high, b.low, b.high});
 }
 
+/// Whether two boxes have no point in common; exact.
+[[nodiscard]] inline bool apart(const BoundingBox& a, const BoundingBox& b) {
+  return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y ||
+         a.high.z < b.low.z || b.high.z < a.low.z;
+}
+
 /// The box of each triangle of a mesh; exact.
 [[nodiscard]] std::vector<BoundingBox> triangle_boxes(const TriangleMesh& mesh);
 

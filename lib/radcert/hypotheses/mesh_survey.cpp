@@ -91,6 +91,7 @@ std::vector<std::string> near_contact_remarks(const MeshSurvey& survey) {
     out.push_back(
         group_text(near.one) + " and " + group_text(near.other) + " face each other across a gap of " +
         nearest_text(near.gap, DecimalForm::general(2)) + " at " + point_text(near.at) +
+        (near.pairs > 1 ? ", the least of " + std::to_string(near.pairs) + " pairs of triangles" : "") +
         ": no contact, so that what lies between takes part; where they are to touch, give both the "
         "same coordinates");
   return out;

@@ -57,12 +57,14 @@ std::optional<Refusal> surface_fault(const EllipsoidCertificate& c) {
   return std::nullopt;
 }
 
-/// That 0 <= sup |rho| <= what is stated < 1.
+/// That sup |rho| <= what is stated < 1, and that no point looked at shows rho < 0.
 std::optional<Refusal> reflectivity_fault(const EllipsoidCertificate& c) {
   const std::string pointer = "/largest_reflectivity";
   const Rational& stated = c.largest_reflectivity;
   if (stated.sign() < 0 || stated >= Rational(1)) return Refusal{pointer, "is not from 0 to below 1"};
+  const Refusal negative{"/problem/reflectivity", "is negative"};
   if (const std::optional<Rational> constant = constant_of(c.reflectivity)) {
+    if (constant->sign() < 0) return negative;
     if (abs(*constant) > stated) return Refusal{pointer, "is less than the reflectivity"};
     return std::nullopt;
   }
@@ -79,6 +81,7 @@ std::optional<Refusal> reflectivity_fault(const EllipsoidCertificate& c) {
       least = std::min(least, value);
       largest = std::max(largest, value);
     }
+  if (least + rho.error(8 * unit) < 0) return negative;
   // rho - middle, at points half in size, and so everywhere no more than what the stated bound leaves.
   const double middle = 0.5 * (least + largest);
   const double half = (0.5 * (largest - least) + rho.error(8 * unit)) * slightly;
@@ -117,7 +120,7 @@ std::optional<Refusal> enclosures_fault(const EllipsoidCertificate& c) {
   const std::vector<Ball> found = enclosed(c);
   for (std::size_t k = 0; k < found.size(); ++k) {
     const Enclosure& stated = c.enclosures[k];
-    const std::string pointer = c.of == OnEllipsoid::mean ? "/mean" : "/values/" + std::to_string(k);
+    const std::string pointer = (c.of == OnEllipsoid::mean ? "/means/" : "/values/") + std::to_string(k);
     if (!certainly_at_most(abs(found[k] - Ball(stated.midpoint)), Ball(stated.radius)))
       return Refusal{pointer, "with its radius does not hold what the bound proves, " + found[k].to_text(12)};
     if (Rational(2) * stated.radius > c.width)

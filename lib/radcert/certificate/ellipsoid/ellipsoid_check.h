@@ -74,7 +74,8 @@ struct BetweenPoints {
 [[nodiscard]] std::size_t part_count(const EllipsoidCertificate& certificate);
 
 /// Checks a certificate, by means that share no function with the search that made it.
-/// Maths     sup |rho| by BetweenPoints at points of a cover, or exactly where rho is constant; sup |t| by
+/// Maths     sup |rho| by BetweenPoints at points of a cover, or exactly where rho is constant, and rho >= 0
+///           at these points, of which the theorem has no need; sup |t| by
 ///           the same at points of the rows that are looked at, T w by RayTransport; bound, enclosures and
 ///           width follow exactly. Points of values lie on the surface, exactly
 /// Source    enclosed, BetweenPoints and RayTransport for the theorems. The search takes the kernel about

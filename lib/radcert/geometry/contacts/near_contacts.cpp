@@ -52,6 +52,28 @@ bool overlap_along_sides(const Corners& one, const Corners& other, const Vector<
   return true;
 }
 
+/// The mean of the corners of what one triangle has over another: it is cut along the other's sides.
+Vector<double> amid_overlap(const Corners& one, const Corners& other, const Vector<double>& normal_of_other) {
+  std::vector<Vector<double>> polygon(one.begin(), one.end());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector<double> across = cross(normal_of_other, other[(k + 1) % 3] - other[k]);
+    std::vector<Vector<double>> left;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vector<double>& next = polygon[(i + 1) % polygon.size()];
+      const double here = dot(across, polygon[i] - other[k]);
+      const double there = dot(across, next - other[k]);
+      if (here >= 0) left.push_back(polygon[i]);
+      if ((here < 0) != (there < 0))
+        left.push_back(polygon[i] + (here / (here - there)) * (next - polygon[i]));
+    }
+    if (left.empty()) break;  // rounded away: what there was lies on this side
+    polygon = std::move(left);
+  }
+  Vector<double> sum;
+  for (const Vector<double>& p : polygon) sum = sum + p;
+  return (1 / static_cast<double>(polygon.size())) * sum;
+}
+
 }  // namespace
 
 std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand) {
@@ -66,10 +88,7 @@ std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand
     BoundingBox around = box_about(here);
     const Vector<double> margin{most, most, most};
     around = {around.low - margin, around.high + margin};
-    const auto meets = [&](const BoundingBox& box) {
-      return box.low.x <= around.high.x && around.low.x <= box.high.x && box.low.y <= around.high.y &&
-             around.low.y <= box.high.y && box.low.z <= around.high.z && around.low.z <= box.high.z;
-    };
+    const auto meets = [&](const BoundingBox& box) { return !apart(box, around); };
     static_cast<void>(tree.visit(meets, [&](std::size_t u) {
       if (u <= t || planes.of_triangle[u] == planes.of_triangle[t]) return true;
       const Corners there = mesh.corners(u);
@@ -83,12 +102,12 @@ std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand
       if (!overlap_along_sides(here, there, front, most) || !overlap_along_sides(there, here, back, most))
         return true;
       const auto groups = std::minmax(mesh.group[t], mesh.group[u]);
-      const auto [place, is_new] = found.try_emplace({groups.first, groups.second});
-      if (!is_new && place->second.gap <= gap) return true;
-      place->second = {.one = mesh.group_names[groups.first],
-                       .other = mesh.group_names[groups.second],
-                       .gap = gap,
-                       .at = here[0]};
+      NearContact& contact = found[{groups.first, groups.second}];
+      if (contact.pairs++ > 0 && contact.gap <= gap) return true;
+      contact.one = mesh.group_names[groups.first];
+      contact.other = mesh.group_names[groups.second];
+      contact.gap = gap;
+      contact.at = amid_overlap(here, there, right_hand ? back : -back);
       return true;
     }));
   }

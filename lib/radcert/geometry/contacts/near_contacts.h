@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,9 @@ struct NearContact {
   std::string one;  ///< names of the groups, "" for what has no name
   std::string other;
   double gap = 0;  ///< the largest distance of a corner of the one from the plane of the other, rounded
-  Vector<double> at = {};  ///< a corner there
+  Vector<double> at =
+      {};                 ///< a point of what the two triangles with the least gap have before them in common
+  std::size_t pairs = 0;  ///< of triangles that face each other so
 };
 
 /// Where faces of a mesh probably were meant to touch, and rounded coordinates leave a gap.
@@ -23,7 +26,8 @@ struct NearContact {
 /// Source    ours: such a gap is no contact for without_contacts, which asks for equality; what lies between
 ///           takes part in the exchange of light
 /// Requires  no degenerate triangle. right_hand: see without_contacts
-/// Result    of each two groups the pair of triangles with the least gap, in the order of the groups
+/// Result    of each two groups the pair of triangles with the least gap, and how many pairs there are, in
+///           the order of the groups
 /// Limits    a remark for the reader, decided in doubles: nothing is changed
 [[nodiscard]] std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand);
 

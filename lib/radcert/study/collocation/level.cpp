@@ -301,9 +301,8 @@ private:
     matrix().accurate_product(std::vector<double>(nodes_.size(), 1.0), of_one);
     for (double& x : of_one) x = 1 - x;
     if (!(*norm * max_abs(of_one) >= 1))
-      throw refused("it was " + nearest_text(*norm / 2, DecimalForm::general(4)) +
-                    " on coarser levels, and here 1 shows that it is more than " +
-                    nearest_text(*norm, DecimalForm::general(4)));
+      throw refused("coarser levels let it be " + nearest_text(*norm, DecimalForm::general(4)) +
+                    ", and here K 1 shows that it is more");
     contraction_ = contraction_by_estimate(nodes_.size(), *norm, radius);
     estimated_inverse_ = *norm;
   }
