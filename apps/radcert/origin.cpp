@@ -82,14 +82,16 @@ std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems) {
   return out;
 }
 
-std::string mended_text(std::span<const Problem> problems) {
+std::string notes_on_meshes(std::span<const Problem> problems) {
   std::vector<std::string> lines;
+  const auto add = [&](std::string line) {
+    if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
+  };
   for (const Problem& problem : problems) {
-    if (!problem.surface.mesh) continue;
-    for (const std::string& done : problem.surface.mesh->mended) {
-      std::string line = "Mended: " + problem.surface.mesh->file + ": " + done + "\n";
-      if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
-    }
+    const std::optional<MeshChoice>& mesh = problem.surface.mesh;
+    if (!mesh) continue;
+    for (const std::string& done : mesh->mended) add("Mended: " + mesh->file + ": " + done + "\n");
+    for (const std::string& remark : mesh->remarks) add("Remark: " + mesh->file + ": " + remark + "\n");
   }
   std::string out;
   for (const std::string& line : lines) out += line;

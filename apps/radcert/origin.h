@@ -30,9 +30,9 @@ InputFile read_input(const std::filesystem::path& file, std::uint64_t limit_byte
 /// The files that problems name, a mesh or nodes, each once.
 std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems);
 
-/// What was mended in the meshes of problems, a line each: "room.off: face 7 (line 31), bent ...". Empty
-/// where nothing was.
-std::string mended_text(std::span<const Problem> problems);
+/// What was mended in the meshes of problems, and what looks like a slip in them, a line each: "Mended:
+/// room.off: face 7 (line 31), bent ...". Empty where there is nothing to tell.
+std::string notes_on_meshes(std::span<const Problem> problems);
 
 /// The keys of the works that the method of a problem is taken from.
 std::vector<std::string> references_of(const Problem& problem);

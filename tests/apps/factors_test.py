@@ -365,6 +365,32 @@ class Factors(ProgramTest):
         pieces = json.loads(self.expect(0, "surface", "contact.obj", "--json", "-"))
         self.assertTrue(pieces["closed"])
 
+    def test_bodies_that_share_faces_and_parts_of_edges_are_taken_as_they_are(self):
+        room = box((0, 0, 0), (4, 4, 4), inwards=True)
+        small = box((1, 1, 1), (2, 2, 2))
+
+        def factors_of(name, groups):
+            self.obj(name, groups)
+            done = self.run_program("factors", name, "--by", "group", "--out", "f.csv", "--accuracy", "1e-4")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return done.stderr.decode(), {(row["from"], row["to"]): (float(row["factor"]), float(row["radius"]))
+                                          for row in self.rows("f.csv")}
+
+        # Two of one group side by side, all vertices in common, are the box that they make up.
+        said, two = factors_of("two.obj", {"room": room, "boxes": small + box((2, 1, 1), (3, 2, 2))})
+        self.assertIn("contact of boxes and boxes: an area of 1 of each", said)
+        _, one = factors_of("one.obj", {"room": room, "boxes": box((1, 1, 1), (3, 2, 2))})
+        self.assertEqual(two.keys(), one.keys())
+        for pair, (factor, radius) in one.items():
+            self.assertLessEqual(abs(two[pair][0] - factor), radius + two[pair][1], pair)
+        # Two that have a part of an edge in common are what they are next to nothing apart.
+        said, touching = factors_of("part.obj", {"room": room, "a": small, "b": box((2, 2, 1.5), (3, 3, 3))})
+        self.assertIn("mended: 4 triangles cut where corners of others lie on their sides", said)
+        _, apart = factors_of("apart.obj", {"room": room, "a": small, "b": box((2 + 1e-6, 2, 1.5), (3 + 1e-6, 3, 3))})
+        self.assertEqual(touching.keys(), apart.keys())
+        for pair, (factor, radius) in apart.items():
+            self.assertLessEqual(abs(touching[pair][0] - factor), radius + touching[pair][1] + 1e-5, pair)
+
     def test_plates_have_two_sides_where_that_is_asked_for(self):
         # A plate in the middle of a room: both sides see the room alone, and the room sees what they leave.
         plate = [(0.25, 0.25, 0.5), (0.75, 0.25, 0.5), (0.75, 0.75, 0.5), (0.25, 0.75, 0.5)]

@@ -81,6 +81,12 @@ class Solve(ProgramTest):
             done = self.run_program("solve", "room.json", "--guarantee", "0.1", "--of", of)
             self.assertEqual(done.returncode, 2)
             self.assertIn("where only means are enclosed", done.stderr.decode())
+        # A rounding above the floor is no contact: that is said beside every result.
+        self.write("room.obj", "\n".join(line + ".000000000001" if line.startswith("v") and line[-2:] == " 0" and
+                                         base >= 8 else line
+                                         for base, line in enumerate(lines)).encode() + b"\n")
+        said = self.expect(0, "solve", "room.json")
+        self.assertIn("Remark: room.obj: room_bottom and box_bottom face each other across a gap of", said)
 
     def test_a_guarantee_on_an_open_surface_is_that_beside_black_faces(self):
         self.write("open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"

@@ -145,7 +145,7 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   std::vector<Problem> problems;
   for (const Combination& combination : experiment.combinations) problems.push_back(combination.problem);
   for (const InputDigest& named : inputs_named_in(problems)) outputs.input(named.name);
-  say(mended_text(problems));
+  say(notes_on_meshes(problems));
   ResultStore store = common.store();
   StoredLevels levels(store, solve_with(reference::applied_operator, memory));
   const Finished finished = solve_all(experiment, options.experiment, levels, common.quiet);

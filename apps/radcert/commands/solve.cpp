@@ -196,12 +196,12 @@ void refuse_fields(const SolveOptions& options, const Guarantee& guarantee) {
                                               : "--json beside a guarantee of means"});
 }
 
-/// What was found, with what was mended of the mesh on which it was.
+/// What was found, with what there is to tell of the mesh on which it was.
 void print_solved(const Common& common, const Outputs& outputs, const Problem& problem,
                   const std::string& table, const std::string& json, Files files) {
-  const std::string mended = mended_text({&problem, 1});
-  if (common.json_to_stdout()) say(mended);
-  print_result(common, outputs, table + (mended.empty() ? "" : "\n" + mended), json, std::move(files));
+  const std::string notes = notes_on_meshes({&problem, 1});
+  if (common.json_to_stdout()) say(notes);
+  print_result(common, outputs, table + (notes.empty() ? "" : "\n" + notes), json, std::move(files));
 }
 
 ExitCode enclose(const Common& common, const SolveOptions& options, const Outputs& outputs,

@@ -9,6 +9,9 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <queue>
 
 namespace radcert {
@@ -60,6 +63,18 @@ std::vector<VertexTriple> delaunay_triangles(
   return triangles;
 }
 
+/// The corners on a coordinate plane, without the coordinate `left_out`; the order keeps the sense of
+/// rotation.
+std::vector<ParameterPoint<double>> projection(std::span<const Vector<double>> corners,
+                                               std::size_t left_out) {
+  std::vector<ParameterPoint<double>> points;
+  for (const Vector<double>& p : corners) {
+    const std::array<double, 3> x{p.x, p.y, p.z};
+    points.push_back({x[(left_out + 1) % 3], x[(left_out + 2) % 3]});
+  }
+  return points;
+}
+
 }  // namespace
 
 PlaneTriangulation triangulate(const PlanePolygon& polygon) {
@@ -86,6 +101,29 @@ std::optional<std::vector<VertexTriple>> polygon_triangles(std::span<const Param
   if (CGAL::orientation_2(points.begin(), points.end(), Kernel()) == CGAL::CLOCKWISE)
     for (VertexTriple& triangle : triangles) std::swap(triangle[1], triangle[2]);
   return triangles;
+}
+
+std::optional<std::vector<VertexTriple>> polygon_triangles(std::span<const Vector<double>> corners) {
+  double largest = 0;
+  for (const Vector<double>& p : corners)
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
+  const auto scaled = [&](const Vector<double>& p) {
+    return Vector<double>{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
+  };
+  Vector<double> sum;  // Newell's normal: the sum of the cross products along the boundary
+  const Vector<double> first = scaled(corners[0]);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    sum = sum + cross(scaled(corners[i]) - first, scaled(corners[i + 1]) - first);
+  const std::array<double, 3> normal{sum.x, sum.y, sum.z};
+  std::array<std::size_t, 3> order{2, 0, 1};
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return std::abs(normal[a]) > std::abs(normal[b]); });
+  for (const std::size_t axis : order)
+    if (auto triangles =
+            polygon_triangles(std::span<const ParameterPoint<double>>(projection(corners, axis))))
+      return triangles;
+  return std::nullopt;
 }
 
 }  // namespace radcert

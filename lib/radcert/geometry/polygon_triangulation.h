@@ -10,6 +10,7 @@
 
 #include "radcert/geometry/plane_polygon.h"
 #include "radcert/geometry/triangle_mesh.h"
+#include "radcert/geometry/vector.h"
 
 namespace radcert {
 
@@ -41,6 +42,14 @@ struct PolygonSide {
 ///           meet but neighbours at their corner, or where fewer than three corners are given
 [[nodiscard]] std::optional<std::vector<VertexTriple>> polygon_triangles(
     std::span<const ParameterPoint<double>> corners);
+
+/// The same for one loop of points of space.
+/// Maths     in the coordinate plane in which it is largest, or in another where rounding misled about that:
+///           in its own plane a polygon is simple if its image is
+/// Requires  finite coordinates, three corners or more
+/// Result    as above; nothing where no image is simple
+[[nodiscard]] std::optional<std::vector<VertexTriple>> polygon_triangles(
+    std::span<const Vector<double>> corners);
 
 /// The same triangulation, finer toward chosen sides.
 /// Maths     `times` times every triangle with a vertex on a chosen side is bisected; a triangle is bisected

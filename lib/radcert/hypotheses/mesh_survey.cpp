@@ -7,6 +7,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/geometry/contacts/joined_sides.h"
 #include "radcert/geometry/contacts/mesh_contacts.h"
 #include "radcert/geometry/contacts/near_contacts.h"
 #include "radcert/scalar/enclosing_text.h"
@@ -28,6 +29,10 @@ void require_orientable(const TriangleMesh& mesh, const MeshTopology& topology) 
                         "closes a way around the surface that comes back with its sides exchanged: the "
                         "surface is not orientable and has no inner normals",
                     .allowed = "orientable surfaces"});
+}
+
+std::string several(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 std::string group_text(const std::string& group) { return group.empty() ? "a face" : group; }
@@ -53,13 +58,21 @@ void add_backs(TriangleMesh& mesh, const std::vector<std::string>& two_sided) {
   }
 }
 
-/// Takes out what bodies that stand on faces cover; the front is decided before, for it says what is a body,
-/// and must be the same behind.
+/// Joins what touches along parts of sides, and takes out what bodies that stand on faces cover; the front is
+/// decided before, for it says what is a body, and must be the same behind.
 std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule,
                                    const std::vector<std::string>& two_sided) {
   if (survey.defects.crossing.empty() || !survey.defects.degenerate_triangles.empty()) return std::nullopt;
   const Orientation orientation =
       mesh_front(survey.mesh, mesh_topology(survey.mesh), survey.defects, rule).orientation;
+  JoinedSides joined = joined_sides(std::move(survey.mesh));
+  survey.mesh = std::move(joined.mesh);
+  if (joined.cut > 0) {
+    survey.mended.push_back(several(joined.cut, "triangle", "triangles") +
+                            " cut where corners of others lie on their sides");
+    survey.defects = mesh_defects(survey.mesh);
+    if (survey.defects.crossing.empty()) return std::nullopt;
+  }
   Outcome<UncoveredMesh> uncovered =
       without_contacts(survey.mesh, orientation == Orientation::along_the_cross_product);
   if (!uncovered) throw InputError({.problem = uncovered.reason()});
@@ -114,10 +127,6 @@ void decide_containment(MeshSurvey& survey) {
     return;
   survey.looks_away = convex_containment(survey.mesh, Orientation::against_the_cross_product, unit).verdict ==
                       Containment::certified;
-}
-
-std::string several(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 }  // namespace

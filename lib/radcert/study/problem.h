@@ -24,6 +24,7 @@ struct MeshChoice {
   Rational angle;                          ///< in degrees, beyond which an edge is sharp
   std::vector<std::string> repair;         ///< what was to be mended
   std::vector<std::string> mended;         ///< what was, in words
+  std::vector<std::string> remarks = {};   ///< what looks like a slip and was left as it is
   std::shared_ptr<const Surface> surface;  ///< one whose triangles do not cross
   FrontRule front = FrontRule::automatic;  ///< where its light is to be
 };

@@ -95,6 +95,7 @@ SurfaceChoice mesh_surface_choice(const std::string& name, const MeshSurvey& sur
                              .angle = angle,
                              .repair = repair,
                              .mended = survey.mended,
+                             .remarks = survey.remarks,
                              .surface = std::make_shared<const Surface>(survey.surface(name)),
                              .front = front}};
 }

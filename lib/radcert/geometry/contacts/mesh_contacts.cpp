@@ -14,11 +14,12 @@
 #include <set>
 #include <utility>
 
+#include "radcert/geometry/contacts/joined_sides.h"
+#include "radcert/geometry/contacts/mesh_bodies.h"
+#include "radcert/geometry/contacts/place.h"
 #include "radcert/geometry/mesh_defects.h"
-#include "radcert/geometry/mesh_topology.h"
 #include "radcert/geometry/orientation.h"
 #include "radcert/geometry/plane_classes.h"
-#include "radcert/geometry/polygon_triangulation.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/rational.h"
 
@@ -30,10 +31,6 @@ using Kernel = CGAL::Simple_cartesian<Number>;
 using Point = Kernel::Point_2;
 using Delaunay =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Exact_intersections_tag>;
-
-/// The doubles of a point; zeros without a sign, so that equal points are equal keys.
-using Place = std::array<double, 3>;
-Place place_of(const Vector<double>& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
 
 /// A plane of the mesh and its projection along an axis that it is not parallel to.
 class Plane {
@@ -49,10 +46,6 @@ public:
   [[nodiscard]] Point flat(const Vector<double>& v) const {
     const Place x{v.x, v.y, v.z};
     return {Number(x[(axis_ + 1) % 3]), Number(x[(axis_ + 2) % 3])};
-  }
-  [[nodiscard]] ParameterPoint<double> flat_doubles(const Vector<double>& v) const {
-    const Place x{v.x, v.y, v.z};
-    return {x[(axis_ + 1) % 3], x[(axis_ + 2) % 3]};
   }
   /// The point of the plane over a point of the projection; none where doubles do not hold it.
   [[nodiscard]] std::optional<Vector<double>> point(const Point& at) const {
@@ -145,92 +138,6 @@ bool holds(const TriangleMesh& mesh, const std::vector<std::size_t>& triangles,
   return false;
 }
 
-/// Whether a point lies on a segment, between its ends.
-bool is_between(const Vector<double>& at, const Vector<double>& from, const Vector<double>& to) {
-  const auto within = [](double x, double a, double b) { return std::min(a, b) <= x && x <= std::max(a, b); };
-  return within(at.x, from.x, to.x) && within(at.y, from.y, to.y) && within(at.z, from.z, to.z) &&
-         at != from && at != to && collinear(from, at, to);
-}
-
-/// A triangle with corners on its sides, cut at these; as it runs.
-std::vector<VertexTriple> cut(const TriangleMesh& mesh, const std::vector<std::size_t>& corners,
-                              const Plane& plane) {
-  std::vector<ParameterPoint<double>> flat;
-  for (const std::size_t v : corners) flat.push_back(plane.flat_doubles(mesh.vertices[v]));
-  std::vector<VertexTriple> out = polygon_triangles(flat).value();
-  for (VertexTriple& triangle : out)
-    for (std::size_t& place : triangle) place = corners[place];
-  return out;
-}
-
-/// Cuts triangles on whose sides there are corners of the triangles from `first_new` on, or of those that are
-/// gone: a face that ends where a body that stands on its neighbour begins meets it side by side then.
-void join_sides(TriangleMesh& mesh, std::size_t first_new, const std::set<Place>& gone) {
-  std::set<std::size_t> ends;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-    if (gone.contains(place_of(mesh.vertices[v]))) ends.insert(v);
-  for (std::size_t t = first_new; t < mesh.triangles.size(); ++t)
-    ends.insert(mesh.triangles[t].begin(), mesh.triangles[t].end());
-  const std::size_t count = mesh.triangles.size();
-  for (std::size_t t = 0; t < count; ++t) {
-    const VertexTriple triangle = mesh.triangles[t];
-    std::vector<std::size_t> corners;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t from = triangle[k];
-      const std::size_t to = triangle[(k + 1) % 3];
-      corners.push_back(from);
-      std::vector<std::size_t> inside;
-      for (const std::size_t v : ends)
-        if (is_between(mesh.vertices[v], mesh.vertices[from], mesh.vertices[to])) inside.push_back(v);
-      std::sort(inside.begin(), inside.end(), [&](std::size_t a, std::size_t b) {
-        return is_between(mesh.vertices[a], mesh.vertices[from], mesh.vertices[b]);
-      });
-      corners.insert(corners.end(), inside.begin(), inside.end());
-    }
-    if (corners.size() == 3) continue;
-    const std::vector<VertexTriple> parts = cut(mesh, corners, Plane(mesh.corners(t)));
-    mesh.triangles[t] = parts.front();
-    for (std::size_t k = 1; k < parts.size(); ++k) {
-      mesh.triangles.push_back(parts[k]);
-      mesh.group.push_back(mesh.group[t]);
-      mesh.face.push_back(mesh.face[t]);
-    }
-  }
-}
-
-/// The components of a mesh, and which of them are closed, with their front outside.
-struct Bodies {
-  std::vector<std::size_t> component;  ///< of each triangle
-  std::vector<bool> is_body;           ///< of each component
-  std::vector<bool> is_room;           ///< closed, with its front inside
-};
-
-Bodies bodies_of(const TriangleMesh& mesh, bool right_hand) {
-  const MeshTopology topology = mesh_topology(mesh);
-  std::vector<bool> closed(topology.component_count, true);
-  for (const MeshEdge& edge : topology.edges) {
-    const bool fits = edge.side_count() == 2 &&
-                      topology.sides[edge.begin].forward != topology.sides[edge.begin + 1].forward;
-    for (std::size_t k = edge.begin; k < edge.end && !fits; ++k)
-      closed[topology.component[topology.sides[k].triangle]] = false;
-  }
-  std::vector<TriangleMesh> parts(topology.component_count);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (closed[topology.component[t]]) parts[topology.component[t]].triangles.push_back(mesh.triangles[t]);
-  Bodies out{.component = topology.component,
-             .is_body = std::vector<bool>(topology.component_count, false),
-             .is_room = std::vector<bool>(topology.component_count, false)};
-  for (std::size_t c = 0; c < parts.size(); ++c) {
-    if (parts[c].triangles.empty()) continue;
-    parts[c].vertices = mesh.vertices;
-    const int outwards = right_hand ? 1 : -1;
-    out.is_body[c] = volume_sign(parts[c]) == outwards;
-    out.is_room[c] = volume_sign(parts[c]) == -outwards;
-    parts[c].vertices = {};
-  }
-  return out;
-}
-
 class Uncovering {
 public:
   Uncovering(const TriangleMesh& mesh, bool right_hand) : given_(mesh), mesh_(mesh), right_hand_(right_hand) {
@@ -257,13 +164,8 @@ public:
       any = true;
     }
     if (any) {
-      std::set<Place> gone;
-      for (std::size_t t = 0; t < replaced.size(); ++t)
-        if (replaced[t])
-          for (const Vector<double>& corner : mesh_.corners(t)) gone.insert(place_of(corner));
       leave_out(replaced);
-      join_sides(out_.mesh, static_cast<std::size_t>(std::count(replaced.begin(), replaced.end(), false)),
-                 gone);
+      out_.mesh = joined_sides(std::move(out_.mesh)).mesh;
     }
     return std::move(out_);
   }
@@ -281,21 +183,21 @@ private:
         if (is_new) by_group.vertices.push_back(mesh_.vertices[v]);
         v = found->second;
       }
-    bodies_ = {bodies_of(given_, right_hand_), bodies_of(mesh_, right_hand_),
-               bodies_of(by_group, right_hand_)};
+    bodies_ = {mesh_bodies(given_, right_hand_), mesh_bodies(mesh_, right_hand_),
+               mesh_bodies(by_group, right_hand_)};
   }
 
   /// Whether one of two triangles belongs to a body and the other does not: by some way of telling bodies
   /// apart.
   bool is_contact(std::size_t s, std::size_t t) const {
-    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Bodies& by) {
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const MeshBodies& by) {
       return by.component[s] != by.component[t] &&
              (by.is_body[by.component[s]] || by.is_body[by.component[t]]);
     });
   }
 
   bool are_of_bodies(std::size_t s, std::size_t t) const {
-    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Bodies& by) {
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const MeshBodies& by) {
       return by.component[s] != by.component[t] && by.is_body[by.component[s]] && by.is_body[by.component[t]];
     });
   }
@@ -314,7 +216,7 @@ private:
 
   /// Whether a component is a room with all others inside; a triangle of each tells, since none crosses it.
   bool is_room_of_all(std::size_t by, std::size_t component) {
-    const Bodies& bodies = bodies_[by];
+    const MeshBodies& bodies = bodies_[by];
     if (!bodies.is_room[component]) return false;
     const auto [known, is_new] = rooms_.emplace(std::pair(by, component), false);
     if (!is_new) return known->second;
@@ -351,7 +253,7 @@ private:
 
   /// Whether something is inside a body that a triangle belongs to.
   bool has_contents(std::size_t triangle) const {
-    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Bodies& bodies) {
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const MeshBodies& bodies) {
       const std::size_t component = bodies.component[triangle];
       if (!bodies.is_body[component]) return false;
       std::vector<std::size_t> own;
@@ -380,7 +282,7 @@ private:
       while (parent[t] != t) t = parent[t] = parent[parent[t]];
       return t;
     };
-    for (const Bodies& bodies : bodies_) {
+    for (const MeshBodies& bodies : bodies_) {
       std::vector<std::optional<std::size_t>> first(bodies.is_body.size());
       for (std::size_t t = 0; t < parent.size(); ++t) {
         const std::size_t component = bodies.component[t];
@@ -391,7 +293,7 @@ private:
     }
     const auto is_of_a_body = [&](std::size_t t) {
       return std::any_of(bodies_.begin(), bodies_.end(),
-                         [t](const Bodies& bodies) { return bodies.is_body[bodies.component[t]]; });
+                         [t](const MeshBodies& bodies) { return bodies.is_body[bodies.component[t]]; });
     };
     std::vector<std::pair<std::size_t, Classes>> opened;  // a triangle of a body, and the plane
     for (const auto& [classes, overlap] : all) {
@@ -569,7 +471,7 @@ private:
   const TriangleMesh& given_;
   TriangleMesh mesh_;  ///< with one number for vertices of equal coordinates
   bool right_hand_;
-  std::vector<Bodies> bodies_;
+  std::vector<MeshBodies> bodies_;
   std::map<std::pair<std::size_t, std::size_t>, bool> rooms_;  ///< is_room_of_all
   std::map<Place, std::size_t> vertex_;                        ///< the first with these coordinates
   UncoveredMesh out_;

@@ -26,41 +26,6 @@ constexpr std::size_t most_told = 100;
   throw InputError({.pointer = face, .problem = problem, .allowed = allowed});
 }
 
-/// The corners on a coordinate plane, without the coordinate `left_out`; the order keeps the sense of
-/// rotation.
-std::vector<ParameterPoint<double>> projection(const std::vector<Vector<double>>& corners,
-                                               std::size_t left_out) {
-  std::vector<ParameterPoint<double>> points;
-  for (const Vector<double>& p : corners) {
-    const std::array<double, 3> x{p.x, p.y, p.z};
-    points.push_back({x[(left_out + 1) % 3], x[(left_out + 2) % 3]});
-  }
-  return points;
-}
-
-/// Triangles of a face, in the coordinate plane in which it is largest, or in another where rounding misled
-/// about that. In the plane of the face a polygon is simple if its image is.
-std::optional<std::vector<VertexTriple>> face_triangles(const std::vector<Vector<double>>& corners) {
-  double largest = 0;
-  for (const Vector<double>& p : corners)
-    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  const int exponent = largest > 0 ? std::ilogb(largest) : 0;
-  const auto scaled = [&](const Vector<double>& p) {
-    return Vector<double>{std::ldexp(p.x, -exponent), std::ldexp(p.y, -exponent), std::ldexp(p.z, -exponent)};
-  };
-  Vector<double> sum;  // Newell's normal: the sum of the cross products along the boundary
-  const Vector<double> first = scaled(corners[0]);
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-    sum = sum + cross(scaled(corners[i]) - first, scaled(corners[i + 1]) - first);
-  const std::array<double, 3> normal{sum.x, sum.y, sum.z};
-  std::array<std::size_t, 3> order{2, 0, 1};
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return std::abs(normal[a]) > std::abs(normal[b]); });
-  for (const std::size_t axis : order)
-    if (auto triangles = polygon_triangles(projection(corners, axis))) return triangles;
-  return std::nullopt;
-}
-
 /// Whether all corners lie in one plane exactly.
 bool is_plane(const std::vector<Vector<double>>& corners) {
   std::size_t off = 2;
@@ -160,7 +125,7 @@ TriangulatedFaces triangulate_faces(const MeshFile& file, BentFaces bent) {
     ++result.cut_faces;
     std::vector<Vector<double>> corners;
     for (std::size_t i = 0; i < count; ++i) corners.push_back(file.vertices[file.corner[begin + i]]);
-    const auto triangles = face_triangles(corners);
+    const auto triangles = polygon_triangles(corners);
     const bool is_bent = !is_plane(corners);
     if (is_bent && bent == BentFaces::refused) refuse_bent(file, face, count, corners);
     if (!triangles)
