@@ -37,11 +37,11 @@ struct UncoveredMesh {
 ///           where they cross, exactly
 /// Requires  no degenerate triangle. right_hand: the front is the side from which the corners run
 ///           counterclockwise
-/// Result    exact: triangles that overlap nothing are as they were, in their order; the others are cut anew,
-///           each with group and face of one that held it, behind them, and joined_sides cuts those on
-///           whose sides others end now; vertices with equal coordinates are one. A reason where light would pass
-///           through a body, or a difference has a corner that no doubles hold, for then no plane would hold
-///           it either; the mesh as it was where more than a million pairs of triangles meet
+/// Result       exact: triangles that overlap nothing are as they were, in their order; the others are cut
+///           anew, each with group and face of one that held it, behind them, and joined_sides cuts those on
+///           whose sides others end now; vertices with equal coordinates are one. A reason where light would
+///           pass through a body, or a difference has a corner that no doubles hold, for then no plane would
+///           hold it either; the mesh as it was where more than a million pairs of triangles meet
 /// Limits    overlapping triangles of one side, and bodies that cross, stay as they are
 [[nodiscard]] Outcome<UncoveredMesh> without_contacts(const TriangleMesh& mesh, bool right_hand);
 
