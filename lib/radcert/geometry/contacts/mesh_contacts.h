@@ -37,7 +37,7 @@ struct UncoveredMesh {
 ///           where they cross, exactly
 /// Requires  no degenerate triangle. right_hand: the front is the side from which the corners run
 ///           counterclockwise
-/// Result       exact: triangles that overlap nothing are as they were, in their order; the others are cut
+/// Result    exact: triangles that overlap nothing are as they were, in their order; the others are cut
 ///           anew, each with group and face of one that held it, behind them, and joined_sides cuts those on
 ///           whose sides others end now; vertices with equal coordinates are one. A reason where light would
 ///           pass through a body, or a difference has a corner that no doubles hold, for then no plane would
