@@ -113,6 +113,55 @@ class Basis(ProgramTest):
             for key in ["nodes", "precision", "norm", "condition", "determinant", "orders"]:
                 self.assertEqual(there[key], again[key], key)
 
+    def test_symmetric_nodes_are_searched_and_proved(self):
+        # Degree 5, where no inset has the precision that superconvergence needs; the file solves and is proved again.
+        result = json.loads(self.expect(0, "basis", "search", "--degree", "5", "--starts", "64", "--nodes", "n.json",
+                                        "--json", "-"))
+        jsonschema.validate(result, self.schema("basis"))
+        self.assertEqual({key: result["search"][key] for key in ("precision", "positive", "starts", "seed")},
+                         {"precision": 8, "positive": False, "starts": 64, "seed": 1})
+        found = result["bases"][0]
+        self.assertEqual(self.precision(found), (8, 9))
+        self.assertEqual(found["orders"]["nodes_smooth"], 8)
+        self.assertFalse(found["orders"]["nodes_smooth_logarithm"])
+        self.assertLess(found["norm"]["upper"], 7)
+        again = self.basis("n.json")
+        for key in ["nodes", "precision", "norm", "condition", "determinant", "orders"]:
+            self.assertEqual(found[key], again[key], key)
+        # The largest precision is that of the set that comes with radcert; without one the norm is less.
+        self.assertEqual(self.precision(self.basis("search", "--degree", "5", "--goal", "precision")), (9, 9))
+        free = self.basis("search", "--degree", "3", "--goal", "norm", "--nodes", "free.json")
+        self.assertEqual(free["precision"]["triangle"]["proof"], "exact")
+        self.assertLess(free["norm"]["upper"], self.basis("symmetric", "--degree", "3")["norm"]["lower"])
+        self.assertEqual(self.basis("free.json")["norm"], free["norm"])
+        positive = self.basis("search", "--degree", "4", "--positive", "--starts", "64")
+        self.assertEqual(positive["weight_signs"]["positive"], 15)
+        self.assertIn("orbits, of which no other numbers are unisolvent: 2 of three",
+                      self.expect(0, "basis", "search", "--degree", "2", "--starts", "8"))
+
+    def test_searches_that_find_nothing_or_are_none_say_so(self):
+        done = self.run_program("basis", "search", "--degree", "9", "--goal", "precision", "--starts", "1",
+                                "--nodes", "none.json")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("that there are none is not said", done.stderr.decode())
+        for words, said in [(["--degree", "11"], "from 1 to 10"), (["--degree", "2-3"], "the degree of one search"),
+                            ([], "--degree"), (["--degree", "5", "--precision", "10"], "from 5 to 9"),
+                            (["--degree", "7", "--precision", "8"], "more numbers would have to be held"),
+                            (["--degree", "5", "--goal", "best"], "orders, precision, norm"),
+                            (["--degree", "5", "--goal", "norm", "--precision", "7"], "--goal"),
+                            (["--degree", "5", "--starts", "0"], "--starts"),
+                            (["--degree", "5", "--seed", "-1"], "--seed"),
+                            (["--degree", "5", "--seconds", "1.5"], "--seconds"),
+                            (["--degree", "5", "--alpha", "0.1"], "has no meaning")]:
+            done = self.run_program("basis", "search", *words)
+            self.assertEqual(done.returncode, 2, (words, done.stderr))
+            self.assertIn(said, done.stderr.decode())
+        for words in (["symmetric", "--degree", "2", "--goal", "norm"], ["inset", "--degree", "0", "--positive"]):
+            done = self.run_program("basis", *words)
+            self.assertEqual(done.returncode, 2, (words, done.stderr))
+            self.assertIn("has no meaning", done.stderr.decode())
+        self.assertEqual(self.entries(), [])
+
     def test_csv_and_latex_have_a_row_each(self):
         self.expect(0, "basis", "inset", "--degree", "1-3", "--alpha", "1/10", "--csv", "b.csv", "--latex", "b.tex")
         with open(self.path("b.csv"), newline="", encoding="utf-8") as file:
@@ -212,6 +261,14 @@ class Basis(ProgramTest):
                     files.append({key: value for key, value in json.load(file).items()
                                   if key not in ("radcert", "command")})
             self.assertEqual(files[0], files[1], name)
+
+    def test_the_searched_sets_that_are_shipped_are_proved(self):
+        for degree, precision in ((5, (8, 9)), (7, (10, 11))):
+            basis = self.basis(os.path.join(EXAMPLES, "nodes", f"superconvergent_{degree}.json"))
+            self.assertEqual((self.precision(basis), basis["degree"]), (precision, degree))
+            self.assertEqual(basis["precision"]["triangle"]["proof"], "certificate")
+            self.assertEqual(basis["orders"]["nodes_smooth"], degree + 3)
+            self.assertFalse(basis["orders"]["nodes_smooth_logarithm"])
 
     def test_certificates_that_prove_nothing_are_refused(self):
         self.expect(0, "basis", "symmetric", "--degree", "2", "--nodes", "good.json")

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/clusters/triangle_modes.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/surface/catalogue/box.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/clusters/triangle_modes.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/contract.h"
 
 namespace radcert {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "radcert/clusters/mode_products.h"
-#include "radcert/clusters/triangle_modes.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/scalar/pack.h"
 #include "radcert/surface/catalogue/ellipsoid.h"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "command.h"
+#include "commands/basis_search.h"
 #include "output.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/version.h"
@@ -32,6 +33,7 @@ struct BasisOptions {
   std::string csv;
   std::string latex;
   std::string nodes;
+  BasisSearchOptions search;
 };
 
 struct DegreeRange {
@@ -77,7 +79,7 @@ std::vector<BasisRecord> records_of(const BasisOptions& options) {
     refuse_option("--alpha", options.alpha, "a file of nodes");
     return {basis_record(options.name, read_nodes(options.name))};
   }
-  const std::vector<std::string> families = {"inset", "symmetric"};
+  const std::vector<std::string> families = {"inset", "symmetric", "search"};
   if (std::find(families.begin(), families.end(), options.name) == families.end()) {
     throw InputError({.source = "basis",
                       .value = options.name,
@@ -206,15 +208,15 @@ std::string table_text(const std::vector<BasisRecord>& records) {
   return records.front().family + "\n" + aligned(rows, {norm_radius});
 }
 
-std::string node_file(const Common& common, const BasisRecord& record) {
-  const bool is_symmetric = record.family == "symmetric";
-  JsonValue nodes;
-  if (is_symmetric)
-    nodes = nodes_json(symmetric_nodes(record.facts.degree), symmetric_radius());
-  else if (record.space)
-    nodes = nodes_json(*record.space, record.facts.nodes);
-  else
-    nodes = nodes_json(record.facts.degree, record.facts.nodes);
+JsonValue nodes_of(const BasisRecord& record) {
+  if (record.family == "symmetric")
+    return nodes_json(symmetric_nodes(record.facts.degree), symmetric_radius());
+  if (record.space) return nodes_json(*record.space, record.facts.nodes);
+  return nodes_json(record.facts.degree, record.facts.nodes);
+}
+
+/// With the version and the command.
+std::string node_file(const Common& common, const JsonValue& nodes) {
   JsonValue out = JsonValue::object();
   for (const JsonValue::Member& member : *nodes.members()) {
     out.set(member.key, member.value);
@@ -225,19 +227,44 @@ std::string node_file(const Common& common, const BasisRecord& record) {
   return out.pretty() + "\n";
 }
 
+ExitCode give_searched(const Common& common, const BasisOptions& options, const Outputs& outputs) {
+  refuse_option("--alpha", options.alpha, "symmetric nodes");
+  const DegreeRange range = degrees_of(options.degree, 1, largest_searched_degree);
+  if (range.first != range.last)
+    throw InputError({.source = "--degree",
+                      .value = options.degree,
+                      .problem = "is more than one",
+                      .allowed = "the degree of one search"});
+  const std::optional<SearchedBasis> found =
+      searched_basis(common, options.search, range.first, outputs, options.nodes);
+  if (!found) return ExitCode::differs;
+  const std::vector<BasisRecord> records{found->record};
+  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  if (!options.csv.empty()) files.emplace_back(options.csv, basis_csv(records));
+  if (!options.latex.empty()) files.emplace_back(options.latex, basis_latex(records));
+  if (!options.nodes.empty()) files.emplace_back(options.nodes, node_file(common, found->nodes));
+  JsonValue json = basis_record_json(records, common.command);
+  json.set("search", found->search);
+  print_result(common, outputs, one_text(found->record) + found->words, json.pretty() + "\n",
+               std::move(files));
+  return ExitCode::done;
+}
+
 ExitCode give_basis(const Common& common, const BasisOptions& options) {
   Outputs outputs(common);
   outputs.file("--csv", options.csv);
   outputs.file("--latex", options.latex);
   outputs.file("--nodes", options.nodes);
+  if (options.name == "search") return give_searched(common, options, outputs);
   outputs.input(options.name);
+  if (const auto given = options.search.any()) refuse_option(given->first, given->second, options.name);
   const std::vector<BasisRecord> records = records_of(options);
   if (!options.nodes.empty() && records.size() != 1)
     throw InputError({.source = "--nodes", .value = options.nodes, .problem = "is for one degree"});
   std::vector<std::pair<std::filesystem::path, std::string>> files;
   if (!options.csv.empty()) files.emplace_back(options.csv, basis_csv(records));
   if (!options.latex.empty()) files.emplace_back(options.latex, basis_latex(records));
-  if (!options.nodes.empty()) files.emplace_back(options.nodes, node_file(common, records.front()));
+  if (!options.nodes.empty()) files.emplace_back(options.nodes, node_file(common, nodes_of(records.front())));
   print_result(common, outputs, records.size() == 1 ? one_text(records.front()) : table_text(records),
                basis_record_json(records, common.command).pretty() + "\n", std::move(files));
   return ExitCode::done;
@@ -249,13 +276,24 @@ void add_basis(Program& program) {
   Subcommand command =
       program.add("basis", "Nodes, weights, degrees of precision, norm and orders of a basis");
   auto options = std::make_shared<BasisOptions>();
-  command.word("NAME", options->name, "inset, symmetric, or a file of nodes (radcert schema nodes)");
+  command.word("NAME", options->name, "inset, symmetric, search, or a file of nodes (radcert schema nodes)");
   command.option("--degree", options->degree, "The degree, or several as 1-10: then a table, a row each",
                  "R");
   command.option("--alpha", options->alpha, "Of inset nodes: a number in [0, 1/3), or superconvergent", "A");
   command.option("--csv", options->csv, "Nodes and weights", "FILE");
   command.option("--latex", options->latex, "A table, a row a basis", "FILE");
   command.option("--nodes", options->nodes, "The nodes as a file that radcert reads", "FILE");
+  command.option(
+      "--goal", options->search.goal,
+      "Of a search: orders (default: the precision from which on orders do not grow), precision (the "
+      "largest), or norm (none but the degree)",
+      "WORD");
+  command.option("--precision", options->search.precision,
+                 "Of a search: the degree of precision on the triangle", "D");
+  command.flag("--positive", options->search.positive, "Of a search: weights above 0 alone");
+  command.option("--starts", options->search.starts, "Of a search: random starts; default 256", "N");
+  command.option("--seed", options->search.seed, "Of a search: of its random numbers; default 1", "S");
+  command.option("--seconds", options->search.seconds, "Of a search: no start begins later", "T");
   command.footer("Degrees of precision and weights are exact, the norm lies between proved bounds.");
   command.runs([&common = program.common(), options] { return give_basis(common, *options); });
 }

@@ -87,21 +87,31 @@ BasisRecord inset_record(int degree, const std::string& alpha_text, OptionStyle 
       throw InputError({.source = option_name(style, "alpha"), .value = alpha_text, .allowed = allowed});
     alpha = *value;
   }
-  return {.family = "inset",
-          .alpha = degree == 0 ? std::nullopt : std::optional(alpha.to_text()),
-          .file = std::nullopt,
-          .space = std::nullopt,
-          .facts = facts_of(inset_nodes(degree, alpha))};
+  BasisRecord record = node_record("inset", inset_nodes(degree, alpha));
+  if (degree > 0) record.alpha = alpha.to_text();
+  return record;
 }
 
 BasisRecord symmetric_record(int degree) {
   const SymmetricNodes& set = symmetric_nodes(degree);
-  return {
-      .family = "symmetric",
-      .alpha = std::nullopt,
-      .file = std::nullopt,
-      .space = std::nullopt,
-      .facts = facts_with(lagrange_functions(set.nodes()).value(), certify(set, symmetric_radius()).value())};
+  return certified_record("symmetric", set, certify(set, symmetric_radius()).value());
+}
+
+BasisRecord certified_record(const std::string& family, const SymmetricNodes& set,
+                             const SymmetricCertificate& certificate) {
+  return {.family = family,
+          .alpha = std::nullopt,
+          .file = std::nullopt,
+          .space = std::nullopt,
+          .facts = facts_with(lagrange_functions(set.nodes()).value(), certificate)};
+}
+
+BasisRecord node_record(const std::string& family, const std::vector<Barycentric<Rational>>& nodes) {
+  return {.family = family,
+          .alpha = std::nullopt,
+          .file = std::nullopt,
+          .space = std::nullopt,
+          .facts = facts_of(nodes)};
 }
 
 BasisRecord basis_record(const std::string& name, const NodeFile& file) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "radcert/core/option_name.h"
 #include "radcert/formats/problem/node_file.h"
 #include "radcert/formats/result/basis_json.h"
+#include "radcert/polynomial/nodes/symmetric_certificate.h"
 #include "radcert/scalar/rational.h"
 
 namespace radcert::app {
@@ -18,6 +20,13 @@ namespace radcert::app {
 
 /// The same of a symmetric set. Requires a degree for which there is one.
 [[nodiscard]] BasisRecord symmetric_record(int degree);
+
+/// The same of other symmetric nodes, which are not decided but by their certificate, and of nodes that are
+/// what they are.
+[[nodiscard]] BasisRecord certified_record(const std::string& family, const SymmetricNodes& set,
+                                           const SymmetricCertificate& certificate);
+[[nodiscard]] BasisRecord node_record(const std::string& family,
+                                      const std::vector<Barycentric<Rational>>& nodes);
 
 /// The same of nodes of a user's own, by the name that messages have; InputError where they are not decided.
 [[nodiscard]] BasisRecord basis_record(const std::string& name, const NodeFile& file);

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "radcert/clusters/mode_products.h"
-#include "radcert/clusters/triangle_modes.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/clusters/vanishing.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/clusters/triangle_modes.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/kernel/geometric_kernel.h"
 
 namespace radcert {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "radcert/clusters/triangle_modes.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/contract.h"
 
 namespace radcert {

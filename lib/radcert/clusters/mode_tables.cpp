@@ -6,7 +6,7 @@
 #include <span>
 
 #include "radcert/clusters/interpolation_nodes.h"
-#include "radcert/clusters/triangle_modes.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/scalar/pack.h"
 

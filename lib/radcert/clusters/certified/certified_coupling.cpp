@@ -13,7 +13,7 @@
 #include "radcert/clusters/certified/interpolation_bounds.h"
 #include "radcert/clusters/mode_products.h"
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/clusters/triangle_modes.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/lazy_table.h"
 #include "radcert/core/parallel.h"
 #include "radcert/scalar/approximation.h"

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/clusters/triangle_modes.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/lagrange_basis.h"

@@ -12,7 +12,8 @@
 #include "radcert/core/matrix.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/polynomial/nodes/lattice.h"
-#include "radcert/scalar/dual.h"
+#include "radcert/polynomial/nodes/orbit_structure.h"
+#include "radcert/polynomial/nodes/symmetric_system.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {
@@ -21,141 +22,6 @@ namespace {
 // Sixty digits of the data, as many again for the inverse, and room for the cancellation in determinants.
 const WorkLimit working_bits("polynomial/symmetric_certificate: bits", 512, BallPrecision::smallest_bits,
                              "no certificate: the step that failed is named");
-
-// e_2^two e_3^three.
-struct Invariant {
-  int two;
-  int three;
-};
-
-std::vector<Invariant> invariants(int precision) {
-  std::vector<Invariant> list;
-  for (int two = 0; 2 * two <= precision; ++two)
-    for (int three = 0; 2 * two + 3 * three <= precision; ++three) list.push_back({two, three});
-  return list;
-}
-
-Rational factorial(int n) {
-  Rational product = 1;
-  for (int k = 2; k <= n; ++k) product *= k;
-  return product;
-}
-
-// Int_sigma e_2^i e_3^j, by the multinomial theorem and Int x_1^a x_2^b x_3^c = a! b! c!/(a + b + c + 2)!.
-Rational integral(const Invariant& f) {
-  Rational sum = 0;
-  for (int p = 0; p <= f.two; ++p)
-    for (int q = 0; p + q <= f.two; ++q) {
-      const int t = f.two - p - q;
-      const Rational terms = factorial(f.two) / (factorial(p) * factorial(q) * factorial(t));
-      sum += terms * factorial(p + t + f.three) * factorial(p + q + f.three) * factorial(q + t + f.three);
-    }
-  return sum / factorial(2 * f.two + 3 * f.three + 2);
-}
-
-// The weights and coordinates of an orbit; which of the coordinates are unknown.
-struct OrbitBox {
-  int size = 1;
-  bool is_held = false;
-  Ball weight;
-  Ball a;
-  Ball b;
-
-  std::vector<Ball*> unknowns() {
-    std::vector<Ball*> list{&weight};
-    if (size >= 3 && !is_held) list.push_back(&a);
-    if (size == 6) list.push_back(&b);
-    return list;
-  }
-  template <Field V>
-  std::array<V, 3> coordinates(const V& first, const V& second) const {
-    if (size == 1) return {V(1) / V(3), V(1) / V(3), V(1) / V(3)};
-    if (size == 3) return {V(1) - first - first, first, first};
-    return {first, second, V(1) - first - second};
-  }
-};
-
-using Box = std::vector<OrbitBox>;
-
-std::vector<Ball*> unknowns_of(Box& box) {
-  std::vector<Ball*> all;
-  for (OrbitBox& orbit : box)
-    for (Ball* unknown : orbit.unknowns()) all.push_back(unknown);
-  return all;
-}
-
-// F and F' on a box, each equation divided by its integral.
-struct Residuals {
-  std::vector<Ball> values;
-  Matrix<Ball> derivatives;
-};
-
-Residuals residuals(const Box& box, int precision, std::size_t unknowns) {
-  const std::vector<Invariant> list = invariants(precision);
-  Residuals out{.values = {}, .derivatives = Matrix<Ball>(list.size(), unknowns)};
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    const Ball scale = Ball(1 / integral(list[k]));
-    Ball sum(-1);
-    std::size_t place = 0;
-    for (const OrbitBox& orbit : box) {
-      const Dual<Ball> a(orbit.a, Ball(1), Ball(0));
-      const Dual<Ball> b(orbit.b, Ball(0), Ball(1));
-      const auto x = orbit.coordinates(a, b);
-      const Dual<Ball> e2 = x[0] * x[1] + x[1] * x[2] + x[2] * x[0];
-      const Dual<Ball> e3 = x[0] * x[1] * x[2];
-      const Dual<Ball> value = power(e2, list[k].two) * power(e3, list[k].three);
-      const Ball factor = scale * Ball(orbit.size);
-      sum += factor * orbit.weight * value.value;
-      out.derivatives(k, place++) = factor * value.value;
-      if (orbit.size >= 3 && !orbit.is_held) out.derivatives(k, place++) = factor * orbit.weight * value.by_s;
-      if (orbit.size == 6) out.derivatives(k, place++) = factor * orbit.weight * value.by_t;
-    }
-    out.values.push_back(sum);
-  }
-  return out;
-}
-
-std::size_t pivot_row(const Matrix<Ball>& a, std::size_t p) {
-  std::size_t best = p;
-  for (std::size_t i = p + 1; i < a.rows(); ++i)
-    if (certainly_less(abs(a(best, p)).midpoint(), abs(a(i, p)).midpoint())) best = i;
-  return best;
-}
-
-void exchange_rows(Matrix<Ball>& a, std::size_t i, std::size_t k) {
-  if (i == k) return;
-  for (std::size_t j = 0; j < a.columns(); ++j) swap(a(i, j), a(k, j));
-}
-
-// An approximate inverse of the midpoints, by Gauss and Jordan; nothing where a pivot vanishes.
-std::optional<Matrix<Ball>> approximate_inverse(Matrix<Ball> a) {
-  const std::size_t n = a.rows();
-  Matrix<Ball> inverse(n, n);
-  for (std::size_t i = 0; i < n; ++i) {
-    inverse(i, i) = Ball(1);
-    for (std::size_t j = 0; j < n; ++j) a(i, j) = a(i, j).midpoint();
-  }
-  for (std::size_t p = 0; p < n; ++p) {
-    const std::size_t row = pivot_row(a, p);
-    exchange_rows(a, p, row);
-    exchange_rows(inverse, p, row);
-    if (a(p, p).contains_zero()) return std::nullopt;
-    const Ball scale = reciprocal(a(p, p));
-    for (std::size_t j = 0; j < n; ++j) {
-      a(p, j) = (a(p, j) * scale).midpoint();
-      inverse(p, j) = (inverse(p, j) * scale).midpoint();
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      if (i == p) continue;
-      const Ball factor = a(i, p);
-      for (std::size_t j = 0; j < n; ++j) {
-        a(i, j) = (a(i, j) - factor * a(p, j)).midpoint();
-        inverse(i, j) = (inverse(i, j) - factor * inverse(p, j)).midpoint();
-      }
-    }
-  }
-  return inverse;
-}
 
 // The functions that the nodes are to determine: B_k of a degree, or those of a space.
 struct Functions {
@@ -239,13 +105,13 @@ Outcome<EnclosedPrecision> ends_at(const TriangleRule<Ball>& rule, Region region
 }
 
 // The nodes with the weights of their interpolatory rule, nearly; nothing where these cannot be found.
-std::optional<Box> start_of(const SymmetricNodes& nodes, const Functions& functions) {
+std::optional<SymmetricBox> start_of(const SymmetricNodes& nodes, const Functions& functions) {
   std::vector<Barycentric<Ball>> points;
   for (const Barycentric<Rational>& q : nodes.nodes())
     points.push_back({{Ball(q.x[0]), Ball(q.x[1]), Ball(q.x[2])}});
   const std::optional<Matrix<Ball>> inverse = approximate_inverse(matrix_of(functions, points));
   if (!inverse) return std::nullopt;
-  Box box;
+  SymmetricBox box;
   std::size_t place = 0;
   for (const SymmetricOrbit& orbit : nodes.orbits) {
     Ball weight(0);
@@ -262,7 +128,7 @@ std::optional<Box> start_of(const SymmetricNodes& nodes, const Functions& functi
   return box;
 }
 
-TriangleRule<Ball> rule_of(const Box& box) {
+TriangleRule<Ball> rule_of(const SymmetricBox& box) {
   TriangleRule<Ball> rule;
   for (const OrbitBox& orbit : box) {
     const std::array<Ball, 3> x = orbit.coordinates(orbit.a, orbit.b);
@@ -288,24 +154,24 @@ Outcome<SymmetricCertificate> certify(const SymmetricNodes& nodes, const Rationa
   const std::size_t count = functions.count();
   if (nodes.nodes().size() != count)
     return because(std::to_string(nodes.nodes().size()) + " nodes in place of " + std::to_string(count));
-  std::optional<Box> start = start_of(nodes, functions);
+  std::optional<SymmetricBox> start = start_of(nodes, functions);
   if (!start) return because("the nodes are not certainly unisolvent");
-  Box& centre = *start;
+  SymmetricBox& centre = *start;
   const std::vector<Ball*> at_centre = unknowns_of(centre);
   const std::size_t n = at_centre.size();
-  const std::size_t equations = invariants(nodes.precision).size();
+  const std::size_t equations = static_cast<std::size_t>(invariant_count(nodes.precision));
   if (n != equations)
     return because(std::to_string(n) + " unknowns for the " + std::to_string(equations) +
                    " invariant polynomials of degree <= " + std::to_string(nodes.precision));
-  Box box = centre;
+  SymmetricBox box = centre;
   const std::vector<Ball*> in_box = unknowns_of(box);
   const Ball half_width(radius);
   for (Ball* unknown : in_box) *unknown = widened(*unknown, half_width);
 
-  const Residuals at = residuals(centre, nodes.precision, n);
+  const SymmetricResiduals at = symmetric_residuals(centre, nodes.precision, n);
   const std::optional<Matrix<Ball>> inverse = approximate_inverse(at.derivatives);
   if (!inverse) return because("the derivative has no inverse at the nodes");
-  const Residuals over = residuals(box, nodes.precision, n);
+  const SymmetricResiduals over = symmetric_residuals(box, nodes.precision, n);
   for (std::size_t i = 0; i < n; ++i) {
     Ball shift(0);
     for (std::size_t k = 0; k < n; ++k) shift -= (*inverse)(i, k) * at.values[k];

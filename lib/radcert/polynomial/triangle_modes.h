@@ -11,7 +11,7 @@
 
 namespace radcert {
 
-/// The largest degree of the polynomials on a cluster.
+/// The largest degree of these polynomials.
 inline constexpr int largest_mode_degree = 22;
 
 /// The dimension of the polynomials of a degree in two variables.
@@ -27,7 +27,8 @@ constexpr std::size_t mode_count(int degree) {
 /// Requires  0 <= degree <= largest_mode_degree; mode_count(degree) places, else ContractViolation
 /// Result    out[m (m+1)/2 + i] = D_(i,m-i), so that the first mode_count(p) places hold those of degree <=
 ///           p; rounded
-/// Limits    R is double or long double; Ball or BoundedDouble where the polynomials are enclosed
+/// Limits    R is double or long double; Ball or BoundedDouble where the polynomials are enclosed; Dual where
+///           they are differentiated
 template <class R>
 void triangle_modes(int degree, const Barycentric<R>& x, std::span<R> out) {
   using std::sqrt;
@@ -35,9 +36,9 @@ void triangle_modes(int degree, const Barycentric<R>& x, std::span<R> out) {
   expects(out.size() >= mode_count(degree), "a place a polynomial", named("places", out.size()));
   const R s = x.x[0] + x.x[1];
   const R d = x.x[1] - x.x[0];
-  const R b = 2 * x.x[2] - 1;
+  const R b = R(2) * x.x[2] - R(1);
   std::array<R, largest_mode_degree + 2> legendre{};
-  legendre[0] = 1;
+  legendre[0] = R(1);
   legendre[1] = d;
   for (int i = 1; i < degree; ++i)
     legendre[static_cast<std::size_t>(i) + 1] = (R(2 * i + 1) * d * legendre[static_cast<std::size_t>(i)] -
@@ -45,17 +46,18 @@ void triangle_modes(int degree, const Barycentric<R>& x, std::span<R> out) {
                                                 R(i + 1);
   for (int i = 0; i <= degree; ++i) {
     const R a = R(2 * i + 1);
-    R before = 0;
-    R now = 1;
+    R before = R(0);
+    R now = R(1);
     for (int j = 0; i + j <= degree; ++j) {
       const auto m = static_cast<std::size_t>(i + j);
       out[m * (m + 1) / 2 + static_cast<std::size_t>(i)] =
           sqrt(R((2 * i + 1) * (i + j + 1))) * legendre[static_cast<std::size_t>(i)] * now;
       const R n = R(j);
-      const R next = j == 0 ? ((a + 2) * b + a) / 2
-                            : ((2 * n + a + 1) * (a * a + (2 * n + a) * (2 * n + a + 2) * b) * now -
-                               2 * (n + a) * n * (2 * n + a + 2) * before) /
-                                  (2 * (n + 1) * (n + a + 1) * (2 * n + a));
+      const R next =
+          j == 0 ? ((a + R(2)) * b + a) / R(2)
+                 : ((R(2) * n + a + R(1)) * (a * a + (R(2) * n + a) * (R(2) * n + a + R(2)) * b) * now -
+                    R(2) * (n + a) * n * (R(2) * n + a + R(2)) * before) /
+                       (R(2) * (n + R(1)) * (n + a + R(1)) * (R(2) * n + a));
       before = now;
       now = next;
     }

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/polynomial/nodes/symmetric_search.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/core/contract.h"
+#include "radcert/core/parallel.h"
+#include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/polynomial/nodes/orbit_structure.h"
+#include "radcert/polynomial/nodes/symmetric_system.h"
+#include "radcert/polynomial/triangle_modes.h"
+#include "radcert/scalar/dual.h"
+
+namespace radcert {
+
+namespace {
+
+constexpr double least_distance = 1e-3;  // of nodes from the border, in barycentric coordinates
+constexpr double least_weight = 1e-3;    // of the mean, where weights have to be positive
+constexpr double solved = 1e-24;         // the sum of the squares of what is missed
+constexpr int most_iterations = 80;
+constexpr std::size_t batch = 32;  // starts between two questions whether to go on
+constexpr std::size_t kept = 24;   // solutions from which small steps go on
+constexpr int lattice = 40;
+// Newton's method works with as many bits as certify, of which 60 digits are kept.
+constexpr long bits = 512;
+constexpr int digits = 62;
+constexpr int digits_of_free_nodes = 12;
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+/// Orbits in double: one weight an orbit, a for each of three, a and b for each of six.
+struct Candidate {
+  Vector weights;
+  Vector coordinates;
+  double missed = std::numeric_limits<double>::infinity();  ///< the sum of squares
+  double norm = std::numeric_limits<double>::infinity();
+};
+
+/// A uniform number in (0, 1), the same on every machine.
+double uniform(std::mt19937_64& random) { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; }
+
+class Search {
+public:
+  explicit Search(const SymmetricGoal& goal) : goal_(goal), structure_(orbit_structure(goal.degree)) {
+    sizes_.insert(sizes_.end(), static_cast<std::size_t>(structure_.ones), 1);
+    sizes_.insert(sizes_.end(), static_cast<std::size_t>(structure_.threes), 3);
+    sizes_.insert(sizes_.end(), static_cast<std::size_t>(structure_.sixes), 6);
+    for (const auto& [i, j, k] : lattice_indices(lattice))
+      if (i >= j && j >= k)  // one of six
+        lattice_.push_back({{1.0 * i / lattice, 1.0 * j / lattice, 1.0 * k / lattice}});
+  }
+
+  /// The solution to which the iteration comes from a random start, if it comes to one.
+  [[nodiscard]] std::optional<Candidate> from_start(std::uint64_t seed) const {
+    std::mt19937_64 random(seed);
+    Candidate start;
+    start.weights = Vector::Constant(structure_.orbits(), 1.0 / node_count());
+    start.coordinates.resize(structure_.coordinates());
+    for (int k = 0; k < structure_.threes; ++k) start.coordinates[k] = 0.5 * uniform(random);
+    for (int k = structure_.threes; k < structure_.coordinates(); k += 2) {
+      // The lengths of the parts of (0, 1) at two random points are uniform on the triangle.
+      const auto [low, high] = std::minmax({uniform(random), uniform(random)});
+      start.coordinates[k] = low;
+      start.coordinates[k + 1] = high - low;
+    }
+    return solution(std::move(start));
+  }
+
+  /// Random steps from a solution, while they lead to a lesser norm: longer ones after each that does,
+  /// shorter ones after each that does not, so that about one in six does.
+  [[nodiscard]] Candidate improved(Candidate best, int steps, std::uint64_t seed) const {
+    std::mt19937_64 random(seed);
+    double size = 0.02;
+    for (int k = 0; k < steps && size > 1e-6; ++k) {
+      Candidate next = best;
+      for (double& x : next.coordinates) x += size * (2 * uniform(random) - 1);
+      std::optional<Candidate> found = solution(std::move(next));
+      const bool is_better = found && found->norm < best.norm;
+      size *= is_better ? 1.5 : 0.92;
+      if (is_better) best = *std::move(found);
+    }
+    return best;
+  }
+
+  /// With the free numbers held, to 60 digits; nothing where Newton's method does not come to them.
+  [[nodiscard]] std::optional<SymmetricNodes> sharpened(const Candidate& candidate) const {
+    SymmetricNodes out{.degree = goal_.degree, .precision = goal_.precision, .orbits = {}};
+    const std::vector<bool> held = numbers_to_hold(candidate);
+    SymmetricBox box;
+    const BallPrecision scope(bits);
+    Eigen::Index place = 0;
+    for (std::size_t k = 0; k < sizes_.size(); ++k) {
+      OrbitBox orbit{.size = sizes_[k],
+                     .is_held = held[k],
+                     // Of a rule for integrals, not means: the triangle has the area 1/2.
+                     .weight = Ball(candidate.weights[static_cast<Eigen::Index>(k)] / 2),
+                     .a = Ball(0),
+                     .b = Ball(0)};
+      if (sizes_[k] >= 3) orbit.a = Ball(candidate.coordinates[place++]);
+      if (sizes_[k] == 6) orbit.b = Ball(candidate.coordinates[place++]);
+      if (held[k]) orbit.a = Ball(Rational::exactly(std::round(orbit.a.to_double() * 1e6)) / 1'000'000);
+      box.push_back(orbit);
+    }
+    if (goal_.precision > goal_.degree && !refine(box)) return std::nullopt;
+    for (const OrbitBox& orbit : box)
+      out.orbits.push_back({.size = orbit.size,
+                            .a = orbit.size >= 3 ? decimal(orbit.a) : Rational(),
+                            .b = orbit.size == 6 ? decimal(orbit.b) : Rational(),
+                            .is_held = orbit.is_held});
+    return out;
+  }
+
+  /// The largest sum |l_j| on a lattice.
+  [[nodiscard]] double norm(const SymmetricNodes& symmetric) const {
+    std::vector<Barycentric<double>> nodes;
+    for (const Barycentric<Rational>& q : symmetric.nodes())
+      nodes.push_back({{q.x[0].to_double(), q.x[1].to_double(), q.x[2].to_double()}});
+    return norm(nodes);
+  }
+
+private:
+  using Node = Barycentric<Dual<double>>;
+
+  [[nodiscard]] double node_count() const {
+    return structure_.ones + 3 * structure_.threes + 6 * structure_.sixes;
+  }
+
+  /// The nodes, with their derivatives by the coordinates of their orbits.
+  [[nodiscard]] std::vector<Node> nodes(const Vector& coordinates) const {
+    std::vector<Node> out;
+    Eigen::Index place = 0;
+    for (const int size : sizes_) {
+      Dual<double> a(1.0 / 3, 0.0, 0.0);
+      Dual<double> b = a;
+      if (size >= 3) a = b = Dual<double>(coordinates[place++], 1.0, 0.0);
+      if (size == 6) b = Dual<double>(coordinates[place++], 0.0, 1.0);
+      const std::array<Dual<double>, 3> x = size == 6 ? std::array{a, b, Dual<double>(1.0) - a - b}
+                                                      : std::array{Dual<double>(1.0) - a - b, a, b};
+      for (const auto& p : symmetric_places(size)) out.push_back({{x[p[0]], x[p[1]], x[p[2]]}});
+    }
+    return out;
+  }
+
+  /// What is missed, and its derivatives by weights and coordinates. Polynomials that change their sign when
+  /// x_1 and x_2 are exchanged are integrated exactly by every symmetric rule, and left out.
+  void evaluate(const Candidate& at, Vector& missed, Matrix& derivatives) const {
+    const int precision = goal_.precision;
+    std::vector<std::size_t> rows;
+    for (int m = 0; m <= precision; ++m)
+      for (int i = 0; i <= m; i += 2) rows.push_back(static_cast<std::size_t>(m * (m + 1) / 2 + i));
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    derivatives.setZero(count, structure_.orbits() + structure_.coordinates());
+    missed.setZero(count);
+    missed[0] = -1;
+    std::vector<Dual<double>> modes(mode_count(precision));
+    const std::vector<Node> all = nodes(at.coordinates);
+    std::size_t node = 0;
+    Eigen::Index place = structure_.orbits();
+    for (std::size_t k = 0; k < sizes_.size(); ++k) {
+      const auto orbit = static_cast<Eigen::Index>(k);
+      const double weight = at.weights[orbit];
+      for (int i = 0; i < sizes_[k]; ++i) {
+        triangle_modes<Dual<double>>(precision, all[node++], modes);
+        for (Eigen::Index row = 0; row < count; ++row) {
+          const Dual<double>& mode = modes[rows[static_cast<std::size_t>(row)]];
+          missed[row] += weight * mode.value;
+          derivatives(row, orbit) += mode.value;
+          if (sizes_[k] >= 3) derivatives(row, place) += weight * mode.by_s;
+          if (sizes_[k] == 6) derivatives(row, place + 1) += weight * mode.by_t;
+        }
+      }
+      place += sizes_[k] == 1 ? 0 : sizes_[k] == 3 ? 1 : 2;
+    }
+  }
+
+  /// Levenberg's and Marquardt's iteration; a solution as the goal wants it, with its norm.
+  [[nodiscard]] std::optional<Candidate> solution(Candidate at) const {
+    Vector missed;
+    Matrix derivatives;
+    evaluate(at, missed, derivatives);
+    at.missed = missed.squaredNorm();
+    double damping = 1e-2;
+    const Eigen::Index unknowns = derivatives.cols();
+    for (int k = 0; k < most_iterations && at.missed > solved; ++k) {
+      bool descends = false;
+      for (int trial = 0; trial < 8 && !descends; ++trial) {
+        Matrix system(derivatives.rows() + unknowns, unknowns);
+        system << derivatives, std::sqrt(damping) * Matrix::Identity(unknowns, unknowns);
+        Vector right = Vector::Zero(system.rows());
+        right.head(missed.size()) = -missed;
+        const Vector step = system.householderQr().solve(right);
+        Candidate next = at;
+        next.weights += step.head(structure_.orbits());
+        next.coordinates += step.tail(structure_.coordinates());
+        Vector missed_there;
+        Matrix derivatives_there;
+        evaluate(next, missed_there, derivatives_there);
+        next.missed = missed_there.squaredNorm();
+        descends = next.missed < at.missed;
+        if (descends) {
+          at = std::move(next);
+          missed = std::move(missed_there);
+          derivatives = std::move(derivatives_there);
+        } else {
+          damping *= 4;
+        }
+      }
+      if (!descends) break;
+      damping = std::max(damping / 5, 1e-14);
+    }
+    if (!(at.missed <= solved)) return std::nullopt;
+    if (goal_.positive && at.weights.minCoeff() < least_weight / node_count()) return std::nullopt;
+    std::vector<Barycentric<double>> points;
+    for (const Node& node : nodes(at.coordinates)) {
+      points.push_back({{node.x[0].value, node.x[1].value, node.x[2].value}});
+      if (*std::min_element(points.back().x.begin(), points.back().x.end()) < least_distance)
+        return std::nullopt;
+    }
+    at.norm = norm(points);
+    if (!std::isfinite(at.norm)) return std::nullopt;
+    return at;
+  }
+
+  [[nodiscard]] double norm(const std::vector<Barycentric<double>>& points) const {
+    const auto count = static_cast<Eigen::Index>(points.size());
+    std::vector<double> modes(mode_count(goal_.degree));
+    const auto values = [&](const Barycentric<double>& x) {
+      triangle_modes<double>(goal_.degree, x, modes);
+      return Eigen::Map<const Vector>(modes.data(), count);
+    };
+    Matrix at_nodes(count, count);
+    for (Eigen::Index j = 0; j < count; ++j) at_nodes.col(j) = values(points[static_cast<std::size_t>(j)]);
+    Matrix on_lattice(count, static_cast<Eigen::Index>(lattice_.size()));
+    for (std::size_t k = 0; k < lattice_.size(); ++k)
+      on_lattice.col(static_cast<Eigen::Index>(k)) = values(lattice_[k]);
+    return Matrix(at_nodes.partialPivLu().solve(on_lattice)).cwiseAbs().colwise().sum().maxCoeff();
+  }
+
+  /// For each orbit whether its a is held: what remains is to determine the others as well as can be.
+  [[nodiscard]] std::vector<bool> numbers_to_hold(const Candidate& at) const {
+    std::vector<bool> held(sizes_.size(), false);
+    if (goal_.precision == goal_.degree) return held;
+    Vector missed;
+    Matrix derivatives;
+    evaluate(at, missed, derivatives);
+    std::vector<Eigen::Index> columns;
+    for (Eigen::Index k = 0; k < derivatives.cols(); ++k) columns.push_back(k);
+    const auto equations = static_cast<std::size_t>(invariant_count(goal_.precision));
+    while (columns.size() > equations) {
+      double best = -1;
+      std::size_t chosen = 0;
+      Eigen::Index place = structure_.orbits();
+      for (std::size_t k = 0; k < sizes_.size(); ++k) {
+        if (sizes_[k] == 1) continue;
+        if (!held[k]) {
+          std::vector<Eigen::Index> rest = columns;
+          rest.erase(std::find(rest.begin(), rest.end(), place));
+          const Vector singular = Eigen::JacobiSVD<Matrix>(derivatives(Eigen::all, rest)).singularValues();
+          const double least =
+              singular[std::min<Eigen::Index>(singular.size(), static_cast<Eigen::Index>(equations)) - 1];
+          if (least > best) {
+            best = least;
+            chosen = k;
+          }
+        }
+        place += sizes_[k] == 3 ? 1 : 2;
+      }
+      held[chosen] = true;
+      Eigen::Index column = structure_.orbits();
+      for (std::size_t k = 0; k < chosen; ++k) column += sizes_[k] == 1 ? 0 : sizes_[k] == 3 ? 1 : 2;
+      columns.erase(std::find(columns.begin(), columns.end(), column));
+    }
+    return held;
+  }
+
+  /// Newton's method in balls, whose radii are dropped at each step.
+  [[nodiscard]] bool refine(SymmetricBox& box) const {
+    const std::vector<Ball*> unknowns = unknowns_of(box);
+    double last = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 12; ++k) {
+      const SymmetricResiduals at = symmetric_residuals(box, goal_.precision, unknowns.size());
+      const std::optional<radcert::Matrix<Ball>> inverse = approximate_inverse(at.derivatives);
+      if (!inverse) return false;
+      double largest = 0;
+      for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        Ball step(0);
+        for (std::size_t j = 0; j < unknowns.size(); ++j) step -= (*inverse)(i, j) * at.values[j];
+        *unknowns[i] = (*unknowns[i] + step).midpoint();
+        largest = std::max(largest, std::abs(step.midpoint().to_double()));
+      }
+      if (!(largest < 1)) return false;
+      if (largest < 1e-100) return true;
+      last = largest;
+    }
+    return last < 1e-70;
+  }
+
+  /// The nearest decimal.
+  [[nodiscard]] Rational decimal(const Ball& x) const {
+    const int places = goal_.precision == goal_.degree ? digits_of_free_nodes : digits;
+    const BallDecimal nearest = x.decimal(places);
+    return Rational::parse(nearest.midpoint).value();
+  }
+
+  SymmetricGoal goal_;
+  OrbitStructure structure_;
+  std::vector<int> sizes_;
+  std::vector<Barycentric<double>> lattice_;
+};
+
+}  // namespace
+
+std::optional<std::string> hindrance(const SymmetricGoal& goal) {
+  expects(goal.degree >= 1 && goal.precision >= goal.degree, "1 <= degree <= precision",
+          named("degree", goal.degree), named("precision", goal.precision));
+  if (goal.precision == goal.degree) return std::nullopt;
+  const OrbitStructure structure = orbit_structure(goal.degree);
+  const int numbers = structure.orbits() + structure.coordinates();
+  const int equations = invariant_count(goal.precision);
+  const std::string counts = "a rule at symmetric nodes of degree " + std::to_string(goal.degree) + " has " +
+                             std::to_string(numbers) + " numbers, weights and coordinates, for " +
+                             std::to_string(equations) + " equations";
+  if (equations > numbers)
+    return counts + ": solutions, if there are any, are no zeros that Krawczyk's test proves";
+  if (numbers - equations > structure.threes + structure.sixes)
+    return counts + ": more numbers would have to be held than there are orbits";
+  return std::nullopt;
+}
+
+int precision_for_orders(int degree) {
+  const int largest = largest_regular_precision(degree);
+  for (int precision = degree + 3; precision < largest; ++precision)
+    if (!hindrance({.degree = degree, .precision = precision})) return precision;
+  return largest;
+}
+
+SearchResult search_symmetric_nodes(const SymmetricGoal& goal, const SearchEffort& effort,
+                                    const std::function<bool(const SearchResult&)>& goes_on) {
+  const std::optional<std::string> why_not = hindrance(goal);
+  expects(!why_not, "a goal that can be looked for", named("precision", goal.precision));
+  expects(effort.starts >= 1 && effort.starts <= most_search_starts, "a number of starts that is admitted",
+          named("starts", effort.starts));
+  expects(effort.steps >= 0, "a number of steps", named("steps", effort.steps));
+  const Search search(goal);
+  SearchResult result;
+  std::vector<Candidate> best;  // by their norms
+  const auto look_at_best = [&] {
+    for (const Candidate& candidate : best)
+      if (std::optional<SymmetricNodes> nodes = search.sharpened(candidate)) {
+        const double norm = search.norm(*nodes);
+        if (!result.best || norm < result.best->norm)
+          result.best = SoughtNodes{.nodes = *std::move(nodes), .norm = norm};
+        return;
+      }
+  };
+  const auto by_norm = [](const Candidate& a, const Candidate& b) { return a.norm < b.norm; };
+  bool on = true;
+  while (on && result.starts < effort.starts) {
+    const auto count = std::min(batch, static_cast<std::size_t>(effort.starts - result.starts));
+    std::vector<std::optional<Candidate>> found(count);
+    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        found[k] = search.from_start(effort.seed + static_cast<std::uint64_t>(result.starts) + k);
+    });
+    result.starts += static_cast<int>(count);
+    for (std::optional<Candidate>& one : found)
+      if (one) {
+        ++result.solutions;
+        best.push_back(*std::move(one));
+      }
+    std::stable_sort(best.begin(), best.end(), by_norm);
+    if (best.size() > kept) best.resize(kept);
+    look_at_best();
+    on = goes_on(result);
+  }
+  if (on && !best.empty()) {
+    parallel_for(best.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k)
+        best[k] = search.improved(std::move(best[k]), effort.steps, effort.seed + k);
+    });
+    std::stable_sort(best.begin(), best.end(), by_norm);
+    look_at_best();
+    goes_on(result);
+  }
+  return result;
+}
+
+}  // namespace radcert

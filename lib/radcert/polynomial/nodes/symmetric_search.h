@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
+
+namespace radcert {
+
+/// Which symmetric nodes to look for.
+struct SymmetricGoal {
+  int degree = 0;         ///< r, of the functions
+  int precision = 0;      ///< of the rule at the nodes, on the triangle
+  bool positive = false;  ///< whether its weights have to be
+};
+
+/// Why a goal is none that can be looked for; empty where it is one.
+/// Maths     precision = degree, or not above largest_regular_precision, and as many numbers to be held as
+///           there are orbits with a coordinate at most: see SymmetricOrbit
+/// Requires  degree >= 1, precision >= degree
+[[nodiscard]] std::optional<std::string> hindrance(const SymmetricGoal& goal);
+
+/// The least degree of precision from which on the orders of convergence do not grow any more, for which
+/// there are goals without a hindrance; largest_regular_precision where that is less.
+/// Source    predicted_orders: r + 3, on triangle and parallelogram
+[[nodiscard]] int precision_for_orders(int degree);
+
+/// How much is tried.
+struct SearchEffort {
+  int starts = 256;
+  int steps = 600;  ///< random ones from each of the best solutions
+  std::uint64_t seed = 1;
+};
+inline constexpr int most_search_starts = 1'000'000;
+
+/// Symmetric nodes as a search leaves them.
+/// Result    nodes: to 60 digits, of which certify decides; norm: the largest value of sum |l_j| at points of
+///           a lattice, in double
+struct SoughtNodes {
+  SymmetricNodes nodes;
+  double norm = 0;
+};
+
+/// What a search looked at.
+struct SearchResult {
+  std::optional<SoughtNodes> best;
+  int starts = 0;     ///< that were tried
+  int solutions = 0;  ///< to which the iteration came, with nodes inside, and weights as the goal wants them
+};
+
+/// Looks for symmetric nodes inside the triangle, of the least norm of interpolation, whose interpolatory
+/// rule has a degree of precision.
+/// Maths     unknowns: one weight an orbit of orbit_structure, and its coordinates; equations: the means of
+///           the orthonormal polynomials up to the precision. Levenberg's and Marquardt's iteration from
+///           random points of the triangle; then small random steps from the best solutions, each followed by
+///           the iteration again, while the norm falls. The numbers that the equations leave free are held at
+///           six digits where the derivative with the rest is best conditioned, and Newton's method in balls
+///           gives the digits of the rest
+/// Source    Xiao and Gimbutas 2010 and Witherden and Vincent 2015 for rules alone; here the number of nodes
+///           is that of the functions
+/// Requires  no hindrance; starts from 1 to most_search_starts, else ContractViolation. `goes_on` is asked
+///           after each batch of starts and of steps, with what was found so far
+/// Result    the same for any number of threads; where goes_on said no, what was found until then
+/// Limits    proves nothing: what is not found may exist, see certify for what is. Nodes nearer than 1/1000
+///           to the border, in barycentric coordinates, are left out, and where weights have to be positive
+///           those below 1/1000 of their mean
+[[nodiscard]] SearchResult search_symmetric_nodes(const SymmetricGoal& goal, const SearchEffort& effort,
+                                                  const std::function<bool(const SearchResult&)>& goes_on);
+
+}  // namespace radcert
