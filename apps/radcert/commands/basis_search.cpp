@@ -126,7 +126,7 @@ std::optional<SearchedBasis> searched_basis(const Common& common, const BasisSea
   const SymmetricNodes& nodes = found.best->nodes;
   SearchedBasis out;
   if (goal.precision == goal.degree) {
-    // Nothing but unisolvence is asked of them: the decimals are the nodes, and what is said of them is exact.
+    // Nothing but unisolvence is asked: the decimals are the nodes, and what is said of them is exact.
     out.nodes = nodes_json(nodes.degree, nodes.nodes());
     out.record = node_record("search", nodes.nodes());
   } else {
