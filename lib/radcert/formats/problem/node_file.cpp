@@ -17,6 +17,7 @@
 #include "radcert/formats/problem/polynomial_expression.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/real_zeros.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/real.h"
 
 namespace radcert {
@@ -178,8 +179,10 @@ Node read_node(const JsonReader& node, const Numbers& numbers) {
   }
   const Rational sum = out.near.x[0] + out.near.x[1] + out.near.x[2];
   if (sign_at(node, numbers, out.exact[0] + out.exact[1] + out.exact[2] - Rational(1)) != 0)
-    node.refuse("has the sum " + exact_text(sum) + (numbers.field.size() > 0 ? ", nearly" : ""),
-                "coordinates with the exact sum 1, such as [\"0.1\", \"0.2\", \"0.7\"]");
+    node.refuse(
+        "has the sum " + (numbers.field.size() > 0 ? nearest_text(sum, DecimalForm::general(17)) + ", nearly"
+                                                   : exact_text(sum)),
+        "coordinates with the exact sum 1, such as [\"0.1\", \"0.2\", \"0.7\"]");
   // The roundings of the three may not have the sum 0.
   *std::max_element(out.near.x.begin(), out.near.x.end()) += 1 - sum;
   return out;

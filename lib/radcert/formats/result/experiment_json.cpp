@@ -49,8 +49,11 @@ JsonValue choice_json(const Combination& combination) {
   return out;
 }
 
+/// Without commas, as columns of a CSV have it.
 std::string words_of(const Problem& problem, const std::string& key) {
-  return listed(part_words(problem, key));
+  std::string out;
+  for (const std::string& word : part_words(problem, key)) out += (out.empty() ? "" : "; ") + word;
+  return out;
 }
 
 /// An expression as it is, several as JSON.
