@@ -48,6 +48,37 @@ TEST(FacetScene, KeepsAnLShapeInConvexParts) {
   EXPECT_EQ(corners, 12U);
 }
 
+TEST(FacetScene, TakesOneSideOfAPlateWhateverItsNeighboursAre) {
+  // A plate with two sides above a face that has one, in its plane: the one side of the plate goes on in the
+  // face, the other does not, and what hides must not count twice.
+  const auto rectangle = [](double low, double high, bool turned) {
+    sample::Quadrangle out{Vector<double>{0, 0, low}, {1, 0, low}, {1, 0, high}, {0, 0, high}};
+    if (turned) out = {out[0], out[3], out[2], out[1]};
+    return out;
+  };
+  const sample::Quadrangle before{Vector<double>{0, -2, 0}, {1, -2, 0}, {1, -2, 1}, {0, -2, 1}};
+  const sample::Quadrangle behind{Vector<double>{0, 2, 0}, {0, 2, 1}, {1, 2, 1}, {1, 2, 0}};
+  for (const bool back_first : {false, true})
+    for (const bool turned : {false, true}) {
+      std::vector<sample::Quadrangle> faces{before, behind, rectangle(0, 1, turned)};
+      faces.push_back(rectangle(1, 2, back_first));
+      TriangleMesh mesh = sample::mesh_of(faces);
+      for (std::size_t t = 6; t < 8; ++t) {  // the plate's other side, of the same triangles
+        const VertexTriple front = mesh.triangles[t];
+        mesh.triangles.push_back({front[0], front[2], front[1]});
+        mesh.group.push_back(0);
+        mesh.face.push_back(4);
+      }
+      const FacetScene scene(mesh);
+      double area = 0;
+      for (const ConvexOccluder& occluder : scene.occluders()) {
+        EXPECT_EQ(occluder.plane, scene.scene().plane(4));
+        area += norm(vector_area(occluder.corners));
+      }
+      EXPECT_EQ(area, 2);
+    }
+}
+
 TEST(FacetScene, KeepsBodiesApartThatHaveFacesInOnePlane) {
   const FacetScene scene(sample::room_with_two_boxes());
   ASSERT_EQ(scene.occluders().size(), 12U);

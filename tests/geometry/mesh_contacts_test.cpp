@@ -296,6 +296,83 @@ TEST(MeshContacts, LeavePlatesAndMeshesWithoutContactsAsTheyAre) {
   EXPECT_FALSE(uncovered(mesh)->contacts.empty());
 }
 
+/// Adds a triangle with its corners in this order as a group.
+void add_triangle(TriangleMesh& mesh, const std::string& name, const std::array<Vector<double>, 3>& corners) {
+  const std::size_t first = mesh.vertices.size();
+  mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+  mesh.group_names.push_back(name);
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.group.push_back(mesh.group_names.size() - 1);
+  mesh.face.push_back(mesh.triangles.size() - 1);
+}
+
+TEST(MeshContacts, CutFacesAlongTheSidesThatStandOnThem) {
+  // A gable across the floor's diagonal, by one side; and a tip, which is no side.
+  TriangleMesh mesh;
+  add_box(mesh, "room", {0, 0, 0}, {4, 4, 3}, true);
+  add_triangle(mesh, "gable", {{{1, 0.5, 0}, {2.5, 3, 0}, {2, 2, 2}}});
+  TriangleMesh tip = mesh;
+  const Outcome<UncoveredMesh> found = uncovered(mesh);
+  ASSERT_TRUE(found) << found.reason();
+  EXPECT_TRUE(found->contacts.empty());
+  EXPECT_EQ(found->cut, 2U);
+  EXPECT_FALSE(found->is_as_it_was());
+  EXPECT_NEAR(area(found->mesh, "room"), area(mesh, "room"), 1e-12);
+  EXPECT_TRUE(mesh_defects(found->mesh).crossing.empty());
+  // Three triangles meet along the gable's side, the floor's being cut along it, and no diagonal is kept.
+  const MeshTopology topology = mesh_topology(found->mesh);
+  EXPECT_EQ(topology.crowded_edges.size(), 1U);
+  EXPECT_EQ(topology.open_edges.size(), 2U);
+  EXPECT_EQ(found->mesh.triangles.size(), 10U + 1 + 6);
+  // A side that lies on the floor's diagonal, as joined_sides would make it: no face is cut along it.
+  TriangleMesh along = tip;
+  along.vertices[along.vertices.size() - 3] = {1, 1, 0};
+  along.vertices[along.vertices.size() - 2] = {2, 2, 0};
+  EXPECT_TRUE(uncovered(along)->is_as_it_was());
+  tip.vertices[tip.vertices.size() - 1] = {2, 2, 0.5};
+  tip.vertices[tip.vertices.size() - 3] = {1, 0.5, 2};
+  EXPECT_TRUE(uncovered(tip)->is_as_it_was());
+}
+
+TEST(MeshContacts, CutAFaceThatABodyCoversAndAWallStandsOnOnce) {
+  TriangleMesh mesh;
+  add_box(mesh, "room", {0, 0, 0}, {4, 4, 3}, true);
+  add_box(mesh, "box", {0.5, 0.5, 0}, {1.5, 1.5, 1});
+  add_triangle(mesh, "wall", {{{1.5, 1, 0}, {3, 1, 0}, {1.5, 1, 0.5}}});  // from the box on
+  const Outcome<UncoveredMesh> found = uncovered(mesh);
+  ASSERT_TRUE(found) << found.reason();
+  ASSERT_EQ(found->contacts.size(), 1U);
+  EXPECT_NEAR(found->contacts[0].area, 1, 1e-12);
+  EXPECT_NEAR(area(found->mesh, "room"), area(mesh, "room") - 1, 1e-12);
+  EXPECT_NEAR(area(found->mesh, "box"), 5, 1e-12);
+  EXPECT_TRUE(mesh_defects(found->mesh).crossing.empty());
+}
+
+TEST(MeshContacts, LeaveFacesThatOverlapAndLookTheSameWay) {
+  // A sheet under a box in the open, both front down, and a flag that hangs from where they meet: one of the
+  // two would be gone there.
+  TriangleMesh mesh;
+  add_sheet(mesh, "sheet", 0, 4, 1, false);
+  add_box(mesh, "box", {1, 1, 1}, {2, 2, 2});
+  add_triangle(mesh, "flag", {{{1.25, 1.5, 1}, {1.75, 1.25, 1}, {1.5, 1.5, 0}}});
+  const Outcome<UncoveredMesh> found = uncovered(mesh);
+  ASSERT_TRUE(found) << found.reason();
+  EXPECT_NEAR(area(found->mesh, "sheet"), 16, 1e-12);
+  EXPECT_NEAR(area(found->mesh, "box"), 6, 1e-12);
+}
+
+TEST(MeshContacts, LeaveFacesWhereSidesThatStandOnThemCrossAtNoDoubles) {
+  // They cross where x = 17/14: nothing is cut, and the mesh is left to be refused for what touches.
+  TriangleMesh mesh;
+  add_box(mesh, "room", {0, 0, 0}, {4, 4, 3}, true);
+  add_triangle(mesh, "one", {{{1, 1.5, 0}, {2, 2.5, 0}, {1, 1, 1}}});
+  add_triangle(mesh, "other", {{{1, 2.25, 0}, {1.5, 1, 0}, {1, 2, 1}}});
+  const Outcome<UncoveredMesh> found = uncovered(mesh);
+  ASSERT_TRUE(found) << found.reason();
+  EXPECT_TRUE(found->is_as_it_was());
+  EXPECT_EQ(found->mesh.triangles, mesh.triangles);
+}
+
 TEST(MeshContacts, RefuseCornersThatNoDoublesHold) {
   TriangleMesh mesh;
   add_box(mesh, "table", {0, 0, 0}, {3, 3, 1});

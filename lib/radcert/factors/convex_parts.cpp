@@ -161,7 +161,7 @@ std::vector<ConvexPart> convex_parts(const Scene& scene, const std::vector<std::
   std::vector<ConvexPart> out;
   for (Loop& loop : joined_parts(joiner, std::move(loops))) {
     const std::size_t triangle = owner.at({loop[0], loop[1]});
-    out.push_back({.corners = joiner.corners(loop), .vertices = std::move(loop), .triangle = triangle});
+    out.push_back({.corners = joiner.corners(loop), .triangle = triangle});
   }
   return out;
 }

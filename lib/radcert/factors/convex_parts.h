@@ -11,9 +11,8 @@ namespace radcert {
 
 /// A convex polygon that triangles of one plane make up.
 struct ConvexPart {
-  FacetCorners corners;  ///< counterclockwise as seen from the front, no three in a row on a line
-  std::vector<std::size_t> vertices;  ///< of its border, those between corners too
-  std::size_t triangle = 0;           ///< one of its own
+  FacetCorners corners;      ///< counterclockwise as seen from the front, no three in a row on a line
+  std::size_t triangle = 0;  ///< one of its own
 };
 
 /// Triangles of one plane, joined along their common sides while their union stays convex.

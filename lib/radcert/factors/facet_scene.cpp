@@ -172,14 +172,17 @@ FacetCorners FacetScene::facet(std::size_t triangle) const {
 void FacetScene::find_occluders() {
   const PlaneClasses classes = plane_classes(scene_.mesh());
   std::vector<std::vector<std::size_t>> members(classes.count());
-  for (std::size_t t = 0; t < facet_count(); ++t) members[classes.of_triangle[t]].push_back(t);
-  std::set<std::vector<std::size_t>> shapes;
+  // Of the two sides of a plate one: occluders of one plane must not overlap, and the other side may have
+  // other neighbours to be joined with.
+  std::set<VertexTriple> known;
+  for (std::size_t t = 0; t < facet_count(); ++t) {
+    VertexTriple corners = scene_.vertices(t);
+    std::sort(corners.begin(), corners.end());
+    if (known.insert(corners).second) members[classes.of_triangle[t]].push_back(t);
+  }
   for (const std::vector<std::size_t>& triangles : members) {
-    if (sides(scene_.corners(triangles.front()), scene_.mesh().vertices) != 3U) continue;
+    if (triangles.empty() || sides(scene_.corners(triangles.front()), scene_.mesh().vertices) != 3U) continue;
     for (ConvexPart& part : convex_parts(scene_, triangles)) {
-      // Both sides of a plate are one occluder.
-      std::sort(part.vertices.begin(), part.vertices.end());
-      if (!shapes.insert(std::move(part.vertices)).second) continue;
       occluders_.push_back({.corners = std::move(part.corners), .plane = scene_.plane(triangles.front())});
       // One of the occluder's own: several bodies may have faces in one plane.
       occluder_triangle_.push_back(part.triangle);

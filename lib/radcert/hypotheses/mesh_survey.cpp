@@ -76,7 +76,10 @@ std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule,
   Outcome<UncoveredMesh> uncovered =
       without_contacts(survey.mesh, orientation == Orientation::along_the_cross_product);
   if (!uncovered) throw InputError({.problem = uncovered.reason()});
-  if (uncovered->contacts.empty()) return std::nullopt;
+  if (uncovered->is_as_it_was()) return std::nullopt;
+  if (uncovered->cut > 0)
+    survey.mended.push_back(several(uncovered->cut, "triangle", "triangles") +
+                            " cut where sides of others lie in them");
   for (const MeshContact& contact : uncovered->contacts) {
     // What stands on one side of a plate leaves the other as it is.
     for (const std::string& group : two_sided)

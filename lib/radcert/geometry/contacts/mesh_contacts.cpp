@@ -81,10 +81,11 @@ private:
   std::size_t axis_ = 0;
 };
 
-/// The triangles of both sides of a plane that overlap others.
+/// The triangles of both sides of a plane that overlap others, or that sides of others lie in.
 struct Overlap {
   std::set<std::size_t> one;  ///< of the class with the smaller number
   std::set<std::size_t> other;
+  std::set<std::pair<std::size_t, std::size_t>> lines;  ///< the ends of such sides
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   bool is_contact = true;
 };
@@ -154,11 +155,21 @@ public:
     find_bodies();
     std::vector<bool> replaced(mesh_.triangles.size(), false);
     bool any = false;
-    const std::map<Classes, Overlap> all = overlaps(pairs);
+    std::map<Classes, Overlap> all = overlaps(pairs);
     if (const std::string reason = opening(all); !reason.empty()) return because(reason);
+    add_lines(all, pairs);
     for (const auto& [classes, overlap] : all) {
       if (!overlap.is_contact) continue;
-      if (const std::string reason = uncover(overlap); !reason.empty()) return because(reason);
+      const std::size_t before = out_.mesh.triangles.size();
+      if (const std::string reason = uncover(overlap); !reason.empty()) {
+        if (!overlap.pairs.empty()) return because(reason);
+        // Of triangles that lose nothing: they stay as they are, and the mesh is refused for what touches them.
+        out_.mesh.triangles.resize(before);
+        out_.mesh.group.resize(before);
+        out_.mesh.face.resize(before);
+        continue;
+      }
+      if (overlap.pairs.empty()) out_.cut += overlap.one.size();
       for (const auto* side : {&overlap.one, &overlap.other})
         for (const std::size_t t : *side) replaced[t] = true;
       any = true;
@@ -347,6 +358,54 @@ private:
     return out;
   }
 
+  /// Adds to each plane the sides of triangles that stand on it, a wall on a floor, with the triangles that
+  /// they lie in.
+  void add_lines(std::map<Classes, Overlap>& all,
+                 const std::vector<std::pair<std::size_t, std::size_t>>& pairs) const {
+    const PlaneClasses classes = plane_classes(mesh_);
+    const auto add = [&](std::size_t in, std::size_t of) {
+      const auto c = mesh_.corners(in);
+      std::vector<std::size_t> on;
+      for (const std::size_t v : mesh_.triangles[of])
+        if (orientation(c[0], c[1], c[2], mesh_.vertices[v]) == 0) on.push_back(v);
+      if (on.size() != 2 || !meets_inside(in, on[0], on[1])) return;
+      const std::size_t own = classes.of_triangle[in];
+      const auto known = std::find_if(all.begin(), all.end(), [&](const auto& one) {
+        return one.second.is_contact && (one.first.first == own || one.first.second == own);
+      });
+      Overlap& overlap = known != all.end() ? known->second : all[{own, own}];
+      const bool is_other = known != all.end() && known->first.first != own;
+      (is_other ? overlap.other : overlap.one).insert(in);
+      overlap.lines.insert(std::minmax(on[0], on[1]));
+    };
+    for (const auto& [s, t] : pairs) {
+      add(s, t);
+      add(t, s);
+    }
+  }
+
+  /// Whether a segment of a triangle's plane meets its inside.
+  /// Maths     two convex sets of a plane are apart, up to their borders, where a line along a side of one
+  ///           parts them
+  bool meets_inside(std::size_t triangle, std::size_t from, std::size_t to) const {
+    const auto c = mesh_.corners(triangle);
+    const Plane plane(c);
+    const std::array<Point, 3> p{plane.flat(c[0]), plane.flat(c[1]), plane.flat(c[2])};
+    const std::array<Point, 2> ends{plane.flat(mesh_.vertices[from]), plane.flat(mesh_.vertices[to])};
+    const auto turn = CGAL::orientation(p[0], p[1], p[2]);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (std::none_of(ends.begin(), ends.end(), [&](const Point& end) {
+            return CGAL::orientation(p[k], p[(k + 1) % 3], end) == turn;
+          }))
+        return false;
+    const auto has = [&](CGAL::Orientation side) {
+      return std::any_of(p.begin(), p.end(), [&](const Point& corner) {
+        return CGAL::orientation(ends[0], ends[1], corner) == side;
+      });
+    };
+    return has(CGAL::LEFT_TURN) && has(CGAL::RIGHT_TURN);
+  }
+
   /// Whether two triangles lie in one plane and look opposite ways.
   bool is_opposite(std::size_t s, std::size_t t) const {
     const auto of = [&](std::size_t k) {
@@ -374,6 +433,16 @@ private:
     return out;
   }
 
+  /// The sum of the areas of triangles in the projection.
+  Number flat_area(const std::set<std::size_t>& triangles, const Plane& plane) const {
+    Number sum = 0;
+    for (const std::size_t t : triangles) {
+      const auto c = mesh_.corners(t);
+      sum += CGAL::abs(CGAL::area(plane.flat(c[0]), plane.flat(c[1]), plane.flat(c[2])));
+    }
+    return sum;
+  }
+
   std::size_t number(std::size_t vertex) const { return vertex_.at(place_of(mesh_.vertices[vertex])); }
 
   /// The triangle of a set that holds a point of the projection, if one does.
@@ -395,15 +464,20 @@ private:
   std::string uncover(const Overlap& overlap) {
     const Plane plane(mesh_.corners(*overlap.one.begin()));
     Delaunay delaunay;
+    for (const auto& [from, to] : overlap.lines)
+      delaunay.insert_constraint(plane.flat(mesh_.vertices[from]), plane.flat(mesh_.vertices[to]));
     for (const auto* side : {&overlap.one, &overlap.other})
       for (const auto& [from, to] : outline(*side))
         delaunay.insert_constraint(plane.flat(mesh_.vertices[from]), plane.flat(mesh_.vertices[to]));
     std::map<std::pair<std::size_t, std::size_t>, double> covered;
+    Number missing = flat_area(overlap.one, plane) + flat_area(overlap.other, plane);
     for (const auto& face : delaunay.finite_face_handles()) {
       const std::array<Point, 3> p{face->vertex(0)->point(), face->vertex(1)->point(),
                                    face->vertex(2)->point()};
       const std::optional<std::size_t> one = holder(overlap.one, plane, CGAL::centroid(p[0], p[1], p[2]));
       const std::optional<std::size_t> other = holder(overlap.other, plane, CGAL::centroid(p[0], p[1], p[2]));
+      missing -= (one ? 1 : 0) * CGAL::abs(CGAL::area(p[0], p[1], p[2]));
+      missing -= (other ? 1 : 0) * CGAL::abs(CGAL::area(p[0], p[1], p[2]));
       if (one && other) {
         covered[{mesh_.group[*one], mesh_.group[*other]}] +=
             plane.stretch() * std::abs(CGAL::to_double(CGAL::area(p[0], p[1], p[2])));
@@ -423,6 +497,8 @@ private:
         add(corners, one ? *one : *other);
       }
     }
+    // Of two triangles that look the same way only one would be left.
+    if (missing != 0) return "has faces that overlap and look the same way, where others touch them";
     for (const auto& [groups, area] : covered)
       out_.contacts.push_back({mesh_.group_names[groups.first], mesh_.group_names[groups.second], area});
     return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,13 @@ struct MeshContact {
 /// A mesh without the parts of its faces that other bodies cover.
 struct UncoveredMesh {
   TriangleMesh mesh;
-  std::vector<MeshContact> contacts;  ///< none: the mesh is as it was
+  std::vector<MeshContact> contacts;
+  std::size_t cut = 0;  ///< triangles that lose nothing and are cut along sides of others that lie in them
+  [[nodiscard]] bool is_as_it_was() const { return contacts.empty() && cut == 0; }
 };
 
-/// Takes out of a mesh where a body stands on a face: a cupboard on a floor, a box against a wall.
+/// Takes out of a mesh where a body stands on a face: a cupboard on a floor, a box against a wall. Cuts faces
+/// that others stand on with a side alone, a partition on a floor, along that.
 /// Maths     in each plane let A and B be the unions of triangles of opposite sides that overlap, pair by
 ///           pair of different sets of triangles, of which one at least is a body: closed, its front outside.
 ///           A becomes A minus B, B becomes B minus A. Proof that nothing leaves or arrives there: where both
