@@ -163,7 +163,7 @@ public:
       const std::size_t before = out_.mesh.triangles.size();
       if (const std::string reason = uncover(overlap); !reason.empty()) {
         if (!overlap.pairs.empty()) return because(reason);
-        // Of triangles that lose nothing: they stay as they are, and the mesh is refused for what touches them.
+        // Of triangles that lose nothing: they stay, and the mesh is refused for what touches them.
         out_.mesh.triangles.resize(before);
         out_.mesh.group.resize(before);
         out_.mesh.face.resize(before);
