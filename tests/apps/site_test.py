@@ -54,6 +54,8 @@ def digests(folder):
 class Site(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
+        if (pathlib.Path(BUILD[1]).parent / "installed").read_text(encoding="utf-8") != "yes":
+            raise unittest.SkipTest("npm could not install what the pages are made with")
         cls.temporary = pathlib.Path(tempfile.mkdtemp(prefix="radcert-site-test-"))
         cls.addClassCleanup(shutil.rmtree, cls.temporary)
         cls.folder = cls.temporary / "site"
@@ -140,7 +142,7 @@ class Site(unittest.TestCase):
 
     def test_every_labelled_line_of_a_public_header_is_on_its_page(self):
         """A header's own lines, put together as they stand, against the page that shows them."""
-        missed = total = 0
+        missed, total = [], 0
         for layer in sorted((SOURCE / "lib/radcert").iterdir()):
             page = self.pages.get(f"api/cpp/{layer.name}.html")
             self.assertIsNotNone(page, layer.name)
@@ -149,9 +151,10 @@ class Site(unittest.TestCase):
                 for line in re.findall(r"^/// (?:Maths|Source|Requires|Result|Limits) +(.*)$", header.read_text(encoding="utf-8"),
                                        re.MULTILINE):
                     total += 1
-                    missed += re.sub(r"[\s`]+", "", line) not in shown
+                    if re.sub(r"[\s`]+", "", line) not in shown:
+                        missed.append(f"{header.name}: {line}")
         self.assertGreater(total, 2000)
-        self.assertLess(missed, total / 50)
+        self.assertEqual(missed, [])
 
     def test_view_factor_and_form_factor_lead_to_configuration_factor(self):
         page = self.pages["glossary.html"].text

@@ -60,7 +60,7 @@ assert sixth.eoc("node_error")[-1] > 3.5
 assert sixth.errors["node_error"].value[-1] < tenth.errors["node_error"].value[-1] / 50
 
 # %% [markdown]
-# The errors against the mesh size. The dashed line is the fitted order.
+# The errors against the mesh size. The triangles have the fitted orders.
 
 # %%
 sixth.plot(title="alpha = 1/6")

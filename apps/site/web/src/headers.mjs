@@ -94,6 +94,7 @@ export function publicNames(text) {
     if (space) {
       spaces.push(space[1]);
       ++i;
+      if (about.length) out.push({ name: space[1], ...comment(about), code: `namespace ${space[1]}`, end: -1 });
       about = [];
       continue;
     }
@@ -108,6 +109,10 @@ export function publicNames(text) {
       ++i;
       continue;
     }
+    if (/^\/\/ clang-format /.test(line)) {
+      ++i;
+      continue;
+    }
     if (line.trim() === "" || /^(#|\/\/|\}|extern )/.test(line)) {
       const end = /^extern /.test(line) ? declarationEnd(lines, i) : i + 1;
       about = [];
@@ -118,7 +123,10 @@ export function publicNames(text) {
     const isInside = spaces.some((name) => name.split("::").includes("detail"));
     const code = shown(lines.slice(i, end));
     const isForward = /^(class|struct|enum class) \w+( : [\w:]+)?;$/.test(code);
-    if (spaces.length && !isInside && !isForward) {
+    // A member that its class declares.
+    const isMember = /[\w>]::[~\w]+\s*$/.test(code.split("(")[0].replace(/operator.*$/, "")) && code.includes("(") &&
+      !/^(template[^;{(]*\n)?(class|struct|union|enum|using)\b/.test(code);
+    if (spaces.length && !isInside && !isForward && !isMember) {
       const previous = out[out.length - 1];
       const follows = previous && !about.length && previous.end === i;
       // What stands directly below belongs to the comment above.

@@ -9,7 +9,7 @@ export function wayTo(from, to) {
   return way + (hash === undefined ? "" : `#${hash}`);
 }
 
-const words = (html) => html.replace(/<annotation[^]*?<\/annotation>/g, "").replace(/<[^>]*>/g, " ")
+const words = (html) => html.replace(/<math[^]*?<\/math>/g, "").replace(/<[^>]*>/g, " ")
   .replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&quot;/g, "\"").replace(/&amp;/g, "&").replace(/\s+/g, " ").trim();
 
 /** The sections of a page, each from a heading to the next: [{anchor, title, level, text}]. */
