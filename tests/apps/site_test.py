@@ -65,7 +65,9 @@ class Site(unittest.TestCase):
 
     @classmethod
     def build(cls, folder):
-        subprocess.run([*BUILD, "--out", folder, "--quick"], check=True, capture_output=True, timeout=500)
+        done = subprocess.run([*BUILD, "--out", folder, "--quick"], capture_output=True, text=True, timeout=500, check=False)
+        if done.returncode:
+            raise AssertionError(done.stderr)
 
     def target(self, name, link):
         """The page and the anchor to which a link of a page leads."""
@@ -146,7 +148,7 @@ class Site(unittest.TestCase):
         for layer in sorted((SOURCE / "lib/radcert").iterdir()):
             page = self.pages.get(f"api/cpp/{layer.name}.html")
             self.assertIsNotNone(page, layer.name)
-            shown = re.sub(r"\s+", "", html.unescape(re.sub(r"<[^>]*>", "", page.text)))
+            shown = re.sub(r"[\s`]+", "", html.unescape(re.sub(r"<[^>]*>", "", page.text)))
             for header in layer.rglob("*.h"):
                 for line in re.findall(r"^/// (?:Maths|Source|Requires|Result|Limits) +(.*)$", header.read_text(encoding="utf-8"),
                                        re.MULTILINE):

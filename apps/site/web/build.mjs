@@ -129,6 +129,23 @@ const markdown = (text, page, withFormulas, from = page.from) => render(text, { 
 const titleOf = (text) => text.match(/^# (.*)$/m)?.[1].replace(/[`*]/g, "");
 
 for (const page of pages) if (page.from && !page.from.endsWith(".json")) await lookAt(await read(page.from), page.from);
+// Pages of the repository that others link to and that site.mjs does not name: examples among the tutorials, the rest at
+// the end.
+for (let found = true; found;) {
+  found = false;
+  for (const [target, kind] of [...linkTargets].sort()) {
+    const file = kind === "folder" ? `${target}/README.md` : target;
+    if (!kind || !file.endsWith(".md") || pageOf.has(file) || await exists(file) !== "file") continue;
+    const group = site.find(({ title }) => title === (file.startsWith("apps/examples/") ? "Tutorials" : "Project"));
+    const page = { name: `more/${file.replace(/\/README\.md$|\.md$/, "").replace(/\//g, "_")}.html`, from: file, kind: "markdown" };
+    group.pages.push(page);
+    pages.push(page);
+    pageOf.set(file, page.name);
+    if (file.endsWith("/README.md")) pageOf.set(file.replace("/README.md", ""), page.name);
+    await lookAt(await read(file), file);
+    found = true;
+  }
+}
 for (const picture of pictures) await lookAt(picture.says, "gallery.md");
 
 const makers = {
@@ -136,6 +153,14 @@ const makers = {
     const text = await read(page.from);
     page.title ??= titleOf(text);
     let html = markdown(text, page, page.from.startsWith("apps/site/"));
+    // Names that have a page: layers where they are listed, and the statements that errata name.
+    if (page.from === "CONTRIBUTING.md")
+      html = html.replace(/<td><code>(\w+)<\/code><\/td>/g, (whole, name) => (declared.includes(name)
+        ? `<td><a href="${wayTo(page.name, `api/cpp/${name}.html`)}"><code>${name}</code></a></td>` : whole));
+    const paper = facts.papers.find(({ key }) => page.from === `papers/${key}/errata.md`);
+    if (paper)
+      html = html.replace(/<code>(\w+)((?:\.\w+)*)<\/code>/g, (whole, label) => (paper.claims.some((claim) => claim.label === label)
+        ? `<a href="${wayTo(page.name, `papers/${paper.key}_statements.html#${label}`)}">${whole}</a>` : whole));
     for (const each of page.tries ?? []) html += `<h2 id="try-it">Try it</h2>\n${await made.tried(each, commands)}`;
     return html;
   },
@@ -166,8 +191,8 @@ const makers = {
   schemaIndex: () => made.schemas(schemas, commands),
   surfaces: () => made.surfaces(facts.surfaces),
   schema: async (page) => {
-    if (!schemaExamples[page.schema]) throw new Error(`schema ${page.schema}: site.mjs has no example of it`);
-    return made.schemaPage(page.schema, JSON.parse(await commands.printed(`radcert schema ${page.schema}`)), schemaExamples[page.schema], commands);
+    return made.schemaPage(page.schema, JSON.parse(await commands.printed(`radcert schema ${page.schema}`)),
+      schemaExamples[page.schema] ?? { command: `radcert schema ${page.schema}`, run: false }, commands);
   },
   async glossary(page) {
     const rows = [...contributing.split(/^## Glossary$/m)[1].matchAll(/^\| ([^|]+) \| (.+) \|$/gm)].map(([, word, means]) => [word.trim(), means])
@@ -177,11 +202,10 @@ const makers = {
   },
   python: async () => made.python(facts.python, (await read("apps/python/radcert/__init__.py")).match(/^ {4}import radcert as rc\n[^]*?(?=\n\n[A-Z])/m)[0].replace(/^ {4}/gm, "")),
   async layer(page) {
-    const row = layerRows.get(page.layer);
-    if (!row) throw new Error(`CONTRIBUTING.md has no row for the layer ${page.layer}`);
+    const row = layerRows.get(page.layer) ?? { holds: "", why: "" };
     const words = (text) => markdown(text, page, false, "CONTRIBUTING.md").replace(/^<p>|<\/p>\n?$/g, "");
-    return made.layerPage(checkout, page.layer, { holds: words(row.holds || "formulas"), why: row.why ? `Its place among the layers: ${words(row.why)}.` : "" },
-      (file) => wayTo(page.name, sourcePage(file)));
+    return made.layerPage(checkout, page.layer, { holds: row.holds && words(row.holds), why: row.why ? `Its place among the layers: ${words(row.why)}.` : "" },
+      (file) => wayTo(page.name, sourcePage(file)), (html) => made.cited(html, facts.papers, (to) => wayTo(page.name, to)));
   },
   statements: (page) => made.statements(page.paper, titles[page.paper.key]),
 };

@@ -240,10 +240,22 @@ async function exampleOf(checkout, layer) {
   return best;
 }
 
+/** Sources in brackets, as [ac98, (33)], with links to the statements that they name. */
+export function cited(html, papers, link) {
+  return html.replace(/\[(\w+)((?:, |; )[^\]]*)?\]/g, (whole, key, rest = "") => {
+    const paper = papers.find((each) => each.key === key);
+    if (!paper) return whole;
+    const number = rest.match(/\((\d+)\)/)?.[1];
+    const label = rest.match(/(Theorem|Lemma|Corollary) ([\d.]+)/)?.slice(1).join("_").toLowerCase().replace(/\./g, "_");
+    const claim = paper.claims.find((each) => each.label === label) ?? paper.claims.find((each) => number && each.covers?.includes(Number(number)));
+    return `<a href="${escaped(link(`papers/${key}_statements.html${claim ? `#${claim.label}` : ""}`))}">${whole}</a>`;
+  });
+}
+
 /** The public headers of a layer. */
-export async function layerPage(checkout, layer, says, sourceLink) {
+export async function layerPage(checkout, layer, says, sourceLink, withCitations) {
   const folder = path.join(checkout, "lib/radcert", layer);
-  let html = heading(1, layer, `Layer <code>${escaped(layer)}</code>`) + `<p>Holds ${says.holds}. ${says.why}</p>\n`;
+  let html = heading(1, layer, `Layer <code>${escaped(layer)}</code>`) + (says.holds ? `<p>Holds ${says.holds}. ${says.why}</p>\n` : "");
   const shown = await exampleOf(checkout, layer);
   if (shown)
     html += heading(2, "example", "Example") + `<p>A test of this layer, from <a href="${sourceLink(shown.file)}"><code>${escaped(shown.file)}</code></a>:</p>\n` + code(shown.test.trimEnd(), "cpp");
@@ -257,7 +269,7 @@ export async function layerPage(checkout, layer, says, sourceLink) {
       taken.set(each.name, count + 1);
       const id = `${file.replace(/\W/g, "_")}-${each.name.replace(/\W+/g, (signs) => [...signs].map((sign) => sign.charCodeAt(0).toString(16)).join(""))}${count ? `-${count}` : ""}`;
       html += `<article>${heading(3, id, `<code>${escaped(each.name)}</code>`)}` + (each.says ? `<p>${inline(each.says)}</p>\n` : "") +
-        labels(each.labels.map(([label, text]) => [label, label === "Maths" ? `<code>${escaped(text)}</code>` : inline(text)])) +
+        labels(each.labels.map(([label, text]) => [label, label === "Maths" ? `<code>${escaped(text)}</code>` : withCitations(inline(text))])) +
         code(each.code, "cpp").replace("example ", "signature ") + "</article>\n";
     }
   }
