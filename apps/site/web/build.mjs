@@ -157,6 +157,13 @@ const makers = {
     if (page.from === "CONTRIBUTING.md")
       html = html.replace(/<td><code>(\w+)<\/code><\/td>/g, (whole, name) => (declared.includes(name)
         ? `<td><a href="${wayTo(page.name, `api/cpp/${name}.html`)}"><code>${name}</code></a></td>` : whole));
+    // A link of the theory to a statement says what its check found.
+    if (page.from.startsWith("apps/site/pages/theory"))
+      html = html.replace(/<a href="[^"]*papers\/(\w+)_statements\.html#(\w+)">[^]*?<\/a>/g, (whole, key, label) => {
+        const verdict = facts.papers.find((each) => each.key === key).claims.find((claim) => claim.label === label)?.verdict;
+        const word = typeof verdict === "string" ? verdict : verdict?.quick;
+        return word ? `${whole} <small class="${word}">${word}</small>` : whole;
+      });
     const paper = facts.papers.find(({ key }) => page.from === `papers/${key}/errata.md`);
     if (paper)
       html = html.replace(/<code>(\w+)((?:\.\w+)*)<\/code>/g, (whole, label) => (paper.claims.some((claim) => claim.label === label)
