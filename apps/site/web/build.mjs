@@ -3,7 +3,8 @@
 // node build.mjs --checkout DIR --program FILE --python FILE --module DIR --cache DIR --out DIR [--quick]
 //
 // Makes the pages. The program and the module of Python are asked for all that they know; what they answered is kept in the
-// cache for as long as they stay the same. --quick leaves out the digits of reference values that take seconds.
+// cache for as long as they stay the same. --quick leaves out the pictures, and the
+// digits of reference values, that take seconds.
 
 import { build as bundle } from "esbuild";
 import MiniSearch from "minisearch";
@@ -186,7 +187,7 @@ const makers = {
       },
     }).then((html) => `${html}<p>The script of this page is <a href="${wayTo(page.name, sourcePage(page.from))}"><code>${page.from}</code></a>; <code>python3</code> runs it, VS Code and, by jupytext, Jupyter open it.</p>\n`);
   },
-  gallery: (page) => made.gallery(pictures, commands, {
+  gallery: (page) => made.gallery(pictures.filter((each) => !given.quick || !each.isSlow), commands, {
     markdown: (text) => markdown(text, page, false, "gallery.md"),
     keep: async (name, bytes) => {
       await write(`files/${name}`, bytes);

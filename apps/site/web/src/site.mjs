@@ -105,14 +105,14 @@ export const alsoKnownAs = {
   "mother function": ["radial basis function", "RBF"],
 };
 
-/** The gallery: each picture with the command that makes it. */
+/** The gallery: each picture with the command that makes it. Slow are those that take more than three seconds. */
 export const pictures = [
   { name: "room.png", title: "A room by a meshless basis", command: "radcert picture figure_8_lehtinen --size 640x480 --samples 3 --out room.png",
     says: "All of the light of a lamp under a shade, by Lehtinen's basis on scattered sites (figure 8 of [psg10](papers/psg10/README.md))." },
-  { name: "superconvergence/node_error_against_h.svg", title: "Superconvergence",
+  { name: "superconvergence/node_error_against_h.svg", title: "Superconvergence", isSlow: true,
     command: "radcert experiment apps/examples/pictures/superconvergence.json --out superconvergence",
     says: "Errors at the nodes of an ellipsoid against the mesh size: what [ac98](papers/ac98/README.md) is about. The first notebook tells why." },
-  { name: "alpha/node_error_against_alpha.svg", title: "Which inset is best?",
+  { name: "alpha/node_error_against_alpha.svg", title: "Which inset is best?", isSlow: true,
     command: "radcert experiment apps/examples/experiments/inset_alpha_sweep.json --out alpha",
     says: "The error at the nodes against the place of the nodes. It dips near 1/6, where the rule gains a degree of precision." },
   { name: "bases/node_error_against_unknowns.svg", title: "Bases of one's own at equal cost",
