@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The README and the pages on commands, files and verdicts, followed as they are written."""
+import glob
 import json
 import os
 import re
@@ -18,6 +19,17 @@ class Pages(PageTest):
                 page = read(os.path.join(ROOT, name))
                 self.assertTrue(commands(page))
                 self.assertEqual(len(files(page)), page.count("```json") + page.count("```text"))
+                for file, text in files(page):
+                    self.write(file, text)
+                self.follow(page)
+
+    def test_the_start_pages_and_the_theory_of_the_site_are_true(self):
+        pages = glob.glob(os.path.join(ROOT, "apps/site/pages/**/*.md"), recursive=True)
+        self.assertGreater(len(pages), 8)
+        for name in pages:
+            with self.subTest(name):
+                page = read(name)
+                self.assertTrue(commands(page))
                 for file, text in files(page):
                     self.write(file, text)
                 self.follow(page)

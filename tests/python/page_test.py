@@ -27,6 +27,14 @@ class Page(ModuleTest):
                 exec(compile(code, "README.md", "exec"), names)  # noqa: S102
             self.assertEqual(printed.getvalue(), expected, code)
 
+    def test_every_block_of_the_start_pages_runs(self):
+        pages = sorted((SOURCE / "apps" / "site" / "pages").glob("*.md"))
+        blocks = [code for page in pages for code, _ in BLOCK.findall(page.read_text(encoding="utf-8"))]
+        self.assertGreater(len(blocks), 3)
+        for code in blocks:
+            with self.subTest(code=code), contextlib.redirect_stdout(io.StringIO()):
+                exec(compile(code, "start page", "exec"), {"__name__": "page"})  # noqa: S102
+
 
 if __name__ == "__main__":
     unittest.main()

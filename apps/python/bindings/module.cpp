@@ -18,6 +18,7 @@ PYBIND11_MODULE(_core, module) {
   add_bases(module);
   add_problems(module);
   add_solutions(module);
+  add_pictures(module);
   add_experiments(module);
   add_guarantees(module);
   add_verification(module);

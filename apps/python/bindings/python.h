@@ -21,6 +21,7 @@ void add_factors(py::module_& module);
 void add_bases(py::module_& module);
 void add_problems(py::module_& module);
 void add_solutions(py::module_& module);
+void add_pictures(py::module_& module);
 void add_experiments(py::module_& module);
 void add_guarantees(py::module_& module);
 void add_verification(py::module_& module);

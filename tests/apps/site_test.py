@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pages that are built: every link and anchor leads somewhere, every page has an example, nothing needs a network, nothing
+tells of this machine, and the same program makes the same bytes."""
+import hashlib
+import html.parser
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+import urllib.parse
+
+BUILD = json.loads(os.environ["RADCERT_SITE_BUILD"])
+SOURCE = pathlib.Path(os.environ["RADCERT_SOURCE"])
+CHROMIUM = shutil.which("chromium")
+# Pages about pages, which have nothing to show an example of.
+WITHOUT_EXAMPLE = {"licences.html", "search.html"}
+
+
+class Page(html.parser.HTMLParser):
+    """The links, anchors and examples of a page."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.anchors, self.links, self.loaded, self.examples, self.twice = set(), [], [], 0, []
+        self.text = text
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        given = dict(attrs)
+        if "id" in given:
+            if given["id"] in self.anchors:
+                self.twice.append(given["id"])
+            self.anchors.add(given["id"])
+        if tag == "a":
+            self.links.append(given.get("href") or "")
+        for key in ("src", "data", "poster"):
+            if given.get(key):
+                self.loaded.append(given[key])
+        if tag == "link":
+            self.loaded.append(given["href"])
+        if tag == "pre" and "example" in (given.get("class") or ""):
+            self.examples += 1
+
+
+def digests(folder):
+    return {str(file.relative_to(folder)): hashlib.sha256(file.read_bytes()).hexdigest()
+            for file in folder.rglob("*") if file.is_file()}
+
+
+class Site(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if (pathlib.Path(BUILD[1]).parent / "installed").read_text(encoding="utf-8") != "yes":
+            raise unittest.SkipTest("npm could not install what the pages are made with")
+        cls.temporary = pathlib.Path(tempfile.mkdtemp(prefix="radcert-site-test-"))
+        cls.addClassCleanup(shutil.rmtree, cls.temporary)
+        cls.folder = cls.temporary / "site"
+        cls.build(cls.folder)
+        cls.pages = {str(file.relative_to(cls.folder)): Page(file.read_text(encoding="utf-8"))
+                     for file in sorted(cls.folder.rglob("*.html"))}
+
+    @classmethod
+    def build(cls, folder):
+        done = subprocess.run([*BUILD, "--out", folder, "--quick"], capture_output=True, text=True, timeout=500, check=False)
+        if done.returncode:
+            raise AssertionError(done.stderr)
+
+    def target(self, name, link):
+        """The page and the anchor to which a link of a page leads."""
+        path, _, anchor = link.partition("#")
+        path = urllib.parse.unquote(path.split("?")[0])
+        return os.path.normpath(os.path.join(os.path.dirname(name), path)) if path else name, urllib.parse.unquote(anchor)
+
+    def test_every_link_and_anchor_leads_somewhere(self):
+        self.assertGreater(len(self.pages), 100)
+        followed = 0
+        for name, page in self.pages.items():
+            for link in page.links + page.loaded:
+                if re.match(r"(https?|mailto):", link):
+                    continue
+                followed += 1
+                to, anchor = self.target(name, link)
+                self.assertTrue((self.folder / to).is_file(), f"{name}: {link}")
+                if anchor:
+                    self.assertIn(anchor, self.pages[to].anchors, f"{name}: {link}")
+        self.assertGreater(followed, 1000)
+
+    def test_no_page_has_an_anchor_twice(self):
+        self.assertEqual({name: page.twice for name, page in self.pages.items() if page.twice}, {})
+
+    def test_every_page_can_be_reached_from_the_start(self):
+        seen, ahead = set(), ["index.html"]
+        while ahead:
+            name = ahead.pop()
+            if name in seen:
+                continue
+            seen.add(name)
+            ahead += [self.target(name, link)[0] for link in self.pages[name].links if not re.match(r"[a-z]+:", link)]
+        self.assertEqual(set(self.pages) - seen - {"search.html"}, set())
+
+    def test_no_page_without_an_example(self):
+        self.assertEqual([name for name, page in self.pages.items() if not page.examples and name not in WITHOUT_EXAMPLE], [])
+
+    def test_nothing_comes_from_a_network(self):
+        for name, page in self.pages.items():
+            for loaded in page.loaded:
+                self.assertNotRegex(loaded, r"^([a-z]+:)?//", name)
+        for file in [self.folder / "style.css", *self.folder.rglob("*.svg")]:
+            text = file.read_text(encoding="utf-8")
+            self.assertEqual(re.findall(r"url\((?!\"?data:|#)[^)]*\)|@import[^;]*;|href=\"https?:[^\"]*\"", text), [], file.name)
+        script = (self.folder / "site.js").read_text(encoding="utf-8")
+        self.assertEqual(re.findall(r"XMLHttpRequest|WebSocket|sendBeacon|https?://", script), [])
+        client = (SOURCE / "apps/site/web/src/client.js").read_text(encoding="utf-8")
+        self.assertEqual(re.findall(r"\bfetch\(|\bimport\(", client), [])
+
+    def test_no_page_tells_of_this_machine(self):
+        words = [str(SOURCE), str(self.temporary), os.path.expanduser("~"), os.uname().nodename, "radcert-site-"]
+        for file in self.folder.rglob("*"):
+            if file.suffix in (".html", ".js", ".css", ".svg"):
+                text = file.read_text(encoding="utf-8")
+                for word in words:
+                    if len(word) > 4:
+                        self.assertNotIn(word, text, file.name)
+
+    def test_all_that_the_program_names_has_its_place(self):
+        def program(*words):
+            done = subprocess.run([os.environ["RADCERT"], *words, "--json", "-", "--quiet"], capture_output=True, check=True)
+            return [entry["name"] for entry in json.loads(done.stdout)["entries"]]
+
+        for name in program("list", "references"):
+            if name != "sphere_over_disk":
+                self.assertIn(name, self.pages["references.html"].anchors)
+        for name in program("list", "surfaces"):
+            self.assertIn(name, self.pages["surfaces.html"].anchors)
+        for claim in program("list", "claims"):
+            paper, label = claim.split("/")
+            self.assertIn(label.split(".")[0], self.pages[f"papers/{paper}_statements.html"].anchors)
+        for schema in (SOURCE / "lib/radcert/formats/schema").glob("*.json"):
+            self.assertIn(f"schema/{schema.stem}.html", self.pages)
+
+    def test_every_labelled_line_of_a_public_header_is_on_its_page(self):
+        """A header's own lines, put together as they stand, against the page that shows them."""
+        missed, total = [], 0
+        for layer in sorted((SOURCE / "lib/radcert").iterdir()):
+            page = self.pages.get(f"api/cpp/{layer.name}.html")
+            self.assertIsNotNone(page, layer.name)
+            shown = re.sub(r"[\s`]+", "", html.unescape(re.sub(r"<[^>]*>", "", page.text)))
+            for header in layer.rglob("*.h"):
+                for line in re.findall(r"^/// (?:Maths|Source|Requires|Result|Limits) +(.*)$", header.read_text(encoding="utf-8"),
+                                       re.MULTILINE):
+                    total += 1
+                    if re.sub(r"[\s`]+", "", line) not in shown:
+                        missed.append(f"{header.name}: {line}")
+        self.assertGreater(total, 2000)
+        self.assertEqual(missed, [])
+
+    def test_view_factor_and_form_factor_lead_to_configuration_factor(self):
+        page = self.pages["glossary.html"].text
+        for other in ("view factor", "form factor"):
+            self.assertRegex(page, rf"{other}<a class=\"here\"[^>]*>#</a></h3>\s*<p>see <a href=\"#configuration-factor\">")
+        if CHROMIUM is None:
+            self.skipTest("no browser: the search was not tried")
+        done = subprocess.run([CHROMIUM, "--headless", "--no-sandbox", f"--user-data-dir={self.temporary / 'browser'}", "--virtual-time-budget=5000",
+                               "--dump-dom", f"file://{self.folder}/search.html?q=view+factor"],
+                              capture_output=True, text=True, timeout=120, check=True)
+        results = done.stdout.split('id="results"')[1]
+        self.assertIn("glossary.html#view-factor", results.split("</li>")[0])
+        self.assertIn("glossary.html#configuration-factor", results)
+
+    def test_the_same_program_makes_the_same_bytes(self):
+        again = self.temporary / "again"
+        self.build(again)
+        self.assertEqual(digests(again), digests(self.folder))
+
+
+if __name__ == "__main__":
+    unittest.main()
