@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,12 +15,9 @@
 #include "radcert/core/errors.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/problem/problem_parts.h"
-#include "radcert/formats/result/stored_levels.h"
-#include "radcert/reference/operator_integral.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/surface/catalogue.h"
-#include "solution.h"
-#include "store.h"
+#include "requests/solve_request.h"
 #include "work.h"
 
 namespace radcert::python {
@@ -40,34 +36,9 @@ PythonProblem problem_from(const py::object& document, const std::string& source
   return out;
 }
 
-/// The entries of the matrix at a level, in units of those at level 0.
-double work(int level) { return std::pow(16.0, level); }
-
-Solution solved(const PythonProblem& given, const std::string& store, const py::object& progress) {
-  return compute(progress, [&](Progress& told) {
-    const Problem& problem = given.problem;
-    const std::uint64_t memory = available_memory();
-    return with_source(given.source, [&] {
-      check(problem, memory);
-      ResultStore kept = store_named(store);
-      StoredLevels source(kept, solve_with(reference::applied_operator, memory));
-      double all = 0;
-      for (const int level : problem.triangulation.levels) all += work(level);
-      double done = 0;
-      std::vector<LevelOutcome> levels;
-      std::vector<LevelResult> results;
-      std::vector<LevelTiming> timing;
-      for (const int level : problem.triangulation.levels) {
-        told.say(done / all, "level " + std::to_string(level));
-        levels.push_back(source.level(problem, level));
-        results.push_back(levels.back().result);
-        timing.push_back(levels.back().timing);
-        done += work(level);
-      }
-      told.say(1, "done");
-      return Solution{collect(problem, std::move(results), std::move(timing)), std::move(levels)};
-    });
-  });
+app::Solution solved(const PythonProblem& given, const std::string& store, const py::object& progress) {
+  return compute(progress,
+                 [&](Progress& told) { return app::solved(given.problem, given.source, store, told); });
 }
 
 py::list surface_listing() {

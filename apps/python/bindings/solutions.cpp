@@ -21,11 +21,13 @@
 #include "radcert/formats/table/csv.h"
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/study/experiment.h"
-#include "solution.h"
+#include "requests/solve_request.h"
 
 namespace radcert::python {
 
 namespace {
+
+using app::Solution;
 
 const ErrorKind& kind_named(const std::string& name) {
   std::vector<std::string> known;

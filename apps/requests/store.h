@@ -5,7 +5,7 @@
 
 #include "radcert/core/files/result_store.h"
 
-namespace radcert::python {
+namespace radcert::app {
 
 /// The store of a folder; of "" one that keeps nothing, of "default" that of the program.
 [[nodiscard]] inline ResultStore store_named(const std::string& folder) {
@@ -14,4 +14,4 @@ namespace radcert::python {
   return ResultStore(folder);
 }
 
-}  // namespace radcert::python
+}  // namespace radcert::app
