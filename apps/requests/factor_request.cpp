@@ -88,6 +88,7 @@ Factors factors_of(FactorScene scene, const std::string& command, const std::str
   const FactorDemand demand{
       .certified = wish.certified, .accuracy = accuracy, .open_to_space = out.scene->open};
   out.report.matrix = computed(out, demand, wish.rays, kept, progress);
+  warn_where_nothing_is_kept(kept, store, progress);
   out.report.warnings = factor_warnings(out.report, OptionStyle::argument);
   for (const std::string& done : out.scene->mended) out.report.warnings.push_back("mended: " + done);
   out.report.warnings.insert(out.report.warnings.end(), out.scene->remarks.begin(), out.scene->remarks.end());

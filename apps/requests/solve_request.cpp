@@ -39,6 +39,7 @@ Solution solved(const Problem& problem, const std::string& source, const std::st
       timing.push_back(levels.back().timing);
       done += work(level);
     }
+    warn_where_nothing_is_kept(kept, store, told);
     told.say(1, "done");
     return Solution{collect(problem, std::move(results), std::move(timing)), std::move(levels)};
   });

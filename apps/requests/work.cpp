@@ -108,6 +108,16 @@ std::optional<std::pair<double, std::string>> Progress::take() {
   return std::exchange(last_, std::nullopt);
 }
 
+void Progress::warn(const std::string& words) {
+  const std::scoped_lock lock(mutex_);
+  warnings_.push_back(words);
+}
+
+std::vector<std::string> Progress::take_warnings() {
+  const std::scoped_lock lock(mutex_);
+  return std::exchange(warnings_, {});
+}
+
 void run_apart(const std::function<void(Progress&)>& serve, const std::function<void(Progress&)>& action) {
   constexpr auto between_looks = std::chrono::milliseconds(40);
   const Running running;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace radcert::app {
 
@@ -17,9 +18,13 @@ public:
   void say(double fraction, const std::string& words);
   /// The last report that was not taken yet.
   [[nodiscard]] std::optional<std::pair<double, std::string>> take();
+  /// What a user should know although the work goes on; all are kept until they are taken.
+  void warn(const std::string& words);
+  [[nodiscard]] std::vector<std::string> take_warnings();
 
 private:
   std::mutex mutex_;
+  std::vector<std::string> warnings_;
   std::optional<std::pair<double, std::string>> last_;
 };
 

@@ -52,6 +52,7 @@ ExperimentRun run_experiment(const py::object& document, const std::string& sour
         });
       out.results.push_back(collect(combination.problem, std::move(results), std::move(timing)));
     }
+    app::warn_where_nothing_is_kept(kept, store, told);
     return out;
   });
 }

@@ -82,6 +82,7 @@ Enclosed enclose(PythonProblem problem, const py::object& document, bool with_ce
       } else {
         std::tie(level, enclosure) = solve_within(problem.problem, wanted, context);
       }
+      app::warn_where_nothing_is_kept(folder, store, told);
       out.result = {.problem = problem.problem,
                     .levels = {std::move(level)},
                     .orders = {},

@@ -10,6 +10,7 @@
 #include "json.h"
 #include "mesh.h"
 #include "nodes.h"
+#include "own_functions.h"
 #include "problem.h"
 #include "python.h"
 #include "radcert/core/errors.h"
@@ -25,7 +26,7 @@ namespace radcert::python {
 namespace {
 
 PythonProblem problem_from(const py::object& document, const std::string& source,
-                           const SurfaceChoice* surface, const Nodes* nodes) {
+                           const SurfaceChoice* surface, const Nodes* nodes, const py::dict& functions) {
   JsonValue json = with_source(source, [&] { return json_of(document); });
   std::optional<SurfaceChoice> chosen;
   if (surface != nullptr) chosen = *surface;
@@ -33,6 +34,10 @@ PythonProblem problem_from(const py::object& document, const std::string& source
   out.source = source;
   out.problem = compute(py::none(), [&](Progress&) { return problem_of(json, source, chosen); });
   if (nodes != nullptr) triangle_basis_of(out.problem.method) = node_file_basis(*nodes->file, nodes->name);
+  with_source(source, [&] {
+    for (const auto& [part, function] : functions)
+      set_function(out.problem, py::str(part), py::reinterpret_borrow<py::object>(function));
+  });
   return out;
 }
 
@@ -74,7 +79,7 @@ void add_problems(py::module_& module) {
       });
   py::class_<PythonProblem>(module, "Problem")
       .def(py::init(&problem_from), py::arg("document"), py::arg("source"), py::arg("surface"),
-           py::arg("nodes"))
+           py::arg("nodes"), py::arg("functions"))
       .def_static(
           "read",
           [](const std::string& file) {

@@ -32,10 +32,12 @@ Report verify(const std::vector<std::string>& words, const std::string& budget, 
     ResultStore kept = app::store_named(store);
     StoredLevels levels(kept, solve_with(route, available_memory()));
     const verification::Bench bench{.budget = *wanted, .route = route, .levels = levels, .store = kept};
-    return verification::run_verification(words, bench, [&](const verification::Progress& now) {
+    Report report = verification::run_verification(words, bench, [&](const verification::Progress& now) {
       told.say(now.total == 0 ? 0 : static_cast<double>(now.done) / static_cast<double>(now.total),
                now.statement);
     });
+    app::warn_where_nothing_is_kept(kept, store, told);
+    return report;
   });
 }
 

@@ -17,6 +17,8 @@ namespace {
 void serve(const py::object& progress, Progress& told) {
   const py::gil_scoped_acquire held;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  for (const std::string& words : told.take_warnings())
+    if (PyErr_WarnEx(store_warning(), words.c_str(), 2) != 0) throw py::error_already_set();
   if (progress.is_none()) return;
   if (const auto report = told.take()) progress(report->first, report->second);
 }
