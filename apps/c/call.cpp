@@ -114,6 +114,8 @@ void compute(const Run& run, const std::function<void(app::Progress&)>& action) 
   app::run_apart(
       [&](app::Progress& told) {
         if (run.listener == nullptr) return;
+        for (const std::string& words : told.take_warnings())
+          if (run.listener(now.first, words.c_str(), run.context) != 0) throw Interrupted();
         if (auto report = told.take()) now = std::move(*report);
         if (run.listener(now.first, now.second.c_str(), run.context) != 0) throw Interrupted();
       },

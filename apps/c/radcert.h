@@ -60,7 +60,8 @@ radcert_status radcert_limit_threads(int64_t threads);
  * listener: called in the thread that called, about 25 times a second, with how far the work has come, from 0 to 1; not
  * 0 stops it with RADCERT_INTERRUPTED, and with it what other threads of the process compute. It may not leave by
  * longjmp or an exception.
- * store: a folder that keeps finished work, "default" for that of the program; NULL keeps nothing.
+ * store: a folder that keeps finished work, "default" for that of the program; NULL keeps nothing. One that cannot be
+ * written keeps nothing, and the listener hears so, in words that begin with "finished work is not kept".
  */
 typedef int (*radcert_listener)(double fraction, const char* words, void* context);
 typedef struct radcert_run {

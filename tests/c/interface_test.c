@@ -231,6 +231,12 @@ static int count_calls(double fraction, const char* words, void* context) {
   return 0;
 }
 
+static int hear_of_store(double fraction, const char* words, void* context) {
+  (void)fraction;
+  *(int*)context += strncmp(words, "finished work is not kept: ", 27) == 0;
+  return 0;
+}
+
 static int stop(double fraction, const char* words, void* context) {
   (void)fraction;
   (void)words;
@@ -278,6 +284,12 @@ static void problems_solved(void) {
   radcert_run wrong = run;
   wrong.size = 1;
   REFUSED(radcert_solve(CUBE "[0]" DATA, NULL, &wrong, &solution), "run/size", "is not the size");
+  /* A folder that cannot be made is said, and the numbers come all the same. */
+  int heard = 0;
+  const radcert_run unkept = {sizeof unkept, hear_of_store, &heard, "/dev/null/store"};
+  EXPECT(radcert_solve(CUBE "[0]" DATA, NULL, &unkept, &solution) == RADCERT_OK && heard == 1);
+  radcert_solution_free(solution);
+  solution = NULL;
   /* One call stops what would take minutes, and the next computation runs. */
   calls = 0;
   const radcert_run stopped = {sizeof stopped, stop, &calls, NULL};
