@@ -68,8 +68,16 @@ function(radcert_layer name)
   add_library(radcert::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   target_compile_features(${target} ${scope} cxx_std_20)
-  # The formulas are templates in headers: whoever instantiates them must not contract them either.
+  # The formulas are templates in headers: whoever instantiates them must not contract them either, and must take the
+  # registers that the library takes, or a pack would be passed to it in others.
   target_compile_options(${target} INTERFACE -ffp-contract=off)
+  if(RADCERT_ARCH)
+    if(PROJECT_IS_TOP_LEVEL)
+      target_compile_options(${target} INTERFACE "$<INSTALL_INTERFACE:-march=${RADCERT_ARCH}>")
+    else()
+      target_compile_options(${target} INTERFACE "-march=${RADCERT_ARCH}")
+    endif()
+  endif()
   target_include_directories(${target} ${scope}
     "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}>" "$<INSTALL_INTERFACE:include>")
   foreach(used IN LISTS arg_USES)
@@ -148,10 +156,9 @@ function(radcert_check_includes name folder allowed)
   endif()
 endfunction()
 
-# radcert_umbrella(): the target radcert::radcert, which is all layers declared so far, and their installation.
+# radcert_umbrella(): the target radcert::radcert, which is all layers declared so far, and, with RADCERT_INSTALL, their
+# installation.
 function(radcert_umbrella)
-  include(GNUInstallDirs)
-  include(CMakePackageConfigHelpers)
   get_property(layers GLOBAL PROPERTY RADCERT_LAYERS)
   set(targets ${layers})
   list(TRANSFORM targets PREPEND radcert_)
@@ -160,12 +167,18 @@ function(radcert_umbrella)
   add_library(radcert::radcert ALIAS radcert_all)
   set_target_properties(radcert_all PROPERTIES EXPORT_NAME radcert)
   target_link_libraries(radcert_all INTERFACE ${targets})
+  if(NOT RADCERT_INSTALL)
+    return()
+  endif()
 
+  include(GNUInstallDirs)
+  include(CMakePackageConfigHelpers)
   set(destination "${CMAKE_INSTALL_LIBDIR}/cmake/radcert")
   set(helpers "${PROJECT_SOURCE_DIR}/lib/cmake")
-  install(TARGETS radcert_all ${targets} EXPORT radcertTargets)
-  install(EXPORT radcertTargets NAMESPACE radcert:: DESTINATION "${destination}")
-  install(DIRECTORY radcert DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.h")
+  install(TARGETS radcert_all ${targets} EXPORT radcertTargets COMPONENT development)
+  install(EXPORT radcertTargets NAMESPACE radcert:: DESTINATION "${destination}" COMPONENT development)
+  install(DIRECTORY radcert DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT development
+    FILES_MATCHING PATTERN "*.h")
   configure_package_config_file("${helpers}/radcertConfig.cmake.in" radcertConfig.cmake
     INSTALL_DESTINATION "${destination}")
   write_basic_package_version_file(radcertConfigVersion.cmake COMPATIBILITY SameMinorVersion)
@@ -173,5 +186,5 @@ function(radcert_umbrella)
     "${CMAKE_CURRENT_BINARY_DIR}/radcertConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/radcertConfigVersion.cmake"
     "${helpers}/FindArb.cmake" "${helpers}/FindFLINT.cmake" "${helpers}/FindGMP.cmake"
     "${helpers}/FindMPFR.cmake"
-    DESTINATION "${destination}")
+    DESTINATION "${destination}" COMPONENT development)
 endfunction()

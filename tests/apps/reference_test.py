@@ -1,13 +1,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reference values from the command line."""
 import csv
+import hashlib
 import json
 import os
+import subprocess
+import tarfile
 import unittest
 
 import jsonschema
 from mpmath import mp, mpf
 
+from page import ROOT
 from program import ProgramTest
 
 
@@ -110,6 +114,49 @@ class Reference(ProgramTest):
             else:
                 self.assertLessEqual(mpf(row["radius"]), mpf("1e-6"))
         self.assertEqual(len(os.listdir(self.path("data"))), len(rows) + 3)
+        here = {os.path.relpath(os.path.join(folder, name), self.path("data"))
+                for folder, _, names in os.walk(self.path("data")) for name in names}
+        self.assertEqual([entry["file"] for entry in manifest["files"]], sorted(here - {"manifest.json"}))
+        for entry in manifest["files"]:
+            with open(self.path(os.path.join("data", entry["file"])), "rb") as file:
+                content = file.read()
+            self.assertEqual((len(content), hashlib.sha256(content).hexdigest()), (entry["bytes"], entry["sha256"]))
+
+        self.archive(manifest)
+
+    def archive(self, manifest):
+        """The archive of these files: the same bits each time, and all that its reader needs."""
+        # In place of the program one that has computed them already.
+        stub = self.path("stub")
+        self.write("stub", f"""#!/bin/sh
+case $1 in
+  --version) exec {os.environ["RADCERT"]} --version ;;
+  *) cp -r {self.path("data")} "$4" && echo "values, in $4" ;;
+esac
+""")
+        os.chmod(stub, 0o755)
+        script = os.path.join(ROOT, ".ci", "reference-archive")
+        digests = []
+        for place in ("one", "two"):
+            os.mkdir(self.path(place))
+            done = subprocess.run([script, self.path(place), "6"], env={**self.environment(), "RADCERT": stub},
+                                  capture_output=True, timeout=300, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            (name,) = os.listdir(self.path(place))
+            self.assertEqual(name, f"radcert-references-{manifest['radcert']}.tar.gz")
+            with open(self.path(os.path.join(place, name)), "rb") as file:
+                digests.append(hashlib.sha256(file.read()).hexdigest())
+            self.assertIn(digests[-1], done.stdout.decode())
+        self.assertEqual(digests[0], digests[1])
+        with tarfile.open(self.path(os.path.join("two", name))) as archive:
+            members = {member.name.partition("/")[2]: member for member in archive.getmembers() if member.isfile()}
+            self.assertEqual(set(members), {entry["file"] for entry in manifest["files"]}
+                             | {"README.md", "LICENSE", "CITATION.cff", "manifest.json"})
+            for entry in manifest["files"]:
+                content = archive.extractfile(members[entry["file"]]).read()
+                self.assertEqual(hashlib.sha256(content).hexdigest(), entry["sha256"])
+            self.assertIn("values.", archive.extractfile(members["README.md"]).read().decode())
+            self.assertEqual({(member.uid, member.gid, member.mtime) for member in members.values()}, {(0, 0, 0)})
 
     def test_a_mean_of_a_continuous_solution_comes_with_its_certificates(self):
         name = "continuous_mean_cube_floor_rho_1/2"

@@ -3,6 +3,7 @@
 import json
 import os
 import unittest
+import xml.etree.ElementTree
 
 import jsonschema
 
@@ -46,6 +47,53 @@ class Verify(ProgramTest):
         done = self.run_program("verify", "./own")
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn(b"order_of_the_node_error", done.stdout)
+
+    def junit(self, code, *words):
+        """The cases of JUnit's file by name, after its counts were held against them."""
+        self.expect(code, "verify", *words, "--junit", "claims.xml", "--json", "report.json")
+        root = xml.etree.ElementTree.parse(self.path("claims.xml")).getroot()
+        self.assertEqual(root.tag, "testsuites")
+        cases = {}
+        for suite in root:
+            found = suite.findall("testcase")
+            self.assertEqual(len(found), len(suite), "a suite has cases alone")
+            self.assertEqual(int(suite.get("tests")), len(found))
+            for kind in ("failure", "error"):
+                self.assertEqual(int(suite.get(kind + "s")), sum(case.find(kind) is not None for case in found))
+            self.assertAlmostEqual(float(suite.get("time")), sum(float(case.get("time")) for case in found), places=1)
+            for case in found:
+                self.assertEqual(case.get("classname"), suite.get("name"))
+                cases[suite.get("name") + "/" + case.get("name")] = case
+        for name in ("tests", "failures", "errors"):
+            self.assertEqual(int(root.get(name)), sum(int(suite.get(name)) for suite in root))
+        with open(self.path("report.json"), encoding="utf-8") as file:
+            report = json.load(file)
+        self.assertEqual(set(cases), {claim["paper"] + "/" + claim["label"] for claim in report["claims"]})
+        for claim in report["claims"]:
+            case = cases[claim["paper"] + "/" + claim["label"]]
+            bad = case.find("failure") is not None or case.find("error") is not None
+            self.assertEqual(bad, not claim["as_recorded"], claim["label"])
+            self.assertIn("verdict: " + claim["verdict"], case.find("system-out").text)
+        return cases
+
+    def test_verdicts_as_test_results(self):
+        cases = self.junit(0, CLAIM, "m06/lemma_1_d")
+        self.assertEqual({case.split("/")[0] for case in cases}, {"ac98", "m06"})
+        os.mkdir(self.path("own"))
+        self.write("own/two_piece.json", self.expect(0, "example", "two_piece"))
+        # One holds what the method gives and is its own control: failed. One is recorded as what it is not.
+        self.write("own/claims.toml", order_claim("its_own_control", 1)
+                   + order_claim("far_too_much", 9).replace("says    = \"", "says    = \"<&> \u00e4, "))
+        cases = self.junit(1, "./own")
+        by_label = {name.rsplit("/", 1)[1]: case for name, case in cases.items()}
+        self.assertIsNotNone(by_label["its_own_control"].find("error"))
+        self.assertIn("recorded is supported", by_label["its_own_control"].find("error").get("message"))
+        self.assertIn("<&> \u00e4, the error", by_label["far_too_much"].find("system-out").text)
+        # Refused before any work: a folder that is not there, and two outputs into one file.
+        for words in (["--junit", "no/such/folder/claims.xml"], ["--junit", "both", "--json", "both"]):
+            done = self.run_program("verify", "./own", *words)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(b"--junit", done.stderr)
 
     def test_a_statement_of_a_folder_of_ones_own_is_verified_alone(self):
         os.mkdir(self.path("own"))

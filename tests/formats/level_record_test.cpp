@@ -2,9 +2,16 @@
 #include "radcert/formats/result/level_record.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <span>
+#include <string>
 
+#include "radcert/core/files/result_store.h"
+#include "radcert/formats/result/stored_levels.h"
 #include "tests/formats/sample.h"
 
 namespace radcert {
@@ -66,6 +73,40 @@ TEST(LevelKey, DependsOnTheContentOfAFileOfNodes) {
   const std::string key = level_key(problem, 1);
   triangle_basis_of(problem.method).digest = "another";
   EXPECT_NE(level_key(problem, 1), key);
+}
+
+/// A folder that goes with the test.
+struct Folder {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("radcert-levels-" + std::to_string(getpid()));
+  Folder() { std::filesystem::remove_all(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+};
+
+TEST(StoredLevels, KeepNothingOfAFunctionWithoutAFormula) {
+  const Folder folder;
+  ResultStore store(folder.path);
+  StoredLevels levels(store, [](const Problem&, int) { return test::sample_level(); });
+  Problem problem = test::sample_problem();
+  const auto one = [](auto, auto, auto, std::span<double> values) { std::ranges::fill(values, 1); };
+  for (auto* data : {&problem.solution, &problem.emission}) {
+    const std::size_t before = levels.computed();
+    problem = test::sample_problem();
+    problem.solution.reset();
+    problem.emission.reset();
+    *data = own_function({.words = "a function", .values = one});
+    static_cast<void>(levels.level(problem, 0));
+    static_cast<void>(levels.level(problem, 0));
+    EXPECT_EQ(levels.computed(), before + 2);
+    EXPECT_FALSE(std::filesystem::exists(folder.path));
+  }
+  // What its text tells is kept.
+  problem = test::sample_problem();
+  static_cast<void>(levels.level(problem, 0));
+  static_cast<void>(levels.level(problem, 0));
+  EXPECT_EQ(levels.computed(), 5U);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 import json
 import unittest
 
+import numpy as np
 import radcert as rc
 
 from module import ModuleTest, without
@@ -12,6 +13,16 @@ class Guarantees(ModuleTest):
     def setUp(self):
         super().setUp()
         self.cube = rc.Problem(rc.cube(), reflectivity="1/2", emission={"floor": 1, "*": 0}, levels=[0])
+
+    def test_words_that_are_true_or_false_are_nothing_else(self):
+        problem = rc.Problem("cube", reflectivity="1/2", emission=1)
+        for wrong in ("no", "c.json", 1, 0, None, [], np.ones(1)):
+            with self.assertRaisesRegex(TypeError, "certificate is True or False"):
+                problem.guarantee("0.5", certificate=wrong)
+        for name in ("certified", "rays", "space"):
+            with self.assertRaisesRegex(TypeError, f"{name} is True or False, not str"):
+                rc.cube().factors(**{name: "no"})
+        self.assertTrue(rc.cube().factors(certified=np.bool_(True)).guaranteed)
 
     def test_means_are_proved_and_those_of_the_program(self):
         enclosure = self.cube.guarantee("0.05")

@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 import radcert as rc
 
-from module import EXAMPLES, ModuleTest, without
+from module import EXAMPLES, ModuleTest, unit_cube, without
 
 
 def figures(document):
@@ -123,6 +123,28 @@ class Problems(ModuleTest):
         # Seconds too come from the store.
         self.assertEqual(first.to_json()["timing"]["levels"], again.to_json()["timing"]["levels"])
         self.assertEqual(figures(first.to_json()), figures(again.to_json()))
+
+    def test_a_store_that_cannot_be_written_is_said(self):
+        import warnings
+
+        file = self.folder / "file"
+        file.write_text("no folder", encoding="utf-8")
+        mesh = rc.Mesh(unit_cube())
+        for action in (lambda: self.room.solve([0], store=file / "kept"),
+                       lambda: mesh.factors(store=file / "kept"),
+                       lambda: rc.Problem("cube", reflectivity="1/2", emission={"floor": 1, "*": 0}).guarantee(
+                           "0.5", store=file / "kept"),
+                       lambda: rc.verify("ac98/equation_37", store=file / "kept")):
+            with self.assertWarnsRegex(rc.StoreWarning, "finished work is not kept: .*file"):
+                action()
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                with self.assertRaises(rc.StoreWarning):
+                    action()
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.room.solve([0], store=self.folder / "kept")
+            self.room.solve([0])
 
     def test_progress_is_told_in_this_thread(self):
         import threading

@@ -88,6 +88,57 @@ class Processes(ModuleTest):
         """)
         self.assertEqual(output, "raised level 5\narguments\nprogress\nexit\n1\n")
 
+    def test_ctrl_c_while_a_function_of_python_is_at_work(self):
+        process = self.start("""
+            import time
+            import numpy as np
+            def slow(points):
+                print("begun")
+                time.sleep(0.05)
+                return np.ones(len(points))
+            try:
+                short.replace(emission=None, solution=slow, levels=[2]).solve()
+            except KeyboardInterrupt:
+                print("stopped")
+            print(short.replace(emission=lambda points: np.ones(len(points))).solve()[0].values.value[0].round(9))
+        """)
+        self.assertEqual(process.stdout.readline(), "begun\n")
+        process.send_signal(signal.SIGINT)
+        output, said = process.communicate(timeout=300)
+        self.assertEqual(process.returncode, 0, said)
+        self.assertEqual(output.replace("begun\n", ""), "stopped\n2.0\n", said)
+
+    def test_python_ends_while_a_function_of_it_is_at_work(self):
+        output, _ = self.run_to_its_end("""
+            import time
+            import numpy as np
+            def slow(points):
+                at_work.set()
+                time.sleep(0.02)
+                return np.ones(len(points))
+            thread = threading.Thread(target=lambda: short.replace(emission=None, solution=slow, levels=[3]).solve(), daemon=True)
+            thread.start()
+            at_work.wait()
+            print("end")
+        """)
+        self.assertEqual(output, "end\n")
+
+    def test_a_fork_with_a_function_of_python(self):
+        output, _ = self.run_to_its_end("""
+            import numpy as np
+            problem = short.replace(emission=lambda points: np.ones(len(points)))
+            problem.solve()
+            child = os.fork()
+            if child == 0:
+                try:
+                    problem.solve()
+                except rc.EnvironmentError:
+                    del problem
+                    os._exit(5)
+            print(os.WEXITSTATUS(os.waitpid(child, 0)[1]))
+        """)
+        self.assertEqual(output, "5\n")
+
     def test_a_callback_may_compute(self):
         output, _ = self.run_to_its_end("""
             inner = []

@@ -1,4 +1,5 @@
-# Installs the library and builds and runs a program that finds it as a package.
+# Installs the library, and builds and runs the program of lib/README.md, which finds it as a package; then takes the
+# library in as a part of another project.
 # cmake -D root= -D scratch= -D build= -D version= -D compiler= -D generator= -D flags= -P consumer.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -11,12 +12,49 @@ function(step)
 endfunction()
 
 file(REMOVE_RECURSE "${scratch}")
-step(${CMAKE_COMMAND} --install "${build}" --prefix "${scratch}/prefix")
-step(${CMAKE_COMMAND} -G "${generator}" -S "${root}/tests/structure/consumer" -B "${scratch}/build"
-  -D "CMAKE_CXX_COMPILER=${compiler}" -D CMAKE_CXX_COMPILER_WORKS=1 -D "CMAKE_CXX_FLAGS=${flags}"
-  -D "CMAKE_PREFIX_PATH=${scratch}/prefix")
+set(project ${CMAKE_COMMAND} -G "${generator}" -S "${root}/tests/structure/consumer"
+  -D "CMAKE_CXX_COMPILER=${compiler}" -D CMAKE_CXX_COMPILER_WORKS=1 -D "CMAKE_CXX_FLAGS=${flags}")
+
+# The first block of C++ of the page, and what the page says that it prints.
+file(READ "${root}/lib/README.md" page)
+string(FIND "${page}" "```cpp\n" begin)
+math(EXPR begin "${begin} + 7")
+string(SUBSTRING "${page}" ${begin} -1 rest)
+string(FIND "${rest}" "```" end)
+string(SUBSTRING "${rest}" 0 ${end} program)
+file(WRITE "${scratch}/main.cpp" "${program}")
+string(REGEX MATCH "prints `([^`]+)`" said "${rest}")
+set(expected "${CMAKE_MATCH_1}")
+
+step(${CMAKE_COMMAND} --install "${build}" --component development --prefix "${scratch}/prefix")
+step(${project} -B "${scratch}/build" -D "CMAKE_PREFIX_PATH=${scratch}/prefix" -D "MAIN=${scratch}/main.cpp")
 step(${CMAKE_COMMAND} --build "${scratch}/build")
 step("${scratch}/build/consumer")
+if(NOT output STREQUAL "${expected}\n")
+  message(FATAL_ERROR "the program printed: ${output}")
+endif()
+
+step(${project} -B "${scratch}/part" -D "RADCERT_SOURCE=${root}")
+step(${CMAKE_COMMAND} --build "${scratch}/part")
+step("${scratch}/part/consumer")
 if(NOT output STREQUAL "radcert ${version}\n")
   message(FATAL_ERROR "the program printed: ${output}")
+endif()
+file(READ "${scratch}/part/targets.txt" targets)
+if(NOT "radcert_reference" IN_LIST targets)
+  message(FATAL_ERROR "the library is not there: ${targets}")
+endif()
+foreach(target IN LISTS targets)
+  if(target MATCHES "^(radcert|radcert_(tables|records|requests|c|python|verification)|example_.*|test_.*|bench.*)$")
+    message(FATAL_ERROR "a part of another project has ${target}")
+  endif()
+endforeach()
+step(${CMAKE_COMMAND} --install "${scratch}/part" --prefix "${scratch}/of_parent")
+file(GLOB_RECURSE installed RELATIVE "${scratch}/of_parent" "${scratch}/of_parent/*")
+if(NOT installed STREQUAL "bin/consumer")
+  message(FATAL_ERROR "a parent's installation has ${installed}")
+endif()
+file(STRINGS "${scratch}/part/CMakeCache.txt" build_type REGEX "^CMAKE_BUILD_TYPE:")
+if(NOT build_type MATCHES "=$")
+  message(FATAL_ERROR "the parent's cache was changed: ${build_type}")
 endif()

@@ -52,6 +52,9 @@ READS_BACK = {
     "apps/python/bindings/exact.cpp": "what is no finite number",
     "apps/python/bindings/factors.cpp": "numbers of the input, and doubles that Python reads back",
     "apps/python/bindings/json.cpp": "what is no finite number",
+    "apps/python/bindings/own_functions.cpp": "what a function has given that is no finite number",
+    "apps/requests/factor_request.cpp": "the accuracy of the input",
+    "apps/requests/solution_at.cpp": "coordinates of the input, and how far they are off",
     "apps/radcert/commands/surface.cpp": "coordinates of the input, and an OFF file, which is read back",
     "verification/framework/stored_finding.cpp": "a store, which is read back",
     "verification/framework/stored_number.cpp": "a store, which is read back",
@@ -160,7 +163,8 @@ def main():
     root = pathlib.Path(sys.argv[1])
     faults = controls()
     seen = set()
-    for folder, endings in [("lib/radcert", (".h", ".cpp")), ("apps/radcert", (".h", ".cpp")), ("apps/python", (".h", ".cpp")), ("verification", (".h", ".cpp", ".js"))]:
+    for folder, endings in [("lib/radcert", (".h", ".cpp")), ("apps/radcert", (".h", ".cpp")), ("apps/python", (".h", ".cpp")),
+                            ("apps/requests", (".h", ".cpp")), ("apps/c", (".h", ".cpp")), ("verification", (".h", ".cpp", ".js"))]:
         for path in sorted((root / folder).rglob("*")):
             name = path.relative_to(root).as_posix()
             if path.suffix not in endings or "node_modules" in name:

@@ -24,6 +24,7 @@ struct ErrorClasses {
   PyObject* accuracy = nullptr;
   PyObject* contract = nullptr;
   PyObject* interrupted = nullptr;
+  PyObject* store_warning = nullptr;
 };
 
 ErrorClasses& classes() {
@@ -77,6 +78,8 @@ void translate(std::exception_ptr thrown) {
 
 }  // namespace
 
+PyObject* store_warning() { return classes().store_warning; }
+
 void add_errors(py::module_& module) {
   classes().input =
       new_class(module, "InputError",
@@ -100,6 +103,9 @@ void add_errors(py::module_& module) {
                 "A computation was stopped, by Ctrl-C in another thread or as Python ended. What\n"
                 "Ctrl-C stops in the main thread raises KeyboardInterrupt.",
                 PyExc_RuntimeError);
+  classes().store_warning = new_class(
+      module, "StoreWarning", "A store that was asked for cannot be written: finished work is not kept.",
+      PyExc_UserWarning);
   py::register_exception_translator(translate);
   module.def(
       "refuse",

@@ -15,8 +15,8 @@
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/study.h"
-#include "solution.h"
-#include "store.h"
+#include "requests/solve_request.h"
+#include "requests/store.h"
 #include "work.h"
 
 namespace radcert::python {
@@ -37,7 +37,7 @@ ExperimentRun run_experiment(const py::object& document, const std::string& sour
     const std::uint64_t memory = available_memory();
     for (const Combination& combination : out.experiment.combinations)
       with_combination(combination, source, [&] { check(combination.problem, memory); });
-    ResultStore kept = store_named(store);
+    ResultStore kept = app::store_named(store);
     StoredLevels levels(kept, solve_with(reference::applied_operator, memory));
     const auto all = static_cast<double>(out.experiment.combinations.size());
     for (const Combination& combination : out.experiment.combinations) {
@@ -52,6 +52,7 @@ ExperimentRun run_experiment(const py::object& document, const std::string& sour
         });
       out.results.push_back(collect(combination.problem, std::move(results), std::move(timing)));
     }
+    app::warn_where_nothing_is_kept(kept, store, told);
     return out;
   });
 }
@@ -72,7 +73,7 @@ void add_experiments(py::module_& module) {
       .def("solutions",
            [](const ExperimentRun& run) {
              py::list out;
-             for (const Result& result : run.results) out.append(py::cast(Solution{result, {}}));
+             for (const Result& result : run.results) out.append(py::cast(app::Solution{result, {}}));
              return out;
            })
       .def("json",

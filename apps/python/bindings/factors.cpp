@@ -14,135 +14,40 @@
 #include "mesh.h"
 #include "python.h"
 #include "radcert/core/errors.h"
-#include "radcert/core/files/result_store.h"
-#include "radcert/core/version.h"
-#include "radcert/factors/factor_mesh.h"
 #include "radcert/factors/input/factor_scene.h"
-#include "radcert/factors/ray_factors.h"
-#include "radcert/formats/result/factor_remarks.h"
 #include "radcert/formats/table/factor_comparison.h"
 #include "radcert/formats/table/factors_csv.h"
 #include "radcert/formats/table/unoccluded_factor.h"
 #include "radcert/surface/catalogue.h"
-#include "store.h"
+#include "requests/factor_request.h"
 #include "work.h"
 
 namespace radcert::python {
 
 namespace {
 
-/// What was asked for, as Python's package passes it on.
-struct Wish {
-  std::string by;
-  std::optional<double> accuracy;
-  bool certified = false;
-  bool rays = false;
-};
+using app::Factors;
+using app::FactorWish;
 
-/// A matrix with the scene that it is of.
-struct Factors {
-  std::shared_ptr<const FactorScene> scene;
-  FactorUnits units;
-  FactorReport report;
-  std::vector<std::string> failures;
-
-  [[nodiscard]] std::size_t count() const { return units.names.size(); }
-};
-
-FactorUnit unit_of(const std::string& word) {
-  if (word == "triangle") return FactorUnit::triangle;
-  if (word == "piece") return FactorUnit::piece;
-  if (word == "group") return FactorUnit::group;
-  throw InputError({.source = "by", .value = word, .allowed = "triangle, piece, group"});
-}
-
-double accuracy_of(const Wish& wish) {
-  constexpr double usual_of_certified = 1e-9;
-  constexpr double least_of_rays = 1e-6;
-  constexpr double least = 1e-12;
-  constexpr double most = 0.1;
-  if (!wish.accuracy)
-    return wish.rays ? RayDemand{}.accuracy : (wish.certified ? usual_of_certified : FactorDemand{}.accuracy);
-  if (*wish.accuracy >= (wish.rays ? least_of_rays : least) && *wish.accuracy <= most) return *wish.accuracy;
-  throw InputError(
-      {.source = "accuracy",
-       .value = shortest(*wish.accuracy),
-       .allowed = wish.rays ? "with rays a number from 1e-6 to 0.1" : "a number from 1e-12 to 0.1"});
-}
-
-FactorMatrix computed(const Factors& of, const FactorDemand& demand, bool by_rays, ResultStore& store,
-                      Progress& progress) {
-  const FacetScene& scene = of.scene->scene;
-  const RayDemand rays{.accuracy = demand.accuracy, .open_to_space = demand.open_to_space};
-  FactorPlan plan =
-      by_rays ? ray_plan(scene, of.units, rays) : factor_plan(scene, of.units, demand, FactorsKept::all);
-  plan.memory.require(available_memory());
-  const FactorProgress report{.at = [&](double fraction) { progress.say(fraction, "factors"); },
-                              .key = "factors\n" + std::string(source_digest()) + "\n" + of.scene->identity,
-                              .store = &store};
-  return by_rays ? ray_factors(scene, of.units, rays, report)
-                 : factor_matrix(scene, of.units, demand, report);
-}
-
-Factors factors_of(FactorScene scene, const std::string& name, const Wish& wish, const std::string& store,
-                   Progress& progress) {
-  const double accuracy = accuracy_of(wish);
-  Factors out{.scene = std::make_shared<const FactorScene>(std::move(scene)),
-              .units = {},
-              .report = {.command = "radcert.factors",
-                         .name = name,
-                         .by = wish.by,
-                         .names = {},
-                         .matrix = {},
-                         .warnings = {},
-                         .comparison = std::nullopt},
-              .failures = {}};
-  out.units = factor_units(out.scene->mesh, unit_of(wish.by));
-  out.report.triangles = out.scene->scene.facet_count();
-  out.report.open = out.scene->open;
-  if (!out.scene->front.empty()) out.report.front = out.scene->front;
-  out.report.facets_only = out.scene->mesh.pieces_bend;
-  out.report.names = out.units.names;
-  ResultStore kept = store_named(store);
-  const FactorDemand demand{
-      .certified = wish.certified, .accuracy = accuracy, .open_to_space = out.scene->open};
-  out.report.matrix = computed(out, demand, wish.rays, kept, progress);
-  out.report.warnings = factor_warnings(out.report, OptionStyle::argument);
-  for (const std::string& done : out.scene->mended) out.report.warnings.push_back("mended: " + done);
-  out.report.warnings.insert(out.report.warnings.end(), out.scene->remarks.begin(), out.scene->remarks.end());
-  out.failures = factor_failures(out.report, wish.accuracy ? std::optional(accuracy) : std::nullopt,
-                                 OptionStyle::argument);
-  return out;
-}
-
-Wish checked(const std::string& by, const std::optional<double>& accuracy, bool certified, bool rays,
-             bool two_sided) {
-  if (two_sided && certified)
-    throw InputError(
-        {.source = "two_sided", .problem = "is not served with certified", .allowed = "estimated radii"});
-  if (rays && certified)
-    throw InputError({.source = "rays", .problem = "proves nothing", .allowed = "without certified"});
-  static_cast<void>(unit_of(by));
-  const Wish wish{.by = by, .accuracy = accuracy, .certified = certified, .rays = rays};
-  static_cast<void>(accuracy_of(wish));
-  return wish;
-}
+constexpr const char* command = "radcert.factors";
 
 Factors of_mesh(const Mesh& mesh, const std::string& by, const std::optional<double>& accuracy,
                 bool certified, bool rays, bool space, const std::string& store, const py::object& progress) {
-  const Wish wish = checked(by, accuracy, certified, rays, !mesh.choice.two_sided.empty());
+  const FactorWish wish{.by = by, .accuracy = accuracy, .certified = certified, .rays = rays};
+  app::check(wish, !mesh.choice.two_sided.empty());
   FactorSceneChoice choice = mesh.choice;
   choice.space = space;
   return compute(progress, [&](Progress& told) {
-    return factors_of(factor_scene(mesh.name, mesh.file, choice, OptionStyle::argument), mesh.name, wish,
-                      store, told);
+    return app::factors_of(factor_scene(mesh.name, mesh.file, choice, OptionStyle::argument), command,
+                           mesh.name, wish, store, told);
   });
 }
 
 Factors of_surface(const SurfaceChoice& surface, std::int64_t level, const std::string& by,
                    const std::optional<double>& accuracy, bool certified, bool rays, bool space,
                    const std::string& store, const py::object& progress) {
-  const Wish wish = checked(by, accuracy, certified, rays, false);
+  const FactorWish wish{.by = by, .accuracy = accuracy, .certified = certified, .rays = rays};
+  app::check(wish, false);
   constexpr std::int64_t most = 8;
   if (level < 0 || level > most)
     throw InputError(
@@ -151,8 +56,9 @@ Factors of_surface(const SurfaceChoice& surface, std::int64_t level, const std::
     Problem problem;
     problem.surface = surface;
     const Surface made = surface_of(problem);
-    return factors_of(factor_scene(surface.name, made, static_cast<int>(level), space, OptionStyle::argument),
-                      surface.name, wish, store, told);
+    return app::factors_of(
+        factor_scene(surface.name, made, static_cast<int>(level), space, OptionStyle::argument), command,
+        surface.name, wish, store, told);
   });
 }
 

@@ -24,7 +24,7 @@
 #include "radcert/formats/result/stored_numbers.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/certified_solution.h"
-#include "store.h"
+#include "requests/store.h"
 #include "work.h"
 
 namespace radcert::python {
@@ -64,7 +64,7 @@ Enclosed enclose(PythonProblem problem, const py::object& document, bool with_ce
       const Guarantee& wanted = *problem.problem.guarantee;
       check_guarantee(problem.problem, wanted);
       if (with_certificate) check_certified(problem.problem, wanted);
-      ResultStore folder = store_named(store);
+      ResultStore folder = app::store_named(store);
       // A mesh or nodes of Python's own stand in the key by their digests.
       StoredNumbers kept(folder, guarantee_key(problem.problem, with_certificate));
       const GuaranteeContext context{
@@ -82,6 +82,7 @@ Enclosed enclose(PythonProblem problem, const py::object& document, bool with_ce
       } else {
         std::tie(level, enclosure) = solve_within(problem.problem, wanted, context);
       }
+      app::warn_where_nothing_is_kept(folder, store, told);
       out.result = {.problem = problem.problem,
                     .levels = {std::move(level)},
                     .orders = {},

@@ -16,18 +16,12 @@
 #include "radcert/formats/result/surface_json.h"
 #include "radcert/geometry/mesh_file/mesh_arrays.h"
 #include "radcert/hypotheses/piece_measures.h"
+#include "requests/factor_request.h"
 #include "work.h"
 
 namespace radcert::python {
 
 namespace {
-
-FrontRule front_of(const std::string& word) {
-  const std::vector<std::string> known(front_words.begin(), front_words.end());
-  const auto at = std::find(known.begin(), known.end(), word);
-  if (at == known.end()) throw InputError({.source = "front", .value = word, .allowed = listed(known)});
-  return static_cast<FrontRule>(at - known.begin());
-}
 
 std::vector<std::string> repair_of(const std::vector<std::string>& words) {
   const std::vector<std::string> known(repair_words.begin(), repair_words.end());
@@ -138,11 +132,12 @@ void add_meshes(py::module_& module) {
       .def(py::init([](const std::string& name, const std::string& front,
                        const std::vector<std::string>& repair, const std::vector<std::string>& two_sided,
                        const py::object& angle) {
-             Mesh mesh{
-                 .name = name,
-                 .file = {},
-                 .choice = {.repair = repair_of(repair), .front = front_of(front), .two_sided = two_sided},
-                 .angle = angle_of(angle)};
+             Mesh mesh{.name = name,
+                       .file = {},
+                       .choice = {.repair = repair_of(repair),
+                                  .front = app::front_named(front),
+                                  .two_sided = two_sided},
+                       .angle = angle_of(angle)};
              mesh.file = compute(py::none(), [&](Progress&) { return read_mesh_file(name); });
              return mesh;
            }),
@@ -152,11 +147,12 @@ void add_meshes(py::module_& module) {
                        const std::vector<std::string>& groups, const std::string& front,
                        const std::vector<std::string>& repair, const std::vector<std::string>& two_sided,
                        const py::object& angle) {
-             return Mesh{
-                 .name = name,
-                 .file = file_of_arrays(name, points, triangles, groups),
-                 .choice = {.repair = repair_of(repair), .front = front_of(front), .two_sided = two_sided},
-                 .angle = angle_of(angle)};
+             return Mesh{.name = name,
+                         .file = file_of_arrays(name, points, triangles, groups),
+                         .choice = {.repair = repair_of(repair),
+                                    .front = app::front_named(front),
+                                    .two_sided = two_sided},
+                         .angle = angle_of(angle)};
            }),
            py::arg("name"), py::arg("points"), py::arg("triangles"), py::arg("groups"), py::kw_only(),
            py::arg("front"), py::arg("repair"), py::arg("two_sided"), py::arg("angle"))

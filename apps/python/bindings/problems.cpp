@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,17 +10,15 @@
 #include "json.h"
 #include "mesh.h"
 #include "nodes.h"
+#include "own_functions.h"
 #include "problem.h"
 #include "python.h"
 #include "radcert/core/errors.h"
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/problem/problem_parts.h"
-#include "radcert/formats/result/stored_levels.h"
-#include "radcert/reference/operator_integral.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/surface/catalogue.h"
-#include "solution.h"
-#include "store.h"
+#include "requests/solve_request.h"
 #include "work.h"
 
 namespace radcert::python {
@@ -29,7 +26,7 @@ namespace radcert::python {
 namespace {
 
 PythonProblem problem_from(const py::object& document, const std::string& source,
-                           const SurfaceChoice* surface, const Nodes* nodes) {
+                           const SurfaceChoice* surface, const Nodes* nodes, const py::dict& functions) {
   JsonValue json = with_source(source, [&] { return json_of(document); });
   std::optional<SurfaceChoice> chosen;
   if (surface != nullptr) chosen = *surface;
@@ -37,37 +34,16 @@ PythonProblem problem_from(const py::object& document, const std::string& source
   out.source = source;
   out.problem = compute(py::none(), [&](Progress&) { return problem_of(json, source, chosen); });
   if (nodes != nullptr) triangle_basis_of(out.problem.method) = node_file_basis(*nodes->file, nodes->name);
+  with_source(source, [&] {
+    for (const auto& [part, function] : functions)
+      set_function(out.problem, py::str(part), py::reinterpret_borrow<py::object>(function));
+  });
   return out;
 }
 
-/// The entries of the matrix at a level, in units of those at level 0.
-double work(int level) { return std::pow(16.0, level); }
-
-Solution solved(const PythonProblem& given, const std::string& store, const py::object& progress) {
-  return compute(progress, [&](Progress& told) {
-    const Problem& problem = given.problem;
-    const std::uint64_t memory = available_memory();
-    return with_source(given.source, [&] {
-      check(problem, memory);
-      ResultStore kept = store_named(store);
-      StoredLevels source(kept, solve_with(reference::applied_operator, memory));
-      double all = 0;
-      for (const int level : problem.triangulation.levels) all += work(level);
-      double done = 0;
-      std::vector<LevelOutcome> levels;
-      std::vector<LevelResult> results;
-      std::vector<LevelTiming> timing;
-      for (const int level : problem.triangulation.levels) {
-        told.say(done / all, "level " + std::to_string(level));
-        levels.push_back(source.level(problem, level));
-        results.push_back(levels.back().result);
-        timing.push_back(levels.back().timing);
-        done += work(level);
-      }
-      told.say(1, "done");
-      return Solution{collect(problem, std::move(results), std::move(timing)), std::move(levels)};
-    });
-  });
+app::Solution solved(const PythonProblem& given, const std::string& store, const py::object& progress) {
+  return compute(progress,
+                 [&](Progress& told) { return app::solved(given.problem, given.source, store, told); });
 }
 
 py::list surface_listing() {
@@ -103,7 +79,7 @@ void add_problems(py::module_& module) {
       });
   py::class_<PythonProblem>(module, "Problem")
       .def(py::init(&problem_from), py::arg("document"), py::arg("source"), py::arg("surface"),
-           py::arg("nodes"))
+           py::arg("nodes"), py::arg("functions"))
       .def_static(
           "read",
           [](const std::string& file) {

@@ -10,6 +10,9 @@ namespace radcert::python {
 
 namespace py = pybind11;
 
+/// The class radcert.StoreWarning.
+[[nodiscard]] PyObject* store_warning();
+
 /// Each adds its part of the module.
 void add_errors(py::module_& module);
 void add_work(py::module_& module);

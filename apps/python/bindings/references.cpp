@@ -8,41 +8,15 @@
 #include "exact.h"
 #include "json.h"
 #include "python.h"
-#include "radcert/core/errors.h"
 #include "radcert/formats/result/reference_json.h"
 #include "radcert/reference/continuous_means.h"
 #include "radcert/reference/reference_value.h"
-#include "records/continuous_records.h"
-#include "records/reference_records.h"
+#include "requests/reference_request.h"
 #include "work.h"
 
 namespace radcert::python {
 
 namespace {
-
-constexpr int usual_digits = 20;
-
-int digits_of(std::int64_t digits) {
-  if (digits >= 1 && digits <= reference::most_reference_digits) return static_cast<int>(digits);
-  throw InputError(
-      {.source = "digits",
-       .value = std::to_string(digits),
-       .allowed = "a whole number from 1 to " + std::to_string(reference::most_reference_digits)});
-}
-
-ReferenceRecord continuous(const reference::ContinuousMean& mean, const std::vector<app::Setting>& settings,
-                           std::optional<int> digits) {
-  if (!settings.empty())
-    throw InputError({.source = mean.name,
-                      .value = settings.front().name,
-                      .problem = "is for a family, and " + mean.name + " is one value"});
-  ReferenceRecord record = app::continuous_record(mean);
-  if (digits && *digits > record.digits)
-    throw AccuracyNotReached(mean.name, "a radius of 1e-" + std::to_string(*digits) +
-                                            " is not proved by its certificate, 1e-" +
-                                            std::to_string(record.digits) + " is");
-  return record;
-}
 
 ReferenceRecord reference_record(const std::string& name, const std::optional<std::int64_t>& digits,
                                  const py::dict& parameters) {
@@ -51,13 +25,7 @@ ReferenceRecord reference_record(const std::string& name, const std::optional<st
     const std::string parameter = py::str(key);
     settings.push_back({parameter, exact_text_of(value, name + ": " + parameter, "an exact number")});
   }
-  const std::optional<int> wanted = digits ? std::optional(digits_of(*digits)) : std::nullopt;
-  return compute(py::none(), [&](Progress&) {
-    if (const reference::ContinuousMean* mean = reference::find_continuous_mean(name))
-      return continuous(*mean, settings, wanted);
-    return app::record_of(app::wanted_reference(name, settings, OptionStyle::argument),
-                          wanted.value_or(usual_digits));
-  });
+  return compute(py::none(), [&](Progress&) { return app::requested_reference(name, settings, digits); });
 }
 
 /// All that can be asked for: name, kind, words, parameters with default and what is allowed.

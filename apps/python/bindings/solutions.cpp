@@ -21,11 +21,14 @@
 #include "radcert/formats/table/csv.h"
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/study/experiment.h"
-#include "solution.h"
+#include "requests/solution_at.h"
+#include "work.h"
 
 namespace radcert::python {
 
 namespace {
+
+using app::Solution;
 
 const ErrorKind& kind_named(const std::string& name) {
   std::vector<std::string> known;
@@ -127,6 +130,35 @@ py::dict elements_of(const Solution& solution, std::size_t place) {
   return out;
 }
 
+/// The computed function and its iterate at points of the surface.
+py::dict at(const Solution& solution, std::size_t place, const py::object& points, double tolerance,
+            bool iterated, const py::object& progress) {
+  require_place(place, solution.levels.size());
+  const DoubleArray rows = double_rows(points, 3, "points");
+  std::vector<Vector<double>> wanted;
+  const auto of = rows.unchecked<2>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) wanted.push_back({of(i, 0), of(i, 1), of(i, 2)});
+  const std::vector<app::ValueAt> found = compute(progress, [&](Progress& told) {
+    return app::solution_at(solution, place, wanted, {.tolerance = tolerance, .iterated = iterated}, told);
+  });
+  py::list pieces;
+  std::vector<double> distances;
+  for (const app::ValueAt& value : found) {
+    pieces.append(value.piece);
+    distances.push_back(value.distance);
+  }
+  py::dict out;
+  out["points"] = point_array(found, [](const app::ValueAt& value) { return value.point; });
+  out["distance"] = owning_array(std::move(distances));
+  out["pieces"] = pieces;
+  out["u_n"] = approximation_arrays(found, [](const app::ValueAt& value) { return value.u_n; });
+  out["iterated"] =
+      iterated
+          ? py::object(approximation_arrays(found, [](const app::ValueAt& value) { return *value.iterated; }))
+          : py::object(py::none());
+  return out;
+}
+
 std::string svg_of(const Solution& solution, const std::string& title) {
   const Plot plot = convergence_plot(
       title, {.name = {}, .levels = solution.result.levels, .orders = solution.result.orders});
@@ -187,6 +219,8 @@ void add_solutions(py::module_& module) {
       .def("fits", fits_of)
       .def("nodes", nodes_of, py::arg("place"))
       .def("corners", elements_of, py::arg("place"))
+      .def("at", at, py::arg("place"), py::arg("points"), py::arg("tolerance"), py::arg("iterated"),
+           py::arg("progress"))
       .def("json",
            [](const Solution& s) { return object_of(result_json(s.result, "radcert.Problem.solve")); })
       .def("latex", [](const Solution& s) { return py::bytes(levels_latex(s.result)); })

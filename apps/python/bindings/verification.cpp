@@ -11,7 +11,7 @@
 #include "radcert/core/memory_plan.h"
 #include "radcert/formats/result/stored_levels.h"
 #include "radcert/reference/operator_integral.h"
-#include "store.h"
+#include "requests/store.h"
 #include "verification/framework/run_verification.h"
 #include "verification/report/report_text.h"
 #include "work.h"
@@ -29,13 +29,15 @@ Report verify(const std::vector<std::string>& words, const std::string& budget, 
   if (!wanted) throw InputError({.source = "budget", .value = budget, .allowed = "quick, standard, full"});
   return compute(progress, [&](Progress& told) {
     const OperatorRoute route = reference::applied_operator;
-    ResultStore kept = store_named(store);
+    ResultStore kept = app::store_named(store);
     StoredLevels levels(kept, solve_with(route, available_memory()));
     const verification::Bench bench{.budget = *wanted, .route = route, .levels = levels, .store = kept};
-    return verification::run_verification(words, bench, [&](const verification::Progress& now) {
+    Report report = verification::run_verification(words, bench, [&](const verification::Progress& now) {
       told.say(now.total == 0 ? 0 : static_cast<double>(now.done) / static_cast<double>(now.total),
                now.statement);
     });
+    app::warn_where_nothing_is_kept(kept, store, told);
+    return report;
   });
 }
 

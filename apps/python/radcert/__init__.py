@@ -14,7 +14,7 @@ EnvironmentError, with the words of the program.
 from typing import Callable
 
 from . import _core
-from ._core import (AccuracyNotReached, Ball, ContractViolation, EnvironmentError, InputError, Interrupted)
+from ._core import (AccuracyNotReached, Ball, ContractViolation, EnvironmentError, InputError, Interrupted, StoreWarning)
 from .basis import Basis, inset, orbit, symmetric
 from .experiment import Experiment, experiment
 from .expression import (Expression, Q, atan, barycentric, cos, exp, expression, log, maximum, minimum, pi, sin, sqrt, tan,
@@ -23,7 +23,7 @@ from .factors import Comparison, Factors, FactorWarning
 from .guarantee import Check, Enclosure, Proved, check_certificate
 from .mesh import Mesh, Piece
 from .numbers import Approximations, Reference, reference, references
-from .problem import LevelValues, Problem, Solution
+from .problem import AtPoints, LevelValues, Problem, Solution
 from .progress import progress_bar
 from .surfaces import Surface, surface, surface_function, surfaces
 from .verification import Report, verify

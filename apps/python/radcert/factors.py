@@ -26,6 +26,13 @@ def store_name(store: Store) -> str:
     return "default" if store is True else os.fspath(store)
 
 
+def flag(value: Any, name: str) -> bool:
+    """A word that is True or False; anything else is taken for a slip."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is True or False, not {type(value).__name__}")
+    return bool(value)
+
+
 def write(path: Path, content: bytes) -> None:
     """Writes bytes to a file."""
     with open(path, "wb") as file:

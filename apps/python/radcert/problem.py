@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _core
 from .basis import Basis
-from .factors import Listener, Path, Store, store_name, write
+from .factors import Listener, Path, Store, flag, store_name, write
 from .guarantee import Enclosure
 from .mesh import Mesh
 from .numbers import Approximations
@@ -19,10 +19,13 @@ class Problem:
 
     surface: ``ellipsoid(1, "3/4", "1/2")``, a name, a ``Mesh``, or a dict as a problem file has it.
     basis: a ``Basis``, ``inset(...)``, ``symmetric(...)``, the name of a meshless basis, or a dict; linear functions inset by
-        1/6 where none is given.
+        1/6 where none is given. In a dict of a meshless basis "mother" may be a function of a float r >= 0 that gives a
+        float; it is called for each number, which is slow.
     reflectivity: rho, from 0 to 1. solution: u, then E = u - Ku and the errors are known. emission: E, the power emitted per
         area. Each a number, an ``Expression`` in ``xyz()``, a text, or a dict of these by piece, "*" for the rest. A float
-        is the double that it is. Exactly one of solution and emission is given.
+        is the double that it is. Exactly one of solution and emission is given; it may be a function of points, an array
+        (n, 3), that gives an array (n,): floats alone, so that nothing follows with a proof or a radius, and no store keeps
+        it. It is called from threads of the library, and must be the same whenever it is called.
     levels: numbers of symmetric refinements, ascending. pattern, grading: of the triangulation.
     geometry, quadrature, operator, solver: as in a problem file; a name alone will do for operator and solver.
     label: a short name for tables and plots. fit_from: the level with which fitted orders begin.
@@ -35,13 +38,14 @@ class Problem:
                  quadrature: Any = None, operator: Any = None, solver: Any = None, label: Optional[str] = None,
                  fit_from: Optional[int] = None) -> None:
         self._given = {key: value for key, value in locals().items() if key not in ("self", "__class__")}
-        self._problem = _stated(**self._given)
+        self._problem, self._functions = _stated(**self._given)
 
     @classmethod
     def read(cls, file: Path) -> "Problem":
         """A problem file."""
         problem = cls.__new__(cls)
         problem._given = {}
+        problem._functions = {}
         problem._problem = _core.Problem.read(os.fspath(file))
         return problem
 
@@ -75,7 +79,9 @@ class Problem:
         if solver is not None:
             changes["solver"] = solver
         problem = self.replace(**changes) if changes else self
-        return Solution(problem._problem.solve(store_name(store), progress))
+        # A function's name does not tell it from another: nothing of it is kept.
+        folder = "" if problem._functions else store_name(store)
+        return Solution(problem._problem.solve(folder, progress), sorted(problem._functions))
 
     def guarantee(self, width: Any, of: str = "means", *, points: Any = None, outside: Any = None, emissions: Any = None,
                   certificate: bool = False, store: Store = None, progress: Listener = None) -> Enclosure:
@@ -91,6 +97,7 @@ class Problem:
         other; levels, basis and solver do not matter. Raises AccuracyNotReached where nothing is proved; where the width
         is not reached ``Enclosure.hindrance`` says so.
         """
+        with_certificate = flag(certificate, "certificate")
         document: dict[str, Any] = {"width": _core.exact_text(width, "width"), "of": of}
         if points is not None:
             document["points"] = [[_core.exact_text(x, f"points/{i}/{j}") for j, x in enumerate(point)]
@@ -99,7 +106,7 @@ class Problem:
             document["outside"] = _core.exact_text(outside, "outside")
         if emissions is not None:
             document["emissions"] = emissions
-        return Enclosure(_core.enclose(self._problem, document, certificate, store_name(store), progress))
+        return Enclosure(_core.enclose(self._problem, document, with_certificate, store_name(store), progress))
 
     def to_json(self) -> dict[str, Any]:
         """The problem as its file has it, every default written out: a dict. A mesh or a basis of Python's own stands in it
@@ -107,7 +114,9 @@ class Problem:
         return self._problem.json()
 
     def write(self, path: Path) -> None:
-        """Writes the problem file."""
+        """Writes the problem file; a problem with a function of Python has none."""
+        for part in self._functions:
+            _core.refuse("problem", f"/{part}", None, "is a function of Python, which no file has", "an expression")
         write(path, self._problem.text().encode())
 
     def __repr__(self):
@@ -139,6 +148,15 @@ def _stated(surface, basis, reflectivity, solution, emission, levels, pattern, g
         document["basis"] = basis._document or {"family": "inset", "degree": 0}
     else:
         document["basis"] = basis
+    # Functions stand beside the document too, which needs something in their places.
+    functions = {}
+    if isinstance(document["basis"], dict) and _is_function(document["basis"].get("mother")):
+        functions["mother"] = document["basis"]["mother"]
+        document["basis"] = {**document["basis"], "mother": "exp(-r)"}
+    if _is_function(solution):
+        functions["solution"], solution = solution, "0"
+    if _is_function(emission):
+        functions["emission"], emission = emission, "0"
     document["reflectivity"] = reflectivity
     for key, value in (("solution", solution), ("emission", emission), ("geometry", geometry), ("label", label),
                        ("quadrature", quadrature), ("fit_from", fit_from)):
@@ -147,7 +165,12 @@ def _stated(surface, basis, reflectivity, solution, emission, levels, pattern, g
     for key, value in (("operator", operator), ("solver", solver)):
         if value is not None:
             document[key] = {"name": value} if isinstance(value, str) else value
-    return _core.Problem(document, "problem", choice, nodes)
+    return _core.Problem(document, "problem", choice, nodes, functions), functions
+
+
+def _is_function(value):
+    """Whether it is called for its values; an ``Expression`` is read as a formula."""
+    return callable(value) and not hasattr(value, "_radcert_text") and not isinstance(value, type)
 
 
 def _exact_or_same(value, place):
@@ -181,6 +204,24 @@ class LevelValues:
         self.corner_pieces = corners["pieces"]
 
 
+class AtPoints:
+    """Values at points of the surface.
+
+    points: (n, 3) floats, of the surface, nearest to those that were asked for; distance: (n,) floats, between the two.
+    pieces: a name a point. u_n: ``Approximations`` of the computed function; on the sides of elements, where it may have two
+    values, the one of the first element. iterated: ``Approximations`` of E + K u_n, which is smooth where u is and often
+    nearer to it; None where it was not asked for. Radii are estimates of how far these numbers of the discrete equation are
+    off, not of their distance from u.
+    """
+
+    def __init__(self, found):
+        self.points = found["points"]
+        self.distance = found["distance"]
+        self.pieces = found["pieces"]
+        self.u_n = Approximations(*found["u_n"])
+        self.iterated = None if found["iterated"] is None else Approximations(*found["iterated"])
+
+
 class Solution:
     """What was computed of a problem, level by level.
 
@@ -188,11 +229,13 @@ class Solution:
     errors: dict of ``Approximations`` by name, for a problem with a solution: "discretisation_error", max |K(I - P_n)u| over
     the nodes; "node_error", max |u - u_n| over the nodes; "uniform_error", over a sample of the surface. means: dict of
     ``Approximations`` by piece, the means of u_n. norm_K: ``Approximations``. seconds: (k,) floats.
-    ``solution[i]`` are the values of the i-th level.
+    ``solution[i]`` are the values of the i-th level. by_functions: the parts of the problem that were functions of Python;
+    what follows from them is estimated, never guaranteed.
     """
 
-    def __init__(self, solution):
+    def __init__(self, solution, by_functions=()):
         self._solution = solution
+        self.by_functions = list(by_functions)
 
     @property
     def levels(self) -> np.ndarray:
@@ -248,12 +291,43 @@ class Solution:
     def __len__(self) -> int:
         return len(self._solution.levels)
 
-    def __getitem__(self, place: int) -> LevelValues:
+    def _place(self, place):
         count = len(self)
         index = place + count if place < 0 else place
         if not 0 <= index < count:
             raise IndexError(f"there are {count} levels")
+        return index
+
+    def __getitem__(self, place: int) -> LevelValues:
+        index = self._place(place)
         return LevelValues(self._solution.nodes(index), self._solution.corners(index))
+
+    def at(self, points: Any, level: int = -1, *, iterated: bool = True, tolerance: float = 1e-9,
+           progress: Listener = None) -> AtPoints:
+        """u_n, and the iterate E + K u_n, at points of the surface.
+
+        points: (n, 3) floats. level: the place of a level, as in ``solution[level]``. tolerance: how far off the surface a
+        point may lie, relative to the surface's extent; farther ones are refused, nearer ones moved to the nearest point.
+        iterated: an integral over all elements for each point, tenths of a second; not on occluded surfaces, nor on edges.
+        progress: as in ``Problem.solve``.
+        """
+        return AtPoints(self._solution.at(self._place(level), points, tolerance, flag(iterated, "iterated"), progress))
+
+    def to_pyvista(self, level: int = -1) -> Any:
+        """u_n at a level as a ``pyvista.PolyData``: three points of its own for each element, since u_n may jump between
+        them; point data "u_n", cell data "piece", the place in the field data "pieces". Needs pyvista."""
+        import pyvista
+
+        values = self[level]
+        count = len(values.corners)
+        cells = np.hstack([np.full((count, 1), 3), np.arange(3 * count).reshape(count, 3)])
+        mesh = pyvista.PolyData(values.corners.reshape(3 * count, 3), cells.ravel())
+        mesh.point_data["u_n"] = values.corner_values.ravel()
+        names = list(dict.fromkeys(values.corner_pieces))
+        places = {name: place for place, name in enumerate(names)}
+        mesh.cell_data["piece"] = np.array([places[name] for name in values.corner_pieces])
+        mesh.field_data["pieces"] = np.array(names)
+        return mesh
 
     def to_json(self) -> dict[str, Any]:
         """What ``radcert solve --json`` writes, as a dict."""

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,6 +18,7 @@
 #include "origin.h"
 #include "output.h"
 #include "progress.h"
+#include "radcert/core/digest.h"
 #include "radcert/core/files/result_store.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/version.h"
@@ -217,8 +220,26 @@ ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& opt
 
 constexpr const char* certificate_folder = "certificates";
 
-JsonValue manifest(const Common& common, const std::vector<ReferenceRecord>& records, int digits) {
+/// The names of files below a folder, with what tells their contents from others.
+JsonValue file_list(const Files& files, const std::filesystem::path& folder) {
+  std::vector<std::pair<std::string, JsonValue>> named;
+  for (const auto& [path, content] : files) {
+    const std::string name = path.lexically_relative(folder).generic_string();
+    named.emplace_back(name, JsonValue::object({{"file", name},
+                                                {"bytes", static_cast<std::int64_t>(content.size())},
+                                                {"sha256", sha256(content)}}));
+  }
+  std::sort(named.begin(), named.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return json_array(named, [](const auto& each) { return each.second; });
+}
+
+/// Of radcert, and with it of what it writes as its own data.
+constexpr const char* licence = "GPL-3.0-or-later";
+
+JsonValue manifest(const Common& common, const std::vector<ReferenceRecord>& records, int digits,
+                   const Files& files, const std::filesystem::path& folder) {
   JsonValue out = document_head("manifest", common.command);
+  out.set("licence", licence);
   out.set("digits", digits);
   out.set("table", "references.csv");
   out.set("values", json_array(records, [](const ReferenceRecord& record) {
@@ -231,6 +252,7 @@ JsonValue manifest(const Common& common, const std::vector<ReferenceRecord>& rec
             if (!certificates.elements()->empty()) value.set("certificates", std::move(certificates));
             return value;
           }));
+  out.set("files", file_list(files, folder));
   return out;
 }
 
@@ -245,7 +267,7 @@ ExitCode write_all(const Common& common, const ReferenceOptions& options, int di
   const std::size_t all = named.size() + reference::continuous_means().size();
   ResultStore store = common.store();
   std::vector<ReferenceRecord> records;
-  std::vector<std::pair<std::filesystem::path, std::string>> files;
+  Files files;
   {
     ProgressDisplay progress(common.quiet);
     for (const reference::NamedValue& value : named) {
@@ -265,7 +287,7 @@ ExitCode write_all(const Common& common, const ReferenceOptions& options, int di
     files.emplace_back(folder / (file_name(record.name) + ".json"),
                        reference_json(record, common.command).pretty() + "\n");
   files.emplace_back(folder / "references.csv", reference_csv(records));
-  const std::string contents = manifest(common, records, digits).pretty() + "\n";
+  const std::string contents = manifest(common, records, digits, files, folder).pretty() + "\n";
   files.emplace_back(folder / "manifest.json", contents);
   print_result(common, outputs,
                std::to_string(named.size()) + " values with radii <= 1e-" + std::to_string(digits) +

@@ -21,6 +21,7 @@
 #include "radcert/reference/operator_integral.h"
 #include "verification/framework/reading/embedded.h"
 #include "verification/framework/run_verification.h"
+#include "verification/report/report_junit.h"
 #include "verification/report/report_text.h"
 #include "verify_files.h"
 
@@ -32,6 +33,7 @@ struct VerifyOptions {
   std::vector<std::string> words;
   std::string budget = "quick";
   std::string out;
+  std::string junit;
 };
 
 verification::Budget budget_of(const std::string& word) {
@@ -97,6 +99,7 @@ ExitCode verify(const Common& common, const VerifyOptions& options) {
   const verification::Budget budget = budget_of(options.budget);
   Outputs outputs(common);
   outputs.folder("--out", options.out, {"provenance.json", "report.json"});
+  outputs.file("--junit", options.junit);
   const std::vector<InputDigest> inputs = inputs_of(options.words);
   for (const InputDigest& input : inputs) outputs.input(input.name);
   const auto limit = common.limit_threads();
@@ -124,6 +127,7 @@ ExitCode verify(const Common& common, const VerifyOptions& options) {
     for (auto& file : origin_files(options.out, common, papers_of(report), inputs))
       files.push_back(std::move(file));
   }
+  if (!options.junit.empty()) files.emplace_back(options.junit, verification::report_junit(report));
   const std::size_t columns = terminal_width().value_or(std::string::npos);
   print_result(common, outputs, with_alarms(verification::report_table(report, columns)),
                verification::report_json_text(report, common.command), std::move(files));
@@ -144,6 +148,11 @@ void add_verify(Program& program) {
       "Write to DIR: report.html, report.json, report.md; errors.csv, table.tex, plot.tex, plots (SVG), "
       "cite.bib, provenance.json",
       "DIR");
+  command.option(
+      "--junit", options->junit,
+      "Write the verdicts as test results in JUnit's XML: a case fails where its verdict is not the "
+      "recorded one",
+      "FILE.xml");
   command.fresh_flag(program.common());
   command.footer(
       "Finished work is kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted run goes on there.");

@@ -43,7 +43,9 @@ void set_deadline(long nanoseconds) {
 }
 
 // Async-signal-safe throughout: POSIX signal-safety(7) has write, unlink, timer_settime, alarm, raise, _exit.
-extern "C" void radcert_on_deadline(int) {
+extern "C" {
+
+static void on_deadline(int) {
   if (renaming_files()) {
     set_deadline(until_next_look);
     return;
@@ -56,7 +58,7 @@ extern "C" void radcert_on_deadline(int) {
   _exit(static_cast<int>(ExitCode::interrupted));
 }
 
-extern "C" void radcert_on_signal(int signal) {
+static void on_signal(int signal) {
   const int error = errno;
   if (!interruption_requested()) {
     request_interruption();
@@ -70,6 +72,8 @@ extern "C" void radcert_on_signal(int signal) {
   }
   errno = error;
 }
+
+}  // extern "C"
 
 }  // namespace
 
@@ -85,9 +89,9 @@ void install_interrupt_handler() {
   struct sigaction action {};
   sigemptyset(&action.sa_mask);
   action.sa_flags = SA_RESTART;
-  action.sa_handler = radcert_on_deadline;
+  action.sa_handler = on_deadline;
   sigaction(SIGALRM, &action, nullptr);
-  action.sa_handler = radcert_on_signal;
+  action.sa_handler = on_signal;
   sigaddset(&action.sa_mask, SIGALRM);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);

@@ -129,7 +129,9 @@ AppliedOperator::AppliedOperator(const Surface& surface, const SurfaceFunction& 
     : AppliedOperator(
           surface,
           [&u](const PointBlock& q, std::span<double> values) { u.evaluate(q.chart, q.x, q.y, q.z, values); },
-          u.formulas()) {}
+          // Of a function without a formula nothing is known between the samples.
+          u.is_by_formulas() ? density_cells(surface, u.formulas()) : whole_charts(surface),
+          has_to_close(surface)) {}
 
 AppliedOperator::AppliedOperator(const Surface& surface, Density u, std::vector<DensityCell> cells,
                                  bool must_close) {

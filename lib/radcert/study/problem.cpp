@@ -95,6 +95,20 @@ void check_pieces(const PiecewiseExpression& function, const std::string& pointe
                    "its pieces, or * for the rest");
 }
 
+/// A function that is known by its values in double alone proves nothing, and rho has to be known exactly.
+void check_own_functions(const Problem& problem) {
+  if (problem.reflectivity.has_own())
+    refuse_input("/reflectivity", problem.reflectivity.cases.front().expression.text(),
+                 "is a function without a formula", "an expression: its bound decides whether u exists");
+  const auto is_own = [](const std::optional<PiecewiseExpression>& data) { return data && data->has_own(); };
+  if ((is_own(problem.solution) || is_own(problem.emission)) &&
+      find_linear_solver(problem.solver.name)->proves())
+    refuse_input("/solver/name", problem.solver.name,
+                 std::string("proves nothing where the ") + (problem.solution ? "solution" : "emission") +
+                     " is a function without a formula",
+                 "a solver that estimates, or an expression");
+}
+
 }  // namespace
 
 Surface surface_of(const Problem& problem) {
@@ -133,6 +147,7 @@ void check(const Problem& problem, std::uint64_t memory_limit) {
   check_reflectivity(problem, surface);
   check_quadrature(problem.quadrature);
   check_solver(problem.solver);
+  check_own_functions(problem);
   check_operator(problem, surface);
   std::visit([&](const auto& method) { check(problem, method, surface, memory_limit); }, problem.method);
 }

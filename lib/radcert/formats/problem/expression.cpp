@@ -68,7 +68,8 @@ JsonValue piecewise_json(const PiecewiseExpression& expression) {
   if (expression.cases.size() == 1 && expression.cases.front().piece == "*")
     return expression_json(expression.cases.front().expression);
   JsonValue out = JsonValue::object();
-  for (const auto& [piece, function] : expression.cases) out.set(piece, expression_json(function));
+  for (const PiecewiseExpression::Case& part : expression.cases)
+    out.set(part.piece, expression_json(part.expression));
   return out;
 }
 

@@ -10,7 +10,22 @@
 
 namespace radcert {
 
+namespace {
+
+/// Whether the text of a problem says all that its numbers depend on.
+bool is_told_by_its_text(const Problem& problem) {
+  for (const auto* data : {&problem.solution, &problem.emission})
+    if (*data && (*data)->has_own()) return false;
+  return !problem.reflectivity.has_own();
+}
+
+}  // namespace
+
 LevelOutcome StoredLevels::level(const Problem& problem, int level) {
+  if (!is_told_by_its_text(problem)) {
+    ++computed_;
+    return solve_(problem, level);
+  }
   const std::string key = level_key(problem, level);
   if (const std::optional<std::string> kept = store_->get(key))
     if (Outcome<LevelOutcome> outcome = read_level_record(*kept)) return std::move(outcome).value();

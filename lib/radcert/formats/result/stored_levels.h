@@ -26,7 +26,8 @@ public:
 /// Requires  the store outlives the source
 /// Result    a level found in the store is not computed; one that is computed is stored at once, so that an
 ///           interrupted run goes on where it was. computed() counts the computations of this object
-/// Limits    a store that is off computes each time
+/// Limits    a store that is off computes each time, and so does one of a problem with an own_function: its
+///           text does not say what that is
 class StoredLevels final : public LevelSource {
 public:
   using Solve = std::function<LevelOutcome(const Problem& problem, int level)>;

@@ -4,8 +4,9 @@
 #include <string>
 
 #include "radcert/core/files/result_store.h"
+#include "requests/work.h"
 
-namespace radcert::python {
+namespace radcert::app {
 
 /// The store of a folder; of "" one that keeps nothing, of "default" that of the program.
 [[nodiscard]] inline ResultStore store_named(const std::string& folder) {
@@ -14,4 +15,10 @@ namespace radcert::python {
   return ResultStore(folder);
 }
 
-}  // namespace radcert::python
+/// Warns where a store that was asked for keeps nothing, or no more.
+inline void warn_where_nothing_is_kept(const ResultStore& store, const std::string& folder, Progress& told) {
+  if (folder.empty()) return;
+  if (const auto status = store.status(); !status) told.warn("finished work is not kept: " + status.reason());
+}
+
+}  // namespace radcert::app
