@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -163,6 +164,7 @@ EdgeGrading edge_grading(const Problem& problem, const Surface& surface) {
                            .reflectivities = {edge.reflectivity, edge.other_reflectivity},
                            .exponent = *exponent});
     }
+  std::map<std::array<double, 3>, Approximation> by_reflectivities;
   for (const Point& vertex : vertices) {
     std::vector<const Face*> there;
     for (const Face& face : faces)
@@ -184,7 +186,10 @@ EdgeGrading edge_grading(const Problem& problem, const Surface& surface) {
       corner.pieces.at(k) = there[k]->piece;
       reflectivities.at(k) = largest_reflectivity(problem, there[k]->piece, vertex, vertex).to_double();
     }
-    corner.exponent = octant_exponent(reflectivities);
+    std::sort(reflectivities.begin(), reflectivities.end());
+    const auto [known, is_new] = by_reflectivities.try_emplace(reflectivities);
+    if (is_new) known->second = octant_exponent(reflectivities);
+    corner.exponent = known->second;
     least = std::min(least, corner.exponent.value - corner.exponent.radius);
     out.corners.push_back(std::move(corner));
   }
