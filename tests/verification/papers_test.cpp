@@ -33,8 +33,10 @@ struct Extent {
   std::optional<Pages> pages;
 };
 const std::map<std::string, Extent>& extents() {
-  static const std::map<std::string, Extent> all{
-      {"ac98", {96, Pages{253, 290}}}, {"m06", {39, std::nullopt}}, {"psg10", {25, std::nullopt}}, {"radcert", {0, std::nullopt}}};
+  static const std::map<std::string, Extent> all{{"ac98", {96, Pages{253, 290}}},
+                                                 {"m06", {39, std::nullopt}},
+                                                 {"psg10", {25, std::nullopt}},
+                                                 {"radcert", {0, std::nullopt}}};
   return all;
 }
 

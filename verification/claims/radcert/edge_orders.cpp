@@ -10,7 +10,12 @@
 //              emits,
 //              by what the symmetric part of u_n differs there from that of the next level. Rejected
 //              likewise.
-// Not checked  other angles, the ends of edges, finer levels.
+//              edge_grading_order: the same on two squares at a right angle, graded as the edge and the
+//              degrees
+//              0 and 1 ask for. Rejected: the uniform mesh.
+// Not checked  other angles, the ends of edges, finer levels; degrees from 2 on, where elements beside the
+// edge
+//              are so thin that the matrix is refused from level 3 or 4 on.
 
 #include <algorithm>
 #include <array>
@@ -25,6 +30,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/expression/parse.h"
 #include "radcert/formats/result/stored_levels.h"
+#include "radcert/study/edge_grading.h"
 #include "radcert/study/study.h"
 #include "radcert/surface/mesh_surface.h"
 #include "verification/framework/level_errors.h"
@@ -78,8 +84,9 @@ Problem linear_problem(SurfaceChoice surface, const Rational& rho) {
 bool is_near(double a, double b) { return std::abs(a - b) < 1e-12; }
 
 /// |u_n - u| on the middle of the edge of two squares.
-LevelErrors edge_errors(const Bench& bench, const Problem& problem, double exact) {
-  return over_levels(levels_from(2, 4), [&](int level) {
+LevelErrors edge_errors(const Bench& bench, const Problem& problem, double exact, int first = 2,
+                        int last = 4) {
+  return over_levels(levels_from(first, last), [&](int level) {
     // Entries to 1e-13 of their row, the inverse at most 10, 7/3 for a vertex.
     Approximation error{.value = 0, .radius = 1e-11};
     for (const ElementValue& element : bench.levels.level(problem, level).elements)
@@ -186,6 +193,35 @@ Finding edge_exponent_on_the_cube(const Bench& bench) {
                   order(nine_tenths, false, 4));
   finding.control("the same for u = x^2 + y^2 + z^2, rho = 1/2", of_half, order(half, true, 4));
   finding.show(seen.exponent);
+  return finding;
+}
+
+Finding edge_grading_order(const Bench& bench) {
+  Finding finding;
+  struct Run {
+    int degree;
+    int first;
+    int last;
+  };
+  const std::vector<Run> runs{{0, 2, 5}, {1, 2, 4}};
+  for (const Rational& rho : {Rational(1, 2), Rational(9, 10)})
+    for (const Run& run : runs) {
+      Problem problem = linear_problem({.name = "two_squares", .parameters = {}}, rho);
+      problem.method = Collocation{{.degree = run.degree, .alpha = Rational(1, 10)}};
+      problem.emission = everywhere("1");
+      const double exact = 1 / (1 - rho.to_double() / 2);
+      // What is told from it is the order without grading.
+      const Order smooth = Order::at_least(run.degree + 1, exponent(90, rho));
+      const std::string with = ", degree " + std::to_string(run.degree) + ", rho = " + rho.to_text();
+      if (run.degree == 1)
+        finding.control("order in the middle of the edge, uniform" + with, smooth,
+                        observed_order(edge_errors(bench, problem, exact, run.first, run.last)));
+      problem.triangulation.grading = edge_grading(problem, surface_of(problem)).grading;
+      const ObservedOrder order = observed_order(edge_errors(bench, problem, exact, run.first, run.last));
+      finding.require(
+          "order in the middle of the edge, graded by " + problem.triangulation.grading.to_text() + with,
+          smooth, order);
+    }
   return finding;
 }
 
