@@ -3,19 +3,15 @@
 // What the exponents at edges do to collocation, seen on solutions.
 //
 // Checked      edge_exponent_seen: E = 1 on two squares that meet at 90 or 60 degrees, where u on their edge
-// is
-//              1/(1 - rho k(0)) exactly: u_n is off there by h^b, b that of angle and reflectivity. Rejected:
-//              a u that is smooth.
+//              is 1/(1 - rho k(0)) exactly: u_n is off there by h^b, b that of angle and reflectivity.
+//              Rejected: a u that is smooth.
 //              edge_exponent_on_the_cube: the same in the middles of the edges of the cube's floor, which
-//              emits,
-//              by what the symmetric part of u_n differs there from that of the next level. Rejected
+//              emits, by what the symmetric part of u_n differs there from that of the next level. Rejected
 //              likewise.
 //              edge_grading_order: the same on two squares at a right angle, graded as the edge and the
-//              degrees
-//              0 and 1 ask for. Rejected: the uniform mesh.
+//              degrees 0 and 1 ask for. Rejected: the uniform mesh.
 // Not checked  other angles, the ends of edges, finer levels; degrees from 2 on, where elements beside the
-// edge
-//              are so thin that the matrix is refused from level 3 or 4 on.
+//              edge are so thin that the matrix is refused from level 3 or 4 on.
 
 #include <algorithm>
 #include <array>
