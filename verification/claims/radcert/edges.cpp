@@ -5,11 +5,9 @@
 //
 // Checked      edge_symbol: the closed form against the integral, continued by its series, at four angles and
 //              four exponents, in the strip of convergence and beyond, complex ones too. Rejected: the angle
-//              of
-//              the other side of a face, x = sin^2(w/2).
-//              edge_exponents: at seven angles the smallest exponent, its digits at right angles, and all
-//              exponents up to 9/2 found again. Rejected: those of another reflectivity, or of the other
-//              sign.
+//              that the other sides of the faces make, x = sin^2(w/2).
+//              edge_exponents_certified: the digits of the smallest exponent at right angles, and at seven
+//              angles all exponents up to 9/2 found again. Rejected: those of other reflectivities.
 // Not checked  other angles and exponents; the theorem that no exponent is left out, whose proof stands in
 //              edge_exponents.h and which tests hold against the argument principle.
 
