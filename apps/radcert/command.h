@@ -109,6 +109,7 @@ void add_solve(Program& program);
 void add_verify(Program& program);
 void add_reference(Program& program);
 void add_check(Program& program);
+void add_edge(Program& program);
 void add_surface(Program& program);
 void add_factors(Program& program);
 void add_experiment(Program& program);

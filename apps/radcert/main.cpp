@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   Program program(argc, argv);
   add_solve(program);
   add_check(program);
+  add_edge(program);
   add_verify(program);
   add_reference(program);
   add_surface(program);

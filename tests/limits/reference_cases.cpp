@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <numbers>
 
+#include "radcert/closed_form/edge/edge_exponents.h"
 #include "radcert/expression/parse.h"
 #include "radcert/reference/cubature/gauss_rule.h"
 #include "radcert/reference/nearest_point.h"
@@ -182,6 +183,18 @@ Case family(const std::string& limit, const std::string& name, const Arguments& 
           .about = name};
 }
 
+/// All exponents of an edge below 3; each is one of the equation's solutions, and none is left out.
+Case counted_exponents() {
+  return {.limit = "closed_form/edge/edge_exponents: boxes in which exponents are counted", .answer = [] {
+            const Outcome<std::vector<EdgeExponent>> found =
+                edge_exponents(edge_of_degrees(75, Rational(1, 2), Rational(1, 2)), 3, 12);
+            if (!found) return refusal(found.reason());
+            std::vector<Ball> all;
+            for (const EdgeExponent& exponent : *found) all.push_back(exponent.value.real());
+            return numbers(all);
+          }};
+}
+
 }  // namespace
 
 std::vector<Case> reference_cases() {
@@ -200,7 +213,18 @@ std::vector<Case> reference_cases() {
       family("reference/reference_value: bits of a formula for each bit wanted", "opposed_rectangles",
              {1, 1, 100000}, 30, false),
       family("reference/values/exact_solutions: quarterings towards the symbol's pole", "edge_exponent_90",
-             {Rational(1, 5)}, 12, true)};
+             {Rational(1, 5)}, 12, true),
+      family("reference/values/edges: halvings towards an exponent", "edge_exponent",
+             {75, Rational(1, 5), Rational(1, 2)}, 12, true),
+      family("reference/edge_symbol_integral: steps of Newton's method", "edge_exponent",
+             {75, Rational(1, 5), Rational(1, 2)}, 12, true),
+      family("closed_form/edge/edge_exponents: halvings towards the smallest exponent", "edge_exponent",
+             {75, Rational(1, 5), Rational(1, 2)}, 12, false),
+      family("closed_form/edge/edge_exponents: steps of Newton's method", "edge_exponent",
+             {75, Rational(1, 5), Rational(1, 2)}, 12, false),
+      family("closed_form/edge/edge_symbol: terms of the series", "edge_exponent",
+             {75, Rational(1, 5), Rational(1, 2)}, 12, false),
+      counted_exponents()};
   // Near edges, seams and corners, and between plates.
   const std::vector<Place> on_box{{4, {0.375, 0.25}}, {4, {1e-7, 0.4}}, {4, {1e-5, 1e-6}}, {0, {0.5, 0.999}}};
   const std::vector<Place> on_octants{

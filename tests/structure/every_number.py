@@ -143,7 +143,7 @@ def main():
         for name in ["figure_3", "figure_6", "figure_9"]:
             work[f"picture_{name}"] = ["picture", name, "--size", "160x120", "--out", "figure.png"]
         if arguments.verify:
-            for paper in ["ac98", "m06", "psg10"]:
+            for paper in ["ac98", "m06", "psg10", "radcert"]:
                 work[f"verify_{paper}"] = ["verify", paper]
         # The longest first.
         order = sorted(work, key=lambda name: not name.startswith(("verify", "experiment", "solve")))

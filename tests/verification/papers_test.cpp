@@ -33,8 +33,10 @@ struct Extent {
   std::optional<Pages> pages;
 };
 const std::map<std::string, Extent>& extents() {
-  static const std::map<std::string, Extent> all{
-      {"ac98", {96, Pages{253, 290}}}, {"m06", {39, std::nullopt}}, {"psg10", {25, std::nullopt}}};
+  static const std::map<std::string, Extent> all{{"ac98", {96, Pages{253, 290}}},
+                                                 {"m06", {39, std::nullopt}},
+                                                 {"psg10", {25, std::nullopt}},
+                                                 {"radcert", {0, std::nullopt}}};
   return all;
 }
 
@@ -71,7 +73,8 @@ const std::map<std::string, std::vector<std::string>>& named_statements() {
         "theorem_9"}},
       {"psg10",
        {"figure_3", "figure_5", "figure_6", "figure_7", "figure_8", "figure_9", "figure_10", "figure_11",
-        "figure_12", "figure_13", "conclusion"}}};
+        "figure_12", "figure_13", "conclusion"}},
+      {"radcert", {"edge_symbol", "edge_exponents"}}};
   return all;
 }
 

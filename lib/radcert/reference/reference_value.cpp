@@ -37,7 +37,7 @@ const values::Theme& everything() {
     values::Theme sum;
     for (const auto theme :
          {values::rectangle_factors, values::round_factors, values::point_factors, values::two_squares,
-          values::operator_values, values::interpolation, values::exact_solutions}) {
+          values::operator_values, values::interpolation, values::exact_solutions, values::edges}) {
       values::Theme part = theme();
       std::move(part.families.begin(), part.families.end(), std::back_inserter(sum.families));
       std::move(part.named.begin(), part.named.end(), std::back_inserter(sum.named));

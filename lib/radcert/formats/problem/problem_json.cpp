@@ -8,6 +8,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/problem/problem_parts.h"
+#include "radcert/study/edge_grading.h"
 #include "radcert/surface/catalogue.h"
 
 namespace radcert {
@@ -53,6 +54,9 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder,
   if (const auto guarantee = root.find("guarantee")) problem.guarantee = read_guarantee(*guarantee, pieces);
   if (const auto label = root.find("label")) problem.label = read_label(*label);
   if (const auto fit_from = root.find("fit_from")) problem.fit_from = read_fit_from(*fit_from);
+  const auto grading = root.at("triangulation", "an object with levels").find("grading");
+  if (grading && is_edge_grading(*grading))
+    problem.triangulation.grading = edge_grading(problem, surface_of(problem)).grading;
   return problem;
 }
 

@@ -22,6 +22,8 @@ struct MeshSurvey;
 /// Limits    single values only: check() looks at the whole
 SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::path& folder);
 TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces);
+/// Whether the grading is left to the edges: `edges`.
+bool is_edge_grading(const JsonReader& grading);
 std::optional<InterpolatedGeometry> read_geometry(const JsonReader& geometry);
 Method read_method(const JsonReader& basis, const std::filesystem::path& folder);
 TriangleBasisChoice read_triangle_basis(const JsonReader& basis, const std::filesystem::path& folder);

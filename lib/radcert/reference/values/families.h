@@ -24,6 +24,7 @@ struct Theme {
 [[nodiscard]] Theme operator_values();
 [[nodiscard]] Theme interpolation();
 [[nodiscard]] Theme exact_solutions();
+[[nodiscard]] Theme edges();
 
 /// A parameter > 0.
 [[nodiscard]] ValueParameter positive(std::string name, std::string default_text);

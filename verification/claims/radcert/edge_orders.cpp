@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What the exponents at edges do to collocation, seen on solutions.
+//
+// Checked      edge_exponent_seen: E = 1 on two squares that meet at 90 or 60 degrees, where u on their edge
+//              is 1/(1 - rho k(0)) exactly: u_n is off there by h^b, b that of angle and reflectivity.
+//              Rejected: a u that is smooth.
+//              edge_exponent_on_the_cube: the same in the middles of the edges of the cube's floor, which
+//              emits, by what the symmetric part of u_n differs there from that of the next level. Rejected
+//              likewise.
+//              edge_grading_order: the same on two squares at a right angle, graded as the edge and the
+//              degrees 0 and 1 ask for. Rejected: the uniform mesh.
+// Not checked  other angles, the ends of edges, finer levels; degrees from 2 on, where elements beside the
+//              edge are so thin that the matrix is refused from level 3 or 4 on.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "radcert/closed_form/edge/edge_exponents.h"
+#include "radcert/core/contract.h"
+#include "radcert/expression/parse.h"
+#include "radcert/formats/result/stored_levels.h"
+#include "radcert/study/edge_grading.h"
+#include "radcert/study/study.h"
+#include "radcert/surface/mesh_surface.h"
+#include "verification/framework/level_errors.h"
+
+namespace radcert::verification::radcert {
+namespace {
+
+PiecewiseExpression everywhere(const std::string& text) {
+  return {.cases = {{"*", parse_expression(text).value()}}};
+}
+
+double exponent(long degrees, const Rational& rho) {
+  return smallest_edge_exponent(edge_of_degrees(degrees, rho, rho), Rational(1) / power(Rational(10), 12))
+      .value()
+      .to_double();
+}
+
+/// Two unit squares with the common side from (0,0,0) to (1,0,0), each of two triangles, as a mesh.
+SurfaceChoice groove(long degrees) {
+  const double angle = static_cast<double>(degrees) * std::acos(-1.0) / 180;
+  const double y = std::cos(angle);
+  const double z = std::sin(angle);
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, y, z}, {0, y, z}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}, {0, 5, 4}};
+  const std::vector<std::size_t> pieces{0, 0, 1, 1};
+  const std::vector<std::string> names{"floor", "wall"};
+  const std::string name = "two squares at " + std::to_string(degrees) + " degrees";
+  const Surface surface = mesh_surface(
+      name, mesh, pieces, names,
+      {.orientation = Orientation::along_the_cross_product, .closed = false, .unoccluded = true});
+  return {.name = name,
+          .parameters = {},
+          .mesh = MeshChoice{.file = name,
+                             .digest = name,
+                             .angle = 20,
+                             .repair = {},
+                             .mended = {},
+                             .surface = std::make_shared<const Surface>(surface)}};
+}
+
+Problem linear_problem(SurfaceChoice surface, const Rational& rho) {
+  Problem problem;
+  problem.surface = std::move(surface);
+  problem.triangulation.levels = {0};
+  problem.method = Collocation{{.degree = 1, .alpha = Rational(1, 6)}};
+  problem.reflectivity = everywhere(rho.to_text());
+  return problem;
+}
+
+bool is_near(double a, double b) { return std::abs(a - b) < 1e-12; }
+
+/// |u_n - u| on the middle of the edge of two squares.
+LevelErrors edge_errors(const Bench& bench, const Problem& problem, double exact, int first = 2,
+                        int last = 4) {
+  return over_levels(levels_from(first, last), [&](int level) {
+    // Entries to 1e-13 of their row, the inverse at most 10, 7/3 for a vertex.
+    Approximation error{.value = 0, .radius = 1e-11};
+    for (const ElementValue& element : bench.levels.level(problem, level).elements)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vector<double>& p = element.corners.at(i);
+        if (is_near(p.x, 0.5) && is_near(p.y, 0) && is_near(p.z, 0))
+          error.value = std::max(error.value, std::abs(element.corner_values.at(i) - exact));
+      }
+    return error;
+  });
+}
+
+/// The symmetric part of u_n in the middles of the floor's edges: on each of the two faces the mean of the
+/// values of the elements there, and the mean of both. What the antisymmetric exponents add, r^1.28 for rho =
+/// 1/2, has opposite signs on the faces.
+using EdgeValues = std::map<std::string, double>;
+EdgeValues middles_of_edges(const LevelOutcome& level) {
+  struct Sum {
+    double value = 0;
+    int count = 0;
+  };
+  std::map<std::string, std::map<std::string, Sum>> sums;  // by place and piece
+  for (const ElementValue& element : level.elements)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector<double>& p = element.corners.at(i);
+      const bool along_x = is_near(p.x, 0.5) && (is_near(p.y, 0) || is_near(p.y, 1));
+      const bool along_y = is_near(p.y, 0.5) && (is_near(p.x, 0) || is_near(p.x, 1));
+      if (!is_near(p.z, 0) || !(along_x || along_y)) continue;
+      const std::string place = along_x ? (p.y < 0.5 ? "south" : "north") : (p.x < 0.5 ? "west" : "east");
+      Sum& sum = sums[place][element.piece];
+      sum.value += element.corner_values.at(i);
+      ++sum.count;
+    }
+  EdgeValues values;
+  for (const auto& [place, by_piece] : sums) {
+    expects(by_piece.size() == 2, "two faces at an edge", named("place", place));
+    for (const auto& [piece, sum] : by_piece) values[place] += sum.value / sum.count / 2;
+  }
+  return values;
+}
+
+LevelErrors edge_differences(const Bench& bench, const Problem& problem, int last) {
+  return over_levels(levels_from(1, last - 1), [&](int level) {
+    const EdgeValues coarse = middles_of_edges(bench.levels.level(problem, level));
+    const EdgeValues fine = middles_of_edges(bench.levels.level(problem, level + 1));
+    Approximation largest{.value = 0, .radius = 1e-10};
+    for (const auto& [place, value] : coarse)
+      largest.value = std::max(largest.value, std::abs(value - fine.at(place)));
+    return largest;
+  });
+}
+
+}  // namespace
+
+Finding edge_exponent_seen(const Bench& bench) {
+  Finding finding;
+  const Rational half(1, 2);
+  const Rational nine_tenths(9, 10);
+  const double b_90 = exponent(90, nine_tenths);
+  const double b_60 = exponent(60, nine_tenths);
+  const auto edge_order = [&](long degrees, const Rational& rho) {
+    Problem problem = linear_problem(groove(degrees), rho);
+    problem.emission = everywhere("1");
+    const double sees = (1 + std::cos(static_cast<double>(degrees) * std::acos(-1.0) / 180)) / 2;
+    return observed_order(edge_errors(bench, problem, 1 / (1 - rho.to_double() * sees)));
+  };
+  const Order at_60 = Order::is(b_60, 0, b_90);
+  const ObservedOrder seen = edge_order(60, nine_tenths);
+  finding.require("order in the middle of the edge, 60 degrees, rho = 9/10, against b", at_60, seen);
+  finding.require("order in the middle of the edge, 90 degrees, rho = 9/10, against b",
+                  Order::is(b_90, b_60, exponent(90, half)), edge_order(90, nine_tenths));
+  finding.require("order in the middle of the edge, 90 degrees, rho = 1/2, against b",
+                  Order::is(exponent(90, half), b_90, 1), edge_order(90, half));
+  finding.remark("order in the middle of the edge, 60 degrees, rho = 1/2, b = 0.7596",
+                 edge_order(60, half).exponent);
+  Problem smooth = linear_problem(groove(60), nine_tenths);
+  smooth.solution = everywhere("x^2");
+  finding.control("order there for u = x^2, against b of 60 degrees, rho = 9/10", at_60,
+                  observed_order(edge_errors(bench, smooth, 0.25)));
+  finding.show(seen.exponent);
+  return finding;
+}
+
+Finding edge_exponent_on_the_cube(const Bench& bench) {
+  Finding finding;
+  // One level more where b is nearer to the exponents of smooth parts.
+  const Rational half(1, 2);
+  const Rational nine_tenths(9, 10);
+  const auto order = [&](const Rational& rho, bool is_smooth, int last) {
+    Problem problem = linear_problem({.name = "cube", .parameters = {}}, rho);
+    if (is_smooth) {
+      problem.solution = everywhere("x^2 + y^2 + z^2");
+    } else {
+      problem.emission = PiecewiseExpression{
+          .cases = {{"floor", parse_expression("1").value()}, {"*", parse_expression("0").value()}}};
+    }
+    return observed_order(edge_differences(bench, problem, last));
+  };
+  const Order of_half = Order::is(exponent(90, half), exponent(90, nine_tenths), 1);
+  const Order of_nine_tenths = Order::is(exponent(90, nine_tenths), 0, exponent(90, half));
+  const ObservedOrder seen = order(half, false, 5);
+  finding.require("order in the middles of the edges, uniform, rho = 1/2, against b", of_half, seen);
+  finding.require("order in the middles of the edges, uniform, rho = 9/10, against b", of_nine_tenths,
+                  order(nine_tenths, false, 4));
+  finding.control("the same for u = x^2 + y^2 + z^2, rho = 1/2", of_half, order(half, true, 4));
+  finding.show(seen.exponent);
+  return finding;
+}
+
+Finding edge_grading_order(const Bench& bench) {
+  Finding finding;
+  struct Run {
+    int degree;
+    int first;
+    int last;
+  };
+  const std::vector<Run> runs{{0, 2, 5}, {1, 2, 4}};
+  for (const Rational& rho : {Rational(1, 2), Rational(9, 10)})
+    for (const Run& run : runs) {
+      Problem problem = linear_problem({.name = "two_squares", .parameters = {}}, rho);
+      problem.method = Collocation{{.degree = run.degree, .alpha = Rational(1, 10)}};
+      problem.emission = everywhere("1");
+      const double exact = 1 / (1 - rho.to_double() / 2);
+      // What is told from it is the order without grading.
+      const Order smooth = Order::at_least(run.degree + 1, exponent(90, rho));
+      const std::string with = ", degree " + std::to_string(run.degree) + ", rho = " + rho.to_text();
+      if (run.degree == 1)
+        finding.control("order in the middle of the edge, uniform" + with, smooth,
+                        observed_order(edge_errors(bench, problem, exact, run.first, run.last)));
+      problem.triangulation.grading = edge_grading(problem, surface_of(problem)).grading;
+      const ObservedOrder order = observed_order(edge_errors(bench, problem, exact, run.first, run.last));
+      finding.require(
+          "order in the middle of the edge, graded by " + problem.triangulation.grading.to_text() + with,
+          smooth, order);
+    }
+  return finding;
+}
+
+}  // namespace radcert::verification::radcert
