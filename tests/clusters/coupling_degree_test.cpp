@@ -7,9 +7,9 @@
 #include <numbers>
 
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/cylinder.h"
 #include "radcert/surface/catalogue/ellipsoid.h"

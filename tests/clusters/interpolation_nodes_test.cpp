@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/contract.h"
+#include "radcert/polynomial/triangle_modes.h"
 
 namespace radcert {
 namespace {

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "radcert/clusters/mode_products.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/pack.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/triangulation/triangulation.h"

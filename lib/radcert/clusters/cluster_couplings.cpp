@@ -5,11 +5,11 @@
 #include <array>
 
 #include "radcert/clusters/mode_products.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/clusters/vanishing.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/kernel/geometric_kernel.h"
+#include "radcert/polynomial/triangle_modes.h"
 
 namespace radcert {
 namespace {

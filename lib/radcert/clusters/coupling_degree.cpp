@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/kernel/geometric_kernel.h"
+#include "radcert/polynomial/triangle_modes.h"
 
 namespace radcert {
 namespace {

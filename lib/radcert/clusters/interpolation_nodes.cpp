@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/contract.h"
+#include "radcert/polynomial/triangle_modes.h"
 
 namespace radcert {
 namespace {

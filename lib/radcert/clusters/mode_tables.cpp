@@ -6,8 +6,8 @@
 #include <span>
 
 #include "radcert/clusters/interpolation_nodes.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/pack.h"
 
 namespace radcert {

@@ -15,11 +15,11 @@
 #include "radcert/clusters/certified/enclosed_tables.h"
 #include "radcert/clusters/certified/interpolation_bounds.h"
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/contract.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 

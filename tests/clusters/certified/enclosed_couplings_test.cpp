@@ -9,12 +9,12 @@
 
 #include "radcert/clusters/certified/interpolation_bounds.h"
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/parallel.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/polynomial/lagrange_basis.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/surface/catalogue/box.h"
 
 namespace radcert {

@@ -8,10 +8,10 @@
 
 #include "radcert/clusters/certified/interpolation_bounds.h"
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/kernel/geometric_kernel.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/quadrature/certified/bounded_chart.h"
 #include "radcert/scalar/ball_precision.h"
 

@@ -7,12 +7,12 @@
 #include <span>
 
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/lagrange_basis.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/scalar/bounded_double.h"
 

@@ -7,8 +7,8 @@
 #include "radcert/clusters/interpolation_nodes.h"
 #include "radcert/clusters/mode_products.h"
 #include "radcert/clusters/mode_tables.h"
-#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/core/lazy_table.h"
+#include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/bounded_double.h"
 #include "radcert/scalar/rational.h"
 

@@ -34,7 +34,8 @@ Method read_method(const JsonReader& basis, const std::filesystem::path& folder)
   std::vector<std::string> families = triangle_basis_families();
   const std::vector<std::string> meshless = meshless_families();
   families.insert(families.end(), meshless.begin(), meshless.end());
-  const std::string& family = basis.at("family", "one of " + listed(families) + "; or \"file\", a file of nodes").word(families);
+  const std::string& family =
+      basis.at("family", "one of " + listed(families) + "; or \"file\", a file of nodes").word(families);
   if (is_among(meshless, family)) return read_meshless(basis);
   return Collocation{read_triangle_basis(basis, folder)};
 }
