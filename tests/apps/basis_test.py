@@ -263,12 +263,18 @@ class Basis(ProgramTest):
             self.assertEqual(files[0], files[1], name)
 
     def test_the_searched_sets_that_are_shipped_are_proved(self):
-        for degree, precision in ((5, (8, 9)), (7, (10, 11))):
+        for degree, precision, norm in ((5, (8, 9), 5.055), (6, (9, 9), 4.193), (7, (10, 11), 4.803)):
             basis = self.basis(os.path.join(EXAMPLES, "nodes", f"superconvergent_{degree}.json"))
             self.assertEqual((self.precision(basis), basis["degree"]), (precision, degree))
             self.assertEqual(basis["precision"]["triangle"]["proof"], "certificate")
             self.assertEqual(basis["orders"]["nodes_smooth"], degree + 3)
             self.assertFalse(basis["orders"]["nodes_smooth_logarithm"])
+            self.assertLess(basis["norm"]["upper"], norm)
+        # Reading the file proves its certificate.
+        self.write("eight.json", {"schema": "radcert/problem/1", "surface": {"name": "sphere"},
+                                  "triangulation": {"levels": [0]}, "reflectivity": "1/2", "emission": "1/2",
+                                  "basis": {"file": os.path.join(EXAMPLES, "nodes", "superconvergent_8.json")}})
+        self.assertEqual(json.loads(self.expect(0, "solve", "eight.json", "--json", "-"))["levels"][0]["unknowns"], 360)
 
     def test_certificates_that_prove_nothing_are_refused(self):
         self.expect(0, "basis", "symmetric", "--degree", "2", "--nodes", "good.json")

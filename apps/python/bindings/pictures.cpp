@@ -19,7 +19,7 @@
 #include "radcert/picture/sheet.h"
 #include "radcert/surface/mesh_surface.h"
 #include "radcert/visibility/scene.h"
-#include "solution.h"
+#include "requests/solve_request.h"
 #include "work.h"
 
 namespace radcert::python {
@@ -169,7 +169,7 @@ std::string picture_of(const LevelOutcome& level, const Wanted& wanted) {
 void add_pictures(py::module_& module) {
   module.def(
       "picture",
-      [](const Solution& solution, std::size_t place, const std::array<double, 3>& position,
+      [](const app::Solution& solution, std::size_t place, const std::array<double, 3>& position,
          const std::array<double, 3>& look_at, const std::array<double, 3>& up, double angle,
          const std::array<std::int64_t, 2>& size, std::int64_t samples, std::optional<double> low,
          std::optional<double> high, const std::string& scale, bool words, const py::object& progress) {
