@@ -37,8 +37,9 @@ Outcome<Ball> by_integral_of_symbol(const Arguments& a, const Rational& radius) 
       (certainly_positive(f) ? upper : lower) = middle;
     }
   }
+  // The ball about the disk is a rounding larger.
   const Outcome<ComplexBall> zero =
-      edge_zero_near(a[0], product, 1, ComplexBall((lower + upper) / Rational(2)), radius);
+      edge_zero_near(a[0], product, 1, ComplexBall((lower + upper) / Rational(2)), Rational(15, 16) * radius);
   if (!zero) return because(zero.reason());
   return zero->real();
 }
