@@ -26,11 +26,11 @@ std::string worst_rows(const FactorReport& report, std::vector<std::pair<double,
 std::vector<std::string> factor_warnings(const FactorReport& report, OptionStyle style) {
   std::vector<std::string> out;
   const FactorMatrix& matrix = report.matrix;
-  const auto sees_space = [](const FactorRow& row) { return row.to_space.has_value(); };
-  if (matrix.entry_count == 0 && report.front &&
-      std::none_of(matrix.rows.begin(), matrix.rows.end(), sees_space))
-    out.push_back("nothing sees anything with front " + *report.front + "; " + option_name(style, "front") +
-                  " " + (*report.front == "right-hand" ? "left-hand" : "right-hand") +
+  const bool has_space = !matrix.rows.empty() && matrix.rows.front().to_space.has_value();
+  if (matrix.entry_count == 0 && report.front)
+    out.push_back(std::string(has_space ? "nothing sees anything but space" : "nothing sees anything") +
+                  " with front " + *report.front + "; " + option_name(style, "front") + " " +
+                  (*report.front == "right-hand" ? "left-hand" : "right-hand") +
                   " reads the file the other way");
   for (std::size_t i = 0; i < matrix.rows.size(); ++i)
     if (matrix.rows[i].sum.value == 0 && matrix.rows[i].sum.radius == 0)
