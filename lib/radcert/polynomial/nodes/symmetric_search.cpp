@@ -384,7 +384,7 @@ SearchResult search_symmetric_nodes(const SymmetricGoal& goal, const SearchEffor
     look_at_best();
     on = goes_on(result);
   }
-  if (on && !best.empty()) {
+  if (!best.empty()) {
     parallel_for(best.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
         best[k] = search.improved(std::move(best[k]), effort.steps, effort.seed + k);

@@ -62,8 +62,8 @@ struct SearchResult {
 /// Source    Xiao and Gimbutas 2010 and Witherden and Vincent 2015 for rules alone; here the number of nodes
 ///           is that of the functions
 /// Requires  no hindrance; starts from 1 to most_search_starts, else ContractViolation. `goes_on` is asked
-///           after each batch of starts and of steps, with what was found so far
-/// Result    the same for any number of threads; where goes_on said no, what was found until then
+///           after each batch of starts, with what was found so far, and told of the steps
+/// Result    the same for any number of threads; where goes_on said no, there are no more starts
 /// Limits    proves nothing: what is not found may exist, see certify for what is. Nodes nearer than 1/1000
 ///           to the border, in barycentric coordinates, are left out, and where weights have to be positive
 ///           those below 1/1000 of their mean
