@@ -43,33 +43,6 @@ void after_fork_in_child() {
 
 Computations::Computations() { pthread_atfork(nullptr, nullptr, after_fork_in_child); }
 
-/// Counts a computation while it lives; the last one takes a request to stop back.
-class Running {
-public:
-  Running() {
-    Computations& all = computations();
-    if (all.forked)
-      throw EnvironmentError(
-          "radcert",
-          "this process was forked from one that had computed before, and has none of its threads; "
-          "start processes that compute anew (in Python by multiprocessing's \"spawn\")");
-    const std::scoped_lock lock(all.mutex);
-    if (all.over) throw Interrupted();
-    all.begun = true;
-    ++all.running;
-  }
-  ~Running() {
-    Computations& all = computations();
-    const std::scoped_lock lock(all.mutex);
-    if (--all.running == 0) {
-      clear_interruption();
-      all.ended.notify_all();
-    }
-  }
-  Running(const Running&) = delete;
-  Running& operator=(const Running&) = delete;
-};
-
 /// A thread that handles no signal: its host's own threads do.
 std::thread quiet_thread(std::function<void()> action) {
   sigset_t all;
@@ -98,6 +71,28 @@ std::exception_ptr served(const std::function<void(Progress&)>& serve, Progress&
 
 }  // namespace
 
+AtWork::AtWork() {
+  Computations& all = computations();
+  if (all.forked)
+    throw EnvironmentError(
+        "radcert",
+        "this process was forked from one that had computed before, and has none of its threads; "
+        "start processes that compute anew (in Python by multiprocessing's \"spawn\")");
+  const std::scoped_lock lock(all.mutex);
+  if (all.over) throw Interrupted();
+  all.begun = true;
+  ++all.running;
+}
+
+AtWork::~AtWork() {
+  Computations& all = computations();
+  const std::scoped_lock lock(all.mutex);
+  if (--all.running == 0) {
+    clear_interruption();
+    all.ended.notify_all();
+  }
+}
+
 void Progress::say(double fraction, const std::string& words) {
   const std::scoped_lock lock(mutex_);
   last_.emplace(fraction, words);
@@ -120,7 +115,7 @@ std::vector<std::string> Progress::take_warnings() {
 
 void run_apart(const std::function<void(Progress&)>& serve, const std::function<void(Progress&)>& action) {
   constexpr auto between_looks = std::chrono::milliseconds(40);
-  const Running running;
+  const AtWork at_work;
   std::mutex mutex;
   std::condition_variable changed;
   bool done = false;

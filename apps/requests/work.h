@@ -28,13 +28,24 @@ private:
   std::optional<std::pair<double, std::string>> last_;
 };
 
+/// Counts a computation while it lives: end_work() waits until none does, and the last one takes a request to
+/// stop back.
+/// Result    EnvironmentError in a process that was forked after its parent had computed: its threads are not
+///           there. Interrupted after end_work()
+class AtWork {
+public:
+  AtWork();
+  ~AtWork();
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
+};
+
 /// Runs an action in a thread of its own, while the calling thread serves its caller.
 /// Maths     `serve` is called every 40 milliseconds or so, and once more when the action is done; what it
 ///           throws asks the library to stop, leaves once the action has ended, and takes the place of what
 ///           the action gave or threw
 /// Requires  nothing of the action that only the calling thread may do
-/// Result    what the action throws leaves. EnvironmentError in a process that was forked after its parent
-///           had computed: its threads are not there. Interrupted after end_work()
+/// Result    what the action throws leaves, and what AtWork throws
 /// Limits    a request to stop is one of the whole process: what other threads compute at the time ends with
 ///           Interrupted
 void run_apart(const std::function<void(Progress&)>& serve, const std::function<void(Progress&)>& action);

@@ -31,6 +31,9 @@ void run_apart(const py::object& progress, const std::function<void(Progress&)>&
                       .value = std::string(py::str(progress.get_type())),
                       .problem = "cannot be called",
                       .allowed = "None, or a function of a fraction and of words"});
+  // It outlives the release: a thread that asks for the lock after Python's end is ended by it amid a
+  // destructor, which C++ does not allow.
+  const app::AtWork at_work;
   const py::gil_scoped_release released;
   app::run_apart([&](Progress& told) { serve(progress, told); }, action);
 }
