@@ -65,6 +65,14 @@ TEST(EdgeSymbolIntegral, FindsEachExponentAgain) {
   }
 }
 
+TEST(EdgeSymbolIntegral, HasNoBoundOfItsSecondDerivativeWhereADiskMayReachAPole) {
+  const EdgeSymbolIntegral integral(Ball::pi() / Ball(3));
+  const ComplexBall near_one(Rational(999, 1000));
+  EXPECT_TRUE(integral.second_derivative_bound(near_one, Ball(Rational(1, 10000))).is_finite());
+  for (const Rational& by : {Rational(1, 1000), Rational(1, 100), Rational(1, 8)})
+    EXPECT_FALSE(integral.second_derivative_bound(near_one, Ball(by)).is_finite()) << by.to_text();
+}
+
 // At a right angle the family for all angles is the older one, which takes the beta function.
 TEST(EdgeExponent, AtARightAngleIsTheOneByTheBetaFunction) {
   for (const Rational& rho : {Rational(1, 10), Rational(1, 2), Rational(9, 10)}) {

@@ -104,7 +104,8 @@ Ball EdgeSymbolIntegral::second_derivative_bound(const ComplexBall& b, const Bal
   long n = 0;
   over_terms(cosine_, b, count, [&](const Ball&, const ComplexBall& e, int by_b) {
     const Ball least = max(abs(e.real()), abs(e.imag())).lower() - by;
-    const Ball one = reciprocal(least);
+    // A disk that may reach a pole has no bound.
+    const Ball one = reciprocal(certainly_positive(least) ? least : Ball(0));
     const Ball power_of_half = exp((by - e.real()) * l);
     sum += most * power_of_half * one * (l * l + Ball(2) * l * one + Ball(2) * one * one);
     if (by_b < 0) most = Ball((n + 2) * (n + 3)) / Ball(2), ++n;
