@@ -213,5 +213,14 @@ TEST(EdgeExponents, AskForTheirArguments) {
                ContractViolation);
 }
 
+TEST(EdgeExponents, AreRefusedWhereAnAngleIsNotToldFromAStraightOne) {
+  for (const int nines : {30, 40, 60}) {
+    const Edge edge = edge_of_degrees(Rational(180) - Rational(1) / power(Rational(10), nines),
+                                      Rational(1, 2), Rational(1, 2));
+    EXPECT_FALSE(smallest_edge_exponent(edge, Rational(1, 1000))) << nines;
+    EXPECT_FALSE(edge_exponents(edge, 2, 10)) << nines;
+  }
+}
+
 }  // namespace
 }  // namespace radcert

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "radcert/closed_form/edge/edge_exponents.h"
@@ -71,6 +72,24 @@ TEST(EdgeSymbolIntegral, HasNoBoundOfItsSecondDerivativeWhereADiskMayReachAPole)
   EXPECT_TRUE(integral.second_derivative_bound(near_one, Ball(Rational(1, 10000))).is_finite());
   for (const Rational& by : {Rational(1, 1000), Rational(1, 100), Rational(1, 8)})
     EXPECT_FALSE(integral.second_derivative_bound(near_one, Ball(by)).is_finite()) << by.to_text();
+}
+
+// A disk of the radius asked for would reach a pole: a smaller one has the zero, and no other.
+TEST(EdgeSymbolIntegral, FindsExponentsNearerToAPoleThanTheRadius) {
+  for (const auto& [degrees, rho, digits] : {std::tuple{135L, Rational(1, 50), 2},
+                                             {60L, Rational(1, 1000), 2},
+                                             {75L, Rational(1) / power(Rational(10), 13), 13}}) {
+    const auto exact =
+        smallest_edge_exponent(edge_of_degrees(degrees, rho, rho), Rational(1) / power(Rational(10), 30));
+    ASSERT_TRUE(exact);
+    const Rational radius = Rational(1) / power(Rational(10), digits);
+    const auto found = edge_zero_near(degrees, rho * rho, 1, ComplexBall(exact->midpoint()), radius);
+    ASSERT_TRUE(found) << degrees << ": " << found.reason();
+    EXPECT_TRUE(overlaps(found->real(), *exact)) << degrees;
+    EXPECT_TRUE(certainly_less(found->real().upper(), Ball(1))) << degrees;
+    const auto family = enclose(*find_family("edge_exponent"), {degrees, rho, rho}, digits);
+    EXPECT_TRUE(family) << degrees;
+  }
 }
 
 // At a right angle the family for all angles is the older one, which takes the beta function.

@@ -13,6 +13,8 @@
 namespace radcert::reference {
 namespace {
 
+constexpr int shrinkings = 10;  // of the disk in which one zero is proved, by 16 each time
+
 const WorkLimit steps("reference/edge_symbol_integral: steps of Newton's method", 40, 1,
                       "refused, with the exponent reached");
 
@@ -137,11 +139,14 @@ Outcome<ComplexBall> edge_zero_near(const Rational& degrees, const Rational& sca
     if (!slope) return because(slope.reason());
     if (slope->contains_zero())
       return because("the slope near " + b.to_text() + " was not bounded away from 0");
-    const Ball r(radius);
-    const Ball rest = r * r / Ball(2) * scale * symbol.second_derivative_bound(b, r);
     const Ball least(max(abs(slope->real()), abs(slope->imag())).lower());
-    if (certainly_less(abs(value->real()) + abs(value->imag()) + rest, least * r))
-      return ComplexBall(widened(b.real(), r), b.is_real() ? Ball(0) : widened(b.imag(), r));
+    // Beside a pole or another zero only a smaller disk has one zero.
+    Ball r(radius);
+    for (int shrunk = 0; shrunk < shrinkings; ++shrunk, r = r / Ball(16)) {
+      const Ball rest = r * r / Ball(2) * scale * symbol.second_derivative_bound(b, r);
+      if (certainly_less(abs(value->real()) + abs(value->imag()) + rest, least * r))
+        return ComplexBall(widened(b.real(), r), b.is_real() ? Ball(0) : widened(b.imag(), r));
+    }
     const ComplexBall next = b - *value / *slope;
     if (!((next - start).magnitude_bound() < 0.25))
       return because("Newton's method leaves the neighbourhood of " + start.to_text());

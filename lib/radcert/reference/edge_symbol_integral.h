@@ -43,7 +43,7 @@ private:
 ///           f'(m)(z - m), there is exactly one zero with |z - m| < r. A real m has a real one, as f is real
 ///           there
 /// Requires  R = sqrt(scale_squared) > 0, sign 1 or -1, a start that is no whole number, radius > 0
-/// Result    the disk in a rectangle, found by Newton's method within 1/4 of the start, r = radius; or why
+/// Result    the disk in a rectangle, found by Newton's method within 1/4 of the start, r <= radius; or why
 ///           not
 [[nodiscard]] Outcome<ComplexBall> edge_zero_near(const Rational& degrees, const Rational& scale_squared,
                                                   int sign, const ComplexBall& start, const Rational& radius);

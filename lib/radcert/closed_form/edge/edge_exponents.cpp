@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "radcert/closed_form/edge/edge_symbol_patch.h"
@@ -274,6 +275,14 @@ Outcome<std::vector<EdgeExponent>> exponents_among(std::vector<Zero> zeros, cons
   return out;
 }
 
+/// Whether a search can tell the angle from 0 and from a straight one.
+bool is_told_from_straight(const Edge& edge) {
+  const BallPrecision precision(bits_of_a_search);
+  const Ball angle = edge.angle();
+  return certainly_positive(angle) && certainly_less(angle, Ball::pi());
+}
+constexpr std::string_view not_told = "the angle is too near to 180 degrees to be told from it";
+
 void require(const Edge& edge) {
   expects(edge.reflectivity.sign() > 0 && edge.other_reflectivity.sign() > 0 &&
               edge.reflectivity < Rational(1) && edge.other_reflectivity < Rational(1),
@@ -295,6 +304,7 @@ Edge edge_of_degrees(const Rational& degrees, const Rational& reflectivity,
 Outcome<Ball> smallest_edge_exponent(const Edge& edge, const Rational& radius) {
   require(edge);
   expects(radius.sign() > 0, "radius > 0", named("radius", radius));
+  if (!is_told_from_straight(edge)) return because(std::string(not_told));
   // sin(pi b) > 0 in (0, 1): H has the sign of R k - 1.
   Rational lower = 0;
   Rational upper = 1;
@@ -324,6 +334,7 @@ Outcome<std::vector<EdgeExponent>> edge_exponents(const Edge& edge, const Ration
   require(edge);
   expects(up_to.sign() > 0 && digits >= 1, "up_to > 0, digits >= 1", named("up_to", up_to),
           named("digits", digits));
+  if (!is_told_from_straight(edge)) return because(std::string(not_told));
   const Rational radius = power(Rational(10), -digits);
   std::vector<EdgeExponent> all;
   Outcome<ZerosBySign> zeros = ZerosBySign{};
