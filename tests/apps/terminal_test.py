@@ -123,12 +123,33 @@ class Terminal(ProgramTest):
         self.assertEqual(self.completions("radcert", "solve", "--out", ""), ["folder"])
         self.assertEqual(self.completions("radcert", "verify", "ac98/equation_37"), ["ac98/equation_37"])
         self.assertIn("ac98", self.completions("radcert", "verify", "ac9"))
+        self.assertIn("ac98/table_1.alpha_1_6.n4.discretisation_error",
+                      self.completions("radcert", "verify", "ac98/table_1.al"))
+        self.assertEqual(self.completions("radcert", "basis", "se"), ["search"])
         self.assertEqual(self.completions("radcert", "list", "so"), ["solvers"])
         self.assertEqual(self.completions("radcert", "solve", "--of", "m"), ["means"])
         self.assertIn("cube_opposite_faces", self.completions("radcert", "reference", "cube_"))
         self.assertIn("two_piece", self.completions("radcert", "surface", "two_"))
         self.assertEqual(self.completions("radcert", "basis", "symm"), ["symmetric"])
         self.assertEqual(self.run_program("completion", "fish").returncode, 2)
+
+
+    def test_bash_completes_the_claims_of_a_folder(self):
+        os.mkdir(self.path("own"))
+        with open(self.path("own/claims.toml"), "w", encoding="utf-8") as file:
+            file.write("# two\n[node_error]\nsays = 'a [b]'\n[node_order]\n")
+        self.assertIn("own/node_order", self.completions("radcert", "verify", "own/node_o"))
+        self.assertEqual(self.completions("radcert", "verify", "own/node_"), ["own/node_error", "own/node_order"])
+        self.assertEqual(self.completions("radcert", "verify", "elsewhere/no"), [])
+
+    def test_warnings_are_said_once(self):
+        with open(self.path("fin.obj"), "w", encoding="utf-8") as file:
+            file.write("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 2 1 0\nv 2 0 1\nf 1 2 3\nf 1 3 4\nf 2 6 5\n")
+        what = ["factors", "fin.obj", "--space", "--front", "right-hand", "--accuracy", "0.1", "--quiet"]
+        self.assertEqual(self.at_terminal(*what, columns=200)[1].count("warning: mended: 1 triangle cut"), 1)
+        done = self.run_program(*what)
+        self.assertIn(b"warning: mended: 1 triangle cut", done.stdout)
+        self.assertIn(b"warning: mended: 1 triangle cut", done.stderr)
 
 
 if __name__ == "__main__":

@@ -277,7 +277,9 @@ void add_basis(Program& program) {
       program.add("basis", "Nodes, weights, degrees of precision, norm and orders of a basis");
   auto options = std::make_shared<BasisOptions>();
   command.word("NAME", options->name, "inset, symmetric, search, or a file of nodes (radcert schema nodes)");
-  command.option("--degree", options->degree, "The degree, or several as 1-10: then a table, a row each",
+  command.option("--degree", options->degree,
+                 "The degree, of inset nodes up to 12, of which solve takes 8; or several as 1-10: then a "
+                 "table, a row each",
                  "R");
   command.option("--alpha", options->alpha, "Of inset nodes: a number in [0, 1/3), or superconvergent", "A");
   command.option("--csv", options->csv, "Nodes and weights", "FILE");

@@ -248,7 +248,9 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   report.warnings = factor_warnings(report, OptionStyle::command_line);
   for (const std::string& done : named.mended) report.warnings.push_back("mended: " + done);
   report.warnings.insert(report.warnings.end(), named.remarks.begin(), named.remarks.end());
-  for (const std::string& warning : report.warnings) say("radcert: warning: " + warning + "\n");
+  // The table ends with them: on a terminal they are not said twice.
+  if (common.json_to_stdout() || !terminal_width())
+    for (const std::string& warning : report.warnings) say("radcert: warning: " + warning + "\n");
   if (claimed) {
     report.comparison = with_source(
         options.compare, [&] { return compared(report.matrix, report.names, *claimed, tolerance); });

@@ -4,7 +4,6 @@
 // page.
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "radcert/formats/schema/schemas.h"
 #include "radcert/geometry/mesh_repair.h"
 #include "verification/claims/psg10/figures/figure.h"
+#include "verification/framework/reading/paper.h"
 
 namespace radcert::app {
 
@@ -63,13 +63,17 @@ std::vector<std::string> words_of(const std::string& command) {
   if (command == "completion") out = {"bash"};
   if (command == "verify") {
     out = listed_names("claims");
-    std::set<std::string> papers;
-    for (const std::string& claim : out) papers.insert(claim.substr(0, claim.find('/')));
-    out.insert(out.end(), papers.begin(), papers.end());
+    for (const verification::Paper& paper : verification::embedded_paper_list()) {
+      out.push_back(paper.key);
+      for (const verification::Claim& claim : paper.claims)
+        if (claim.table)
+          for (const verification::CellRecord& cell : claim.table->cells)
+            out.push_back(paper.key + "/" + cell.label);
+    }
   }
   if (command == "reference") out = listed_names("references");
   if (command == "surface" || command == "factors") out = listed_names("surfaces");
-  if (command == "basis") out = {"inset", "symmetric"};
+  if (command == "basis") out = {"inset", "symmetric", "search"};
   return out;
 }
 
@@ -101,6 +105,16 @@ std::string completion_of(const CLI::Option& option) {
   return "COMPREPLY=()";
 }
 
+/// The claims of a folder of one's own, after its name and a slash.
+constexpr std::string_view claims_of_folder =
+    "_radcert_claims() {\n"
+    "  local folder=${1%/*} label\n"
+    "  [[ $1 == */* && -f $folder/claims.toml ]] || return\n"
+    "  while read -r label; do\n"
+    "    [[ $folder/$label == \"$1\"* ]] && COMPREPLY+=(\"$folder/$label\")\n"
+    "  done < <(sed -n 's/^\\[\\([A-Za-z0-9_]*\\)\\].*/\\1/p' \"$folder/claims.toml\")\n"
+    "}\n";
+
 std::string bash_script(const CLI::App& program) {
   std::vector<std::string> names;
   std::string cases;
@@ -122,10 +136,10 @@ std::string bash_script(const CLI::App& program) {
         (words.empty() ? std::string("compopt -o filenames; COMPREPLY=($(compgen -f -- \"$word\"))")
                        : "COMPREPLY=($(compgen -W '" + joined(words, " ") + "' -- \"$word\")" +
                              (takes_files(command->get_name()) ? " $(compgen -f -- \"$word\")" : "") + ")") +
-        "\n      fi ;;\n";
+        (command->get_name() == "verify" ? "; _radcert_claims \"$word\"" : "") + "\n      fi ;;\n";
   }
-  return "# radcert " + std::string(version()) +
-         " in bash: source <(radcert completion bash)\n"
+  return "# radcert " + std::string(version()) + " in bash: source <(radcert completion bash)\n" +
+         std::string(claims_of_folder) +
          "_radcert() {\n  local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD-1]}\n"
          "  COMPREPLY=()\n"
          "  if ((COMP_CWORD == 1)); then\n    COMPREPLY=($(compgen -W '" +

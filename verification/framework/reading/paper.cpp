@@ -6,6 +6,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/core/files/atomic_file.h"
+#include "radcert/formats/json/json_reader.h"
 #include "verification/framework/reading/embedded.h"
 
 namespace radcert::verification {
@@ -13,6 +14,15 @@ namespace {
 
 bool begins_label(std::string_view label, std::string_view part) {
   return label.starts_with(part) && (label.size() == part.size() || label[part.size()] == '.');
+}
+
+std::vector<std::string> labels(const Paper& paper) {
+  std::vector<std::string> out;
+  for (const Claim& claim : paper.claims) out.push_back(claim.label);
+  for (const Claim& claim : paper.claims)
+    if (claim.table)
+      for (const CellRecord& cell : claim.table->cells) out.push_back(cell.label);
+  return out;
 }
 
 std::string label_list(const Paper& paper) {
@@ -108,9 +118,13 @@ void add_label(Selected& selected, const std::string& word, const std::string& l
   if (!exists(selected.paper, label))
     throw InputError({.source = "verify",
                       .value = word,
-                      .problem = "is not a statement of " +
-                                 (selected.paper.folder.empty() ? "this paper" : selected.paper.folder),
-                      .allowed = label_list(selected.paper) + ", or a cell of a table"});
+                      .problem = with_nearest_word(
+                          "is not a statement of " +
+                              (selected.paper.folder.empty() ? "this paper" : selected.paper.folder),
+                          label, labels(selected.paper)),
+                      .allowed = selected.paper.folder.empty()
+                                     ? "the statements of radcert list claims, or cells of their tables"
+                                     : label_list(selected.paper) + ", or a cell of a table"});
   selected.labels.push_back(label);
 }
 

@@ -47,20 +47,22 @@ public:
     const Place x{v.x, v.y, v.z};
     return {Number(x[(axis_ + 1) % 3]), Number(x[(axis_ + 2) % 3])};
   }
-  /// The point of the plane over a point of the projection; none where doubles do not hold it.
-  [[nodiscard]] std::optional<Vector<double>> point(const Point& at) const {
+  /// The point of the plane over a point of the projection, rounded, and whether that is the point itself.
+  struct Rounded {
+    Vector<double> at;
+    bool is_exact;
+  };
+  [[nodiscard]] Rounded point(const Point& at) const {
     const std::array<Rational, 3> n{normal_.x, normal_.y, normal_.z};
     std::array<Rational, 3> x;
     x[(axis_ + 1) % 3] = rational(at.x());
     x[(axis_ + 2) % 3] = rational(at.y());
     x[axis_] = (offset_ - n[(axis_ + 1) % 3] * x[(axis_ + 1) % 3] - n[(axis_ + 2) % 3] * x[(axis_ + 2) % 3]) /
                n[axis_];
-    Place rounded{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      rounded[k] = x[k].to_double();
-      if (Rational::exactly(rounded[k]) != x[k]) return std::nullopt;
-    }
-    return Vector<double>{rounded[0], rounded[1], rounded[2]};
+    Rounded out{{x[0].to_double(), x[1].to_double(), x[2].to_double()}, true};
+    for (std::size_t k = 0; k < 3; ++k)
+      out.is_exact = out.is_exact && Rational::exactly(place_of(out.at)[k]) == x[k];
+    return out;
   }
   /// Whether a triangle that runs counterclockwise in the projection does so about the normal.
   [[nodiscard]] bool keeps_order() const {
@@ -484,24 +486,41 @@ private:
       } else if (one || other) {
         VertexTriple corners{};
         for (std::size_t k = 0; k < 3; ++k) {
-          const std::optional<Vector<double>> at = plane.point(p[k]);
-          if (!at)
-            return "has faces that touch, and what they cover of each other has a corner near (" +
-                   nearest_text(CGAL::to_double(p[k].x()), DecimalForm::general(6)) + ", " +
-                   nearest_text(CGAL::to_double(p[k].y()), DecimalForm::general(6)) +
-                   "), seen along an axis, that no doubles hold exactly: cut the faces along each other's "
-                   "sides";
-          corners[k] = vertex(*at);
+          const Plane::Rounded corner = plane.point(p[k]);
+          if (!corner.is_exact)
+            return "has faces that touch" + names(overlap) +
+                   ", and what they cover of each other has a corner near " + text(corner.at) +
+                   " that no doubles hold exactly: cut the faces along each other's sides";
+          corners[k] = vertex(corner.at);
         }
         if (plane.keeps_order() != one.has_value()) std::swap(corners[1], corners[2]);
         add(corners, one ? *one : *other);
       }
     }
     // Of two triangles that look the same way only one would be left.
-    if (missing != 0) return "has faces that overlap and look the same way, where others touch them";
+    if (missing != 0)
+      return "has faces that overlap and look the same way" + names(overlap) + ", near " +
+             text(mesh_.corners(*overlap.one.begin())[0]) + ", where others touch them";
     for (const auto& [groups, area] : covered)
       out_.contacts.push_back({mesh_.group_names[groups.first], mesh_.group_names[groups.second], area});
     return {};
+  }
+
+  static std::string text(const Vector<double>& at) {
+    const DecimalForm six = DecimalForm::general(6);
+    return "(" + nearest_text(at.x, six) + ", " + nearest_text(at.y, six) + ", " + nearest_text(at.z, six) +
+           ")";
+  }
+
+  /// The groups of an overlap, in brackets; nothing where none has a name.
+  std::string names(const Overlap& overlap) const {
+    std::set<std::string> groups;
+    for (const auto* side : {&overlap.one, &overlap.other})
+      for (const std::size_t t : *side) groups.insert(mesh_.group_names[mesh_.group[t]]);
+    groups.erase("");
+    std::string out;
+    for (const std::string& group : groups) out += (out.empty() ? " (" : ", ") + group;
+    return out.empty() ? out : out + ")";
   }
 
   std::size_t vertex(const Vector<double>& at) {
