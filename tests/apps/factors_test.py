@@ -2,6 +2,7 @@
 """Configuration factors: known values, closure, what is refused, what a stopped run keeps."""
 import csv
 import json
+import math
 import os
 import unittest
 
@@ -301,6 +302,46 @@ class Factors(ProgramTest):
             self.assertEqual(row["guaranteed"], "false")
         self.expect(2, *words, "--rays", "--certified")
         self.expect(2, *words, "--rays", "--accuracy", "1e-8")
+
+    def test_a_turned_room_is_aligned_where_that_is_asked(self):
+        """A cupboard on the floor and at a wall, turned by 30 degrees and printed with six decimals."""
+        walls = box((0, 0, 0), (4, 3, 2.5), inwards=True)
+        groups = {"west": walls[:1], "floor": walls[4:5], "rest": walls[1:4] + walls[5:],
+                  "cupboard": box((0, 0.2, 0), (0.6, 1.4, 2))}
+        self.obj("plain.obj", groups)
+        c, s = math.cos(math.pi / 6), math.sin(math.pi / 6)
+        turned = {name: [[(round(c * x - s * y, 6), round(s * x + c * y, 6), z) for x, y, z in face] for face in faces]
+                  for name, faces in groups.items()}
+        self.obj("turned.obj", turned)
+        ask = ["--by", "group", "--out", "f.csv", "--accuracy", "1e-3"]
+        self.expect(0, "factors", "plain.obj", *ask)
+        plain = self.rows("f.csv")
+        done = self.run_program("factors", "turned.obj", *ask, "--repair", "align")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(b"mended: turned by 30 degrees", done.stderr)
+        self.assertEqual(done.stderr.count(b"mended: contact of"), 2)
+        for one, other in zip(plain, self.rows("f.csv"), strict=True):
+            self.assertEqual((one["from"], one["to"]), (other["from"], other["to"]))
+            self.assertAlmostEqual(float(one["factor"]), float(other["factor"]),
+                                   delta=float(one["radius"]) + float(other["radius"]) + 1e-5)
+        # Without it there is a gap or a refusal, and both name the way out.
+        triangles = {name: [[face[0], face[k], face[k + 1]] for face in faces for k in (1, 2)]
+                     for name, faces in turned.items()}
+        self.obj("triangles.obj", triangles)
+        done = self.run_program("surface", "triangles.obj")
+        self.assertIn(b"repair align", done.stdout + done.stderr)
+        # x, y, z of a problem are those of its file.
+        self.write("problem.json", {"schema": "radcert/problem/1", "surface": {"file": "turned.obj", "repair": ["align"]},
+                                    "triangulation": {"levels": [0]}, "basis": {"family": "inset", "degree": 0},
+                                    "reflectivity": "1/2", "emission": "1"})
+        refused = self.run_program("solve", "problem.json")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn(b"was turned by 30 degrees by repair align", refused.stderr)
+        self.expect(0, "surface", "turned.obj", "--repair", "align", "--write", "aligned.obj")
+        self.expect(0, "factors", "aligned.obj", *ask)
+        again = self.rows("f.csv")
+        self.assertEqual([row["to"] for row in again], [row["to"] for row in plain])
+        self.assertEqual(self.run_program("surface", "turned.obj", "--repair", "align", "--write", "a.jpg").returncode, 2)
 
     def obj(self, name, groups):
         """A mesh with these groups of quadrangles; equal points are one vertex."""

@@ -35,7 +35,7 @@ TriangleMesh room_with_box(const Vector<double>& low, double width) {
 }
 
 TEST(NearContacts, AreFacesThatLookAtEachOtherAcrossNextToNothing) {
-  const auto found = near_contacts(room_with_box({1, 1, 0x1p-52}, 1), true);
+  const auto found = near_contacts(room_with_box({1, 1, 0x1p-52}, 1), true, 0);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].one, "room");
   EXPECT_EQ(found[0].other, "box");
@@ -50,7 +50,7 @@ TEST(NearContacts, AreToldAtTheNarrowestAndCounted) {
   TriangleMesh mesh = room_with_box({1, 1, 0x1p-32}, 1);
   for (Vector<double>& v : mesh.vertices)
     if (v.z == 1 + 0x1p-32) v.z = 4 - 0x1p-40;
-  const auto found = near_contacts(mesh, true);
+  const auto found = near_contacts(mesh, true, 0);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_DOUBLE_EQ(found[0].gap, 0x1p-40);
   EXPECT_NEAR(found[0].at.z, 4, 1e-9);
@@ -60,7 +60,7 @@ TEST(NearContacts, AreToldAtTheNarrowestAndCounted) {
 
 TEST(NearContacts, AreNoneWhereAGapIsSeenOrThereIsNone) {
   for (const double height : {0.0, 1e-6, 0.5})
-    EXPECT_TRUE(near_contacts(room_with_box({1, 1, height}, 1), true).empty()) << height;
+    EXPECT_TRUE(near_contacts(room_with_box({1, 1, height}, 1), true, 0).empty()) << height;
 }
 
 // A thin plate: its fronts look away from each other, and its sides are next to nothing wide.
@@ -68,7 +68,7 @@ TEST(NearContacts, AreNoneBetweenTheSidesOfAThinPlate) {
   TriangleMesh mesh = room_with_box({1, 1, 1}, 1);
   for (Vector<double>& v : mesh.vertices)
     if (v.z == 2) v.z = 1 + 0x1p-50;
-  EXPECT_TRUE(near_contacts(mesh, true).empty());
+  EXPECT_TRUE(near_contacts(mesh, true, 0).empty());
 }
 
 // A tilted box on a tilted floor: what is equal before rounding is off by a rounding here and there.
@@ -77,7 +77,7 @@ TEST(NearContacts, AreFoundWhereBothAreTilted) {
   const double c = std::cos(0.3);
   const double s = std::sin(0.3);
   for (Vector<double>& v : mesh.vertices) v = {c * v.x - s * v.z, v.y, s * v.x + c * v.z};
-  const auto found = near_contacts(mesh, true);
+  const auto found = near_contacts(mesh, true, 0);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0].gap, 1e-12, 1e-15);
 }
@@ -94,7 +94,7 @@ TEST(NearContacts, AreNoneBetweenTheSidesOfAPlateWithoutThickness) {
   const double c = std::cos(0.3);
   const double s = std::sin(0.3);
   for (Vector<double>& v : mesh.vertices) v = {c * v.x - s * v.z, v.y, s * v.x + c * v.z};
-  EXPECT_TRUE(near_contacts(mesh, true).empty());
+  EXPECT_TRUE(near_contacts(mesh, true, 0).empty());
 }
 
 TEST(NearContacts, AreNoneBetweenFacesBesideEachOther) {
@@ -111,16 +111,16 @@ TEST(NearContacts, AreNoneBetweenFacesBesideEachOther) {
     mesh.face.insert(mesh.face.end(), 2, 0);
   }
   mesh.group_names = {"lower", "upper"};
-  EXPECT_TRUE(near_contacts(mesh, true).empty());
+  EXPECT_TRUE(near_contacts(mesh, true, 0).empty());
   for (std::size_t v = 4; v < 8; ++v) mesh.vertices[v].x -= 0.25;
-  EXPECT_EQ(near_contacts(mesh, true).size(), 1U);
+  EXPECT_EQ(near_contacts(mesh, true, 0).size(), 1U);
 }
 
 TEST(NearContacts, AreFoundFromTheOtherSideWithTheOtherHand) {
   TriangleMesh mesh = room_with_box({1, 0x1p-50, 1}, 1);
   for (VertexTriple& t : mesh.triangles) std::swap(t[1], t[2]);
-  EXPECT_EQ(near_contacts(mesh, false).size(), 1U);
-  EXPECT_TRUE(near_contacts(mesh, true).empty());
+  EXPECT_EQ(near_contacts(mesh, false, 0).size(), 1U);
+  EXPECT_TRUE(near_contacts(mesh, true, 0).empty());
 }
 
 }  // namespace

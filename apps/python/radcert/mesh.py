@@ -36,7 +36,7 @@ class Mesh:
     points: (n, 3) floats. triangles: (m, 3) ints, places of points counted from 0. groups: a name for each triangle.
     front: the side of a triangle where light travels: "right-hand", from which its corners run counterclockwise,
         "left-hand", or "auto": the inside of what is closed, right-hand else.
-    repair: what is to be mended, of "triangulate", "vertices", "faces", "orientation", "manifold", "crossings", "holes";
+    repair: what is to be mended, of "align", "triangulate", "vertices", "faces", "orientation", "manifold", "crossings", "holes";
         nothing is mended unasked.
     two_sided: groups that are plates without thickness; light leaves their backs too.
     angle: in degrees; where normals make more, two pieces meet.

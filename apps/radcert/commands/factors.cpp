@@ -310,10 +310,11 @@ void add_factors(Program& program) {
                  "X");
   command.option("--level", options->level,
                  "Cut each triangle of a surface of the catalogue into 4^N; default 0", "N");
-  command.list("--repair", options->repair,
-               "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, "
-               "holes; without it nothing is mended",
-               "WHAT,...");
+  command.list(
+      "--repair", options->repair,
+      "Mend the mesh in memory: align, triangulate, vertices, faces, orientation, manifold, crossings, "
+      "holes; without it nothing is mended",
+      "WHAT,...");
   command.list(
       "--two-sided", options->two_sided,
       "Groups of a mesh that are plates without thickness: light leaves their backs too, as rows of \"NAME "

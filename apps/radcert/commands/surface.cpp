@@ -336,6 +336,28 @@ std::string off_text(const TriangleMesh& mesh) {
   return out;
 }
 
+/// The same with the names of groups, a group's triangles after one another.
+std::string obj_text(const TriangleMesh& mesh) {
+  std::string out;
+  for (const Vector<double>& v : mesh.vertices)
+    out += "v " + shortest(v.x) + " " + shortest(v.y) + " " + shortest(v.z) + "\n";
+  for (std::size_t g = 0; g < mesh.group_names.size(); ++g) {
+    if (std::find(mesh.group.begin(), mesh.group.end(), g) == mesh.group.end()) continue;
+    if (!mesh.group_names[g].empty()) out += "g " + mesh.group_names[g] + "\n";
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      if (mesh.group[t] == g)
+        out += fmt::format("f {} {} {}\n", mesh.triangles[t][0] + 1, mesh.triangles[t][1] + 1,
+                           mesh.triangles[t][2] + 1);
+  }
+  return out;
+}
+
+std::string text_for(const std::string& file, const TriangleMesh& mesh) {
+  if (file.ends_with(".off")) return off_text(mesh);
+  if (file.ends_with(".obj")) return obj_text(mesh);
+  throw InputError({.source = "--write", .value = file, .allowed = "a name in .off, or .obj with groups"});
+}
+
 ExitCode show_mesh(const Common& common, const SurfaceOptions& options) {
   Outputs outputs(common);
   outputs.file("--write", options.write);
@@ -344,7 +366,7 @@ ExitCode show_mesh(const Common& common, const SurfaceOptions& options) {
   const MeshSurvey survey = survey_mesh(options.name, degrees_of(options.angle), repair_of(options.repair),
                                         front_of(options.front));
   std::vector<std::pair<std::filesystem::path, std::string>> files;
-  if (!options.write.empty()) files.emplace_back(options.write, off_text(survey.mesh));
+  if (!options.write.empty()) files.emplace_back(options.write, text_for(options.write, survey.mesh));
   const std::vector<PieceMeasures> measures = measures_of(survey);
   print_result(common, outputs,
                mesh_text(options.name, survey) +
@@ -389,14 +411,14 @@ void add_surface(Program& program) {
                "A surface of radcert list surfaces, or a mesh in " + mesh_file_endings(), "NAME or FILE");
   command.option("--angle", options->angle,
                  "Edges whose triangles' normals make a larger angle part two pieces; default 30", "DEGREES");
-  command.list(
-      "--repair", options->repair,
-      "Mend the mesh in memory: triangulate, vertices, faces, orientation, manifold, crossings, holes; "
-      "without it nothing is mended",
-      "WHAT,...");
+  command.list("--repair", options->repair,
+               "Mend the mesh in memory: align, triangulate, vertices, faces, orientation, manifold, "
+               "crossings, holes; "
+               "without it nothing is mended",
+               "WHAT,...");
   command.option("--front", options->front, front_help, "WHICH");
   command.option("--unit", options->unit, unit_help, "UNIT");
-  command.option("--write", options->write, "Write the triangles, mended if asked, as an OFF file",
+  command.option("--write", options->write, "Write the triangles, mended if asked: .off, or .obj with groups",
                  "FILE.off");
   command.footer(
       "Triangles that cross are left out by --repair crossings; with holes too, what that opens is closed.\n"

@@ -170,8 +170,8 @@ void mend_holes(TriangleMesh& mesh, std::vector<std::string>& done) {
 MeshRepair repair_named(std::span<const std::string> words) {
   MeshRepair repair;
   const std::array<bool*, repair_words.size()> choice{
-      &repair.triangulate, &repair.vertices,  &repair.faces, &repair.orientation,
-      &repair.manifold,    &repair.crossings, &repair.holes};
+      &repair.align,       &repair.triangulate, &repair.vertices,  &repair.faces,
+      &repair.orientation, &repair.manifold,    &repair.crossings, &repair.holes};
   for (const std::string& word : words) {
     const auto found = std::find(repair_words.begin(), repair_words.end(), word);
     expects(found != repair_words.end(), "a word of repair_words", named("word", word));

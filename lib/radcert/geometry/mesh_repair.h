@@ -14,6 +14,7 @@ namespace radcert {
 
 /// The repairs of a mesh, each made only where it is asked for.
 struct MeshRepair {
+  bool align = false;  ///< turn the file's faces to the axes and make rounded coordinates equal: aligned
   bool triangulate = false;  ///< cut faces of the file whose corners do not lie in one plane: see BentFaces
   bool vertices = false;     ///< join vertices with equal coordinates, leave out those that no triangle uses
   bool faces = false;        ///< leave out degenerate triangles and all but the first of equal ones
@@ -25,15 +26,15 @@ struct MeshRepair {
 };
 
 /// The words for it, in the order of the members.
-inline constexpr std::array<std::string_view, 7> repair_words{
-    "triangulate", "vertices", "faces", "orientation", "manifold", "crossings", "holes"};
+inline constexpr std::array<std::string_view, 8> repair_words{
+    "align", "triangulate", "vertices", "faces", "orientation", "manifold", "crossings", "holes"};
 
 /// The choice of these words; ContractViolation for any other.
 [[nodiscard]] MeshRepair repair_named(std::span<const std::string> words);
 
 /// Mends a mesh, and says what was done.
-/// Maths     in the order of MeshRepair's members from `vertices` on; `triangulate` comes before there is a
-///           mesh of triangles
+/// Maths     in the order of MeshRepair's members from `vertices` on; `align` and `triangulate` come before
+///           there is a mesh of triangles
 /// Source    holes: CGAL's triangulate_hole_polyline
 /// Result    the mended mesh; done: one line for each thing that was changed, empty where nothing was
 /// Limits    triangles that close a hole may cross others again: look at the defects afterwards. A part of a

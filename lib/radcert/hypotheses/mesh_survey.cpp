@@ -7,6 +7,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/geometry/contacts/aligned_file.h"
 #include "radcert/geometry/contacts/joined_sides.h"
 #include "radcert/geometry/contacts/mesh_contacts.h"
 #include "radcert/geometry/contacts/near_contacts.h"
@@ -58,6 +59,24 @@ void add_backs(TriangleMesh& mesh, const std::vector<std::string>& two_sided) {
   }
 }
 
+/// The file's faces along the axes, and what that did to it.
+MeshFile align(MeshSurvey& survey, const MeshFile& given) {
+  Outcome<AlignedFile> along_axes = aligned(given);
+  if (!along_axes)
+    throw InputError({.problem = "cannot be aligned: " + along_axes.reason(),
+                      .allowed = "rooms with walls at right angles, or a mesh without repair align"});
+  survey.degrees_turned = along_axes->degrees;
+  const DecimalForm digits = DecimalForm::general(3);
+  if (along_axes->degrees > 0)
+    survey.mended.push_back("turned by " + nearest_text(along_axes->degrees, DecimalForm::general(6)) +
+                            " degrees, so that faces are parallel to the axes");
+  if (along_axes->moved > 0)
+    survey.mended.push_back("coordinates that differed by rounding made equal: corners moved by " +
+                            nearest_text(along_axes->moved, digits) + " at most, in a file " +
+                            given.precision.words);
+  return std::move(along_axes->file);
+}
+
 /// Joins what touches along parts of sides, and takes out what bodies that stand on faces cover; the front is
 /// decided before, for it says what is a body, and must be the same behind.
 std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule,
@@ -75,7 +94,11 @@ std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule,
   }
   Outcome<UncoveredMesh> uncovered =
       without_contacts(survey.mesh, orientation == Orientation::along_the_cross_product);
-  if (!uncovered) throw InputError({.problem = uncovered.reason()});
+  if (!uncovered)
+    throw InputError({.problem = uncovered.reason(),
+                      .allowed =
+                          "faces that touch along corners that doubles hold; of a room whose coordinates "
+                          "are rounded or that was turned, repair align makes them so"});
   if (uncovered->is_as_it_was()) return std::nullopt;
   if (uncovered->cut > 0)
     survey.mended.push_back(several(uncovered->cut, "triangle", "triangles") +
@@ -103,13 +126,17 @@ std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule,
 std::vector<std::string> near_contact_remarks(const MeshSurvey& survey) {
   std::vector<std::string> out;
   for (const NearContact& near :
-       near_contacts(survey.mesh, survey.front.orientation == Orientation::along_the_cross_product))
+       near_contacts(survey.mesh, survey.front.orientation == Orientation::along_the_cross_product,
+                     survey.precision.unit))
     out.push_back(
         group_text(near.one) + " and " + group_text(near.other) + " face each other across a gap of " +
         nearest_text(near.gap, DecimalForm::general(2)) + " at " + point_text(near.at) +
         (near.pairs > 1 ? ", the least of " + std::to_string(near.pairs) + " pairs of triangles" : "") +
         ": no contact, so that what lies between takes part; where they are to touch, give both the "
-        "same coordinates");
+        "same coordinates" +
+        (near.gap <= rounded_gap(survey.precision.unit)
+             ? ", or try repair align: the file is " + survey.precision.words
+             : std::string()));
   return out;
 }
 
@@ -170,9 +197,12 @@ Surface MeshSurvey::surface(const std::string& name) const {
                        .unoccluded = containment.verdict == Containment::certified});
 }
 
-MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& repair, FrontRule rule,
+MeshSurvey survey_mesh(const MeshFile& given, double degrees, const MeshRepair& repair, FrontRule rule,
                        const std::vector<std::string>& two_sided) {
   MeshSurvey survey;
+  const std::optional<MeshFile> along_axes =
+      repair.align ? std::optional(align(survey, given)) : std::nullopt;
+  const MeshFile& file = along_axes ? *along_axes : given;
   survey.format = file.format;
   survey.precision = file.precision;
   survey.digest = file.digest;
@@ -185,7 +215,7 @@ MeshSurvey survey_mesh(const MeshFile& file, double degrees, const MeshRepair& r
   survey.bent_faces = std::move(faces.bent_faces);
   MendedMesh mended = mend(std::move(faces.mesh), repair);
   survey.mesh = std::move(mended.mesh);
-  survey.mended = std::move(faces.diagonals);
+  survey.mended.insert(survey.mended.end(), faces.diagonals.begin(), faces.diagonals.end());
   survey.mended.insert(survey.mended.end(), mended.done.begin(), mended.done.end());
   if (survey.mesh.triangles.empty())
     throw InputError({.problem = "has no triangle that is not degenerate", .allowed = "a mesh with faces"});

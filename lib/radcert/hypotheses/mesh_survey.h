@@ -33,6 +33,7 @@ struct MeshSurvey {
   std::size_t joined_corners = 0;
   std::size_t cut_faces = 0;
   std::vector<std::size_t> bent_faces;
+  double degrees_turned = 0;  ///< by repair.align: coordinates are not the file's any more
   std::vector<std::string> mended;
   std::vector<std::string> remarks;  ///< what looks like a slip and was left as it is
   TriangleMesh mesh;

@@ -26,41 +26,52 @@ Bounds product(const Bounds& a, const Bounds& b) {
   return out;
 }
 
-double least_product(const Bounds& bounds, const Bounds& factors) {
-  double best = infinity;
-  for (std::size_t k = 0; k < axes.size(); ++k) best = std::min(best, bounds[k] * factors[k]);
-  return best * upward;
-}
-
 /// What rules of n nodes make of a bound in an ellipse, by n - 1.
+using FactorsByNodes = std::array<double, most_gauss_nodes>;
+
 struct EllipseFactors {
-  std::array<Bounds, most_gauss_nodes> interpolation;
-  std::array<Bounds, most_gauss_nodes> quadrature;
+  std::array<FactorsByNodes, axes.size()> interpolation;
+  std::array<FactorsByNodes, axes.size()> quadrature;
 };
 
 const EllipseFactors& factors() {
   static const EllipseFactors table = [] {
     EllipseFactors made{};
-    for (std::size_t n = 1; n <= most_gauss_nodes; ++n)
-      for (std::size_t k = 0; k < axes.size(); ++k) {
+    for (std::size_t k = 0; k < axes.size(); ++k)
+      for (std::size_t n = 1; n <= most_gauss_nodes; ++n) {
         const double rho = axes[k] + std::sqrt(axes[k] * axes[k] - 1);
-        made.interpolation[n - 1][k] = polynomial_error_factor(static_cast<int>(n), rho);
-        made.quadrature[n - 1][k] = gauss_mean_error_factor(static_cast<int>(n), rho);
+        made.interpolation[k][n - 1] = polynomial_error_factor(static_cast<int>(n), rho);
+        made.quadrature[k][n - 1] = gauss_mean_error_factor(static_cast<int>(n), rho);
       }
     return made;
   }();
   return table;
 }
 
+/// Adds the least bound times factor over the ellipses, for the first rules.
+void add_least_products(std::span<double> errors, const Bounds& bounds,
+                        const std::array<FactorsByNodes, axes.size()>& factors) {
+  FactorsByNodes least;
+  least.fill(infinity);
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    if (!(bounds[k] < infinity)) continue;
+    for (std::size_t n = 0; n < errors.size(); ++n) {
+      const double product = bounds[k] * factors[k][n];
+      least[n] = product < least[n] ? product : least[n];
+    }
+  }
+  for (std::size_t n = 0; n < errors.size(); ++n) errors[n] += least[n] * upward;
+}
+
 /// Of a function within the bounds that is a polynomial of a degree below `exact`.
 void add_interpolation(RuleErrors& errors, const Bounds& bounds, std::size_t exact = most_gauss_nodes + 1) {
-  for (std::size_t n = 0; n + 1 < exact; ++n)
-    errors.interpolation[n] += least_product(bounds, factors().interpolation[n]);
+  const std::size_t most = errors.interpolation.size();
+  add_least_products(std::span(errors.interpolation).first(std::min(exact - 1, most)), bounds,
+                     factors().interpolation);
 }
 
 void add_quadrature(RuleErrors& errors, const Bounds& bounds) {
-  for (std::size_t n = 0; n < most_gauss_nodes; ++n)
-    errors.quadrature[n] += least_product(bounds, factors().quadrature[n]);
+  add_least_products(errors.quadrature, bounds, factors().quadrature);
 }
 
 }  // namespace

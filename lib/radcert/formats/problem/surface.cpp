@@ -9,6 +9,7 @@
 #include "radcert/core/digest.h"
 #include "radcert/formats/problem/problem_parts.h"
 #include "radcert/hypotheses/mesh_survey.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/surface/catalogue.h"
 
 namespace radcert {
@@ -76,6 +77,12 @@ Rational default_value(const ParameterDescription& parameter) {
 std::optional<InputFault> mesh_surface_fault(const std::string& name, const MeshSurvey& survey,
                                              const std::string& front_allowed) {
   const std::optional<std::string> obstacle = survey.obstacle();
+  if (survey.degrees_turned > 0)
+    return InputFault{
+        .source = name,
+        .problem = "was turned by " + nearest_text(survey.degrees_turned, DecimalForm::general(6)) +
+                   " degrees by repair align, and a problem's x, y, z are those of its file",
+        .allowed = "the file that radcert surface " + name + " --repair align --write FILE.obj writes"};
   if (survey.front.undecided || survey.looks_away)
     return InputFault{.source = name, .problem = *obstacle, .allowed = front_allowed};
   if (!obstacle) return std::nullopt;

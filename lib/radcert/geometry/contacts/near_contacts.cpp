@@ -76,11 +76,13 @@ Vector<double> amid_overlap(const Corners& one, const Corners& other, const Vect
 
 }  // namespace
 
-std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand) {
+std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand, double precision) {
   const BoxTree tree(triangle_boxes(mesh));
   if (mesh.triangles.empty()) return {};
   const PlaneClasses planes = plane_classes(mesh);
-  const double most = next_to_nothing * norm(tree.box().high - tree.box().low);
+  const double diagonal = norm(tree.box().high - tree.box().low);
+  const double rounding = 1e-12 * diagonal;
+  const double most = std::max(next_to_nothing * diagonal, rounded_gap(precision));
   std::map<std::pair<std::size_t, std::size_t>, NearContact> found;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Corners here = mesh.corners(t);
@@ -96,9 +98,14 @@ std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand
       if (dot(front, back) >= 0) return true;
       const Heights above = heights(there, front, here[0]);
       const Heights below = heights(here, back, there[0]);
-      const double gap = std::max(above.largest, below.largest);
-      // Rounding may put a corner of a slanted face behind a plane before which the others lie.
-      if (!(above.largest > -above.least && below.largest > -below.least && gap <= most)) return true;
+      // Rounding may put a corner of a slanted face behind a plane before which the others lie. A small
+      // triangle's plane may be far off where a large one ends, on either side: then the other plane tells,
+      // if what it tells is no rounding.
+      const auto is_before = [](const Heights& h) { return h.largest > -h.least; };
+      const double gap = std::min(above.largest, below.largest);
+      const Heights& nearer = above.largest < below.largest ? above : below;
+      const bool are_before = is_before(above) && is_before(below);
+      if (!(gap <= most && (are_before || (is_before(nearer) && gap > rounding)))) return true;
       if (!overlap_along_sides(here, there, front, most) || !overlap_along_sides(there, here, back, most))
         return true;
       const auto groups = std::minmax(mesh.group[t], mesh.group[u]);

@@ -20,15 +20,21 @@ struct NearContact {
 };
 
 /// Where faces of a mesh probably were meant to touch, and rounded coordinates leave a gap.
-/// Maths     pairs of triangles of different planes whose fronts look at each other, whose corners lie at
-///           most 10^-9 times the diagonal of the mesh in front of each other's planes, and that overlap,
-///           seen along the normal, by more than 10^-9 times the diagonal in each direction
+/// Maths     pairs of triangles of different planes whose fronts look at each other, of which the one lies
+///           in front of the other's plane, its corners at most g away, and that overlap, seen along the
+///           normal, by more than g in each direction; g = 10^-9 times the diagonal of the mesh, or 8 times
+///           the precision of its coordinates where that is more
 /// Source    ours: such a gap is no contact for without_contacts, which asks for equality; what lies between
 ///           takes part in the exchange of light
-/// Requires  no degenerate triangle. right_hand: see without_contacts
+/// Requires  no degenerate triangle. right_hand: see without_contacts; precision: of MeshFile
 /// Result    of each two groups the pair of triangles with the least gap, and how many pairs there are, in
 ///           the order of the groups
 /// Limits    a remark for the reader, decided in doubles: nothing is changed
-[[nodiscard]] std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand);
+[[nodiscard]] std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand,
+                                                     double precision);
+
+/// The largest gap that coordinates of a precision may leave between faces that were to touch.
+/// Maths     8 u: corners are off by 3^(1/2) u each, and a plane by more beyond them
+[[nodiscard]] inline double rounded_gap(double precision) { return 8 * precision; }
 
 }  // namespace radcert
