@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <numbers>
 
 #include "radcert/core/errors.h"
@@ -105,6 +107,46 @@ TEST(FactorComparison, GuessesAtTheCause) {
   for (const ConfigurationFactor& entry : matrix.entries)
     claims[{other(names[entry.from]), other(names[entry.to])}] = {entry.factor.value, 1e-6};
   EXPECT_EQ(cause(claims, "a", "b"), "b and c swapped");
+}
+
+TEST(FactorComparison, GuessesAtCausesOfManyPairsTogether) {
+  const FactorMatrix matrix = sample_matrix();
+  ClaimedFactors claims = claims_of(matrix);
+  // Exchange areas of square metres beside square millimetres.
+  for (auto& [pair, claim] : claims) {
+    const auto i =
+        static_cast<std::size_t>(std::find(names.begin(), names.end(), pair.first) - names.begin());
+    claim = {claim.value * matrix.rows[i].area.value * 1e-6, 1e-12};
+  }
+  for (const auto& [pair, claim] : claims)
+    EXPECT_EQ(cause(claims, pair.first, pair.second), "exchange area in another unit: A F times 1e-6");
+  // The rows of b and c alone.
+  claims = claims_of(matrix);
+  for (const std::string& to : names) std::swap(claims[{"b", to}], claims[{"c", to}]);
+  EXPECT_EQ(cause(claims, "b", "a"), "rows b and c swapped");
+  claims = claims_of(matrix);
+  claims.erase({"a", "b"});
+  EXPECT_EQ(cause(claims, "a", "b"), "not in the file");
+  claims[{"a", "b"}] = {-0.3, 1e-6};
+  EXPECT_EQ(cause(claims, "a", "b"), "below 0");
+}
+
+TEST(FactorComparison, RefusesFilesByWhatIsWrongInThem) {
+  const auto refusal = [](const std::string& text) -> std::string {
+    try {
+      static_cast<void>(parse_factors(text, "f.csv", names));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "(none)";
+  };
+  EXPECT_THAT(refusal("from,a,d\na,0,1\n"), testing::HasSubstr("\"d\" is no surface here"));
+  EXPECT_THAT(refusal("0.5,0.5\n0.5,0.5\n"), testing::HasSubstr("is a number, and no name of a surface"));
+  EXPECT_THAT(refusal("from;to;factor\na;b;1\n"), testing::HasSubstr("parted by commas"));
+  EXPECT_THAT(refusal("from,to,factor\n"), testing::HasSubstr("has no factor"));
+  EXPECT_THAT(refusal(",a,b,c\n"), testing::HasSubstr("has no factor"));
+  EXPECT_THAT(refusal("from,to,value\na,b,1\n"), testing::HasSubstr("has not the columns"));
+  EXPECT_THAT(refusal(""), testing::HasSubstr("is empty"));
 }
 
 TEST(FactorComparison, IsWrittenAsATableAndAsAPicture) {

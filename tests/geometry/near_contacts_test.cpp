@@ -58,6 +58,21 @@ TEST(NearContacts, AreToldAtTheNarrowestAndCounted) {
   EXPECT_GE(found[0].pairs, 4U);
 }
 
+TEST(NearContacts, AreLookedForAsFarAsTheDigitsOfAFileLeaveOpen) {
+  for (const double gap : {1e-6, 1e-4}) {
+    const TriangleMesh mesh = room_with_box({1, 1, gap}, 1);
+    EXPECT_EQ(near_contacts(mesh, true, gap / 4).size(), 1U);
+    EXPECT_TRUE(near_contacts(mesh, true, gap / 16).empty());
+  }
+  // A large floor that rounding tilts under a small box: its plane lies in front of the box's bottom there.
+  TriangleMesh mesh = room_with_box({1, 1, 1e-4}, 0.01);
+  for (Vector<double>& v : mesh.vertices)
+    if (v.x == 1.01 && v.z == 1e-4) v.z = 0.5e-4;
+  const auto found = near_contacts(mesh, true, 1e-4);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_DOUBLE_EQ(found[0].gap, 1e-4);
+}
+
 TEST(NearContacts, AreNoneWhereAGapIsSeenOrThereIsNone) {
   for (const double height : {0.0, 1e-6, 0.5})
     EXPECT_TRUE(near_contacts(room_with_box({1, 1, height}, 1), true, 0).empty()) << height;

@@ -71,6 +71,7 @@ TEST(ClaimsFile, RefusesADefinitionThatAsserts) {
   };
   const std::string plain = definition("says = \"the union of the pieces\"");
   EXPECT_EQ(read_claims(plain, "claims.toml").size(), 1U);
+  EXPECT_NE(refusal("# none\n").find("has no claim"), std::string::npos);
   EXPECT_EQ(read_claims(plain + "formula = 'S=\\bigcup S_j'\n", "claims.toml").size(), 1U);
   for (const char* const says :
        {"u = 1", "an error of O(h)", "m is one-to-one", "F maps R onto S", "every piece"})

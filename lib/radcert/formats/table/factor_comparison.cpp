@@ -13,6 +13,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/formats/plot/svg_elements.h"
 #include "radcert/formats/table/csv.h"
+#include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
 
@@ -66,8 +67,8 @@ public:
            std::max(claim.halfwidth + radius, part * std::abs(claim.value - ours(i, j).value));
   }
 
-  /// Whether the rows of two surfaces fit once these have changed places.
-  [[nodiscard]] bool fit_swapped(std::size_t one, std::size_t other) const {
+  /// Whether the rows of two surfaces fit once these have changed places, with their columns or without.
+  [[nodiscard]] bool fit_swapped(std::size_t one, std::size_t other, bool with_columns) const {
     const auto swapped = [&](std::size_t k) { return k == one ? other : k == other ? one : k; };
     constexpr double part = 0.02;
     double largest = 0;
@@ -76,7 +77,7 @@ public:
         largest = std::max(largest, std::abs(theirs(row, k).value - ours(row, k).value));
     for (const std::size_t row : {one, other})
       for (std::size_t k = 0; k < size(); ++k) {
-        const Approximation expected = ours(swapped(row), swapped(k));
+        const Approximation expected = ours(swapped(row), with_columns ? swapped(k) : k);
         const ClaimedFactor claim = theirs(row, k);
         if (std::abs(claim.value - expected.value) >
             std::max(claim.halfwidth + expected.radius, part * largest))
@@ -92,24 +93,64 @@ private:
   std::map<std::pair<std::size_t, std::size_t>, ClaimedFactor> theirs_;
 };
 
+using Swaps = std::map<std::size_t, std::size_t>;
+
 /// For each surface the one with which it may have been swapped.
-std::map<std::size_t, std::size_t> swapped_surfaces(const TwoMatrices& both,
-                                                    const std::set<std::size_t>& of) {
+Swaps swapped_surfaces(const TwoMatrices& both, const std::set<std::size_t>& of, bool with_columns) {
   constexpr std::size_t most = 300;
-  std::map<std::size_t, std::size_t> out;
+  Swaps out;
   if (both.size() > most) return out;
   for (const std::size_t one : of)
     for (std::size_t other = 0; other < both.size() && !out.contains(one); ++other)
-      if (one != other && both.fit_swapped(one, other)) out.emplace(one, other);
+      if (one != other && both.fit_swapped(one, other, with_columns)) out.emplace(one, other);
   return out;
 }
 
-std::string cause_of(const TwoMatrices& both, std::size_t i, std::size_t j,
-                     const std::map<std::size_t, std::size_t>& swapped, std::span<const std::string> names,
-                     const UnoccludedFactor& unoccluded) {
+/// What is true of many pairs together.
+struct CommonCauses {
+  Swaps surfaces;
+  Swaps rows;
+  std::optional<double> unit_of_area;  ///< of exchange areas A_I F_IJ
+};
+
+/// The factor by which claims are A_I F_IJ, one for four in five of those that differ.
+std::optional<double> unit_of_area(const TwoMatrices& both, std::span<const FactorComparison> pairs) {
+  constexpr std::size_t fewest = 4;
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  std::vector<double> quotients;
+  for (const FactorComparison& pair : pairs) {
+    const std::size_t i = both.number(pair.from);
+    if (pair.agreement != Agreement::differs || !pair.is_claimed || pair.ours.value <= 10 * pair.ours.radius)
+      continue;
+    places.emplace_back(i, both.number(pair.to));
+    quotients.push_back(pair.theirs.value / (both.area(i) * pair.ours.value));
+  }
+  if (quotients.size() < fewest) return std::nullopt;
+  std::vector<double> sorted = quotients;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                   sorted.end());
+  const double middle = sorted[sorted.size() / 2];
+  const auto fit =
+      static_cast<std::size_t>(std::count_if(places.begin(), places.end(), [&](const auto& place) {
+        const auto [i, j] = place;
+        const double scale = middle * both.area(i);
+        const Approximation ours = both.ours(i, j);
+        return both.fits(i, j, scale * ours.value, scale * ours.radius);
+      }));
+  return middle > 0 && 5 * fit >= 4 * places.size() ? std::optional(middle) : std::nullopt;
+}
+
+std::string cause_of(const TwoMatrices& both, const FactorComparison& pair, const CommonCauses& common,
+                     std::span<const std::string> names, const UnoccludedFactor& unoccluded) {
+  const std::size_t i = both.number(pair.from);
+  const std::size_t j = both.number(pair.to);
+  if (!pair.is_claimed) return "not in the file";
+  if (pair.theirs.value < 0) return "below 0";
   for (const std::size_t one : {i, j})
-    if (const auto found = swapped.find(one); found != swapped.end())
+    if (const auto found = common.surfaces.find(one); found != common.surfaces.end())
       return names[one] + " and " + names[found->second] + " swapped";
+  if (const auto found = common.rows.find(i); found != common.rows.end())
+    return "rows " + names[i] + " and " + names[found->second] + " swapped";
   const Approximation ours = both.ours(i, j);
   const Approximation back = both.ours(j, i);
   const auto fits = [&](double number, double radius) { return both.fits(i, j, number, radius); };
@@ -118,6 +159,12 @@ std::string cause_of(const TwoMatrices& both, std::size_t i, std::size_t j,
     return "exchange area: not divided by the area";
   const double share = both.area(i) / both.total_area();
   if (fits(share * ours.value, share * ours.radius)) return "divided by the area of the scene";
+  if (common.unit_of_area) {
+    const double scale = *common.unit_of_area * both.area(i);
+    if (fits(scale * ours.value, scale * ours.radius))
+      return "exchange area in another unit: A F times " +
+             nearest_text(*common.unit_of_area, DecimalForm::general(3));
+  }
   if (fits(std::numbers::pi * ours.value, std::numbers::pi * ours.radius)) return "without 1/pi";
   if (const auto seen = unoccluded(i, j); seen && fits(*seen, 1e-9 * *seen)) return "occlusion missed";
   const ClaimedFactor there = both.theirs(i, j);
@@ -149,7 +196,11 @@ std::vector<FactorComparison> compared(const FactorMatrix& matrix, std::span<con
   };
   for (const ConfigurationFactor& entry : matrix.entries)
     place(names[entry.from], names[entry.to]).ours = entry.factor;
-  for (const auto& [pair, claim] : claimed) place(pair.first, pair.second).theirs = claim;
+  for (const auto& [names_of_pair, claim] : claimed) {
+    FactorComparison& pair = place(names_of_pair.first, names_of_pair.second);
+    pair.theirs = claim;
+    pair.is_claimed = true;
+  }
   std::vector<FactorComparison> out;
   for (auto& [key, pair] : pairs) {
     pair.agreement = agreement_of(pair.ours, pair.theirs, tolerance);
@@ -171,10 +222,11 @@ void explain(std::vector<FactorComparison>& pairs, const FactorMatrix& matrix,
       differing.insert(both.number(pair.from));
       differing.insert(both.number(pair.to));
     }
-  const std::map<std::size_t, std::size_t> swapped = swapped_surfaces(both, differing);
+  const CommonCauses common{.surfaces = swapped_surfaces(both, differing, true),
+                            .rows = swapped_surfaces(both, differing, false),
+                            .unit_of_area = unit_of_area(both, pairs)};
   for (FactorComparison& pair : pairs)
-    if (pair.agreement == Agreement::differs)
-      pair.cause = cause_of(both, both.number(pair.from), both.number(pair.to), swapped, names, unoccluded);
+    if (pair.agreement == Agreement::differs) pair.cause = cause_of(both, pair, common, names, unoccluded);
 }
 
 std::string agreement_word(Agreement agreement) {

@@ -32,6 +32,7 @@ struct FactorComparison {
   std::string to;
   Approximation ours = Approximation::exact(0);  ///< zero where the matrix has no entry
   ClaimedFactor theirs;
+  bool is_claimed = false;  ///< whether theirs is in their file, and not taken as 0
   Agreement agreement = Agreement::undecided;
   std::string cause{};  ///< of one that differs: a guess; see explain
   [[nodiscard]] double difference() const;
@@ -54,9 +55,10 @@ using UnoccludedFactor = std::function<std::optional<double>(std::size_t from, s
 
 /// Fills in why pairs may differ.
 /// Maths     a cause is named where the number that it would lead to is closer to the claim than a fiftieth
-///           of the difference, or within radius and halfwidth: transposed, F_JI; exchange area, A_I F_IJ, or
-///           A_J F_JI of a wrong area; a share of all areas; without 1/pi; occlusion missed, the factor if
-///           nothing stood between; two surfaces swapped, where all of both rows fits then. Else reciprocity
+///           of the difference, or within radius and halfwidth: below 0; not in the file; two surfaces or two
+///           rows swapped, where all of both rows fits then; transposed, F_JI; exchange area, A_I F_IJ, with
+///           the same constant for four pairs in five of those that differ also in another unit; a share of
+///           all areas; without 1/pi; occlusion missed, the factor if nothing stood between. Else reciprocity
 ///           broken, where A_I F_IJ and A_J F_JI of the claims differ by more than their halfwidths
 /// Source    ours
 /// Requires  as compared

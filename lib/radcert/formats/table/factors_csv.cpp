@@ -117,6 +117,31 @@ ClaimedFactors parse_matrix(CsvRows& rows, const std::vector<std::string>& head)
   return out;
 }
 
+/// Why a first line begins no file of factors.
+InputError no_columns(const std::optional<std::vector<std::string>>& head, bool is_of_pairs,
+                      const std::set<std::string>& known) {
+  InputFault fault{.pointer = line_text(1),
+                   .problem = "has not the columns of a file of factors",
+                   .allowed =
+                       "from, to, factor and, if known, radius; a matrix whose first line has the "
+                       "names of the surfaces; or the output of View3D"};
+  if (!head) {
+    fault.problem = "is empty";
+  } else if (head->size() == 1) {
+    fault.value = head->front();
+    fault.problem = "has one cell: cells are parted by commas";
+  } else if (!is_of_pairs) {
+    const auto unknown = std::find_if(head->begin() + 1, head->end(),
+                                      [&](const std::string& name) { return !known.contains(name); });
+    fault.value = *unknown;
+    fault.problem = parse_double(*unknown) ? "is a number, and no name of a surface" : "is no surface here";
+    fault.allowed =
+        "of a matrix, the names of the rows of --out in the first line and column; of pairs, the "
+        "columns from, to, factor";
+  }
+  return InputError(std::move(fault));
+}
+
 ClaimedFactors parse_csv(std::string_view text, std::span<const std::string> names) {
   CsvRows rows(text);
   const auto head = rows.next();
@@ -136,10 +161,7 @@ ClaimedFactors parse_csv(std::string_view text, std::span<const std::string> nam
           return known.contains(name);
         }))
       return parse_matrix(rows, *head);
-    throw InputError({.pointer = line_text(1),
-                      .problem = "has not the columns of a file of factors",
-                      .allowed = "from, to, factor and, if known, radius; a matrix whose first line has the "
-                                 "names of the surfaces; or the output of View3D"});
+    throw no_columns(head, to || factor, known);
   }
   ClaimedFactors out;
   while (const auto row = rows.next()) {
@@ -266,7 +288,9 @@ std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std:
 ClaimedFactors parse_factors(std::string_view text, const std::string& source,
                              std::span<const std::string> names) {
   return with_source(source, [&] {
-    return text.starts_with("View3D") ? parse_view3d(text, names) : parse_csv(text, names);
+    ClaimedFactors found = text.starts_with("View3D") ? parse_view3d(text, names) : parse_csv(text, names);
+    if (found.empty()) throw InputError({.problem = "has no factor", .allowed = "a line for each pair"});
+    return found;
   });
 }
 
