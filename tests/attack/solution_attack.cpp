@@ -122,7 +122,7 @@ Instance drawn(Draw& draw) {
     if (!is_furnace) x.emission.push_back(draw.below(2) == 0 ? 0 : static_cast<long>(draw.below(300)) - 100);
   }
   x.constant = static_cast<long>(draw.below(400)) - 150;
-  x.width = 0.05 * std::pow(10.0, draw.unit());
+  x.width = 0.1 * std::pow(10.0, draw.unit());
   bend(x, draw);
   return x;
 }

@@ -100,8 +100,8 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergyInARoomWhosePartsHideEachOther) {
   emission[4] = 1;
   const PolyhedronProblem asked = test::occluded_problem(test::l_room(), rho, emission);
   const SectorScene scene(asked.panels);
-  const GoalEnclosure found = enclose_means(asked, 0.2);
-  EXPECT_LE(found.width, 0.2);
+  const GoalEnclosure found = enclose_means(asked, 0.5);
+  EXPECT_LE(found.width, 0.5);
   double left = 0;
   double radius = 0;
   double right = 0;
@@ -114,23 +114,23 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergyInARoomWhosePartsHideEachOther) {
     right += asked.emission[j](0, 0).to_double() / of_piece * scene.area(j);
   }
   EXPECT_NEAR(left, right, radius);
-  const GoalEnclosure wide = enclose_means(asked, 1.0);
+  const GoalEnclosure wide = enclose_means(asked, 2.0);
   for (std::size_t k = 0; k < found.numbers.size(); ++k)
     EXPECT_LE(std::abs(found.numbers[k].value - wide.numbers[k].value),
               found.numbers[k].radius + wide.numbers[k].radius);
 }
 
 TEST(GoalEnclosure, ContainsOneInAFurnaceOfPolynomials) {
-  for (const int degree : {1, 3}) {
+  for (const int degree : {1, 4}) {
     const PolyhedronProblem furnace = furnace_of_polynomials("tetrahedron", degree);
-    const GoalEnclosure means = enclose_means(furnace, 2e-2);
-    EXPECT_LE(means.width, 2e-2);
+    const GoalEnclosure means = enclose_means(furnace, 2e-1);
+    EXPECT_LE(means.width, 2e-1);
     for (const Approximation& mean : means.numbers) expect_contains(mean, 1);
     const GoalEnclosure values = enclose_values(
         furnace,
         {{1, Rational(1, 4) * (Rational(3) * furnace.panels[1].centre + furnace.panels[1].corners[0])}},
-        5e-2);
-    EXPECT_LE(values.width, 5e-2);
+        5e-1);
+    EXPECT_LE(values.width, 5e-1);
     expect_contains(values.numbers[0], 1);
   }
 }
@@ -142,8 +142,8 @@ TEST(GoalEnclosure, OfPolynomialReflectivitiesIsLinearInTheEmission) {
   lit_by_halves.further_emissions = {furnace.emission, furnace.emission};
   for (std::size_t k = 0; k < furnace.panels.size(); ++k)
     lit_by_halves.further_emissions[k % 2][k] = constant_polynomial(Rational(0));
-  const GoalEnclosure means = enclose_means(lit_by_halves, 1e-2);
-  EXPECT_LE(means.width, 1e-2);
+  const GoalEnclosure means = enclose_means(lit_by_halves, 5e-2);
+  EXPECT_LE(means.width, 5e-2);
   const std::size_t count = means.numbers.size() / 3;
   ASSERT_EQ(means.numbers.size(), 3 * count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -173,7 +173,7 @@ TEST(GoalEnclosure, OfValuesForSeveralEmissionsMakesAFurnace) {
   furnace.further_emissions = {furnace.emission, furnace.emission};
   for (std::size_t k = 0; k < furnace.panels.size(); ++k)
     furnace.further_emissions[k % 2][k] = constant_polynomial(Rational(0));
-  const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 2e-1);
+  const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 5e-1);
   ASSERT_EQ(found.numbers.size(), 6U);
   for (std::size_t k = 0; k < 2; ++k) {
     expect_contains(found.numbers[k], 1);
@@ -189,7 +189,7 @@ TEST(GoalEnclosure, OfEmissionsByFaceIsReciprocal) {
     for (std::size_t j = 0; j < 4; ++j)
       asked.further_emissions[i][j] = constant_polynomial(Rational(i == j ? 1 : 0));
   const SectorScene scene(asked.panels);
-  const std::vector<Approximation> b = enclose_means(asked, 2e-2).numbers;
+  const std::vector<Approximation> b = enclose_means(asked, 1e-1).numbers;
   ASSERT_EQ(b.size(), 20U);
   const auto weight = [&](std::size_t j) {
     return scene.area(j) / asked.reflectivity[j].largest.to_double();
@@ -220,7 +220,7 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergy) {
   for (const std::string name : {"cube", "tetrahedron"}) {
     const PolyhedronProblem asked = lit(name);
     const SectorScene scene(asked.panels);
-    const GoalEnclosure found = enclose_means(asked, 5e-2);
+    const GoalEnclosure found = enclose_means(asked, 2e-1);
     double left = 0;
     double radius = 0;
     double right = 0;
@@ -233,7 +233,7 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergy) {
       right += asked.emission[j](0, 0).to_double() / rho * scene.area(j);
     }
     EXPECT_NEAR(left, right, radius) << name;
-    EXPECT_LE(found.width, 5e-2);
+    EXPECT_LE(found.width, 2e-1);
   }
 }
 
@@ -257,7 +257,7 @@ TEST(GoalEnclosure, OfCoarseMeshesContainThoseOfFineOnes) {
     most = std::max(most, now.cells_done);
   }
   EXPECT_GT(most, told[told.size() - 2].cells * 9 / 10);
-  const GoalEnclosure fine = enclose_means(lit("tetrahedron"), 2e-3);
+  const GoalEnclosure fine = enclose_means(lit("tetrahedron"), 5e-3);
   EXPECT_LT(fine.width, 0.1 * coarse.width);
   for (std::size_t k = 0; k < fine.numbers.size(); ++k)
     EXPECT_LE(std::abs(coarse.numbers[k].value - fine.numbers[k].value),
@@ -299,7 +299,7 @@ TEST(GoalEnclosure, HasPolynomialEmissions) {
     out.emission[1] = f;
     return out;
   };
-  const double width = 5e-2;
+  const double width = 2e-1;
   const GoalEnclosure constant = enclose_means(with(1, 0, 1), width);
   const GoalEnclosure square = enclose_means(with(0, 1, 2), width);
   const GoalEnclosure both = enclose_means(with(3, -2, 2), width);
@@ -310,8 +310,8 @@ TEST(GoalEnclosure, HasPolynomialEmissions) {
 
 TEST(GoalEnclosure, OfValuesContainsOneInAFurnace) {
   const PolyhedronProblem furnace = problem("tetrahedron", Rational(3, 10), Rational(7, 10));
-  const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 1e-1);
-  EXPECT_LE(found.width, 1e-1);
+  const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 3e-1);
+  EXPECT_LE(found.width, 3e-1);
   ASSERT_EQ(found.numbers.size(), 2U);
   for (const Approximation& value : found.numbers) expect_contains(value, 1);
 }
@@ -369,7 +369,7 @@ TEST(Goals, AreCorrectedByTheirDualsFromAnyTrialFunction) {
       for (std::size_t e = 0; e < elements.size(); ++e)
         for (double& c : q.of(e, 0)) c = 0;
       const Trial trial(scene, reflectivity, elements, given, std::move(q), duals.rounding);
-      const CellDemand demand{.interpolation = 1e-3, .quadrature = 1e-5};
+      const CellDemand demand{.interpolation = 3e-3, .quadrature = 3e-5};
       const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
       const std::vector<Approximation> of_density = goals->of_density(trial);
       for (std::size_t k = 0; k < goals->count(); ++k) {

@@ -124,7 +124,7 @@ TEST(ResidualSums, SeeAConstantErrorWhereRhoIsAPolynomial) {
 
 TEST(ResidualSums, AreBoundsAtAnyDemand) {
   // Products of coarse cells contain those of fine ones; norms from coarse cells are larger.
-  Furnace furnace("octahedron", 1, 2);
+  Furnace furnace("tetrahedron", 1, 2);
   Draw draw(5);
   for (double& c : furnace.q.all()) c += 0.05 * (draw() - 0.5);
   const ResidualSums fine = furnace.sums({.interpolation = 1e-4, .quadrature = 1e-6});

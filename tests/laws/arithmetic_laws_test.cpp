@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <random>
 #include <sstream>
@@ -26,14 +25,10 @@
 #include "radcert/surface/catalogue/spherical_cap.h"
 #include "radcert/surface/catalogue/torus.h"
 #include "radcert/surface/catalogue/two_piece.h"
+#include "tests/repeats.h"
 
 namespace radcert {
 namespace {
-
-std::size_t times(std::size_t draws) {
-  const char* factor = std::getenv("RADCERT_LAWS");
-  return draws * (factor == nullptr ? 1 : static_cast<std::size_t>(std::max(1L, std::atol(factor))));
-}
 
 /// Exact random inputs, the same with every standard library.
 class Inputs {
@@ -83,7 +78,7 @@ struct Kernel {
 TEST(ArithmeticLaws, HoldForTheKernel) {
   Inputs inputs(1);
   laws::Checks checks;
-  for (std::size_t draw = 0; draw < times(60000); ++draw) {
+  for (std::size_t draw = 0; draw < test::repeats(60000); ++draw) {
     std::vector<Rational> x;
     for (int i = 0; i < 12; ++i) x.push_back(inputs.length());
     if (draw % 2 == 0)  // P near Q
@@ -136,7 +131,7 @@ void expect_of_chart(const Chart& chart, std::uint64_t seed, std::size_t draws,
                      std::size_t exception = 1000) {
   Inputs inputs(seed);
   laws::Checks checks;
-  for (std::size_t draw = 0; draw < times(draws); ++draw)
+  for (std::size_t draw = 0; draw < test::repeats(draws); ++draw)
     ASSERT_TRUE(laws::holds_in_every_arithmetic(chart, two_parameter_points(inputs, draw), checks));
   report(checks, exception);
 }
@@ -222,7 +217,7 @@ TEST(ArithmeticLaws, HoldForTheBasis) {
   Inputs inputs(6);
   laws::Checks checks;
   for (int degree = 1; degree <= 8; ++degree)
-    for (std::size_t draw = 0; draw < times(1000); ++draw) {
+    for (std::size_t draw = 0; draw < test::repeats(1000); ++draw) {
       const Rational s = inputs.unit();
       const Rational alpha = draw % 3 == 0
                                  ? inputs.unit() * inputs.small() / Rational(4)
@@ -350,7 +345,7 @@ TEST(ArithmeticLaws, HoldForExpressions) {
                            "exp(-x^2) * sin(3*y) - cos(z)", "log(1 + x^2 + y^2) * atan(z)",
                            "x^3 - 2*x*y + 0.1*z", "min(x, y) + max(y, z) - abs(x - z)", "tan(x/4)^2"}) {
     const Expression expression = parse_expression(text).value();
-    for (std::size_t draw = 0; draw < times(5000); ++draw) {
+    for (std::size_t draw = 0; draw < test::repeats(5000); ++draw) {
       const std::vector<Rational> x{inputs.unit(), inputs.unit(), inputs.unit()};
       ASSERT_TRUE(laws::holds_in_every_arithmetic(Evaluation{&expression}, x, checks)) << text;
     }

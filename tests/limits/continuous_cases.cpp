@@ -29,7 +29,7 @@ Answer value_in_a_furnace() {
   PolyhedronProblem problem{.panels = convex_panels(default_surface(*find_surface("tetrahedron"))).value(),
                             .reflectivity = std::vector<PanelReflectivity>(4, Rational(1, 2)),
                             .emission = std::vector(4, constant_polynomial(Rational(1, 2)))};
-  const GoalEnclosure found = enclose_values(problem, {{2, problem.panels[2].centre}}, 0.1);
+  const GoalEnclosure found = enclose_values(problem, {{2, problem.panels[2].centre}}, 0.5);
   return numbers({number(found.numbers[0].value, found.numbers[0].radius)}, found.hindrance);
 }
 

@@ -52,6 +52,20 @@ class BadInput(ModuleTest):
         for kind in (rc.EnvironmentError, rc.AccuracyNotReached, rc.ContractViolation, rc.Interrupted):
             self.assertIs(type(pickle.loads(pickle.dumps(kind("words")))), kind)
 
+    def test_words_for_numbers_and_masked_arrays_are_refused_by_name(self):
+        mesh = rc.Mesh(unit_cube())
+        with self.assertRaisesRegex(TypeError, "accuracy is a number, not str: '1e-3'"):
+            mesh.factors(accuracy="1e-3")
+        factors = mesh.factors(by="group")
+        for name in ("tolerance", "relative", "halfwidth"):
+            with self.assertRaisesRegex(TypeError, f"{name} is a number, not str: '1%'"):
+                factors.compare(factors.value, **{name: "1%"})
+        points, triangles = (np.asarray(part) for part in unit_cube()[:2])
+        error = self.refused(lambda: rc.Mesh((np.ma.masked_array(points, mask=points > 2), triangles)))
+        self.assertIn("masked array", error.problem)
+        error = self.refused(lambda: rc.Mesh((points, np.full((1, 3), 2 ** 64 - 1, dtype=np.uint64))))
+        self.assertEqual(error.value, str(2 ** 64 - 1))
+
     def test_strange_objects_are_refused(self):
         for strange in (Raising(), object(), type, rc, b"1/2", {1, 2}, iter([1]), slice(1), ..., NotImplemented, 1j,
                         np.datetime64("2020-01-01"), np.zeros(2, dtype=[("a", "f8")]), memoryview(b"1")):

@@ -453,9 +453,8 @@ Problem room_problem(const sample::Polyhedron& room, Orientation orientation) {
 TEST(VerifiedLevel, IsRefusedWhereTheSecondRouteContradictsIt) {
   // A route that is off by a millionth at the last node alone.
   for (const Problem& surface : {sample_problem("cube"), sample_problem("sphere", {{"radius", 1}})}) {
-    const Problem problem = verified(with_solution(surface, "1 + x*y"));
-    const LevelOutcome level = proved_level(problem, 0);
-    const Vector<double> last = level.nodes.back().point;
+    const Problem problem = with_solution(surface, "1 + x*y");
+    const Vector<double> last = solve_level(problem, 0, reference::applied_operator).nodes.back().point;
     const auto off = [&](const Surface& s, const SurfaceFunction& u) -> AppliedOperator {
       return [&s, route = reference::applied_operator(s, u), last](const SurfacePoint<double>& p) {
         Approximation found = route(p);
@@ -464,7 +463,7 @@ TEST(VerifiedLevel, IsRefusedWhereTheSecondRouteContradictsIt) {
       };
     };
     try {
-      static_cast<void>(verified_level(problem, 0, off));
+      static_cast<void>(verified_level(verified(problem), 0, off));
       ADD_FAILURE() << "no exception";
     } catch (const AccuracyNotReached& error) {
       EXPECT_THAT(error.what(), HasSubstr("second route"));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.h"
 
+#include <cstdint>
+#include <limits>
+
 #include "exact.h"
 #include "radcert/core/errors.h"
 
@@ -17,6 +20,9 @@ namespace {
 py::array any_array(const py::handle& object, const std::string& place, const std::string& allowed) {
   if (py::isinstance<py::str>(object) || object.is_none())
     refuse(place, std::string(py::str(object)), "is " + kind_of(object), allowed);
+  // NumPy would read what the mask hides.
+  if (py::hasattr(object, "mask") && py::hasattr(object, "filled"))
+    refuse(place, kind_of(object), "is a masked array", allowed + ", all of whose numbers count");
   try {
     return py::module_::import("numpy").attr("asarray")(object).cast<py::array>();
   } catch (py::error_already_set& error) {
@@ -70,7 +76,9 @@ IndexArray index_rows(const py::handle& object, std::size_t columns, const std::
   if (array.size() > 0 && kind != 'i' && kind != 'u')
     refuse(place, array_words(array), "is no array of whole numbers", allowed);
   require_rows(array, columns, place);
-  // Unsigned numbers beyond 2^63 become negative, which no index is.
+  constexpr auto largest = std::numeric_limits<std::int64_t>::max();
+  if (kind == 'u' && array.size() > 0 && array.attr("max")().cast<std::uint64_t>() > std::uint64_t{largest})
+    refuse(place, std::string(py::str(array.attr("max")())), "is no place of a point", allowed);
   const IndexArray indices = IndexArray::ensure(array);
   return indices ? indices : IndexArray::ensure(array.attr("astype")("int64"));
 }

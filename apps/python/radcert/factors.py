@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Matrices of configuration factors, and how they compare with others."""
+import numbers
 import os
 import warnings
 from typing import Any, Callable, Optional, Union
@@ -31,6 +32,13 @@ def flag(value: Any, name: str) -> bool:
     if not isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} is True or False, not {type(value).__name__}")
     return bool(value)
+
+
+def real(value: Any, name: str) -> float:
+    """A number, and neither a word nor an array."""
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{name} is a number, not {type(value).__name__}: {value!r}"[:200])
+    return float(value)
 
 
 def write(path: Path, content: bytes) -> None:
@@ -147,7 +155,8 @@ class Factors:
         halfwidth: of an array, how far its numbers may be from what they stand for (0.5e-4 for four decimals).
         """
         source = os.fspath(other) if isinstance(other, (str, os.PathLike)) else other
-        return Comparison(self._factors.compare(source, tolerance, relative, halfwidth))
+        return Comparison(self._factors.compare(source, real(tolerance, "tolerance"), real(relative, "relative"),
+                                                real(halfwidth, "halfwidth")))
 
     def to_csv(self, path: Path) -> None:
         """Writes from, to, factor, radius, guaranteed."""

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple, Optional
 import numpy as np
 
 from . import _core
-from .factors import Factors, Listener, Store, flag, store_name
+from .factors import Factors, Listener, Store, flag, real, store_name
 
 
 def _words(given):
@@ -107,8 +107,9 @@ class Mesh:
         without ``space``. Warns where a row of a closed scene does not sum to 1 within its radius, or an accuracy that
         was asked for was not reached; ``Factors.failures`` has the same words.
         """
-        return Factors(_core.factors_of_mesh(self._mesh, by, accuracy, flag(certified, "certified"),
-                                              flag(rays, "rays"), flag(space, "space"), store_name(store), progress))
+        wanted = None if accuracy is None else real(accuracy, "accuracy")
+        return Factors(_core.factors_of_mesh(self._mesh, by, wanted, flag(certified, "certified"), flag(rays, "rays"),
+                                              flag(space, "space"), store_name(store), progress))
 
     def __repr__(self):
         return f"<Mesh {self.name}: {self._mesh.format}, {self._mesh.face_count} faces>"

@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _core
 from .basis import Basis
-from .factors import Listener, Path, Store, flag, store_name, write
+from .factors import Listener, Path, Store, flag, real, store_name, write
 from .guarantee import Enclosure
 from .mesh import Mesh
 from .numbers import Approximations
@@ -311,7 +311,7 @@ class Solution:
         iterated: an integral over all elements for each point, tenths of a second; not on occluded surfaces, nor on edges.
         progress: as in ``Problem.solve``.
         """
-        return AtPoints(self._solution.at(self._place(level), points, tolerance, flag(iterated, "iterated"), progress))
+        return AtPoints(self._solution.at(self._place(level), points, real(tolerance, "tolerance"), flag(iterated, "iterated"), progress))
 
     def to_pyvista(self, level: int = -1) -> Any:
         """u_n at a level as a ``pyvista.PolyData``: three points of its own for each element, since u_n may jump between

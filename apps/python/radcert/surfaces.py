@@ -3,7 +3,7 @@
 from typing import Any, Optional
 
 from . import _core
-from .factors import Factors, Listener, Store, flag, store_name
+from .factors import Factors, Listener, Store, flag, real, store_name
 
 
 class Surface:
@@ -23,7 +23,8 @@ class Surface:
                 rays: bool = False, space: bool = False, store: Store = None, progress: Listener = None) -> Factors:
         """Configuration factors between triangles or pieces, see ``Mesh.factors``; of a surface of plane pieces alone.
         level: each triangle of the coarse triangulation is cut into 4^level."""
-        return Factors(_core.factors_of_surface(self._choice, level, by, accuracy, flag(certified, "certified"),
+        wanted = None if accuracy is None else real(accuracy, "accuracy")
+        return Factors(_core.factors_of_surface(self._choice, level, by, wanted, flag(certified, "certified"),
                                                 flag(rays, "rays"), flag(space, "space"),
                                                 store_name(store), progress))
 

@@ -62,7 +62,10 @@ EdgeRequest request_of(const EdgeOptions& options) {
                      [](const Rational& x) { return x.sign() >= 0 && x < Rational(1); });
   };
   EdgeRequest request;
-  request.angle = number_in("--angle", options.angle, "a number of degrees in (0, 360), decimal or fraction",
+  const std::string angles = "a number of degrees in (0, 360), decimal or fraction";
+  if (options.angle.empty())
+    throw InputError({.source = "--angle", .problem = "is missing", .allowed = angles});
+  request.angle = number_in("--angle", options.angle, angles,
                             [](const Rational& x) { return x.sign() > 0 && x < Rational(360); });
   request.rho = reflectivity("--rho", options.rho);
   request.rho_other =

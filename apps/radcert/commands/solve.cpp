@@ -175,9 +175,14 @@ Problem problem_of(const SolveOptions& options, const InputFile& input) {
   if (!options.emission_by.empty()) guarantee.set("emissions", "by " + options.emission_by);
   std::vector<NamedEmission> emissions;
   if (options.emission_by.empty() && problem.guarantee) emissions = problem.guarantee->emissions;
-  problem.guarantee = with_source("--guarantee, --of, --at, --outside, --emission-by", [&] {
-    return read_guarantee(JsonReader(guarantee), pieces_of(problem.surface));
-  });
+  std::string given;
+  for (const auto& [name, is_given] :
+       {std::pair("--guarantee", !options.guarantee.empty()), std::pair("--of", !options.of.empty()),
+        std::pair("--at", !options.at.empty()), std::pair("--outside", !options.outside.empty()),
+        std::pair("--emission-by", !options.emission_by.empty())})
+    if (is_given) given += (given.empty() ? "" : ", ") + std::string(name);
+  problem.guarantee =
+      with_source(given, [&] { return read_guarantee(JsonReader(guarantee), pieces_of(problem.surface)); });
   if (!emissions.empty()) problem.guarantee->emissions = std::move(emissions);
   return problem;
 }

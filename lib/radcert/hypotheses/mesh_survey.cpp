@@ -38,6 +38,13 @@ std::string several(std::size_t count, const std::string& one, const std::string
 
 std::string group_text(const std::string& group) { return group.empty() ? "a face" : group; }
 
+/// Whether every face is of one of these groups.
+bool are_plates(const MeshFile& file, const std::vector<std::string>& two_sided) {
+  return !two_sided.empty() && std::all_of(file.group.begin(), file.group.end(), [&](std::size_t group) {
+    return std::find(two_sided.begin(), two_sided.end(), file.group_names[group]) != two_sided.end();
+  });
+}
+
 /// The backs of these groups as triangles of their own.
 void add_backs(TriangleMesh& mesh, const std::vector<std::string>& two_sided) {
   for (const std::string& name : two_sided) {
@@ -94,11 +101,7 @@ std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule,
   }
   Outcome<UncoveredMesh> uncovered =
       without_contacts(survey.mesh, orientation == Orientation::along_the_cross_product);
-  if (!uncovered)
-    throw InputError({.problem = uncovered.reason(),
-                      .allowed =
-                          "faces that touch along corners that doubles hold; of a room whose coordinates "
-                          "are rounded or that was turned, repair align makes them so"});
+  if (!uncovered) throw InputError({.problem = uncovered.reason()});
   if (uncovered->is_as_it_was()) return std::nullopt;
   if (uncovered->cut > 0)
     survey.mended.push_back(several(uncovered->cut, "triangle", "triangles") +
@@ -200,6 +203,8 @@ Surface MeshSurvey::surface(const std::string& name) const {
 MeshSurvey survey_mesh(const MeshFile& given, double degrees, const MeshRepair& repair, FrontRule rule,
                        const std::vector<std::string>& two_sided) {
   MeshSurvey survey;
+  // Of plates alone both readings are one.
+  if (rule == FrontRule::automatic && are_plates(given, two_sided)) rule = FrontRule::right_hand;
   const std::optional<MeshFile> along_axes =
       repair.align ? std::optional(align(survey, given)) : std::nullopt;
   const MeshFile& file = along_axes ? *along_axes : given;

@@ -113,9 +113,12 @@ bool is_open(const std::string& name, const FacetScene& scene, const std::string
   for (std::size_t k = 0; k < std::min(open.size(), most_edges); ++k)
     edges += (k == 0 ? "" : ", ") + edge_text(scene, open[k]);
   throw InputError({.source = name,
-                    .problem = "is open: " + std::to_string(open.size()) + " edges with one triangle: " +
-                               edges + (open.size() > most_edges ? ", ..." : ""),
-                    .allowed = "a closed scene, or " + option_name(style, "space") + " for what leaves it"});
+                    .problem = "is open: " + std::to_string(open.size()) +
+                               (open.size() == 1 ? " edge" : " edges") + " with one triangle: " + edges +
+                               (open.size() > most_edges ? ", ..." : ""),
+                    .allowed = "a closed scene, " + option_name(style, "two-sided") +
+                               " for plates without thickness, or " + option_name(style, "space") +
+                               " for what leaves it"});
 }
 
 }  // namespace

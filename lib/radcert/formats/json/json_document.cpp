@@ -48,8 +48,13 @@ public:
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string& /*last*/,
+  bool parse_error(std::size_t position, const std::string& last,
                    const nlohmann::json::exception& error) override {
+    if (dynamic_cast<const nlohmann::json::out_of_range*>(&error) != nullptr)
+      throw InputError({.pointer = pointer(),
+                        .value = last,
+                        .problem = "is too large for a double",
+                        .allowed = "numbers of at most 1.7e308"});
     throw InputError({.problem = "is not JSON: " + place(position) + ": " + reason(error.what()),
                       .allowed = "JSON in UTF-8"});
   }

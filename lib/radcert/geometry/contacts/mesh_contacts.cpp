@@ -490,7 +490,8 @@ private:
           if (!corner.is_exact)
             return "has faces that touch" + names(overlap) +
                    ", and what they cover of each other has a corner near " + text(corner.at) +
-                   " that no doubles hold exactly: cut the faces along each other's sides";
+                   " that no doubles hold exactly: cut the faces along each other's sides, or have "
+                   "repair align turn the room to the axes";
           corners[k] = vertex(corner.at);
         }
         if (plane.keeps_order() != one.has_value()) std::swap(corners[1], corners[2]);
@@ -500,7 +501,7 @@ private:
     // Of two triangles that look the same way only one would be left.
     if (missing != 0)
       return "has faces that overlap and look the same way" + names(overlap) + ", near " +
-             text(mesh_.corners(*overlap.one.begin())[0]) + ", where others touch them";
+             text(mesh_.corners(*overlap.one.begin())[0]) + ", where others touch them: leave one out";
     for (const auto& [groups, area] : covered)
       out_.contacts.push_back({mesh_.group_names[groups.first], mesh_.group_names[groups.second], area});
     return {};

@@ -16,6 +16,7 @@ namespace radcert {
 namespace {
 
 constexpr double next_to_nothing = 1e-9;  // of the diagonal
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Corners = std::array<Vector<double>, 3>;
 
@@ -31,7 +32,7 @@ struct Heights {
 
 /// Of corners above a plane.
 Heights heights(const Corners& corners, const Vector<double>& normal, const Vector<double>& origin) {
-  Heights out{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  Heights out{infinity, -infinity};
   for (const Vector<double>& p : corners) {
     const double height = dot(normal, p - origin);
     out = {std::min(out.least, height), std::max(out.largest, height)};
@@ -101,11 +102,12 @@ std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand
       // Rounding may put a corner of a slanted face behind a plane before which the others lie. A small
       // triangle's plane may be far off where a large one ends, on either side: then the other plane tells,
       // if what it tells is no rounding.
-      const auto is_before = [](const Heights& h) { return h.largest > -h.least; };
-      const double gap = std::min(above.largest, below.largest);
-      const Heights& nearer = above.largest < below.largest ? above : below;
-      const bool are_before = is_before(above) && is_before(below);
-      if (!(gap <= most && (are_before || (is_before(nearer) && gap > rounding)))) return true;
+      const auto gap_of = [&](const Heights& h) {
+        return h.largest > -h.least && h.largest <= most ? h.largest : infinity;
+      };
+      const double gap = std::min(gap_of(above), gap_of(below));
+      if (!(gap <= most) || (std::max(gap_of(above), gap_of(below)) == infinity && gap <= rounding))
+        return true;
       if (!overlap_along_sides(here, there, front, most) || !overlap_along_sides(there, here, back, most))
         return true;
       const auto groups = std::minmax(mesh.group[t], mesh.group[u]);
