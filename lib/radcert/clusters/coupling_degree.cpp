@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "radcert/clusters/mode_tables.h"
 #include "radcert/kernel/geometric_kernel.h"
@@ -46,6 +47,27 @@ double series_beyond(double last, double before_last, double before, double firs
   const double ratio =
       std::min(slowest, std::max(expected_ratio, earlier > 0 ? std::sqrt(now / earlier) : 0));
   return now * ratio / (1 - ratio);
+}
+
+/// A mode of what is seen of a cluster, as a target's and as a source's.
+struct ModeSums {
+  Pack target{0.0};
+  Pack source{0.0};
+};
+
+std::pair<ModeSums, ModeSums> mode_sums(const double* row, const double* next_row, const Pack* kernel,
+                                        const Pack* weighted, std::size_t nodes) {
+  ModeSums one;
+  ModeSums other;
+  for (std::size_t node = 0; node < nodes; ++node) {
+    const Pack factor(row[node]);
+    const Pack next_factor(next_row[node]);
+    one.target = fma(factor, kernel[node], one.target);
+    one.source = fma(factor, weighted[node], one.source);
+    other.target = fma(next_factor, kernel[node], other.target);
+    other.source = fma(next_factor, weighted[node], other.source);
+  }
+  return {one, other};
 }
 
 Vector<Pack> broadcast(const Vector<double>& v) { return {Pack(v.x), Pack(v.y), Pack(v.z)}; }
@@ -128,11 +150,16 @@ void CouplingLook::look(std::size_t a, std::size_t b, int degree, View& view) co
   const Vector<Pack> from = outlines_.points().points(seen);
   const Vector<Pack> normal = -outlines_.points().normals(seen);
   view.weight = outlines_.points().weights(seen);
-  if (view.kernel.size() < k) view.kernel.resize(k);
-  for (std::size_t i = 0; i < k; ++i)
+  if (view.kernel.size() < k) {
+    view.kernel.resize(k);
+    view.weighted.resize(k);
+  }
+  for (std::size_t i = 0; i < k; ++i) {
     view.kernel[i] =
         kernel_terms<Pack>(from - broadcast(view.nodes.point(i)), normal, broadcast(view.nodes.normal(i)))
             .value();
+    view.weighted[i] = Pack(view.nodes.weight(i)) * view.kernel[i];
+  }
   view.degree = degree;
   view.by_degree.assign(static_cast<std::size_t>(degree) + 1, std::nullopt);
 }
@@ -145,19 +172,20 @@ const CouplingLook::Contribution& CouplingLook::contribution(View& view, std::si
   Pack sizes(0.0);
   Pack target_squares(0.0);
   Pack squares(0.0);
+  const auto add = [&](const ModeSums& mode, std::size_t n) {
+    sizes += abs(mode.target) * Pack(sizes_.of_mode[n]);
+    target_squares += mode.target * mode.target;
+    squares += mode.source * mode.source;
+  };
+  const auto row = [&](std::size_t n) { return interpolation.values_of_modes_transposed.column(n).data(); };
   const std::size_t first = degree * (degree + 1) / 2;
-  for (std::size_t n = first; n <= first + degree; ++n) {
-    Pack target(0.0);
-    Pack source(0.0);
-    const double* row = interpolation.values_of_modes_transposed.column(n).data();
-    for (std::size_t node = 0; node < k; ++node) {
-      const Pack factor(row[node]);
-      target = fma(factor, view.kernel[node], target);
-      source = fma(factor * Pack(view.nodes.weight(node)), view.kernel[node], source);
-    }
-    sizes += abs(target) * Pack(sizes_.of_mode[n]);
-    target_squares += target * target;
-    squares += source * source;
+  const std::size_t end = first + degree + 1;
+  for (std::size_t n = first; n < end; n += 2) {
+    // Two modes at a time, lest each sum wait for its last term.
+    const std::size_t next = std::min(n + 1, end - 1);
+    const auto [one, other] = mode_sums(row(n), row(next), view.kernel.data(), view.weighted.data(), k);
+    add(one, n);
+    if (next > n) add(other, next);
   }
   const Pack by_squares = Pack(sizes_.of_degree[degree]) * sqrt(target_squares);
   constexpr double samples = ClusterOutlines::samples;

@@ -103,6 +103,7 @@ private:
   struct View {
     ClusterPoints nodes;
     std::vector<Pack> kernel;
+    std::vector<Pack> weighted;  ///< G times the weights of the nodes
     Pack weight{0.0};
     int degree = 0;
     std::vector<std::optional<Contribution>> by_degree;
