@@ -99,7 +99,7 @@ inline EventRoom room_around_a_corner(double low, double high) {
 
 /// A room of the size 4 x 4 x 3 with a triangular lamp in the ceiling and a box that hangs below it. No side
 /// of the lamp is parallel to an edge.
-inline EventRoom room_with_a_box() {
+inline EventRoom room_with_a_box(const std::string& source = "lamp") {
   RoomBuilder walls;
   const Vector<double> a{0, 0, 3}, b{4, 0, 3}, c{4, 4, 3}, d{0, 4, 3};
   const Vector<double> p{1.5, 1.375, 3}, q{2.5, 1.75, 3}, r{1.875, 2.5, 3};
@@ -114,7 +114,7 @@ inline EventRoom room_with_a_box() {
   walls.quad("west", {{{0, 0, 0}, {0, 4, 0}, {0, 4, 3}, {0, 0, 3}}});
   walls.quad("east", {{{4, 0, 0}, {4, 0, 3}, {4, 4, 3}, {4, 4, 0}}});
   walls.box("box_", {1.25, 1.5, 1}, {2.5, 2.25, 1.5}, false);
-  return walls.room("lamp");
+  return walls.room(source);
 }
 
 }  // namespace radcert::sample

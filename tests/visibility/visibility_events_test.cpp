@@ -104,6 +104,20 @@ TEST(VisibilityEvents, OfAWindowReachAsHighAsItIsSeen) {
   }
 }
 
+// A face that shines is seen from one side of its plane alone: light falls to nothing at the plane, with a kink.
+TEST(VisibilityEvents, LieInThePlaneOfASource) {
+  const EventRoom room = sample::room_with_a_box("box_east");
+  const auto found = visibility_events(room.scene, room.question);
+  ASSERT_TRUE(found) << found.reason();
+  const std::vector<Segment> segments = in_space(room, *found);
+  const Rational x(5, 2);
+  for (const Segment& line : {Segment{"floor", {x, 0, 0}, {x, 4, 0}}, Segment{"south", {x, 0, 0}, {x, 0, 3}},
+                              Segment{"north", {x, 4, 0}, {x, 4, 3}}})
+    EXPECT_EQ(covered(line, segments), Rational(1)) << line.face;
+  // Nothing behind it is lit.
+  for (const Segment& each : segments) EXPECT_GE(std::min(each.from.x, each.to.x), x) << each.face;
+}
+
 TEST(VisibilityEvents, AreNoneWithoutASourceOrWhereNobodyAsks) {
   EventRoom room = sample::room_with_a_box();
   EventQuestion dark = room.question;
