@@ -144,9 +144,15 @@ Case cut() {
                     {{Rational(1, 3), 0}, {Rational(1, 3), Rational(2, 3)}}};
                 const auto parts = cut_triangle(lines);
                 if (!parts) return refusal(parts.reason());
-                Ball sum = 0;
-                for (const auto& v : *parts) sum += Ball(cross(v[1] - v[0], v[2] - v[0]));
-                return numbers({sum});
+                Rational sum = 0;
+                for (const auto& part : *parts) {
+                  const auto side = [&](std::size_t k) {
+                    return ParameterPoint<Rational>{Rational::exactly(part.at(k).s - part[0].s),
+                                                    Rational::exactly(part.at(k).t - part[0].t)};
+                  };
+                  sum += cross(side(1), side(2));
+                }
+                return numbers({Ball(sum)});
               },
           .truth = [] { return std::vector<Ball>{Ball(1)}; }};
 }

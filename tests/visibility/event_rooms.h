@@ -34,9 +34,11 @@ public:
     mesh_.triangles.push_back({first, first + 1, first + 2});
     names_.push_back(name);
   }
-  /// An axis-parallel box that looks outwards, or inwards.
-  void box(const std::string& name, const Vector<double>& low, const Vector<double>& high, bool inwards) {
+  /// An axis-parallel box that looks outwards, or inwards, without one of its sides.
+  void box(const std::string& name, const Vector<double>& low, const Vector<double>& high, bool inwards,
+           const std::string& without = "") {
     const auto face = [&](const std::string& side, std::array<Vector<double>, 4> corners) {
+      if (side == without) return;
       if (inwards) std::swap(corners[1], corners[3]);
       quad(name + side, corners);
     };
@@ -62,6 +64,29 @@ private:
   TriangleMesh mesh_;
   std::vector<std::string> names_;
 };
+
+/// A room of the size 4 x 4 x 3 with a lamp in the wall x = 0, a slab that hangs in the room, and a post on it.
+inline EventRoom room_with_a_post() {
+  RoomBuilder walls;
+  using Corners = std::array<Vector<double>, 4>;
+  const auto ring = [&](const std::string& name, const Corners& outer, const Corners& inner) {
+    for (std::size_t k = 0; k < 4; ++k)
+      walls.quad(name, {outer.at(k), outer.at((k + 1) % 4), inner.at((k + 1) % 4), inner.at(k)});
+  };
+  const Corners lamp{{{0, 1.25, 0.5}, {0, 2.625, 0.5}, {0, 2.625, 1.75}, {0, 1.25, 1.75}}};
+  walls.quad("lamp", lamp);
+  ring("west", {{{0, 0, 0}, {0, 4, 0}, {0, 4, 3}, {0, 0, 3}}}, lamp);
+  walls.quad("floor", {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}});
+  walls.quad("ceiling", {{{0, 0, 3}, {0, 4, 3}, {4, 4, 3}, {4, 0, 3}}});
+  walls.quad("south", {{{0, 0, 0}, {0, 0, 3}, {4, 0, 3}, {4, 0, 0}}});
+  walls.quad("north", {{{0, 4, 0}, {4, 4, 0}, {4, 4, 3}, {0, 4, 3}}});
+  walls.quad("east", {{{4, 0, 0}, {4, 0, 3}, {4, 4, 3}, {4, 4, 0}}});
+  const Corners foot{{{2, 1.75, 1}, {2.25, 1.75, 1}, {2.25, 2.125, 1}, {2, 2.125, 1}}};
+  ring("slab_top", {{{1.25, 1.125, 1}, {3, 1.125, 1}, {3, 3, 1}, {1.25, 3, 1}}}, foot);
+  walls.box("slab_", {1.25, 1.125, 0.75}, {3, 3, 1}, false, "top");
+  walls.box("post_", {2, 1.75, 1}, {2.25, 2.125, 1.5}, false, "bottom");
+  return walls.room("lamp");
+}
 
 /// An L: x in [0,3] for y in [0,1], x in [0,1] for y in [1,3], z in [0,1]; the lamp is the part of the wall
 /// x = 3 with y in [1/4,3/4] and z in [low,high]. All faces are cut along one grid.

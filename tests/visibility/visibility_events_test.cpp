@@ -28,6 +28,10 @@ Vector<Rational> place(const Scene& scene, std::size_t triangle, const Parameter
   return origin + at.s * (exactly(b) - origin) + at.t * (exactly(c) - origin);
 }
 
+std::string words(const Vector<Rational>& p) {
+  return "(" + p.x.to_text() + ", " + p.y.to_text() + ", " + p.z.to_text() + ")";
+}
+
 Rational doubled(const std::vector<ParameterPoint<Rational>>& polygon) {
   Rational sum = 0;
   for (std::size_t k = 0; k < polygon.size(); ++k)
@@ -35,10 +39,9 @@ Rational doubled(const std::vector<ParameterPoint<Rational>>& polygon) {
   return sum;
 }
 
-/// The part of the lamp's area that a point of the floor sees, exactly.
-Rational seen_of_lamp(const EventRoom& room, const Vector<double>& p) {
+/// The part of the lamp's area that a point sees, exactly: twice its parts of the triangles, which count alike.
+Rational seen_of_lamp(const EventRoom& room, const Viewpoint& from) {
   Rational sum = 0;
-  const Viewpoint from{.point = p, .normal = {0, 0, 1}, .triangle = std::nullopt};
   for (std::size_t t = 0; t < room.names.size(); ++t)
     if (room.names[t] == "lamp")
       for (const VisiblePart& part : visible_region(room.scene, from, t).parts)
@@ -170,7 +173,9 @@ public:
   double third_difference(double from, double step) {
     const auto area = [&](int k) {
       const double x = from + k * step;
-      return seen_of_lamp(room_, along_x_ ? Vector<double>{x, at_, 0} : Vector<double>{at_, x, 0});
+      return seen_of_lamp(room_, {.point = along_x_ ? Vector<double>{x, at_, 0} : Vector<double>{at_, x, 0},
+                                  .normal = {0, 0, 1},
+                                  .triangle = std::nullopt});
     };
     const Rational difference = area(0) - Rational(3) * area(1) + Rational(3) * area(2) - area(3);
     return std::abs(difference.to_double()) / step / step;
@@ -229,6 +234,64 @@ TEST(VisibilityEvents, AreWhereTheAreaThatIsSeenIsNotSmooth) {
     }
   }
   EXPECT_GT(crossed, 100U);
+}
+
+double coordinate(const Vector<double>& v, std::size_t axis) {
+  return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+/// The third differences of the area that is seen, across a segment and beside it, over the square of the step.
+struct Differences {
+  double across = 0;
+  double beside = 0;
+};
+
+Differences differences_at(const EventRoom& room, const EventSegment& segment) {
+  const Rational part(37, 100);
+  const Vector<Rational> p =
+      place(room.scene, segment.triangle, segment.from + part * (segment.to - segment.from));
+  const Vector<Rational> along =
+      place(room.scene, segment.triangle, segment.to) - place(room.scene, segment.triangle, segment.from);
+  const Vector<double> normal = sample::normal_of(room.scene, segment.triangle);
+  // An axis of the face, and of the two that which runs across the segment rather than along it.
+  const Vector<double> a{std::abs(along.x.to_double()), std::abs(along.y.to_double()),
+                         std::abs(along.z.to_double())};
+  std::size_t axis = 3;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (coordinate(normal, k) == 0 && (axis == 3 || coordinate(a, k) < coordinate(a, axis))) axis = k;
+  constexpr double step = 0x1p-17;
+  const auto on_grid = [](const Rational& x) { return std::floor(x.to_double() / step) * step; };
+  const Vector<double> base{on_grid(p.x), on_grid(p.y), on_grid(p.z)};
+  const auto area = [&](int k) {
+    Vector<double> at = base;
+    (axis == 0 ? at.x : axis == 1 ? at.y : at.z) += k * step;
+    return seen_of_lamp(room, {.point = at, .normal = normal, .triangle = segment.triangle});
+  };
+  const auto difference = [&](int k) {
+    const Rational d = area(k) - Rational(3) * area(k + 1) + Rational(3) * area(k + 2) - area(k + 3);
+    return std::abs(d.to_double()) / step / step;
+  };
+  // The point was moved onto the grid along the segment too: by a step, which the slope makes two at most.
+  Differences found;
+  for (int k = -5; k <= 2; ++k) found.across = std::max(found.across, difference(k));
+  for (const int k : {-12, 9}) found.beside = std::max(found.beside, difference(k));
+  return found;
+}
+
+// Every segment, on whatever face, is one across which the area that is seen is not smooth.
+TEST(VisibilityEvents, AreNowhereElse) {
+  for (const EventRoom& room :
+       {sample::room_around_a_corner(0.25, 0.5), sample::room_with_a_box(), sample::room_with_a_post()}) {
+    const auto found = visibility_events(room.scene, room.question);
+    ASSERT_TRUE(found) << found.reason();
+    EXPECT_GT(found->segments.size(), 8U);
+    for (const EventSegment& each : found->segments) {
+      const Differences at = differences_at(room, each);
+      EXPECT_GT(at.across, 10 * at.beside)
+          << room.names[each.triangle] << " " << words(place(room.scene, each.triangle, each.from)) << " to "
+          << words(place(room.scene, each.triangle, each.to)) << " derivative " << each.derivative;
+    }
+  }
 }
 
 }  // namespace
