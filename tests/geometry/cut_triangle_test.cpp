@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "radcert/core/contract.h"
@@ -60,6 +61,24 @@ TEST(SegmentArrangement, CutsAtAllCommonPointsAndNowhereElse) {
   const SegmentArrangement found = segment_arrangement(segments);
   EXPECT_EQ(found.points.size(), 8U);
   EXPECT_EQ(found.segments.size(), 7U);
+}
+
+TEST(SegmentArrangement, CutsWhereAnEndLiesOnASegment) {
+  const std::vector<PlaneSegment> segments{{{0, 0}, {2, 0}}, {{1, 0}, {1, 1}}};
+  const SegmentArrangement found = segment_arrangement(segments);
+  EXPECT_EQ(found.points.size(), 4U);
+  EXPECT_EQ(found.segments.size(), 3U);
+}
+
+TEST(SegmentArrangement, CutsOverlappingSegmentsAtTheEndsOfBoth) {
+  const std::vector<PlaneSegment> segments{
+      {{0, 0}, {2, 0}}, {{1, 0}, {3, 0}}, {{4, 0}, {9, 0}}, {{5, 0}, {6, 0}}};
+  const SegmentArrangement found = segment_arrangement(segments);
+  EXPECT_EQ(found.points.size(), 8U);
+  // From point to point: points are in order along the line.
+  const std::vector<std::pair<std::size_t, std::size_t>> expected{{0, 1}, {1, 2}, {2, 3},
+                                                                  {4, 5}, {5, 6}, {6, 7}};
+  EXPECT_EQ(found.segments, expected);
 }
 
 TEST(SegmentArrangement, LeavesPartsThatMeetInEndsAlone) {
