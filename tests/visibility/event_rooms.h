@@ -65,7 +65,7 @@ private:
   std::vector<std::string> names_;
 };
 
-/// A room of the size 4 x 4 x 3 with a lamp in the wall x = 0, a slab that hangs in the room, and a post on it.
+/// A room of the size 4 x 4 x 3 with a lamp in the wall x = 0, a slab that hangs in it, and a post on that.
 inline EventRoom room_with_a_post() {
   RoomBuilder walls;
   using Corners = std::array<Vector<double>, 4>;

@@ -39,7 +39,7 @@ Rational doubled(const std::vector<ParameterPoint<Rational>>& polygon) {
   return sum;
 }
 
-/// The part of the lamp's area that a point sees, exactly: twice its parts of the triangles, which count alike.
+/// What a point sees of the lamp's area, exactly: twice its parts in the triangles' parameters.
 Rational seen_of_lamp(const EventRoom& room, const Viewpoint& from) {
   Rational sum = 0;
   for (std::size_t t = 0; t < room.names.size(); ++t)
@@ -107,7 +107,7 @@ TEST(VisibilityEvents, OfAWindowReachAsHighAsItIsSeen) {
   }
 }
 
-// A face that shines is seen from one side of its plane alone: light falls to nothing at the plane, with a kink.
+// A face that shines is seen from one side of its plane alone: light falls to nothing there, with a kink.
 TEST(VisibilityEvents, LieInThePlaneOfASource) {
   const EventRoom room = sample::room_with_a_box("box_east");
   const auto found = visibility_events(room.scene, room.question);
@@ -240,7 +240,7 @@ double coordinate(const Vector<double>& v, std::size_t axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }
 
-/// The third differences of the area that is seen, across a segment and beside it, over the square of the step.
+/// The third differences of the area that is seen, across a segment and beside it, over the squared step.
 struct Differences {
   double across = 0;
   double beside = 0;
