@@ -122,9 +122,8 @@ inline EventRoom room_around_a_corner(double low, double high) {
   return walls.room("lamp");
 }
 
-/// A room of the size 4 x 4 x 3 with a triangular lamp in the ceiling and a box that hangs below it. No side
-/// of the lamp is parallel to an edge.
-inline EventRoom room_with_a_box(const std::string& source = "lamp") {
+/// A room of the size 4 x 4 x 3 with a triangular lamp in the ceiling, no side of which follows an axis.
+inline RoomBuilder room_with_a_slanted_lamp() {
   RoomBuilder walls;
   const Vector<double> a{0, 0, 3}, b{4, 0, 3}, c{4, 4, 3}, d{0, 4, 3};
   const Vector<double> p{1.5, 1.375, 3}, q{2.5, 1.75, 3}, r{1.875, 2.5, 3};
@@ -138,8 +137,24 @@ inline EventRoom room_with_a_box(const std::string& source = "lamp") {
   walls.quad("north", {{{0, 4, 0}, {4, 4, 0}, {4, 4, 3}, {0, 4, 3}}});
   walls.quad("west", {{{0, 0, 0}, {0, 4, 0}, {0, 4, 3}, {0, 0, 3}}});
   walls.quad("east", {{{4, 0, 0}, {4, 0, 3}, {4, 4, 3}, {4, 4, 0}}});
+  return walls;
+}
+
+/// The same with a box that hangs below the lamp.
+inline EventRoom room_with_a_box(const std::string& source = "lamp") {
+  RoomBuilder walls = room_with_a_slanted_lamp();
   walls.box("box_", {1.25, 1.5, 1}, {2.5, 2.25, 1.5}, false);
   return walls.room(source);
+}
+
+/// The same with a tetrahedron, whose last corner is above the others, which run counterclockwise from above.
+inline EventRoom room_with_a_tetrahedron(const std::array<Vector<double>, 4>& v) {
+  RoomBuilder walls = room_with_a_slanted_lamp();
+  walls.triangle("body", {v[0], v[2], v[1]});
+  walls.triangle("body", {v[0], v[1], v[3]});
+  walls.triangle("body", {v[1], v[2], v[3]});
+  walls.triangle("body", {v[2], v[0], v[3]});
+  return walls.room("lamp");
 }
 
 }  // namespace radcert::sample
