@@ -90,6 +90,10 @@ std::string notes_on_meshes(std::span<const Problem> problems) {
   for (const Problem& problem : problems) {
     const std::optional<MeshChoice>& mesh = problem.surface.mesh;
     if (!mesh) continue;
+    if (const auto& events = problem.triangulation.events)
+      add("Events: " + mesh->file + ": " + std::to_string(events->charts) + " faces are cut along " +
+          std::to_string(events->segments) + " segments, " + std::to_string(events->kinks) +
+          " of them kinks, into " + std::to_string(events->coarse->size()) + " elements in all\n");
     for (const std::string& done : mesh->mended) add("Mended: " + mesh->file + ": " + done + "\n");
     for (const std::string& remark : mesh->remarks) add("Remark: " + mesh->file + ": " + remark + "\n");
   }

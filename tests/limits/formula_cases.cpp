@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "radcert/geometry/cut/cut_triangle.h"
 #include "radcert/geometry/mesh_defects.h"
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/polynomial/nodes/lattice.h"
@@ -132,6 +133,30 @@ Case sign(const ExactFunction& f, ParameterRegion region) {
           .answer = [=] { return verdict(is_nowhere_negative(f, region) ? "nowhere negative" : ""); }};
 }
 
+/// The parts of a triangle that lines cut as far as they may: how many there are, and their areas' sum.
+Case cut() {
+  return {.limit = "geometry/cut_triangle: segments",
+          .answer =
+              [] {
+                const std::vector<PlaneSegment> lines{
+                    {{Rational(1, 2), 0}, {0, Rational(1, 2)}},
+                    {{0, Rational(1, 4)}, {Rational(3, 4), Rational(1, 4)}},
+                    {{Rational(1, 3), 0}, {Rational(1, 3), Rational(2, 3)}}};
+                const auto parts = cut_triangle(lines);
+                if (!parts) return refusal(parts.reason());
+                Rational sum = 0;
+                for (const auto& part : *parts) {
+                  const auto side = [&](std::size_t k) {
+                    return ParameterPoint<Rational>{Rational::exactly(part.at(k).s - part[0].s),
+                                                    Rational::exactly(part.at(k).t - part[0].t)};
+                  };
+                  sum += cross(side(1), side(2));
+                }
+                return numbers({Ball(sum)});
+              },
+          .truth = [] { return std::vector<Ball>{Ball(1)}; }};
+}
+
 }  // namespace
 
 std::vector<Case> formula_cases() {
@@ -150,6 +175,7 @@ std::vector<Case> formula_cases() {
           lebesgue(3),
           certificate(2),
           crossings(),
+          cut(),
           sign(s * s + t, ParameterRegion::square),
           sign(ExactFunction(1) - s - t, ParameterRegion::triangle)};
 }

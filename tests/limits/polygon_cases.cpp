@@ -10,6 +10,7 @@
 #include "radcert/geometry/plane_polygon.h"
 #include "tests/factors/sample_rooms.h"
 #include "tests/limits/limits.h"
+#include "tests/visibility/event_rooms.h"
 
 namespace radcert::limits {
 namespace {
@@ -150,6 +151,19 @@ Case element(const std::string& limit, int degree, const Vector<double>& p, doub
           .about = about};
 }
 
+/// The events in a room by their ends.
+Case events() {
+  return {.limit = "visibility/visibility_events: pencils of lines", .answer = [] {
+            const sample::EventRoom room = sample::room_around_a_corner(0, 1);
+            const auto found = visibility_events(room.scene, room.question);
+            if (!found) return refusal(found.reason());
+            std::vector<Ball> all;
+            for (const EventSegment& each : found->segments)
+              for (const Rational& x : {each.from.s, each.from.t, each.to.s, each.to.t}) all.emplace_back(x);
+            return numbers(std::move(all));
+          }};
+}
+
 }  // namespace
 
 std::vector<Case> polygon_cases() {
@@ -167,6 +181,7 @@ std::vector<Case> polygon_cases() {
       exchange("factors/exchange_area: halvings of an edge in all", floor, leaning, false,
                "nearly a common edge"),
       exchange("factors/exchange_area: points of a rule for far polygons", floor, away, true, "far squares"),
+      events(),
       far_squares(),
       far_point(),
       element("closed_form/plane_element: bits of a ball", 3, {0.3, 0.4, 0.5}, 1e-70, "a short normal"),

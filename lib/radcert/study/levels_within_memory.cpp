@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "radcert/core/errors.h"
+#include "radcert/study/events/event_triangulation.h"
 #include "radcert/triangulation/triangulation.h"
 
 namespace radcert {
@@ -25,7 +26,8 @@ void check_levels(const Problem& problem, const Surface& surface, std::uint64_t 
     if (i > 0 && levels[i] <= levels[i - 1])
       refuse_input(pointer, value, "does not exceed the level before it",
                    "levels in ascending order, each once");
-    const std::optional<std::uint64_t> triangles = triangle_count(surface, levels[i]);
+    const std::optional<std::uint64_t> triangles =
+        triangle_count(surface, levels[i], triangulation_options(problem, surface));
     if (!triangles)
       refuse_input(pointer, value, "needs more than 2^64 bytes (more than 2^53 triangles)", allowed);
     const LevelSize size = size_of(levels[i], *triangles);

@@ -10,6 +10,7 @@
 
 #include "radcert/hypotheses/front.h"
 #include "radcert/scalar/rational.h"
+#include "radcert/study/events/event_cut.h"
 #include "radcert/study/guarantee.h"
 #include "radcert/study/method.h"
 #include "radcert/surface/surface.h"
@@ -43,6 +44,7 @@ struct TriangulationChoice {
   /// By piece ("*" the rest); empty: the published one.
   std::vector<std::pair<std::string, Diagonal>> pattern;
   Rational grading = 1;  ///< vertices of unit squares moved towards the edges by this exponent, >= 1
+  std::optional<EventCut> events = std::nullopt;  ///< along which the coarse triangulation is cut
 };
 
 /// Where a problem on an interpolated surface takes its data.

@@ -49,10 +49,13 @@ double graded(double c, double exponent) {
 
 }  // namespace
 
-std::optional<std::uint64_t> triangle_count(const Surface& surface, int level) {
+std::optional<std::uint64_t> triangle_count(const Surface& surface, int level,
+                                            const TriangulationOptions& options) {
   expects(level >= 0, "level >= 0", named("level", level));
-  std::uint64_t count = 0;
-  for (const Chart& chart : surface.charts) count += chart.facts().domain == ChartDomain::unit_square ? 2 : 1;
+  std::uint64_t count = options.coarse ? options.coarse->size() : 0;
+  if (!options.coarse)
+    for (const Chart& chart : surface.charts)
+      count += chart.facts().domain == ChartDomain::unit_square ? 2 : 1;
   constexpr std::uint64_t largest = std::uint64_t{1} << 53U;
   for (int k = 0; k < level; ++k) {
     const std::optional<std::uint64_t> finer = checked_multiply(count, 4);
@@ -63,12 +66,23 @@ std::optional<std::uint64_t> triangle_count(const Surface& surface, int level) {
 }
 
 Triangulation triangulate(const Surface& surface, int level, const TriangulationOptions& options) {
-  expects(triangle_count(surface, level).has_value(), "fewer than 2^53 triangles", named("level", level));
-  expects(options.grading >= 1, "grading >= 1", named("grading", options.grading));
+  expects(triangle_count(surface, level, options).has_value(), "fewer than 2^53 triangles",
+          named("level", level));
+  expects(options.grading >= 1 && !(options.coarse && options.grading > 1),
+          "grading >= 1, and 1 with a coarse triangulation", named("grading", options.grading));
   const std::vector<Diagonal>& diagonals = options.diagonals ? *options.diagonals : surface.diagonals;
   expects(diagonals.size() == surface.charts.size(), "one diagonal a chart",
           named("diagonals", diagonals.size()));
   Triangulation result;
+  if (options.coarse) {
+    result.triangles = *options.coarse;
+    expects(std::is_sorted(
+                result.triangles.begin(), result.triangles.end(),
+                [](const ParameterTriangle& a, const ParameterTriangle& b) { return a.chart < b.chart; }),
+            "a coarse triangulation chart by chart");
+    for (int k = 0; k < level; ++k) result.triangles = refined(result.triangles);
+    return result;
+  }
   for (std::size_t j = 0; j < surface.charts.size(); ++j) {
     std::vector<ParameterTriangle> triangles;
     append_coarse(triangles, surface.charts[j], j, diagonals[j]);

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,16 +28,19 @@ struct ParameterTriangle {
 
 /// How the coarse triangulation is cut and the refined one graded.
 struct TriangulationOptions {
+  /// That triangulates every chart, chart by chart in their order; null: by the diagonals.
+  std::shared_ptr<const std::vector<ParameterTriangle>> coarse = nullptr;
   std::optional<std::vector<Diagonal>> diagonals;  ///< by chart; absent: those of the surface
   double grading =
       1;  ///< >= 1: coordinates of unit squares moved towards both ends, c -> (2c)^grading / 2 for c <= 1/2
 };
 
 /// A triangulation of a surface's parameter domains.
-/// Maths     level 0 cuts each unit square along a diagonal and takes a unit triangle as it is; each level
-///           divides every triangle into four by the midpoints of its sides (symmetric refinement)
+/// Maths     level 0 is `coarse`, or cuts each unit square along a diagonal and takes unit triangles as they
+///           are; each level divides every triangle into four by midpoints of sides (symmetric refinement)
 /// Source    [ac98, section 3.2, before Theorem 3.7]; the diagonals: recovered from the printed tables
-/// Requires  0 <= level, grading >= 1; triangle_count(surface, level) fits, else ContractViolation
+/// Requires  0 <= level, grading >= 1, a coarse triangulation without grading; triangle_count(surface, level,
+///           options) fits, else ContractViolation
 /// Result    triangles chart by chart; the four children of a triangle follow each other: those at v_1, v_2,
 ///           v_3, the middle
 /// Limits    conforming within each chart and, for the catalogue's surfaces, across their seams; a graded one
@@ -49,7 +53,8 @@ struct Triangulation {
 Triangulation triangulate(const Surface& surface, int level, const TriangulationOptions& options = {});
 
 /// The number of triangles of a level, or nothing if it exceeds 2^53.
-std::optional<std::uint64_t> triangle_count(const Surface& surface, int level);
+std::optional<std::uint64_t> triangle_count(const Surface& surface, int level,
+                                            const TriangulationOptions& options = {});
 
 /// The largest diameter of the triangles in the parameter plane.
 /// Maths     h = max_k diameter(hat Delta_k)

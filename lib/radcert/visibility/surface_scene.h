@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radcert/geometry/vector.h"
+#include "radcert/scalar/rational.h"
 #include "radcert/surface/surface.h"
 #include "radcert/surface/surface_point.h"
 #include "radcert/visibility/point_view.h"
@@ -39,6 +40,10 @@ public:
   [[nodiscard]] PointView view(std::size_t chart, const Vector<double>& point,
                                const Vector<double>& normal) const;
   [[nodiscard]] ChartView seen(PointView& view, std::size_t chart) const;
+  /// A point of a triangle of the scene in the parameters of its chart.
+  [[nodiscard]] ParameterPoint<Rational> on_chart(const ParameterPoint<Rational>& of_triangle) const {
+    return exchanged_ ? ParameterPoint<Rational>{of_triangle.t, of_triangle.s} : of_triangle;
+  }
 
 private:
   bool exchanged_;  ///< s and t are those of the chart in the other order

@@ -33,6 +33,7 @@ export const groups = [
     example("06_meshless", "Meshless"),
     example("07_occluded_room", "An occluded room"),
     example("08_factors_of_an_stl", "Factors of an STL"),
+    example("12_events", "Visibility events"),
     { name: "gallery.html", made: "gallery", title: "Gallery" },
     { name: "tutorials/pictures.html", from: "apps/examples/pictures/README.md", short: "About the pictures" },
   ] },

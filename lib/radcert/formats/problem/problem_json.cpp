@@ -9,6 +9,7 @@
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/problem/problem_parts.h"
 #include "radcert/study/edge_grading.h"
+#include "radcert/study/events/event_triangulation.h"
 #include "radcert/surface/catalogue.h"
 
 namespace radcert {
@@ -54,9 +55,13 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder,
   if (const auto guarantee = root.find("guarantee")) problem.guarantee = read_guarantee(*guarantee, pieces);
   if (const auto label = root.find("label")) problem.label = read_label(*label);
   if (const auto fit_from = root.find("fit_from")) problem.fit_from = read_fit_from(*fit_from);
-  const auto grading = root.at("triangulation", "an object with levels").find("grading");
+  const JsonReader triangulation = root.at("triangulation", "an object with levels");
+  const auto grading = triangulation.find("grading");
   if (grading && is_edge_grading(*grading))
     problem.triangulation.grading = edge_grading(problem, surface_of(problem)).grading;
+  if (const auto events = triangulation.find("events"))
+    if (const auto wanted = read_events(*events))
+      problem.triangulation.events = event_cut(problem, surface_of(problem), wanted->secondary);
   return problem;
 }
 

@@ -22,6 +22,11 @@ struct MeshSurvey;
 /// Limits    single values only: check() looks at the whole
 SurfaceChoice read_surface(const JsonReader& surface, const std::filesystem::path& folder);
 TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces);
+/// What `events` asks for, where it does: the cut itself depends on the whole problem.
+struct WantedEvents {
+  std::optional<Rational> secondary = std::nullopt;
+};
+std::optional<WantedEvents> read_events(const JsonReader& events);
 /// Whether the grading is left to the edges: `edges`.
 bool is_edge_grading(const JsonReader& grading);
 std::optional<InterpolatedGeometry> read_geometry(const JsonReader& geometry);

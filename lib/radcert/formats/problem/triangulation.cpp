@@ -56,8 +56,22 @@ bool is_edge_grading(const JsonReader& grading) {
   return word != nullptr && *word == "edges";
 }
 
+std::optional<WantedEvents> read_events(const JsonReader& events) {
+  const std::string allowed = "true, false, or an object with secondary";
+  if (const bool* const wanted = events.value().boolean()) {
+    if (!*wanted) return std::nullopt;
+    return WantedEvents{};
+  }
+  if (events.value().members() == nullptr) events.refuse("is " + events.value().kind(), allowed);
+  events.require_object({"secondary"});
+  const JsonReader secondary = events.at("secondary", "a number above 0");
+  const Rational part = secondary.rational("a number above 0, or a decimal or fraction in a string");
+  if (part.sign() <= 0) secondary.refuse("is outside the range", "a number above 0");
+  return WantedEvents{.secondary = part};
+}
+
 TriangulationChoice read_triangulation(const JsonReader& triangulation, std::span<const std::string> pieces) {
-  triangulation.require_object({"levels", "pattern", "grading"});
+  triangulation.require_object({"levels", "pattern", "grading", "events"});
   TriangulationChoice choice;
   choice.levels = read_levels(triangulation.at("levels", levels_allowed));
   if (const auto pattern = triangulation.find("pattern")) choice.pattern = read_pattern(*pattern, pieces);
@@ -85,6 +99,12 @@ JsonValue triangulation_json(const TriangulationChoice& triangulation) {
     out.set("pattern", std::move(by_piece));
   }
   out.set("grading", exact_json(triangulation.grading));
+  // As it was before there were events, so that what has been stored is still found.
+  if (triangulation.events) {
+    const std::optional<Rational>& secondary = triangulation.events->secondary;
+    out.set("events",
+            secondary ? JsonValue::object({{"secondary", exact_json(*secondary)}}) : JsonValue(true));
+  }
   return out;
 }
 

@@ -30,6 +30,15 @@ JsonValue verified_json(const std::optional<VerifiedReport>& verified,
       {{"theta", verified->theta}, {"solution_radius", finite_or_null(solution_radius)}});
 }
 
+JsonValue events_json(const EventCut& events) {
+  return JsonValue::object({{"source_triangles", events.source_triangles},
+                            {"pencils", events.pencils},
+                            {"segments", events.segments},
+                            {"kinks", events.kinks},
+                            {"charts", events.charts},
+                            {"coarse_elements", events.coarse->size()}});
+}
+
 }  // namespace
 
 JsonValue orders_json(std::span<const OrderFit> orders) {
@@ -156,6 +165,7 @@ JsonValue result_json(const Result& result, const std::string& command) {
   JsonValue out = document_head("solution", command);
   out.set("problem", problem_json(result.problem));
   out.set("levels", json_array(result.levels, level_json));
+  if (const auto& events = result.problem.triangulation.events) out.set("events", events_json(*events));
   if (result.enclosure) out.set("enclosure", enclosure_json(*result.enclosure));
   out.set("orders", orders_json(result.orders));
   out.set("timing", JsonValue::object({{"levels", json_array(result.timing, timing_json)}}));

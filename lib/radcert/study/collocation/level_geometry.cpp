@@ -10,28 +10,12 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/study/collocation/matrix_form.h"
+#include "radcert/study/events/event_triangulation.h"
 #include "radcert/triangulation/conforming_charts.h"
 #include "radcert/triangulation/interpolated_surface.h"
 
 namespace radcert {
 namespace {
-
-TriangulationOptions options_of(const Problem& problem, const Surface& surface) {
-  TriangulationOptions options;
-  options.grading = problem.triangulation.grading.to_double();
-  if (problem.triangulation.pattern.empty()) return options;
-  std::vector<Diagonal> diagonals = surface.diagonals;
-  for (std::size_t j = 0; j < surface.charts.size(); ++j) {
-    const auto assign = [&](const std::string& piece) {
-      for (const auto& [name, diagonal] : problem.triangulation.pattern)
-        if (name == piece) diagonals[j] = diagonal;
-    };
-    assign("*");
-    assign(surface.charts[j].facts().piece);
-  }
-  options.diagonals = std::move(diagonals);
-  return options;
-}
 
 NodedSurface noded(Surface surface, Triangulation triangulation, const TriangleBasis<double>& basis) {
   NodedSurface result{.surface = std::move(surface), .triangulation = std::move(triangulation), .nodes = {}};
@@ -58,7 +42,7 @@ void require_scale(const std::vector<CollocationPoint<double>>& nodes) {
 
 LevelGeometry::LevelGeometry(const Problem& problem, int level, const TriangleBasis<double>& basis) {
   Surface surface = surface_of(problem);
-  Triangulation triangulation = triangulate(surface, level, options_of(problem, surface));
+  Triangulation triangulation = triangulate(surface, level, triangulation_options(problem, surface));
   const Outcome<void> fits = conforming(surface, triangulation);
   if (!fits)
     throw InputError(

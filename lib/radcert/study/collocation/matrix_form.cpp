@@ -30,6 +30,7 @@ std::optional<Obstacle> obstacle(const Problem& problem, const Surface& surface)
   if (!std::holds_alternative<Collocation>(problem.method)) return dense_for("a meshless basis");
   if (problem.geometry) return dense_for("interpolated geometry, where each element is a chart of its own");
   if (problem.triangulation.grading != Rational(1)) return dense_for("a graded triangulation");
+  if (problem.triangulation.events) return dense_for("a triangulation that is cut along events");
   if (const auto on_surface = obstacle_to_clusters(surface))
     return dense_for("the surface " + surface.name + ": " + *on_surface);
   const LinearSolver* solver = find_linear_solver(problem.solver.name);
