@@ -201,6 +201,7 @@ struct RawBlock {
   double size = 0;         ///< Int Int |G|
   double rounding = 0;     ///< of Int Int |G|, by the points' coordinates
   std::size_t length = 0;  ///< of the longest sum
+  bool is_last = false;    ///< whether a rule of the highest order took part
 
   explicit RawBlock(std::size_t functions) : value(functions, functions) {}
 };
@@ -290,8 +291,9 @@ public:
       const RawBlock fine = at_stage(stage);
       Matrix<double> value = turned(fine.value, first, second);
       const double difference = largest_difference(value, coarse);
-      if (difference <= accuracy_ * smallest * fine.size || stage == last) {
-        put(fine, value, coarse, std::max(difference / 2, before / 8), first, second, out);
+      if (difference <= accuracy_ * smallest * fine.size || fine.is_last || stage == last) {
+        put(fine, value, coarse, std::max(difference / 2, std::min(before / 8, 8 * difference)), first,
+            second, out);
         break;
       }
       coarse = std::move(value);
@@ -387,9 +389,8 @@ private:
                       RawBlock& to) const {
     std::optional<RulePoints> own_first;
     std::optional<RulePoints> own_second;
-    const std::size_t last = orders.size() - 1;
-    add_product(points(first, std::min(of_first, last), own_first),
-                points(second, std::min(of_second, last), own_second), to);
+    to.is_last = to.is_last || std::max(of_first, of_second) + 1 == orders.size();
+    add_product(points(first, of_first, own_first), points(second, of_second, own_second), to);
   }
 
   const RulePoints& points(const Part& part, std::size_t index, std::optional<RulePoints>& own) const {
@@ -408,7 +409,7 @@ private:
     const double rho = at + std::sqrt(at * at - 1);
     const double order = (functions_.basis().degree() + 1) / 2.0 - std::log(accuracy_) / (2 * std::log(rho));
     const auto found =
-        std::find_if(orders.begin(), orders.end() - 1, [order](int each) { return each >= order; });
+        std::find_if(orders.begin(), orders.end() - 2, [order](int each) { return each >= order; });
     return static_cast<std::size_t>(found - orders.begin());
   }
 

@@ -30,8 +30,8 @@ struct PairBlock {
 ///           leave out about rho^(d - 2n), rho = eta + sqrt(eta^2 - 1). The larger of two elements that are
 ///           near is cut into four until they are far. Finer and finer rules until two in a row differ by no
 ///           more than the accuracy times Int Int |G| and the largest constant functions: the finer counts,
-///           and the radius is what they differ by, at least half of the largest in the block and an eighth of
-///           what the rules before differed by, with rounding: of the points by rounded_kernel, of the sums by
+///           and the radius is what they differ by, at least half of the largest in the block and, up to eight
+///           times that, an eighth of what the rules before differed by, with rounding: of the points by rounded_kernel, of the sums by
 ///           their length
 /// Source    touching_rule; the rates: Trefethen, Approximation Theory and Approximation Practice, Theorem
 ///           19.3
