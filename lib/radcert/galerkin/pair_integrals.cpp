@@ -292,7 +292,7 @@ public:
       Matrix<double> value = turned(fine.value, first, second);
       const double difference = largest_difference(value, coarse);
       if (difference <= accuracy_ * smallest * fine.size || fine.is_last || stage == last) {
-        put(fine, value, coarse, std::max(difference / 2, std::min(before / 8, 8 * difference)), first,
+        put(fine, value, coarse, std::max(difference / 2, std::min(before / 8, 64 * difference)), first,
             second, out);
         break;
       }

@@ -30,9 +30,9 @@ struct PairBlock {
 ///           leave out about rho^(d - 2n), rho = eta + sqrt(eta^2 - 1). The larger of two elements that are
 ///           near is cut into four until they are far. Finer and finer rules until two in a row differ by no
 ///           more than the accuracy times Int Int |G| and the largest constant functions: the finer counts,
-///           and the radius is what they differ by, at least half of the largest in the block and, up to eight
-///           times that, an eighth of what the rules before differed by, with rounding: of the points by rounded_kernel, of the sums by
-///           their length
+///           and the radius is what they differ by, at least half of the largest in the block and, up to 64
+///           times that, an eighth of what the rules before differed by, for two rules may agree by chance.
+///           Rounding is added: of the points by rounded_kernel, of the sums by their length
 /// Source    touching_rule; the rates: Trefethen, Approximation Theory and Approximation Practice, Theorem
 ///           19.3
 /// Requires  functions of this triangulation, an unoccluded surface, 0 < accuracy < 1, else

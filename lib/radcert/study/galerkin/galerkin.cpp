@@ -17,6 +17,7 @@
 #include "radcert/study/collocation/operator_norm.h"
 #include "radcert/study/levels_within_memory.h"
 #include "radcert/study/problem.h"
+#include "radcert/surface/surface_function.h"
 
 namespace radcert {
 namespace {
@@ -85,19 +86,27 @@ double reflectivity_bound(const Problem& problem, const Surface& surface) {
     largest = value && largest ? std::optional(std::max(*largest, *value)) : std::nullopt;
   }
   if (largest) return Ball(*largest).upper_double();
-  // Multiples of 2^-k from above, as fine as the distance from 1 asks for.
-  double bound = 1;
-  for (int bits = 2; bits <= 40; ++bits) {
-    const double step = std::ldexp(1.0, -bits);
-    while (bound - step > 0 &&
-           reflectivity_below_one(surface, changed(problem.reflectivity, "",
-                                                   "/(" + Rational::exactly(bound - step).to_text() + ")")))
-      bound -= step;
-    // Within a part of 2^-6 of 1 - rho.
-    if (bound < 1 && step <= (1 - bound) / 64) break;
+  // From a sample towards 1 until it is proved.
+  const SurfaceFunction rho(problem.reflectivity, surface);
+  double seen = 0;
+  constexpr int steps = 8;
+  for (std::size_t k = 0; k < surface.charts.size(); ++k)
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; j <= steps; ++j) {
+        if (surface.charts[k].facts().domain == ChartDomain::unit_triangle && i + j > steps) continue;
+        const ParameterPoint<double> at{static_cast<double>(i) / steps, static_cast<double>(j) / steps};
+        seen = std::max(seen, rho(k, surface.charts[k].in<double>().frame(at).point));
+      }
+  for (const double part : {0x1p-6, 0x1p-4, 0x1p-2, 0x1p-1}) {
+    const double bound = seen + part * (1 - seen);
+    if (reflectivity_below_one(
+            surface, changed(problem.reflectivity, "", "/(" + Rational::exactly(bound).to_text() + ")")))
+      return bound;
   }
-  expects(bound < 1, "a reflectivity below 1");
-  return bound;
+  throw InputError({.pointer = "/reflectivity",
+                    .problem = "is not shown to stay away from 1",
+                    .allowed = "reflectivities that balls tell from 1: Galerkin's method solves by a lower "
+                               "bound of 1 - rho"});
 }
 
 void check(const Problem& problem, const Galerkin& method, const Surface& surface,
