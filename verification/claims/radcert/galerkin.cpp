@@ -43,7 +43,7 @@ Problem on_the_sphere(int degree, const std::string& solution = "exp(x)") {
   problem.reflectivity = everywhere("1/2 + x/4");
   problem.solution = everywhere(solution);
   // The radii of the errors of the finest level that is asked for stay small beside them.
-  problem.quadrature.tolerance = Rational(1) / power(Rational(10), 5 + 2 * std::min(degree, 1));
+  problem.quadrature.tolerance = Rational(1) / power(Rational(10), 5 + 3 * std::min(degree, 1));
   return problem;
 }
 
@@ -99,10 +99,10 @@ Finding galerkin_order(const Bench& bench) {
   for (int degree = 0; degree <= largest_degree(bench); ++degree) {
     const ObservedOrder seen =
         observed_order(errors_of(bench, on_the_sphere(degree), &LevelResult::l2_error));
-    finding.require("order in L2" + of_degree(degree), Order::is(degree + 1), seen);
+    finding.require("order in L2" + of_degree(degree), Order::at_least(degree + 1), seen);
     finding.show(seen.exponent);
   }
-  finding.control("order in L2 of u = exp(y), r = 0, against that of r = 1", Order::is(2),
+  finding.control("order in L2 of u = exp(y), r = 0, against that of r = 1", Order::at_least(2),
                   observed_order(errors_of(bench, on_the_sphere(0, "exp(y)"), &LevelResult::l2_error)));
   return finding;
 }
@@ -112,10 +112,11 @@ Finding galerkin_functional_order(const Bench& bench) {
   for (int degree = 0; degree <= 1; ++degree) {
     const ObservedOrder seen =
         observed_order(errors_of(bench, on_the_sphere(degree), &LevelResult::mean_error));
-    finding.require("order of the mean over the sphere" + of_degree(degree), Order::is(2 * degree + 2), seen);
+    finding.require("order of the mean over the sphere" + of_degree(degree), Order::at_least(2 * degree + 2),
+                    seen);
     finding.show(seen.exponent);
   }
-  finding.control("order in L2 in its place, r = 1", Order::is(4),
+  finding.control("order in L2 in its place, r = 1", Order::at_least(4),
                   observed_order(errors_of(bench, on_the_sphere(1), &LevelResult::l2_error)));
   return finding;
 }
