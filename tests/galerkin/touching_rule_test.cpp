@@ -42,8 +42,8 @@ TEST(TouchingRule, IntegratesPolynomialsOfBothPoints) {
 }
 
 TEST(TouchingRule, ConvergesForKernelsThatAreSingularInTheCommonPart) {
-  // The first triangle in the plane z = 0, the second in y = 0, both with the vertex 0 at the origin and, with
-  // a common side, the vertex 1 at (1,0,0): 1/|P-Q|^2.
+  // The first triangle in the plane z = 0, the second in y = 0, both with the vertex 0 at the origin and,
+  // with a common side, the vertex 1 at (1,0,0): 1/|P-Q|^2.
   for (const std::size_t common : {1, 2}) {
     const auto integral = [&](int order) {
       double sum = 0;

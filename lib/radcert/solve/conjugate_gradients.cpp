@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
-#include "radcert/core/text.h"
+#include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/rounding.h"
 
 namespace radcert {
@@ -120,9 +120,9 @@ Outcome<DefiniteSolution> solve_by_conjugate_gradients(const SystemProducts& k, 
     if (!has_halved || now.iterations >= conjugate_directions.count()) break;
   }
   if (tolerance && !reached())
-    return because("the error bound is " + shortest(best.error_bound) + " in the 2-norm after " +
+    return because("the error bound is " + upper_text(best.error_bound) + " in the 2-norm after " +
                    std::to_string(best.iterations) + " conjugate directions, and the solution has the size " +
-                   shortest(norm_of(best.values)));
+                   nearest_text(norm_of(best.values), DecimalForm::general(3)));
   return best;
 }
 

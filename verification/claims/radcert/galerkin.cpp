@@ -2,14 +2,14 @@
 
 // Galerkin's method with polynomials on triangles: orders, and the energy from below.
 //
-// Checked      galerkin_order: u = exp(x), rho = 1/2 + x/4 on the sphere, whose charts are exact: the error in L2
-//              has the order r + 1. Rejected: the order of one degree more.
-//              galerkin_functional_order: the same problem, the mean over the sphere has the order 2r + 2; rho is
-//              no constant, as with one the mean is exact by K 1 = rho. Rejected: the error in L2, which is
-//              no functional.
+// Checked      galerkin_order: u = exp(x), rho = 1/2 + x/4 on the sphere, whose charts are exact: the error
+//              in L2 has the order r + 1. Rejected: the order of one degree more.
+//              galerkin_functional_order: the same problem, the mean over the sphere has the order 2r + 2;
+//              rho is no constant, as with one the mean is exact by K 1 = rho. Rejected: the error in L2,
+//              which is no functional.
 //              galerkin_energy: on the cube whose floor emits, the mean of u_n over the floor grows with each
-//              refinement and each degree, and does not reach the enclosed mean of the solution. Rejected: the
-//              ceiling, which emits nothing.
+//              refinement and each degree, and does not reach the enclosed mean of the solution. Rejected:
+//              the ceiling, which emits nothing.
 // Not checked  degrees from 2 on for orders at the quick budget, from 3 on at all; the proof, which stands in
 //              study/galerkin/galerkin.h; surfaces that are not smooth, for orders.
 

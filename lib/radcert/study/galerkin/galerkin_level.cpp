@@ -137,9 +137,8 @@ private:
     return rows + masses;
   }
 
-  /// Int_S G(P,Q) dS_Q = pi on a closed surface: the matrix takes the coefficients Int psi_b dS of 1 with
-  /// respect to the weight 1 to the moments Int psi_a dS, where each is 1's own: sum_b A_ab t_b = m_a, t those
-  /// with the weight of the functions.
+  /// Int_S G(P,Q) dS_Q = pi on a closed surface. The coefficients of 1 are t_b = Int w psi_b dS, so that
+  /// sum_b A_ab t_b = Int psi_a dS.
   void require_rows_of_one() const {
     if (!surface_.closed) return;
     const std::vector<double> moments =
@@ -302,9 +301,9 @@ private:
     return load;
   }
 
-  /// The load of f, without the weight, given at the points of a conical rule of order n, by a finer one: f is replaced by the
-  /// polynomial of degree n - 1 in the parameters whose modes are those of f by the rule, which is exact for
-  /// their products. So what the rule leaves out does not depend on the area element.
+  /// The load of f, without the weight, given at the points of a conical rule of order n, by a finer one: f
+  /// is replaced by the polynomial of degree n - 1 in the parameters whose modes are those of f by the rule,
+  /// which is exact for their products. So what the rule leaves out does not depend on the area element.
   [[nodiscard]] Load load_of_interpolant(int n, const Values& f) const {
     const TriangleRule<double> coarse = conical_rule<double>(n, Grading::none);
     const TriangleRule<double> fine = conical_rule<double>(degree_ + load_order, Grading::none);
