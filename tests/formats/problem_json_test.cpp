@@ -76,6 +76,19 @@ TEST(ParseProblem, FillsInWhatTheFormatSays) {
     EXPECT_NE(text.find(part), std::string::npos) << part << " in " << text;
 }
 
+TEST(ParseProblem, ReadsGalerkinsMethod) {
+  const Problem problem = parse_problem(with("basis", R"({"method": "galerkin", "degree": 3})"), "");
+  EXPECT_EQ(std::get<Galerkin>(problem.method).degree, 3);
+  // Its own default, written out.
+  EXPECT_EQ(problem.quadrature.tolerance, Rational(1) / power(Rational(10), 9));
+  const Problem again = parse_problem(problem_text(problem), "");
+  EXPECT_EQ(problem_text(again), problem_text(problem));
+  for (const char* wrong :
+       {R"({"method": "galerkin", "degree": 5})", R"({"method": "galerkin"})",
+        R"({"method": "nystrom", "degree": 1})", R"({"method": "galerkin", "degree": 1, "alpha": "1/6"})"})
+    EXPECT_THROW((void)parse_problem(with("basis", wrong), ""), InputError) << wrong;
+}
+
 TEST(ParseProblem, ReadsMeshlessBases) {
   const auto basis = [](const std::string& text) {
     return std::get<Meshless>(parse_problem(with("basis", text), "").method);

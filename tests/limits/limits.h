@@ -50,6 +50,7 @@ std::vector<Case> formula_cases();  ///< scalar, polynomial, geometry, surface
 std::vector<Case> certificate_cases();
 std::vector<Case> continuous_cases();
 std::vector<Case> enclosure_cases();  ///< enclosure, hypotheses
+std::vector<Case> galerkin_cases();
 std::vector<Case> meshless_cases();
 std::vector<Case> polygon_cases();  ///< closed_form, factors
 std::vector<Case> reference_cases();

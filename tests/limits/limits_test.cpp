@@ -97,6 +97,7 @@ TEST(Limits, LeaveFormulasTrue) { expect_nothing_false(limits::formula_cases());
 TEST(Limits, LeaveSolutionsTrue) { expect_nothing_false(limits::continuous_cases()); }
 TEST(Limits, LeaveCertificatesTrue) { expect_nothing_false(limits::certificate_cases()); }
 TEST(Limits, LeaveEnclosuresTrue) { expect_nothing_false(limits::enclosure_cases()); }
+TEST(Limits, LeaveGalerkinTrue) { expect_nothing_false(limits::galerkin_cases()); }
 TEST(Limits, LeaveMeshlessTrue) { expect_nothing_false(limits::meshless_cases()); }
 TEST(Limits, LeavePolygonsTrue) { expect_nothing_false(limits::polygon_cases()); }
 TEST(Limits, LeaveReferenceValuesTrue) { expect_nothing_false(limits::reference_cases()); }
@@ -104,9 +105,9 @@ TEST(Limits, LeaveSystemsTrue) { expect_nothing_false(limits::system_cases()); }
 
 TEST(Limits, HaveACaseEach) {
   std::set<std::string> covered;
-  for (const auto& cases : {limits::formula_cases(), limits::enclosure_cases(), limits::meshless_cases(),
-                            limits::reference_cases(), limits::polygon_cases(), limits::system_cases(),
-                            limits::continuous_cases(), limits::certificate_cases()})
+  for (const auto& cases : {limits::formula_cases(), limits::enclosure_cases(), limits::galerkin_cases(),
+                            meshless_cases(), limits::reference_cases(), limits::polygon_cases(),
+                            limits::system_cases(), limits::continuous_cases(), limits::certificate_cases()})
     for (const Case& one : cases) covered.insert(one.limit);
   std::set<std::string> names;
   for (const WorkLimit* limit : work_limits()) {

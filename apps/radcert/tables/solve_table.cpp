@@ -80,6 +80,31 @@ std::string level_table(const Result& result, bool with_errors) {
   return aligned(rows, with_the_left);
 }
 
+/// The errors in means, of a method that tells them: each with its order between levels.
+std::string mean_error_table(const Result& result) {
+  if (!any_level(result, [](const LevelResult& level) { return level.l2_error || level.mean_error; }))
+    return {};
+  std::vector<std::vector<std::string>> rows = {
+      {"level", "|u-u_n| in L2", "+-", "order", "of the means", "+-", "order"}};
+  const auto order = [&](std::size_t k, std::optional<Approximation> LevelResult::*figure) -> std::string {
+    if (k == 0) return "-";
+    const std::optional<Approximation>& before = result.levels[k - 1].*figure;
+    const std::optional<Approximation>& now = result.levels[k].*figure;
+    const double h = result.levels[k - 1].mesh_size / result.levels[k].mesh_size;
+    if (!before || !now || !(before->value > 0) || !(now->value > 0) || !(h > 1)) return "-";
+    return ratio_text(std::log(before->value / now->value) / std::log(h));
+  };
+  for (std::size_t k = 0; k < result.levels.size(); ++k) {
+    std::vector<std::string> row = {std::to_string(result.levels[k].level)};
+    push(row, result.levels[k].l2_error);
+    row.push_back(order(k, &LevelResult::l2_error));
+    push(row, result.levels[k].mean_error);
+    row.push_back(order(k, &LevelResult::mean_error));
+    rows.push_back(row);
+  }
+  return aligned(rows, {2, 3, 5, 6}) + "\n";
+}
+
 /// The means of u_n over the pieces, a row a level, with one radius for all of them.
 std::string means_table(const Result& result) {
   std::vector<std::vector<std::string>> rows = {{"level"}};
@@ -122,7 +147,10 @@ std::string numbers(const std::vector<int>& levels) {
 }
 
 std::string order_line(const OrderFit& fit) {
-  const std::string name = fit.quantity == "node_error" ? "|u-u_n| at the nodes" : "|K(I-P_n)u|";
+  const std::string name = fit.quantity == "node_error"   ? "|u-u_n| at the nodes"
+                           : fit.quantity == "l2_error"   ? "|u-u_n| in L2"
+                           : fit.quantity == "mean_error" ? "the means"
+                                                          : "|K(I-P_n)u|";
   std::string out = "Order of " + name + " in h: ";
   const bool is_unsteady = !fit.order && fit.levels.empty() && !fit.pre_asymptotic.empty();
   out +=
@@ -196,6 +224,9 @@ std::string iteration_line(const Result& result) {
            "; no contraction is found: by the inverses of coarser levels the norm of the inverse is " +
            "estimated at " + nearest_text(1 / (1 - contraction), DecimalForm::general(3)) +
            ", and the error of the linear system at " + upper_text(error_bound) + "\n";
+  if (std::holds_alternative<Galerkin>(result.problem.method))
+    return iterated + "; rho at most " + upper_text_below_one(contraction, 3) +
+           ", error of the linear system at most " + upper_text(error_bound) + " in the 2-norm\n";
   const std::string theta = contraction < 1 ? upper_text_below_one(contraction, 3) : upper_text(contraction);
   return iterated + "; contraction at most " + theta +
          (is_proved ? ", error of the linear system at most " : ", error of the linear system about ") +
@@ -239,7 +270,8 @@ std::string guarantee_text(const Result& result) {
 
 std::string solve_table(const Result& result) {
   const bool with_errors = result.problem.solution.has_value();
-  std::string out = level_table(result, with_errors) + "\n" + means_table(result) + "\n";
+  std::string out =
+      level_table(result, with_errors) + "\n" + mean_error_table(result) + means_table(result) + "\n";
   for (const OrderFit& fit : result.orders)
     if (with_errors && (!fit.levels.empty() || !fit.left_out.empty() || !fit.pre_asymptotic.empty()))
       out += order_line(fit);

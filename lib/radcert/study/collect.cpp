@@ -75,6 +75,10 @@ Result collect(const Problem& problem, std::vector<LevelResult> levels, std::vec
     result.orders.push_back(
         fit("discretisation_error", &LevelResult::discretisation_error, result.levels, from));
     result.orders.push_back(fit("node_error", &LevelResult::node_error, result.levels, from));
+    if (std::holds_alternative<Galerkin>(problem.method)) {
+      result.orders.push_back(fit("l2_error", &LevelResult::l2_error, result.levels, from));
+      result.orders.push_back(fit("mean_error", &LevelResult::mean_error, result.levels, from));
+    }
   }
   return result;
 }

@@ -135,9 +135,8 @@ std::optional<double> exponent_of(const Edge& edge) {
 }  // namespace
 
 EdgeGrading edge_grading(const Problem& problem, const Surface& surface) {
-  const TriangleBasisChoice* basis = find_triangle_basis(problem.method);
-  if (basis == nullptr)
-    refuse("is not for a basis without a degree", "a basis on triangles, or a number >= 1");
+  const std::optional<int> degree = find_degree(problem.method);
+  if (!degree) refuse("is not for a basis without a degree", "a basis on triangles, or a number >= 1");
   std::vector<Face> faces;
   for (const Chart& chart : surface.charts) faces.push_back(face_of(chart));
   EdgeGrading out;
@@ -194,7 +193,7 @@ EdgeGrading edge_grading(const Problem& problem, const Surface& surface) {
     out.corners.push_back(std::move(corner));
   }
   constexpr int parts = 64;
-  const double wanted = std::isfinite(least) ? (basis->degree + 1) / least : 1;
+  const double wanted = std::isfinite(least) ? (*degree + 1) / least : 1;
   out.grading = std::max(Rational(1), Rational(static_cast<long>(std::ceil(wanted * parts)), parts));
   return out;
 }

@@ -41,7 +41,9 @@ std::vector<std::vector<std::size_t>> questions(const Experiment& experiment) {
 const std::vector<ErrorKind>& error_kinds() {
   static const std::vector<ErrorKind> kinds = {{"discretisation_error", &LevelResult::discretisation_error},
                                                {"node_error", &LevelResult::node_error},
-                                               {"uniform_error", &LevelResult::uniform_error}};
+                                               {"uniform_error", &LevelResult::uniform_error},
+                                               {"l2_error", &LevelResult::l2_error},
+                                               {"mean_error", &LevelResult::mean_error}};
   return kinds;
 }
 

@@ -45,7 +45,7 @@ struct ErrorKind {
   std::optional<Approximation> LevelResult::*figure;
 };
 
-/// discretisation_error, node_error, uniform_error.
+/// discretisation_error, node_error, uniform_error, l2_error, mean_error.
 [[nodiscard]] const std::vector<ErrorKind>& error_kinds();
 
 /// The levels of a result as points (unknowns, error); levels without a positive error are passed over.

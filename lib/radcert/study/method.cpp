@@ -16,6 +16,12 @@ const TriangleBasisChoice& triangle_basis_of(const Method& method) {
   return *basis;
 }
 
+std::optional<int> find_degree(const Method& method) {
+  if (const auto* galerkin = std::get_if<Galerkin>(&method)) return galerkin->degree;
+  const TriangleBasisChoice* basis = find_triangle_basis(method);
+  return basis != nullptr ? std::optional(basis->degree) : std::nullopt;
+}
+
 TriangleBasisChoice& triangle_basis_of(Method& method) {
   return const_cast<TriangleBasisChoice&>(triangle_basis_of(static_cast<const Method&>(method)));
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "radcert/study/collocation/collocation.h"
+#include "radcert/study/galerkin/galerkin.h"
 #include "radcert/study/meshless/meshless.h"
 
 namespace radcert {
@@ -13,7 +15,7 @@ namespace radcert {
 ///   check(problem, method, surface, memory_limit)   what is to be refused before any work
 ///   solve(problem, method, level, route)            one level
 /// and, in formats/problem, how it is read, written and said in words.
-using Method = std::variant<Collocation, Meshless>;
+using Method = std::variant<Collocation, Meshless, Galerkin>;
 
 /// The basis on triangles of a method that has one, or null.
 [[nodiscard]] const TriangleBasisChoice* find_triangle_basis(const Method& method);
@@ -21,5 +23,8 @@ using Method = std::variant<Collocation, Meshless>;
 /// The same where the method is known to have one, else ContractViolation.
 [[nodiscard]] const TriangleBasisChoice& triangle_basis_of(const Method& method);
 [[nodiscard]] TriangleBasisChoice& triangle_basis_of(Method& method);
+
+/// The degree of the polynomials on triangles of a method that has such, or nothing.
+[[nodiscard]] std::optional<int> find_degree(const Method& method);
 
 }  // namespace radcert

@@ -34,6 +34,9 @@ struct LevelResult {
   std::optional<Approximation> discretisation_error;
   std::optional<Approximation> node_error;
   std::optional<Approximation> uniform_error;
+  std::optional<Approximation> l2_error = std::nullopt;  ///< of u_n in L2(S); of Galerkin's method
+  /// The largest error of a mean of u_n over a piece; of Galerkin's method
+  std::optional<Approximation> mean_error = std::nullopt;
   std::optional<double> discretisation_ratio;  ///< the previous level's value over this one's
   std::optional<double> node_ratio;
   std::optional<double> discretisation_order;  ///< log of the ratio over log of the mesh sizes' ratio
@@ -53,7 +56,7 @@ struct LevelResult {
 /// A fitted order: slope of log error over log h, least squares, halfwidth from the spread of the successive
 /// orders. See asymptotic_law for the levels that it begins with.
 struct OrderFit {
-  std::string quantity;  ///< "discretisation_error" or "node_error"
+  std::string quantity;  ///< "discretisation_error", "node_error", "l2_error" or "mean_error"
   std::optional<double> order;
   std::optional<double> halfwidth;
   std::vector<int> levels;    ///< that took part

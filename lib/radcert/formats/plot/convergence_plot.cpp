@@ -78,11 +78,15 @@ std::string description(ErrorAgainst against) {
 
 std::string in_words(const ErrorKind& kind) {
   if (kind.name == "uniform_error") return "max |u - u_n| over a sample of S";
+  if (kind.name == "l2_error") return "|u - u_n| in L2(S)";
+  if (kind.name == "mean_error") return "max |mean of u - u_n| over the pieces";
   return kind.name == "node_error" ? "max |u - u_n| over the nodes" : "max |K(I - P_n)u| over the nodes";
 }
 
 std::string in_latex(const ErrorKind& kind) {
   if (kind.name == "uniform_error") return "$\\max|u-u_n|$ over a sample of $S$";
+  if (kind.name == "l2_error") return "$\\|u-u_n\\|_{L^2(S)}$";
+  if (kind.name == "mean_error") return "the largest mean of $u-u_n$ over a piece";
   return kind.name == "node_error" ? "$\\max|u-u_n|$ over the nodes" : "$\\max|K(I-P_n)u|$ over the nodes";
 }
 

@@ -113,7 +113,12 @@ std::vector<NamedPlot> experiment_plots(const Experiment& experiment, std::span<
          {std::pair("_against_h", ErrorAgainst::mesh_size), {"_against_unknowns", ErrorAgainst::unknowns}})
       if (Plot plot = combinations_plot(experiment, results, all, kind, against); !plot.curves.empty())
         plots.push_back({kind.name + name, std::move(plot)});
-    if (!sweeps.empty())
+    // Means are told by methods without nodes.
+    const bool is_told = std::any_of(results.begin(), results.end(), [&](const Result& result) {
+      return std::any_of(result.levels.begin(), result.levels.end(),
+                         [&](const LevelResult& level) { return (level.*kind.figure).has_value(); });
+    });
+    if (!sweeps.empty() && is_told)
       plots.push_back({kind.name + "_against_alpha", against_alpha(experiment, results, sweeps, kind)});
   }
   return plots;

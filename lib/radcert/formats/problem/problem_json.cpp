@@ -18,6 +18,10 @@ namespace {
 
 constexpr const char* schema = "radcert/problem/1";
 
+/// Where a Galerkin problem says nothing of quadrature: integrals over pairs of elements cost more than those
+/// over one.
+const Rational usual_galerkin_tolerance = Rational(1) / power(Rational(10), 9);
+
 Problem read(const JsonValue& document, const std::filesystem::path& folder,
              const std::optional<SurfaceChoice>& surface = std::nullopt) {
   const JsonReader root(document);
@@ -49,7 +53,10 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder,
                       .allowed = "exactly one of solution and emission"});
   if (solution) problem.solution = read_piecewise(*solution, pieces);
   if (emission) problem.emission = read_piecewise(*emission, pieces);
-  if (const auto quadrature = root.find("quadrature")) problem.quadrature = read_quadrature(*quadrature);
+  if (const auto quadrature = root.find("quadrature"))
+    problem.quadrature = read_quadrature(*quadrature);
+  else if (std::holds_alternative<Galerkin>(problem.method))
+    problem.quadrature.tolerance = usual_galerkin_tolerance;
   if (const auto matrix = root.find("operator")) problem.matrix = read_operator(*matrix);
   if (const auto solver = root.find("solver")) problem.solver = read_solver(*solver);
   if (const auto guarantee = root.find("guarantee")) problem.guarantee = read_guarantee(*guarantee, pieces);

@@ -33,6 +33,7 @@ std::optional<InterpolatedGeometry> read_geometry(const JsonReader& geometry);
 Method read_method(const JsonReader& basis, const std::filesystem::path& folder);
 TriangleBasisChoice read_triangle_basis(const JsonReader& basis, const std::filesystem::path& folder);
 Meshless read_meshless(const JsonReader& basis);
+Galerkin read_galerkin(const JsonReader& basis);
 QuadratureChoice read_quadrature(const JsonReader& quadrature);
 SolverChoice read_solver(const JsonReader& solver);
 OperatorChoice read_operator(const JsonReader& matrix);
@@ -64,6 +65,7 @@ JsonValue geometry_json(const std::optional<InterpolatedGeometry>& geometry);
 JsonValue method_json(const Method& method);
 JsonValue triangle_basis_json(const TriangleBasisChoice& basis);
 JsonValue meshless_json(const Meshless& method);
+JsonValue galerkin_json(const Galerkin& method);
 JsonValue quadrature_json(const QuadratureChoice& quadrature);
 JsonValue solver_json(const SolverChoice& solver);
 JsonValue operator_json(const OperatorChoice& matrix);
@@ -93,6 +95,7 @@ std::vector<std::string> coefficient_rule_names();
 [[nodiscard]] std::vector<std::string> method_words(const Method& method);
 [[nodiscard]] std::vector<std::string> triangle_basis_words(const TriangleBasisChoice& basis);
 [[nodiscard]] std::vector<std::string> meshless_words(const Meshless& method);
+[[nodiscard]] std::vector<std::string> galerkin_words(const Galerkin& method);
 
 /// Refuses the `digest` of an object, where it is given, unless it is that of the file.
 void require_digest(const JsonReader& object, const std::string& digest);

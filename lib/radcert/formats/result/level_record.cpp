@@ -165,6 +165,8 @@ LevelResult read_level_result(const JsonReader& level) {
   out.discretisation_error = read_figure(level.at("discretisation_error", "a figure"));
   out.node_error = read_figure(level.at("node_error", "a figure"));
   out.uniform_error = read_figure(level.at("uniform_error", "a figure"));
+  if (const auto error = level.find("l2_error")) out.l2_error = read_figure(*error);
+  if (const auto error = level.find("mean_error")) out.mean_error = read_figure(*error);
   out.discretisation_ratio = number_or_null_at(level, "discretisation_ratio");
   out.node_ratio = number_or_null_at(level, "node_ratio");
   out.discretisation_order = number_or_null_at(level, "discretisation_order");

@@ -139,6 +139,9 @@ JsonValue level_json(const LevelResult& level) {
   out.set("discretisation_error", approximation_json(level.discretisation_error));
   out.set("node_error", approximation_json(level.node_error));
   out.set("uniform_error", approximation_json(level.uniform_error));
+  // Of methods that tell them.
+  if (level.l2_error) out.set("l2_error", approximation_json(level.l2_error));
+  if (level.mean_error) out.set("mean_error", approximation_json(level.mean_error));
   out.set("discretisation_ratio", finite_or_null(level.discretisation_ratio));
   out.set("node_ratio", finite_or_null(level.node_ratio));
   out.set("discretisation_order", finite_or_null(level.discretisation_order));

@@ -27,6 +27,7 @@ std::optional<Obstacle> obstacle(const Problem& problem, const Surface& surface)
   const auto dense_for = [](const std::string& what) {
     return std::optional(Obstacle{"is not for " + what, "dense"});
   };
+  if (std::holds_alternative<Galerkin>(problem.method)) return dense_for("Galerkin's method");
   if (!std::holds_alternative<Collocation>(problem.method)) return dense_for("a meshless basis");
   if (problem.geometry) return dense_for("interpolated geometry, where each element is a chart of its own");
   if (problem.triangulation.grading != Rational(1)) return dense_for("a graded triangulation");
