@@ -115,6 +115,37 @@ std::string means_table(const Result& result) {
          aligned(rows);
 }
 
+/// The iterated solution v = E + K u_n, a row a level.
+std::string iterated_table(const Result& result, bool with_errors) {
+  std::vector<std::vector<std::string>> rows = {{"level", "points"}};
+  std::set<std::size_t> with_the_left;
+  const auto head = [&](const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      if (name == "+-" || name == "ratio" || name == "order") with_the_left.insert(rows.front().size());
+      rows.front().push_back(name);
+    }
+  };
+  if (with_errors) head({"|u-v|", "+-", "ratio", "order", "|u-u_n|", "+-", "ratio", "order"});
+  if (with_errors) head({"|u-v| nodes", "+-"});
+  head({"|v-u_n|", "+-"});
+  for (const LevelResult& level : result.levels) {
+    if (!level.iterated) continue;
+    const IteratedReport& iterated = *level.iterated;
+    std::vector<std::string> row = {std::to_string(level.level), std::to_string(iterated.check_points)};
+    if (with_errors) {
+      push(row, level.iterated_error);
+      row.insert(row.end(), {ratio_text(iterated.ratio), ratio_text(iterated.order)});
+      push(row, iterated.u_n_error);
+      row.insert(row.end(), {ratio_text(iterated.u_n_ratio), ratio_text(iterated.u_n_order)});
+      push(row, iterated.node_error);
+    }
+    push(row, iterated.difference);
+    rows.push_back(row);
+  }
+  return "The iterated solution v = E + K u_n, maxima over check points inside the elements:\n" +
+         aligned(rows, with_the_left);
+}
+
 std::string numbers(const std::vector<int>& levels) {
   std::string out;
   for (const int level : levels) out += (out.empty() ? "" : ", ") + std::to_string(level);
@@ -122,7 +153,10 @@ std::string numbers(const std::vector<int>& levels) {
 }
 
 std::string order_line(const OrderFit& fit) {
-  const std::string name = fit.quantity == "node_error" ? "|u-u_n| at the nodes" : "|K(I-P_n)u|";
+  const std::string name = fit.quantity == "node_error"       ? "|u-u_n| at the nodes"
+                           : fit.quantity == "iterated_error" ? "|u-v| at the check points"
+                           : fit.quantity == "u_n_error"      ? "|u-u_n| at the check points"
+                                                              : "|K(I-P_n)u|";
   std::string out = "Order of " + name + " in h: ";
   const bool is_unsteady = !fit.order && fit.levels.empty() && !fit.pre_asymptotic.empty();
   out +=
@@ -240,6 +274,7 @@ std::string guarantee_text(const Result& result) {
 std::string solve_table(const Result& result) {
   const bool with_errors = result.problem.solution.has_value();
   std::string out = level_table(result, with_errors) + "\n" + means_table(result) + "\n";
+  if (result.problem.iterated) out += iterated_table(result, with_errors) + "\n";
   for (const OrderFit& fit : result.orders)
     if (with_errors && (!fit.levels.empty() || !fit.left_out.empty() || !fit.pre_asymptotic.empty()))
       out += order_line(fit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/study/computed_function.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -129,6 +130,49 @@ std::vector<std::pair<std::string, Approximation>> piece_means(const ComputedFun
   return means;
 }
 
+std::optional<MeanErrors> mean_errors(const ComputedFunction& u_n, const PiecewiseExpression& solution,
+                                      int order) {
+  const std::vector<ParameterTriangle>& triangles = u_n.triangulation.triangles;
+  const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
+  const SurfaceFunction u(solution, u_n.surface);
+  struct OfElement {
+    double area = 0;
+    double error = 0;
+    double square = 0;
+  };
+  std::vector<OfElement> by_element(triangles.size());
+  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    const auto value = u_n.evaluator();
+    for (std::size_t k = begin; k < end; ++k) {
+      const ParameterTriangle& triangle = triangles[k];
+      const double parallelogram =
+          cross(triangle.vertices[1] - triangle.vertices[0], triangle.vertices[2] - triangle.vertices[0]);
+      const ChartIn<double>& chart = u_n.surface.charts[triangle.chart].in<double>();
+      for (std::size_t q = 0; q < rule.weights.size(); ++q) {
+        const Frame<double> frame = chart.frame(triangle.at(rule.points[q].x));
+        const double weight = rule.weights[q] * parallelogram * area_element(frame);
+        const double error = u(triangle.chart, frame.point) - value(k, rule.points[q]);
+        by_element[k].area += weight;
+        by_element[k].error += weight * error;
+        by_element[k].square += weight * error * error;
+      }
+    }
+  });
+  const std::vector<std::size_t> pieces = chart_pieces(u_n.surface);
+  std::vector<OfElement> by_piece(u_n.surface.piece_names().size());
+  double square = 0;
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    OfElement& piece = by_piece[pieces[triangles[k].chart]];
+    piece.area += by_element[k].area;
+    piece.error += by_element[k].error;
+    square += by_element[k].square;
+  }
+  MeanErrors out{.l2 = std::sqrt(square)};
+  for (const OfElement& piece : by_piece) out.mean = std::max(out.mean, std::abs(piece.error / piece.area));
+  if (!std::isfinite(out.l2) || !std::isfinite(out.mean)) return std::nullopt;
+  return out;
+}
+
 std::vector<Approximation> with_radius(std::span<const double> values, std::optional<double> radius) {
   std::vector<Approximation> out;
   out.reserve(values.size());
@@ -139,7 +183,13 @@ std::vector<Approximation> with_radius(std::span<const double> values, std::opti
 
 void describe_level(const Problem& problem, const ComputedFunction& u_n, const NodalValues& values,
                     int mean_order, LevelOutcome& outcome) {
-  if (problem.solution) outcome.result.uniform_error = uniform_error(u_n, *problem.solution);
+  if (problem.solution) {
+    outcome.result.uniform_error = uniform_error(u_n, *problem.solution);
+    if (const auto errors = mean_errors(u_n, *problem.solution, mean_order)) {
+      outcome.result.l2_error = errors->l2;
+      outcome.result.mean_error = errors->mean;
+    }
+  }
   outcome.result.piece_means = piece_means(u_n, mean_order);
   outcome.elements = element_values(u_n);
   for (std::size_t i = 0; i < values.nodes.size(); ++i)

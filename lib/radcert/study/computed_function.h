@@ -44,6 +44,18 @@ void require_values(const ComputedFunction& u_n);
 [[nodiscard]] std::vector<std::pair<std::string, Approximation>> piece_means(const ComputedFunction& u_n,
                                                                              int order);
 
+/// How far u_n is from u in the mean.
+/// Maths     l2 = (Int_S (u - u_n)^2 dS)^(1/2), mean = the largest over the pieces of |Int (u - u_n) dS| over
+///           the area, by a conical rule of that order on each element
+/// Limits    rounded, and not more accurate than the rule
+struct MeanErrors {
+  double l2 = 0;
+  double mean = 0;
+};
+/// Result    nothing if u is not finite at a point of the rule
+[[nodiscard]] std::optional<MeanErrors> mean_errors(const ComputedFunction& u_n,
+                                                    const PiecewiseExpression& solution, int order);
+
 /// Numbers with one estimated radius for all of them, or with none.
 [[nodiscard]] std::vector<Approximation> with_radius(std::span<const double> values,
                                                      std::optional<double> radius);
@@ -58,7 +70,7 @@ struct NodalValues {
 };
 
 /// The description of u_n that every method gives once it is known.
-/// Maths     uniform_error and piece_means, the values at the nodes, and u_n at the corners of the elements
+/// Maths     uniform_error, mean_errors, piece_means, the values at the nodes, u_n at the elements' corners
 /// Requires  a value a node; `outcome` is of this level
 /// Result    fills these fields of the outcome and no others
 /// Limits    rounded, not enclosed
