@@ -292,6 +292,42 @@ TEST(IteratedSolution, HasCheckPointsThatMakeARuleOfDegreeTwo) {
   EXPECT_TRUE(static_cast<bool>(lagrange_functions(points)));
 }
 
+TEST(IteratedSolution, TakesMeansByARuleOfDegreeTwo) {
+  // Where nothing is reflected it is E, and the rule is exact for polynomials of degree 2 on plane faces.
+  Problem problem = with_emission(box(), "x^2 + x*y - 3*z");
+  problem.reflectivity = everywhere("0");
+  const LevelOutcome outcome = solved(problem, 0);
+  const auto& means = outcome.result.iterated->piece_means;
+  ASSERT_EQ(means.size(), 6);
+  // West, east, south, north, floor, ceiling of [0,1] x [0,2] x [0,3].
+  const std::array<double, 6> exact = {-4.5,          1 + 1 - 4.5,      1.0 / 3 - 4.5, 1.0 / 3 + 1 - 4.5,
+                                       1.0 / 3 + 0.5, 1.0 / 3 + 0.5 - 9};
+  for (std::size_t i = 0; i < means.size(); ++i)
+    EXPECT_NEAR(means[i].second, exact[i], 1e-12) << means[i].first;
+}
+
+TEST(IteratedSolution, HasTheErrorsInTheMeanOfAConstantOffset) {
+  // u = E + Ku with a route that is off by a constant: the iterated solution is off by that at every point.
+  Problem problem = with_solution(box(), "1 + x");
+  const double off = 0.5;
+  const OperatorRoute wrong = [off](const Surface& surface, const SurfaceFunction& u) {
+    return [right = reference::applied_operator(surface, u), off](const SurfacePoint<double>& p) {
+      const Approximation ku = right(p);
+      return Approximation::estimated(ku.value + off, ku.radius);
+    };
+  };
+  // u_n solves with E - rho off/pi, and 1 - K is 1/2 on constants: u - u_n = rho off/pi/(1 - rho).
+  const LevelOutcome outcome = solve_level(problem, 1, wrong);
+  const LevelOutcome right = solved(problem, 1);
+  const double by = 0.5 * off / std::numbers::pi / 0.5;
+  EXPECT_NEAR(*outcome.result.mean_error, by, 1e-3);
+  EXPECT_NEAR(*outcome.result.iterated->mean_error, by, 1e-3);
+  // The area of the box is 22.
+  EXPECT_NEAR(*outcome.result.iterated->l2_error, by * std::sqrt(22), 2e-3);
+  EXPECT_NEAR(*outcome.result.l2_error, by * std::sqrt(22), 2e-3);
+  EXPECT_LT(*right.result.mean_error, by / 50);
+}
+
 TEST(IteratedSolution, IsTheSameForAnyNumberOfThreads) {
   const Setting setting(ellipsoid(), 1);
   const std::vector<Approximation> u_n = values_of(setting.outcome);
