@@ -19,10 +19,11 @@ def solution(at):
 
 class Anywhere(ProgramTest):
     def problem(self, name="p.json", **changes):
-        self.write(name, json.dumps({**{"schema": "radcert/problem/1", "surface": {"name": "box", "a": 1, "b": 2, "c": 3},
+        problem = {**{"schema": "radcert/problem/1", "surface": {"name": "box", "a": 1, "b": 2, "c": 3},
                                         "triangulation": {"levels": [0, 1]},
                                         "basis": {"family": "inset", "degree": 1, "alpha": "1/6"},
-                                        "reflectivity": "1/2", "solution": "exp(x/2 + y/3 - z/4)"}, **changes}))
+                                        "reflectivity": "1/2", "solution": "exp(x/2 + y/3 - z/4)"}, **changes}
+        self.write(name, json.dumps({key: value for key, value in problem.items() if value is not None}))
         return name
 
     def result(self, *words, **changes):
@@ -128,7 +129,14 @@ class Anywhere(ProgramTest):
         found = self.result("--at", "1/2,0,0")["points"][0]
         self.assertIsNone(found["iterated"])
         self.assertIsNotNone(found["u_n"]["value"])
-        self.assertIn("1 point lies on an edge", self.expect(0, "solve", "p.json", "--at", "1/2,0,0"))
+        self.assertIn("1 point lies on the border of a chart", self.expect(0, "solve", "p.json", "--at", "1/2,0,0"))
+
+    def test_the_folder_names_the_file_of_points(self):
+        self.write("at.csv", "x,y,z\n0.5,0.5,0\n")
+        self.expect(0, "solve", self.problem(), "--at", "at.csv", "--out", "out")
+        inputs = json.loads(self.content("out/provenance.json"))["inputs"]
+        self.assertEqual([entry["name"] for entry in inputs], ["p.json", "at.csv"])
+        self.assertEqual(len(self.rows("out/points.csv")), 1)
 
     def test_bits_do_not_depend_on_threads(self):
         texts = set()
@@ -161,6 +169,7 @@ class Anywhere(ProgramTest):
         self.assertIn("/iterated", self.refused(iterated=True, basis="shepard"))
         self.assertIn("/iterated", self.refused(iterated=True, geometry={"interpolated": 2}))
         self.assertIn("/iterated", self.refused(iterated="yes"))
+        self.assertIn("/iterated", self.refused("--guarantee", "1", iterated=True, solution=None, emission="1/2"))
         self.assertIn("--sample", self.refused("--sample", "3", basis="shepard"))
         self.assertIn("--at", self.refused("--at", "0,0,0", geometry={"interpolated": 2}))
 

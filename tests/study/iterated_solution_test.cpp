@@ -168,8 +168,9 @@ TEST(IteratedSolution, SumsTheTermsOfItsRadius) {
 
 TEST(IteratedSolution, MovesWithTheNodesByNoMoreThanItsTermSays) {
   // The worst change of nodal values within r, for one point: each by r with the sign of its integral; found
-  // by moving one node after the other. The term is that and the radii of the integrals.
-  const Setting setting(with_emission(box(), smooth), 0);
+  // by moving one node after the other. The term is that and the radii of the integrals. Quadratic functions
+  // have integrals of both signs.
+  const Setting setting(with_emission(with_basis(box(), 2, Rational(1, 100)), smooth), 0);
   const double r = 0.25;
   std::vector<Approximation> u_n = values_of(setting.outcome);
   for (Approximation& value : u_n) value = Approximation::estimated(value.value, r);

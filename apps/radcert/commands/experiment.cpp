@@ -182,7 +182,7 @@ void add_experiment(Program& program) {
       program.add("experiment", "Solve problems that differ in a few parts and compare them at equal cost");
   auto options = std::make_shared<ExperimentOptions>();
   command.word("EXPERIMENT", options->experiment,
-               "An experiment file, see radcert example experiment; or scoreboard", "FILE.json");
+               "An experiment file, see radcert example experiment; or scoreboard, see below", "FILE.json");
   command.option(
       "--out", options->out,
       "Write to DIR: experiment.json, experiment.html, errors.csv, timing.csv, table.tex, each plot as .svg "

@@ -117,10 +117,19 @@ std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& lev
   return finished;
 }
 
+/// What is asked for of u_n at points, before any level is solved.
+struct PointsWish {
+  std::vector<AskedPoint> at;
+  std::optional<std::size_t> sample = std::nullopt;
+  double tolerance = 0;
+  std::vector<InputDigest> inputs = {};  ///< the files of points
+  [[nodiscard]] bool is_empty() const { return at.empty() && !sample; }
+};
+
 /// What --out writes.
 Files files_of(const Common& common, const SolveOptions& options, const Result& result,
                std::span<const LevelOutcome> levels, const std::string& json, const InputDigest& problem,
-               const std::optional<std::vector<ValueAt>>& points) {
+               const std::optional<std::vector<ValueAt>>& points, const PointsWish& wish) {
   const std::filesystem::path folder = options.out;
   const auto& elements = levels.back().elements;
   const auto errors = corner_errors(result.problem, elements);
@@ -144,6 +153,7 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
     for (auto& file : plot_files(folder, {&plot, 1})) files.push_back(std::move(file));
   std::vector<InputDigest> inputs = {problem};
   for (InputDigest& named : inputs_named_in({&result.problem, 1})) inputs.push_back(std::move(named));
+  inputs.insert(inputs.end(), wish.inputs.begin(), wish.inputs.end());
   for (auto& file : origin_files(folder, common, references_of(result.problem), std::move(inputs),
                                  seed_of({&result.problem, 1})))
     files.push_back(std::move(file));
@@ -166,12 +176,14 @@ bool asks_for_guarantee(const SolveOptions& options, const Problem& problem) {
 }
 
 /// The points of --at without a guarantee: "1/2,1/2,0", or those of a file.
-std::vector<AskedPoint> asked_points(const SolveOptions& options, Outputs& outputs) {
+std::vector<AskedPoint> asked_points(const SolveOptions& options, Outputs& outputs,
+                                     std::vector<InputDigest>& inputs) {
   std::vector<AskedPoint> out;
   for (const std::string& word : options.at) {
     if (word.find(',') == std::string::npos) {
       const InputFile file = read_input(word, points_size_limit);
       outputs.input(word);
+      inputs.push_back(file.digest);
       const std::vector<AskedPoint> of_file =
           with_source(file.source, [&] { return read_points(file.text); });
       for (AskedPoint asked : of_file) {
@@ -217,17 +229,9 @@ double tolerance_of(const SolveOptions& options) {
   return *number;
 }
 
-/// What is asked for of u_n at points, before any level is solved.
-struct PointsWish {
-  std::vector<AskedPoint> at;
-  std::optional<std::size_t> sample = std::nullopt;
-  double tolerance = 0;
-  [[nodiscard]] bool is_empty() const { return at.empty() && !sample; }
-};
-
 PointsWish points_wish(const SolveOptions& options, Outputs& outputs, const Problem& problem) {
   PointsWish wish;
-  wish.at = asked_points(options, outputs);
+  wish.at = asked_points(options, outputs, wish.inputs);
   if (!options.sample.empty()) wish.sample = sample_size(options.sample);
   wish.tolerance = tolerance_of(options);
   const auto refuse = [](const std::string& option, const std::string& value, const std::string& why,
@@ -419,7 +423,8 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   if (points) document.set("points", points_json(*points));
   const std::string json = document.pretty() + "\n";
   Files files;
-  if (!options.out.empty()) files = files_of(common, options, result, finished, json, input.digest, points);
+  if (!options.out.empty())
+    files = files_of(common, options, result, finished, json, input.digest, points, wish);
   if (!options.points.empty()) files.emplace_back(options.points, points_csv(*points));
   if (!options.nodes.empty()) files.emplace_back(options.nodes, nodes_csv(finished));
   const auto& elements = finished.back().elements;

@@ -90,7 +90,7 @@ std::string points_table(std::span<const ValueAt> values, int level) {
       std::count_if(values.begin(), values.end(), [](const ValueAt& at) { return !at.iterated; });
   if (on_edge > 0)
     out += std::to_string(on_edge) + (on_edge == 1 ? " point lies" : " points lie") +
-           " on an edge of faces, where E + K u_n has no one value.\n";
+           " on the border of a chart where charts may meet at an angle, and E + K u_n is not taken.\n";
   double farthest = 0;
   for (const ValueAt& at : values) farthest = std::max(farthest, at.distance);
   if (farthest > 0) out += "Points were moved onto the surface, by at most " + upper_text(farthest) + ".\n";
