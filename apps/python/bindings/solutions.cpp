@@ -22,6 +22,7 @@
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/study/experiment.h"
 #include "requests/solution_at.h"
+#include "requests/solve_request.h"
 #include "work.h"
 
 namespace radcert::python {
