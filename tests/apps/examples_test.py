@@ -12,7 +12,7 @@ from program import EXAMPLES
 
 # 04 and 06 have tests of their own.
 EXAMPLE_PAGES = ["01_solve", "02_reference_value", "03_own_surface", "05_own_claim", "07_occluded_room", "08_factors_of_an_stl",
-                 "09_other_languages", "10_edges", "12_events", "13_galerkin"]
+                 "09_other_languages", "10_edges", "11_anywhere", "12_events", "13_galerkin"]
 
 
 class Examples(PageTest):

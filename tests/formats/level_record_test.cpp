@@ -46,6 +46,32 @@ TEST(LevelRecord, ReadsBackToTheBit) {
   EXPECT_EQ(back->timing.solve_seconds, level.timing.solve_seconds);
 }
 
+TEST(LevelRecord, ReadsTheIteratedSolutionBack) {
+  LevelOutcome level = test::sample_level();
+  level.result.iterated_error = Approximation::estimated(0.1, 1e-17);
+  level.result.iterated = {.check_points = 24,
+                           .u_n_error = Approximation::without_radius(0.3),
+                           .node_error = Approximation::estimated(0.7, 1e-9),
+                           .difference = Approximation::estimated(1.0 / 3, 1e-18),
+                           .l2_error = 0.2,
+                           .mean_error = 1e-3,
+                           .piece_means = {{"lower", 0.4}, {"upper", 0.6}}};
+  level.result.l2_error = Approximation::without_radius(0.9);
+  level.timing.iterated_seconds = 0.25;
+  level.elements[1].iterated = {0.1, -0.0, 3};
+  const Outcome<LevelOutcome> back = read_level_record(level_record(level));
+  ASSERT_TRUE(back) << back.reason();
+  EXPECT_EQ(level_record(*back), level_record(level));
+  EXPECT_EQ(back->result.iterated->check_points, 24U);
+  expect_same(*back->result.iterated_error, *level.result.iterated_error);
+  expect_same(back->result.iterated->difference, level.result.iterated->difference);
+  EXPECT_EQ(back->result.iterated->piece_means, level.result.iterated->piece_means);
+  expect_same(*back->result.l2_error, *level.result.l2_error);
+  EXPECT_EQ(back->timing.iterated_seconds, 0.25);
+  EXPECT_FALSE(back->elements[0].iterated);
+  EXPECT_EQ(back->elements[1].iterated, level.elements[1].iterated);
+}
+
 TEST(LevelRecord, IsRefusedWhereItIsDamaged) {
   const std::string text = level_record(test::sample_level());
   EXPECT_FALSE(read_level_record(text.substr(0, text.size() - 1)));

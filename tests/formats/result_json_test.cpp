@@ -42,6 +42,8 @@ TEST(ResultJson, HasTheKeysOfTheFormatInItsOrder) {
                                                    "discretisation_error",
                                                    "node_error",
                                                    "uniform_error",
+                                                   "l2_error",
+                                                   "mean_error",
                                                    "discretisation_ratio",
                                                    "node_ratio",
                                                    "discretisation_order",
@@ -54,7 +56,8 @@ TEST(ResultJson, HasTheKeysOfTheFormatInItsOrder) {
                                                    "iteration",
                                                    "verified",
                                                    "solution_radius",
-                                                   "means_radius"}));
+                                                   "means_radius",
+                                                   "iterated"}));
   EXPECT_EQ(keys(*level.find("iteration")),
             (std::vector<std::string>{"iterations", "contraction", "error_bound"}));
   EXPECT_EQ(keys(*level.find("verified")), (std::vector<std::string>{"theta", "solution_radius"}));
@@ -72,10 +75,35 @@ TEST(ResultJson, WritesNullForWhatIsAbsentOrNotFinite) {
   result.levels[0].node_order = std::numeric_limits<double>::quiet_NaN();
   const JsonValue json = parse_json(result_text(result, ""), "");
   const JsonValue& level = json.find("levels")->elements()->front();
-  for (const char* key :
-       {"uniform_error", "node_ratio", "node_order", "discretisation_ratio", "iteration", "verified"})
+  for (const char* key : {"uniform_error", "node_ratio", "node_order", "discretisation_ratio", "iteration",
+                          "verified", "l2_error", "iterated"})
     EXPECT_TRUE(level.find(key)->is_null()) << key;
   EXPECT_TRUE(level.find("node_error")->find("radius")->is_null());
+}
+
+TEST(ResultJson, HasTheIteratedSolutionWhereItIsAskedFor) {
+  Result result = sample_result();
+  LevelResult& level = result.levels[0];
+  level.iterated_error = Approximation::estimated(0.5, 0.125);
+  level.iterated = {.check_points = 24,
+                    .u_n_error = Approximation::estimated(2, 0.25),
+                    .node_error = {},
+                    .difference = Approximation::estimated(3, 0.5),
+                    .l2_error = 0.75,
+                    .mean_error = {},
+                    .piece_means = {{"lower", 1.5}},
+                    .ratio = 4,
+                    .u_n_ratio = {},
+                    .order = 2,
+                    .u_n_order = {}};
+  const JsonValue json = parse_json(result_text(result, ""), "");
+  const JsonValue& iterated = *json.find("levels")->elements()->front().find("iterated");
+  EXPECT_EQ(*iterated.find("error")->find("value")->number(), 0.5);
+  EXPECT_EQ(*iterated.find("u_n_error")->find("radius")->number(), 0.25);
+  EXPECT_EQ(*iterated.find("difference")->find("value")->number(), 3);
+  EXPECT_EQ(*iterated.find("piece_means")->find("lower")->number(), 1.5);
+  for (const char* key : {"node_error", "mean_error", "u_n_ratio", "u_n_order"})
+    EXPECT_TRUE(iterated.find(key)->is_null()) << key;
 }
 
 TEST(ResultJson, GivesTheMeansNoRadiusWhereOneHasNone) {

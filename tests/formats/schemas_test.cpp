@@ -42,8 +42,10 @@ TEST(ProblemSchema, NamesTheSurfacesOfTheCatalogueAndTheirParameters) {
 TEST(ExperimentSchema, HasThePartsOfAProblemOnceAndInLists) {
   const JsonValue problem = parse_json(schema_text("problem"), "");
   const JsonValue experiment = parse_json(schema_text("experiment"), "");
-  // Of an experiment as a whole: labels and fit_from beside base and vary.
-  const std::vector<std::string> of_the_whole = {"schema", "emission", "guarantee", "label", "fit_from"};
+  // Of an experiment as a whole: labels and fit_from beside base and vary. Of a problem alone: emission,
+  // guarantee, iterated.
+  const std::vector<std::string> of_the_whole = {"schema", "emission", "guarantee",
+                                                 "label",  "fit_from", "iterated"};
   std::vector<std::string> parts;
   for (const auto& [key, part] : *problem.find("properties")->members())
     if (std::find(of_the_whole.begin(), of_the_whole.end(), key) == of_the_whole.end()) parts.push_back(key);

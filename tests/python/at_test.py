@@ -95,6 +95,22 @@ class At(ModuleTest):
         with self.assertRaises(TypeError):
             solution.at([(0.3, 0.4, 0)], iterated="no")
 
+    def test_around_a_corner_a_furnace_is_bright_too(self):
+        corners = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
+        vertices = [(a, b, c) for c in (0, 1) for a, b in corners]
+        triangles = [t for a, b, c in [(0, 1, 3), (1, 2, 3), (0, 3, 5), (3, 4, 5)] for t in ((a, b, c), (6 + a, 6 + c, 6 + b))]
+        for k in range(6):
+            n = (k + 1) % 6
+            triangles += [(k, 6 + k, n), (n, 6 + k, 6 + n)]
+        room = rc.Problem(rc.Mesh((vertices, triangles)), reflectivity="1/2", emission="1/2", levels=[1], iterated=True)
+        solution = room.solve()
+        found = solution.at([(0.3, 0.4, 0), (1.4, 1, 0.25), (1, 1.7, 0.6)])
+        self.assertTrue((np.abs(found.iterated.value - 1) <= found.iterated.radius).all())
+        self.assertTrue((found.iterated.radius < 1e-9).all())
+        level = solution.to_json()["levels"][0]
+        self.assertLess(level["iterated"]["difference"]["value"], 1e-10)
+        self.assertIsNone(level["iterated"]["error"])
+
     def test_what_has_no_such_values_says_so(self):
         meshless = rc.Problem("sphere", reflectivity="1/2", emission=1, levels=[0], basis="shepard").solve()
         self.refused(lambda: meshless.at([(0, 0, 1)]), "is not for a meshless basis")

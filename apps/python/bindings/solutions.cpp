@@ -22,6 +22,7 @@
 #include "radcert/formats/table/latex_table.h"
 #include "radcert/study/experiment.h"
 #include "requests/solution_at.h"
+#include "requests/solve_request.h"
 #include "work.h"
 
 namespace radcert::python {
@@ -138,24 +139,24 @@ py::dict at(const Solution& solution, std::size_t place, const py::object& point
   std::vector<Vector<double>> wanted;
   const auto of = rows.unchecked<2>();
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) wanted.push_back({of(i, 0), of(i, 1), of(i, 2)});
-  const std::vector<app::ValueAt> found = compute(progress, [&](Progress& told) {
-    return app::solution_at(solution, place, wanted, {.tolerance = tolerance, .iterated = iterated}, told);
+  const std::vector<ValueAt> found = compute(progress, [&](Progress& told) {
+    return app::solution_at(solution.result.problem, solution.levels[place], wanted,
+                            {.tolerance = tolerance, .iterated = iterated}, told);
   });
   py::list pieces;
   std::vector<double> distances;
-  for (const app::ValueAt& value : found) {
+  for (const ValueAt& value : found) {
     pieces.append(value.piece);
     distances.push_back(value.distance);
   }
   py::dict out;
-  out["points"] = point_array(found, [](const app::ValueAt& value) { return value.point; });
+  out["points"] = point_array(found, [](const ValueAt& value) { return value.point; });
   out["distance"] = owning_array(std::move(distances));
   out["pieces"] = pieces;
-  out["u_n"] = approximation_arrays(found, [](const app::ValueAt& value) { return value.u_n; });
-  out["iterated"] =
-      iterated
-          ? py::object(approximation_arrays(found, [](const app::ValueAt& value) { return *value.iterated; }))
-          : py::object(py::none());
+  out["u_n"] = approximation_arrays(found, [](const ValueAt& value) { return value.u_n; });
+  out["iterated"] = iterated ? py::object(approximation_arrays(
+                                   found, [](const ValueAt& value) { return value.iterated->value; }))
+                             : py::object(py::none());
   return out;
 }
 
@@ -206,13 +207,14 @@ void add_solutions(py::module_& module) {
                                for (const LevelResult& level : s.result.levels) out.append(level.solver);
                                return out;
                              })
-      .def_property_readonly("seconds",
-                             [](const Solution& s) {
-                               std::vector<double> out;
-                               for (const LevelTiming& t : s.result.timing)
-                                 out.push_back(t.assembly_seconds + t.operator_seconds + t.solve_seconds);
-                               return owning_array(std::move(out));
-                             })
+      .def_property_readonly(
+          "seconds",
+          [](const Solution& s) {
+            std::vector<double> out;
+            for (const LevelTiming& t : s.result.timing)
+              out.push_back(t.assembly_seconds + t.operator_seconds + t.solve_seconds + t.iterated_seconds);
+            return owning_array(std::move(out));
+          })
       .def("error", error_of, py::arg("name"))
       .def("orders", orders_of, py::arg("name"))
       .def("means", means_of)

@@ -28,7 +28,8 @@ class Problem:
         it. It is called from threads of the library, and must be the same whenever it is called.
     levels: numbers of symmetric refinements, ascending. pattern, grading: of the triangulation.
     geometry, quadrature, operator, solver: as in a problem file; a name alone will do for operator and solver.
-    label: a short name for tables and plots. fit_from: the level with which fitted orders begin.
+    iterated: whether the iterated solution E + K u_n is taken too, for ``to_json``. label: a short name for tables and plots.
+    fit_from: the level with which fitted orders begin.
 
     Nothing is computed until ``solve``; what a file could not say is refused at once, as InputError with the place in it.
     """
@@ -36,7 +37,7 @@ class Problem:
     def __init__(self, surface: Any, *, basis: Any = None, reflectivity: Any, solution: Any = None, emission: Any = None,
                  levels: Any = (0, 1, 2), pattern: Any = None, grading: Any = None, geometry: Any = None,
                  quadrature: Any = None, operator: Any = None, solver: Any = None, label: Optional[str] = None,
-                 fit_from: Optional[int] = None) -> None:
+                 fit_from: Optional[int] = None, iterated: Optional[bool] = None) -> None:
         self._given = {key: value for key, value in locals().items() if key not in ("self", "__class__")}
         self._problem, self._functions = _stated(**self._given)
 
@@ -124,7 +125,7 @@ class Problem:
 
 
 def _stated(surface, basis, reflectivity, solution, emission, levels, pattern, grading, geometry, quadrature, operator,
-            solver, label, fit_from):
+            solver, label, fit_from, iterated):
     document = {"schema": "radcert/problem/1"}
     choice = None
     if isinstance(surface, Mesh):
@@ -159,7 +160,7 @@ def _stated(surface, basis, reflectivity, solution, emission, levels, pattern, g
         functions["emission"], emission = emission, "0"
     document["reflectivity"] = reflectivity
     for key, value in (("solution", solution), ("emission", emission), ("geometry", geometry), ("label", label),
-                       ("quadrature", quadrature), ("fit_from", fit_from)):
+                       ("quadrature", quadrature), ("fit_from", fit_from), ("iterated", iterated)):
         if value is not None:
             document[key] = value
     for key, value in (("operator", operator), ("solver", solver)):

@@ -9,10 +9,12 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "command.h"
+#include "commands/scoreboard.h"
 #include "origin.h"
 #include "output.h"
 #include "plot_files.h"
@@ -132,6 +134,9 @@ Files paper_files(const Common& common, const ExperimentOptions& options, const 
 }
 
 ExitCode run_experiment(const Common& common, const ExperimentOptions& options) {
+  if (std::error_code error;
+      options.experiment == "scoreboard" && !std::filesystem::exists("scoreboard", error))
+    return run_scoreboard(common, options.out);
   Outputs outputs(common);
   outputs.input(options.experiment);
   outputs.folder("--out", options.out, {"experiment.json", "provenance.json"});
@@ -176,8 +181,8 @@ void add_experiment(Program& program) {
   Subcommand command =
       program.add("experiment", "Solve problems that differ in a few parts and compare them at equal cost");
   auto options = std::make_shared<ExperimentOptions>();
-  command.word("EXPERIMENT", options->experiment, "An experiment file; see radcert example experiment",
-               "FILE.json");
+  command.word("EXPERIMENT", options->experiment,
+               "An experiment file, see radcert example experiment; or scoreboard, see below", "FILE.json");
   command.option(
       "--out", options->out,
       "Write to DIR: experiment.json, experiment.html, errors.csv, timing.csv, table.tex, each plot as .svg "
@@ -187,7 +192,10 @@ void add_experiment(Program& program) {
   command.footer(
       "Every combination of the lists of `vary` with `base` is a problem, as radcert solve takes it.\n"
       "Finished levels are kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted experiment goes "
-      "on.");
+      "on.\n"
+      "scoreboard: all methods and bases on five problems with known or enclosed solutions, with the "
+      "frontier of "
+      "those that nothing\nbeats; --out then writes scoreboard.json, .csv and .html, timing.csv and plots.");
   command.runs([&common = program.common(), options] { return run_experiment(common, *options); });
 }
 

@@ -74,12 +74,14 @@ std::vector<std::string> words_of(const std::string& command) {
   if (command == "reference") out = listed_names("references");
   if (command == "surface" || command == "factors") out = listed_names("surfaces");
   if (command == "basis") out = {"inset", "symmetric", "search"};
+  if (command == "experiment") out = {"scoreboard"};
   return out;
 }
 
 /// Whether it may be the name of a file or a folder as well.
 bool takes_files(const std::string& command) {
-  return command == "verify" || command == "surface" || command == "factors" || command == "basis";
+  return command == "verify" || command == "surface" || command == "factors" || command == "basis" ||
+         command == "experiment";
 }
 
 /// What bash is to offer after an option: folders, files, the words of a choice, or nothing.

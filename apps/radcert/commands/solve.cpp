@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert solve PROBLEM.json: one problem over its levels.
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -33,11 +34,14 @@
 #include "radcert/formats/result/stored_numbers.h"
 #include "radcert/formats/table/csv.h"
 #include "radcert/formats/table/latex_table.h"
+#include "radcert/formats/table/points_csv.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/certified_solution.h"
 #include "radcert/study/expected_seconds.h"
+#include "requests/solution_at.h"
 #include "tables/enclosure_table.h"
+#include "tables/points_table.h"
 #include "tables/solve_table.h"
 
 namespace radcert::app {
@@ -52,6 +56,9 @@ struct SolveOptions {
   std::string out;
   std::string guarantee;
   std::vector<std::string> at;
+  std::string sample;
+  std::string within;
+  std::string points;
   std::string of;
   std::string outside;
   std::string emission_by;
@@ -59,7 +66,8 @@ struct SolveOptions {
 };
 
 /// What --out may write beside plots and tables, which are no input's.
-const std::vector<std::string> names_of_out = {"solution.json", "provenance.json"};
+const std::vector<std::string> names_of_out = {"solution.json", "provenance.json", "points.csv"};
+constexpr std::size_t points_size_limit = std::size_t{256} << 20U;
 
 Outputs checked_outputs(const Common& common, const SolveOptions& options) {
   Outputs outputs(common);
@@ -68,6 +76,7 @@ Outputs checked_outputs(const Common& common, const SolveOptions& options) {
   outputs.file("--vtu", options.vtu);
   outputs.file("--ply", options.ply);
   outputs.file("--certificate", options.certificate);
+  outputs.file("--points", options.points);
   outputs.folder("--out", options.out, names_of_out);
   return outputs;
 }
@@ -95,8 +104,8 @@ std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& lev
       finished.push_back(levels.level(problem, level));
       done += work(level);
       const LevelTiming& timing = finished.back().timing;
-      expected.finished(work(level),
-                        timing.assembly_seconds + timing.operator_seconds + timing.solve_seconds);
+      expected.finished(work(level), timing.assembly_seconds + timing.operator_seconds +
+                                         timing.solve_seconds + timing.iterated_seconds);
       const LevelResult& result = finished.back().result;
       progress.note("level " + std::to_string(level) + ": " + std::to_string(result.elements) +
                     " elements, " + std::to_string(result.unknowns) + " unknowns" +
@@ -108,18 +117,30 @@ std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& lev
   return finished;
 }
 
+/// What is asked for of u_n at points, before any level is solved.
+struct PointsWish {
+  std::vector<AskedPoint> at;
+  std::optional<std::size_t> sample = std::nullopt;
+  double tolerance = 0;
+  std::vector<InputDigest> inputs = {};  ///< the files of points
+  [[nodiscard]] bool is_empty() const { return at.empty() && !sample; }
+};
+
 /// What --out writes.
 Files files_of(const Common& common, const SolveOptions& options, const Result& result,
-               std::span<const LevelOutcome> levels, const std::string& json, const InputDigest& problem) {
+               std::span<const LevelOutcome> levels, const std::string& json, const InputDigest& problem,
+               const std::optional<std::vector<ValueAt>>& points, const PointsWish& wish) {
   const std::filesystem::path folder = options.out;
   const auto& elements = levels.back().elements;
   const auto errors = corner_errors(result.problem, elements);
+  const auto iterated_errors = iterated_corner_errors(result.problem, elements);
   Files files = {{folder / "solution.json", json},
                  {folder / "errors.csv", errors_csv(result)},
                  {folder / "nodes.csv", nodes_csv(levels)},
-                 {folder / "solution.vtu", vtu_text(elements, errors)},
-                 {folder / "solution.ply", ply_text(elements, errors)},
+                 {folder / "solution.vtu", vtu_text(elements, errors, iterated_errors)},
+                 {folder / "solution.ply", ply_text(elements, errors, iterated_errors)},
                  {folder / "table.tex", levels_latex(result)}};
+  if (points) files.emplace_back(folder / "points.csv", points_csv(*points));
   const std::string name =
       result.problem.label.empty()
           ? (options.problem == "-" ? std::string("the problem")
@@ -132,6 +153,7 @@ Files files_of(const Common& common, const SolveOptions& options, const Result& 
     for (auto& file : plot_files(folder, {&plot, 1})) files.push_back(std::move(file));
   std::vector<InputDigest> inputs = {problem};
   for (InputDigest& named : inputs_named_in({&result.problem, 1})) inputs.push_back(std::move(named));
+  inputs.insert(inputs.end(), wish.inputs.begin(), wish.inputs.end());
   for (auto& file : origin_files(folder, common, references_of(result.problem), std::move(inputs),
                                  seed_of({&result.problem, 1})))
     files.push_back(std::move(file));
@@ -146,12 +168,111 @@ JsonValue coordinates_json(const std::string& text) {
   return out;
 }
 
+/// Whether the problem's own words or options ask for an enclosure of u itself; --at is of that then, and
+/// else of u_n.
+bool asks_for_guarantee(const SolveOptions& options, const Problem& problem) {
+  return problem.guarantee || !options.guarantee.empty() || !options.of.empty() || !options.outside.empty() ||
+         !options.emission_by.empty();
+}
+
+/// The points of --at without a guarantee: "1/2,1/2,0", or those of a file.
+std::vector<AskedPoint> asked_points(const SolveOptions& options, Outputs& outputs,
+                                     std::vector<InputDigest>& inputs) {
+  std::vector<AskedPoint> out;
+  for (const std::string& word : options.at) {
+    if (word.find(',') == std::string::npos) {
+      const InputFile file = read_input(word, points_size_limit);
+      outputs.input(word);
+      inputs.push_back(file.digest);
+      const std::vector<AskedPoint> of_file =
+          with_source(file.source, [&] { return read_points(file.text); });
+      for (AskedPoint asked : of_file) {
+        asked.where = file.source + ", " + asked.where;
+        out.push_back(std::move(asked));
+      }
+      continue;
+    }
+    std::vector<double> coordinates;
+    std::istringstream words(word);
+    for (std::string coordinate; std::getline(words, coordinate, ',');) {
+      const Outcome<Rational> number = Rational::parse(coordinate);
+      if (!number) break;
+      coordinates.push_back(number->to_double());
+    }
+    if (coordinates.size() != 3)
+      throw InputError({.source = "--at",
+                        .value = word,
+                        .problem = "is no point",
+                        .allowed = "X,Y,Z, numbers or fractions; or a CSV file"});
+    out.push_back({.where = "--at " + word, .point = {coordinates[0], coordinates[1], coordinates[2]}});
+  }
+  return out;
+}
+
+/// A number of points of --sample.
+std::size_t sample_size(const std::string& text) {
+  constexpr std::uint64_t most = 1'000'000;
+  std::uint64_t count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc{} || end != text.data() + text.size() || count < 1 || count > most)
+    throw InputError(
+        {.source = "--sample", .value = text, .allowed = "a whole number from 1 to " + std::to_string(most)});
+  return count;
+}
+
+double tolerance_of(const SolveOptions& options) {
+  constexpr double near = 1e-9;
+  if (options.within.empty()) return near;
+  const std::optional<double> number = parse_double(options.within);
+  if (!number || !(*number >= 0 && *number <= 1))
+    throw InputError({.source = "--within", .value = options.within, .allowed = "a number from 0 to 1"});
+  return *number;
+}
+
+PointsWish points_wish(const SolveOptions& options, Outputs& outputs, const Problem& problem) {
+  PointsWish wish;
+  wish.at = asked_points(options, outputs, wish.inputs);
+  if (!options.sample.empty()) wish.sample = sample_size(options.sample);
+  wish.tolerance = tolerance_of(options);
+  const auto refuse = [](const std::string& option, const std::string& value, const std::string& why,
+                         const std::string& allowed) {
+    throw InputError({.source = option, .value = value, .problem = why, .allowed = allowed});
+  };
+  const std::string option = wish.sample ? "--sample" : "--at";
+  const std::string value = wish.sample ? options.sample : options.at.empty() ? "" : options.at.front();
+  if (!wish.at.empty() && wish.sample)
+    refuse("--sample", options.sample, "stands beside --at", "one of them");
+  if (wish.at.empty() && !options.within.empty())
+    refuse("--within", options.within, "says how far points of --at may be from the surface",
+           "--at beside it");
+  if (wish.is_empty() && !options.points.empty())
+    refuse("--points", options.points, "is of values at points, and none are asked for", "--at or --sample");
+  if (wish.is_empty()) return wish;
+  if (!std::holds_alternative<Collocation>(problem.method))
+    refuse(option, value, "is not for a basis without functions on triangles", "a basis on triangles");
+  if (problem.geometry)
+    refuse(option, value, "is not for an interpolated geometry", "a problem whose geometry is exact");
+  return wish;
+}
+
+/// u_n and E + K u_n where it is asked for, at the last level.
+std::optional<std::vector<ValueAt>> values_at(const PointsWish& wish, const Problem& problem,
+                                              const LevelOutcome& last, bool quiet) {
+  if (wish.is_empty()) return std::nullopt;
+  const ProgressDisplay display(quiet, "values at points");
+  const SolutionLevel level(problem, last);
+  if (wish.sample) return level.values_at(level.spread(*wish.sample), true, reference::applied_operator);
+  Progress told;
+  const AskedPlaces found = places_of(level, wish.at, wish.tolerance, told);
+  std::vector<ValueAt> out = level.values_at(found.places, true, reference::applied_operator);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i].distance = found.distances[i];
+  return out;
+}
+
 /// The problem with what --guarantee, --of, --at, --outside and --emission-by say in place of its own words.
 Problem problem_of(const SolveOptions& options, const InputFile& input) {
   Problem problem = parse_problem(input.text, input.source);
-  if (options.guarantee.empty() && options.of.empty() && options.at.empty() && options.outside.empty() &&
-      options.emission_by.empty())
-    return problem;
+  if (!asks_for_guarantee(options, problem)) return problem;
   JsonValue guarantee = JsonValue::object();
   if (!options.guarantee.empty())
     guarantee.set("width", options.guarantee);
@@ -212,6 +333,13 @@ void print_solved(const Common& common, const Outputs& outputs, const Problem& p
 ExitCode enclose(const Common& common, const SolveOptions& options, const Outputs& outputs,
                  const Problem& problem, const std::string& source) {
   refuse_fields(options, *problem.guarantee);
+  for (const auto& [name, text] :
+       {std::pair("--sample", &options.sample), {"--within", &options.within}, {"--points", &options.points}})
+    if (!text->empty())
+      throw InputError({.source = name,
+                        .value = *text,
+                        .problem = "is of u_n, and a guarantee is of u itself",
+                        .allowed = "--at X,Y,Z beside a guarantee"});
   const auto limit = common.limit_threads();
   const bool certified = !options.certificate.empty();
   with_source(source, [&] {
@@ -272,6 +400,7 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
   with_source(input.source, [&] { check(problem, memory); });
+  const PointsWish wish = points_wish(options, outputs, problem);
 
   ResultStore store = common.store();
   StoredLevels levels(store, solve_with(reference::applied_operator, memory));
@@ -288,17 +417,32 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   }
   const Result result = collect(problem, std::move(results), std::move(timing));
 
-  const std::string json = result_text(result, common.command);
+  std::optional<std::vector<ValueAt>> points;
+  try {
+    points =
+        with_source(input.source, [&] { return values_at(wish, problem, finished.back(), common.quiet); });
+  } catch (const Interrupted&) {
+    return interrupted(finished.size(), asked, store);
+  }
+  JsonValue document = result_json(result, common.command);
+  if (points) document.set("points", points_json(*points));
+  const std::string json = document.pretty() + "\n";
   Files files;
-  if (!options.out.empty()) files = files_of(common, options, result, finished, json, input.digest);
+  if (!options.out.empty())
+    files = files_of(common, options, result, finished, json, input.digest, points, wish);
+  if (!options.points.empty()) files.emplace_back(options.points, points_csv(*points));
   if (!options.nodes.empty()) files.emplace_back(options.nodes, nodes_csv(finished));
   const auto& elements = finished.back().elements;
   if (!options.vtu.empty())
-    files.emplace_back(options.vtu, vtu_text(elements, corner_errors(problem, elements)));
+    files.emplace_back(options.vtu, vtu_text(elements, corner_errors(problem, elements),
+                                             iterated_corner_errors(problem, elements)));
   if (!options.ply.empty())
-    files.emplace_back(options.ply, ply_text(elements, corner_errors(problem, elements)));
+    files.emplace_back(options.ply, ply_text(elements, corner_errors(problem, elements),
+                                             iterated_corner_errors(problem, elements)));
   say_where_nothing_is_kept(store);
-  print_solved(common, outputs, problem, solve_table(result), json, std::move(files));
+  const std::string of_points =
+      points ? "\n" + points_table(*points, problem.triangulation.levels.back()) : "";
+  print_solved(common, outputs, problem, solve_table(result) + of_points, json, std::move(files));
   return ExitCode::done;
 }
 
@@ -315,18 +459,18 @@ void add_solve(Program& program) {
       "Write the values at the nodes of every level as CSV; with a guarantee of values or a function, "
       "the proved ones",
       "FILE.csv");
-  command.option(
-      "--vtu", options->vtu,
-      "Write u_n and its error at the last level for ParaView; with a guarantee of values or a function, "
-      "what is proved of u",
-      "FILE.vtu");
+  command.option("--vtu", options->vtu,
+                 "Write u_n, its error and with \"iterated\" E + K u_n at the last level for ParaView; with "
+                 "a guarantee of values or a function, "
+                 "what is proved of u",
+                 "FILE.vtu");
   command.option("--ply", options->ply, "Write the same as PLY: triangles with radiosity and error",
                  "FILE.ply");
-  command.option(
-      "--out", options->out,
-      "Write to DIR: solution.json, .vtu and .ply, errors.csv, nodes.csv; table.tex, plot.tex, the plot of "
-      "the errors as .svg and .tex, cite.bib, provenance.json",
-      "DIR");
+  command.option("--out", options->out,
+                 "Write to DIR: solution.json, .vtu and .ply, errors.csv, nodes.csv, points.csv; table.tex, "
+                 "plot.tex, the plot of "
+                 "the errors as .svg and .tex, cite.bib, provenance.json",
+                 "DIR");
   command.option(
       "--guarantee", options->guarantee,
       "Enclose the solution of the equation itself, within this width; the mesh and the degree are "
@@ -347,10 +491,21 @@ void add_solve(Program& program) {
       "piece: on a polyhedron, the same is enclosed for each emission that is 1 on one piece and 0 "
       "elsewhere, together",
       "WORD");
-  command.repeated("--at", options->at,
-                   "Where values are asked for, inside a face or on the ellipsoid; may be repeated. Default: "
-                   "the centres of the faces, the ends of the axes",
-                   "X,Y,Z");
+  command.repeated(
+      "--at", options->at,
+      "Where u_n and the iterated solution E + K u_n are asked for, at the last level: points on the "
+      "surface, or a CSV file of them with the columns x, y, z, or piece, s, t, or chart, s, t; may "
+      "be repeated. With a guarantee where values are, inside a face or on the ellipsoid; default "
+      "then: the centres of the faces, the ends of the axes",
+      "X,Y,Z or FILE.csv");
+  command.option("--sample", options->sample,
+                 "The same at N points spread over the surface by area, the same on every run", "N");
+  command.option("--within", options->within,
+                 "How far a point of --at may be from the surface, as a part of its extent; a farther one is "
+                 "refused with its distance. Default: 1e-9",
+                 "PART");
+  command.option("--points", options->points,
+                 "Write what --at or --sample asks for as CSV; --out writes it as points.csv", "FILE.csv");
   command.fresh_flag(program.common());
   command.footer(
       std::string("In a problem, `emission` is E, the power emitted per area, not the material constant 1 - "

@@ -80,9 +80,11 @@ std::string level_table(const Result& result, bool with_errors) {
   return aligned(rows, with_the_left);
 }
 
-/// The errors in means, of a method that tells them: each with its order between levels.
+/// The errors in means, which are those that Galerkin's method is made for: each with its order between
+/// levels.
 std::string mean_error_table(const Result& result) {
-  if (!any_level(result, [](const LevelResult& level) { return level.l2_error || level.mean_error; }))
+  if (!std::holds_alternative<Galerkin>(result.problem.method) ||
+      !any_level(result, [](const LevelResult& level) { return level.l2_error || level.mean_error; }))
     return {};
   std::vector<std::vector<std::string>> rows = {
       {"level", "|u-u_n| in L2", "+-", "order", "of the means", "+-", "order"}};
@@ -140,6 +142,37 @@ std::string means_table(const Result& result) {
          aligned(rows);
 }
 
+/// The iterated solution v = E + K u_n, a row a level.
+std::string iterated_table(const Result& result, bool with_errors) {
+  std::vector<std::vector<std::string>> rows = {{"level", "points"}};
+  std::set<std::size_t> with_the_left;
+  const auto head = [&](const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      if (name == "+-" || name == "ratio" || name == "order") with_the_left.insert(rows.front().size());
+      rows.front().push_back(name);
+    }
+  };
+  if (with_errors) head({"|u-v|", "+-", "ratio", "order", "|u-u_n|", "+-", "ratio", "order"});
+  if (with_errors) head({"|u-v| nodes", "+-"});
+  head({"|v-u_n|", "+-"});
+  for (const LevelResult& level : result.levels) {
+    if (!level.iterated) continue;
+    const IteratedReport& iterated = *level.iterated;
+    std::vector<std::string> row = {std::to_string(level.level), std::to_string(iterated.check_points)};
+    if (with_errors) {
+      push(row, level.iterated_error);
+      row.insert(row.end(), {ratio_text(iterated.ratio), ratio_text(iterated.order)});
+      push(row, iterated.u_n_error);
+      row.insert(row.end(), {ratio_text(iterated.u_n_ratio), ratio_text(iterated.u_n_order)});
+      push(row, iterated.node_error);
+    }
+    push(row, iterated.difference);
+    rows.push_back(row);
+  }
+  return "The iterated solution v = E + K u_n, maxima over check points inside the elements:\n" +
+         aligned(rows, with_the_left);
+}
+
 std::string numbers(const std::vector<int>& levels) {
   std::string out;
   for (const int level : levels) out += (out.empty() ? "" : ", ") + std::to_string(level);
@@ -147,10 +180,12 @@ std::string numbers(const std::vector<int>& levels) {
 }
 
 std::string order_line(const OrderFit& fit) {
-  const std::string name = fit.quantity == "node_error"   ? "|u-u_n| at the nodes"
-                           : fit.quantity == "l2_error"   ? "|u-u_n| in L2"
-                           : fit.quantity == "mean_error" ? "the means"
-                                                          : "|K(I-P_n)u|";
+  const std::string name = fit.quantity == "node_error"       ? "|u-u_n| at the nodes"
+                           : fit.quantity == "iterated_error" ? "|u-v| at the check points"
+                           : fit.quantity == "u_n_error"      ? "|u-u_n| at the check points"
+                           : fit.quantity == "l2_error"       ? "|u-u_n| in L2"
+                           : fit.quantity == "mean_error"     ? "the means"
+                                                              : "|K(I-P_n)u|";
   std::string out = "Order of " + name + " in h: ";
   const bool is_unsteady = !fit.order && fit.levels.empty() && !fit.pre_asymptotic.empty();
   out +=
@@ -272,6 +307,7 @@ std::string solve_table(const Result& result) {
   const bool with_errors = result.problem.solution.has_value();
   std::string out =
       level_table(result, with_errors) + "\n" + mean_error_table(result) + means_table(result) + "\n";
+  if (result.problem.iterated) out += iterated_table(result, with_errors) + "\n";
   for (const OrderFit& fit : result.orders)
     if (with_errors && (!fit.levels.empty() || !fit.left_out.empty() || !fit.pre_asymptotic.empty()))
       out += order_line(fit);

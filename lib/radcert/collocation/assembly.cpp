@@ -2,13 +2,10 @@
 #include "radcert/collocation/assembly.h"
 
 #include <algorithm>
-#include <optional>
-#include <type_traits>
 
-#include "radcert/collocation/visible_element.h"
+#include "radcert/collocation/element_sweep.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
-#include "radcert/quadrature/element_integrator.h"
 
 namespace radcert {
 namespace {
@@ -57,14 +54,6 @@ void put_lanes(const CollocationPointBlock<R>& block, std::size_t k, const Block
   }
 }
 
-/// The scene that hides parts of an occluded surface; none where V = 1.
-template <Real R>
-std::optional<SurfaceScene> occluding_scene(const Surface& surface) {
-  if (surface.unoccluded) return std::nullopt;
-  expects(std::is_same_v<R, double>, "an unoccluded surface beyond double", named("surface", surface.name));
-  return SurfaceScene(surface);
-}
-
 }  // namespace
 
 template <Real R>
@@ -81,36 +70,15 @@ CollocationMatrix<R> assemble(const Surface& surface, const Triangulation& trian
   const std::size_t grain = (elements + most_chunks - 1) / most_chunks;
   std::vector<R> factors;
   for (const R& rho : reflectivity) factors.push_back(rho / pi<R>());
-  const auto scheme = std::make_shared<const IntegrationScheme<R>>(surface, basis, tolerance);
-  const std::vector<CollocationPointBlock<R>> blocks = observer_blocks(nodes);
-  const std::optional<SurfaceScene> scene = occluding_scene<R>(surface);
+  const ElementSweep<R> sweep(surface, triangulation, basis, nodes, tolerance);
   const auto integrate_chunk = [&](std::size_t begin, std::size_t end) {
     RowSums<R> rows{std::vector<R>(unknowns), std::vector<R>(unknowns)};
-    BlockIntegral<R> integral;
-    std::optional<NodeSights> sights;
-    const auto integrate = [&](const ParameterTriangle& triangle, const CollocationPointBlock<R>& block,
-                               ElementIntegrator<R>& element) {
-      if constexpr (std::is_same_v<R, double>) {
-        if (scene) {
-          if (!sights) sights.emplace(*scene, nodes);
-          sights->look_at(triangle.chart);
-          integrate_visible(triangle, block, nodes, *sights, surface.charts[triangle.chart], element,
-                            integral);
-          return;
-        }
-      }
-      element.integrate(block, nodes, integral);
-    };
-    for (std::size_t k = begin; k < end; ++k) {
-      ElementIntegrator<R> element(scheme, triangulation.triangles[k]);
-      for (const CollocationPointBlock<R>& block : blocks) {
-        integrate(triangulation.triangles[k], block, element);
-        if (block.count == Block<R>::lanes)
-          put_block(block.first, k, integral, functions, factors, matrix.entries, rows);
-        else
-          put_lanes(block, k, integral, functions, factors, matrix.entries, rows);
-      }
-    }
+    sweep.over(begin, end, [&](const auto& block, std::size_t k, const auto& integral) {
+      if (block.count == Block<R>::lanes)
+        put_block(block.first, k, integral, functions, factors, matrix.entries, rows);
+      else
+        put_lanes(block, k, integral, functions, factors, matrix.entries, rows);
+    });
     return rows;
   };
   const auto add_rows = [](RowSums<R> sum, const RowSums<R>& rows) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <functional>
 
 #include "radcert/core/contract.h"
 #include "radcert/study/efficiency.h"
@@ -8,7 +9,12 @@
 namespace radcert {
 namespace {
 
-using FigureOfLevel = std::optional<Approximation> LevelResult::*;
+/// What a fit is of: a member of a level, or a function of one.
+using Figure = std::function<std::optional<Approximation>(const LevelResult& level)>;
+
+std::optional<Approximation> u_n_error(const LevelResult& level) {
+  return level.iterated ? level.iterated->u_n_error : std::nullopt;
+}
 
 constexpr double largest_relative_radius = 0.05;
 
@@ -25,12 +31,12 @@ std::optional<double> order(const std::optional<double>& error_ratio, double h_b
 
 /// The power law through the levels whose figures are trustworthy, from `fit_from` on, else from where the
 /// slopes are steady. Two levels meet every power law: no spread.
-OrderFit fit(const std::string& quantity, FigureOfLevel figure, const std::vector<LevelResult>& levels,
+OrderFit fit(const std::string& quantity, const Figure& figure, const std::vector<LevelResult>& levels,
              std::optional<int> fit_from) {
   OrderFit result{.quantity = quantity, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
   std::vector<CostPoint> points;
   for (const LevelResult& level : levels) {
-    const std::optional<Approximation>& e = level.*figure;
+    const std::optional<Approximation> e = figure(level);
     if (!e) continue;
     const bool trustworthy =
         e->value > 0 && std::isfinite(e->value) && e->radius <= largest_relative_radius * e->value;
@@ -60,6 +66,9 @@ OrderFit fit(const std::string& quantity, FigureOfLevel figure, const std::vecto
 Result collect(const Problem& problem, std::vector<LevelResult> levels, std::vector<LevelTiming> timing) {
   for (std::size_t k = 0; k < levels.size(); ++k) {
     LevelResult& now = levels[k];
+    if (now.iterated)
+      now.iterated->ratio = now.iterated->u_n_ratio = now.iterated->order = now.iterated->u_n_order =
+          std::nullopt;
     now.discretisation_ratio = now.node_ratio = now.discretisation_order = now.node_order = std::nullopt;
     if (k == 0) continue;
     const LevelResult& before = levels[k - 1];
@@ -68,6 +77,12 @@ Result collect(const Problem& problem, std::vector<LevelResult> levels, std::vec
     now.node_ratio = ratio(before.node_error, now.node_error);
     now.discretisation_order = order(now.discretisation_ratio, before.mesh_size, now.mesh_size);
     now.node_order = order(now.node_ratio, before.mesh_size, now.mesh_size);
+    if (!now.iterated) continue;
+    IteratedReport& of_iterated = *now.iterated;
+    of_iterated.ratio = ratio(before.iterated_error, now.iterated_error);
+    of_iterated.u_n_ratio = ratio(u_n_error(before), of_iterated.u_n_error);
+    of_iterated.order = order(of_iterated.ratio, before.mesh_size, now.mesh_size);
+    of_iterated.u_n_order = order(of_iterated.u_n_ratio, before.mesh_size, now.mesh_size);
   }
   Result result{.problem = problem, .levels = std::move(levels), .orders = {}, .timing = std::move(timing)};
   if (problem.solution) {
@@ -78,6 +93,10 @@ Result collect(const Problem& problem, std::vector<LevelResult> levels, std::vec
     if (std::holds_alternative<Galerkin>(problem.method)) {
       result.orders.push_back(fit("l2_error", &LevelResult::l2_error, result.levels, from));
       result.orders.push_back(fit("mean_error", &LevelResult::mean_error, result.levels, from));
+    }
+    if (problem.iterated) {
+      result.orders.push_back(fit("iterated_error", &LevelResult::iterated_error, result.levels, from));
+      result.orders.push_back(fit("u_n_error", u_n_error, result.levels, from));
     }
   }
   return result;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/study/computed_function.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/study/mean_errors.h"
 #include "radcert/surface/chart_pieces.h"
 #include "radcert/surface/surface_function.h"
 
@@ -139,7 +141,13 @@ std::vector<Approximation> with_radius(std::span<const double> values, std::opti
 
 void describe_level(const Problem& problem, const ComputedFunction& u_n, const NodalValues& values,
                     int mean_order, LevelOutcome& outcome) {
-  if (problem.solution) outcome.result.uniform_error = uniform_error(u_n, *problem.solution);
+  if (problem.solution) {
+    outcome.result.uniform_error = uniform_error(u_n, *problem.solution);
+    if (const auto errors = mean_errors(u_n, *problem.solution, mean_order, std::nullopt)) {
+      outcome.result.l2_error = errors->l2;
+      outcome.result.mean_error = errors->mean;
+    }
+  }
   outcome.result.piece_means = piece_means(u_n, mean_order);
   outcome.elements = element_values(u_n);
   for (std::size_t i = 0; i < values.nodes.size(); ++i)

@@ -58,7 +58,7 @@ struct NodalValues {
 };
 
 /// The description of u_n that every method gives once it is known.
-/// Maths     uniform_error and piece_means, the values at the nodes, and u_n at the corners of the elements
+/// Maths     uniform_error, mean_errors, piece_means, the values at the nodes, u_n at the elements' corners
 /// Requires  a value a node; `outcome` is of this level
 /// Result    fills these fields of the outcome and no others
 /// Limits    rounded, not enclosed

@@ -47,6 +47,11 @@ const std::vector<ErrorKind>& error_kinds() {
   return kinds;
 }
 
+const ErrorKind& iterated_kind() {
+  static const ErrorKind kind{"iterated_error", &LevelResult::iterated_error};
+  return kind;
+}
+
 std::vector<CostPoint> error_against_unknowns(const Result& result, const ErrorKind& kind) {
   return error_against(result, kind,
                        [&](std::size_t k) { return static_cast<double>(result.levels[k].unknowns); });

@@ -48,6 +48,9 @@ struct ErrorKind {
 /// discretisation_error, node_error, uniform_error, l2_error, mean_error.
 [[nodiscard]] const std::vector<ErrorKind>& error_kinds();
 
+/// iterated_error, of problems that ask for the iterated solution.
+[[nodiscard]] const ErrorKind& iterated_kind();
+
 /// The levels of a result as points (unknowns, error); levels without a positive error are passed over.
 /// Maths     (N_k, e_k)
 /// Requires  nothing

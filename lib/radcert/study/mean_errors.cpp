@@ -60,8 +60,8 @@ std::vector<Sums> over_pieces(const ComputedFunction& u_n, const SurfaceFunction
 std::optional<MeanErrors> mean_errors(const ComputedFunction& u_n, const PiecewiseExpression& solution,
                                       int order, std::optional<double> l2_radius) {
   const SurfaceFunction u(solution, u_n.surface);
-  const std::vector<Sums> coarse = over_pieces(u_n, u, order);
   const std::vector<Sums> fine = over_pieces(u_n, u, order + 1);
+  const std::vector<Sums> coarse = l2_radius ? over_pieces(u_n, u, order) : fine;
   const double roundings =
       unit_roundoff<double>() * static_cast<double>(u_n.triangulation.triangles.size() + 256);
   double square = 0;

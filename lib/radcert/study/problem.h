@@ -100,6 +100,7 @@ struct Problem {
   QuadratureChoice quadrature = {};
   OperatorChoice matrix = {};
   SolverChoice solver;
+  bool iterated = false;  ///< whether the iterated solution E + K u_n is taken too
   /// Where given, the solution of the equation itself is enclosed; what is said of triangulation, method,
   /// quadrature and solver does not matter then
   std::optional<Guarantee> guarantee = std::nullopt;

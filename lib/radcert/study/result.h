@@ -19,6 +19,24 @@ struct VerifiedReport {
   double theta = 0;
 };
 
+/// What is known of the iterated solution uhat = E + K u_n of a level.
+/// Maths     maxima over check points on every element, and over the nodes; see describe_iterated
+/// Result    with `emission` there are no errors
+/// Limits    maxima over a sample are lower bounds of the supremum
+struct IteratedReport {
+  std::uint64_t check_points = 0;
+  std::optional<Approximation> u_n_error;                       ///< max |u - u_n| over the check points
+  std::optional<Approximation> node_error;                      ///< max |u - uhat| over the nodes
+  Approximation difference = Approximation::without_radius(0);  ///< max |uhat - u_n| over the check points
+  std::optional<double> l2_error = std::nullopt;    ///< as that of u_n, by a rule of degree 2 an element
+  std::optional<double> mean_error = std::nullopt;  ///< as that of u_n, by the same rule
+  std::vector<std::pair<std::string, double>> piece_means = {};  ///< of uhat, by the same rule
+  std::optional<double> ratio = std::nullopt;  ///< of iterated_error: the previous level's over this one's
+  std::optional<double> u_n_ratio = std::nullopt;
+  std::optional<double> order = std::nullopt;
+  std::optional<double> u_n_order = std::nullopt;
+};
+
 /// One level of a study.
 /// Maths     discretisation_error = max over the nodes of |K(I-P_n)u|, node_error = max over the nodes of |u
 ///           - u_n|, uniform_error = max of |u - u_n| over `uniform_sample`
@@ -34,10 +52,12 @@ struct LevelResult {
   std::optional<Approximation> discretisation_error;
   std::optional<Approximation> node_error;
   std::optional<Approximation> uniform_error;
-  std::optional<Approximation> l2_error = std::nullopt;  ///< of u_n in L2(S); of Galerkin's method
-  /// The largest error of a mean of u_n over a piece; of Galerkin's method
+  /// (Int_S (u - u_n)^2 dS)^(1/2), by a rule on each element; without a radius but for Galerkin's method
+  std::optional<Approximation> l2_error = std::nullopt;
+  /// The largest |mean of u - u_n| over a piece, by that rule
   std::optional<Approximation> mean_error = std::nullopt;
-  std::optional<double> discretisation_ratio;  ///< the previous level's value over this one's
+  std::optional<Approximation> iterated_error = std::nullopt;  ///< max |u - uhat| over the check points
+  std::optional<double> discretisation_ratio;                  ///< the previous level's value over this one's
   std::optional<double> node_ratio;
   std::optional<double> discretisation_order;  ///< log of the ratio over log of the mesh sizes' ratio
   std::optional<double> node_order;
@@ -50,13 +70,16 @@ struct LevelResult {
   std::string solver = {};                   ///< the one that was taken, which `auto` chooses
   std::optional<IterationReport> iteration;  ///< of `gmres` and `neumann`
   std::optional<VerifiedReport> verified;    ///< of `verified`
+  std::optional<IteratedReport> iterated = std::nullopt;  ///< where the problem asks for it
   std::uint64_t planned_bytes = 0;
 };
 
 /// A fitted order: slope of log error over log h, least squares, halfwidth from the spread of the successive
 /// orders. See asymptotic_law for the levels that it begins with.
 struct OrderFit {
-  std::string quantity;  ///< "discretisation_error", "node_error", "l2_error" or "mean_error"
+  /// "discretisation_error", "node_error"; "l2_error" and "mean_error" with Galerkin's method; with the
+  /// iterated solution "iterated_error" and "u_n_error" too
+  std::string quantity;
   std::optional<double> order;
   std::optional<double> halfwidth;
   std::vector<int> levels;    ///< that took part
@@ -70,6 +93,7 @@ struct LevelTiming {
   double assembly_seconds = 0;
   double operator_seconds = 0;  ///< Ku by the second route
   double solve_seconds = 0;
+  double iterated_seconds = 0;  ///< of K u_n at the check points
 };
 
 struct Result {

@@ -31,6 +31,7 @@ struct ElementValue {
   std::string piece;
   std::array<Vector<double>, 3> corners;
   std::array<double, 3> corner_values;
+  std::optional<std::array<double, 3>> iterated = std::nullopt;  ///< E + K u_n there, where it is asked for
 };
 
 /// Everything that one level leaves.

@@ -9,7 +9,12 @@
 
 namespace radcert {
 
-std::optional<CornerErrors> corner_errors(const Problem& problem, std::span<const ElementValue> elements) {
+namespace {
+
+/// |u - v| at the corners, v as `values` has it of an element.
+template <class Values>
+std::optional<CornerErrors> errors_of(const Problem& problem, std::span<const ElementValue> elements,
+                                      const Values& values) {
   if (!problem.solution) return std::nullopt;
   std::map<std::string, CompiledExpression> by_piece;
   CornerErrors out;
@@ -19,12 +24,28 @@ std::optional<CornerErrors> corner_errors(const Problem& problem, std::span<cons
     std::array<double, 3> errors{};
     for (std::size_t i = 0; i < 3; ++i) {
       const Vector<double>& at = element.corners[i];
-      errors[i] = std::abs(u->second.at(at.x, at.y, at.z) - element.corner_values[i]);
+      errors[i] = std::abs(u->second.at(at.x, at.y, at.z) - values(element)[i]);
       if (!std::isfinite(errors[i])) return std::nullopt;
     }
     out.push_back(errors);
   }
   return out;
+}
+
+}  // namespace
+
+std::optional<CornerErrors> corner_errors(const Problem& problem, std::span<const ElementValue> elements) {
+  return errors_of(
+      problem, elements, [](const ElementValue& element) -> auto& { return element.corner_values; });
+}
+
+std::optional<CornerErrors> iterated_corner_errors(const Problem& problem,
+                                                   std::span<const ElementValue> elements) {
+  if (std::any_of(elements.begin(), elements.end(),
+                  [](const ElementValue& element) { return !element.iterated; }))
+    return std::nullopt;
+  return errors_of(
+      problem, elements, [](const ElementValue& element) -> auto& { return *element.iterated; });
 }
 
 std::vector<std::string> pieces_of(std::span<const ElementValue> elements) {

@@ -11,7 +11,7 @@
 
 namespace radcert {
 
-/// |u - u_n| at the corners of each element.
+/// |u - u_n| at the corners of each element, or that of the iterated solution.
 using CornerErrors = std::vector<std::array<double, 3>>;
 
 /// The error at the corners of elements, for pictures.
@@ -21,6 +21,11 @@ using CornerErrors = std::vector<std::array<double, 3>>;
 /// Limits    rounded; a picture's figure, the largest of them is no bound of the error
 [[nodiscard]] std::optional<CornerErrors> corner_errors(const Problem& problem,
                                                         std::span<const ElementValue> elements);
+
+/// The same of the iterated solution; none where it was not taken.
+/// Maths     |u - E - K u_n|
+[[nodiscard]] std::optional<CornerErrors> iterated_corner_errors(const Problem& problem,
+                                                                 std::span<const ElementValue> elements);
 
 /// The names of the pieces of elements, each once, in the order of appearance.
 [[nodiscard]] std::vector<std::string> pieces_of(std::span<const ElementValue> elements);

@@ -9,25 +9,32 @@
 
 namespace radcert {
 
-std::string vtu_text(std::span<const ElementValue> elements, const std::optional<CornerErrors>& errors) {
+std::string vtu_text(std::span<const ElementValue> elements, const std::optional<CornerErrors>& errors,
+                     const std::optional<CornerErrors>& iterated_errors) {
   expects(!errors || errors->size() == elements.size(), "errors for every element",
           named("elements", elements.size()));
   UnstructuredGrid grid;
   grid.piece_names = pieces_of(elements);
   std::vector<double> radiosity;
+  std::vector<double> iterated;
   for (const ElementValue& element : elements) {
     const auto piece = std::find(grid.piece_names.begin(), grid.piece_names.end(), element.piece);
     grid.pieces.push_back(static_cast<std::size_t>(piece - grid.piece_names.begin()));
     grid.points.insert(grid.points.end(), element.corners.begin(), element.corners.end());
     radiosity.insert(radiosity.end(), element.corner_values.begin(), element.corner_values.end());
+    if (element.iterated) iterated.insert(iterated.end(), element.iterated->begin(), element.iterated->end());
   }
   grid.at_points.emplace_back("radiosity", std::move(radiosity));
-  if (errors) {
+  const auto add_errors = [&](const std::string& name, const std::optional<CornerErrors>& of_corners) {
+    if (!of_corners) return;
     std::vector<double> error;
-    for (const std::array<double, 3>& corners : *errors)
+    for (const std::array<double, 3>& corners : *of_corners)
       error.insert(error.end(), corners.begin(), corners.end());
-    grid.at_points.emplace_back("error", std::move(error));
-  }
+    grid.at_points.emplace_back(name, std::move(error));
+  };
+  add_errors("error", errors);
+  if (!iterated.empty()) grid.at_points.emplace_back("iterated", std::move(iterated));
+  add_errors("iterated_error", iterated_errors);
   return vtu_text(grid);
 }
 

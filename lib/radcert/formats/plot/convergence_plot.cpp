@@ -80,10 +80,12 @@ std::string in_words(const ErrorKind& kind) {
   if (kind.name == "uniform_error") return "max |u - u_n| over a sample of S";
   if (kind.name == "l2_error") return "|u - u_n| in L2(S)";
   if (kind.name == "mean_error") return "max |mean of u - u_n| over the pieces";
+  if (kind.name == "iterated_error") return "max |u - E - K u_n| over check points";
   return kind.name == "node_error" ? "max |u - u_n| over the nodes" : "max |K(I - P_n)u| over the nodes";
 }
 
 std::string in_latex(const ErrorKind& kind) {
+  if (kind.name == "iterated_error") return "$\\max|u-E-Ku_n|$ over check points";
   if (kind.name == "uniform_error") return "$\\max|u-u_n|$ over a sample of $S$";
   if (kind.name == "l2_error") return "$\\|u-u_n\\|_{L^2(S)}$";
   if (kind.name == "mean_error") return "the largest mean of $u-u_n$ over a piece";
@@ -115,7 +117,9 @@ Plot convergence_plot(std::string title, const ErrorHistory& problem) {
             .description = description(ErrorAgainst::mesh_size),
             .x = axis_of(ErrorAgainst::mesh_size),
             .y = {.name = "error"}};
-  for (const ErrorKind& kind : error_kinds()) {
+  std::vector<ErrorKind> kinds = error_kinds();
+  kinds.push_back(iterated_kind());
+  for (const ErrorKind& kind : kinds) {
     PlotCurve curve = curve_of(in_words(kind), problem, kind, ErrorAgainst::mesh_size);
     if (curve.points.size() < 2) continue;
     curve.latex = in_latex(kind);

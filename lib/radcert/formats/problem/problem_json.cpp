@@ -27,7 +27,8 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder,
   const JsonReader root(document);
   root.require_schema(schema, "an object: a problem");
   root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
-                       "emission", "quadrature", "operator", "solver", "guarantee", "label", "fit_from"});
+                       "emission", "quadrature", "operator", "solver", "iterated", "guarantee", "label",
+                       "fit_from"});
   Problem problem;
   if (const auto stated = root.find("surface"); surface && stated)
     stated->refuse("stands beside another surface", "one of them");
@@ -59,6 +60,7 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder,
     problem.quadrature.tolerance = usual_galerkin_tolerance;
   if (const auto matrix = root.find("operator")) problem.matrix = read_operator(*matrix);
   if (const auto solver = root.find("solver")) problem.solver = read_solver(*solver);
+  if (const auto iterated = root.find("iterated")) problem.iterated = iterated->boolean("true or false");
   if (const auto guarantee = root.find("guarantee")) problem.guarantee = read_guarantee(*guarantee, pieces);
   if (const auto label = root.find("label")) problem.label = read_label(*label);
   if (const auto fit_from = root.find("fit_from")) problem.fit_from = read_fit_from(*fit_from);
@@ -124,6 +126,7 @@ JsonValue problem_json(const Problem& problem) {
   // As it was before there were others, so that what has been stored is still found.
   if (problem.matrix != OperatorChoice{}) out.set("operator", operator_json(problem.matrix));
   out.set("solver", solver_json(problem.solver));
+  if (problem.iterated) out.set("iterated", true);
   if (problem.guarantee) out.set("guarantee", guarantee_json(*problem.guarantee));
   if (!problem.label.empty()) out.set("label", problem.label);
   if (problem.fit_from) out.set("fit_from", *problem.fit_from);

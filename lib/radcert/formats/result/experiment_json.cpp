@@ -119,7 +119,7 @@ std::string experiment_errors_csv(const Experiment& experiment, std::span<const 
       row.emplace_back(words_of(problem, "solver"));
       const std::vector<JsonValue> cells = level_cells(level);
       row.insert(row.end(), cells.begin(), cells.end());
-      for (const OrderFit& fit : results[i].orders)
+      for (const OrderFit& fit : std::span(results[i].orders).first(2))
         row.insert(row.end(), {finite_or_null(fit.order), finite_or_null(fit.halfwidth)});
       table.add(row);
     }

@@ -18,7 +18,7 @@ namespace radcert {
 namespace {
 
 constexpr std::size_t node_columns = 14;
-constexpr std::size_t element_columns = 13;
+constexpr std::size_t element_columns = 16;
 constexpr std::size_t mean_columns = 4;
 
 void push(JsonValue& row, const Vector<double>& v) {
@@ -59,6 +59,8 @@ JsonValue element_row(const ElementValue& element) {
   row.push(element.piece);
   for (const Vector<double>& corner : element.corners) push(row, corner);
   for (const double value : element.corner_values) row.push(value);
+  for (std::size_t c = 0; c < 3; ++c)
+    row.push(element.iterated ? JsonValue((*element.iterated)[c]) : JsonValue());
   return row;
 }
 
@@ -114,6 +116,12 @@ ElementValue read_element(const JsonReader& reader) {
   element.piece = row.text();
   for (Vector<double>& corner : element.corners) corner = row.vector();
   for (double& value : element.corner_values) value = row.number();
+  for (std::size_t c = 0; c < 3; ++c) {
+    const std::optional<double> value = row.number_or_null();
+    if (!value) continue;
+    if (!element.iterated) element.iterated.emplace();
+    (*element.iterated)[c] = *value;
+  }
   return element;
 }
 
@@ -156,6 +164,23 @@ std::optional<VerifiedReport> read_verified(const JsonReader& verified) {
   return VerifiedReport{.theta = number_at(verified, "theta")};
 }
 
+void read_iterated(const JsonReader& iterated, LevelResult& level) {
+  if (iterated.value().is_null()) return;
+  level.iterated_error = read_figure(iterated.at("error", "a figure"));
+  level.iterated = {.check_points = iterated.at("check_points", "a number").unsigned_whole("a number"),
+                    .u_n_error = read_figure(iterated.at("u_n_error", "a figure")),
+                    .node_error = read_figure(iterated.at("node_error", "a figure")),
+                    .difference = read_approximation(iterated.at("difference", "a figure")),
+                    .l2_error = number_or_null_at(iterated, "l2_error"),
+                    .mean_error = number_or_null_at(iterated, "mean_error"),
+                    .ratio = number_or_null_at(iterated, "ratio"),
+                    .u_n_ratio = number_or_null_at(iterated, "u_n_ratio"),
+                    .order = number_or_null_at(iterated, "order"),
+                    .u_n_order = number_or_null_at(iterated, "u_n_order")};
+  for (const auto& [piece, mean] : iterated.at("piece_means", "an object").members("an object"))
+    level.iterated->piece_means.emplace_back(piece, mean.number("a number"));
+}
+
 LevelResult read_level_result(const JsonReader& level) {
   LevelResult out;
   out.level = static_cast<int>(level.at("level", "a number").whole(0, 1000, "a level"));
@@ -165,8 +190,8 @@ LevelResult read_level_result(const JsonReader& level) {
   out.discretisation_error = read_figure(level.at("discretisation_error", "a figure"));
   out.node_error = read_figure(level.at("node_error", "a figure"));
   out.uniform_error = read_figure(level.at("uniform_error", "a figure"));
-  if (const auto error = level.find("l2_error")) out.l2_error = read_figure(*error);
-  if (const auto error = level.find("mean_error")) out.mean_error = read_figure(*error);
+  out.l2_error = read_figure(level.at("l2_error", "a figure"));
+  out.mean_error = read_figure(level.at("mean_error", "a figure"));
   out.discretisation_ratio = number_or_null_at(level, "discretisation_ratio");
   out.node_ratio = number_or_null_at(level, "node_ratio");
   out.discretisation_order = number_or_null_at(level, "discretisation_order");
@@ -178,6 +203,7 @@ LevelResult read_level_result(const JsonReader& level) {
   out.iteration = read_iteration(level.at("iteration", "a report or null"));
   out.verified = read_verified(level.at("verified", "a report or null"));
   out.solution_radius = number_or_null_at(level, "solution_radius");
+  read_iterated(level.at("iterated", "a report or null"), out);
   return out;
 }
 
@@ -188,6 +214,7 @@ LevelOutcome read(const JsonReader& record) {
   out.timing.assembly_seconds = number_at(timing, "assembly_seconds");
   out.timing.operator_seconds = number_at(timing, "operator_seconds");
   out.timing.solve_seconds = number_at(timing, "solve_seconds");
+  out.timing.iterated_seconds = number_at(timing, "iterated_seconds");
   for (const JsonReader& row : record.at("means", "rows").elements("rows"))
     out.result.piece_means.push_back(read_mean(row));
   for (const JsonReader& row : record.at("nodes", "rows").elements("rows"))

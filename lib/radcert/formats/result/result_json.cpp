@@ -39,6 +39,26 @@ JsonValue events_json(const EventCut& events) {
                             {"coarse_elements", events.coarse->size()}});
 }
 
+/// What the iterated solution is; null where it is not asked for.
+JsonValue iterated_json(const LevelResult& level) {
+  if (!level.iterated) return {};
+  const IteratedReport& iterated = *level.iterated;
+  JsonValue means = JsonValue::object();
+  for (const auto& [piece, mean] : iterated.piece_means) means.set(piece, mean);
+  return JsonValue::object({{"check_points", iterated.check_points},
+                            {"error", approximation_json(level.iterated_error)},
+                            {"u_n_error", approximation_json(iterated.u_n_error)},
+                            {"node_error", approximation_json(iterated.node_error)},
+                            {"difference", approximation_json(iterated.difference)},
+                            {"l2_error", finite_or_null(iterated.l2_error)},
+                            {"mean_error", finite_or_null(iterated.mean_error)},
+                            {"piece_means", std::move(means)},
+                            {"ratio", finite_or_null(iterated.ratio)},
+                            {"order", finite_or_null(iterated.order)},
+                            {"u_n_ratio", finite_or_null(iterated.u_n_ratio)},
+                            {"u_n_order", finite_or_null(iterated.u_n_order)}});
+}
+
 }  // namespace
 
 JsonValue orders_json(std::span<const OrderFit> orders) {
@@ -127,7 +147,8 @@ JsonValue enclosure_json(const SolutionEnclosure& enclosure) {
 JsonValue timing_json(const LevelTiming& timing) {
   return JsonValue::object({{"assembly_seconds", timing.assembly_seconds},
                             {"operator_seconds", timing.operator_seconds},
-                            {"solve_seconds", timing.solve_seconds}});
+                            {"solve_seconds", timing.solve_seconds},
+                            {"iterated_seconds", timing.iterated_seconds}});
 }
 
 JsonValue level_json(const LevelResult& level) {
@@ -139,9 +160,8 @@ JsonValue level_json(const LevelResult& level) {
   out.set("discretisation_error", approximation_json(level.discretisation_error));
   out.set("node_error", approximation_json(level.node_error));
   out.set("uniform_error", approximation_json(level.uniform_error));
-  // Of methods that tell them.
-  if (level.l2_error) out.set("l2_error", approximation_json(level.l2_error));
-  if (level.mean_error) out.set("mean_error", approximation_json(level.mean_error));
+  out.set("l2_error", approximation_json(level.l2_error));
+  out.set("mean_error", approximation_json(level.mean_error));
   out.set("discretisation_ratio", finite_or_null(level.discretisation_ratio));
   out.set("node_ratio", finite_or_null(level.node_ratio));
   out.set("discretisation_order", finite_or_null(level.discretisation_order));
@@ -161,6 +181,7 @@ JsonValue level_json(const LevelResult& level) {
   out.set("verified", verified_json(level.verified, level.solution_radius));
   out.set("solution_radius", finite_or_null(level.solution_radius));
   out.set("means_radius", finite_or_null(means_radius));
+  out.set("iterated", iterated_json(level));
   return out;
 }
 

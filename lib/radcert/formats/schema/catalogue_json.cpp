@@ -25,6 +25,8 @@ Words repairs() { return {repair_words.begin(), repair_words.end()}; }
 Words errors() {
   Words names;
   for (const ErrorKind& kind : error_kinds()) names.emplace_back(kind.name);
+  names.emplace_back(iterated_kind().name);
+  names.emplace_back("u_n_error");
   return names;
 }
 

@@ -90,7 +90,7 @@ std::string enclosure_csv(const SolutionEnclosure& enclosure) {
 }
 
 std::span<const std::string_view> level_columns() {
-  static constexpr std::array<std::string_view, 21> columns = {"level",
+  static constexpr std::array<std::string_view, 41> columns = {"level",
                                                                "elements",
                                                                "unknowns",
                                                                "mesh_size",
@@ -110,7 +110,27 @@ std::span<const std::string_view> level_columns() {
                                                                "norm_k",
                                                                "norm_k_guaranteed",
                                                                "planned_bytes",
-                                                               "norm_k_radius"};
+                                                               "norm_k_radius",
+                                                               "iterated_error",
+                                                               "iterated_error_radius",
+                                                               "iterated_error_guaranteed",
+                                                               "iterated_order",
+                                                               "u_n_error",
+                                                               "u_n_error_radius",
+                                                               "u_n_error_guaranteed",
+                                                               "u_n_order",
+                                                               "iterated_node_error",
+                                                               "iterated_node_error_radius",
+                                                               "iterated_node_error_guaranteed",
+                                                               "check_points",
+                                                               "l2_error",
+                                                               "l2_error_radius",
+                                                               "l2_error_guaranteed",
+                                                               "mean_error",
+                                                               "mean_error_radius",
+                                                               "mean_error_guaranteed",
+                                                               "iterated_l2_error",
+                                                               "iterated_mean_error"};
   return columns;
 }
 
@@ -126,6 +146,16 @@ std::vector<JsonValue> level_cells(const LevelResult& level) {
   row.emplace_back(level.norm_K.guaranteed);
   row.emplace_back(level.planned_bytes);
   row.push_back(finite_or_null(level.norm_K.radius));
+  const IteratedReport iterated = level.iterated.value_or(IteratedReport{});
+  push(row, level.iterated_error);
+  row.push_back(finite_or_null(iterated.order));
+  push(row, iterated.u_n_error);
+  row.push_back(finite_or_null(iterated.u_n_order));
+  push(row, iterated.node_error);
+  row.push_back(level.iterated ? JsonValue(iterated.check_points) : JsonValue());
+  push(row, level.l2_error);
+  push(row, level.mean_error);
+  for (const auto& number : {iterated.l2_error, iterated.mean_error}) row.push_back(finite_or_null(number));
   return row;
 }
 

@@ -12,73 +12,11 @@
 #include "radcert/core/files/atomic_file.h"
 #include "radcert/core/text.h"
 #include "radcert/formats/table/csv.h"
+#include "radcert/formats/table/csv_rows.h"
 
 namespace radcert {
 
 namespace {
-
-std::string line_text(std::size_t line) { return "line " + std::to_string(line); }
-
-/// RFC 4180, line by line; a quoted cell may hold line ends.
-class CsvRows {
-public:
-  explicit CsvRows(std::string_view text) : text_(text) {
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-    if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
-  }
-  /// The cells of the next line that is not empty; no value at the end.
-  std::optional<std::vector<std::string>> next() {
-    while (at_ < text_.size()) {
-      line_ = next_line_;
-      std::vector<std::string> cells = row();
-      if (cells.size() > 1 || !cells.front().empty()) return cells;
-    }
-    return std::nullopt;
-  }
-  [[nodiscard]] std::size_t line() const { return line_; }
-
-private:
-  std::vector<std::string> row() {
-    std::vector<std::string> cells{""};
-    bool quoted = false;
-    for (; at_ < text_.size(); ++at_) {
-      const char c = text_[at_];
-      if (c == '\n') ++next_line_;
-      if (quoted) {
-        if (c != '"')
-          cells.back() += c;
-        else if (at_ + 1 < text_.size() && text_[at_ + 1] == '"')
-          cells.back() += text_[++at_];
-        else
-          quoted = false;
-      } else if (c == '"' && cells.back().empty()) {
-        quoted = true;
-      } else if (c == ',') {
-        cells.emplace_back();
-      } else if (c == '\n') {
-        ++at_;
-        return cells;
-      } else if (c != '\r') {
-        cells.back() += c;
-      }
-    }
-    if (quoted)
-      throw InputError(
-          {.pointer = line_text(line_), .problem = "a quoted cell does not end", .allowed = "RFC 4180"});
-    return cells;
-  }
-  std::string_view text_;
-  std::size_t at_ = 0;
-  std::size_t line_ = 1;
-  std::size_t next_line_ = 1;
-};
-
-double number_at(std::string_view text, std::size_t line) {
-  const std::optional<double> number = parse_double(text);
-  if (!number)
-    throw InputError({.pointer = line_text(line), .value = std::string(text), .allowed = "a decimal number"});
-  return *number;
-}
 
 /// Half a unit of the last digit of a decimal text.
 double half_a_unit(std::string_view text) {
@@ -99,15 +37,12 @@ double half_a_unit(std::string_view text) {
 ClaimedFactors parse_matrix(CsvRows& rows, const std::vector<std::string>& head) {
   ClaimedFactors out;
   while (const auto row = rows.next()) {
-    if (row->size() != head.size())
-      throw InputError({.pointer = line_text(rows.line()),
-                        .value = std::to_string(row->size()) + " cells",
-                        .allowed = std::to_string(head.size()) + ", as in the first line"});
+    require_cells(*row, head.size(), rows.line());
     for (std::size_t k = 1; k < head.size(); ++k) {
       const std::string& cell = (*row)[k];
-      const ClaimedFactor claim =
-          cell.empty() ? ClaimedFactor{}
-                       : ClaimedFactor{.value = number_at(cell, rows.line()), .halfwidth = half_a_unit(cell)};
+      const ClaimedFactor claim = cell.empty() ? ClaimedFactor{}
+                                               : ClaimedFactor{.value = csv_number(cell, rows.line()),
+                                                               .halfwidth = half_a_unit(cell)};
       if (!out.emplace(std::pair(row->front(), head[k]), claim).second)
         throw InputError({.pointer = line_text(rows.line()),
                           .value = row->front() + " to " + head[k],
@@ -165,13 +100,10 @@ ClaimedFactors parse_csv(std::string_view text, std::span<const std::string> nam
   }
   ClaimedFactors out;
   while (const auto row = rows.next()) {
-    if (row->size() != head->size())
-      throw InputError({.pointer = line_text(rows.line()),
-                        .value = std::to_string(row->size()) + " cells",
-                        .allowed = std::to_string(head->size()) + ", as in the first line"});
-    ClaimedFactor claim{.value = number_at((*row)[*factor], rows.line()),
+    require_cells(*row, head->size(), rows.line());
+    ClaimedFactor claim{.value = csv_number((*row)[*factor], rows.line()),
                         .halfwidth = half_a_unit((*row)[*factor])};
-    if (radius && !(*row)[*radius].empty()) claim.halfwidth = number_at((*row)[*radius], rows.line());
+    if (radius && !(*row)[*radius].empty()) claim.halfwidth = csv_number((*row)[*radius], rows.line());
     if (claim.halfwidth < 0)
       throw InputError({.pointer = line_text(rows.line()),
                         .value = (*row)[*radius],
@@ -231,12 +163,12 @@ ClaimedFactors parse_view3d(std::string_view text, std::span<const std::string> 
                       .allowed = std::to_string(names.size()) + ", as many as here"});
   Words words(text.substr(end));
   const std::string what = "areas, factors by rows, emissivities";
-  for (std::size_t k = 0; k < names.size(); ++k) number_at(words.next(what), words.line());
+  for (std::size_t k = 0; k < names.size(); ++k) csv_number(words.next(what), words.line());
   ClaimedFactors out;
   for (const std::string& from : names)
     for (const std::string& to : names) {
       const std::string_view word = words.next(what);
-      const double value = number_at(word, words.line());
+      const double value = csv_number(word, words.line());
       out[{from, to}] = {value, half_a_unit(word)};
     }
   return out;

@@ -42,6 +42,8 @@ std::string order_text(const OrderFit& fit) {
 }
 
 std::string symbol(const std::string& quantity) {
+  if (quantity == "iterated_error") return "$|u-E-Ku_n|$ over check points";
+  if (quantity == "u_n_error") return "$|u-u_n|$ over check points";
   return quantity == "node_error" ? "$|u-u_n|$" : "$|K(I-P_n)u|$";
 }
 
@@ -91,6 +93,28 @@ std::string errors_latex(const Result& result) {
   table.add_line(std::string(in_parentheses) + ".");
   for (const OrderFit& fit : result.orders)
     if (has_fit(fit)) table.add_line("Fitted order of " + fit_text(fit));
+  return table.text();
+}
+
+/// The errors of the iterated solution, beside those of u_n at the same points.
+std::string iterated_latex(const Result& result) {
+  LatexTable table({count_column("Level"),
+                    count_column("Unknowns"),
+                    {"$h$", "r"},
+                    count_column("Points"),
+                    error_column("{$|u-E-Ku_n|$}"),
+                    order_column(),
+                    error_column("{$|u-u_n|$}"),
+                    order_column()});
+  for (const LevelResult& level : result.levels)
+    if (level.iterated)
+      table.add(std::array{std::to_string(level.level), std::to_string(level.unknowns),
+                           fixed(level.mesh_size, 4), std::to_string(level.iterated->check_points),
+                           cell(level.iterated_error), order_cell(level.iterated->order),
+                           cell(level.iterated->u_n_error), order_cell(level.iterated->u_n_order)});
+  table.add_rule();
+  table.add_line("Errors are maxima over check points inside the elements;");
+  table.add_line(std::string(in_parentheses) + ".");
   return table.text();
 }
 
@@ -194,7 +218,8 @@ std::string LatexTable::text() const {
 }
 
 std::string levels_latex(const Result& result) {
-  return result.problem.solution ? errors_latex(result) : means_latex(result);
+  if (!result.problem.solution) return means_latex(result);
+  return errors_latex(result) + (result.problem.iterated ? iterated_latex(result) : "");
 }
 
 std::string combinations_latex(const Experiment& experiment, std::span<const Result> results) {

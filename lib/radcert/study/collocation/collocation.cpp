@@ -86,6 +86,8 @@ void check_nodes(const Problem& problem, const TriangleBasisChoice& basis, const
 void check(const Problem& problem, const Collocation& method, const Surface& surface,
            std::uint64_t memory_limit) {
   check_geometry(problem, surface);
+  if (problem.iterated && problem.geometry)
+    refuse_input("/iterated", "true", "is not for an interpolated geometry", "\"geometry\": \"exact\"");
   // A plan is made for a basis that there is, and inset nodes are looked at on levels that there are.
   check_degree(method.basis);
   check_levels(problem, surface, memory_limit, [&](int, std::uint64_t triangles) {
@@ -118,6 +120,11 @@ MemoryPlan level_plan(const Problem& problem, std::uint64_t elements) {
   plan.add("row sums and vectors", unknowns, (clusters ? vectors : vectors_of_rows) * sizeof(double));
   plan.add("nodes", unknowns, bytes_per_node_record);
   plan.add("triangles", elements, bytes_per_node_record);
+  if (problem.iterated) {
+    constexpr std::uint64_t points_an_element = 6;
+    plan.add("points of the iterated solution", saturated_product(elements, points_an_element),
+             2 * bytes_per_node_record);
+  }
   if (problem.geometry) {
     // The coefficients of degree 6, names, expressions.
     constexpr std::uint64_t bytes_per_interpolated_chart = 8192;

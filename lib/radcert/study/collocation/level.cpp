@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -17,6 +18,7 @@
 #include "radcert/solve/linear_solver.h"
 #include "radcert/solve/system_matrix.h"
 #include "radcert/study/collocation/coarser_inverses.h"
+#include "radcert/study/collocation/iterated_solution.h"
 #include "radcert/study/collocation/level_geometry.h"
 #include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/collocation/nodal_description.h"
@@ -93,6 +95,7 @@ public:
     describe_collocation(problem_, geometry_.data(), basis_,
                          {.u_n = with_radius(u_n_, solution_radius_), .emission = emission_, .u = u_},
                          outcome_);
+    if (problem_.iterated) iterate(route);
     require_finite();
     return std::move(outcome_);
   }
@@ -333,6 +336,14 @@ private:
       outcome_.result.node_error = largest_difference(
           u_, u_n_, data_are_known_ ? std::optional(found->radius + largest(*data_radius_)) : std::nullopt);
     outcome_.timing.solve_seconds += watch.seconds();
+  }
+
+  void iterate(const OperatorRoute& route) {
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    const EmissionAtPoints at_nodes{
+        .values = emission_,
+        .radii = data_are_known_ ? emission_radius_ : std::vector<double>(nodes_.size(), unknown)};
+    describe_iterated(problem_, geometry_.data(), basis_, at_nodes, route, outcome_);
   }
 
   static constexpr double unit = unit_roundoff<double>();

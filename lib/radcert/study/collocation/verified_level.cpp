@@ -33,6 +33,7 @@
 #include "radcert/solve/linear_solver.h"
 #include "radcert/solve/verified_system.h"
 #include "radcert/study/collocation/exact_interpolant.h"
+#include "radcert/study/collocation/iterated_solution.h"
 #include "radcert/study/collocation/level_geometry.h"
 #include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/collocation/nodal_description.h"
@@ -211,7 +212,7 @@ public:
     find_data();
     if (takes_clusters(problem_, nodes_.size())) {
       solve_by_clusters(route);
-      describe();
+      describe(route);
       return std::move(outcome_);
     }
     const Stopwatch assembly;
@@ -226,7 +227,7 @@ public:
     const Stopwatch solution;
     solve(std::move(matrix), defect);
     outcome_.timing.solve_seconds = solution.seconds();
-    describe();
+    describe(route);
     return std::move(outcome_);
   }
 
@@ -575,11 +576,15 @@ private:
     return result;
   }
 
-  void describe() {
+  void describe(const OperatorRoute& route) {
     const std::vector<double> emission = midpoints(emission_);
     const std::vector<double> u = midpoints(u_);
     describe_collocation(problem_, geometry_.data(), basis_, {.u_n = u_n_, .emission = emission, .u = u},
                          outcome_);
+    if (!problem_.iterated) return;
+    EmissionAtPoints at_nodes{.values = emission, .radii = {}};
+    for (const Ball& e : emission_) at_nodes.radii.push_back(e.radius());
+    describe_iterated(problem_, geometry_.data(), basis_, at_nodes, route, outcome_);
   }
 
   const BallPrecision precision_{ball_bits.value()};

@@ -109,6 +109,11 @@ std::vector<NamedEmission> emissions_by_piece(const std::vector<std::string>& pi
 }
 
 void check_guarantee(const Problem& problem, const Guarantee& guarantee) {
+  if (problem.iterated)
+    throw InputError({.pointer = "/iterated",
+                      .value = "true",
+                      .problem = "is of u_n, and a guarantee is of u itself",
+                      .allowed = "one of the two"});
   static_cast<void>(enclosed_problem(problem, guarantee));
 }
 

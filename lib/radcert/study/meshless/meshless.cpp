@@ -38,6 +38,8 @@ void check_choice(const Problem& problem, const Meshless& method) {
   if (problem.geometry)
     refuse_input("/geometry/interpolated", std::to_string(problem.geometry->degree),
                  "asks for interpolated elements, which a meshless basis has none of", "exact");
+  if (problem.iterated)
+    refuse_input("/iterated", "true", "is not for a meshless basis", "a basis of functions on triangles");
   const std::string& solver = problem.solver.name;
   if (solver != "auto" && solver != "direct" && solver != "neumann")
     refuse_input("/solver/name", solver, "is not for meshless bases", "auto, direct, neumann");
