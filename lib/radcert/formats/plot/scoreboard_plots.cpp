@@ -33,10 +33,10 @@ bool is_known(const BoardProblem& problem, std::size_t error) {
 Plot scoreboard_plot(const BoardProblem& problem, std::size_t error, std::size_t cost) {
   expects(error < board_errors.size() && cost < board_costs.size(), "an error and a cost",
           named("error", error), named("cost", cost));
-  Plot plot{.title = problem.words,
-            .description =
-                "Both axes are logarithmic. A curve a method, a marker a level; the thick line is the "
-                "frontier: no method has a smaller error at no more cost.",
+  Plot plot{.title = "Scoreboard: " + problem.name,
+            .description = "All methods on " + problem.words +
+                           ". Both axes are logarithmic. A curve a method, a marker a level; the thick line "
+                           "is the frontier: no method has a smaller error at no more cost.",
             .x = {.name = cost_words(cost)},
             .y = {.name = error_words(error)}};
   PlotCurve frontier{.name = "frontier", .style = CurveStyle::bold};
