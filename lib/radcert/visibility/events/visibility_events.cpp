@@ -17,7 +17,7 @@
 
 namespace radcert {
 
-const WorkLimit most_event_pencils("visibility/visibility_events: pencils of lines", 200000, 1, "refused");
+const WorkLimit most_event_pencils("visibility/visibility_events: pencils of lines", 20000, 1, "refused");
 
 namespace {
 
