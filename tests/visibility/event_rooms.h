@@ -147,13 +147,15 @@ inline EventRoom room_with_a_box(const std::string& source = "lamp") {
   return walls.room(source);
 }
 
-/// The same with a tetrahedron, whose last corner is above the others, which run counterclockwise from above.
-inline EventRoom room_with_a_tetrahedron(const std::array<Vector<double>, 4>& v) {
+/// The same with a tetrahedron, whose last corner is above the others, which run counterclockwise from above;
+/// below it a box, or not.
+inline EventRoom room_with_a_tetrahedron(const std::array<Vector<double>, 4>& v, bool over_a_box = false) {
   RoomBuilder walls = room_with_a_slanted_lamp();
   walls.triangle("body", {v[0], v[2], v[1]});
   walls.triangle("body", {v[0], v[1], v[3]});
   walls.triangle("body", {v[1], v[2], v[3]});
   walls.triangle("body", {v[2], v[0], v[3]});
+  if (over_a_box) walls.box("box_", {1.25, 1.5, 0.5}, {2.5, 2.25, 0.75}, false);
   return walls.room("lamp");
 }
 

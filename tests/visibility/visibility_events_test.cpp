@@ -256,6 +256,40 @@ TEST(VisibilityEvents, OfASlantedBodyAreWhereTheAreaThatIsSeenIsNotSmooth) {
   }
 }
 
+// Two bodies: some lines touch three edges, so that conics remain. Across them the second derivative jumps:
+// third differences over the square of the step neither fall with the step, nor grow as at kinks, by 8.
+TEST(VisibilityEvents, LeaveOutConicsAcrossWhichSecondDerivativesJump) {
+  const std::array<Vector<double>, 4> body{
+      {{1.125, 1.25, 1.25}, {2.75, 1.5, 1.5}, {1.75, 2.75, 1.375}, {2, 1.75, 2.25}}};
+  const EventRoom room = sample::room_with_a_tetrahedron(body, true);
+  const VisibilityEvents found = visibility_events(room.scene, room.question).value();
+  const std::vector<Segment> segments = in_space(room, found);
+  constexpr double coarse = 0x1p-7;
+  Numbers random(3);
+  std::size_t conics = 0;
+  for (int run = 0; run < 12; ++run) {
+    const double at = 0.25 + std::floor(random.fraction() * 3.5 / coarse) * coarse + coarse / 2;
+    AreaAlong area(room, segments, run % 2 == 0, at);
+    // Over all windows of one step that lie about three coarse ones.
+    const auto largest = [&](double from, int parts) {
+      double most = 0;
+      for (int k = -parts; k <= 4 * parts - 3; ++k)
+        most = std::max(most, area.third_difference(from + k * coarse / parts, coarse / parts));
+      return most;
+    };
+    for (double from = 2 * coarse; from + 5 * coarse < 4; from += 3 * coarse) {
+      if (area.crossed(from - coarse, from + 4 * coarse)) continue;
+      const double all = area.third_difference(from, coarse);
+      if (all < 0.1) continue;  // what is smooth is below that at this step, and most conics are above
+      const double in_eight = largest(from, 8);
+      if (in_eight <= 0.5 * all) continue;
+      ++conics;
+      EXPECT_LT(largest(from, 64), 4 * in_eight) << "run " << run << " at " << at << " from " << from;
+    }
+  }
+  EXPECT_GT(conics, 2U);
+}
+
 double coordinate(const Vector<double>& v, std::size_t axis) {
   return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/interrupt.h"
 #include "radcert/geometry/orientation.h"
 #include "radcert/geometry/plane.h"
 #include "radcert/visibility/events/event_edges.h"
@@ -16,7 +17,7 @@
 
 namespace radcert {
 
-const WorkLimit most_event_pencils("visibility/visibility_events: pencils of lines", 200000, 1, "refused");
+const WorkLimit most_event_pencils("visibility/visibility_events: pencils of lines", 20000, 1, "refused");
 
 namespace {
 
@@ -190,20 +191,26 @@ public:
 
   /// The planes through a vertex and an edge. Whether the limit of work allows all.
   [[nodiscard]] bool look_at_edges(VisibilityEvents& events) const {
+    std::vector<std::pair<const EventEdge*, std::size_t>> pairs;
     for (const EventEdge& edge : edges_.edges) {
       if (!edge.source && !edge.convex) continue;
       for (const std::size_t vertex : edges_.corners) {
-        const Vector<double>& at = scene_.vertex(vertex);
-        if (collinear(at, scene_.vertex(edge.from), scene_.vertex(edge.to))) continue;
+        if (collinear(scene_.vertex(vertex), scene_.vertex(edge.from), scene_.vertex(edge.to))) continue;
+        // Before any is looked at, so that a mesh of too many is refused at once.
         if (++events.pencils > most_event_pencils.count()) return false;
-        const EventsOfPlane plane(
-            scene_, edges_, question_,
-            plane_signs(scene_, edges_, at, scene_.vertex(edge.from), scene_.vertex(edge.to)));
-        plane.append_to(events.segments, {.frame = frame(exactly(at), edge),
-                                          .at_centre = edges_.triangles_at[vertex],
-                                          .edge = &edge,
-                                          .derivative = has_edge_at(plane, vertex) ? 1 : 2});
+        pairs.emplace_back(&edge, vertex);
       }
+    }
+    for (const auto& [edge, vertex] : pairs) {
+      throw_if_interrupted();
+      const Vector<double>& at = scene_.vertex(vertex);
+      const EventsOfPlane plane(
+          scene_, edges_, question_,
+          plane_signs(scene_, edges_, at, scene_.vertex(edge->from), scene_.vertex(edge->to)));
+      plane.append_to(events.segments, {.frame = frame(exactly(at), *edge),
+                                        .at_centre = edges_.triangles_at[vertex],
+                                        .edge = edge,
+                                        .derivative = has_edge_at(plane, vertex) ? 1 : 2});
     }
     return true;
   }
@@ -213,6 +220,7 @@ public:
     std::set<std::size_t> seen;
     for (std::size_t t = 0; t < scene_.triangle_count(); ++t) {
       if (!seen.insert(scene_.plane(t)).second) continue;
+      throw_if_interrupted();
       const auto [a, b, c] = scene_.corners(t);
       const EventsOfPlane plane(scene_, edges_, question_, plane_signs(scene_, edges_, a, b, c));
       std::vector<const EventEdge*> sides;
