@@ -230,7 +230,9 @@ std::vector<ValueAt> solution_at(const Solution& solution, std::size_t place,
   const auto* method = std::get_if<Collocation>(&problem.method);
   if (method == nullptr)
     throw InputError({.source = "at",
-                      .problem = "is not for a meshless basis",
+                      .problem = std::holds_alternative<Galerkin>(problem.method)
+                                     ? "is not for Galerkin's method"
+                                     : "is not for a meshless basis",
                       .allowed = "a basis of functions on triangles"});
   if (problem.geometry)
     throw InputError({.source = "at",

@@ -260,10 +260,13 @@ public:
     expects(functions.elements() == triangulation.triangles.size(), "functions of the triangulation");
     for (const ParameterTriangle& element : triangulation.triangles)
       places_.push_back(place_of(surface, element, whole));
+    std::vector<std::size_t> first_of_plane;
     for (std::size_t a = 0; a < surface.charts.size(); ++a) {
-      const auto same = [&](std::size_t b) { return in_one_plane(surface.charts[a], surface.charts[b]); };
-      const auto known = std::find_if(plane_of_.begin(), plane_of_.end(), same);
-      plane_of_.push_back(known != plane_of_.end() ? *known : a);
+      const auto same = std::find_if(first_of_plane.begin(), first_of_plane.end(), [&](std::size_t b) {
+        return in_one_plane(surface.charts[a], surface.charts[b]);
+      });
+      plane_of_.push_back(same == first_of_plane.end() ? a : *same);
+      if (plane_of_.back() == a && surface.charts[a].facts().plane) first_of_plane.push_back(a);
     }
   }
 
