@@ -20,7 +20,7 @@
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/collocation/operator_norm.h"
 #include "radcert/study/galerkin/galerkin.h"
-#include "radcert/study/mean_errors.h"
+#include "radcert/study/galerkin/mean_errors.h"
 #include "radcert/study/operator_at_nodes.h"
 #include "radcert/study/stopwatch.h"
 #include "radcert/study/study.h"
