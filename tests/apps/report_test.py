@@ -31,7 +31,7 @@ class Report(ProgramTest):
     @unittest.skipUnless(chromium(), "no chromium here")
     def test_a_browser_shows_every_statement_and_asks_for_nothing(self):
         page = self.write_report()
-        node = [shutil.which("node"), os.path.join(os.path.dirname(__file__), "report_browser.mjs")]
+        node = [shutil.which("node"), os.path.join(os.path.dirname(__file__), "browser", "report_browser.mjs")]
         pictures = os.environ.get("RADCERT_PICTURES", self.folder)
         os.makedirs(pictures, exist_ok=True)
         done = subprocess.run([*node, page, pictures, os.environ["RADCERT_PAGE_TOOLS"], chromium()],

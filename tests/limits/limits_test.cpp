@@ -106,7 +106,7 @@ TEST(Limits, LeaveSystemsTrue) { expect_nothing_false(limits::system_cases()); }
 TEST(Limits, HaveACaseEach) {
   std::set<std::string> covered;
   for (const auto& cases : {limits::formula_cases(), limits::enclosure_cases(), limits::galerkin_cases(),
-                            meshless_cases(), limits::reference_cases(), limits::polygon_cases(),
+                            limits::meshless_cases(), limits::reference_cases(), limits::polygon_cases(),
                             limits::system_cases(), limits::continuous_cases(), limits::certificate_cases()})
     for (const Case& one : cases) covered.insert(one.limit);
   std::set<std::string> names;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/solve/accurate_dot.h"
+#include "radcert/solve/rounding/accurate_dot.h"
 
 #include <gtest/gtest.h>
 

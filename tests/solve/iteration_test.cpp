@@ -10,11 +10,11 @@
 #include "radcert/core/interrupt.h"
 #include "radcert/core/parallel.h"
 #include "radcert/scalar/real.h"
-#include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/direct.h"
 #include "radcert/solve/gmres.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/solve/neumann.h"
+#include "radcert/solve/rounding/accurate_dot.h"
 #include "tests/solve/systems.h"
 
 namespace radcert {

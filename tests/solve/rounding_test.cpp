@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/solve/rounding.h"
+#include "radcert/solve/rounding/rounding.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/scoreboard.h"
+#include "radcert/study/errors/scoreboard.h"
 
 #include <gtest/gtest.h>
 

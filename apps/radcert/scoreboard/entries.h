@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "radcert/formats/json/json_value.h"
+#include "radcert/study/errors/scoreboard.h"
 #include "radcert/study/problem.h"
-#include "radcert/study/scoreboard.h"
 
 namespace radcert::app {
 

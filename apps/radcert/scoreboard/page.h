@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "radcert/study/scoreboard.h"
+#include "radcert/study/errors/scoreboard.h"
 
 namespace radcert::app {
 

@@ -201,6 +201,7 @@ struct RawBlock {
   double size = 0;         ///< Int Int |G|
   double rounding = 0;     ///< of Int Int |G|, by the points' coordinates
   std::size_t length = 0;  ///< of the longest sum
+  bool is_near = false;    ///< whether a part was near and was not cut
   bool is_last = false;    ///< whether a rule of the highest order took part
 
   explicit RawBlock(std::size_t functions) : value(functions, functions) {}
@@ -259,10 +260,13 @@ public:
     expects(functions.elements() == triangulation.triangles.size(), "functions of the triangulation");
     for (const ParameterTriangle& element : triangulation.triangles)
       places_.push_back(place_of(surface, element, whole));
+    std::vector<std::size_t> first_of_plane;
     for (std::size_t a = 0; a < surface.charts.size(); ++a) {
-      const auto same = [&](std::size_t b) { return in_one_plane(surface.charts[a], surface.charts[b]); };
-      const auto known = std::find_if(plane_of_.begin(), plane_of_.end(), same);
-      plane_of_.push_back(known != plane_of_.end() ? *known : a);
+      const auto same = std::find_if(first_of_plane.begin(), first_of_plane.end(), [&](std::size_t b) {
+        return in_one_plane(surface.charts[a], surface.charts[b]);
+      });
+      plane_of_.push_back(same == first_of_plane.end() ? a : *same);
+      if (plane_of_.back() == a && surface.charts[a].facts().plane) first_of_plane.push_back(a);
     }
   }
 
@@ -292,8 +296,10 @@ public:
       Matrix<double> value = turned(fine.value, first, second);
       const double difference = largest_difference(value, coarse);
       if (difference <= accuracy_ * smallest * fine.size || fine.is_last || stage == last) {
-        put(fine, value, coarse, std::max(difference / 2, std::min(before / 8, 64 * difference)), first,
-            second, out);
+        // Rules converge slowly for what is near and was not cut.
+        const double least = fine.is_near ? std::max(8 * difference, before)
+                                          : std::max(difference / 2, std::min(before / 8, 64 * difference));
+        put(fine, value, coarse, least, first, second, out);
         break;
       }
       coarse = std::move(value);
@@ -382,6 +388,7 @@ private:
       }
       return;
     }
+    to.is_near = to.is_near || std::min(eta_first, eta_second) < far_enough;
     add_product_of(first, order_index(eta_first) + stage, second, order_index(eta_second) + stage, to);
   }
 

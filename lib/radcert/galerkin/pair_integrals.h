@@ -40,7 +40,9 @@ struct PairBlock {
 /// Result    block(a, b) and block(b, a) take other points and are transposed within their radii; exactly 0
 ///           for two elements in one plane. May be asked from several threads
 /// Limits    estimates. That two elements touch is seen from their rounded vertices: it chooses a rule, and
-///           no fact rests on it. What is near at deepest_pair counts with what two rules differ by there
+///           no fact rests on it. What is near at deepest_pair counts with eight times what two rules differ
+///           by there, or with what those before differed by; what has not converged after most_stages rules
+///           with what the last two differ by
 class PairIntegrals {
 public:
   PairIntegrals(const Surface& surface, const Triangulation& triangulation, const LocalFunctions& functions,

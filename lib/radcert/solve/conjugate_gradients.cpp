@@ -8,7 +8,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/scalar/enclosing_text.h"
-#include "radcert/solve/rounding.h"
+#include "radcert/solve/rounding/rounding.h"
 
 namespace radcert {
 

@@ -8,7 +8,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/scalar/real.h"
 #include "radcert/solve/estimated_contraction.h"
-#include "radcert/solve/rounding.h"
+#include "radcert/solve/rounding/rounding.h"
 
 namespace radcert {
 namespace {

@@ -12,8 +12,8 @@
 #include "radcert/core/contract.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/real.h"
-#include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/linear_solver.h"
+#include "radcert/solve/rounding/accurate_dot.h"
 
 namespace radcert {
 namespace {

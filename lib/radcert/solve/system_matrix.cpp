@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
-#include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/product.h"
+#include "radcert/solve/rounding/accurate_dot.h"
 
 namespace radcert {
 

@@ -14,10 +14,10 @@
 #include "radcert/core/work_limit.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/real.h"
-#include "radcert/solve/accurate_dot.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/solve/product.h"
-#include "radcert/solve/rounding.h"
+#include "radcert/solve/rounding/accurate_dot.h"
+#include "radcert/solve/rounding/rounding.h"
 
 namespace radcert {
 namespace {

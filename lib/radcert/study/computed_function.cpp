@@ -7,7 +7,7 @@
 
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/rules/conical_rule.h"
-#include "radcert/study/mean_errors.h"
+#include "radcert/study/errors/mean_errors.h"
 #include "radcert/surface/chart_pieces.h"
 #include "radcert/surface/surface_function.h"
 

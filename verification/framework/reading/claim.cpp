@@ -348,7 +348,8 @@ std::vector<Claim> read_claims(std::string_view text, const std::string& source)
     for (const auto& [label, place] : Place(document.value).members("a table"))
       claims.push_back(read_claim(label, place, document));
     // A run without statements would find every verdict as recorded.
-    if (claims.empty()) throw InputError({.problem = "has no claim", .allowed = "a table for each, as [label]"});
+    if (claims.empty())
+      throw InputError({.problem = "has no claim", .allowed = "a table for each, as [label]"});
     return claims;
   } catch (const InputError& error) {
     throw error.with_source(source + ", line " + std::to_string(document.line_of(error.fault().pointer)));

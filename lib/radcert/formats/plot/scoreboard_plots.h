@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "radcert/formats/plot/plot.h"
-#include "radcert/study/scoreboard.h"
+#include "radcert/study/errors/scoreboard.h"
 
 namespace radcert {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "radcert/formats/json/json_value.h"
-#include "radcert/study/scoreboard.h"
+#include "radcert/study/errors/scoreboard.h"
 
 namespace radcert {
 

@@ -15,7 +15,9 @@ TriangleBasis<double> basis_of(const Problem& problem) {
   const TriangleBasisChoice* choice = find_triangle_basis(problem.method);
   if (choice == nullptr || !std::holds_alternative<Collocation>(problem.method))
     throw InputError({.source = "at",
-                      .problem = "is not for a meshless basis",
+                      .problem = std::holds_alternative<Galerkin>(problem.method)
+                                     ? "is not for Galerkin's method"
+                                     : "is not for a meshless basis",
                       .allowed = "a basis of functions on triangles"});
   if (problem.geometry)
     throw InputError({.source = "at",

@@ -50,31 +50,28 @@ PiecewiseExpression changed(const PiecewiseExpression& rho, const std::string& b
   return out;
 }
 
-/// The surface of the charts on which rho is not the constant 0.
-Surface reflecting_part(const PiecewiseExpression& rho, const Surface& surface) {
-  Surface part = surface;
-  part.charts.clear();
-  part.diagonals.clear();
-  for (std::size_t k = 0; k < surface.charts.size(); ++k) {
-    const auto constant = rho.on(surface.charts[k].facts().piece).is_constant();
-    if (constant && constant->sign() == 0) continue;
-    part.charts.push_back(surface.charts[k]);
-    part.diagonals.push_back(k < surface.diagonals.size() ? surface.diagonals[k] : Diagonal::main);
-  }
-  return part;
-}
-
+/// Refuses the reflectivity of the first chart that is not proved to be below 1 and, but for the constant 0,
+/// above 0.
 void check_range(const Problem& problem, const Surface& surface) {
-  const Outcome<void> below = reflectivity_below_one(surface, problem.reflectivity);
-  if (!below)
-    refuse_input("/reflectivity", "", below.reason(),
-                 "reflectivities that are below 1 on the whole surface: Galerkin's method solves by a lower "
-                 "bound of 1 - rho");
-  const Outcome<void> above = reflectivity_below_one(reflecting_part(problem.reflectivity, surface),
-                                                     changed(problem.reflectivity, "1-", ""));
-  if (!above)
-    refuse_input("/reflectivity", "", "is not proved to be positive where it is not the constant 0",
-                 "on each piece 0 everywhere or more than 0 everywhere: Galerkin's method divides by it");
+  const PiecewiseExpression& rho = problem.reflectivity;
+  const PiecewiseExpression one_less_rho = changed(rho, "1-", "");
+  Surface part = surface;
+  for (const Chart& chart : surface.charts) {
+    part.charts = {chart};
+    const Expression& expression = rho.on(chart.facts().piece);
+    const auto refuse = [&](const std::string& why, const std::string& allowed) {
+      refuse_input("/reflectivity", expression.text(), why + " on piece " + chart.facts().piece, allowed);
+    };
+    if (!reflectivity_below_one(part, rho))
+      refuse("is not proved to stay below 1",
+             "reflectivities below 1 on the whole surface: Galerkin's method solves by a lower bound of 1 - "
+             "rho");
+    const std::optional<Rational> constant = expression.is_constant();
+    if (constant && constant->sign() == 0) continue;
+    if (!reflectivity_below_one(part, one_less_rho))
+      refuse("is not proved to be positive",
+             "0 everywhere or more than 0 everywhere on a piece: Galerkin's method divides by it");
+  }
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/mean_errors.h"
+#include "radcert/study/errors/mean_errors.h"
 
 #include <algorithm>
 #include <cmath>
