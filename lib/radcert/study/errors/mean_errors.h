@@ -15,7 +15,7 @@ struct MeanErrors {
 };
 
 /// The errors of u_n in means, by a conical rule on each element.
-/// Maths     the rule of order + 1 counts; its radius, where there is one, is what the one of `order` differs by
+/// Maths     the rule of order + 1 counts; its radius, where there is one, is what that of `order` differs by
 /// Requires  l2_radius: of u_n in the L2 norm, absent where nothing is known of it
 /// Result    with a radius where l2_radius is given: that, over the root of the piece's area for a mean, and
 ///           what the rules differ by; estimated. Nothing where u is not finite at a point
