@@ -21,8 +21,9 @@ class Examples(PageTest):
             with self.subTest(name):
                 page = read(os.path.join(EXAMPLES, name, "README.md"))
                 self.assertTrue(commands(page))
-                if os.path.exists(os.path.join(EXAMPLES, name, "problem.json")):  # a page for a copy of its folder
-                    shutil.copy(os.path.join(EXAMPLES, name, "problem.json"), self.path("problem.json"))
+                for file in os.listdir(os.path.join(EXAMPLES, name)):  # of pages for a copy of their folder
+                    if file.endswith(".json"):
+                        shutil.copy(os.path.join(EXAMPLES, name, file), self.path(file))
                 self.follow(page)
 
     def test_the_list_of_examples_and_the_readme_name_them_all_in_order(self):

@@ -121,6 +121,15 @@ TEST(AlignedFile, GivesTheValueThatMostHaveWhereNothingTurns) {
   EXPECT_NEAR(found->moved, std::sqrt(6.0) * 1e-6, 1e-12);
 }
 
+TEST(AlignedFile, TakesFewDigitsForTheAuthorsOwn) {
+  // Whole numbers are no roundings of others.
+  MeshFile given = furnished_room([](const Vector<double>& v) { return rounded(10 * v, 1); });
+  given.precision = {0.5, "printed with 2 digits"};
+  const Outcome<AlignedFile> found = aligned(given);
+  ASSERT_TRUE(found) << found.reason();
+  EXPECT_EQ(found->moved, 0);
+}
+
 TEST(AlignedFile, RefusesWhatHasNoAxesOrIsTooFine) {
   MeshFile tetrahedron;
   const sample::Polyhedron solid = sample::tetrahedron();
@@ -134,12 +143,14 @@ TEST(AlignedFile, RefusesWhatHasNoAxesOrIsTooFine) {
   ASSERT_FALSE(skew);
   EXPECT_NE(skew.reason().find("right angles"), std::string::npos);
   MeshFile coarse = furnished_room([](const Vector<double>& v) { return v; });
-  coarse.precision = {0.25, "printed with 2 digits"};
+  for (std::size_t v = 8; v < 16; ++v)
+    if (coarse.vertices[v].x > 0) coarse.vertices[v].x = 0.001;
+  coarse.precision = {7e-4, "printed with 4 digits"};
   const Outcome<AlignedFile> flat = aligned(coarse);
   ASSERT_FALSE(flat);
   EXPECT_NE(flat.reason().find("no larger than the precision"), std::string::npos) << flat.reason();
-  coarse.precision.unit = 0.15;
-  for (std::size_t v = 8; v < 10; ++v) coarse.vertices[v].z = v == 8 ? 2.2 : 1.9;
+  coarse.precision.unit = 3e-4;
+  for (std::size_t v = 8; v < 10; ++v) coarse.vertices[v].z = v == 8 ? 2.4993 : 2.4986;
   const Outcome<AlignedFile> close = aligned(coarse);
   ASSERT_FALSE(close);
   EXPECT_NE(close.reason().find("more closely"), std::string::npos) << close.reason();

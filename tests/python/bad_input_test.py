@@ -63,8 +63,6 @@ class BadInput(ModuleTest):
         points, triangles = (np.asarray(part) for part in unit_cube()[:2])
         error = self.refused(lambda: rc.Mesh((np.ma.masked_array(points, mask=points > 2), triangles)))
         self.assertIn("masked array", error.problem)
-        error = self.refused(lambda: rc.Mesh((points, np.full((1, 3), 2 ** 64 - 1, dtype=np.uint64))))
-        self.assertEqual(error.value, str(2 ** 64 - 1))
 
     def test_strange_objects_are_refused(self):
         for strange in (Raising(), object(), type, rc, b"1/2", {1, 2}, iter([1]), slice(1), ..., NotImplemented, 1j,

@@ -52,7 +52,8 @@ class Problems(ModuleTest):
             self.assertEqual([radius if np.isfinite(radius) else None for radius in error.radius.tolist()],
                              [level[name]["radius"] for level in levels])
             self.assertEqual(error.guaranteed.tolist(), [level[name]["guaranteed"] for level in levels])
-        self.assertEqual(set(solution.errors), {"discretisation_error", "node_error", "uniform_error"})
+        self.assertEqual(set(solution.errors), {"discretisation_error", "node_error", "uniform_error", "l2_error",
+                                                "mean_error"})
         self.assertEqual(solution.eoc("node_error")[1:].tolist(), [level["node_order"] for level in levels[1:]])
         self.assertTrue(np.isnan(solution.eoc()[0]))
         self.refused(lambda: solution.eoc("uniform_error"), "discretisation_error, node_error")

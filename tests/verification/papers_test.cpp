@@ -247,7 +247,7 @@ TEST(Selection, FindsAFolderOfTheUsersOwn) {
 
 TEST(Selection, RefusesWhatThereIsNot) {
   EXPECT_THAT(refusal({"ac99"}), HasSubstr("ac98"));
-  EXPECT_THAT(refusal({"ac98/table_99"}), HasSubstr("equation_1, equation_2"));
+  EXPECT_THAT(refusal({"ac98/table_99"}), HasSubstr("did you mean table_1?"));
   EXPECT_THAT(refusal({"ac98/table"}), HasSubstr("is not a statement"));
   const test::TemporaryFolder empty;
   EXPECT_THAT(refusal({empty.path().string()}), HasSubstr("claims.toml"));

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.h"
 
-#include <cstdint>
-#include <limits>
-
 #include "exact.h"
 #include "radcert/core/errors.h"
 
@@ -76,9 +73,7 @@ IndexArray index_rows(const py::handle& object, std::size_t columns, const std::
   if (array.size() > 0 && kind != 'i' && kind != 'u')
     refuse(place, array_words(array), "is no array of whole numbers", allowed);
   require_rows(array, columns, place);
-  constexpr auto largest = std::numeric_limits<std::int64_t>::max();
-  if (kind == 'u' && array.size() > 0 && array.attr("max")().cast<std::uint64_t>() > std::uint64_t{largest})
-    refuse(place, std::string(py::str(array.attr("max")())), "is no place of a point", allowed);
+  // Unsigned numbers beyond 2^63 become negative, which no index is.
   const IndexArray indices = IndexArray::ensure(array);
   return indices ? indices : IndexArray::ensure(array.attr("astype")("int64"));
 }

@@ -88,6 +88,10 @@ std::vector<Entry> bases() {
       {.name = "symmetric",
        .summary = "polynomials with symmetric nodes whose rule has a high degree of precision",
        .parameters = {{"degree", "a whole number from 1 to 6", ""}}},
+      {.name = "galerkin",
+       .summary = "a method, and no family: {\"method\": \"galerkin\", \"degree\": r}, piecewise polynomials "
+                  "without continuity",
+       .parameters = {{"degree", "a whole number from 0 to 4", ""}}},
       {.name = "shepard",
        .summary = "meshless: inverse squares of normal-sensitive distances, normalised, psg10 (16)",
        .parameters = meshless_parameters()},

@@ -4,6 +4,7 @@
 // page.
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "radcert/geometry/mesh_repair.h"
 #include "verification/claims/psg10/figures/figure.h"
 #include "verification/framework/reading/paper.h"
+#include "verification/framework/run_verification.h"
 
 namespace radcert::app {
 
@@ -62,14 +64,15 @@ std::vector<std::string> words_of(const std::string& command) {
       out.emplace_back(kind.name);
   if (command == "completion") out = {"bash"};
   if (command == "verify") {
-    out = listed_names("claims");
+    // Tables have a name beside those of their cells.
+    const std::vector<std::string> claims = listed_names("claims");
+    std::set<std::string> words(claims.begin(), claims.end());
     for (const verification::Paper& paper : verification::embedded_paper_list()) {
-      out.push_back(paper.key);
-      for (const verification::Claim& claim : paper.claims)
-        if (claim.table)
-          for (const verification::CellRecord& cell : claim.table->cells)
-            out.push_back(paper.key + "/" + cell.label);
+      words.insert(paper.key);
+      for (const std::string& label : verification::statement_labels(paper))
+        words.insert(paper.key + "/" + label);
     }
+    out.assign(words.begin(), words.end());
   }
   if (command == "reference") out = listed_names("references");
   if (command == "surface" || command == "factors") out = listed_names("surfaces");

@@ -137,7 +137,7 @@ std::vector<std::string> near_contact_remarks(const MeshSurvey& survey) {
         (near.pairs > 1 ? ", the least of " + std::to_string(near.pairs) + " pairs of triangles" : "") +
         ": no contact, so that what lies between takes part; where they are to touch, give both the "
         "same coordinates" +
-        (near.gap <= rounded_gap(survey.precision.unit)
+        (near.may_be_rounding
              ? ", or try repair align: the file is " + survey.precision.words
              : std::string()));
   return out;

@@ -47,6 +47,14 @@ const std::vector<ErrorKind>& error_kinds() {
   return kinds;
 }
 
+bool is_for_plots(const ErrorKind& kind, std::span<const LevelResult> levels) {
+  if (kind.name != "l2_error" && kind.name != "mean_error") return true;
+  return std::any_of(levels.begin(), levels.end(), [&](const LevelResult& level) {
+    const std::optional<Approximation>& error = level.*kind.figure;
+    return error && error->has_radius();
+  });
+}
+
 const ErrorKind& iterated_kind() {
   static const ErrorKind kind{"iterated_error", &LevelResult::iterated_error};
   return kind;

@@ -48,6 +48,10 @@ struct ErrorKind {
 /// discretisation_error, node_error, uniform_error, l2_error, mean_error.
 [[nodiscard]] const std::vector<ErrorKind>& error_kinds();
 
+/// Whether an error belongs into plots of a study: in L2 and of means those of methods that give them a
+/// radius, Galerkin's, lest every plot of collocation have five curves; every other error.
+[[nodiscard]] bool is_for_plots(const ErrorKind& kind, std::span<const LevelResult> levels);
+
 /// iterated_error, of problems that ask for the iterated solution.
 [[nodiscard]] const ErrorKind& iterated_kind();
 

@@ -120,6 +120,7 @@ Plot convergence_plot(std::string title, const ErrorHistory& problem) {
   std::vector<ErrorKind> kinds = error_kinds();
   kinds.push_back(iterated_kind());
   for (const ErrorKind& kind : kinds) {
+    if (!is_for_plots(kind, problem.levels)) continue;
     PlotCurve curve = curve_of(in_words(kind), problem, kind, ErrorAgainst::mesh_size);
     if (curve.points.size() < 2) continue;
     curve.latex = in_latex(kind);

@@ -109,16 +109,15 @@ std::vector<NamedPlot> experiment_plots(const Experiment& experiment, std::span<
   const std::vector<std::vector<std::size_t>> sweeps = alpha_sweeps(results);
   std::vector<NamedPlot> plots;
   for (const ErrorKind& kind : error_kinds()) {
+    const bool is_drawn = std::any_of(results.begin(), results.end(), [&](const Result& result) {
+      return is_for_plots(kind, result.levels);
+    });
+    if (!is_drawn) continue;
     for (const auto& [name, against] :
          {std::pair("_against_h", ErrorAgainst::mesh_size), {"_against_unknowns", ErrorAgainst::unknowns}})
       if (Plot plot = combinations_plot(experiment, results, all, kind, against); !plot.curves.empty())
         plots.push_back({kind.name + name, std::move(plot)});
-    // Means are told by methods without nodes.
-    const bool is_told = std::any_of(results.begin(), results.end(), [&](const Result& result) {
-      return std::any_of(result.levels.begin(), result.levels.end(),
-                         [&](const LevelResult& level) { return (level.*kind.figure).has_value(); });
-    });
-    if (!sweeps.empty() && is_told)
+    if (!sweeps.empty())
       plots.push_back({kind.name + "_against_alpha", against_alpha(experiment, results, sweeps, kind)});
   }
   return plots;

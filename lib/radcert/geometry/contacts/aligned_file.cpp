@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/geometry/contacts/near_contacts.h"
 #include "radcert/geometry/contacts/place.h"
 #include "radcert/scalar/enclosing_text.h"
 
@@ -171,7 +172,7 @@ Outcome<AlignedFile> aligned(MeshFile file) {
   double extent = 0;
   for (const Vector<double>& v : file.vertices)
     extent = std::max({extent, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const double precision = std::max(file.precision.unit, 0x1p-50 * extent);
+  const double precision = std::max(rounding_of(file.precision.unit, extent), 0x1p-50 * extent);
   Rotation rotation = nearest_rotation(*axes);
   double turn = 0;
   for (std::size_t k = 0; k < 3; ++k) turn = std::max(turn, norm(rotation[k] - identity[k]));
@@ -185,7 +186,7 @@ Outcome<AlignedFile> aligned(MeshFile file) {
   for (std::vector<double>& values : equal)
     if (!make_equal(values, (is_turned ? apart_when_turned : apart) * precision, is_turned))
       return because("coordinates follow each other more closely than the precision of the file, " +
-                     nearest_text(file.precision.unit, DecimalForm::general(2)) + ", tells them apart");
+                     nearest_text(precision, DecimalForm::general(2)) + ", tells them apart");
   for (std::size_t i = 0; i < file.vertices.size(); ++i) {
     const Vector<double> turned{coordinates[0][i], coordinates[1][i], coordinates[2][i]};
     file.vertices[i] = {equal[0][i], equal[1][i], equal[2][i]};

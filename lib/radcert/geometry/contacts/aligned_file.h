@@ -17,7 +17,7 @@ struct AlignedFile {
 /// Maths     R is the rotation nearest to the identity that takes to axes the direction of normals that the
 ///           largest area has, and that with the largest area of those at right angles to it; directions
 ///           within 10^-3 are one, their mean by area. Of R x, coordinates that follow each other within 8 u
-///           become one, u the precision of the file; within 5/2 u where nothing is turned
+///           become one, u the rounding of the file's coordinates; within 5/2 u where nothing is turned
 /// Source    ours. A room that was turned, and written with a few digits, has no two walls in one plane, and
 ///           what stands against a wall does not touch it: doubles hold neither. Configuration factors are
 ///           those of the room as it was before it was turned

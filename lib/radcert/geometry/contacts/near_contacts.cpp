@@ -83,7 +83,8 @@ std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand
   const PlaneClasses planes = plane_classes(mesh);
   const double diagonal = norm(tree.box().high - tree.box().low);
   const double rounding = 1e-12 * diagonal;
-  const double most = std::max(next_to_nothing * diagonal, rounded_gap(precision));
+  const double of_file = rounded_gap(rounding_of(precision, diagonal));
+  const double most = std::max(next_to_nothing * diagonal, of_file);
   std::map<std::pair<std::size_t, std::size_t>, NearContact> found;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Corners here = mesh.corners(t);
@@ -116,6 +117,7 @@ std::vector<NearContact> near_contacts(const TriangleMesh& mesh, bool right_hand
       contact.one = mesh.group_names[groups.first];
       contact.other = mesh.group_names[groups.second];
       contact.gap = gap;
+      contact.may_be_rounding = gap <= of_file;
       contact.at = amid_overlap(here, there, right_hand ? back : -back);
       return true;
     }));
