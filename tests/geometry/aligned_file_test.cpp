@@ -121,6 +121,16 @@ TEST(AlignedFile, GivesTheValueThatMostHaveWhereNothingTurns) {
   EXPECT_NEAR(found->moved, std::sqrt(6.0) * 1e-6, 1e-12);
 }
 
+TEST(AlignedFile, DoesNotDependOnTheUnit) {
+  for (const double unit : {1e-80, 1e55}) {
+    const MeshFile given = furnished_room([&](const Vector<double>& v) { return unit * v; });
+    const Outcome<AlignedFile> found = aligned(given);
+    ASSERT_TRUE(found) << found.reason();
+    for (std::size_t i = 0; i < given.vertices.size(); ++i)
+      EXPECT_EQ(norm((1 / unit) * (found->file.vertices[i] - given.vertices[i])), 0) << unit;
+  }
+}
+
 TEST(AlignedFile, TakesFewDigitsForTheAuthorsOwn) {
   // Whole numbers are no roundings of others.
   MeshFile given = furnished_room([](const Vector<double>& v) { return rounded(10 * v, 1); });

@@ -33,14 +33,21 @@ constexpr Rotation identity{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 Vector<double> unit(const Vector<double>& v) { return (1 / norm(v)) * v; }
 
-/// The normal of a face, as long as its area.
-Vector<double> area_of(const MeshFile& file, std::size_t face) {
+double extent_of(const MeshFile& file) {
+  double extent = 0;
+  for (const Vector<double>& v : file.vertices)
+    extent = std::max({extent, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return extent;
+}
+
+/// The normal of a face, as long as its area where `scale` is a unit of length.
+Vector<double> area_of(const MeshFile& file, std::size_t face, double scale) {
   const std::size_t first = file.face_begin[face];
   const std::size_t last = file.face_begin[face + 1];
   const Vector<double>& origin = file.vertices[file.corner[first]];
   Vector<double> sum{};
-  for (std::size_t k = first + 1; k + 1 < last; ++k)
-    sum = sum + cross(file.vertices[file.corner[k]] - origin, file.vertices[file.corner[k + 1]] - origin);
+  const auto side = [&](std::size_t k) { return scale * (file.vertices[file.corner[k]] - origin); };
+  for (std::size_t k = first + 1; k + 1 < last; ++k) sum = sum + cross(side(k), side(k + 1));
   return 0.5 * sum;
 }
 
@@ -52,9 +59,11 @@ struct Direction {
 
 /// By the largest face, the largest first.
 std::vector<Direction> directions(const MeshFile& file) {
+  // Squares of areas are in the range of double whatever the unit of the file is.
+  const double scale = std::ldexp(1.0, -std::ilogb(std::max(extent_of(file), 1e-300)));
   std::vector<Vector<double>> areas;
   for (std::size_t f = 0; f < file.face_count(); ++f)
-    if (const Vector<double> area = area_of(file, f); norm(area) > 0) areas.push_back(area);
+    if (const Vector<double> area = area_of(file, f, scale); norm(area) > 0) areas.push_back(area);
   std::stable_sort(areas.begin(), areas.end(),
                    [](const auto& a, const auto& b) { return norm(a) > norm(b); });
   std::vector<Direction> found;
@@ -169,9 +178,7 @@ std::optional<std::size_t> join_vertices(MeshFile& file) {
 Outcome<AlignedFile> aligned(MeshFile file) {
   const std::optional<Rotation> axes = axes_of(file);
   if (!axes) return because("no two directions of its faces are at right angles");
-  double extent = 0;
-  for (const Vector<double>& v : file.vertices)
-    extent = std::max({extent, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  const double extent = extent_of(file);
   const double precision = std::max(rounding_of(file.precision.unit, extent), 0x1p-50 * extent);
   Rotation rotation = nearest_rotation(*axes);
   double turn = 0;
