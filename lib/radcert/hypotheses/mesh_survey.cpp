@@ -137,9 +137,8 @@ std::vector<std::string> near_contact_remarks(const MeshSurvey& survey) {
         (near.pairs > 1 ? ", the least of " + std::to_string(near.pairs) + " pairs of triangles" : "") +
         ": no contact, so that what lies between takes part; where they are to touch, give both the "
         "same coordinates" +
-        (near.may_be_rounding
-             ? ", or try repair align: the file is " + survey.precision.words
-             : std::string()));
+        (near.may_be_rounding ? ", or try repair align: the file is " + survey.precision.words
+                              : std::string()));
   return out;
 }
 
