@@ -8,23 +8,13 @@
 
 #include "output.h"
 #include "radcert/scalar/enclosing_text.h"
+#include "tables/number_cells.h"
 
 namespace radcert::app {
 
 namespace {
 
 constexpr std::size_t most_rows = 20;
-
-void push(std::vector<std::string>& row, const std::optional<Approximation>& number, DecimalForm form) {
-  if (!number) {
-    row.insert(row.end(), {"-", "-"});
-  } else if (!number->has_radius()) {
-    row.insert(row.end(), {nearest_text(number->value, form), "-"});
-  } else {
-    const EnclosingText text = enclosing_text(number->value, number->radius, form);
-    row.insert(row.end(), {text.value, text.radius});
-  }
-}
 
 std::string coordinate(double x) { return nearest_text(x, DecimalForm::general(5)); }
 

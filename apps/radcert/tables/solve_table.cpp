@@ -12,25 +12,11 @@
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/estimated_contraction.h"
 #include "radcert/study/collocation/matrix_form.h"
+#include "tables/number_cells.h"
 
 namespace radcert::app {
 
 namespace {
-
-constexpr int digits = 5;
-
-/// The value and its radius, which counts the digits that are not printed; without a radius no enclosure.
-void push(std::vector<std::string>& row, const std::optional<Approximation>& number,
-          DecimalForm form = DecimalForm::scientific(digits)) {
-  if (!number || !std::isfinite(number->value)) {
-    row.insert(row.end(), {"-", "-"});
-  } else if (!number->has_radius()) {
-    row.insert(row.end(), {nearest_text(number->value, form), "-"});
-  } else {
-    const EnclosingText text = enclosing_text(number->value, number->radius, form);
-    row.insert(row.end(), {text.value, text.radius});
-  }
-}
 
 std::string ratio_text(const std::optional<double>& ratio) {
   return ratio && std::isfinite(*ratio) ? nearest_text(*ratio, DecimalForm::fixed(2)) : "-";

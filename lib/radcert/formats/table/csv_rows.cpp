@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/formats/table/csv_rows.h"
 
+#include <algorithm>
+
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 
@@ -50,6 +52,14 @@ std::vector<std::string> CsvRows::row() {
     throw InputError(
         {.pointer = line_text(line_), .problem = "a quoted cell does not end", .allowed = "RFC 4180"});
   return cells;
+}
+
+std::optional<std::size_t> csv_column(const std::optional<std::vector<std::string>>& head,
+                                      std::string_view name) {
+  if (!head) return std::nullopt;
+  const auto found = std::find(head->begin(), head->end(), name);
+  if (found == head->end()) return std::nullopt;
+  return static_cast<std::size_t>(found - head->begin());
 }
 
 double csv_number(std::string_view cell, std::size_t line) {

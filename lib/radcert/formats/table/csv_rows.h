@@ -32,6 +32,10 @@ private:
   std::size_t next_line_ = 1;
 };
 
+/// The place of a column in the first line of a file; none where it is not there, or where there is no line.
+[[nodiscard]] std::optional<std::size_t> csv_column(const std::optional<std::vector<std::string>>& head,
+                                                    std::string_view name);
+
 /// A cell as a number. Requires its line, for the InputError where it is none.
 double csv_number(std::string_view cell, std::size_t line);
 

@@ -80,12 +80,7 @@ InputError no_columns(const std::optional<std::vector<std::string>>& head, bool 
 ClaimedFactors parse_csv(std::string_view text, std::span<const std::string> names) {
   CsvRows rows(text);
   const auto head = rows.next();
-  const auto column = [&](std::string_view name) -> std::optional<std::size_t> {
-    if (!head) return std::nullopt;
-    const auto found = std::find(head->begin(), head->end(), name);
-    return found == head->end() ? std::nullopt
-                                : std::optional(static_cast<std::size_t>(found - head->begin()));
-  };
+  const auto column = [&](std::string_view name) { return csv_column(head, name); };
   const auto from = column("from");
   const auto to = column("to");
   const auto factor = column("factor");

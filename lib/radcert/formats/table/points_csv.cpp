@@ -35,12 +35,7 @@ JsonValue number_json(const std::optional<Approximation>& number) {
 std::vector<AskedPoint> read_points(std::string_view text) {
   CsvRows rows(text);
   const auto head = rows.next();
-  const auto column = [&](std::string_view name) -> std::optional<std::size_t> {
-    if (!head) return std::nullopt;
-    const auto found = std::find(head->begin(), head->end(), name);
-    return found == head->end() ? std::nullopt
-                                : std::optional(static_cast<std::size_t>(found - head->begin()));
-  };
+  const auto column = [&](std::string_view name) { return csv_column(head, name); };
   const auto s = column("s");
   const auto t = column("t");
   const auto chart = column("chart");
