@@ -303,6 +303,16 @@ class Factors(ProgramTest):
         self.expect(2, *words, "--rays", "--certified")
         self.expect(2, *words, "--rays", "--accuracy", "1e-8")
 
+    def test_plates_alone_need_no_front(self):
+        self.obj("plates.obj", {"low": OBSTRUCTED[:1], "high": OBSTRUCTED[1:2]})
+        ask = ["factors", "plates.obj", "--space", "--by", "group", "--out", "f.csv"]
+        self.expect(0, *ask, "--two-sided", "low,high")
+        found = {(row["from"], row["to"]): float(row["factor"]) for row in self.rows("f.csv")}
+        self.assertAlmostEqual(found["low", "high"], OPPOSITE, delta=1e-12)
+        self.assertNotIn(("low back", "high"), found)
+        done = self.run_program("factors", "plates.obj", "--by", "group")
+        self.assertIn(b"--two-sided for plates without thickness", done.stderr)
+
     def test_a_turned_room_is_aligned_where_that_is_asked(self):
         """A cupboard on the floor and at a wall, turned by 30 degrees and printed with six decimals."""
         walls = box((0, 0, 0), (4, 3, 2.5), inwards=True)
