@@ -68,15 +68,17 @@ Discretisation discretisation(const std::string& name, int degree, int level) {
 std::unique_ptr<const ClusterOperator> clusters_of(const Discretisation& d, double tolerance,
                                                    std::optional<int> refinements = std::nullopt) {
   const double begin = seconds();
+  const ClusterTree tree =
+      ClusterTree::make(d.triangulation, d.level, refinements.value_or(leaf_refinements(d.basis.size())))
+          .value();
   auto made =
       std::make_unique<const ClusterOperator>(ClusterOperator::Setting{.surface = d.surface,
-                                                                       .triangulation = d.triangulation,
-                                                                       .level = d.level,
+                                                                       .tree = tree,
+                                                                       .part = ClusterPart(tree),
                                                                        .basis = d.basis,
                                                                        .nodes = d.nodes,
                                                                        .reflectivity = d.rho,
                                                                        .far = ClusterTolerance(tolerance),
-                                                                       .refinements = refinements,
                                                                        .memory_limit = available_memory()});
   const ClusterOperator& k = *made;
   std::cerr << d.surface.name << ", degree " << d.basis.degree() << ", " << d.nodes.size()

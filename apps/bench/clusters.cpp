@@ -24,11 +24,14 @@ void make_and_multiply(benchmark::State& state, const Surface& surface) {
   const std::vector<CollocationPoint<double>> nodes =
       collocation_nodes<double>(surface, triangulation, basis);
   const std::vector<double> rho(nodes.size(), 0.5);
+  const ClusterTree tree =
+      ClusterTree::make(triangulation, level, leaf_refinements(basis.size())).value();
+  const ClusterPart part(tree);
   std::optional<ClusterOperator> k;
   const auto make = [&] {
     k.emplace(ClusterOperator::Setting{.surface = surface,
-                                       .triangulation = triangulation,
-                                       .level = level,
+                                       .tree = tree,
+                                       .part = part,
                                        .basis = basis,
                                        .nodes = nodes,
                                        .reflectivity = rho,

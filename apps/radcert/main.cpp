@@ -5,6 +5,7 @@
 #include <csignal>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <new>
 #include <optional>
@@ -23,6 +24,7 @@
 #include "radcert/core/interrupt.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/version.h"
+#include "run_ranks.h"
 
 namespace {
 
@@ -86,14 +88,13 @@ int run(int argc, char** argv) {
 
 void defect(const std::string& what) { complain("a defect of radcert itself, please report it: " + what); }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  // A file that may not grow so long is refused by write(2), which is looked at.
-  std::signal(SIGXFSZ, SIG_IGN);
-  leave_when_memory_ends();
+/// The exit code of what is done; what stops it is said.
+int code_of(const std::function<int()>& work) {
   try {
-    return run(argc, argv);
+    return work();
+  } catch (const EndedElsewhere& error) {
+    complain(error.what());
+    return error.code();
   } catch (const InputError& error) {
     complain(error.what());
     return code(ExitCode::input);
@@ -128,4 +129,17 @@ int main(int argc, char** argv) {
     defect("an exception of an unknown kind");
   }
   return code(ExitCode::environment);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  // A file that may not grow so long is refused by write(2), which is looked at.
+  std::signal(SIGXFSZ, SIG_IGN);
+  leave_when_memory_ends();
+  RunRanks ranks;
+  return ranks.end(code_of([&] {
+    ranks.begin(argc, argv);
+    return run(argc, argv);
+  }));
 }

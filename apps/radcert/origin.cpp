@@ -15,6 +15,7 @@
 #include "radcert/core/memory_plan.h"
 #include "radcert/core/parallel.h"
 #include "verification/framework/reading/embedded.h"
+#include "run_ranks.h"
 
 namespace radcert::app {
 
@@ -61,10 +62,24 @@ InputFile read_input(const std::filesystem::path& file, std::uint64_t limit_byte
   InputFile input{.source = file == "-" ? "standard input" : file.string(),
                   .text = {},
                   .digest = {.name = file.string(), .digest = {}}};
-  input.text = with_source(
-      input.source, [&] { return file == "-" ? standard_input(limit_bytes) : read_file(file, limit_bytes); });
+  const auto read = [&] {
+    return with_source(input.source, [&] {
+      return file == "-" ? standard_input(limit_bytes) : read_file(file, limit_bytes);
+    });
+  };
+  std::error_code error;
+  const bool is_seen = ranks().is_first() || (file != "-" && std::filesystem::exists(file, error));
+  if (is_seen) input.text = read();
+  const std::string first = ranks().from_first(input.text);
+  if (!is_seen) input.text = first;
+  require_same_on_all_ranks(input.source, input.text);
   input.digest.digest = digest_of(input.text);
   return input;
+}
+
+void require_same_named_files(std::span<const Problem> problems) {
+  for (const InputDigest& named : inputs_named_in(problems))
+    require_same_on_all_ranks(named.name, named.digest);
 }
 
 std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems) {

@@ -24,11 +24,15 @@ struct InputFile {
   std::string text;
   InputDigest digest;
 };
-/// "-": the standard input. InputError as read_file, with the file as its source.
+/// "-": the standard input. InputError as read_file, with the file as its source. Of several ranks the first
+/// one reads, and another only to see that it has no other file of that name.
 InputFile read_input(const std::filesystem::path& file, std::uint64_t limit_bytes);
 
 /// The files that problems name, a mesh or nodes, each once.
 std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems);
+
+/// InputError where a rank has another file of one of these names than the first one.
+void require_same_named_files(std::span<const Problem> problems);
 
 /// What was mended in the meshes of problems, and what looks like a slip in them, a line each: "Mended:
 /// room.off: face 7 (line 31), bent ...". Empty where there is nothing to tell.

@@ -123,6 +123,16 @@ void refuse_name(const std::string& option, const std::filesystem::path& path, c
                       .allowed = "names of at most 255 bytes, paths of at most 4095"});
 }
 
+struct Speech {
+  bool silent = false;
+  std::string complaint;
+};
+
+Speech& speech() {
+  static Speech speech;
+  return speech;
+}
+
 /// Makes a folder and those above it; `made` gets what was not there.
 void make_folders(const std::filesystem::path& folder, std::vector<std::filesystem::path>& made) {
   std::error_code error;
@@ -137,6 +147,12 @@ void make_folders(const std::filesystem::path& folder, std::vector<std::filesyst
 }
 
 }  // namespace
+
+void be_silent() { speech().silent = true; }
+
+bool is_silent() { return speech().silent; }
+
+const std::string& last_complaint() { return speech().complaint; }
 
 std::optional<std::size_t> terminal_width() {
   if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
@@ -194,17 +210,20 @@ std::string fitted(std::string_view text) {
 }
 
 void print(std::string_view text) {
+  if (is_silent()) return;
   ProgressDisplay::put_away();
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
     throw EnvironmentError("stdout", std::strerror(errno));
 }
 
 void say(std::string_view text) {
+  if (is_silent()) return;
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }
 
 void complain(std::string_view text) {
+  speech().complaint = text;
   ProgressDisplay::put_away();
   say(alarming("radcert:", STDERR_FILENO) + " " + std::string(text) + "\n");
 }
@@ -251,7 +270,7 @@ void Outputs::named(const std::string& option, const std::filesystem::path& path
 }
 
 void Outputs::file(const std::string& option, const std::filesystem::path& path) {
-  if (path.empty()) return;
+  if (path.empty() || is_silent()) return;
   refuse_standard_output(option, path);
   std::error_code error;
   const std::filesystem::path folder =
@@ -267,7 +286,7 @@ void Outputs::file(const std::string& option, const std::filesystem::path& path)
 
 void Outputs::folder(const std::string& option, const std::filesystem::path& path,
                      const std::vector<std::string>& names) {
-  if (path.empty()) return;
+  if (path.empty() || is_silent()) return;
   refuse_standard_output(option, path);
   std::error_code error;
   for (std::filesystem::path part = path; !part.empty(); part = part.parent_path()) {
@@ -285,6 +304,7 @@ void Outputs::folder(const std::string& option, const std::filesystem::path& pat
 
 void Outputs::write(const std::vector<std::pair<std::filesystem::path, std::string>>& files,
                     AtomicFile* with_them) const {
+  if (is_silent()) return;
   for (const auto& [path, content] : files)
     for (const std::filesystem::path& input : inputs_)
       if (is_same_file(path, input)) refuse_input_as_output("output", path, input);

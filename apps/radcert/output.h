@@ -16,6 +16,13 @@
 
 namespace radcert::app {
 
+/// From now on this process neither writes nor speaks: of several ranks the first one does.
+void be_silent();
+[[nodiscard]] bool is_silent();
+
+/// What was last said by complain().
+[[nodiscard]] const std::string& last_complaint();
+
 /// The number of columns of the terminal that stdout is; none where it is no terminal.
 std::optional<std::size_t> terminal_width();
 

@@ -43,12 +43,12 @@ bool can_redraw() {
 }  // namespace
 
 ProgressDisplay::ProgressDisplay(bool quiet)
-    : mode_(quiet ? Mode::none : (can_redraw() ? Mode::bar : Mode::lines)), below_(uppermost) {
+    : mode_(quiet || is_silent() ? Mode::none : (can_redraw() ? Mode::bar : Mode::lines)), below_(uppermost) {
   begin();
 }
 
 ProgressDisplay::ProgressDisplay(bool quiet, const std::string& label)
-    : mode_(quiet ? Mode::none : (can_redraw() ? Mode::bar : Mode::lines)),
+    : mode_(quiet || is_silent() ? Mode::none : (can_redraw() ? Mode::bar : Mode::lines)),
       label_(label),
       extent_known_(false),
       below_(uppermost) {

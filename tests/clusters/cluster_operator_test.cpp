@@ -48,15 +48,16 @@ struct Discretisation {
 
   /// With leaves of 4^refinements elements: small ones, so that small problems have couplings.
   ClusterOperator clusters(double tolerance, std::optional<int> refinements = std::nullopt) const {
+    const ClusterTree tree =
+        ClusterTree::make(triangulation, level, refinements.value_or(leaf_refinements(basis.size()))).value();
     return ClusterOperator({.surface = surface,
-                            .triangulation = triangulation,
-                            .level = level,
+                            .tree = tree,
+                            .part = ClusterPart(tree),
                             .basis = basis,
                             .nodes = nodes,
                             .reflectivity = rho,
                             .integrals = Tolerance(1e-13),
-                            .far = ClusterTolerance(tolerance),
-                            .refinements = refinements});
+                            .far = ClusterTolerance(tolerance)});
   }
   CollocationMatrix<double> dense() const {
     return assemble<double>(surface, triangulation, basis, nodes, rho);
@@ -273,9 +274,10 @@ TEST(ClusterOperator, NamesWhatItDoesNotServe) {
   const Discretisation d(cube(), 1, 1);
   EXPECT_THROW(ClusterTolerance(0.9e-13), ContractViolation);
   EXPECT_THROW(ClusterTolerance(0.1), ContractViolation);
+  const ClusterTree tree = ClusterTree::make(d.triangulation, 1, 1).value();
   EXPECT_THROW(ClusterOperator({.surface = occluded,
-                                .triangulation = d.triangulation,
-                                .level = 1,
+                                .tree = tree,
+                                .part = ClusterPart(tree),
                                 .basis = d.basis,
                                 .nodes = d.nodes,
                                 .reflectivity = d.rho}),
@@ -284,9 +286,10 @@ TEST(ClusterOperator, NamesWhatItDoesNotServe) {
 
 TEST(ClusterOperator, RefusesMoreMemoryThanItMayTake) {
   const Discretisation d(cube(), 2, 1);
+  const ClusterTree tree = ClusterTree::make(d.triangulation, 2, 2).value();
   EXPECT_THROW(ClusterOperator({.surface = d.surface,
-                                .triangulation = d.triangulation,
-                                .level = 2,
+                                .tree = tree,
+                                .part = ClusterPart(tree),
                                 .basis = d.basis,
                                 .nodes = d.nodes,
                                 .reflectivity = d.rho,

@@ -39,15 +39,15 @@ TEST(EstimatedInverseNorm, IsRefusedWhereTheNormsTellNothing) {
 TEST(ContractionByEstimate, BoundsWhatTheInverseDoesToMatricesWithinTheRadii) {
   for (const double norm : {1.0, 2.0, 57.0})
     for (const double radius : {0.0, 1e-9, 0.25 / norm}) {
-      const Contraction c = contraction_by_estimate(5, norm, radius);
+      const Contraction c = contraction_by_estimate(VectorParts(5), norm, radius);
       EXPECT_GE(c.inverse_bound(1), norm / (1 - norm * radius));
       EXPECT_LE(c.inverse_bound(1), norm / (1 - norm * radius) * (1 + 1e-12));
       EXPECT_EQ(c.least_weight(), 1);
       EXPECT_LT(c.theta(), 1);
     }
-  EXPECT_THROW(static_cast<void>(contraction_by_estimate(5, 0.5, 0)), ContractViolation);
-  EXPECT_THROW(static_cast<void>(contraction_by_estimate(5, 4, 0.25)), ContractViolation);
-  EXPECT_THROW(static_cast<void>(contraction_by_estimate(5, std::numeric_limits<double>::infinity(), 0)),
+  EXPECT_THROW(static_cast<void>(contraction_by_estimate(VectorParts(5), 0.5, 0)), ContractViolation);
+  EXPECT_THROW(static_cast<void>(contraction_by_estimate(VectorParts(5), 4, 0.25)), ContractViolation);
+  EXPECT_THROW(static_cast<void>(contraction_by_estimate(VectorParts(5), std::numeric_limits<double>::infinity(), 0)),
                ContractViolation);
 }
 
@@ -67,7 +67,7 @@ TEST(GmresByEstimate, KeepsToItsBoundWhereNothingContracts) {
     std::vector<double> e(n);
     for (double& each : e) each = std::uniform_real_distribution<double>(-1, 1)(random);
     const DirectSolver direct(k);
-    const Contraction c = contraction_by_estimate(n, std::max(1.0, direct.inverse_norm() * (1 + 1e-9)), 0);
+    const Contraction c = contraction_by_estimate(VectorParts(n), std::max(1.0, direct.inverse_norm() * (1 + 1e-9)), 0);
     const std::vector<double> exact = direct.solve(e);
     for (const double tolerance : {1e-3, 1e-9}) {
       const Outcome<IterativeSolution, NotReached> found = solve_by_gmres(SystemMatrix(k), c, e, tolerance);

@@ -29,6 +29,7 @@
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/expected_seconds.h"
 #include "radcert/study/study.h"
+#include "run_ranks.h"
 #include "tables/experiment_table.h"
 #include "verification/report/report_page.h"
 
@@ -136,12 +137,12 @@ Files paper_files(const Common& common, const ExperimentOptions& options, const 
 ExitCode run_experiment(const Common& common, const ExperimentOptions& options) {
   if (std::error_code error;
       options.experiment == "scoreboard" && !std::filesystem::exists("scoreboard", error))
-    return run_scoreboard(common, options.out);
+    return ranks().is_first() ? run_scoreboard(common, options.out) : ExitCode::done;
   Outputs outputs(common);
   outputs.input(options.experiment);
   outputs.folder("--out", options.out, {"experiment.json", "provenance.json"});
   const auto limit = common.limit_threads();
-  const std::uint64_t memory = common.memory_limit();
+  const std::uint64_t memory = memory_of_all_ranks(common.memory_limit());
   const InputFile input = read_input(options.experiment, json_size_limit);
   const Experiment experiment = parse_experiment(input.text, options.experiment);
   for (const Combination& combination : experiment.combinations)
@@ -150,12 +151,15 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   std::vector<Problem> problems;
   for (const Combination& combination : experiment.combinations) problems.push_back(combination.problem);
   for (const InputDigest& named : inputs_named_in(problems)) outputs.input(named.name);
+  require_same_named_files(problems);
   say(notes_on_meshes(problems));
   ResultStore store = common.store();
-  StoredLevels levels(store, solve_with(reference::applied_operator, memory));
+  StoredLevels levels(store, solve_with(reference::applied_operator, memory, ranks()), ranks());
   const Finished finished = solve_all(experiment, options.experiment, levels, common.quiet);
   const std::size_t asked = level_count(experiment);
   if (finished.levels < asked) return interrupted(finished.levels, asked, store);
+
+  if (!ranks().is_first()) return ExitCode::done;
 
   const std::vector<Result>& results = finished.results;
   const JsonValue document = experiment_json(experiment, results, common.command);

@@ -40,6 +40,7 @@
 #include "radcert/study/certified_solution.h"
 #include "radcert/study/expected_seconds.h"
 #include "requests/solution_at.h"
+#include "run_ranks.h"
 #include "tables/enclosure_table.h"
 #include "tables/points_table.h"
 #include "tables/solve_table.h"
@@ -391,23 +392,33 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   const InputFile input = read_input(options.problem, json_size_limit);
   const Problem problem = problem_of(options, input);
   for (const InputDigest& named : inputs_named_in({&problem, 1})) outputs.input(named.name);
-  if (problem.guarantee) return enclose(common, options, outputs, problem, input.source);
+  require_same_named_files({&problem, 1});
+  if (problem.guarantee) {
+    if (ranks().count() > 1)
+      throw InputError({.source = "mpirun",
+                        .value = std::to_string(ranks().count()) + " ranks",
+                        .problem = "do not share the work of a guarantee",
+                        .allowed = "one process"});
+    return enclose(common, options, outputs, problem, input.source);
+  }
   if (!options.certificate.empty())
     throw InputError({.source = "--certificate",
                       .value = options.certificate,
                       .problem = "is of an enclosure of u itself, and none is asked for",
                       .allowed = "--guarantee beside it, or guarantee in the problem"});
   const auto limit = common.limit_threads();
-  const std::uint64_t memory = common.memory_limit();
+  const std::uint64_t memory = memory_of_all_ranks(common.memory_limit());
   with_source(input.source, [&] { check(problem, memory); });
   const PointsWish wish = points_wish(options, outputs, problem);
 
   ResultStore store = common.store();
-  StoredLevels levels(store, solve_with(reference::applied_operator, memory));
+  StoredLevels levels(store, solve_with(reference::applied_operator, memory, ranks()), ranks());
   const std::vector<LevelOutcome> finished =
       with_source(input.source, [&] { return solve_levels(problem, levels, common.quiet); });
   const std::size_t asked = problem.triangulation.levels.size();
   if (finished.size() < asked) return interrupted(finished.size(), asked, store);
+
+  if (!ranks().is_first()) return ExitCode::done;
 
   std::vector<LevelResult> results;
   std::vector<LevelTiming> timing;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "radcert/clusters/mode_products.h"
 #include "radcert/clusters/vanishing.h"
@@ -21,11 +22,17 @@ constexpr std::size_t most_slots = std::size_t{1} << 21U;
 constexpr std::size_t clusters_at_a_time = 32;
 constexpr std::size_t couplings_at_a_time = 16;
 
-int largest_degree(const std::vector<std::vector<FarPair>>& pairs) {
-  int degree = 0;
-  for (const std::vector<FarPair>& level : pairs)
-    for (const FarPair& pair : level) degree = std::max(degree, pair.coupling.degree);
-  return degree;
+/// The largest degree on each level and those above it, of the couplings of all ranks; -1: none.
+std::vector<int> degrees_of_levels(const ClusterPart& part, const std::vector<std::vector<FarPair>>& pairs) {
+  std::vector<double> own(pairs.size(), -1);
+  for (std::size_t l = 0; l < pairs.size(); ++l)
+    for (const FarPair& pair : pairs[l]) own[l] = std::max(own[l], static_cast<double>(pair.coupling.degree));
+  const std::vector<double> all = part.ranks().gather_numbers(own);
+  std::vector<int> degrees(pairs.size(), -1);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    degrees[i % pairs.size()] = std::max(degrees[i % pairs.size()], static_cast<int>(all[i]));
+  for (std::size_t l = 1; l < degrees.size(); ++l) degrees[l] = std::max(degrees[l], degrees[l - 1]);
+  return degrees;
 }
 
 /// Vectors that one small matrix is multiplied with.
@@ -47,21 +54,31 @@ struct VectorGroup {
 }  // namespace
 
 ClusterCouplings::ClusterCouplings(const std::vector<Chart>& charts, const ClusterTree& tree,
-                                   const std::vector<std::vector<FarPair>>& pairs,
+                                   const ClusterPart& part, const std::vector<std::vector<FarPair>>& pairs,
                                    const TriangleBasis<double>& basis)
-    : levels_(tree.levels()), leaf_(basis, tree.refinements(), largest_degree(pairs)) {
+    : part_(part),
+      levels_(placed_levels(part, degrees_of_levels(part, pairs))),
+      modes_(levels_.back().place(levels_.back().held.end)),
+      leaf_(basis, tree.refinements(), std::max(0, levels_.back().degree)) {
   expects(pairs.size() == tree.levels(), "pairs of each level of the tree", named("levels", pairs.size()));
-  for (std::size_t l = 0; l < levels_.size(); ++l) {
-    Level& level = levels_[l];
-    level.clusters = tree.level(l).size();
-    if (l > 0) level.degree = levels_[l - 1].degree;
-    for (const FarPair& pair : pairs[l]) level.degree = std::max(level.degree, pair.coupling.degree);
-    level.stride = level.degree < 0 ? 0 : padded<double>(mode_count(level.degree));
-    level.first = modes_;
-    modes_ += level.clusters * level.stride;
-  }
   place_node_sets(charts, tree, pairs);
+  list_foreign_moments();
   list_batches();
+}
+
+std::vector<ClusterCouplings::Level> ClusterCouplings::placed_levels(const ClusterPart& part,
+                                                                     const std::vector<int>& degrees) {
+  std::vector<Level> levels(degrees.size());
+  std::size_t place = 0;
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    Level& level = levels[l];
+    level.held = l <= part.cut() ? ClusterRange{0, part.count(l)} : part.range(l);
+    level.degree = degrees[l];
+    level.stride = level.degree < 0 ? 0 : padded<double>(mode_count(level.degree));
+    level.first = place;
+    place += level.held.size() * level.stride;
+  }
+  return levels;
 }
 
 void ClusterCouplings::place_node_sets(const std::vector<Chart>& charts, const ClusterTree& tree,
@@ -85,7 +102,12 @@ void ClusterCouplings::place_node_sets(const std::vector<Chart>& charts, const C
         if (place == none) continue;
         expects(sets_.size() < none, "fewer than 2^32 node sets", named("sets", sets_.size()));
         place = static_cast<std::uint32_t>(sets_.size());
-        sets_.push_back({.cluster = cluster, .first = 0});
+        const bool is_held = levels_[l].held.contains(cluster);
+        sets_.push_back({.cluster = cluster,
+                         .is_held = is_held,
+                         .is_here = part_.range(l).contains(cluster),
+                         .first = 0,
+                         .moments = is_held ? levels_[l].place(cluster) : 0});
       }
       group.end = sets_.size();
       if (group.begin == group.end) continue;
@@ -111,6 +133,56 @@ void ClusterCouplings::place_node_sets(const std::vector<Chart>& charts, const C
       evaluations_ += nodes * nodes;
     }
   }
+}
+
+/// Asks for the moments of clusters that other ranks hold, of each as many as the largest degree takes.
+void ClusterCouplings::list_foreign_moments() {
+  // Where another rank holds the moments of a level: it lays out its levels as this one does.
+  const auto first_of = [this](std::size_t rank, std::size_t level) {
+    std::size_t first = 0;
+    for (std::size_t l = 0; l < level; ++l) {
+      const ClusterRange held = l <= part_.cut() ? ClusterRange{0, part_.count(l)} : part_.range(l, rank);
+      first += held.size() * levels_[l].stride;
+    }
+    return first;
+  };
+  struct Wanted {
+    std::size_t level;
+    std::uint32_t cluster;
+    std::size_t set;
+    std::size_t modes;
+  };
+  std::vector<Wanted> sets;
+  for (const NodeGroup& group : groups_)
+    for (std::size_t i = group.begin; i < group.end; ++i)
+      if (!sets_[i].is_held) sets.push_back({group.level, sets_[i].cluster, i, mode_count(group.degree)});
+  // Of a cluster's sets that of the largest degree comes first.
+  std::sort(sets.begin(), sets.end(), [](const Wanted& p, const Wanted& q) {
+    return std::tie(p.level, p.cluster, q.modes) < std::tie(q.level, q.cluster, p.modes);
+  });
+  std::vector<RemoteNumber> wanted;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const auto& [level, cluster, set, modes] = sets[i];
+    const bool is_new = i == 0 || sets[i - 1].level != level || sets[i - 1].cluster != cluster;
+    if (!is_new) {
+      sets_[set].moments = sets_[sets[i - 1].set].moments;
+      continue;
+    }
+    sets_[set].moments = wanted.size();
+    const std::size_t owner = part_.owner(level, cluster);
+    const std::size_t place =
+        first_of(owner, level) + (cluster - part_.range(level, owner).begin) * levels_[level].stride;
+    for (std::size_t n = 0; n < modes; ++n)
+      wanted.push_back({.rank = static_cast<std::uint32_t>(owner), .place = place + n});
+  }
+  brought_ = wanted.size();
+  exchange_ = part_.ranks().exchange(modes_, wanted);
+}
+
+std::uint64_t ClusterCouplings::bytes_sent() const {
+  const Level& cut = levels_[part_.cut()];
+  const std::uint64_t at_cut = part_.range(part_.cut()).size() * cut.stride * sizeof(double);
+  return exchange_->bytes_sent() + (part_.ranks().count() - 1) * at_cut;
 }
 
 void ClusterCouplings::list_batches() {
@@ -144,8 +216,9 @@ void ClusterCouplings::close_batch(std::size_t end, std::size_t slots) {
   std::vector<Entry> entries;
   for (std::size_t i = batch.begin; i < end; ++i) {
     const Coupling& c = couplings_[i];
-    entries.push_back({c.a, c.nodes, c.slot});
-    entries.push_back({c.b, c.nodes, c.slot + static_cast<std::uint32_t>(padded<double>(c.nodes))});
+    if (sets_[c.a].is_here) entries.push_back({c.a, c.nodes, c.slot});
+    if (sets_[c.b].is_here)
+      entries.push_back({c.b, c.nodes, c.slot + static_cast<std::uint32_t>(padded<double>(c.nodes))});
   }
   std::stable_sort(entries.begin(), entries.end(),
                    [](const Entry& p, const Entry& q) { return p.set < q.set; });
@@ -163,6 +236,7 @@ void ClusterCouplings::count(MemoryPlan& plan) const {
   plan.add("interpolation nodes and values at them", points_.size(),
            ClusterPoints::bytes_each + 2 * sizeof(double));
   plan.add("moments and modes", modes_, 2 * sizeof(double));
+  plan.add("moments that other ranks hold", brought_, sizeof(double) + 2 * sizeof(RemoteNumber));
   plan.add("lists of couplings", couplings_.size(),
            sizeof(Coupling) + sizeof(Target) + 2 * sizeof(std::uint32_t));
   std::size_t slots = 0;
@@ -172,19 +246,21 @@ void ClusterCouplings::count(MemoryPlan& plan) const {
 
 void ClusterCouplings::multiply(ClusterDensity density, std::span<const double> x,
                                 std::span<double> y) const {
-  const std::size_t unknowns = levels_.back().clusters * leaf_.unknowns;
+  const std::size_t unknowns = part_.leaves().size() * leaf_.unknowns;
   expects(y.size() == unknowns && (density == ClusterDensity::one || x.size() == unknowns),
           "vectors of as many entries as unknowns", named("x", x.size()), named("y", y.size()));
-  if (couplings_.empty()) {
+  if (levels_.back().degree < 0) {
     std::fill(y.begin(), y.end(), 0.0);
     return;
   }
   std::vector<double> modes(modes_, 0.0);
+  std::vector<double> brought(brought_);
   std::vector<double> at_nodes(points_.size(), 0.0);
   std::vector<double> values(points_.size(), 0.0);
   moments_of_leaves(density, x, modes);
   moments_of_parents(modes);
-  weights_of_nodes(modes, at_nodes);
+  exchange_->bring(modes, brought);
+  weights_of_nodes(modes, brought, at_nodes);
   couple(at_nodes, values);
   std::fill(modes.begin(), modes.end(), 0.0);
   modes_of_values(values, modes);
@@ -195,12 +271,13 @@ void ClusterCouplings::multiply(ClusterDensity density, std::span<const double> 
 void ClusterCouplings::moments_of_leaves(ClusterDensity density, std::span<const double> x,
                                          std::span<double> moments) const {
   const Level& level = levels_.back();
+  const ClusterRange here = part_.leaves();
   const Matrix<double>& table =
       density == ClusterDensity::absolute_functions ? leaf_.absolute_moments : leaf_.moments;
-  parallel_for(level.clusters, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
+  parallel_for(here.size(), clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
     VectorGroup group;
     for (std::size_t i = begin; i < end; ++i) {
-      double* to = &moments[level.first + i * level.stride];
+      double* to = &moments[level.place(here.begin + i)];
       if (density == ClusterDensity::one)
         *to = 1;
       else
@@ -211,35 +288,50 @@ void ClusterCouplings::moments_of_leaves(ClusterDensity density, std::span<const
 }
 
 void ClusterCouplings::moments_of_parents(std::span<double> moments) const {
-  for (std::size_t l = levels_.size() - 1; l-- > 0;) {
-    const Level& parents = levels_[l];
-    const Level& children = levels_[l + 1];
-    if (parents.degree < 0) return;
-    parallel_for(parents.clusters, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
-      VectorGroup group;
-      for (std::size_t c = 0; c < 4; ++c) {
-        for (std::size_t i = begin; i < end; ++i)
-          group.add(&moments[children.first + (4 * i + c) * children.stride],
-                    &moments[parents.first + i * parents.stride]);
-        group.multiply(ModeTables::instance().to_parent(c), parents.stride, mode_count(parents.degree));
-      }
-      constexpr double share_of_area = 0.25;
-      for (std::size_t i = begin * parents.stride; i < end * parents.stride; ++i)
-        moments[parents.first + i] *= share_of_area;
-    });
+  for (std::size_t l = levels_.size(); l-- > 0;) {
+    if (levels_[l].degree < 0) return;
+    if (l + 1 < levels_.size()) moments_of_level(l, moments);
+    if (l == part_.cut()) gather_at_cut(moments);
   }
 }
 
-void ClusterCouplings::weights_of_nodes(std::span<const double> moments, std::span<double> weights) const {
+/// From their children to the clusters of a level: to those of the part, above the cut to all.
+void ClusterCouplings::moments_of_level(std::size_t l, std::span<double> moments) const {
+  const Level& parents = levels_[l];
+  const Level& children = levels_[l + 1];
+  const ClusterRange here = l < part_.cut() ? parents.held : part_.range(l);
+  parallel_for(here.size(), clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
+    VectorGroup group;
+    for (std::size_t c = 0; c < 4; ++c) {
+      for (std::size_t i = here.begin + begin; i < here.begin + end; ++i)
+        group.add(&moments[children.place(4 * i + c)], &moments[parents.place(i)]);
+      group.multiply(ModeTables::instance().to_parent(c), parents.stride, mode_count(parents.degree));
+    }
+    constexpr double share_of_area = 0.25;
+    for (std::size_t i = parents.place(here.begin + begin); i < parents.place(here.begin + end); ++i)
+      moments[i] *= share_of_area;
+  });
+}
+
+void ClusterCouplings::gather_at_cut(std::span<double> moments) const {
+  if (part_.ranks().count() == 1) return;
+  const Level& level = levels_[part_.cut()];
+  const ClusterRange here = part_.range(part_.cut());
+  const std::vector<double> all =
+      part_.ranks().gather_numbers(moments.subspan(level.place(here.begin), here.size() * level.stride));
+  std::copy(all.begin(), all.end(), moments.begin() + static_cast<std::ptrdiff_t>(level.first));
+}
+
+void ClusterCouplings::weights_of_nodes(std::span<const double> moments, std::span<const double> brought,
+                                        std::span<double> weights) const {
   for (const NodeGroup& nodes : groups_) {
     const ModeInterpolation& interpolation = ModeTables::instance().interpolation(nodes.degree);
-    const Level& level = levels_[nodes.level];
     const std::size_t k = interpolation.nodes.size();
     const std::size_t stride = padded<double>(k);
     parallel_for(nodes.end - nodes.begin, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
       VectorGroup group;
       for (std::size_t i = nodes.begin + begin; i < nodes.begin + end; ++i)
-        group.add(&moments[level.first + sets_[i].cluster * level.stride], &weights[sets_[i].first]);
+        group.add(&(sets_[i].is_held ? moments : brought)[sets_[i].moments], &weights[sets_[i].first]);
       group.multiply(interpolation.values_of_modes_transposed, stride, k);
       const std::size_t first = sets_[nodes.begin + begin].first;
       for (std::size_t q = first; q < first + (end - begin) * stride; q += Pack::lanes)
@@ -311,12 +403,11 @@ void ClusterCouplings::couple(std::span<const double> weights, std::span<double>
 void ClusterCouplings::modes_of_values(std::span<const double> values, std::span<double> modes) const {
   for (const NodeGroup& nodes : groups_) {
     const ModeInterpolation& interpolation = ModeTables::instance().interpolation(nodes.degree);
-    const Level& level = levels_[nodes.level];
     const std::size_t k = interpolation.nodes.size();
     parallel_for(nodes.end - nodes.begin, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
       VectorGroup group;
       for (std::size_t i = nodes.begin + begin; i < nodes.begin + end; ++i)
-        group.add(&values[sets_[i].first], &modes[level.first + sets_[i].cluster * level.stride]);
+        if (sets_[i].is_here) group.add(&values[sets_[i].first], &modes[sets_[i].moments]);
       group.multiply(interpolation.modes_of_values, padded<double>(k), k);
     });
   }
@@ -327,12 +418,12 @@ void ClusterCouplings::modes_of_children(std::span<double> modes) const {
     const Level& parents = levels_[l];
     const Level& children = levels_[l + 1];
     if (parents.degree < 0) continue;
-    parallel_for(parents.clusters, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
+    const ClusterRange here = part_.range(l);
+    parallel_for(here.size(), clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
       VectorGroup group;
       for (std::size_t c = 0; c < 4; ++c) {
-        for (std::size_t i = begin; i < end; ++i)
-          group.add(&modes[parents.first + i * parents.stride],
-                    &modes[children.first + (4 * i + c) * children.stride]);
+        for (std::size_t i = here.begin + begin; i < here.begin + end; ++i)
+          group.add(&modes[parents.place(i)], &modes[children.place(4 * i + c)]);
         group.multiply(ModeTables::instance().to_child(c), parents.stride, mode_count(parents.degree));
       }
     });
@@ -341,11 +432,12 @@ void ClusterCouplings::modes_of_children(std::span<double> modes) const {
 
 void ClusterCouplings::values_at_leaves(std::span<const double> modes, std::span<double> y) const {
   const Level& level = levels_.back();
-  parallel_for(level.clusters, clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
+  const ClusterRange here = part_.leaves();
+  parallel_for(here.size(), clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
     std::vector<double> padded_values(leaf_.values.rows() * (end - begin), 0.0);
     VectorGroup group;
     for (std::size_t i = begin; i < end; ++i)
-      group.add(&modes[level.first + i * level.stride], &padded_values[(i - begin) * leaf_.values.rows()]);
+      group.add(&modes[level.place(here.begin + i)], &padded_values[(i - begin) * leaf_.values.rows()]);
     group.multiply(leaf_.values, leaf_.values.rows(), mode_count(level.degree));
     for (std::size_t i = begin; i < end; ++i)
       std::copy_n(&padded_values[(i - begin) * leaf_.values.rows()], leaf_.unknowns, &y[i * leaf_.unknowns]);

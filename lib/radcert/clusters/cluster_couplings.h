@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "radcert/clusters/cluster_pairs.h"
+#include "radcert/clusters/cluster_part.h"
 #include "radcert/clusters/cluster_points.h"
 #include "radcert/clusters/cluster_tree.h"
 #include "radcert/clusters/mode_tables.h"
@@ -30,36 +32,48 @@ enum class ClusterDensity {
 ///           children, and at the leaves to the collocation nodes
 /// Source    ours: an H2 matrix (Hackbusch, Khoromskij, Sauter, 2000) on the triangles of a triangulation,
 ///           whose transfer matrices are constants because the area element stays with G
-/// Requires  pairs of this tree; leaves of the basis's unknowns
-/// Result    the same bits for any number of threads: what a coupling gives is added in the order of the
-///           list, and everything else is added by one task
+/// Ranks     moments at the cut of the parts are gathered, and all of them go on upwards from there; those of
+///           other ranks' clusters below the cut are brought as far as couplings ask for them. A coupling of
+///           clusters of two ranks is evaluated by both
+/// Requires  pairs of this tree that concern the part; leaves of the basis's unknowns; called by all ranks
+///           together
+/// Result    the same bits for any number of ranks and threads: what a coupling gives is added in the order
+///           of the list, and everything else is added by one task
 /// Limits    rounded; its truncation is that of CouplingDegree
 class ClusterCouplings {
 public:
-  ClusterCouplings(const std::vector<Chart>& charts, const ClusterTree& tree,
+  ClusterCouplings(const std::vector<Chart>& charts, const ClusterTree& tree, const ClusterPart& part,
                    const std::vector<std::vector<FarPair>>& pairs, const TriangleBasis<double>& basis);
 
-  /// Requires as many entries of x and y as there are unknowns, none shared; ClusterDensity::one takes no x.
+  /// Requires as many entries of x and y as there are unknowns here, none shared; ClusterDensity::one takes no x.
   void multiply(ClusterDensity density, std::span<const double> x, std::span<double> y) const;
 
-  [[nodiscard]] std::size_t unknowns_of_leaf() const { return leaf_.unknowns; }
   /// The number of evaluations of G in a product with a vector that vanishes on no cluster.
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
   /// Adds what it holds, and what a product takes.
   void count(MemoryPlan& plan) const;
+  /// The bytes that this rank sends for a product: to others their clusters' moments, and at the cut.
+  [[nodiscard]] std::uint64_t bytes_sent() const;
 
 private:
-  /// The moments or modes of the clusters of one level, up to a degree.
+  /// The moments or modes of the clusters of one level, up to a degree: of those of the part, and of all that
+  /// are not below the cut.
   struct Level {
-    std::size_t clusters = 0;
+    ClusterRange held;
     int degree = -1;  ///< none below zero
     std::size_t stride = 0;
     std::size_t first = 0;  ///< place of the first cluster's modes
+    [[nodiscard]] std::size_t place(std::size_t cluster) const {
+      return first + (cluster - held.begin) * stride;
+    }
   };
   /// The interpolation nodes of one degree in one cluster.
   struct NodeSet {
     std::uint32_t cluster;
-    std::size_t first;  ///< place among the points
+    bool is_held;         ///< whether the cluster's moments are among those held, or brought
+    bool is_here;         ///< whether values at the nodes are wanted: clusters of the part
+    std::size_t first;    ///< place among the points
+    std::size_t moments;  ///< place of the cluster's moments
   };
   /// The node sets of one level and degree follow each other.
   struct NodeGroup {
@@ -90,13 +104,18 @@ private:
     std::size_t last_slot;
   };
 
+  static std::vector<Level> placed_levels(const ClusterPart& part, const std::vector<int>& degrees);
   void place_node_sets(const std::vector<Chart>& charts, const ClusterTree& tree,
                        const std::vector<std::vector<FarPair>>& pairs);
+  void list_foreign_moments();
   void list_batches();
   void close_batch(std::size_t end, std::size_t slots);
   void moments_of_leaves(ClusterDensity density, std::span<const double> x, std::span<double> moments) const;
   void moments_of_parents(std::span<double> moments) const;
-  void weights_of_nodes(std::span<const double> moments, std::span<double> weights) const;
+  void moments_of_level(std::size_t level, std::span<double> moments) const;
+  void gather_at_cut(std::span<double> moments) const;
+  void weights_of_nodes(std::span<const double> moments, std::span<const double> brought,
+                        std::span<double> weights) const;
   void couple(std::span<const double> weights, std::span<double> values) const;
   void modes_of_values(std::span<const double> values, std::span<double> modes) const;
   void modes_of_children(std::span<double> modes) const;
@@ -104,8 +123,11 @@ private:
   void evaluate(const Coupling& coupling, std::span<const double> weights, double* values,
                 std::vector<double>& scratch) const;
 
+  ClusterPart part_;
   std::vector<Level> levels_;
-  std::size_t modes_ = 0;
+  std::size_t modes_;
+  std::size_t brought_ = 0;                   ///< moments of other ranks' clusters
+  std::unique_ptr<const Exchange> exchange_;  ///< of these
   LeafTables leaf_;
   ClusterPoints points_;
   std::vector<NodeSet> sets_;

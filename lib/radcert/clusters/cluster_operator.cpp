@@ -68,14 +68,15 @@ ClusterOperator::ClusterOperator(const Setting& setting) {
   const std::optional<std::string> obstacle = obstacle_to_clusters(setting.surface);
   expects(!obstacle, "a surface of analytic charts that hides nothing",
           named("surface", setting.surface.name), named("obstacle", obstacle.value_or("")));
-  const std::size_t unknowns = setting.triangulation.triangles.size() * setting.basis.size();
+  const ClusterTree& tree = setting.tree;
+  const ClusterPart& part = setting.part;
+  const std::size_t unknowns_of_leaf = tree.elements_of_leaf() * setting.basis.size();
+  const std::size_t unknowns = part.leaves().size() * unknowns_of_leaf;
   expects(setting.nodes.size() == unknowns && setting.reflectivity.size() == unknowns,
           "a node and a reflectivity a function and element", named("nodes", setting.nodes.size()),
           named("values", setting.reflectivity.size()));
-  const ClusterTree tree =
-      ClusterTree::make(setting.triangulation, setting.level,
-                        setting.refinements.value_or(leaf_refinements(setting.basis.size())))
-          .value();
+  const std::size_t subtrees = part.range(part.cut()).size();
+  parts_ = VectorParts(part.ranks(), subtrees, unknowns / subtrees);
   const auto scheme =
       std::make_shared<const IntegrationScheme<double>>(setting.surface, setting.basis, setting.integrals);
   const std::vector<Chart>& charts = setting.surface.charts;
@@ -86,18 +87,17 @@ ClusterOperator::ClusterOperator(const Setting& setting) {
   ClusterPairs pairs;
   std::vector<double> left_out;
   for (double largest = 0;;) {
-    pairs = divide_pairs(charts, tree, demand,
+    pairs = divide_pairs(charts, tree, part, demand,
                          [&](std::size_t a, std::size_t b) { return scheme->in_plane(a, b); });
-    left_out = truncation_of_leaves(tree, pairs.far);
-    largest = *std::max_element(left_out.begin(), left_out.end());
+    left_out = truncation_of_leaves(part, pairs.far);
+    largest = part.ranks().largest(*std::max_element(left_out.begin(), left_out.end()));
     if (largest <= setting.far.row()) break;
     // The sum shrinks with the share, to nothing where all pairs are near.
     constexpr double reserve = 0.8;
     demand.share *= reserve * setting.far.row() / largest;
   }
-  couplings_ = std::make_unique<ClusterCouplings>(charts, tree, pairs.far, setting.basis);
-  const std::size_t unknowns_of_leaf = couplings_->unknowns_of_leaf();
-  near_ = std::make_unique<NearEntries>(pairs.near, tree.leaves().size(), unknowns_of_leaf);
+  couplings_ = std::make_unique<ClusterCouplings>(charts, tree, part, pairs.far, setting.basis);
+  near_ = std::make_unique<NearEntries>(part, pairs.near, unknowns_of_leaf);
   memory().require(setting.memory_limit);
 
   factors_.reserve(unknowns);
@@ -105,7 +105,7 @@ ClusterOperator::ClusterOperator(const Setting& setting) {
   std::vector<double> far(unknowns);
   couplings_->multiply(ClusterDensity::one, {}, far);
   NearEntries::RowSums near = near_->fill(near_schemes(setting, scheme, far, unknowns_of_leaf),
-                                          setting.triangulation, setting.nodes, factors_);
+                                          tree, setting.nodes, factors_);
   row_radius_ = std::move(near.radius);
   // Values at nodes, transfers and sums amplify a rounding by less than this: Lebesgue constants up to 66,
   // and G from rounded points.

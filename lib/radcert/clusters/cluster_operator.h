@@ -10,13 +10,14 @@
 #include <vector>
 
 #include "radcert/clusters/cluster_couplings.h"
+#include "radcert/clusters/cluster_part.h"
+#include "radcert/clusters/cluster_tree.h"
 #include "radcert/clusters/near_entries.h"
 #include "radcert/core/outcome.h"
 #include "radcert/polynomial/triangle_basis.h"
 #include "radcert/quadrature/tolerance.h"
 #include "radcert/solve/system_matrix.h"
 #include "radcert/surface/surface.h"
-#include "radcert/triangulation/triangulation.h"
 
 namespace radcert {
 
@@ -50,32 +51,33 @@ private:
 ///           far clusters; row_radius[i] bounds sum_j |k_ij - exact|: the near entries' radii, what the
 ///           couplings of the row leave out, and the rounding of a product; kernel_integral[i] = Int_S |G| dS
 /// Source    [ac98, (40)]; ClusterCouplings, NearEntries
-/// Requires  a uniform triangulation of this level without obstacle_to_clusters; one node a function and
-///           element, one reflectivity in [0,1] a node; surface and nodes outlive this
+/// Requires  a surface without obstacle_to_clusters; the nodes of the part's elements, one a function and
+///           element, one reflectivity in [0,1] a node; surface and nodes outlive this; called by all ranks of
+///           the part together
 /// Result    what couplings leave out of a row is within the tolerance: their shares are reduced until it is.
 ///           Near entries are integrated to the tolerance of their row: coarser where little of it is near.
-///           Radii are estimates, as those of CollocationMatrix. The same bits for any number of threads;
-///           Interrupted when asked to stop
+///           Radii are estimates, as those of CollocationMatrix. The rows of the part's leaves, and the same
+///           bits for any number of ranks and threads; Interrupted when asked to stop
 /// Limits    couplings in double
 class ClusterOperator final : public ProductOperator {
 public:
   struct Setting {
     const Surface& surface;
-    const Triangulation& triangulation;
-    int level;
+    const ClusterTree& tree;  ///< of a uniform triangulation; see leaf_refinements
+    const ClusterPart& part;
     const TriangleBasis<double>& basis;
     std::span<const CollocationPoint<double>> nodes;
     std::span<const double> reflectivity;
     Tolerance integrals = Tolerance();
     ClusterTolerance far = ClusterTolerance(1e-12);
-    /// From a leaf to its elements; absent: leaf_refinements.
-    std::optional<int> refinements = std::nullopt;
     /// Bytes that the operator may take; more are refused by InputError before the entries are integrated.
     std::uint64_t memory_limit = static_cast<std::uint64_t>(-1);
   };
   explicit ClusterOperator(const Setting& setting);
 
   [[nodiscard]] std::size_t size() const override { return factors_.size(); }
+  /// Blocks are the subtrees of the part.
+  [[nodiscard]] VectorParts parts() const override { return parts_; }
   [[nodiscard]] const std::vector<double>& kernel_integral() const { return kernel_integral_; }
   [[nodiscard]] const std::vector<double>& row_radius() const { return row_radius_; }
 
@@ -91,10 +93,13 @@ public:
   [[nodiscard]] const ClusterCouplings& couplings() const { return *couplings_; }
   [[nodiscard]] const NearEntries& near_entries() const { return *near_; }
   [[nodiscard]] MemoryPlan memory() const;
+  /// The bytes that this rank sends for a product.
+  [[nodiscard]] std::uint64_t bytes_sent() const { return couplings_->bytes_sent() + near_->bytes_sent(); }
 
 private:
   void far_product(ClusterDensity density, std::span<const double> x, std::span<double> y) const;
 
+  VectorParts parts_;
   std::vector<double> factors_;  ///< rho/pi
   std::unique_ptr<ClusterCouplings> couplings_;
   std::unique_ptr<NearEntries> near_;

@@ -14,16 +14,11 @@ bool same(const ParameterPoint<double>& a, const ParameterPoint<double>& b) {
 
 /// Whether the parent of four triangles has been divided into them by the midpoints of its sides.
 bool are_children(const ParameterTriangle& parent, const ParameterTriangle* child) {
-  const auto& [v1, v2, v3] = parent.vertices;
-  const ParameterPoint<double> m12 = 0.5 * (v1 + v2);
-  const ParameterPoint<double> m23 = 0.5 * (v2 + v3);
-  const ParameterPoint<double> m31 = 0.5 * (v3 + v1);
-  const std::array<std::array<ParameterPoint<double>, 3>, 4> expected{
-      {{v1, m12, m31}, {m12, v2, m23}, {m31, m23, v3}, {m23, m31, m12}}};
   for (std::size_t c = 0; c < 4; ++c) {
     if (child[c].chart != parent.chart) return false;
+    const ParameterTriangle expected = child_of(parent, c);
     for (std::size_t i = 0; i < 3; ++i)
-      if (!same(child[c].vertices[i], expected[c][i])) return false;
+      if (!same(child[c].vertices[i], expected.vertices[i])) return false;
   }
   return true;
 }
@@ -50,6 +45,17 @@ Outcome<ClusterTree> ClusterTree::make(const Triangulation& triangulation, int l
   }
   std::reverse(tree.clusters_.begin(), tree.clusters_.end());
   return tree;
+}
+
+Outcome<ClusterTree> ClusterTree::above(const Triangulation& leaves, int level, int refinements) {
+  expects(refinements >= 0, "refinements >= 0", named("refinements", refinements));
+  Outcome<ClusterTree> tree = make(leaves, level, 0);
+  if (tree) tree->refinements_ = refinements;
+  return tree;
+}
+
+ParameterTriangle ClusterTree::element(std::size_t number) const {
+  return descendant_of(leaves()[number / elements_of_leaf()], refinements_, number % elements_of_leaf());
 }
 
 int leaf_refinements(std::size_t functions) {

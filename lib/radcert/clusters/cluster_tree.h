@@ -21,6 +21,9 @@ public:
   /// count that 4^level does not divide. Requires 0 <= refinements, 0 <= level, else ContractViolation;
   /// leaves are whole trees where `level` is below `refinements`.
   static Outcome<ClusterTree> make(const Triangulation& triangulation, int level, int refinements);
+  /// From the triangulation whose triangles are the leaves, of that level; each leaf has 4^refinements
+  /// elements.
+  static Outcome<ClusterTree> above(const Triangulation& leaves, int level, int refinements);
 
   /// The number of levels of clusters, leaves included.
   [[nodiscard]] std::size_t levels() const { return clusters_.size(); }
@@ -28,6 +31,9 @@ public:
   [[nodiscard]] const std::vector<ParameterTriangle>& leaves() const { return clusters_.back(); }
   /// The number of symmetric refinements from a leaf to its elements.
   [[nodiscard]] int refinements() const { return refinements_; }
+  [[nodiscard]] std::size_t elements_of_leaf() const { return std::size_t{1} << 2 * refinements_; }
+  /// An element of the triangulation.
+  [[nodiscard]] ParameterTriangle element(std::size_t number) const;
 
 private:
   std::vector<std::vector<ParameterTriangle>> clusters_;

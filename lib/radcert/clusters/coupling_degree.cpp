@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "radcert/clusters/mode_tables.h"
@@ -70,6 +71,12 @@ std::pair<ModeSums, ModeSums> mode_sums(const double* row, const double* next_ro
   return {one, other};
 }
 
+std::vector<std::uint32_t> numbers_below(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
 Vector<Pack> broadcast(const Vector<double>& v) { return {Pack(v.x), Pack(v.y), Pack(v.z)}; }
 
 }  // namespace
@@ -98,11 +105,18 @@ ModeSizes::ModeSizes(std::span<const Barycentric<double>> points)
 
 ClusterOutlines::ClusterOutlines(const std::vector<Chart>& charts,
                                  const std::vector<ParameterTriangle>& clusters)
-    : charts_(charts), clusters_(clusters) {
-  points_.add(clusters.size() * samples);
-  for (std::size_t i = 0; i < clusters.size(); ++i) {
+    : ClusterOutlines(charts, clusters, numbers_below(clusters.size())) {}
+
+ClusterOutlines::ClusterOutlines(const std::vector<Chart>& charts,
+                                 const std::vector<ParameterTriangle>& clusters,
+                                 std::span<const std::uint32_t> wanted)
+    : charts_(charts), clusters_(clusters), place_(clusters.size()) {
+  points_.add(wanted.size() * samples);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    const ParameterTriangle& cluster = clusters[wanted[i]];
+    place_[wanted[i]] = static_cast<std::uint32_t>(i);
     const std::size_t first = i * samples;
-    points_.place(first, charts[clusters[i].chart], clusters[i], sample_points());
+    points_.place(first, charts[cluster.chart], cluster, sample_points());
     constexpr std::size_t centroid = 6;
     const Vector<double> centre = points_.point(first + centroid);
     double radius = 0;
@@ -122,16 +136,18 @@ double CouplingLook::rate(std::size_t a, std::size_t b) const {
 std::optional<int> CouplingLook::degree_by_distance(std::size_t a, std::size_t b) const {
   constexpr std::size_t samples = ClusterOutlines::samples;
   const ClusterPoints& points = outlines_.points();
+  const std::size_t first_a = outlines_.first(a);
+  const std::size_t first_b = outlines_.first(b);
   const double rho = std::min(rate(a, b), rate(b, a));
   constexpr double least_rate = 2;
   if (!(rho >= least_rate)) return std::nullopt;
   double largest = 0;
   for (std::size_t q = 0; q < samples; ++q) {
-    const Vector<Pack> normal = broadcast(-points.normal(a * samples + q));
-    const Vector<Pack> difference = broadcast(points.point(a * samples + q)) - points.points(b * samples);
-    const Pack g = abs(kernel_terms<Pack>(difference, normal, points.normals(b * samples)).value());
-    largest = std::max(largest, (g * points.weights(b * samples)).largest());
-    largest = std::max(largest, (g * Pack(points.weight(a * samples + q))).largest());
+    const Vector<Pack> normal = broadcast(-points.normal(first_a + q));
+    const Vector<Pack> difference = broadcast(points.point(first_a + q)) - points.points(first_b);
+    const Pack g = abs(kernel_terms<Pack>(difference, normal, points.normals(first_b)).value());
+    largest = std::max(largest, (g * points.weights(first_b)).largest());
+    largest = std::max(largest, (g * Pack(points.weight(first_a + q))).largest());
   }
   const double size = 8 / (rho - 1) * largest / pi<double>() * demand_.functions_size;
   if (size <= demand_.share) return 0;
@@ -146,7 +162,7 @@ void CouplingLook::look(std::size_t a, std::size_t b, int degree, View& view) co
   view.nodes.clear();
   view.nodes.add(k);
   view.nodes.place(0, outlines_.chart(a), outlines_.triangle(a), interpolation.nodes);
-  const std::size_t seen = b * ClusterOutlines::samples;
+  const std::size_t seen = outlines_.first(b);
   const Vector<Pack> from = outlines_.points().points(seen);
   const Vector<Pack> normal = -outlines_.points().normals(seen);
   view.weight = outlines_.points().weights(seen);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -15,21 +16,28 @@ namespace radcert {
 /// What the clusters of one level are to a look at their couplings.
 /// Maths     corners, middles of the sides, centroid and one more point of each cluster, eight in all; a ball
 ///           about them
+/// Requires  charts and clusters outlive it
 /// Result    rounded; balls hold the eight points
 class ClusterOutlines {
 public:
+  /// Of all clusters, or of those that are wanted, ascending: only these may be asked for.
   ClusterOutlines(const std::vector<Chart>& charts, const std::vector<ParameterTriangle>& clusters);
+  ClusterOutlines(const std::vector<Chart>& charts, const std::vector<ParameterTriangle>& clusters,
+                  std::span<const std::uint32_t> wanted);
 
   static constexpr std::size_t samples = Pack::lanes;
   [[nodiscard]] const ClusterPoints& points() const { return points_; }
-  [[nodiscard]] const Vector<double>& centre(std::size_t cluster) const { return centres_[cluster]; }
-  [[nodiscard]] double radius(std::size_t cluster) const { return radii_[cluster]; }
+  /// The place of a cluster's eight points.
+  [[nodiscard]] std::size_t first(std::size_t cluster) const { return place_[cluster] * samples; }
+  [[nodiscard]] const Vector<double>& centre(std::size_t cluster) const { return centres_[place_[cluster]]; }
+  [[nodiscard]] double radius(std::size_t cluster) const { return radii_[place_[cluster]]; }
   [[nodiscard]] const ParameterTriangle& triangle(std::size_t cluster) const { return clusters_[cluster]; }
   [[nodiscard]] const Chart& chart(std::size_t cluster) const { return charts_[clusters_[cluster].chart]; }
 
 private:
   const std::vector<Chart>& charts_;
   const std::vector<ParameterTriangle>& clusters_;
+  std::vector<std::uint32_t> place_;  ///< by cluster: among those that are wanted
   ClusterPoints points_;
   std::vector<Vector<double>> centres_;
   std::vector<double> radii_;

@@ -70,29 +70,54 @@ private:
 
 }  // namespace
 
-NearEntries::NearEntries(const std::vector<NearPair>& pairs, std::size_t leaves, std::size_t unknowns_of_leaf)
-    : leaves_(leaves),
+NearEntries::NearEntries(const ClusterPart& part, const std::vector<NearPair>& pairs,
+                         std::size_t unknowns_of_leaf)
+    : part_(part),
+      leaves_(part.leaves().size()),
       unknowns_(unknowns_of_leaf),
       rows_(padded<double>(unknowns_of_leaf)),
-      first_(leaves + 1) {
+      first_(leaves_ + 1) {
   expects(rows_ <= most_rows, "at most 256 unknowns a leaf", named("unknowns", unknowns_));
-  for (const NearPair& pair : pairs) {
-    ++first_[pair.a + 1];
-    if (pair.a != pair.b) ++first_[pair.b + 1];
-  }
-  for (std::size_t leaf = 0; leaf < leaves; ++leaf) first_[leaf + 1] += first_[leaf];
+  const ClusterRange here = part.leaves();
+  const auto for_each_row = [&](const auto& row) {
+    for (const NearPair& pair : pairs) {
+      if (here.contains(pair.a)) row(pair.a - here.begin, pair.b);
+      if (pair.a != pair.b && here.contains(pair.b)) row(pair.b - here.begin, pair.a);
+    }
+  };
+  for_each_row([&](std::size_t target, std::uint32_t source) {
+    ++first_[target + 1];
+    if (!here.contains(source)) foreign_.push_back(source);
+  });
+  std::sort(foreign_.begin(), foreign_.end());
+  foreign_.erase(std::unique(foreign_.begin(), foreign_.end()), foreign_.end());
+  for (std::size_t leaf = 0; leaf < leaves_; ++leaf) first_[leaf + 1] += first_[leaf];
   sources_.resize(first_.back());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (const NearPair& pair : pairs) {
-    sources_[next[pair.a]++] = pair.b;
-    if (pair.a != pair.b) sources_[next[pair.b]++] = pair.a;
+  for_each_row([&](std::size_t target, std::uint32_t source) { sources_[next[target]++] = source; });
+  const auto slot = [&](std::uint32_t leaf) {
+    if (here.contains(leaf)) return static_cast<std::uint32_t>(leaf - here.begin);
+    const auto place = std::lower_bound(foreign_.begin(), foreign_.end(), leaf) - foreign_.begin();
+    return static_cast<std::uint32_t>(leaves_ + static_cast<std::size_t>(place));
+  };
+  for (std::size_t leaf = 0; leaf < leaves_; ++leaf) {
+    const auto begin = sources_.begin() + static_cast<std::ptrdiff_t>(first_[leaf]);
+    const auto end = sources_.begin() + static_cast<std::ptrdiff_t>(first_[leaf + 1]);
+    std::sort(begin, end);
+    std::transform(begin, end, begin, slot);
   }
-  for (std::size_t leaf = 0; leaf < leaves; ++leaf)
-    std::sort(sources_.begin() + static_cast<std::ptrdiff_t>(first_[leaf]),
-              sources_.begin() + static_cast<std::ptrdiff_t>(first_[leaf + 1]));
+  std::vector<RemoteNumber> wanted;
+  wanted.reserve(foreign_.size() * unknowns_);
+  for (const std::uint32_t leaf : foreign_) {
+    const std::size_t owner = part.owner(part.leaf_level(), leaf);
+    const std::size_t place = (leaf - part.range(part.leaf_level(), owner).begin) * unknowns_;
+    for (std::size_t j = 0; j < unknowns_; ++j)
+      wanted.push_back({.rank = static_cast<std::uint32_t>(owner), .place = place + j});
+  }
+  exchange_ = part.ranks().exchange(leaves_ * unknowns_, wanted);
 }
 
-NearEntries::RowSums NearEntries::fill(const Schemes& schemes, const Triangulation& triangulation,
+NearEntries::RowSums NearEntries::fill(const Schemes& schemes, const ClusterTree& tree,
                                        std::span<const CollocationPoint<double>> nodes,
                                        std::span<const double> factors) {
   expects(!schemes.schemes.empty() && schemes.of_leaf.size() == leaves_, "a scheme for every leaf",
@@ -100,34 +125,39 @@ NearEntries::RowSums NearEntries::fill(const Schemes& schemes, const Triangulati
   const std::size_t functions = schemes.schemes.front()->basis().size();
   const std::size_t elements = unknowns_ / functions;
   expects(nodes.size() == leaves_ * unknowns_ && factors.size() == nodes.size() &&
-              triangulation.triangles.size() == leaves_ * elements,
-          "nodes and elements of all leaves", named("nodes", nodes.size()));
+              tree.elements_of_leaf() == elements,
+          "nodes of all leaves here, and the elements of a leaf", named("nodes", nodes.size()),
+          named("elements", tree.elements_of_leaf()));
   entries_.resize(size());
   std::vector<double> integral_of_block(sources_.size() * rows_, 0.0);
   std::vector<double> radius_of_block(sources_.size() * rows_, 0.0);
-  const auto first_source = [this](std::size_t leaf) {
-    return sources_.begin() + static_cast<std::ptrdiff_t>(first_[leaf]);
+  // The rows of blocks, ordered by their columns' leaf.
+  struct Target {
+    std::uint32_t leaf;
+    std::size_t number;  ///< of the block
   };
+  std::vector<std::vector<Target>> targets_of(leaves_ + foreign_.size());
+  for (std::size_t leaf = 0; leaf < leaves_; ++leaf)
+    for (std::size_t number = first_[leaf]; number < first_[leaf + 1]; ++number)
+      targets_of[sources_[number]].push_back({static_cast<std::uint32_t>(leaf), number});
   std::vector<std::vector<CollocationPointBlock<double>>> blocks(leaves_);
   parallel_for(leaves_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t leaf = begin; leaf < end; ++leaf)
       blocks[leaf] = observer_blocks(nodes.subspan(leaf * unknowns_, unknowns_));
   });
-  parallel_for(leaves_, 1, [&](std::size_t begin, std::size_t end) {
+  parallel_for(targets_of.size(), 1, [&](std::size_t begin, std::size_t end) {
     BlockIntegral<double> integral;
     for (std::size_t source = begin; source < end; ++source) {
-      const std::vector<std::uint32_t> targets(first_source(source), first_source(source + 1));
+      const std::size_t leaf = source < leaves_ ? part_.leaves().begin + source : foreign_[source - leaves_];
       for (std::size_t k = 0; k < elements; ++k) {
+        const ParameterTriangle triangle = tree.element(leaf * elements + k);
         std::vector<std::unique_ptr<ElementIntegrator<double>>> by_scheme(schemes.schemes.size());
-        for (const std::uint32_t target : targets) {
+        for (const auto& [target, number] : targets_of[source]) {
           const std::size_t which = schemes.of_leaf[target];
           if (!by_scheme[which])
-            by_scheme[which] = std::make_unique<ElementIntegrator<double>>(
-                schemes.schemes[which], triangulation.triangles[source * elements + k]);
+            by_scheme[which] =
+                std::make_unique<ElementIntegrator<double>>(schemes.schemes[which], triangle);
           ElementIntegrator<double>& element = *by_scheme[which];
-          // Nearness is mutual, so that the source stands in the target's list.
-          const auto number = static_cast<std::size_t>(
-              std::lower_bound(first_source(target), first_source(target + 1), source) - sources_.begin());
           double* to = entries_.data() + number * rows_ * unknowns_ + k * functions * rows_;
           const auto of_leaf = nodes.subspan(target * unknowns_, unknowns_);
           const double* factor = &factors[target * unknowns_];
@@ -167,6 +197,8 @@ void NearEntries::sum_rows(std::span<const double> x, std::span<const double> st
                            std::span<double> y) const {
   expects(x.size() == leaves_ * unknowns_ && y.size() == x.size() && start.size() == x.size(),
           "vectors of as many entries as unknowns", named("x", x.size()), named("y", y.size()));
+  std::vector<double> foreign(foreign_.size() * unknowns_);
+  exchange_->bring(x, foreign);
   constexpr std::size_t leaves_at_a_time = 4;
   parallel_for(leaves_, leaves_at_a_time, [&](std::size_t begin, std::size_t end) {
     for (std::size_t leaf = begin; leaf < end; ++leaf) {
@@ -174,7 +206,11 @@ void NearEntries::sum_rows(std::span<const double> x, std::span<const double> st
       sums.start(start.subspan(leaf * unknowns_, unknowns_));
       for (std::size_t number = first_[leaf]; number < first_[leaf + 1]; ++number) {
         const double* column = block(number);
-        const std::span<const double> factor = x.subspan(sources_[number] * unknowns_, unknowns_);
+        const std::size_t source = sources_[number];
+        const std::span<const double> factor =
+            source < leaves_
+                ? x.subspan(source * unknowns_, unknowns_)
+                : std::span<const double>(foreign).subspan((source - leaves_) * unknowns_, unknowns_);
         if (vanishes(factor)) continue;
         for (std::size_t j = 0; j < unknowns_; ++j, column += rows_) sums.add(column, rows_, factor[j]);
       }
@@ -213,7 +249,10 @@ std::size_t NearEntries::longest_row() const {
 void NearEntries::count(MemoryPlan& plan) const {
   plan.add("near entries", size(), sizeof(double));
   // Their row sums by blocks, while they are made.
-  plan.add("near pairs of leaves", sources_.size(), sizeof(std::uint32_t) + 2 * rows_ * sizeof(double));
+  plan.add("near pairs of leaves", sources_.size(),
+           3 * sizeof(std::size_t) + sizeof(std::uint32_t) + 2 * rows_ * sizeof(double));
+  plan.add("vectors at leaves of other ranks", foreign_.size() * unknowns_,
+           sizeof(double) + 2 * sizeof(RemoteNumber));
 }
 
 }  // namespace radcert

@@ -19,8 +19,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Enough for a handful of roundings.
 constexpr double upward = 1 + 8 * unit;
 
-/// max_i x_i / w_i, or infinity.
-double largest_ratio(std::span<const double> x, std::span<const double> w) {
+/// max_i x_i / w_i over the entries of all ranks, or infinity.
+double largest_ratio(const Ranks& ranks, std::span<const double> x, std::span<const double> w) {
   double largest = 0;
   bool finite = true;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -28,7 +28,7 @@ double largest_ratio(std::span<const double> x, std::span<const double> w) {
     finite = finite && std::isfinite(ratio);
     largest = std::max(largest, ratio);
   }
-  return finite ? largest : infinity;
+  return ranks.largest(finite ? largest : infinity);
 }
 
 }  // namespace
@@ -36,11 +36,13 @@ double largest_ratio(std::span<const double> x, std::span<const double> w) {
 const WorkLimit most_power_steps("solve/contraction: steps of the power method", 40, 0,
                                  "no contraction: an iteration is refused");
 
-double Contraction::least_weight() const { return *std::min_element(weights_.begin(), weights_.end()); }
+double Contraction::least_weight() const {
+  return -parts_.ranks().largest(-*std::min_element(weights_.begin(), weights_.end()));
+}
 
 double Contraction::norm(std::span<const double> x) const {
   expects(x.size() == weights_.size(), "a vector of the matrix's size", named("size", x.size()));
-  return largest_ratio(x, weights_) * upward;
+  return largest_ratio(parts_.ranks(), x, weights_) * upward;
 }
 
 double Contraction::inverse_bound(double norm_of_d) const { return norm_of_d / (1 - theta_) * upward; }
@@ -49,6 +51,7 @@ double Contraction::inverse_bound(double norm_of_d) const { return norm_of_d / (
 struct ContractionSearch {
   SystemMatrix k;
   std::span<const double> row_radius;
+  VectorParts parts = k.parts();
   std::vector<double> image = std::vector<double>(k.rows());
   double radius_from_below = 0;  ///< of all matrices within the radii; see NoContraction
 
@@ -56,8 +59,8 @@ struct ContractionSearch {
   double measure(std::span<const double> weights) {
     k.multiply_sizes(weights, image);
     // What has underflowed is less than a denormal number a term.
-    const auto n = static_cast<double>(k.rows());
-    const double sums_upward = upward_of_sums(k.rows());
+    const auto n = static_cast<double>(parts.whole());
+    const double sums_upward = upward_of_sums(parts.whole());
     const double underflow = n * std::numeric_limits<double>::denorm_min();
     double least = infinity;
     for (std::size_t i = 0; i < image.size(); ++i) {
@@ -68,7 +71,7 @@ struct ContractionSearch {
     // The sizes of an operator are bounds from above alone.
     if (k.has_entries() && std::isfinite(least))
       radius_from_below = std::max(radius_from_below, least * (2 - upward));
-    return largest_ratio(image, weights) * upward;
+    return largest_ratio(parts.ranks(), image, weights) * upward;
   }
 
   /// One step of the power method, the largest weight 1 again.
@@ -78,6 +81,7 @@ struct ContractionSearch {
       weights[i] = image[i] + theta / 2 * weights[i];
       largest = std::max(largest, weights[i]);
     }
+    largest = parts.ranks().largest(largest);
     for (double& weight : weights) weight /= largest;
   }
 
@@ -85,15 +89,17 @@ struct ContractionSearch {
     return c.theta_ < 1 ? 1 / ((1 - c.theta_) * c.least_weight()) : infinity;
   }
 
-  static Contraction of_inverse(std::size_t rows, double norm_of_inverse) {
+  static Contraction of_inverse(const VectorParts& parts, double norm_of_inverse) {
     Contraction made;
-    made.weights_.assign(rows, 1.0);
+    made.parts_ = parts;
+    made.weights_.assign(parts.size(), 1.0);
     made.theta_ = 1 - 1 / norm_of_inverse * (2 - upward);
     return made;
   }
 
   Outcome<Contraction, NoContraction> run(long most_steps) {
     Contraction best;
+    best.parts_ = parts;
     best.weights_.assign(k.rows(), 1.0);
     best.theta_ = measure(best.weights_);
     double least_theta = best.theta_;
@@ -117,20 +123,20 @@ struct ContractionSearch {
 
 Outcome<Contraction, NoContraction> find_contraction(const SystemMatrix& k,
                                                      std::span<const double> row_radius, long most_steps) {
-  expects(k.rows() == k.columns() && k.rows() > 0 && k.rows() <= longest_sum, "a square matrix",
+  expects(k.rows() == k.columns() && k.rows() > 0 && k.parts().whole() <= longest_sum, "a square matrix",
           named("rows", k.rows()), named("columns", k.columns()));
   expects(row_radius.empty() || row_radius.size() == k.rows(), "a radius a row or none",
           named("radii", row_radius.size()));
   return ContractionSearch{.k = k, .row_radius = row_radius}.run(most_steps);
 }
 
-Contraction contraction_by_estimate(std::size_t rows, double inverse_norm, double row_radius) {
+Contraction contraction_by_estimate(const VectorParts& parts, double inverse_norm, double row_radius) {
   expects(std::isfinite(inverse_norm) && inverse_norm >= 1, "a norm of an inverse of 1 at least",
           named("norm", inverse_norm));
   const double moved = inverse_norm * row_radius * upward;
   expects(row_radius >= 0 && moved < 1, "radii so small that all matrices within them are regular",
           named("moved", moved));
-  return ContractionSearch::of_inverse(rows, inverse_norm / (1 - moved) * upward);
+  return ContractionSearch::of_inverse(parts, inverse_norm / (1 - moved) * upward);
 }
 
 }  // namespace radcert

@@ -7,6 +7,7 @@
 #include "radcert/core/outcome.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/solve/system_matrix.h"
+#include "radcert/solve/vector_parts.h"
 
 namespace radcert {
 
@@ -22,11 +23,13 @@ namespace radcert {
 /// Limits    says nothing of matrices whose |K| has a spectral radius >= 1, though I - K may be regular
 class Contraction {
 public:
+  /// Those of the entries that are here.
   std::span<const double> weights() const { return weights_; }
   double least_weight() const;
   double theta() const { return theta_; }
 
-  /// ||x||_w, rounded up; infinite where an entry of x is not finite. Requires n entries.
+  /// ||x||_w, rounded up; infinite where an entry of x is not finite. Requires as many entries as weights,
+  /// and that all ranks ask.
   double norm(std::span<const double> x) const;
 
   /// A bound of max_i |((I - K)^-1 d)_i| over all d with ||d||_w <= `norm_of_d`, rounded up.
@@ -34,6 +37,7 @@ public:
 
 private:
   friend struct ContractionSearch;
+  VectorParts parts_;
   std::vector<double> weights_;
   double theta_ = 0;
 };

@@ -32,6 +32,7 @@ inline constexpr std::size_t most_unknowns_of_inverses = 3072;
 ///           ContractViolation
 /// Result    inverse_bound() is as good as the estimate; theta() is 1 - 1/N', and bounds no norm of K: what
 ///           iterate() adds for rounding to second order with it is an estimate too
-[[nodiscard]] Contraction contraction_by_estimate(std::size_t rows, double inverse_norm, double row_radius);
+[[nodiscard]] Contraction contraction_by_estimate(const VectorParts& parts, double inverse_norm,
+                                                  double row_radius);
 
 }  // namespace radcert

@@ -2,7 +2,6 @@
 #include "radcert/solve/gmres.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -10,21 +9,6 @@
 
 namespace radcert {
 namespace {
-
-/// Summed in eight lanes, folded in a fixed order.
-double dot(std::span<const double> a, std::span<const double> b) {
-  constexpr std::size_t lanes = 8;
-  std::array<double, lanes> sum{};
-  std::size_t i = 0;
-  for (; i + lanes <= a.size(); i += lanes)
-    for (std::size_t lane = 0; lane < lanes; ++lane) sum[lane] += a[i + lane] * b[i + lane];
-  for (std::size_t lane = 0; i < a.size(); ++i, ++lane) sum[lane] += a[i] * b[i];
-  double total = 0;
-  for (const double lane : sum) total += lane;
-  return total;
-}
-
-double norm(std::span<const double> a) { return std::sqrt(dot(a, a)); }
 
 /// y -= factor x
 void subtract(std::span<double> y, double factor, std::span<const double> x) {
@@ -36,8 +20,9 @@ class Krylov {
 public:
   Krylov(const SystemProducts& k, double least_weight)
       : k_(k),
+        parts_(k.parts()),
         least_weight_(least_weight),
-        vectors_(k.rows(), std::min(k.rows(), krylov_dimension.count()) + 1),
+        vectors_(k.rows(), std::min(parts_.whole(), krylov_dimension.count()) + 1),
         hessenberg_(vectors_.columns(), vectors_.columns()),
         right_(vectors_.columns()),
         rotations_(vectors_.columns()) {}
@@ -46,8 +31,7 @@ public:
   std::size_t operator()(std::span<double> r, double goal) {
     constexpr double enough = 0x1p-36;
     // Of size 1, so that no square overflows.
-    double scale = 0;
-    for (const double value : r) scale = std::max(scale, std::abs(value));
+    const double scale = parts_.size_of(r);
     if (scale == 0) return 0;
     const std::span<double> first = vectors_.column(0);
     for (std::size_t i = 0; i < r.size(); ++i) first[i] = r[i] / scale;
@@ -67,6 +51,8 @@ public:
   }
 
 private:
+  [[nodiscard]] double norm(std::span<const double> a) const { return std::sqrt(parts_.dot(a, a)); }
+
   struct Rotation {
     double cosine = 1;
     double sine = 0;
@@ -84,7 +70,7 @@ private:
     constexpr int times = 2;
     for (int time = 0; time < times; ++time)
       for (std::size_t i = 0; i <= m; ++i) {
-        const double along = dot(vectors_.column(i), next);
+        const double along = parts_.dot(vectors_.column(i), next);
         hessenberg_(i, m) += along;
         subtract(next, along, vectors_.column(i));
       }
@@ -125,6 +111,7 @@ private:
   }
 
   SystemProducts k_;
+  VectorParts parts_;
   double least_weight_;
   Matrix<double> vectors_;
   Matrix<double> hessenberg_;

@@ -14,16 +14,11 @@ namespace {
 constexpr double unit = unit_roundoff<double>();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double max_abs(std::span<const double> values) {
-  double size = 0;
-  for (const double value : values) size = std::max(size, std::abs(value));
-  return size;
-}
-
 void bound_residual(const SystemProducts& k, const Contraction& contraction, std::span<const double> v,
                     std::span<const double> e, std::span<const double> residual, std::span<double> bounds) {
-  const double product_rounding = k.rounding() * max_abs(v);
-  const auto n = static_cast<double>(v.size());
+  const VectorParts parts = k.parts();
+  const double product_rounding = k.rounding() * parts.size_of(v);
+  const auto n = static_cast<double>(parts.whole());
   const double second_order = (n + 4) * unit * ((n + 4) * unit);
   const double underflow = 8 * n * std::numeric_limits<double>::denorm_min();
   const double product_size = contraction.theta() * contraction.norm(v);
@@ -57,24 +52,25 @@ constexpr std::size_t most_reflections = 1000000;
 
 /// The goals of an iteration and how far it is from them.
 struct Descent {
+  const VectorParts& parts;
   const Contraction& contraction;
   std::optional<double> tolerance;
   double rounding;  ///< of a product, in parts of max|v|
 
   /// What the rounding of products alone leaves of a residual, as ||r||_w.
   double product_rounding(std::span<const double> v) const {
-    return rounding == 0 ? 0 : rounding * max_abs(v) / contraction.least_weight();
+    return rounding == 0 ? 0 : rounding * parts.size_of(v) / contraction.least_weight();
   }
 
   /// The size of the residual at which v is good enough.
   double goal(std::span<const double> v) const {
-    if (tolerance) return *tolerance * (1 - 32 * unit) * (1 - contraction.theta()) * max_abs(v);
+    if (tolerance) return *tolerance * (1 - 32 * unit) * (1 - contraction.theta()) * parts.size_of(v);
     return 2 * unit * contraction.norm(v) + 2 * product_rounding(v);
   }
   bool reached(std::span<const double> v, double residual) const {
     if (!std::isfinite(residual)) return false;
     if (!tolerance) return residual <= goal(v);
-    return contraction.inverse_bound(residual) <= *tolerance * (1 - 4 * unit) * max_abs(v);
+    return contraction.inverse_bound(residual) <= *tolerance * (1 - 4 * unit) * parts.size_of(v);
   }
   /// Whether no more than rounding is left, where no tolerance asks for more.
   bool left_to_rounding(std::span<const double> v, double residual) const {
@@ -102,9 +98,10 @@ Outcome<IterativeSolution, NotReached> iterate(const SystemProducts& k, const Co
           named("size", e.size()));
   expects(!tolerance || (*tolerance >= least_tolerance && *tolerance < 1),
           "a tolerance in [least_tolerance, 1)", named("tolerance", tolerance.value_or(0)));
-  const Descent descent{.contraction = contraction, .tolerance = tolerance, .rounding = k.rounding()};
+  const VectorParts parts = k.parts();
+  const Descent descent{.parts = parts, .contraction = contraction, .tolerance = tolerance, .rounding = k.rounding()};
   std::vector<double> v(e.begin(), e.end());
-  if (max_abs(e) == 0) return IterativeSolution{.values = std::move(v)};
+  if (parts.size_of(e) == 0) return IterativeSolution{.values = std::move(v)};
 
   std::vector<double> r(v.size());
   std::vector<double> bounds(v.size());
@@ -140,7 +137,7 @@ Outcome<IterativeSolution, NotReached> iterate(const SystemProducts& k, const Co
     for (std::size_t i = 0; i < v.size(); ++i) v[i] += r[i];
   }
   const double error_bound = contraction.inverse_bound(best_residual);
-  const double size = max_abs(best);
+  const double size = parts.size_of(best);
   if (descent.left_to_rounding(best, best_residual))
     return IterativeSolution{.values = std::move(best), .iterations = iterations, .error_bound = error_bound};
   return because(NotReached{.iterations = iterations, .error_bound = error_bound, .size = size});

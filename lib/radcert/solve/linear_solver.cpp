@@ -29,8 +29,7 @@ std::vector<std::string> solver_names(const std::function<bool(const LinearSolve
 
 std::vector<double> defects(const LinearSystem& system, std::span<const double> v,
                             std::vector<double> residual_sizes) {
-  double size = 0;
-  for (const double value : v) size = std::max(size, std::abs(value));
+  const double size = system.k.parts().size_of(v);
   for (std::size_t i = 0; i < v.size(); ++i)
     residual_sizes[i] = residual_sizes[i] + system.row_radius[i] * size + system.e_radius[i];
   return residual_sizes;

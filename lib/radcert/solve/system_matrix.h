@@ -5,6 +5,7 @@
 #include <span>
 
 #include "radcert/core/matrix.h"
+#include "radcert/solve/vector_parts.h"
 
 namespace radcert {
 
@@ -21,7 +22,10 @@ public:
   ProductOperator& operator=(const ProductOperator&) = delete;
   virtual ~ProductOperator() = default;
 
+  /// The entries of a vector here: all of them but where ranks share the work.
   [[nodiscard]] virtual std::size_t size() const = 0;
+  /// How the entries lie on the ranks; by default all of them here.
+  [[nodiscard]] virtual VectorParts parts() const { return VectorParts(size()); }
   virtual void multiply(std::span<const double> x, std::span<double> y) const = 0;
   virtual void multiply_sizes(std::span<const double> x, std::span<double> y) const = 0;
   virtual void multiply_accurately(std::span<const double> x, std::span<double> y) const = 0;
@@ -41,6 +45,7 @@ public:
 
   [[nodiscard]] std::size_t rows() const { return entries_ ? entries_->rows() : products_->size(); }
   [[nodiscard]] std::size_t columns() const { return entries_ ? entries_->columns() : products_->size(); }
+  [[nodiscard]] VectorParts parts() const { return entries_ ? VectorParts(rows()) : products_->parts(); }
 
   void multiply(std::span<const double> x, std::span<double> y) const;
   void multiply_sizes(std::span<const double> x, std::span<double> y) const;

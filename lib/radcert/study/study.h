@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/core/ranks/ranks.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/study/operator_route.h"
 #include "radcert/study/problem.h"
@@ -53,8 +54,12 @@ struct LevelOutcome {
 ///           AccuracyNotReached; Interrupted when asked to stop. AccuracyNotReached too where the matrices
 ///           within the radii are not all regular, where a row of a closed unoccluded surface does not sum to
 ///           Int G = pi within its radius, and where numbers run over the range of double
+/// Ranks     those that are given share a level whose operator is h2, on which all of them call this
+///           together; any other level is the first one's. The outcome is given on the first, with the bits
+///           that it has without others, and is empty elsewhere
 /// Limits    radii are estimates, but for a solver that proves; such a one does not take the route
-LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route);
+LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route,
+                         const Ranks& ranks = one_rank());
 
 /// The result of finished levels: ratios, orders, fits.
 /// Maths     ratio_k = e_{k-1}/e_k, order_k = log(ratio_k)/log(h_{k-1}/h_k)

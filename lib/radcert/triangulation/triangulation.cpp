@@ -30,16 +30,8 @@ void append_coarse(std::vector<ParameterTriangle>& triangles, const Chart& chart
 std::vector<ParameterTriangle> refined(const std::vector<ParameterTriangle>& coarse) {
   std::vector<ParameterTriangle> fine;
   fine.reserve(4 * coarse.size());
-  for (const ParameterTriangle& triangle : coarse) {
-    const auto& [v1, v2, v3] = triangle.vertices;
-    const ParameterPoint<double> m12 = 0.5 * (v1 + v2);
-    const ParameterPoint<double> m23 = 0.5 * (v2 + v3);
-    const ParameterPoint<double> m31 = 0.5 * (v3 + v1);
-    fine.push_back({triangle.chart, {v1, m12, m31}});
-    fine.push_back({triangle.chart, {m12, v2, m23}});
-    fine.push_back({triangle.chart, {m31, m23, v3}});
-    fine.push_back({triangle.chart, {m23, m31, m12}});
-  }
+  for (const ParameterTriangle& triangle : coarse)
+    for (std::size_t c = 0; c < 4; ++c) fine.push_back(child_of(triangle, c));
   return fine;
 }
 
@@ -48,6 +40,26 @@ double graded(double c, double exponent) {
 }
 
 }  // namespace
+
+ParameterTriangle child_of(const ParameterTriangle& triangle, std::size_t c) {
+  expects(c < 4, "a child from 0 to 3", named("child", c));
+  const auto& [v1, v2, v3] = triangle.vertices;
+  const ParameterPoint<double> m12 = 0.5 * (v1 + v2);
+  const ParameterPoint<double> m23 = 0.5 * (v2 + v3);
+  const ParameterPoint<double> m31 = 0.5 * (v3 + v1);
+  switch (c) {
+    case 0: return {triangle.chart, {v1, m12, m31}};
+    case 1: return {triangle.chart, {m12, v2, m23}};
+    case 2: return {triangle.chart, {m31, m23, v3}};
+    default: return {triangle.chart, {m23, m31, m12}};
+  }
+}
+
+ParameterTriangle descendant_of(const ParameterTriangle& triangle, int levels, std::size_t number) {
+  ParameterTriangle now = triangle;
+  for (int l = levels; l-- > 0;) now = child_of(now, (number >> 2 * l) & 3U);
+  return now;
+}
 
 std::optional<std::uint64_t> triangle_count(const Surface& surface, int level,
                                             const TriangulationOptions& options) {
@@ -96,6 +108,20 @@ Triangulation triangulate(const Surface& surface, int level, const Triangulation
         v = {graded(v.s, options.grading), graded(v.t, options.grading)};
     }
   }
+  return result;
+}
+
+Triangulation triangulate_part(const Surface& surface, int level, const TriangulationOptions& options,
+                               const ElementRange& part) {
+  const std::optional<std::uint64_t> count = triangle_count(surface, level, options);
+  expects(options.grading == 1 && count && part.begin <= part.end && part.end <= *count,
+          "triangles of a uniform level", named("begin", part.begin), named("end", part.end));
+  const std::vector<ParameterTriangle> coarsest = triangulate(surface, 0, options).triangles;
+  Triangulation result;
+  result.triangles.reserve(part.end - part.begin);
+  for (std::size_t i = part.begin; i < part.end; ++i)
+    result.triangles.push_back(
+        descendant_of(coarsest[i >> 2 * level], level, i & ((std::size_t{1} << 2 * level) - 1)));
   return result;
 }
 

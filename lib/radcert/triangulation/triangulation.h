@@ -52,6 +52,28 @@ struct Triangulation {
 
 Triangulation triangulate(const Surface& surface, int level, const TriangulationOptions& options = {});
 
+/// Triangles that follow each other.
+struct ElementRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// A part of the triangulation of a level.
+/// Requires  as triangulate; grading 1; a range within the level's triangles, else ContractViolation
+/// Result    these triangles of triangulate, to the bit; the others are not made
+[[nodiscard]] Triangulation triangulate_part(const Surface& surface, int level,
+                                             const TriangulationOptions& options, const ElementRange& part);
+
+/// A child of a triangle in symmetric refinement: those at v_1, v_2, v_3, the middle.
+/// Requires  c < 4
+/// Result    exact while the vertices are multiples of 2^-51 in the unit square
+[[nodiscard]] ParameterTriangle child_of(const ParameterTriangle& triangle, std::size_t c);
+
+/// One of the 4^levels triangles into which a triangle is refined so often, in the order of Triangulation.
+/// Result    as if refined level by level, to the bit
+[[nodiscard]] ParameterTriangle descendant_of(const ParameterTriangle& triangle, int levels,
+                                              std::size_t number);
+
 /// The number of triangles of a level, or nothing if it exceeds 2^53.
 std::optional<std::uint64_t> triangle_count(const Surface& surface, int level,
                                             const TriangulationOptions& options = {});

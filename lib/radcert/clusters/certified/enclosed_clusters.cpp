@@ -29,8 +29,8 @@ struct SeenLevel {
 
 ClusterPairs certified_pairs(const Surface& surface, const ClusterTree& tree, const CouplingDemand& demand) {
   return divide_pairs(
-      tree,
-      [&](std::size_t l) -> LevelDecisions {
+      tree, ClusterPart(tree),
+      [&](std::size_t l, std::span<const NearPair>) -> LevelDecisions {
         const auto seen = std::make_shared<const SeenLevel>(surface.charts, tree, demand, l);
         return [seen, &demand] {
           const auto look =
@@ -86,7 +86,7 @@ Outcome<EnclosedClusters> enclosed_clusters(const EnclosedClusters::Setting& set
   std::vector<double> of_leaves;
   for (;;) {
     pairs = certified_pairs(setting.surface, tree, demand);
-    of_leaves = truncation_of_leaves(tree, pairs.far);
+    of_leaves = truncation_of_leaves(ClusterPart(tree), pairs.far);
     const double largest = *std::max_element(of_leaves.begin(), of_leaves.end());
     if (largest <= setting.far.row()) break;
     constexpr double reserve = 0.8;

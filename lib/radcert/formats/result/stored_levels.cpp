@@ -21,24 +21,32 @@ bool is_told_by_its_text(const Problem& problem) {
 
 }  // namespace
 
-LevelOutcome StoredLevels::level(const Problem& problem, int level) {
-  if (!is_told_by_its_text(problem)) {
-    ++computed_;
-    return solve_(problem, level);
-  }
-  const std::string key = level_key(problem, level);
-  if (const std::optional<std::string> kept = store_->get(key))
-    if (Outcome<LevelOutcome> outcome = read_level_record(*kept)) return std::move(outcome).value();
+LevelOutcome StoredLevels::kept_or_computed(const Problem& problem, int level) {
+  const bool is_told = is_told_by_its_text(problem);
+  const std::string key = is_told ? level_key(problem, level) : std::string();
+  std::optional<LevelOutcome> kept;
+  if (is_told && ranks_->is_first())
+    if (const std::optional<std::string> text = store_->get(key))
+      if (Outcome<LevelOutcome> outcome = read_level_record(*text)) kept = std::move(outcome).value();
+  if (!ranks_->all(!ranks_->is_first() || !kept)) return std::move(kept).value_or(LevelOutcome());
   LevelOutcome outcome = solve_(problem, level);
   ++computed_;
-  static_cast<void>(store_->put(key, level_record(outcome)));
+  if (is_told && ranks_->is_first()) static_cast<void>(store_->put(key, level_record(outcome)));
   return outcome;
 }
 
-StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit) {
-  return [route = std::move(route), memory_limit](const Problem& problem, int level) {
+LevelOutcome StoredLevels::level(const Problem& problem, int level) {
+  LevelOutcome outcome = kept_or_computed(problem, level);
+  if (ranks_->count() == 1) return outcome;
+  const LevelOutcome numbers{.result = outcome.result, .timing = outcome.timing, .nodes = {}, .elements = {}};
+  const std::string record = ranks_->from_first(level_record(numbers));
+  return ranks_->is_first() ? std::move(outcome) : read_level_record(record).value();
+}
+
+StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit, const Ranks& ranks) {
+  return [route = std::move(route), memory_limit, &ranks](const Problem& problem, int level) {
     check(problem, memory_limit);
-    return solve_level(problem, level, route);
+    return solve_level(problem, level, route, ranks);
   };
 }
 

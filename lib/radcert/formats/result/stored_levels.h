@@ -26,22 +26,30 @@ public:
 /// Requires  the store outlives the source
 /// Result    a level found in the store is not computed; one that is computed is stored at once, so that an
 ///           interrupted run goes on where it was. computed() counts the computations of this object
+/// Ranks     the first one's store decides for all; the others are given its numbers, without nodes and
+///           elements, and their stores are not asked
 /// Limits    a store that is off computes each time, and so does one of a problem with an own_function: its
 ///           text does not say what that is
 class StoredLevels final : public LevelSource {
 public:
   using Solve = std::function<LevelOutcome(const Problem& problem, int level)>;
-  StoredLevels(ResultStore& store, Solve solve) : store_(&store), solve_(std::move(solve)) {}
+  StoredLevels(ResultStore& store, Solve solve, const Ranks& ranks = one_rank())
+      : store_(&store), solve_(std::move(solve)), ranks_(&ranks) {}
   LevelOutcome level(const Problem& problem, int level) override;
   [[nodiscard]] std::size_t computed() const { return computed_; }
 
 private:
+  /// The level as it is kept, or computed and kept now; empty on ranks but the first.
+  [[nodiscard]] LevelOutcome kept_or_computed(const Problem& problem, int level);
+
   ResultStore* store_;
   Solve solve_;
+  const Ranks* ranks_;
   std::size_t computed_ = 0;
 };
 
 /// solve_level with a route, after check() within so many bytes.
-[[nodiscard]] StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit);
+[[nodiscard]] StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit,
+                                             const Ranks& ranks = one_rank());
 
 }  // namespace radcert

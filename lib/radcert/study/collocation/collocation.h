@@ -43,6 +43,6 @@ void check(const Problem& problem, const Collocation& method, const Surface& sur
 ///           contraction of all matrices within the radii; with `direct`, where there is none, the norm of
 ///           the inverse, N d / (1 - N r) for defects d and row radii r
 [[nodiscard]] LevelOutcome solve(const Problem& problem, const Collocation& method, int level,
-                                 const OperatorRoute& route);
+                                 const OperatorRoute& route, const Ranks& ranks = one_rank());
 
 }  // namespace radcert

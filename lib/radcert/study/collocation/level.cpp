@@ -47,12 +47,15 @@ bool all_finite(std::span<const double> values) {
   return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
-/// max_i |a_i - b_i| with what is estimated of each difference, if anything is.
-Approximation largest_difference(std::span<const double> a, std::span<const double> b,
-                                 std::optional<double> radius) {
+double largest_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return radius ? Approximation::estimated(largest, *radius) : Approximation::without_radius(largest);
+  return largest;
+}
+
+/// A number with what is estimated of it, if anything is.
+Approximation within(double value, std::optional<double> radius) {
+  return radius ? Approximation::estimated(value, *radius) : Approximation::without_radius(value);
 }
 
 /// A bound of sum |l_j| on the element.
@@ -66,17 +69,26 @@ bool sum_to_one(const TriangleBasisChoice& basis) {
   return !basis.functions || basis.functions->reproduced_degree() >= 0;
 }
 
-/// The finished pieces of one level, in the order in which they are computed.
+/// The finished pieces of one level, in the order in which they are computed: of a rank's part of the nodes
+/// where several share the level.
 class Level {
 public:
-  Level(const Problem& problem, int level)
+  Level(const Problem& problem, int level, std::optional<LevelClusters> tree, const Ranks& ranks)
       : problem_(problem),
+        ranks_(ranks),
+        tree_(std::move(tree)),
         choice_(triangle_basis_of(problem.method)),
         solver_(find_linear_solver(problem.solver.name)),
         basis_(triangle_basis(choice_)),
-        geometry_(problem, level, basis_),
-        rho_(reflectivity_at_nodes(problem.reflectivity, surface_, nodes_)) {
-    outcome_.result = level_header(problem, level, geometry_, nodes_.size());
+        geometry_(problem, level, basis_, is_shared() ? std::optional(tree_->elements()) : std::nullopt),
+        first_node_(is_shared() ? tree_->elements().begin * basis_.size() : 0),
+        rho_(reflectivity_at_nodes(problem.reflectivity, surface_, nodes_, first_node_)) {
+    const std::size_t elements = tree_ ? tree_->tree.leaves().size() * tree_->tree.elements_of_leaf()
+                                       : triangulation_.triangles.size();
+    outcome_.result = level_header(problem, level,
+                                   {.elements = elements,
+                                    .unknowns = elements * basis_.size(),
+                                    .mesh_size = ranks_.largest(geometry_.mesh_size())});
   }
 
   Level(const Level&) = delete;
@@ -84,23 +96,41 @@ public:
 
   LevelOutcome compute(const OperatorRoute& route) && {
     if (surface_.closed) refuse_norm_from_one(norm_of_K(surface_, problem_.reflectivity, rho_, {}));
-    if (problem_.solution) u_ = values_at_nodes(*problem_.solution, "/solution", surface_, nodes_);
-    if (problem_.emission) emission_ = values_at_nodes(*problem_.emission, "/emission", surface_, nodes_);
+    if (problem_.solution)
+      u_ = values_at_nodes(*problem_.solution, "/solution", surface_, nodes_, first_node_);
+    if (problem_.emission)
+      emission_ = values_at_nodes(*problem_.emission, "/emission", surface_, nodes_, first_node_);
     find_radii_of_data();
     assemble_matrix();
     require_rows_of_pi();
     find_weights();
     if (problem_.solution) manufacture_emission(route);
     solve();
-    describe_collocation(problem_, geometry_.data(), basis_,
+    if (is_shared()) gather();
+    if (!ranks_.is_first()) return {};
+    // All of the geometry again: the description is the first rank's.
+    const std::optional<LevelGeometry> whole =
+        is_shared() ? std::optional<LevelGeometry>(std::in_place, problem_, outcome_.result.level, basis_)
+                    : std::nullopt;
+    const NodedSurface& data = whole ? whole->data() : geometry_.data();
+    describe_collocation(problem_, data, basis_,
                          {.u_n = with_radius(u_n_, solution_radius_), .emission = emission_, .u = u_},
                          outcome_);
-    if (problem_.iterated) iterate(route);
+    if (problem_.iterated) iterate(data, route);
     require_finite();
     return std::move(outcome_);
   }
 
 private:
+  /// Whether several ranks have parts of the level.
+  [[nodiscard]] bool is_shared() const { return tree_ && ranks_.count() > 1; }
+
+  /// The values at all nodes, for the first rank.
+  void gather() {
+    for (std::vector<double>* each : {&u_n_, &emission_, &emission_radius_, &u_})
+      *each = ranks_.gather_numbers_at_first(*each);
+  }
+
   void assemble_matrix() {
     const Stopwatch watch;
     const NodedSurface& integrals = geometry_.integrals();
@@ -108,8 +138,8 @@ private:
     if (outcome_.result.matrix_form == "h2") {
       clusters_ = std::make_unique<ClusterOperator>(
           ClusterOperator::Setting{.surface = surface_,
-                                   .triangulation = triangulation_,
-                                   .level = outcome_.result.level,
+                                   .tree = tree_->tree,
+                                   .part = tree_->part,
                                    .basis = basis_,
                                    .nodes = nodes_,
                                    .reflectivity = rho_,
@@ -126,6 +156,8 @@ private:
     outcome_.result.norm_K = problem_.geometry
                                  ? largest_row(rho_, matrix_.kernel_integral)
                                  : norm_of_K(surface_, problem_.reflectivity, rho_, matrix_.kernel_integral);
+    if (!outcome_.result.norm_K.has_radius())
+      outcome_.result.norm_K = Approximation::without_radius(ranks_.largest(outcome_.result.norm_K.value));
     refuse_norm_from_one(outcome_.result.norm_K);
     if (!all_finite(matrix_.kernel_integral) || !all_finite(matrix_.row_radius))
       refuse("the collocation integrals are not found: numbers run over the range of double");
@@ -145,7 +177,7 @@ private:
     const std::vector<double>& data = problem_.solution ? u_ : emission_;
     data_radius_ =
         value_radii(problem_.solution ? *problem_.solution : *problem_.emission, surface_, nodes_, data);
-    data_are_known_ = rho_radius_ && data_radius_;
+    data_are_known_ = ranks_.all(rho_radius_ && data_radius_);
     if (!data_radius_) data_radius_.emplace(nodes_.size());
     if (problem_.emission) emission_radius_ = *data_radius_;
   }
@@ -157,7 +189,7 @@ private:
     if (!surface_.closed || !surface_.unoccluded || problem_.geometry || !sum_to_one(choice_)) return;
     std::vector<double> sums(nodes_.size());
     matrix().accurate_product(std::vector<double>(nodes_.size(), 1.0), sums);
-    const double rounding = unit * static_cast<double>(triangulation_.triangles.size() + 64);
+    const double rounding = unit * static_cast<double>(outcome_.result.elements + 64);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (rho_[i] == 0) continue;
       const double integral_of_g = pi<double>() * sums[i] / rho_[i];
@@ -166,7 +198,7 @@ private:
       const Vector<double>& at = nodes_[i].point;
       const EnclosingText integral = enclosing_text(integral_of_g, radius, DecimalForm::general(17));
       refuse("the integral of G over the closed surface is " + integral.value + " +- " + integral.radius +
-             " at node " + std::to_string(i) + " (" + shortest(at.x) + ", " + shortest(at.y) + ", " +
+             " at node " + std::to_string(first_node_ + i) + " (" + shortest(at.x) + ", " + shortest(at.y) + ", " +
              shortest(at.z) + "), and not pi");
     }
   }
@@ -195,13 +227,14 @@ private:
     const Stopwatch watch;
     OperatorAtNodes ku = apply_operator(problem_, surface_, route, nodes_, rho_);
     outcome_.timing.operator_seconds = watch.seconds();
-    if (!all_finite(ku.radius)) {
+    if (!ranks_.all(all_finite(ku.radius))) {
       data_are_known_ = false;
       ku.radius.assign(nodes_.size(), 0);
     }
     std::vector<double> k_pn_u(nodes_.size());
     matrix().accurate_product(u_, k_pn_u);
-    const double u_size = max_abs(u_);
+    const double u_size = ranks_.largest(max_abs(u_));
+    const double data_radius = ranks_.largest(largest(*data_radius_));
     double radius = 0;
     emission_.resize(nodes_.size());
     emission_radius_.resize(nodes_.size());
@@ -210,14 +243,15 @@ private:
           rho_radius_ && rho_[i] > 0 ? (*rho_radius_)[i] / rho_[i] * std::abs(ku.value[i]) : 0;
       const double rounded = unit * (std::abs(u_[i]) + 4 * std::abs(ku.value[i]));
       // sum_j |k_ij| |u_j's radius|, the largest of these.
-      const double u_moved = outcome_.result.norm_K.value * largest_sum_ * largest(*data_radius_);
+      const double u_moved = outcome_.result.norm_K.value * largest_sum_ * data_radius;
       radius =
           std::max(radius, ku.radius[i] + matrix_.row_radius[i] * u_size + rounded + rho_moved + u_moved);
       emission_[i] = u_[i] - ku.value[i];
       emission_radius_[i] = ku.radius[i] + rounded + rho_moved + (*data_radius_)[i];
     }
     outcome_.result.discretisation_error =
-        largest_difference(ku.value, k_pn_u, data_are_known_ ? std::optional(radius) : std::nullopt);
+        within(ranks_.largest(largest_difference(ku.value, k_pn_u)),
+               data_are_known_ ? std::optional(ranks_.largest(radius)) : std::nullopt);
   }
 
   /// The norm in which the matrix contracts, whatever its entries are within their radii: without one an
@@ -225,7 +259,7 @@ private:
   void find_weights() {
     const Stopwatch watch;
     Outcome<Contraction, NoContraction> found = find_contraction(matrix(), matrix_.row_radius);
-    if (!found && clusters_ && solver_->choose && !solver_->iterates()) {
+    if (!found && clusters_ && !is_shared() && solver_->choose && !solver_->iterates()) {
       hold_entries(found.reason().theta);
       found = find_contraction(matrix(), matrix_.row_radius);
     }
@@ -233,15 +267,17 @@ private:
     solver_ = &chosen(*solver_, contraction_.has_value());
     outcome_.result.solver = solver_->name;
     if (!found && solver_->name == gmres_by_estimate) estimate_inverse(found.reason().theta);
+    const double radius = ranks_.largest(largest(matrix_.row_radius));
     if (!contraction_ && (solver_->iterates() || clusters_))
       throw InputError(
           {.pointer = "/solver/name",
            .value = problem_.solver.name,
            .problem = "has no error bound at level " + std::to_string(outcome_.result.level) +
-                      ": the collocation matrix, known within " + upper_text(largest(matrix_.row_radius)) +
+                      ": the collocation matrix, known within " + upper_text(radius) +
                       " a row, contracts by " + upper_text(found.reason().theta, DecimalForm::general(6)) +
                       " at best, which is not below 1",
-           .allowed = clusters_ ? "direct, with the operator dense, or " + std::string(gmres_by_estimate) +
+           .allowed = is_shared() ? "one process, which may take the dense operator and direct"
+                      : clusters_ ? "direct, with the operator dense, or " + std::string(gmres_by_estimate) +
                                       ", whose error bound is an estimate"
                                 : std::string("direct")});
     if (solver_->name != problem_.solver.name && !solver_->iterates()) {
@@ -294,7 +330,7 @@ private:
                                     std::to_string(most_unknowns_of_inverses) + " unknowns"});
     };
     if (!norm) throw refused(norm.reason());
-    const double radius = largest(matrix_.row_radius);
+    const double radius = ranks_.largest(largest(matrix_.row_radius));
     // Matrices that are known so badly may not be regular, however good the estimate.
     if (!(*norm * radius < 0.5))
       throw refused("its rows are known within " + upper_text(radius) + ", and the inverse is about " +
@@ -303,16 +339,18 @@ private:
     std::vector<double> of_one(nodes_.size());
     matrix().accurate_product(std::vector<double>(nodes_.size(), 1.0), of_one);
     for (double& x : of_one) x = 1 - x;
-    if (!(*norm * max_abs(of_one) >= 1))
+    if (!(*norm * ranks_.largest(max_abs(of_one)) >= 1))
       throw refused("coarser levels let it be " + nearest_text(*norm, DecimalForm::general(4)) +
                     ", and here K 1 shows that it is more");
-    contraction_ = contraction_by_estimate(nodes_.size(), *norm, radius);
+    contraction_ = contraction_by_estimate(matrix().parts(), *norm, radius);
     estimated_inverse_ = *norm;
   }
 
   /// What would show that the inverse is larger than was estimated: |u_n| is at most its norm times |E|.
   void require_estimate_holds() const {
-    if (!estimated_inverse_ || max_abs(u_n_) <= *estimated_inverse_ * max_abs(emission_)) return;
+    if (!estimated_inverse_ ||
+        ranks_.largest(max_abs(u_n_)) <= *estimated_inverse_ * ranks_.largest(max_abs(emission_)))
+      return;
     refuse("the inverse is larger than the estimate " +
            nearest_text(*estimated_inverse_, DecimalForm::general(4)) + " by which the solution was bounded");
   }
@@ -333,21 +371,25 @@ private:
     outcome_.result.iteration = found->iteration;
     if (data_are_known_) solution_radius_ = found->radius;
     if (problem_.solution)
-      outcome_.result.node_error = largest_difference(
-          u_, u_n_, data_are_known_ ? std::optional(found->radius + largest(*data_radius_)) : std::nullopt);
+      outcome_.result.node_error =
+          within(ranks_.largest(largest_difference(u_, u_n_)),
+                 data_are_known_ ? std::optional(found->radius + ranks_.largest(largest(*data_radius_)))
+                                 : std::nullopt);
     outcome_.timing.solve_seconds += watch.seconds();
   }
 
-  void iterate(const OperatorRoute& route) {
+  void iterate(const NodedSurface& data, const OperatorRoute& route) {
     constexpr double unknown = std::numeric_limits<double>::infinity();
     const EmissionAtPoints at_nodes{
         .values = emission_,
-        .radii = data_are_known_ ? emission_radius_ : std::vector<double>(nodes_.size(), unknown)};
-    describe_iterated(problem_, geometry_.data(), basis_, at_nodes, route, outcome_);
+        .radii = data_are_known_ ? emission_radius_ : std::vector<double>(data.nodes.size(), unknown)};
+    describe_iterated(problem_, data, basis_, at_nodes, route, outcome_);
   }
 
   static constexpr double unit = unit_roundoff<double>();
   const Problem& problem_;
+  const Ranks& ranks_;
+  std::optional<LevelClusters> tree_;  ///< where the operator may be one of clusters
   const TriangleBasisChoice& choice_;
   const LinearSolver* solver_;  ///< the one asked for, until the one that is taken is known
   TriangleBasis<double> basis_;
@@ -355,7 +397,8 @@ private:
   LevelGeometry geometry_;
   const Surface& surface_ = geometry_.data().surface;
   const Triangulation& triangulation_ = geometry_.data().triangulation;
-  const std::vector<CollocationPoint<double>>& nodes_ = geometry_.data().nodes;
+  const std::vector<CollocationPoint<double>>& nodes_ = geometry_.data().nodes;  ///< here
+  std::size_t first_node_;                                                       ///< those of ranks before
   std::vector<double> rho_;
   std::vector<double> u_;
   std::vector<double> emission_;
@@ -374,9 +417,15 @@ private:
 
 }  // namespace
 
-LevelOutcome solve(const Problem& problem, const Collocation&, int level, const OperatorRoute& route) {
-  if (find_linear_solver(problem.solver.name)->proves()) return verified_level(problem, level, route);
-  return Level(problem, level).compute(route);
+LevelOutcome solve(const Problem& problem, const Collocation&, int level, const OperatorRoute& route,
+                   const Ranks& ranks) {
+  const bool proves = find_linear_solver(problem.solver.name)->proves();
+  std::optional<LevelClusters> clusters;
+  if (!proves) clusters = clusters_of_level(problem, level, ranks);
+  if (!clusters && !ranks.is_first()) return {};
+  if (proves) return verified_level(problem, level, route);
+  const Ranks& sharing = clusters ? ranks : one_rank();
+  return Level(problem, level, std::move(clusters), sharing).compute(route);
 }
 
 }  // namespace radcert

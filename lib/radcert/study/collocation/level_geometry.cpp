@@ -6,10 +6,13 @@
 #include <string>
 #include <utility>
 
+#include "radcert/clusters/cluster_tree.h"
 #include "radcert/collocation/nodes.h"
+#include "radcert/core/checked.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/study/collocation/matrix_form.h"
+#include "radcert/study/collocation/collocation.h"
 #include "radcert/study/events/event_triangulation.h"
 #include "radcert/triangulation/conforming_charts.h"
 #include "radcert/triangulation/interpolated_surface.h"
@@ -40,10 +43,35 @@ void require_scale(const std::vector<CollocationPoint<double>>& nodes) {
 
 }  // namespace
 
-LevelGeometry::LevelGeometry(const Problem& problem, int level, const TriangleBasis<double>& basis) {
+std::optional<LevelClusters> clusters_of_level(const Problem& problem, int level, const Ranks& ranks) {
+  const Surface surface = surface_of(problem);
+  const TriangulationOptions options = triangulation_options(problem, surface);
+  const std::uint64_t functions = function_count(triangle_basis_of(problem.method));
+  const std::optional<std::uint64_t> elements = triangle_count(surface, level, options);
+  if (!elements || !takes_clusters(problem, saturated_product(*elements, functions))) return std::nullopt;
+  const int refinements = std::min(level, leaf_refinements(functions));
+  const int leaves = level - refinements;
+  ClusterTree tree =
+      ClusterTree::above(triangulate(surface, leaves, options), leaves, refinements).value();
+  if (const std::size_t most = ClusterPart::most_ranks(tree); ranks.count() > most)
+    throw InputError({.source = "the number of ranks",
+                      .value = std::to_string(ranks.count()),
+                      .problem = "is more than the subtrees of clusters at level " + std::to_string(level),
+                      .allowed = "at most " + std::to_string(most) + ", or finer levels alone"});
+  const ClusterPart part(tree, ranks);
+  return LevelClusters{std::move(tree), part};
+}
+
+LevelGeometry::LevelGeometry(const Problem& problem, int level, const TriangleBasis<double>& basis,
+                             const std::optional<ElementRange>& part) {
   Surface surface = surface_of(problem);
-  Triangulation triangulation = triangulate(surface, level, triangulation_options(problem, surface));
-  const Outcome<void> fits = conforming(surface, triangulation);
+  const TriangulationOptions options = triangulation_options(problem, surface);
+  Triangulation triangulation =
+      part ? triangulate_part(surface, level, options, *part) : triangulate(surface, level, options);
+  // Symmetric refinement keeps what the coarsest triangles are, and is exact down to 2^-51.
+  constexpr int exact_levels = 50;
+  const Outcome<void> fits =
+      conforming(surface, part && level <= exact_levels ? triangulate(surface, 0, options) : triangulation);
   if (!fits)
     throw InputError(
         {.pointer = "/triangulation",
@@ -68,14 +96,13 @@ LevelGeometry::LevelGeometry(const Problem& problem, int level, const TriangleBa
   require_scale(data_.nodes);
 }
 
-LevelResult level_header(const Problem& problem, int level, const LevelGeometry& geometry,
-                         std::size_t unknowns) {
+LevelResult level_header(const Problem& problem, int level, const LevelSizes& sizes) {
   LevelResult header;
   header.level = level;
-  header.elements = geometry.data().triangulation.triangles.size();
-  header.unknowns = unknowns;
-  header.mesh_size = geometry.mesh_size();
-  header.matrix_form = takes_clusters(problem, unknowns) ? "h2" : "dense";
+  header.elements = sizes.elements;
+  header.unknowns = sizes.unknowns;
+  header.mesh_size = sizes.mesh_size;
+  header.matrix_form = takes_clusters(problem, sizes.unknowns) ? "h2" : "dense";
   header.solver = problem.solver.name;
   header.planned_bytes = level_plan(problem, header.elements).total();
   return header;

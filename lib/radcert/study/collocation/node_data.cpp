@@ -79,25 +79,27 @@ std::optional<std::vector<double>> value_radii(const PiecewiseExpression& functi
 }
 
 std::vector<double> values_at_nodes(const PiecewiseExpression& function, const std::string& pointer,
-                                    const Surface& surface, std::span<const CollocationPoint<double>> nodes) {
+                                    const Surface& surface, std::span<const CollocationPoint<double>> nodes,
+                                    std::size_t first) {
   const SurfaceFunction f(function, surface);
   std::vector<double> values;
   values.reserve(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     values.push_back(f(nodes[i].at.chart, nodes[i].point));
     if (!std::isfinite(values.back()))
-      refuse_at_node(function, pointer, surface, i, nodes[i], values.back(),
+      refuse_at_node(function, pointer, surface, first + i, nodes[i], values.back(),
                      "an expression that is finite at every node");
   }
   return values;
 }
 
 std::vector<double> reflectivity_at_nodes(const PiecewiseExpression& reflectivity, const Surface& surface,
-                                          std::span<const CollocationPoint<double>> nodes) {
-  std::vector<double> values = values_at_nodes(reflectivity, "/reflectivity", surface, nodes);
+                                          std::span<const CollocationPoint<double>> nodes,
+                                          std::size_t first) {
+  std::vector<double> values = values_at_nodes(reflectivity, "/reflectivity", surface, nodes, first);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (values[i] < 0 || values[i] > 1)
-      refuse_at_node(reflectivity, "/reflectivity", surface, i, nodes[i], values[i], "values in [0, 1]");
+      refuse_at_node(reflectivity, "/reflectivity", surface, first + i, nodes[i], values[i], "values in [0, 1]");
   return values;
 }
 

@@ -15,10 +15,11 @@ namespace radcert {
 /// Maths     f(v_i)
 /// Source    [ac98, (40)]
 /// Requires  an expression for every piece of the surface; `pointer` is the expression's place in the problem
-///           file
+///           file; `first` is the number of the first node
 /// Result    finite values; otherwise InputError naming the node: its number, piece and coordinates
 std::vector<double> values_at_nodes(const PiecewiseExpression& function, const std::string& pointer,
-                                    const Surface& surface, std::span<const CollocationPoint<double>> nodes);
+                                    const Surface& surface, std::span<const CollocationPoint<double>> nodes,
+                                    std::size_t first = 0);
 
 /// Bounds of the rounding errors of a piecewise expression at the collocation nodes.
 /// Maths     |f(v_i) - values_i|, v_i the node of exact parameters, whose coordinates are off by no more than
@@ -37,6 +38,7 @@ std::optional<std::vector<double>> value_radii(const PiecewiseExpression& functi
 /// Requires  as values_at_nodes
 /// Result    values in [0,1]; otherwise InputError naming the node
 std::vector<double> reflectivity_at_nodes(const PiecewiseExpression& reflectivity, const Surface& surface,
-                                          std::span<const CollocationPoint<double>> nodes);
+                                          std::span<const CollocationPoint<double>> nodes,
+                                          std::size_t first = 0);
 
 }  // namespace radcert

@@ -198,7 +198,10 @@ public:
         functions_(exact_functions(triangle_basis_of(problem.method))),
         geometry_(problem, level, basis_),
         nodes_(exact_collocation_nodes(geometry_.data().triangulation, functions_)) {
-    outcome_.result = level_header(problem, level, geometry_, nodes_.size());
+    outcome_.result = level_header(problem, level,
+                                   {.elements = geometry_.data().triangulation.triangles.size(),
+                                    .unknowns = nodes_.size(),
+                                    .mesh_size = geometry_.mesh_size()});
     for (std::size_t j = 0; j < surface_.chart_count(); ++j) planes_.push_back(plane_chart(surface_, j));
     all_plane_ = !problem.geometry && std::all_of(planes_.begin(), planes_.end(),
                                                   [](const auto& plane) { return plane.has_value(); });

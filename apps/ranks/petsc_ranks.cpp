@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The module radcert_petsc: MPI's processes as ranks, and PETSc's star forests as exchanges. The program loads
+// it under mpirun alone, so that radcert without PETSc is the same program.
+#include <petscksp.h>
+#include <petscsf.h>
+
+#include <algorithm>
+#include <climits>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ranks_module.h"
+
+namespace radcert::app {
+namespace {
+
+/// Throws where PETSc or MPI says no.
+void require(int error, const char* what) {
+  if (error != 0) throw std::runtime_error(std::string(what) + " fails with the error " + std::to_string(error));
+}
+
+/// Before each call that all ranks make together they agree that none has come to its end.
+class Agreement {
+public:
+  /// Throws EndedElsewhere where a rank has.
+  void go_on() {
+    if (!someone_ends(false)) return;
+    ending_ = exchanged({});
+    throw EndedElsewhere(ending_->code, ending_->text);
+  }
+  Ending end(const Ending& own) {
+    if (ending_) return *ending_;
+    // The others come here too, or learn of it at their next step.
+    someone_ends(true);
+    return exchanged(own);
+  }
+
+private:
+  static bool someone_ends(bool here) {
+    int own = here ? 1 : 0;
+    int any = 0;
+    require(MPI_Allreduce(&own, &any, 1, MPI_INT, MPI_MAX, PETSC_COMM_WORLD), "MPI_Allreduce");
+    return any != 0;
+  }
+  /// What the ranks say that end, and nothing from those that would go on.
+  static Ending exchanged(const Ending& own) {
+    int count = 0;
+    MPI_Comm_size(PETSC_COMM_WORLD, &count);
+    std::vector<int> codes(static_cast<std::size_t>(count));
+    require(MPI_Allgather(&own.code, 1, MPI_INT, codes.data(), 1, MPI_INT, PETSC_COMM_WORLD), "MPI_Allgather");
+    const auto found = std::find_if(codes.begin(), codes.end(), [](int code) { return code != 0; });
+    if (found == codes.end()) return {};
+    const int rank = static_cast<int>(found - codes.begin());
+    int here = 0;
+    MPI_Comm_rank(PETSC_COMM_WORLD, &here);
+    int length = static_cast<int>(own.text.size());
+    require(MPI_Bcast(&length, 1, MPI_INT, rank, PETSC_COMM_WORLD), "MPI_Bcast");
+    std::string text = here == rank ? own.text : std::string(static_cast<std::size_t>(length), ' ');
+    require(MPI_Bcast(text.data(), length, MPI_CHAR, rank, PETSC_COMM_WORLD), "MPI_Bcast");
+    return {*found, text};
+  }
+
+  std::unique_ptr<Ending> ending_;
+};
+
+class StarForest final : public Exchange {
+public:
+  StarForest(Agreement& agreement, std::size_t held, std::span<const RemoteNumber> wanted)
+      : agreement_(agreement) {
+    require(PetscSFCreate(PETSC_COMM_WORLD, &forest_), "PetscSFCreate");
+    PetscSFNode* nodes = nullptr;
+    require(PetscMalloc1(wanted.size(), &nodes), "PetscMalloc");
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+      nodes[i] = {static_cast<PetscInt>(wanted[i].rank), static_cast<PetscInt>(wanted[i].place)};
+    require(PetscSFSetGraph(forest_, static_cast<PetscInt>(held), static_cast<PetscInt>(wanted.size()), nullptr,
+                            PETSC_OWN_POINTER, nodes, PETSC_OWN_POINTER),
+            "PetscSFSetGraph");
+    require(PetscSFSetUp(forest_), "PetscSFSetUp");
+    PetscInt ranks = 0;
+    const PetscMPIInt* numbers = nullptr;
+    const PetscInt* offsets = nullptr;
+    require(PetscSFGetLeafRanks(forest_, &ranks, &numbers, &offsets, nullptr), "PetscSFGetLeafRanks");
+    int here = 0;
+    MPI_Comm_rank(PETSC_COMM_WORLD, &here);
+    for (PetscInt i = 0; i < ranks; ++i)
+      if (numbers[i] != here) sent_ += static_cast<std::uint64_t>(offsets[i + 1] - offsets[i]) * sizeof(double);
+  }
+  ~StarForest() override { PetscSFDestroy(&forest_); }
+
+  void bring(std::span<const double> held, std::span<double> wanted) const override {
+    agreement_.go_on();
+    require(PetscSFBcastBegin(forest_, MPI_DOUBLE, held.data(), wanted.data(), MPI_REPLACE),
+            "PetscSFBcastBegin");
+    require(PetscSFBcastEnd(forest_, MPI_DOUBLE, held.data(), wanted.data(), MPI_REPLACE), "PetscSFBcastEnd");
+  }
+  [[nodiscard]] std::uint64_t bytes_sent() const override { return sent_; }
+
+private:
+  Agreement& agreement_;
+  PetscSF forest_ = nullptr;
+  std::uint64_t sent_ = 0;
+};
+
+class PetscRanks final : public RankedRun {
+public:
+  PetscRanks() {
+    int number = 0;
+    MPI_Comm_size(PETSC_COMM_WORLD, &number);
+    count_ = static_cast<std::size_t>(number);
+    MPI_Comm_rank(PETSC_COMM_WORLD, &number);
+    here_ = static_cast<std::size_t>(number);
+    MPI_Comm machine = MPI_COMM_NULL;
+    MPI_Comm_split_type(PETSC_COMM_WORLD, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+    MPI_Comm_size(machine, &number);
+    of_machine_ = static_cast<std::size_t>(number);
+    MPI_Comm_free(&machine);
+  }
+
+  [[nodiscard]] std::size_t count() const override { return count_; }
+  [[nodiscard]] std::size_t here() const override { return here_; }
+  [[nodiscard]] std::size_t ranks_of_machine() const override { return of_machine_; }
+
+  [[nodiscard]] std::vector<std::string> gather(std::string_view own) const override {
+    agreement_.go_on();
+    const std::vector<std::uint64_t> lengths = lengths_of(own);
+    std::uint64_t total = 0;
+    for (const std::uint64_t length : lengths) total += length;
+    std::vector<std::string> all(count_);
+    if (total > INT_MAX) {
+      for (std::size_t rank = 0; rank < count_; ++rank) all[rank] = broadcast(own, rank, lengths[rank]);
+      return all;
+    }
+    std::vector<int> counts;
+    std::vector<int> places;
+    int place = 0;
+    for (const std::uint64_t length : lengths) {
+      counts.push_back(static_cast<int>(length));
+      places.push_back(place);
+      place += counts.back();
+    }
+    std::string bytes(total, ' ');
+    require(MPI_Allgatherv(own.data(), static_cast<int>(own.size()), MPI_CHAR, bytes.data(), counts.data(),
+                           places.data(), MPI_CHAR, PETSC_COMM_WORLD),
+            "MPI_Allgatherv");
+    for (std::size_t rank = 0; rank < count_; ++rank)
+      all[rank] = bytes.substr(static_cast<std::size_t>(places[rank]), lengths[rank]);
+    return all;
+  }
+
+  [[nodiscard]] std::vector<std::string> gather_at_first(std::string_view own) const override {
+    agreement_.go_on();
+    const std::vector<std::uint64_t> lengths = lengths_of(own);
+    constexpr int tag = 1;
+    std::vector<std::string> all;
+    if (here_ > 0) {
+      for (std::size_t sent = 0; sent < own.size(); sent += piece)
+        require(MPI_Send(own.data() + sent, static_cast<int>(std::min(piece, own.size() - sent)), MPI_CHAR, 0,
+                         tag, PETSC_COMM_WORLD),
+                "MPI_Send");
+      return all;
+    }
+    all.emplace_back(own);
+    for (std::size_t rank = 1; rank < count_; ++rank) {
+      std::string& text = all.emplace_back(lengths[rank], ' ');
+      for (std::size_t got = 0; got < text.size(); got += piece)
+        require(MPI_Recv(text.data() + got, static_cast<int>(std::min(piece, text.size() - got)), MPI_CHAR,
+                         static_cast<int>(rank), tag, PETSC_COMM_WORLD, MPI_STATUS_IGNORE),
+                "MPI_Recv");
+    }
+    return all;
+  }
+
+  [[nodiscard]] std::unique_ptr<const Exchange> exchange(
+      std::size_t held, std::span<const RemoteNumber> wanted) const override {
+    agreement_.go_on();
+    return std::make_unique<StarForest>(agreement_, held, wanted);
+  }
+
+  [[nodiscard]] std::vector<std::string> options_not_taken() const override {
+    PetscInt count = 0;
+    char** names = nullptr;
+    char** values = nullptr;
+    require(PetscOptionsLeftGet(nullptr, &count, &names, &values), "PetscOptionsLeftGet");
+    std::vector<std::string> out;
+    for (PetscInt i = 0; i < count; ++i) out.push_back("-" + std::string(names[i]));
+    require(PetscOptionsLeftRestore(nullptr, &count, &names, &values), "PetscOptionsLeftRestore");
+    return out;
+  }
+
+  Ending end(const Ending& own) override {
+    Ending ending = agreement_.end(own);
+    PetscFinalize();
+    return ending;
+  }
+
+private:
+  static constexpr std::size_t piece = std::size_t{1} << 30U;
+
+  [[nodiscard]] std::vector<std::uint64_t> lengths_of(std::string_view own) const {
+    const std::uint64_t length = own.size();
+    std::vector<std::uint64_t> lengths(count_);
+    require(MPI_Allgather(&length, 1, MPI_UINT64_T, lengths.data(), 1, MPI_UINT64_T, PETSC_COMM_WORLD),
+            "MPI_Allgather");
+    return lengths;
+  }
+  [[nodiscard]] std::string broadcast(std::string_view own, std::size_t from, std::uint64_t length) const {
+    std::string text = here_ == from ? std::string(own) : std::string(length, ' ');
+    for (std::size_t done = 0; done < length; done += piece)
+      require(MPI_Bcast(text.data() + done, static_cast<int>(std::min<std::size_t>(piece, length - done)),
+                        MPI_CHAR, static_cast<int>(from), PETSC_COMM_WORLD),
+              "MPI_Bcast");
+    return text;
+  }
+
+  mutable Agreement agreement_;
+  std::size_t count_ = 1;
+  std::size_t here_ = 0;
+  std::size_t of_machine_ = 1;
+};
+
+}  // namespace
+}  // namespace radcert::app
+
+extern "C" radcert::app::RankedRun* radcert_begin_ranks(const std::vector<std::string>& options,
+                                                        std::string& failure) {
+  // radcert has handlers of its own, and says itself which options nothing took.
+  static std::vector<std::string> words{"radcert", "-no_signal_handler", "-options_left", "no"};
+  words.insert(words.end(), options.begin(), options.end());
+  static std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  int count = static_cast<int>(pointers.size());
+  pointers.push_back(nullptr);
+  char** arguments = pointers.data();
+  if (PetscInitialize(&count, &arguments, nullptr, nullptr) != 0) {
+    failure = "PETSc cannot be begun";
+    return nullptr;
+  }
+  static radcert::app::PetscRanks ranks;
+  return &ranks;
+}
