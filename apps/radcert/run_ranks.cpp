@@ -29,7 +29,8 @@ RankedRun*& run() {
 /// Whether a launcher of MPI has begun this process, by what the common ones leave in the environment.
 bool is_launched() {
   constexpr std::array names{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"};
-  return std::any_of(names.begin(), names.end(), [](const char* name) { return std::getenv(name) != nullptr; });
+  return std::any_of(names.begin(), names.end(),
+                     [](const char* name) { return std::getenv(name) != nullptr; });
 }
 
 /// The number of ranks as the launcher says it, before MPI has begun; 0 where it does not.
@@ -109,7 +110,18 @@ void RunRanks::begin(int& argc, char** argv) {
   threads_ = std::make_unique<ThreadLimit>(std::max<std::size_t>(1, processors / run()->ranks_of_machine()));
   if (const std::vector<std::string> left = run()->options_not_taken(); !left.empty())
     throw InputError(
-        {.source = "--petsc", .value = left.front(), .problem = "is an option that nothing takes here"});
+        {.source = "--petsc", .value = left.front(), .problem = "is no option of PETSc that is taken here"});
+}
+
+Problem with_solver_of_run(Problem problem) {
+  if (run() == nullptr || run()->options_of_solver().empty()) return problem;
+  if (problem.solver.name == "auto") problem.solver.name = "petsc";
+  if (problem.solver.name != "petsc")
+    throw InputError({.source = "--petsc",
+                      .value = run()->options_of_solver().front(),
+                      .problem = "is for PETSc's solvers, and the problem asks for " + problem.solver.name,
+                      .allowed = "a problem with the solver petsc, or auto"});
+  return problem;
 }
 
 int RunRanks::end(int code) {
@@ -132,9 +144,10 @@ std::uint64_t memory_of_all_ranks(std::uint64_t here) {
 
 void require_same_on_all_ranks(const std::string& name, const std::string& text) {
   if (ranks().from_first(text) == text) return;
-  throw InputError({.source = name,
-                    .problem = "is another file on rank " + std::to_string(ranks().here()) + " than on rank 0",
-                    .allowed = "the same file on all ranks"});
+  throw InputError(
+      {.source = name,
+       .problem = "is another file on rank " + std::to_string(ranks().here()) + " than on rank 0",
+       .allowed = "the same file on all ranks"});
 }
 
 }  // namespace radcert::app

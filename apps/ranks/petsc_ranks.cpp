@@ -2,17 +2,21 @@
 
 // The module radcert_petsc: MPI's processes as ranks, and PETSc's star forests as exchanges. The program loads
 // it under mpirun alone, so that radcert without PETSc is the same program.
+#include <petsc/private/vecimpl.h>
 #include <petscksp.h>
 #include <petscsf.h>
 
 #include <algorithm>
 #include <climits>
-#include <cstring>
+#include <cmath>
+#include <exception>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "radcert/core/ranks/krylov_engine.h"
 #include "ranks_module.h"
 
 namespace radcert::app {
@@ -20,7 +24,8 @@ namespace {
 
 /// Throws where PETSc or MPI says no.
 void require(int error, const char* what) {
-  if (error != 0) throw std::runtime_error(std::string(what) + " fails with the error " + std::to_string(error));
+  if (error != 0)
+    throw std::runtime_error(std::string(what) + " fails with the error " + std::to_string(error));
 }
 
 /// Before each call that all ranks make together they agree that none has come to its end.
@@ -51,7 +56,8 @@ private:
     int count = 0;
     MPI_Comm_size(PETSC_COMM_WORLD, &count);
     std::vector<int> codes(static_cast<std::size_t>(count));
-    require(MPI_Allgather(&own.code, 1, MPI_INT, codes.data(), 1, MPI_INT, PETSC_COMM_WORLD), "MPI_Allgather");
+    require(MPI_Allgather(&own.code, 1, MPI_INT, codes.data(), 1, MPI_INT, PETSC_COMM_WORLD),
+            "MPI_Allgather");
     const auto found = std::find_if(codes.begin(), codes.end(), [](int code) { return code != 0; });
     if (found == codes.end()) return {};
     const int rank = static_cast<int>(found - codes.begin());
@@ -64,7 +70,7 @@ private:
     return {*found, text};
   }
 
-  std::unique_ptr<Ending> ending_;
+  std::optional<Ending> ending_;
 };
 
 class StarForest final : public Exchange {
@@ -73,11 +79,11 @@ public:
       : agreement_(agreement) {
     require(PetscSFCreate(PETSC_COMM_WORLD, &forest_), "PetscSFCreate");
     PetscSFNode* nodes = nullptr;
-    require(PetscMalloc1(wanted.size(), &nodes), "PetscMalloc");
+    require(PetscMalloc(wanted.size() * sizeof(PetscSFNode), &nodes), "PetscMalloc");
     for (std::size_t i = 0; i < wanted.size(); ++i)
       nodes[i] = {static_cast<PetscInt>(wanted[i].rank), static_cast<PetscInt>(wanted[i].place)};
-    require(PetscSFSetGraph(forest_, static_cast<PetscInt>(held), static_cast<PetscInt>(wanted.size()), nullptr,
-                            PETSC_OWN_POINTER, nodes, PETSC_OWN_POINTER),
+    require(PetscSFSetGraph(forest_, static_cast<PetscInt>(held), static_cast<PetscInt>(wanted.size()),
+                            nullptr, PETSC_OWN_POINTER, nodes, PETSC_OWN_POINTER),
             "PetscSFSetGraph");
     require(PetscSFSetUp(forest_), "PetscSFSetUp");
     PetscInt ranks = 0;
@@ -87,7 +93,8 @@ public:
     int here = 0;
     MPI_Comm_rank(PETSC_COMM_WORLD, &here);
     for (PetscInt i = 0; i < ranks; ++i)
-      if (numbers[i] != here) sent_ += static_cast<std::uint64_t>(offsets[i + 1] - offsets[i]) * sizeof(double);
+      if (numbers[i] != here)
+        sent_ += static_cast<std::uint64_t>(offsets[i + 1] - offsets[i]) * sizeof(double);
   }
   ~StarForest() override { PetscSFDestroy(&forest_); }
 
@@ -103,6 +110,187 @@ private:
   Agreement& agreement_;
   PetscSF forest_ = nullptr;
   std::uint64_t sent_ = 0;
+};
+
+/// PETSc's Krylov methods on vectors whose sums over the ranks do not depend on how many there are, and whose
+/// sums of vectors are plain loops: a BLAS may round the last entries of a part otherwise.
+class PetscKrylov final : public KrylovEngine {
+public:
+  /// Says of options that begin with -ksp or -pc which of them PETSc does not know, before any work.
+  static void take_options() {
+    const Solver solver(1);
+    require(KSPSetFromOptions(solver.ksp), "KSPSetFromOptions");
+  }
+
+  std::size_t solve(const Product& a, const Dot& dot, double relative, std::span<double> r) const override {
+    const auto n = static_cast<PetscInt>(r.size());
+    Work work{a, dot, nullptr};
+    current() = &work;
+    Solver solver(n);
+    Vec b = nullptr;
+    Vec x = nullptr;
+    require(VecCreateMPI(PETSC_COMM_WORLD, n, PETSC_DETERMINE, &b), "VecCreateMPI");
+    give_operations(b);
+    require(VecDuplicate(b, &x), "VecDuplicate");
+    write(b, [&](std::span<double> to) { std::copy(r.begin(), r.end(), to.begin()); });
+    require(KSPSetTolerances(solver.ksp, relative, 0, PETSC_DEFAULT, restart), "KSPSetTolerances");
+    require(KSPSetFromOptions(solver.ksp), "KSPSetFromOptions");
+    require(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr), "PetscPushErrorHandler");
+    const int error = KSPSolve(solver.ksp, b, x);
+    require(PetscPopErrorHandler(), "PetscPopErrorHandler");
+    if (work.failure) std::rethrow_exception(work.failure);
+    require(error, "KSPSolve");
+    PetscInt iterations = 0;
+    require(KSPGetIterationNumber(solver.ksp, &iterations), "KSPGetIterationNumber");
+    const std::span<const double> found = read(x);
+    std::copy(found.begin(), found.end(), r.begin());
+    VecDestroy(&x);
+    VecDestroy(&b);
+    current() = nullptr;
+    return static_cast<std::size_t>(iterations);
+  }
+
+private:
+  static constexpr int restart = 64;
+
+  /// What the functions below work with: PETSc hands them vectors alone.
+  struct Work {
+    const Product& product;
+    const Dot& dot;
+    std::exception_ptr failure;
+  };
+  static Work*& current() {
+    static Work* work = nullptr;
+    return work;
+  }
+
+  struct Solver {
+    explicit Solver(PetscInt n) {
+      require(MatCreateShell(PETSC_COMM_WORLD, n, n, PETSC_DETERMINE, PETSC_DETERMINE, nullptr, &matrix),
+              "MatCreateShell");
+      require(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)),
+              "MatShellSetOperation");
+      require(KSPCreate(PETSC_COMM_WORLD, &ksp), "KSPCreate");
+      require(KSPSetOperators(ksp, matrix, matrix), "KSPSetOperators");
+      require(KSPSetType(ksp, KSPGMRES), "KSPSetType");
+      require(KSPGMRESSetRestart(ksp, restart), "KSPGMRESSetRestart");
+      require(KSPGMRESSetCGSRefinementType(ksp, KSP_GMRES_CGS_REFINE_ALWAYS), "KSPGMRESSetCGSRefinementType");
+      PC pc = nullptr;
+      require(KSPGetPC(ksp, &pc), "KSPGetPC");
+      require(PCSetType(pc, PCNONE), "PCSetType");
+    }
+    ~Solver() {
+      KSPDestroy(&ksp);
+      MatDestroy(&matrix);
+    }
+    Solver(const Solver&) = delete;
+    Solver& operator=(const Solver&) = delete;
+    Mat matrix = nullptr;
+    KSP ksp = nullptr;
+  };
+
+  static std::size_t size_of(Vec x) {
+    PetscInt n = 0;
+    require(VecGetLocalSize(x, &n), "VecGetLocalSize");
+    return static_cast<std::size_t>(n);
+  }
+  /// The entries here; they stay where they are while the vector lives.
+  static std::span<const double> read(Vec x) {
+    const double* from = nullptr;
+    require(VecGetArrayRead(x, &from), "VecGetArrayRead");
+    const std::span<const double> entries(from, size_of(x));
+    require(VecRestoreArrayRead(x, &from), "VecRestoreArrayRead");
+    return entries;
+  }
+  template <class Body>
+  static void write(Vec x, const Body& body) {
+    double* to = nullptr;
+    require(VecGetArray(x, &to), "VecGetArray");
+    body(std::span<double>(to, size_of(x)));
+    require(VecRestoreArray(x, &to), "VecRestoreArray");
+  }
+  /// Runs what may throw: an exception goes round PETSc.
+  template <class Body>
+  static PetscErrorCode guarded(const Body& body) {
+    try {
+      body();
+      return 0;
+    } catch (...) {
+      if (current() != nullptr && !current()->failure) current()->failure = std::current_exception();
+      return PETSC_ERR_USER;
+    }
+  }
+
+  static PetscErrorCode multiply(Mat, Vec x, Vec y) {
+    return guarded([&] { write(y, [&](std::span<double> to) { current()->product(read(x), to); }); });
+  }
+  static PetscErrorCode dot_of(Vec x, Vec y, PetscScalar* out) {
+    return guarded([&] { *out = current()->dot(read(x), read(y)); });
+  }
+  static PetscErrorCode dots_of(Vec x, PetscInt count, const Vec y[], PetscScalar* out) {
+    return guarded([&] {
+      for (PetscInt j = 0; j < count; ++j) out[j] = current()->dot(read(x), read(y[j]));
+    });
+  }
+  static PetscErrorCode norm_of(Vec x, NormType type, PetscReal* out) {
+    return guarded([&] {
+      if (type != NORM_2 && type != NORM_FROBENIUS) throw std::runtime_error("a norm that is not the 2-norm");
+      *out = std::sqrt(current()->dot(read(x), read(x)));
+    });
+  }
+  /// y_i <- f(y_i, i)
+  template <class F>
+  static PetscErrorCode each(Vec y, const F& f) {
+    return guarded([&] {
+      write(y, [&](std::span<double> to) {
+        for (std::size_t i = 0; i < to.size(); ++i) to[i] = f(to[i], i);
+      });
+    });
+  }
+  static PetscErrorCode scale(Vec x, PetscScalar a) {
+    return each(x, [a](double value, std::size_t) { return a * value; });
+  }
+  static PetscErrorCode axpy(Vec y, PetscScalar a, Vec x) {
+    const auto from = read(x);
+    return each(y, [&](double value, std::size_t i) { return value + a * from[i]; });
+  }
+  static PetscErrorCode aypx(Vec y, PetscScalar a, Vec x) {
+    const auto from = read(x);
+    return each(y, [&](double value, std::size_t i) { return a * value + from[i]; });
+  }
+  static PetscErrorCode axpby(Vec y, PetscScalar a, PetscScalar b, Vec x) {
+    const auto from = read(x);
+    return each(y, [&](double value, std::size_t i) { return a * from[i] + b * value; });
+  }
+  static PetscErrorCode waxpy(Vec w, PetscScalar a, Vec x, Vec y) {
+    const auto one = read(x);
+    const auto other = read(y);
+    return each(w, [&](double, std::size_t i) { return other[i] + a * one[i]; });
+  }
+  static PetscErrorCode axpbypcz(Vec z, PetscScalar a, PetscScalar b, PetscScalar c, Vec x, Vec y) {
+    const auto one = read(x);
+    const auto other = read(y);
+    return each(z, [&](double value, std::size_t i) { return a * one[i] + b * other[i] + c * value; });
+  }
+  static PetscErrorCode maxpy(Vec y, PetscInt count, const PetscScalar* a, Vec* x) {
+    for (PetscInt j = 0; j < count; ++j)
+      if (const PetscErrorCode error = axpy(y, a[j], x[j]); error != 0) return error;
+    return 0;
+  }
+  static void give_operations(Vec x) {
+    struct _VecOps& ops = *x->ops;
+    ops.dot = ops.tdot = dot_of;
+    ops.mdot = ops.mtdot = dots_of;
+    ops.norm = norm_of;
+    ops.dotnorm2 = nullptr;  // PETSc takes the functions above then
+    ops.scale = scale;
+    ops.axpy = axpy;
+    ops.aypx = aypx;
+    ops.axpby = axpby;
+    ops.waxpy = waxpy;
+    ops.axpbypcz = axpbypcz;
+    ops.maxpy = maxpy;
+  }
 };
 
 class PetscRanks final : public RankedRun {
@@ -180,7 +368,9 @@ public:
     return std::make_unique<StarForest>(agreement_, held, wanted);
   }
 
-  [[nodiscard]] std::vector<std::string> options_not_taken() const override {
+  [[nodiscard]] const KrylovEngine* krylov_engine() const override { return &krylov_; }
+
+  [[nodiscard]] std::vector<std::string> options_left() const {
     PetscInt count = 0;
     char** names = nullptr;
     char** values = nullptr;
@@ -190,6 +380,15 @@ public:
     require(PetscOptionsLeftRestore(nullptr, &count, &names, &values), "PetscOptionsLeftRestore");
     return out;
   }
+
+  /// Which options PETSc's beginning leaves to solvers, and which not even these know.
+  void take_options() {
+    of_solver_ = options_left();
+    PetscKrylov::take_options();
+    not_taken_ = options_left();
+  }
+  [[nodiscard]] std::vector<std::string> options_of_solver() const override { return of_solver_; }
+  [[nodiscard]] std::vector<std::string> options_not_taken() const override { return not_taken_; }
 
   Ending end(const Ending& own) override {
     Ending ending = agreement_.end(own);
@@ -217,6 +416,9 @@ private:
   }
 
   mutable Agreement agreement_;
+  PetscKrylov krylov_;
+  std::vector<std::string> of_solver_;
+  std::vector<std::string> not_taken_;
   std::size_t count_ = 1;
   std::size_t here_ = 0;
   std::size_t of_machine_ = 1;
@@ -227,8 +429,8 @@ private:
 
 extern "C" radcert::app::RankedRun* radcert_begin_ranks(const std::vector<std::string>& options,
                                                         std::string& failure) {
-  // radcert has handlers of its own, and says itself which options nothing took.
-  static std::vector<std::string> words{"radcert", "-no_signal_handler", "-options_left", "no"};
+  // radcert has handlers of its own.
+  static std::vector<std::string> words{"radcert", "-no_signal_handler"};
   words.insert(words.end(), options.begin(), options.end());
   static std::vector<char*> pointers;
   for (std::string& word : words) pointers.push_back(word.data());
@@ -240,5 +442,6 @@ extern "C" radcert::app::RankedRun* radcert_begin_ranks(const std::vector<std::s
     return nullptr;
   }
   static radcert::app::PetscRanks ranks;
+  ranks.take_options();
   return &ranks;
 }

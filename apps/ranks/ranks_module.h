@@ -19,7 +19,8 @@ class RankedRun : public Ranks {
 public:
   /// The ranks on this machine, at least this one.
   [[nodiscard]] virtual std::size_t ranks_of_machine() const = 0;
-  /// The options of PETSc that nothing took so far.
+  /// Of the options of PETSc those that are for solvers, and of these those that no solver knows.
+  [[nodiscard]] virtual std::vector<std::string> options_of_solver() const = 0;
   [[nodiscard]] virtual std::vector<std::string> options_not_taken() const = 0;
   /// Tells the others how this rank has ended, hears how they have, and leaves MPI.
   /// Requires  called once by every rank, at last

@@ -5,7 +5,7 @@ cd -- "$1"
 status=0
 complain() { printf '%s\n' "$*" >&2; status=1; }
 
-for list in .ci/packages-build.txt .ci/packages-test.txt; do
+for list in .ci/packages-build.txt .ci/packages-test.txt .ci/packages-ranks.txt; do
   entries=$(grep -v '^#' "$list")
   [ -n "$entries" ] || complain "$list: empty"
   while IFS= read -r line; do
@@ -15,8 +15,8 @@ for list in .ci/packages-build.txt .ci/packages-test.txt; do
   names=$(awk '{print $1}' <<<"$entries")
   [ "$names" = "$(LC_ALL=C sort -u <<<"$names")" ] || complain "$list: not sorted, or a package twice"
 done
-twice=$(cat .ci/packages-build.txt .ci/packages-test.txt | grep -v '^#' | awk '{print $1}' | LC_ALL=C sort | uniq -d)
-[ -z "$twice" ] || complain "in both lists: $twice"
+twice=$(cat .ci/packages-*.txt | grep -v '^#' | awk '{print $1}' | LC_ALL=C sort | uniq -d)
+[ -z "$twice" ] || complain "in two lists: $twice"
 
 grep -q 'packages-build.txt' Containerfile || complain "Containerfile: has a package list of its own"
 for script in run .ci/run; do

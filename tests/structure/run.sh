@@ -11,6 +11,7 @@ cp "$checkout/run" "$scratch/tree/"
 printf '# a list\nalpha command:sh # there everywhere\nbeta command:no-such-command-beta # nowhere\n' \
   >"$scratch/tree/.ci/packages-build.txt"
 printf 'gamma python:no_such_module # nowhere\n' >"$scratch/tree/.ci/packages-test.txt"
+printf 'delta command:no-such-command-delta # nowhere\n' >"$scratch/tree/.ci/packages-ranks.txt"
 printf 'ID=debian\nVERSION_ID="12"\n' >"$scratch/debian"
 printf 'ID=other\nVERSION_ID="1"\n' >"$scratch/other"
 calls=$scratch/calls
@@ -21,7 +22,7 @@ stand_in() { # NAME BODY
 }
 stand_in dpkg-query 'if grep -qx "${!#}" "$INSTALLED"; then printf installed; else exit 1; fi'
 stand_in apt-get 'echo "apt-get $*" >>"$CALLS"
-for word; do case $word in alpha|beta|gamma) echo "$word" >>"$INSTALLED";; esac; done'
+for word; do case $word in alpha|beta|gamma|delta) echo "$word" >>"$INSTALLED";; esac; done'
 stand_in cmake 'echo "cmake $*" >>"$CALLS"; echo chatter'
 stand_in ctest 'echo "ctest $*" >>"$CALLS"; exit "${CTEST_RESULT:-0}"'
 stand_in id 'echo 0'
@@ -49,6 +50,7 @@ call 1 debian verify ac98 --budget quick
 called 'apt-get .* update'
 called 'apt-get .*install.* beta$'
 not_called gamma
+not_called delta
 not_called RADCERT_TESTS
 called '--target radcert'
 called '^radcert verify ac98 --budget quick$'
@@ -64,7 +66,7 @@ called '^radcert verify$'
 
 # The tests need the rest.
 call 0 debian test
-called 'apt-get .*install.* gamma$'
+called 'apt-get .*install.* gamma delta$'
 called 'RADCERT_TESTS=ON'
 called '^ctest '
 CTEST_RESULT=8 call 1 debian test

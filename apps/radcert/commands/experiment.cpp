@@ -144,7 +144,9 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   const auto limit = common.limit_threads();
   const std::uint64_t memory = memory_of_all_ranks(common.memory_limit());
   const InputFile input = read_input(options.experiment, json_size_limit);
-  const Experiment experiment = parse_experiment(input.text, options.experiment);
+  Experiment experiment = parse_experiment(input.text, options.experiment);
+  for (Combination& combination : experiment.combinations)
+    combination.problem = with_solver_of_run(std::move(combination.problem));
   for (const Combination& combination : experiment.combinations)
     with_combination(combination, options.experiment, [&] { check(combination.problem, memory); });
 

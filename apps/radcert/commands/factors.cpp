@@ -36,6 +36,7 @@
 #include "radcert/geometry/mesh_file/mesh_file.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/surface/catalogue.h"
+#include "run_ranks.h"
 #include "tables/factors_table.h"
 
 namespace radcert::app {
@@ -175,7 +176,8 @@ FactorMatrix computed(const Common& common, const FacetScene& scene, const Facto
   const FactorProgress report{.at = [&](double fraction) { progress.at(fraction, "factors"); },
                               .key = "factors\n" + std::string(source_digest()) + "\n" + identity,
                               .store = &store,
-                              .row = sinks.row};
+                              .row = sinks.row,
+                              .ranks = &ranks()};
   return by_rays ? ray_factors(scene, units, rays, report) : factor_matrix(scene, units, demand, report);
 }
 
@@ -203,6 +205,9 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
     throw InputError({.source = "--rays", .problem = "proves nothing", .allowed = "without --certified"});
 
   const FactorScene named = scene_of(options);
+  require_same_on_all_ranks(options.name, named.identity);
+  // Rays go by whole rows of units, and the first rank sends them.
+  if (options.rays && !ranks().is_first()) return ExitCode::done;
   const FacetScene& scene = named.scene;
   demand.open_to_space = named.open;
   const FactorUnits units = factor_units(named.mesh, by);
@@ -243,6 +248,7 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
   } catch (const Interrupted&) {
     return interrupted("finished rows", store);
   }
+  if (!ranks().is_first()) return ExitCode::done;
   say_where_nothing_is_kept(store);
   Files files;
   report.warnings = factor_warnings(report, OptionStyle::command_line);

@@ -390,7 +390,7 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Output
 ExitCode solve(const Common& common, const SolveOptions& options) {
   Outputs outputs = checked_outputs(common, options);
   const InputFile input = read_input(options.problem, json_size_limit);
-  const Problem problem = problem_of(options, input);
+  const Problem problem = with_solver_of_run(problem_of(options, input));
   for (const InputDigest& named : inputs_named_in({&problem, 1})) outputs.input(named.name);
   require_same_named_files({&problem, 1});
   if (problem.guarantee) {

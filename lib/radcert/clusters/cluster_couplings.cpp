@@ -340,7 +340,9 @@ void ClusterCouplings::weights_of_nodes(std::span<const double> moments, std::sp
   }
 }
 
-/// G between all nodes of two sets, times the weights of either set, summed over it.
+/// G between all nodes of two sets, times the weights of either set, summed over it: at the nodes of a, of b or
+/// of both, whatever is wanted, with the same bits.
+template <bool at_a, bool at_b>
 void ClusterCouplings::evaluate(const Coupling& coupling, std::span<const double> weights, double* values,
                                 std::vector<double>& scratch) const {
   const std::size_t a = sets_[coupling.a].first;
@@ -348,7 +350,7 @@ void ClusterCouplings::evaluate(const Coupling& coupling, std::span<const double
   const std::size_t k = coupling.nodes;
   const std::size_t stride = padded<double>(k);
   // Where light comes from one lamp, or from one element, most pairs send nothing.
-  if (vanishes(weights.subspan(a, k)) && vanishes(weights.subspan(b, k))) {
+  if ((!at_b || vanishes(weights.subspan(a, k))) && (!at_a || vanishes(weights.subspan(b, k)))) {
     std::fill_n(values, 2 * stride, 0.0);
     return;
   }
@@ -366,14 +368,18 @@ void ClusterCouplings::evaluate(const Coupling& coupling, std::span<const double
       const Pack g = kernel_terms<Pack>({Pack(p.x) - q.x, Pack(p.y) - q.y, Pack(p.z) - q.z},
                                         {Pack(n.x), Pack(n.y), Pack(n.z)}, normal_q)
                          .value();
-      at_q = fma(g, Pack(weights[a + i]), at_q);
-      double* at_p = &scratch[i * Pack::lanes];
-      fma(g, weight_q, Pack::load(at_p)).store(at_p);
+      if constexpr (at_b) at_q = fma(g, Pack(weights[a + i]), at_q);
+      if constexpr (at_a) {
+        double* at_p = &scratch[i * Pack::lanes];
+        fma(g, weight_q, Pack::load(at_p)).store(at_p);
+      }
     }
-    (-at_q).store(values + stride + j);
+    if constexpr (at_b) (-at_q).store(values + stride + j);
   }
-  for (std::size_t i = 0; i < k; ++i) values[i] = -Pack::load(&scratch[i * Pack::lanes]).sum();
-  for (std::size_t i = k; i < stride; ++i) values[i] = 0;
+  if constexpr (at_a) {
+    for (std::size_t i = 0; i < k; ++i) values[i] = -Pack::load(&scratch[i * Pack::lanes]).sum();
+    for (std::size_t i = k; i < stride; ++i) values[i] = 0;
+  }
 }
 
 void ClusterCouplings::couple(std::span<const double> weights, std::span<double> values) const {
@@ -382,8 +388,16 @@ void ClusterCouplings::couple(std::span<const double> weights, std::span<double>
     if (held.size() < batch.slots) held.resize(batch.slots);
     parallel_for(batch.end - batch.begin, couplings_at_a_time, [&](std::size_t begin, std::size_t end) {
       std::vector<double> scratch;
-      for (std::size_t i = batch.begin + begin; i < batch.begin + end; ++i)
-        evaluate(couplings_[i], weights, &held[couplings_[i].slot], scratch);
+      for (std::size_t i = batch.begin + begin; i < batch.begin + end; ++i) {
+        const Coupling& now = couplings_[i];
+        double* to = &held[now.slot];
+        if (!sets_[now.b].is_here)
+          evaluate<true, false>(now, weights, to, scratch);
+        else if (!sets_[now.a].is_here)
+          evaluate<false, true>(now, weights, to, scratch);
+        else
+          evaluate<true, true>(now, weights, to, scratch);
+      }
     });
     parallel_for(batch.last_target - batch.first_target, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = batch.first_target + begin; t < batch.first_target + end; ++t) {

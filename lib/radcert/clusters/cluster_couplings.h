@@ -34,7 +34,7 @@ enum class ClusterDensity {
 ///           whose transfer matrices are constants because the area element stays with G
 /// Ranks     moments at the cut of the parts are gathered, and all of them go on upwards from there; those of
 ///           other ranks' clusters below the cut are brought as far as couplings ask for them. A coupling of
-///           clusters of two ranks is evaluated by both
+///           clusters of two ranks is evaluated by both, each for its own
 /// Requires  pairs of this tree that concern the part; leaves of the basis's unknowns; called by all ranks
 ///           together
 /// Result    the same bits for any number of ranks and threads: what a coupling gives is added in the order
@@ -120,6 +120,7 @@ private:
   void modes_of_values(std::span<const double> values, std::span<double> modes) const;
   void modes_of_children(std::span<double> modes) const;
   void values_at_leaves(std::span<const double> modes, std::span<double> y) const;
+  template <bool at_a, bool at_b>
   void evaluate(const Coupling& coupling, std::span<const double> weights, double* values,
                 std::vector<double>& scratch) const;
 

@@ -210,6 +210,37 @@ std::vector<PairExchange> block_pairs(const FacetScene& scene, const FactorDeman
   return pairs;
 }
 
+/// The pairs of a block from the store, or computed and kept there.
+std::vector<PairExchange> kept_pairs(const FacetScene& scene, const FactorDemand& demand,
+                                     const PairList& list, const PairBlock& block,
+                                     const FactorProgress& progress) {
+  if (progress.store != nullptr)
+    if (const auto kept = progress.store->get(block_key(progress, demand, block)))
+      if (auto pairs = stored_pairs(*kept, block.pairs, demand.certified)) return *std::move(pairs);
+  std::vector<PairExchange> pairs = block_pairs(scene, demand, list, block);
+  if (progress.store != nullptr)
+    static_cast<void>(progress.store->put(block_key(progress, demand, block), stored_text(pairs)));
+  return pairs;
+}
+
+/// The first of these blocks, one a rank, each computed by its rank; none but on the first.
+std::vector<std::vector<PairExchange>> shared_blocks(
+    std::span<const PairBlock> blocks, const FactorProgress& progress, bool guaranteed,
+    const std::function<std::vector<PairExchange>(const PairBlock&)>& pairs_of) {
+  const Ranks& ranks = *progress.ranks;
+  if (ranks.count() == 1) return {pairs_of(blocks.front())};
+  const bool has_one = ranks.here() < blocks.size();
+  const std::vector<std::string> texts =
+      ranks.gather_at_first(has_one ? stored_text(pairs_of(blocks[ranks.here()])) : std::string());
+  std::vector<std::vector<PairExchange>> found;
+  for (std::size_t b = 0; b < std::min(texts.size(), blocks.size()); ++b) {
+    auto pairs = stored_pairs(texts[b], blocks[b].pairs, guaranteed);
+    expects(pairs.has_value(), "pairs as their rank has sent them", named("rank", b));
+    found.push_back(*std::move(pairs));
+  }
+  return found;
+}
+
 }  // namespace
 
 Approximation exchange_over_area(const Approximation& exchange, const Approximation& area) {
@@ -451,29 +482,28 @@ FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units, co
   std::size_t done = 0;
   const PairList list(scene.facet_count());
   const std::size_t all = std::max<std::size_t>(list.count(), 1);
-  for (const PairBlock& block : pair_blocks(list.count())) {
+  const std::vector<PairBlock> blocks = pair_blocks(list.count());
+  for (std::size_t first = 0; first < blocks.size(); first += progress.ranks->count()) {
     throw_if_interrupted();
-    std::optional<std::vector<PairExchange>> pairs;
-    if (progress.store != nullptr)
-      if (const auto kept = progress.store->get(block_key(progress, demand, block)))
-        pairs = stored_pairs(*kept, block.pairs, demand.certified);
-    if (!pairs) {
-      pairs = block_pairs(scene, demand, list, block);
-      if (progress.store != nullptr)
-        static_cast<void>(progress.store->put(block_key(progress, demand, block), stored_text(*pairs)));
+    const std::vector<std::vector<PairExchange>> found = shared_blocks(
+        std::span(blocks).subspan(first), progress, demand.certified,
+        [&](const PairBlock& block) { return kept_pairs(scene, demand, list, block, progress); });
+    for (std::size_t b = 0; b < found.size(); ++b) {
+      const PairBlock& block = blocks[first + b];
+      for (std::size_t k = 0; k < block.pairs; ++k) {
+        const auto [i, j] = list.pair(block.number(k));
+        const PairExchange& pair = found[b][k];
+        matrix.whole_pairs += pair.sight == PairSight::whole ? 1 : 0;
+        matrix.hidden_pairs += pair.sight == PairSight::hidden ? 1 : 0;
+        matrix.mixed_pairs += pair.sight == PairSight::mixed ? 1 : 0;
+        if (pair.area.value != 0 || pair.area.radius != 0)
+          sums.at(units.of_triangle[i], units.of_triangle[j]) += pair.area;
+      }
+      done += block.pairs;
     }
-    for (std::size_t k = 0; k < block.pairs; ++k) {
-      const auto [i, j] = list.pair(block.number(k));
-      const PairExchange& pair = (*pairs)[k];
-      matrix.whole_pairs += pair.sight == PairSight::whole ? 1 : 0;
-      matrix.hidden_pairs += pair.sight == PairSight::hidden ? 1 : 0;
-      matrix.mixed_pairs += pair.sight == PairSight::mixed ? 1 : 0;
-      if (pair.area.value != 0 || pair.area.radius != 0)
-        sums.at(units.of_triangle[i], units.of_triangle[j]) += pair.area;
-    }
-    done += block.pairs;
     progress.at(static_cast<double>(done) / static_cast<double>(all));
   }
+  if (!progress.ranks->is_first()) return {};
   finish(matrix, sums, demand, progress);
   return matrix;
 }

@@ -11,6 +11,7 @@
 
 #include "radcert/core/files/result_store.h"
 #include "radcert/core/memory_plan.h"
+#include "radcert/core/ranks/ranks.h"
 #include "radcert/factors/facet_scene.h"
 
 namespace radcert {
@@ -83,6 +84,8 @@ struct FactorProgress {
   ResultStore* store = nullptr;  ///< finished blocks of pairs are kept there and not computed again
   /// Called with the factors of one row after the other; where it is set, FactorMatrix::entries stays empty.
   std::function<void(std::span<const ConfigurationFactor>)> row{};
+  /// Who share the blocks of pairs, each with a store of its own or all with one: see factor_matrix.
+  const Ranks* ranks = &one_rank();
 };
 
 /// Whether a matrix holds its factors, or gives them away row by row.
@@ -117,7 +120,9 @@ struct FactorPlan {
 /// Requires  of_triangle has a unit below names.size() for each triangle, each unit a triangle, accuracy > 0,
 ///           else ContractViolation
 /// Result    the same bits for any number of threads, and whether rows came from the store or not;
-///           Interrupted where the user asked to stop: finished blocks of pairs are in the store
+///           Interrupted where the user asked to stop: finished blocks of pairs are in the store. Of several
+///           ranks, which call this together, the first is given the matrix, with the bits that it has
+///           without others, and the others an empty one
 /// Limits    holds two doubles for each pair of units, and each factor unless FactorProgress::row takes it
 [[nodiscard]] FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units,
                                          const FactorDemand& demand, const FactorProgress& progress);

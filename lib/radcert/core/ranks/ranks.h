@@ -12,6 +12,8 @@
 
 namespace radcert {
 
+class KrylovEngine;
+
 /// Where a number stands that a rank needs and another one holds.
 struct RemoteNumber {
   std::uint32_t rank = 0;
@@ -67,6 +69,9 @@ public:
   /// A way to these numbers; each rank holds so many of its own. Places are below 2^31.
   [[nodiscard]] virtual std::unique_ptr<const Exchange> exchange(
       std::size_t held, std::span<const RemoteNumber> wanted) const = 0;
+
+  /// The Krylov methods that came with the ranks, or null.
+  [[nodiscard]] virtual const KrylovEngine* krylov_engine() const { return nullptr; }
 
   [[nodiscard]] bool is_first() const { return here() == 0; }
   /// The numbers of all ranks after each other; at_first: none but on the first.

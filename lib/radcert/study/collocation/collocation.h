@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "radcert/core/memory_plan.h"
+#include "radcert/core/ranks/ranks.h"
 #include "radcert/study/operator_route.h"
 #include "radcert/study/triangle_basis_choice.h"
 

@@ -85,6 +85,7 @@ public:
         rho_(reflectivity_at_nodes(problem.reflectivity, surface_, nodes_, first_node_)) {
     const std::size_t elements = tree_ ? tree_->tree.leaves().size() * tree_->tree.elements_of_leaf()
                                        : triangulation_.triangles.size();
+    take_engine();
     outcome_.result = level_header(problem, level,
                                    {.elements = elements,
                                     .unknowns = elements * basis_.size(),
@@ -124,6 +125,12 @@ public:
 private:
   /// Whether several ranks have parts of the level.
   [[nodiscard]] bool is_shared() const { return tree_ && ranks_.count() > 1; }
+
+  /// The Krylov methods of the ranks serve a level that they share; gmres any other of the problem.
+  void take_engine() {
+    if (solver_->name != "petsc" || ranks_.krylov_engine() != nullptr) return;
+    solver_ = find_linear_solver("gmres");
+  }
 
   /// The values at all nodes, for the first rank.
   void gather() {
@@ -198,8 +205,8 @@ private:
       const Vector<double>& at = nodes_[i].point;
       const EnclosingText integral = enclosing_text(integral_of_g, radius, DecimalForm::general(17));
       refuse("the integral of G over the closed surface is " + integral.value + " +- " + integral.radius +
-             " at node " + std::to_string(first_node_ + i) + " (" + shortest(at.x) + ", " + shortest(at.y) + ", " +
-             shortest(at.z) + "), and not pi");
+             " at node " + std::to_string(first_node_ + i) + " (" + shortest(at.x) + ", " + shortest(at.y) +
+             ", " + shortest(at.z) + "), and not pi");
     }
   }
 
@@ -278,8 +285,8 @@ private:
                       " at best, which is not below 1",
            .allowed = is_shared() ? "one process, which may take the dense operator and direct"
                       : clusters_ ? "direct, with the operator dense, or " + std::string(gmres_by_estimate) +
-                                      ", whose error bound is an estimate"
-                                : std::string("direct")});
+                                        ", whose error bound is an estimate"
+                                  : std::string("direct")});
     if (solver_->name != problem_.solver.name && !solver_->iterates()) {
       MemoryPlan more;
       solver_->plan(more, nodes_.size());
@@ -424,6 +431,8 @@ LevelOutcome solve(const Problem& problem, const Collocation&, int level, const 
   if (!proves) clusters = clusters_of_level(problem, level, ranks);
   if (!clusters && !ranks.is_first()) return {};
   if (proves) return verified_level(problem, level, route);
+  if (problem.solver.name == "petsc" && ranks.krylov_engine() == nullptr)
+    refuse_input("/solver/name", "petsc", "is for radcert with PETSc under mpirun", "gmres");
   const Ranks& sharing = clusters ? ranks : one_rank();
   return Level(problem, level, std::move(clusters), sharing).compute(route);
 }

@@ -519,9 +519,10 @@ private:
     if (surface_.closed && functions_.reproduced_degree() >= 0) require_sums_of_one(sums);
     const std::vector<double> rho = midpoints(rho_);
     outcome_.result.norm_K = norm_of_K(surface_, problem_.reflectivity, rho, integrals);
+    const LevelClusters tree = clusters_of_level(problem_, outcome_.result.level, one_rank()).value();
     const ClusterOperator rounded({.surface = surface_,
-                                   .triangulation = geometry_.data().triangulation,
-                                   .level = outcome_.result.level,
+                                   .tree = tree.tree,
+                                   .part = tree.part,
                                    .basis = basis_,
                                    .nodes = geometry_.data().nodes,
                                    .reflectivity = rho,

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+namespace radcert {
+
+/// Krylov methods of another library, which come with the ranks.
+/// Requires  called by all ranks together, each with its part of a vector
+/// Result    the same bits for every number of ranks where the product and the dot product have them
+class KrylovEngine {
+public:
+  /// y = A x.
+  using Product = std::function<void(std::span<const double> x, std::span<double> y)>;
+  /// Over the parts of all ranks.
+  using Dot = std::function<double(std::span<const double> x, std::span<const double> y)>;
+
+  KrylovEngine() = default;
+  KrylovEngine(const KrylovEngine&) = delete;
+  KrylovEngine& operator=(const KrylovEngine&) = delete;
+  virtual ~KrylovEngine() = default;
+
+  /// r becomes d with |r - A d| <= relative |r| in the 2-norm, or the best that was found: how good it is, the
+  /// caller has to look. Gives the number of iterations. What the product throws, it throws.
+  virtual std::size_t solve(const Product& a, const Dot& dot, double relative, std::span<double> r) const = 0;
+};
+
+}  // namespace radcert
