@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <barrier>
 #include <cstddef>
 #include <exception>
@@ -16,7 +17,8 @@ namespace radcert {
 /// Ranks that are threads of one process, for tests: what they hold for each other lies in shared vectors.
 class ThreadRanks {
 public:
-  /// Calls the body on so many ranks together; what the lowest rank throws that throws, it throws.
+  /// Calls the body on so many ranks together; what the lowest rank throws that throws, it throws, and where
+  /// a rank throws the others end at their next step together.
   static void run(std::size_t count, const std::function<void(const Ranks&)>& body) {
     Shared shared(count);
     std::vector<std::exception_ptr> failed(count);
@@ -26,8 +28,11 @@ public:
         threads.emplace_back([&, r] {
           try {
             body(One(shared, r));
+          } catch (const EndedElsewhere&) {
+            shared.barrier.arrive_and_drop();
           } catch (...) {
             failed[r] = std::current_exception();
+            shared.ended = true;
             shared.barrier.arrive_and_drop();
           }
         });
@@ -40,7 +45,13 @@ private:
   struct Shared {
     explicit Shared(std::size_t count)
         : barrier(static_cast<std::ptrdiff_t>(count)), texts(count), held(count) {}
+    /// Waits for all ranks that have not ended.
+    void meet() {
+      barrier.arrive_and_wait();
+      if (ended) throw EndedElsewhere(1, "another thread has ended");
+    }
     std::barrier<> barrier;
+    std::atomic<bool> ended = false;
     std::vector<std::string> texts;
     std::vector<std::span<const double>> held;
   };
@@ -50,10 +61,10 @@ private:
         : shared_(shared), here_(here), wanted_(wanted.begin(), wanted.end()) {}
     void bring(std::span<const double> held, std::span<double> wanted) const override {
       shared_.held[here_] = held;
-      shared_.barrier.arrive_and_wait();
+      shared_.meet();
       for (std::size_t i = 0; i < wanted_.size(); ++i)
         wanted[i] = shared_.held[wanted_[i].rank][wanted_[i].place];
-      shared_.barrier.arrive_and_wait();
+      shared_.meet();
     }
     [[nodiscard]] std::uint64_t bytes_sent() const override { return wanted_.size() * sizeof(double); }
 
@@ -69,9 +80,9 @@ private:
     [[nodiscard]] std::size_t here() const override { return here_; }
     [[nodiscard]] std::vector<std::string> gather(std::string_view own) const override {
       shared_.texts[here_] = own;
-      shared_.barrier.arrive_and_wait();
+      shared_.meet();
       std::vector<std::string> all = shared_.texts;
-      shared_.barrier.arrive_and_wait();
+      shared_.meet();
       return all;
     }
     [[nodiscard]] std::vector<std::string> gather_at_first(std::string_view own) const override {

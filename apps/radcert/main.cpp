@@ -23,6 +23,8 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/parallel.h"
+#include "radcert/core/ranks/krylov_engine.h"
+#include "radcert/core/ranks/ranks.h"
 #include "radcert/core/version.h"
 #include "run_ranks.h"
 
@@ -97,6 +99,9 @@ int code_of(const std::function<int()>& work) {
     return error.code();
   } catch (const InputError& error) {
     complain(error.what());
+    return code(ExitCode::input);
+  } catch (const KrylovFailure& error) {
+    complain(std::string("--petsc: ") + error.what());
     return code(ExitCode::input);
   } catch (const EnvironmentError& error) {
     complain(error.what());

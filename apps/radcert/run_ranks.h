@@ -33,8 +33,8 @@ private:
 /// The memory that all ranks may take together, each so much but for what others on its machine take.
 [[nodiscard]] std::uint64_t memory_of_all_ranks(std::uint64_t here);
 
-/// The problem with PETSc's solver in place of auto where options for it are given; InputError where it asks for
-/// another one.
+/// The problem with PETSc's solver in place of auto where options for it are given; InputError where it asks
+/// for another one.
 [[nodiscard]] Problem with_solver_of_run(Problem problem);
 
 /// InputError where a rank has read another text than the first one, by that name.

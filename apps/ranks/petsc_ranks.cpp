@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The module radcert_petsc: MPI's processes as ranks, and PETSc's star forests as exchanges. The program loads
-// it under mpirun alone, so that radcert without PETSc is the same program.
+// The module radcert_petsc: MPI's processes as ranks, and PETSc's star forests as exchanges. The program
+// loads it under mpirun alone, so that radcert without PETSc is the same program.
 #include <petsc/private/vecimpl.h>
 #include <petscksp.h>
 #include <petscsf.h>
@@ -139,7 +139,11 @@ public:
     const int error = KSPSolve(solver.ksp, b, x);
     require(PetscPopErrorHandler(), "PetscPopErrorHandler");
     if (work.failure) std::rethrow_exception(work.failure);
-    require(error, "KSPSolve");
+    if (error != 0) {
+      const char* text = nullptr;
+      PetscErrorMessage(error, &text, nullptr);
+      throw KrylovFailure("KSPSolve: " + std::string(text != nullptr ? text : "fails"));
+    }
     PetscInt iterations = 0;
     require(KSPGetIterationNumber(solver.ksp, &iterations), "KSPGetIterationNumber");
     const std::span<const double> found = read(x);
@@ -152,6 +156,9 @@ public:
 
 private:
   static constexpr int restart = 64;
+  static constexpr const char* split_sums =
+      "a Krylov method that splits its sums over the ranks does not give the same bits on any number "
+      "of them";
 
   /// What the functions below work with: PETSc hands them vectors alone.
   struct Work {
@@ -234,9 +241,25 @@ private:
   }
   static PetscErrorCode norm_of(Vec x, NormType type, PetscReal* out) {
     return guarded([&] {
-      if (type != NORM_2 && type != NORM_FROBENIUS) throw std::runtime_error("a norm that is not the 2-norm");
+      if (type != NORM_2 && type != NORM_FROBENIUS) throw KrylovFailure("a norm that is not the 2-norm");
       *out = std::sqrt(current()->dot(read(x), read(x)));
     });
+  }
+  static PetscErrorCode dot_and_norm(Vec x, Vec y, PetscScalar* dot, PetscScalar* norm) {
+    return guarded([&] {
+      *dot = current()->dot(read(x), read(y));
+      *norm = current()->dot(read(y), read(y));
+    });
+  }
+  /// Methods that begin a sum over the ranks and go on before it is there would add in an order of their own.
+  static PetscErrorCode refuse_split(Vec, Vec, PetscScalar*) {
+    return guarded([] { throw KrylovFailure(split_sums); });
+  }
+  static PetscErrorCode refuse_split_norm(Vec, NormType, PetscReal*) {
+    return guarded([] { throw KrylovFailure(split_sums); });
+  }
+  static PetscErrorCode refuse_split_dots(Vec, PetscInt, const Vec[], PetscScalar*) {
+    return guarded([] { throw KrylovFailure(split_sums); });
   }
   /// y_i <- f(y_i, i)
   template <class F>
@@ -282,7 +305,10 @@ private:
     ops.dot = ops.tdot = dot_of;
     ops.mdot = ops.mtdot = dots_of;
     ops.norm = norm_of;
-    ops.dotnorm2 = nullptr;  // PETSc takes the functions above then
+    ops.dotnorm2 = dot_and_norm;
+    ops.dot_local = ops.tdot_local = refuse_split;
+    ops.mdot_local = ops.mtdot_local = refuse_split_dots;
+    ops.norm_local = refuse_split_norm;
     ops.scale = scale;
     ops.axpy = axpy;
     ops.aypx = aypx;

@@ -16,9 +16,9 @@ MPIRUN = os.environ["RADCERT_MPIRUN"]
 
 def shared(**changes):
     """A problem whose levels ranks share; level 1 of the two is too coarse for clusters far apart."""
-    return small(surface={"name": "ellipsoid", "a": 1, "b": "3/2", "c": 2}, triangulation={"levels": [2, 3]},
-                 reflectivity="1/2 + x/8", solution="exp(x/2) + y*z",
-                 operator={"name": "h2", "tolerance": "1e-6"}, **changes)
+    return small(**{"surface": {"name": "ellipsoid", "a": 1, "b": "3/2", "c": 2}, "triangulation": {"levels": [2, 3]},
+                    "reflectivity": "1/2 + x/8", "solution": "exp(x/2) + y*z",
+                    "operator": {"name": "h2", "tolerance": "1e-6"}, **changes})
 
 
 def numbers(text):
@@ -63,10 +63,11 @@ class Ranks(ProgramTest):
 
     def test_the_solvers_of_petsc_give_the_same_bits_on_any_number_of_ranks(self):
         self.write("problem.json", shared())
-        for options in (["-ksp_monitor"], ["-ksp_type", "bcgs"]):
+        for options in ([], ["-ksp_type", "bcgs"], ["-ksp_type", "tfqmr"]):
+            options = ["-ksp_monitor", *options]
             one, nodes = self.solved(1, "--petsc", *options)
             self.assertEqual({level["solver"] for level in one["levels"]}, {"petsc"})
-            for count in (2, 3, 5):
+            for count in (2, 3):
                 with self.subTest(ranks=count, options=options):
                     self.assertEqual(self.solved(count, "--petsc", *options), (one, nodes))
 
@@ -78,10 +79,7 @@ class Ranks(ProgramTest):
 
     def test_what_one_rank_finds_wrong_is_said_once(self):
         # At the end of the last chart alone.
-        self.write("problem.json", shared(solution=None, emission="1/(z + 1.9)", label="far"))
-        problem = shared(solution=None, emission="1")
-        problem["reflectivity"] = "1/2 + 2*max(0, -1.9 - z)"
-        self.write("bright.json", problem)
+        self.write("bright.json", shared(solution=None, emission="1", reflectivity="1/2 + sqrt((z + 1)^2) - (z + 1)"))
         alone = self.run_program("solve", "bright.json")
         self.assertEqual(alone.returncode, 2)
         for count in (2, 5):
@@ -105,6 +103,9 @@ class Ranks(ProgramTest):
         self.write("direct.json", shared(solver={"name": "neumann"}))
         done = self.expect_ranks(2, 2, "solve", "direct.json", "--petsc", "-ksp_monitor")
         self.assertIn(b"neumann", done.stderr)
+        for options in (["-ksp_type", "pgmres"], ["-pc_type", "jacobi"]):
+            done = self.expect_ranks(2, 2, "solve", "problem.json", "--petsc", *options)
+            self.assertIn(b"radcert: --petsc: ", done.stderr)
         self.assertIn("mpirun", self.run_program("solve", "problem.json", "--petsc", "-x").stderr.decode())
 
     def test_ranks_with_different_files_are_refused(self):
@@ -126,7 +127,7 @@ class Ranks(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_factors_are_shared_by_blocks(self):
-        words = ["factors", "cylinder", "--level", "2", "--json", "-"]
+        words = ["factors", "cube", "--level", "2", "--json", "-"]
         alone = json.loads(self.expect(0, *words, "--fresh"))
         for count in (2, 3, 5):
             done = json.loads(self.expect_ranks(count, 0, *words, "--fresh").stdout)

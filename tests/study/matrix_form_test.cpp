@@ -16,6 +16,7 @@
 #include "radcert/solve/estimated_contraction.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/study/collocation/collocation.h"
+#include "radcert/study/collocation/level_geometry.h"
 #include "radcert/study/study.h"
 #include "tests/study/problems.h"
 
@@ -52,7 +53,7 @@ TEST(MatrixForm, LeavesTheSolutionWithinItsRadius) {
   constexpr int level = 4;
   const LevelOutcome dense = solve_level(held_as(on_ellipsoid(), "dense"), level, no_route);
   for (const std::string& solver :
-       solver_names([](const LinearSolver& each) { return each.takes_products(); })) {
+       solver_names([](const LinearSolver& each) { return each.takes_products() && !each.on_ranks; })) {
     const LevelOutcome clusters = solve_level(held_as(on_ellipsoid(), "h2", solver), level, no_route);
     ASSERT_EQ(dense.nodes.size(), clusters.nodes.size());
     EXPECT_EQ(clusters.result.norm_K.value, dense.result.norm_K.value);
@@ -234,9 +235,10 @@ TEST(MatrixForm, PlansWhatClustersOnPlanesTake) {
     const std::vector<CollocationPoint<double>> nodes =
         collocation_nodes<double>(surface, triangulation, basis);
     const std::vector<double> rho(nodes.size(), 0.5);
+    const LevelClusters clusters = clusters_of_level(problem, level, one_rank()).value();
     const ClusterOperator k({.surface = surface,
-                             .triangulation = triangulation,
-                             .level = level,
+                             .tree = clusters.tree,
+                             .part = clusters.part,
                              .basis = basis,
                              .nodes = nodes,
                              .reflectivity = rho});

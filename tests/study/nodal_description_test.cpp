@@ -23,7 +23,9 @@ LevelResult described(double radius_at_one_node) {
   u_n.at(3).radius = radius_at_one_node;
   const std::vector<double> emission(nodes, 0.5);
   LevelOutcome outcome;
-  outcome.result = level_header(problem, 0, geometry, nodes);
+  outcome.result = level_header(
+      problem, 0,
+      {.elements = geometry.data().triangulation.triangles.size(), .unknowns = nodes, .mesh_size = 1});
   describe_collocation(problem, geometry.data(), basis, {.u_n = u_n, .emission = emission, .u = {}}, outcome);
   return outcome.result;
 }

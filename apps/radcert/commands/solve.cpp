@@ -21,6 +21,7 @@
 #include "radcert/core/digest.h"
 #include "radcert/core/files/atomic_file.h"
 #include "radcert/core/files/result_store.h"
+#include "radcert/core/memory_plan.h"
 #include "radcert/formats/field/element_errors.h"
 #include "radcert/formats/field/ply.h"
 #include "radcert/formats/field/vtu.h"
@@ -86,6 +87,13 @@ Outputs checked_outputs(const Common& common, const SolveOptions& options) {
 /// level.
 double work(int level) { return std::pow(16.0, level); }
 
+/// ", on 4 ranks, ..." of a level that ranks have shared.
+std::string shared_text(const std::optional<SharedWork>& shared) {
+  if (!shared) return {};
+  return ", on " + std::to_string(shared->ranks) + " ranks: at most " + byte_text(shared->operator_bytes) +
+         " of the operator on one, and " + byte_text(shared->bytes_sent) + " sent for a product";
+}
+
 /// The levels of a problem, each from the store or computed; fewer than asked for where the user asked to
 /// stop.
 std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& levels, bool quiet) {
@@ -110,7 +118,8 @@ std::vector<LevelOutcome> solve_levels(const Problem& problem, StoredLevels& lev
       const LevelResult& result = finished.back().result;
       progress.note("level " + std::to_string(level) + ": " + std::to_string(result.elements) +
                     " elements, " + std::to_string(result.unknowns) + " unknowns" +
-                    (levels.computed() == computed ? ", found in the store" : ""));
+                    (levels.computed() == computed ? ", found in the store" : "") +
+                    shared_text(finished.back().shared));
     }
   } catch (const Interrupted&) {
     // What is finished is in the store already.

@@ -340,8 +340,8 @@ void ClusterCouplings::weights_of_nodes(std::span<const double> moments, std::sp
   }
 }
 
-/// G between all nodes of two sets, times the weights of either set, summed over it: at the nodes of a, of b or
-/// of both, whatever is wanted, with the same bits.
+/// G between all nodes of two sets, times the weights of either set, summed over it: at the nodes of a, of b
+/// or of both, whatever is wanted, with the same bits.
 template <bool at_a, bool at_b>
 void ClusterCouplings::evaluate(const Coupling& coupling, std::span<const double> weights, double* values,
                                 std::vector<double>& scratch) const {

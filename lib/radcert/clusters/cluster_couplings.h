@@ -45,7 +45,8 @@ public:
   ClusterCouplings(const std::vector<Chart>& charts, const ClusterTree& tree, const ClusterPart& part,
                    const std::vector<std::vector<FarPair>>& pairs, const TriangleBasis<double>& basis);
 
-  /// Requires as many entries of x and y as there are unknowns here, none shared; ClusterDensity::one takes no x.
+  /// Requires as many entries of x and y as there are unknowns here, none shared; ClusterDensity::one takes
+  ///          no x.
   void multiply(ClusterDensity density, std::span<const double> x, std::span<double> y) const;
 
   /// The number of evaluations of G in a product with a vector that vanishes on no cluster.

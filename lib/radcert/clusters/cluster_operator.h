@@ -52,8 +52,8 @@ private:
 ///           couplings of the row leave out, and the rounding of a product; kernel_integral[i] = Int_S |G| dS
 /// Source    [ac98, (40)]; ClusterCouplings, NearEntries
 /// Requires  a surface without obstacle_to_clusters; the nodes of the part's elements, one a function and
-///           element, one reflectivity in [0,1] a node; surface and nodes outlive this; called by all ranks of
-///           the part together
+///           element, one reflectivity in [0,1] a node; surface and nodes outlive this; called by all ranks
+///           of the part together
 /// Result    what couplings leave out of a row is within the tolerance: their shares are reduced until it is.
 ///           Near entries are integrated to the tolerance of their row: coarser where little of it is near.
 ///           Radii are estimates, as those of CollocationMatrix. The rows of the part's leaves, and the same

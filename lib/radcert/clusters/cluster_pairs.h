@@ -29,8 +29,8 @@ struct NearPair {
 /// How the pairs of elements are divided among couplings and stored entries.
 /// Maths     every pair of elements on charts that are not in one plane lies in exactly one far pair of one
 ///           level or in one near pair: a pair of clusters that does not couple is divided into the pairs of
-///           their children, at the leaves it is near. A rank has those of these pairs in which one cluster is
-///           of its part
+///           their children, at the leaves it is near. A rank has those of these pairs in which one cluster
+///           is of its part
 /// Result    far pairs by level; both lists in the order of the division, the same for any number of threads
 struct ClusterPairs {
   std::vector<std::vector<FarPair>> far;
@@ -54,7 +54,8 @@ using Decisions = std::function<LevelDecisions(std::size_t level, std::span<cons
                                         const Decisions& decisions,
                                         const std::function<bool(std::size_t, std::size_t)>& in_plane);
 
-/// What couplings leave out of the rows of each leaf of a part, pushed from clusters to the leaves below them.
+/// What couplings leave out of the rows of each leaf of a part, pushed from clusters to the leaves below
+/// them.
 /// Maths     the sum of error_a and error_b over the pairs of the leaf and of the clusters that contain it
 [[nodiscard]] std::vector<double> truncation_of_leaves(const ClusterPart& part,
                                                        const std::vector<std::vector<FarPair>>& pairs);

@@ -59,6 +59,8 @@ struct LinearSolver {
   std::function<std::string_view(bool contracts)> choose = {};
   /// Adds its memory beside the matrix.
   std::function<void(MemoryPlan& plan, std::uint64_t unknowns)> plan = {};
+  /// Of a solver that needs the Krylov methods of ranks: gmres serves where a level is not shared.
+  bool on_ranks = false;
   [[nodiscard]] bool iterates() const { return iterate != nullptr; }
   [[nodiscard]] bool proves() const { return !iterate && !eliminate && !choose; }
   /// Whether it may take a system that is known by its products alone.

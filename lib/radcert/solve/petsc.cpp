@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radcert/core/errors.h"
+#include "radcert/core/contract.h"
 #include "radcert/core/ranks/krylov_engine.h"
 #include "radcert/solve/iteration.h"
 #include "radcert/solve/linear_solver.h"
@@ -21,7 +21,7 @@ Outcome<IterativeSolution, NotReached> solve_by_engine(const SystemProducts& k,
                                                        std::optional<double> tolerance) {
   const VectorParts parts = k.parts();
   const KrylovEngine* engine = parts.ranks().krylov_engine();
-  if (engine == nullptr) refuse_input("/solver/name", "petsc", "needs ranks with PETSc", "gmres");
+  expects(engine != nullptr, "ranks with Krylov methods");
   const KrylovEngine::Product product = [&k](std::span<const double> x, std::span<double> y) {
     k.multiply(x, y);
     for (std::size_t i = 0; i < y.size(); ++i) y[i] = x[i] - y[i];
@@ -48,13 +48,14 @@ Outcome<IterativeSolution, NotReached> solve_by_engine(const SystemProducts& k,
 }  // namespace
 
 LinearSolver petsc_entry() {
-  return {.name = "petsc",
-          .summary =
-              "PETSc's Krylov methods, on ranks alone; a proved bound of the linear system's error stops it",
-          .iterate = solve_by_engine,
-          .plan = [](MemoryPlan& plan, std::uint64_t n) {
-            plan.add("Krylov vectors", n, (usual_vectors + 3) * sizeof(double));
-          }};
+  return {
+      .name = "petsc",
+      .summary =
+          "PETSc's Krylov methods, on ranks alone; a proved bound of the linear system's error stops it",
+      .iterate = solve_by_engine,
+      .plan = [](MemoryPlan& plan,
+                 std::uint64_t n) { plan.add("Krylov vectors", n, (usual_vectors + 3) * sizeof(double)); },
+      .on_ranks = true};
 }
 
 }  // namespace radcert

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,10 +36,18 @@ struct ElementValue {
   std::optional<std::array<double, 3>> iterated = std::nullopt;  ///< E + K u_n there, where it is asked for
 };
 
+/// How ranks shared a level.
+struct SharedWork {
+  std::size_t ranks = 1;
+  std::uint64_t operator_bytes = 0;  ///< the most that a rank holds of the operator
+  std::uint64_t bytes_sent = 0;      ///< the most that a rank sends for a product
+};
+
 /// Everything that one level leaves.
 struct LevelOutcome {
   LevelResult result;
   LevelTiming timing;
+  std::optional<SharedWork> shared = std::nullopt;  ///< of a level computed now, by several ranks
   std::vector<NodeValue> nodes;
   std::vector<ElementValue> elements;
 };

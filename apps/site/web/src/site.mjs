@@ -47,6 +47,7 @@ export const groups = [
     { name: "schema/index.html", made: "schemaIndex", title: "File types by their schemas" },
     { made: "schemas" },
     { name: "surfaces.html", made: "surfaces", title: "Surfaces of the catalogue" },
+    { name: "ranks.html", from: "apps/ranks/README.md", short: "Beyond one machine" },
     { name: "limits.html", from: "lib/limits.md", short: "Limits of work", tries: [{ command: "radcert reference cube_opposite_faces --digits 1000 --quiet" }] },
     { name: "speed.html", from: "apps/bench/README.md", short: "Running times" },
     { name: "glossary.html", made: "glossary", title: "Glossary" },

@@ -4,8 +4,15 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <stdexcept>
 
 namespace radcert {
+
+/// A Krylov method says no: what it was asked for by its own options.
+class KrylovFailure : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Krylov methods of another library, which come with the ranks.
 /// Requires  called by all ranks together, each with its part of a vector
@@ -22,8 +29,8 @@ public:
   KrylovEngine& operator=(const KrylovEngine&) = delete;
   virtual ~KrylovEngine() = default;
 
-  /// r becomes d with |r - A d| <= relative |r| in the 2-norm, or the best that was found: how good it is, the
-  /// caller has to look. Gives the number of iterations. What the product throws, it throws.
+  /// r becomes d with |r - A d| <= relative |r| in the 2-norm, or the best that was found: how good it is,
+  /// the caller has to look. Gives the number of iterations. KrylovFailure, and what the product throws.
   virtual std::size_t solve(const Product& a, const Dot& dot, double relative, std::span<double> r) const = 0;
 };
 

@@ -107,7 +107,12 @@ public:
     find_weights();
     if (problem_.solution) manufacture_emission(route);
     solve();
-    if (is_shared()) gather();
+    if (is_shared()) {
+      outcome_.shared = SharedWork{.ranks = ranks_.count(),
+                                   .operator_bytes = largest_count(clusters_->memory().total()),
+                                   .bytes_sent = largest_count(clusters_->bytes_sent())};
+      gather();
+    }
     if (!ranks_.is_first()) return {};
     // All of the geometry again: the description is the first rank's.
     const std::optional<LevelGeometry> whole =
@@ -126,10 +131,14 @@ private:
   /// Whether several ranks have parts of the level.
   [[nodiscard]] bool is_shared() const { return tree_ && ranks_.count() > 1; }
 
+  /// The largest of the ranks' numbers, which are below 2^53.
+  [[nodiscard]] std::uint64_t largest_count(std::uint64_t own) const {
+    return static_cast<std::uint64_t>(ranks_.largest(static_cast<double>(own)));
+  }
+
   /// The Krylov methods of the ranks serve a level that they share; gmres any other of the problem.
   void take_engine() {
-    if (solver_->name != "petsc" || ranks_.krylov_engine() != nullptr) return;
-    solver_ = find_linear_solver("gmres");
+    if (solver_->on_ranks && ranks_.krylov_engine() == nullptr) solver_ = find_linear_solver("gmres");
   }
 
   /// The values at all nodes, for the first rank.
@@ -426,13 +435,14 @@ private:
 
 LevelOutcome solve(const Problem& problem, const Collocation&, int level, const OperatorRoute& route,
                    const Ranks& ranks) {
-  const bool proves = find_linear_solver(problem.solver.name)->proves();
+  const LinearSolver& solver = *find_linear_solver(problem.solver.name);
+  const bool proves = solver.proves();
+  if (solver.on_ranks && ranks.krylov_engine() == nullptr)
+    refuse_input("/solver/name", solver.name, "is for radcert with PETSc under mpirun", "gmres");
   std::optional<LevelClusters> clusters;
   if (!proves) clusters = clusters_of_level(problem, level, ranks);
   if (!clusters && !ranks.is_first()) return {};
   if (proves) return verified_level(problem, level, route);
-  if (problem.solver.name == "petsc" && ranks.krylov_engine() == nullptr)
-    refuse_input("/solver/name", "petsc", "is for radcert with PETSc under mpirun", "gmres");
   const Ranks& sharing = clusters ? ranks : one_rank();
   return Level(problem, level, std::move(clusters), sharing).compute(route);
 }

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "radcert/reference/operator_integral.h"
+#include "radcert/study/collocation/level_geometry.h"
+#include "radcert/study/study.h"
+#include "tests/study/problems.h"
+#include "tests/thread_ranks.h"
+
+namespace radcert {
+namespace {
+
+using testing::fault_of;
+using testing::no_route;
+using testing::sample_problem;
+using testing::with_basis;
+using testing::with_emission;
+using testing::with_solution;
+
+Problem in_clusters(Problem problem) {
+  problem.matrix.name = "h2";
+  problem.matrix.tolerance = Rational(1, 1000000);
+  problem.solver.name = "auto";
+  return problem;
+}
+
+Problem on_ellipsoid() {
+  return in_clusters(with_basis(sample_problem("ellipsoid", {{"a", 1}, {"b", Rational(3, 2)}, {"c", 2}}), 1,
+                                Rational(1, 6)));
+}
+
+LevelOutcome solved_by(std::size_t count, const Problem& problem, int level) {
+  LevelOutcome outcome;
+  ThreadRanks::run(count, [&](const Ranks& ranks) {
+    LevelOutcome own = solve_level(problem, level, reference::applied_operator, ranks);
+    if (ranks.is_first()) {
+      outcome = std::move(own);
+    } else {
+      EXPECT_TRUE(own.nodes.empty());
+    }
+  });
+  return outcome;
+}
+
+void expect_equal(const std::optional<Approximation>& a, const std::optional<Approximation>& b) {
+  ASSERT_EQ(a.has_value(), b.has_value());
+  if (!a) return;
+  EXPECT_EQ(a->value, b->value);
+  EXPECT_EQ(a->radius, b->radius);
+}
+
+TEST(SharedLevel, HasTheBitsOfOneProcess) {
+  std::vector<Problem> problems = {with_solution(on_ellipsoid(), "exp(x/2) + y*z"),
+                                   with_emission(on_ellipsoid(), "1 + x")};
+  problems.front().reflectivity = testing::everywhere("1/2 + x/8 + z/16");
+  for (const Problem& problem : problems) {
+    const LevelOutcome one = solve_level(problem, 2, reference::applied_operator);
+    EXPECT_EQ(one.result.matrix_form, "h2");
+    for (const std::size_t count : {2, 3, 7}) {
+      const LevelOutcome many = solved_by(count, problem, 2);
+      EXPECT_EQ(many.shared->ranks, count);
+      EXPECT_GT(many.shared->bytes_sent, 0U);
+      EXPECT_EQ(many.result.elements, one.result.elements);
+      EXPECT_EQ(many.result.unknowns, one.result.unknowns);
+      EXPECT_EQ(many.result.mesh_size, one.result.mesh_size);
+      EXPECT_EQ(many.result.solution_radius, one.result.solution_radius);
+      EXPECT_EQ(many.result.norm_K.value, one.result.norm_K.value);
+      EXPECT_EQ(many.result.iteration->error_bound, one.result.iteration->error_bound);
+      expect_equal(many.result.discretisation_error, one.result.discretisation_error);
+      expect_equal(many.result.node_error, one.result.node_error);
+      expect_equal(many.result.uniform_error, one.result.uniform_error);
+      ASSERT_EQ(many.nodes.size(), one.nodes.size());
+      for (std::size_t i = 0; i < one.nodes.size(); ++i) {
+        EXPECT_EQ(many.nodes[i].u_n.value, one.nodes[i].u_n.value) << count << " node " << i;
+        EXPECT_EQ(many.nodes[i].emission, one.nodes[i].emission) << count << " node " << i;
+      }
+      EXPECT_EQ(many.elements.size(), one.elements.size());
+    }
+  }
+}
+
+TEST(SharedLevel, NamesTheNodeAsOneProcessDoes) {
+  Problem problem = with_emission(on_ellipsoid(), "1");
+  // Above 1 near one end of the last axis.
+  problem.reflectivity = testing::everywhere("1/2 + sqrt((z + 1)^2) - (z + 1)");
+  const InputFault one = fault_of([&] { solve_level(problem, 2, no_route); });
+  const InputFault many = fault_of([&] { solved_by(3, problem, 2); });
+  EXPECT_EQ(many.pointer, one.pointer);
+  EXPECT_EQ(many.problem, one.problem);
+  EXPECT_EQ(many.value, one.value);
+}
+
+TEST(SharedLevel, RefusesMoreRanksThanSubtrees) {
+  const Problem problem = with_emission(on_ellipsoid(), "1");
+  EXPECT_EQ(fault_of([&] { solved_by(33, problem, 2); }).source, "the number of ranks");
+}
+
+TEST(SharedLevel, IsTheFirstRanksWhereTheMatrixIsDense) {
+  Problem problem = with_emission(on_ellipsoid(), "1 + x");
+  problem.matrix.name = "dense";
+  const LevelOutcome one = solve_level(problem, 1, no_route);
+  const LevelOutcome many = solved_by(3, problem, 1);
+  ASSERT_EQ(many.nodes.size(), one.nodes.size());
+  for (std::size_t i = 0; i < one.nodes.size(); ++i)
+    EXPECT_EQ(many.nodes[i].u_n.value, one.nodes[i].u_n.value);
+}
+
+}  // namespace
+}  // namespace radcert
