@@ -82,6 +82,7 @@ int run(int argc, char** argv) {
   const std::optional<Action> action = program.parse(argc, argv);
   if (!action) return code(ExitCode::done);
   install_interrupt_handler();
+  if (is_silent()) set_last_words({});
   hold_memory(program.common().memory_limit());
   limit_to_what_there_is();
   const ProgressDisplay waiting(program.common().quiet, argv[1]);

@@ -135,6 +135,22 @@ class Ranks(ProgramTest):
                 done.pop(key, None), alone.pop(key, None)
             self.assertEqual(done, alone)
 
+    def test_an_interruption_of_one_rank_ends_all_with_one_message(self):
+        self.write("problem.json", {**shared(), "triangulation": {"levels": [2, 3, 4]}})
+        own = ["--allow-run-as-root"] if os.geteuid() == 0 else []
+        with subprocess.Popen([MPIRUN, *own, "--oversubscribe", "-n", "3", RADCERT, "solve", "problem.json"],
+                              cwd=self.folder, env=self.environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              start_new_session=True) as job:
+            said = b""
+            while b"level 3:" not in said:
+                said = job.stderr.readline()
+                self.assertTrue(said)
+            children = subprocess.run(["pgrep", "-P", str(job.pid)], capture_output=True, check=True).stdout.split()
+            os.kill(int(children[2]), signal.SIGINT)
+            said = job.communicate(timeout=60)[1]
+        self.assertEqual(job.returncode, 130)
+        self.assertEqual(said.count(b"radcert: interrupted"), 1, said)
+
     def test_a_job_that_loses_a_rank_ends_and_goes_on_when_begun_again(self):
         problem = shared()
         problem["triangulation"]["levels"] = [2, 3, 4]
