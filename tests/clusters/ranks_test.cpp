@@ -77,7 +77,7 @@ Made made_by(std::size_t count, const Surface& surface, int level, int refinemen
 }
 
 TEST(Ranks, MakeTheSameBitsAsOne) {
-  for (const Surface& surface : {ellipsoid(1, Rational(3, 2), 2), cube()}) {
+  for (const Surface& surface : {ellipsoid(1, 2, 5), box(1, 2, 5)}) {
     const Made one = made_by(1, surface, 2, 0, 1e-4);
     ASSERT_GT(one.evaluations, 0U);
     const std::vector<std::size_t> counts = surface.charts.front().facts().plane

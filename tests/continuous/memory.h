@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/continuous/kept_numbers.h"
+#include "radcert/core/files/kept_numbers.h"
 
 namespace radcert::test {
 

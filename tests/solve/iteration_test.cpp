@@ -29,7 +29,7 @@ class Iteration : public testing::TestWithParam<std::string> {
 protected:
   static Outcome<IterativeSolution, NotReached> solve(const SystemProducts& k, const Contraction& contraction,
                                                       const Values& e, std::optional<double> tolerance) {
-    return find_linear_solver(GetParam())->iterate(k, contraction, e, tolerance);
+    return find_linear_solver(GetParam())->iterate(k, contraction, e, tolerance, nullptr);
   }
   static Outcome<IterativeSolution, NotReached> solve(const Matrix<double>& k, const Values& e,
                                                       std::optional<double> tolerance = std::nullopt) {

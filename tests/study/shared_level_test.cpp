@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <map>
+
+#include "radcert/core/errors.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/collocation/level_geometry.h"
 #include "radcert/study/study.h"
@@ -75,6 +78,53 @@ TEST(SharedLevel, HasTheBitsOfOneProcess) {
         EXPECT_EQ(many.nodes[i].emission, one.nodes[i].emission) << count << " node " << i;
       }
       EXPECT_EQ(many.elements.size(), one.elements.size());
+    }
+  }
+}
+
+/// Keeps numbers, and stops the work after so many times.
+class StoppingMemory final : public KeptNumbers {
+public:
+  std::optional<std::vector<double>> find(const std::string& name) override {
+    const auto at = numbers.find(name);
+    return at == numbers.end() ? std::nullopt : std::optional(at->second);
+  }
+  void keep(const std::string& name, std::span<const double> kept) override {
+    numbers[name].assign(kept.begin(), kept.end());
+    if (--left == 0) throw Interrupted();
+  }
+  std::map<std::string, std::vector<double>> numbers;
+  int left = 0;
+};
+
+TEST(SharedLevel, GoesOnFromWhatOtherRanksHaveKept) {
+  Problem problem = with_solution(on_ellipsoid(), "exp(x/2) + y*z");
+  // So slow that there are many corrections.
+  problem.solver.name = "neumann";
+  const LevelOutcome whole = solve_level(problem, 2, reference::applied_operator);
+  for (const int stop : {2, 3, 7}) {
+    StoppingMemory memory;
+    memory.left = stop;
+    EXPECT_THROW(ThreadRanks::run(3,
+                                  [&](const Ranks& ranks) {
+                                    static_cast<void>(
+                                        solve_level(problem, 2, reference::applied_operator, ranks, &memory));
+                                  }),
+                 Interrupted)
+        << stop;
+    LevelOutcome outcome;
+    // Ku is not computed again.
+    ThreadRanks::run(2, [&](const Ranks& ranks) {
+      LevelOutcome own = solve_level(problem, 2, no_route, ranks, &memory);
+      if (ranks.is_first()) outcome = std::move(own);
+    });
+    EXPECT_EQ(outcome.result.iteration->iterations, whole.result.iteration->iterations) << stop;
+    EXPECT_EQ(outcome.result.iteration->error_bound, whole.result.iteration->error_bound) << stop;
+    ASSERT_EQ(outcome.nodes.size(), whole.nodes.size());
+    for (std::size_t i = 0; i < whole.nodes.size(); ++i)
+      ASSERT_EQ(outcome.nodes[i].u_n.value, whole.nodes[i].u_n.value) << stop << " node " << i;
+    if (stop > 2) {
+      EXPECT_GT(memory.numbers.at("iteration").size(), 2 * whole.nodes.size());
     }
   }
 }

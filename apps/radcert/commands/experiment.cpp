@@ -156,7 +156,7 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   require_same_named_files(problems);
   say(notes_on_meshes(problems));
   ResultStore store = common.store();
-  StoredLevels levels(store, solve_with(reference::applied_operator, memory, ranks()), ranks());
+  StoredLevels levels(store, solve_with(reference::applied_operator, memory, ranks(), &store), ranks());
   const Finished finished = solve_all(experiment, options.experiment, levels, common.quiet);
   const std::size_t asked = level_count(experiment);
   if (finished.levels < asked) return interrupted(finished.levels, asked, store);

@@ -421,7 +421,7 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   const PointsWish wish = points_wish(options, outputs, problem);
 
   ResultStore store = common.store();
-  StoredLevels levels(store, solve_with(reference::applied_operator, memory, ranks()), ranks());
+  StoredLevels levels(store, solve_with(reference::applied_operator, memory, ranks(), &store), ranks());
   const std::vector<LevelOutcome> finished =
       with_source(input.source, [&] { return solve_levels(problem, levels, common.quiet); });
   const std::size_t asked = problem.triangulation.levels.size();

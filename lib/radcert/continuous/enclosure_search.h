@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "radcert/continuous/kept_numbers.h"
+#include "radcert/core/files/kept_numbers.h"
 #include "radcert/core/work_limit.h"
 
 namespace radcert {

@@ -126,11 +126,12 @@ const WorkLimit krylov_dimension("solve/gmres: vectors", 64, 1,
 
 Outcome<IterativeSolution, NotReached> solve_by_gmres(const SystemProducts& k, const Contraction& contraction,
                                                       std::span<const double> e,
-                                                      std::optional<double> tolerance) {
+                                                      std::optional<double> tolerance, KeptNumbers* kept) {
   Krylov krylov(k, contraction.least_weight());
   return iterate(k, contraction, e, tolerance,
                  {.apply = [&krylov](std::span<double> r, double goal) { return krylov(r, goal); },
-                  .reflections = krylov_dimension.count()});
+                  .reflections = krylov_dimension.count()},
+                 kept);
 }
 
 LinearSolver gmres_entry() {

@@ -28,6 +28,7 @@ extern const WorkLimit krylov_dimension;
 ///           order that depends on the machine
 Outcome<IterativeSolution, NotReached> solve_by_gmres(const SystemProducts& k, const Contraction& contraction,
                                                       std::span<const double> e,
-                                                      std::optional<double> tolerance = std::nullopt);
+                                                      std::optional<double> tolerance = std::nullopt,
+                                                      KeptNumbers* kept = nullptr);
 
 }  // namespace radcert

@@ -90,57 +90,108 @@ std::vector<double> residual_bounds(const SystemProducts& k, const Contraction& 
   return bounds;
 }
 
+namespace {
+
+/// How far an iteration has come.
+struct IterationState {
+  std::vector<double> v;
+  std::vector<double> best;
+  double best_residual = infinity;
+  double mark = infinity;  ///< the residual that was last halved
+  std::size_t marked_at = 0;
+  std::size_t iterations = 0;
+  std::size_t planned = 0;
+  std::size_t step = 0;
+
+  static constexpr const char* name = "iteration";
+  static constexpr std::size_t counts = 6;
+
+  /// Together: where the one is kept, all are.
+  void keep(KeptNumbers& kept, const VectorParts& parts, std::size_t next_step) const {
+    std::vector<double> all = parts.at_first(v);
+    const std::vector<double> all_best = parts.at_first(best);
+    if (!parts.ranks().is_first()) return;
+    all.insert(all.end(), all_best.begin(), all_best.end());
+    for (const std::size_t count : {marked_at, iterations, planned, next_step})
+      all.push_back(static_cast<double>(count));
+    all.push_back(best_residual);
+    all.push_back(mark);
+    kept.keep(name, all);
+  }
+
+  /// Whether there was a state of so many entries, which this becomes then.
+  bool find(KeptNumbers& kept, const VectorParts& parts) {
+    std::optional<std::vector<double>> all;
+    if (parts.ranks().is_first()) all = kept.find(name);
+    const std::size_t n = parts.whole();
+    const bool fits = all && all->size() == 2 * n + counts;
+    const std::span<const double> given = fits ? std::span<const double>(*all) : std::span<const double>();
+    const std::vector<double> numbers = parts.ranks().numbers_from_first(given.subspan(fits ? 2 * n : 0));
+    const auto of_v = parts.from_first(given.first(fits ? n : 0));
+    const auto of_best = parts.from_first(fits ? given.subspan(n, n) : given);
+    if (numbers.size() != counts || !of_v || !of_best) return false;
+    v = *of_v;
+    best = *of_best;
+    std::size_t at = 0;
+    for (std::size_t* count : {&marked_at, &iterations, &planned, &step})
+      *count = static_cast<std::size_t>(numbers[at++]);
+    best_residual = numbers[at++];
+    mark = numbers[at];
+    return true;
+  }
+};
+
+}  // namespace
+
 Outcome<IterativeSolution, NotReached> iterate(const SystemProducts& k, const Contraction& contraction,
                                                std::span<const double> e, std::optional<double> tolerance,
-                                               const Correction& correction) {
+                                               const Correction& correction, KeptNumbers* kept) {
   expects(e.size() == k.rows() && contraction.weights().size() == k.rows(),
           "a right-hand side and a contraction of the matrix's size", named("rows", k.rows()),
           named("size", e.size()));
   expects(!tolerance || (*tolerance >= least_tolerance && *tolerance < 1),
           "a tolerance in [least_tolerance, 1)", named("tolerance", tolerance.value_or(0)));
   const VectorParts parts = k.parts();
-  const Descent descent{.parts = parts, .contraction = contraction, .tolerance = tolerance, .rounding = k.rounding()};
-  std::vector<double> v(e.begin(), e.end());
-  if (parts.size_of(e) == 0) return IterativeSolution{.values = std::move(v)};
+  const Descent descent{
+      .parts = parts, .contraction = contraction, .tolerance = tolerance, .rounding = k.rounding()};
+  IterationState at{.v = {e.begin(), e.end()}, .best = {e.begin(), e.end()}};
+  if (parts.size_of(e) == 0) return IterativeSolution{.values = std::move(at.v)};
+  if (kept != nullptr) at.find(*kept, parts);
 
-  std::vector<double> r(v.size());
-  std::vector<double> bounds(v.size());
-  std::vector<double> best = v;
-  double best_residual = infinity;
+  std::vector<double> r(at.v.size());
+  std::vector<double> bounds(at.v.size());
   const std::size_t patient_steps = patience(contraction.theta(), correction.reflections);
-  double mark = infinity;
-  std::size_t marked_at = 0;
-  std::size_t iterations = 0;
-  std::size_t planned = 0;
-  for (std::size_t step = 0;; ++step) {
-    k.accurate_residual(v, e, r);
-    bound_residual(k, contraction, v, e, r, bounds);
+  for (;; ++at.step) {
+    k.accurate_residual(at.v, e, r);
+    bound_residual(k, contraction, at.v, e, r, bounds);
     const double residual = contraction.norm(bounds);
-    if (residual < best_residual) {
-      best_residual = residual;
-      best = v;
+    if (residual < at.best_residual) {
+      at.best_residual = residual;
+      at.best = at.v;
     }
-    if (descent.reached(v, residual))
-      return IterativeSolution{.values = std::move(v),
-                               .iterations = iterations,
+    if (descent.reached(at.v, residual))
+      return IterativeSolution{.values = std::move(at.v),
+                               .iterations = at.iterations,
                                .error_bound = contraction.inverse_bound(residual)};
     // v grows from e to u, or shrinks, by 1 + theta <= 2 at most.
-    if (step == 0)
-      planned = planned_steps(contraction.theta(), residual, descent.goal(v) / 2) + patient_steps;
-    if (step == 0 && correction.reflections == 1 && planned > most_reflections) break;
-    if (residual <= mark / 2) {
-      mark = residual;
-      marked_at = step;
+    if (at.step == 0)
+      at.planned = planned_steps(contraction.theta(), residual, descent.goal(at.v) / 2) + patient_steps;
+    if (at.step == 0 && correction.reflections == 1 && at.planned > most_reflections) break;
+    if (residual <= at.mark / 2) {
+      at.mark = residual;
+      at.marked_at = at.step;
     }
-    if (!std::isfinite(residual) || step == planned || step - marked_at >= patient_steps) break;
-    iterations += correction.apply(r, descent.goal(v));
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] += r[i];
+    if (!std::isfinite(residual) || at.step == at.planned || at.step - at.marked_at >= patient_steps) break;
+    at.iterations += correction.apply(r, descent.goal(at.v));
+    for (std::size_t i = 0; i < at.v.size(); ++i) at.v[i] += r[i];
+    if (kept != nullptr) at.keep(*kept, parts, at.step + 1);
   }
-  const double error_bound = contraction.inverse_bound(best_residual);
-  const double size = parts.size_of(best);
-  if (descent.left_to_rounding(best, best_residual))
-    return IterativeSolution{.values = std::move(best), .iterations = iterations, .error_bound = error_bound};
-  return because(NotReached{.iterations = iterations, .error_bound = error_bound, .size = size});
+  const double error_bound = contraction.inverse_bound(at.best_residual);
+  const double size = parts.size_of(at.best);
+  if (descent.left_to_rounding(at.best, at.best_residual))
+    return IterativeSolution{
+        .values = std::move(at.best), .iterations = at.iterations, .error_bound = error_bound};
+  return because(NotReached{.iterations = at.iterations, .error_bound = error_bound, .size = size});
 }
 
 }  // namespace radcert

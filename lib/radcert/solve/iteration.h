@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "radcert/core/files/kept_numbers.h"
 #include "radcert/core/outcome.h"
 #include "radcert/solve/contraction.h"
 #include "radcert/solve/system_matrix.h"
@@ -54,11 +55,13 @@ struct Correction {
 ///           reflections; without a tolerance, then, only if ||r||_w also exceeds what rounding can do, 4 u
 ///           (1 + theta)/(1 - theta) ||v||_w, an operator's rounding added. The same bits for any number of
 ///           threads; Interrupted when asked to stop
+/// Kept      v and how far the descent has come, after each correction, by the first rank: an iteration of the
+///           same system that finds them goes on from there, to the same bits
 /// Limits    a bound of the error of the linear system alone, whose matrix and right-hand side are taken as
 ///           exact. For an operator a bound as far as its rounding() is one
 Outcome<IterativeSolution, NotReached> iterate(const SystemProducts& k, const Contraction& contraction,
                                                std::span<const double> e, std::optional<double> tolerance,
-                                               const Correction& correction);
+                                               const Correction& correction, KeptNumbers* kept = nullptr);
 
 /// Bounds of |r_i|, given the computed residual of v.
 /// Maths     |r_i| + u |r_i| + ((n + 4) u)^2 (|e_i| + |v_i| + theta w_i ||v||_w), which bounds (|K| |v|)_i

@@ -36,10 +36,10 @@ std::vector<double> defects(const LinearSystem& system, std::span<const double> 
 }
 
 Outcome<LinearSolution> solution_of(const LinearSystem& system, const LinearSolver& solver,
-                                    std::optional<double> tolerance) {
+                                    std::optional<double> tolerance, KeptNumbers* kept) {
   if (!solver.iterates()) return solver.eliminate(system);
   const Contraction& contraction = *system.contraction;
-  auto solution = solver.iterate(system.k, contraction, system.e, tolerance);
+  auto solution = solver.iterate(system.k, contraction, system.e, tolerance, kept);
   if (!solution) {
     const NotReached& best = solution.reason();
     const std::string demanded =

@@ -48,7 +48,7 @@ struct LinearSolver {
   /// contraction and for products alone.
   std::function<Outcome<IterativeSolution, NotReached>(
       const SystemProducts& k, const Contraction& contraction, std::span<const double> e,
-      std::optional<double> tolerance)>
+      std::optional<double> tolerance, KeptNumbers* kept)>
       iterate = {};
   /// Of a solver that reads the entries of the matrix: a reason in words where the system has no solution
   /// within bounds. A solver that has neither this nor `iterate` chooses another, or proves, and needs a
@@ -88,10 +88,12 @@ struct LinearSolver {
                                           std::vector<double> residual_sizes);
 
 /// Solves a system of finite numbers by a solver that iterates or eliminates.
-/// Requires  for one that iterates a contraction; `tolerance` is for such a solver alone
+/// Requires  for one that iterates a contraction; `tolerance`, and where it keeps its state, are for such a
+///           solver alone
 /// Result    the solution with the radius over all systems within the radii; else a reason in words, of an
 ///           iteration how far it came
 [[nodiscard]] Outcome<LinearSolution> solution_of(const LinearSystem& system, const LinearSolver& solver,
-                                                  std::optional<double> tolerance);
+                                                  std::optional<double> tolerance,
+                                                  KeptNumbers* kept = nullptr);
 
 }  // namespace radcert

@@ -8,9 +8,9 @@ namespace radcert {
 Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemProducts& k,
                                                         const Contraction& contraction,
                                                         std::span<const double> e,
-                                                        std::optional<double> tolerance) {
+                                                        std::optional<double> tolerance, KeptNumbers* kept) {
   const auto residual_itself = [](std::span<double>, double) { return std::size_t{1}; };
-  return iterate(k, contraction, e, tolerance, {.apply = residual_itself});
+  return iterate(k, contraction, e, tolerance, {.apply = residual_itself}, kept);
 }
 
 LinearSolver neumann_entry() {

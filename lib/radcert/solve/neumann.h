@@ -20,6 +20,7 @@ namespace radcert {
 Outcome<IterativeSolution, NotReached> solve_by_neumann(const SystemProducts& k,
                                                         const Contraction& contraction,
                                                         std::span<const double> e,
-                                                        std::optional<double> tolerance = std::nullopt);
+                                                        std::optional<double> tolerance = std::nullopt,
+                                                        KeptNumbers* kept = nullptr);
 
 }  // namespace radcert

@@ -18,7 +18,7 @@ constexpr std::size_t usual_vectors = 64;
 Outcome<IterativeSolution, NotReached> solve_by_engine(const SystemProducts& k,
                                                        const Contraction& contraction,
                                                        std::span<const double> e,
-                                                       std::optional<double> tolerance) {
+                                                       std::optional<double> tolerance, KeptNumbers* kept) {
   const VectorParts parts = k.parts();
   const KrylovEngine* engine = parts.ranks().krylov_engine();
   expects(engine != nullptr, "ranks with Krylov methods");
@@ -42,7 +42,7 @@ Outcome<IterativeSolution, NotReached> solve_by_engine(const SystemProducts& k,
     for (double& each : r) each *= size;
     return iterations;
   };
-  return iterate(k, contraction, e, tolerance, {.apply = correct, .reflections = usual_vectors});
+  return iterate(k, contraction, e, tolerance, {.apply = correct, .reflections = usual_vectors}, kept);
 }
 
 }  // namespace

@@ -51,6 +51,17 @@ double VectorParts::dot(std::span<const double> a, std::span<const double> b) co
   return total;
 }
 
+std::vector<double> VectorParts::at_first(std::span<const double> x) const {
+  return ranks_->gather_numbers_at_first(x);
+}
+
+std::optional<std::vector<double>> VectorParts::from_first(std::span<const double> all) const {
+  const std::vector<double> given = ranks_->numbers_from_first(all);
+  if (given.size() != whole_) return std::nullopt;
+  const auto begin = given.begin() + static_cast<std::ptrdiff_t>(first_);
+  return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(size_));
+}
+
 double VectorParts::size_of(std::span<const double> x) const {
   double size = 0;
   for (const double value : x) size = std::max(size, std::abs(value));

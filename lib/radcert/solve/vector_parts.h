@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "radcert/core/ranks/ranks.h"
 
@@ -28,6 +30,10 @@ public:
 
   /// sum a_i b_i: of each block in eight lanes, folded in a fixed order, then block by block.
   [[nodiscard]] double dot(std::span<const double> a, std::span<const double> b) const;
+  /// All entries on the first rank, none elsewhere; and back: those here of what the first rank gives, which
+  /// has all entries or none, and then nothing.
+  [[nodiscard]] std::vector<double> at_first(std::span<const double> x) const;
+  [[nodiscard]] std::optional<std::vector<double>> from_first(std::span<const double> all) const;
   /// max |x_i| over all numbers that are one.
   [[nodiscard]] double size_of(std::span<const double> x) const;
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "radcert/continuous/kept_numbers.h"
+#include "radcert/core/files/kept_numbers.h"
 #include "radcert/study/guarantee.h"
 
 namespace radcert {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "radcert/core/files/kept_numbers.h"
 #include "radcert/core/ranks/ranks.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/study/operator_route.h"
@@ -66,9 +67,11 @@ struct LevelOutcome {
 /// Ranks     those that are given share a level whose operator is h2, on which all of them call this
 ///           together; any other level is the first one's. The outcome is given on the first, with the bits
 ///           that it has without others, and is empty elsewhere
+/// Kept      of a level whose operator is h2: Ku by the route, and how far the solver has come. Who is given what
+///           another call for this problem and level has kept goes on from there, to the same bits
 /// Limits    radii are estimates, but for a solver that proves; such a one does not take the route
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route,
-                         const Ranks& ranks = one_rank());
+                         const Ranks& ranks = one_rank(), KeptNumbers* kept = nullptr);
 
 /// The result of finished levels: ratios, orders, fits.
 /// Maths     ratio_k = e_{k-1}/e_k, order_k = log(ratio_k)/log(h_{k-1}/h_k)

@@ -74,6 +74,11 @@ std::string Ranks::from_first(std::string_view own) const {
   return gather(is_first() ? own : std::string_view()).front();
 }
 
+std::vector<double> Ranks::numbers_from_first(std::span<const double> own) const {
+  if (count() == 1) return {own.begin(), own.end()};
+  return numbers_of({from_first(bytes_of(own))});
+}
+
 const Ranks& one_rank() {
   static const OneRank one;
   return one;

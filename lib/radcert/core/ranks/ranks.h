@@ -83,6 +83,7 @@ public:
   [[nodiscard]] bool all(bool here) const;
   /// What the first rank gives, wherever else.
   [[nodiscard]] std::string from_first(std::string_view own) const;
+  [[nodiscard]] std::vector<double> numbers_from_first(std::span<const double> own) const;
 };
 
 /// A process by itself.

@@ -7,6 +7,7 @@
 
 #include "radcert/core/files/result_store.h"
 #include "radcert/formats/result/level_record.h"
+#include "radcert/formats/result/stored_numbers.h"
 
 namespace radcert {
 
@@ -43,10 +44,13 @@ LevelOutcome StoredLevels::level(const Problem& problem, int level) {
   return ranks_->is_first() ? std::move(outcome) : read_level_record(record).value();
 }
 
-StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit, const Ranks& ranks) {
-  return [route = std::move(route), memory_limit, &ranks](const Problem& problem, int level) {
+StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit, const Ranks& ranks,
+                               ResultStore* store) {
+  return [route = std::move(route), memory_limit, &ranks, store](const Problem& problem, int level) {
     check(problem, memory_limit);
-    return solve_level(problem, level, route, ranks);
+    if (store == nullptr || !is_told_by_its_text(problem)) return solve_level(problem, level, route, ranks);
+    StoredNumbers kept(*store, "on the way\n" + level_key(problem, level));
+    return solve_level(problem, level, route, ranks, &kept);
   };
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "radcert/continuous/kept_numbers.h"
+#include "radcert/core/files/kept_numbers.h"
 #include "radcert/study/problem.h"
 
 namespace radcert {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "radcert/core/files/kept_numbers.h"
 #include "radcert/core/memory_plan.h"
 #include "radcert/core/ranks/ranks.h"
 #include "radcert/study/operator_route.h"
@@ -44,6 +45,7 @@ void check(const Problem& problem, const Collocation& method, const Surface& sur
 ///           contraction of all matrices within the radii; with `direct`, where there is none, the norm of
 ///           the inverse, N d / (1 - N r) for defects d and row radii r
 [[nodiscard]] LevelOutcome solve(const Problem& problem, const Collocation& method, int level,
-                                 const OperatorRoute& route, const Ranks& ranks = one_rank());
+                                 const OperatorRoute& route, const Ranks& ranks = one_rank(),
+                                 KeptNumbers* kept = nullptr);
 
 }  // namespace radcert

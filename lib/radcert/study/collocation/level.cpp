@@ -73,9 +73,11 @@ bool sum_to_one(const TriangleBasisChoice& basis) {
 /// where several share the level.
 class Level {
 public:
-  Level(const Problem& problem, int level, std::optional<LevelClusters> tree, const Ranks& ranks)
+  Level(const Problem& problem, int level, std::optional<LevelClusters> tree, const Ranks& ranks,
+        KeptNumbers* kept)
       : problem_(problem),
         ranks_(ranks),
+        kept_(tree ? kept : nullptr),
         tree_(std::move(tree)),
         choice_(triangle_basis_of(problem.method)),
         solver_(find_linear_solver(problem.solver.name)),
@@ -238,10 +240,36 @@ private:
                              reason);
   }
 
+  /// Ku by the second route, computed once.
+  OperatorAtNodes operator_at_nodes(const OperatorRoute& route) {
+    constexpr const char* values = "operator at nodes: values";
+    constexpr const char* radii = "operator at nodes: radii";
+    const VectorParts parts = matrix().parts();
+    const auto kept = [&](const char* name) {
+      std::optional<std::vector<double>> all;
+      if (kept_ != nullptr && ranks_.is_first()) all = kept_->find(name);
+      return parts.from_first(all ? std::span<const double>(*all) : std::span<const double>());
+    };
+    if (kept_ != nullptr) {
+      auto value = kept(values);
+      auto radius = kept(radii);
+      if (value && radius) return {*std::move(value), *std::move(radius)};
+    }
+    OperatorAtNodes found = apply_operator(problem_, surface_, route, nodes_, rho_);
+    if (kept_ == nullptr) return found;
+    const std::vector<double> all_values = parts.at_first(found.value);
+    const std::vector<double> all_radii = parts.at_first(found.radius);
+    if (ranks_.is_first()) {
+      kept_->keep(values, all_values);
+      kept_->keep(radii, all_radii);
+    }
+    return found;
+  }
+
   /// E = u - Ku by the second route; K(I-P_n)u is the difference of the two.
   void manufacture_emission(const OperatorRoute& route) {
     const Stopwatch watch;
-    OperatorAtNodes ku = apply_operator(problem_, surface_, route, nodes_, rho_);
+    OperatorAtNodes ku = operator_at_nodes(route);
     outcome_.timing.operator_seconds = watch.seconds();
     if (!ranks_.all(all_finite(ku.radius))) {
       data_are_known_ = false;
@@ -380,7 +408,7 @@ private:
                                                  .e = emission_,
                                                  .e_radius = emission_radius_,
                                                  .contraction = contraction_ ? &*contraction_ : nullptr},
-                                                *solver_, tolerance);
+                                                *solver_, tolerance, clusters_ ? kept_ : nullptr);
     if (!found) refuse(found.reason());
     u_n_ = std::move(found->values);
     require_estimate_holds();
@@ -405,6 +433,7 @@ private:
   static constexpr double unit = unit_roundoff<double>();
   const Problem& problem_;
   const Ranks& ranks_;
+  KeptNumbers* kept_;                  ///< or null
   std::optional<LevelClusters> tree_;  ///< where the operator may be one of clusters
   const TriangleBasisChoice& choice_;
   const LinearSolver* solver_;  ///< the one asked for, until the one that is taken is known
@@ -434,7 +463,7 @@ private:
 }  // namespace
 
 LevelOutcome solve(const Problem& problem, const Collocation&, int level, const OperatorRoute& route,
-                   const Ranks& ranks) {
+                   const Ranks& ranks, KeptNumbers* kept) {
   const LinearSolver& solver = *find_linear_solver(problem.solver.name);
   const bool proves = solver.proves();
   if (solver.on_ranks && ranks.krylov_engine() == nullptr)
@@ -444,7 +473,7 @@ LevelOutcome solve(const Problem& problem, const Collocation&, int level, const 
   if (!clusters && !ranks.is_first()) return {};
   if (proves) return verified_level(problem, level, route);
   const Ranks& sharing = clusters ? ranks : one_rank();
-  return Level(problem, level, std::move(clusters), sharing).compute(route);
+  return Level(problem, level, std::move(clusters), sharing, kept).compute(route);
 }
 
 }  // namespace radcert

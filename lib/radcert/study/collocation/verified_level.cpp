@@ -543,7 +543,7 @@ private:
              upper_text(contraction.reason().theta, DecimalForm::general(6)) +
              " at best, which is not below 1: with the operator dense more may be proved");
     const auto found =
-        find_linear_solver("gmres")->iterate(SystemMatrix(rounded), *contraction, rounded_e, {});
+        find_linear_solver("gmres")->iterate(SystemMatrix(rounded), *contraction, rounded_e, {}, nullptr);
     const std::vector<double> x = found ? found->values : std::vector<double>(n);
     if (!found) refuse("the collocation system is not solved: gmres does not come to rest");
     std::vector<Ball> exact_x;
