@@ -451,6 +451,8 @@ private:
       if (!now.finished && context.meshes)
         context.meshes({.layers = now.layers,
                         .degree = now.degree,
+                        .elements = now.elements,
+                        .planned = now.planned,
                         .cells = now.cells,
                         .cells_done = now.cells_done,
                         .width = now.width});
