@@ -33,7 +33,9 @@ void EnclosureDisplay::at(const MeshProgress& now) {
   const std::string layers = std::to_string(now.layers) + " layers: ";
   if (now.cells == 0) {
     layers_ = -1;
-    display_.at(0, layers + "functions of degree " + std::to_string(now.degree));
+    display_.at(0, now.planned == 0 ? layers + "functions of degree " + std::to_string(now.degree)
+                                    : layers + "cells planned on " + std::to_string(now.planned) + "/" +
+                                          std::to_string(now.elements) + " elements");
     return;
   }
   // Cells are told by several threads: the last to speak need not have done the most.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates whose claims are true or false by a little, on skew polyhedra: in a furnace with u = 1 and
+// Certificates whose claims are true or false by a little, on skew polyhedra and rooms whose parts hide each
+// other: in a furnace with u = 1 and
 // constant functions the residuals are known exactly, and the check must refuse what is false; of values at
 // points as well, whose duals' residuals are known by integrals of kernels; and on spheres and ellipsoids.
 #include <gtest/gtest.h>
@@ -90,10 +91,11 @@ Made certificate_of(const Instance& x) {
   return out;
 }
 
-Instance drawn(Draw& draw) {
+Instance drawn_of(Draw& draw, std::size_t kinds) {
   Instance x;
-  const std::array<std::string, 4> surfaces{"tetrahedron", "cube", "octahedron", "box"};
-  x.surface = surfaces[draw.below(surfaces.size())];
+  const std::array<std::string, 6> surfaces{"tetrahedron", "cube",   "octahedron",
+                                            "box",         "l_room", "cube_in_a_cube"};
+  x.surface = surfaces[draw.below(std::min(kinds, surfaces.size()))];
   x.map = SkewMap::drawn(draw, 40, 160, 60);
   x.reflectivity = 1 + static_cast<long>(draw.below(98));
   x.d = std::ldexp(1 + draw.unit(), -1 - static_cast<int>(draw.below(5)));
@@ -108,6 +110,8 @@ Instance drawn(Draw& draw) {
   if (which == 1) x.off = (draw.below(2) == 0 ? 1 : -1) * (1 + by);
   return x;
 }
+
+Instance drawn(Draw& draw) { return drawn_of(draw, 6); }
 
 std::vector<Instance> smaller(const Instance& x) {
   std::vector<Instance> out;
@@ -227,7 +231,8 @@ Judgement judge_value(const ValueInstance& x) {
 }
 
 ValueInstance drawn_value(Draw& draw) {
-  ValueInstance x{.scene = drawn(draw)};
+  // Of values there are none where parts hide each other.
+  ValueInstance x{.scene = drawn_of(draw, 4)};
   x.scene.map = SkewMap::drawn(draw, 70, 60, 25);
   x.scene.size = 1;
   x.scene.off = 0;

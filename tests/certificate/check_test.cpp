@@ -12,6 +12,8 @@
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/element_check.h"
 #include "radcert/certificate/line_bounds.h"
+#include "radcert/certificate/occlusion/shade.h"
+#include "radcert/certificate/occlusion/sight.h"
 #include "radcert/certificate/scene.h"
 #include "radcert/core/parallel.h"
 #include "tests/certificate/samples.h"
@@ -207,7 +209,9 @@ TEST(ElementCheck, EnclosesProductsThatAreKnown) {
   const LineBounds lines(c, scene, densities);
   const BallTransport transport(c, scene, densities, lines);
   const PointKernels kernels(c, scene, densities);
-  const ElementCheck elements(c, scene, densities, lines, transport, kernels);
+  const Sight sight(c, scene);
+  const Shades shades(c, densities);
+  const ElementCheck elements(c, scene, densities, lines, transport, kernels, sight, shades);
   const double scale = std::ldexp(1.0, -2 * scene.exponent() - densities.exponent());
   for (const std::size_t e : {std::size_t{1}, std::size_t{3}}) {
     const double area = test::element_area(c, c.elements[e]);
@@ -330,6 +334,52 @@ TEST(Check, RefusesAnyNumberChanged) {
     const Report report = check(c, part_with(changed.element, c.elements.size()));
     EXPECT_TRUE(report.refusal) << changed.what;
   }
+}
+
+TEST(Check, RefusesAnyNumberChangedPastOccluders) {
+  const PolyhedronCertificate whole = test::furnace_certificate("l_room", 0.25, 0.25, 1.2, 0.02);
+  ASSERT_FALSE(check(whole, {.elements = 3, .seed = "unchanged"}).refusal);
+  Draw draw(41);
+  for (std::size_t n = 0; n < test::repeats(100); ++n) {
+    PolyhedronCertificate c = whole;
+    const Change changed = change(c, draw);
+    const Report report = check(c, part_with(changed.element, c.elements.size()));
+    EXPECT_TRUE(report.refusal) << changed.what;
+  }
+}
+
+TEST(Check, VerifiesMeansPastOccluders) {
+  const PolyhedronProblem room = test::constant_problem("l_room", Rational(1, 2), {0, 0, 1, 0});
+  const PolyhedronCertificate c = test::certified_solution(room, "l_room", 1);
+  const Report report = check(c, {.elements = 2, .seed = "room"});
+  EXPECT_FALSE(report.refusal) << text_of(report);
+  // The same claims about a room of four times the height, where an element's residual is small beside what
+  // arrives there.
+  PolyhedronCertificate higher = c;
+  for (Face& face : higher.faces)
+    for (Vector<Rational>& p : face.corners) p.z *= Rational(4);
+  test::put_sums(higher);
+  ASSERT_FALSE(check(higher, {.elements = 0, .seed = {}}).refusal);
+  const auto precision = [&](std::size_t e) {
+    return std::abs(c.coefficient(0, e, 0, 0)) * std::sqrt(test::element_area(c, c.elements[e])) /
+           c.claims[e].norms[0];
+  };
+  std::size_t best = 0;
+  for (std::size_t e = 0; e < c.elements.size(); ++e)
+    if (precision(e) > precision(best)) best = e;
+  EXPECT_FALSE(check(c, part_with(best, c.elements.size())).refusal);
+  EXPECT_TRUE(check(higher, part_with(best, c.elements.size())).refusal);
+}
+
+TEST(Check, RefusesValuesPastOccluders) {
+  PolyhedronCertificate c = test::furnace_value_certificate("cube", 0.25, 1.02, 0.02);
+  const PolyhedronCertificate room = test::bare_certificate("l_room", 2, 0, 1);
+  c.faces = room.faces;
+  c.pieces = room.pieces;
+  c.elements = room.elements;
+  const Report report = check(c, {.elements = 1, .seed = {}});
+  ASSERT_TRUE(report.refusal);
+  EXPECT_EQ(report.refusal->pointer, "/points/0");
 }
 
 TEST(Check, RefusesAnyNumberOfAValueChanged) {

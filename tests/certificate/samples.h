@@ -14,18 +14,30 @@
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/continuous/polyhedron_problem.h"
 #include "radcert/study/guarantee/polyhedron_certificate.h"
+#include "tests/continuous/rooms.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert::test {
 
+/// Of a room whose parts hide each other, as they are before they are cut; none of other surfaces.
+inline std::vector<Panel> room_of(const std::string& surface) {
+  if (surface == "l_room") return l_room();
+  if (surface == "cube_in_a_cube") return cube_in_a_cube();
+  return {};
+}
+
 inline std::vector<std::string> names_of(const std::string& surface) {
-  return named_surface(surface).piece_names();
+  std::vector<std::string> names;
+  for (const Panel& panel : room_of(surface))
+    if (panel.piece == names.size()) names.push_back("piece_" + std::to_string(panel.piece));
+  return names.empty() ? named_surface(surface).piece_names() : names;
 }
 
 /// Each face with this reflectivity; E constant by face.
 inline PolyhedronProblem constant_problem(const std::string& surface, const Rational& rho,
                                           const std::vector<Rational>& emission) {
-  PolyhedronProblem out{.panels = panels_of(surface), .reflectivity = {}, .emission = {}};
+  PolyhedronProblem out{.panels = {}, .reflectivity = {}, .emission = {}, .blockers = room_of(surface)};
+  out.panels = out.blockers.empty() ? panels_of(surface) : cut(out.blockers);
   for (std::size_t k = 0; k < out.panels.size(); ++k) {
     out.reflectivity.push_back(rho);
     out.emission.push_back(constant_polynomial(emission[k % emission.size()]));
@@ -47,7 +59,7 @@ inline certificate::PolyhedronCertificate bare_certificate(const std::string& su
   out.elements.clear();
   out.claims.clear();
   out.degree = degree;
-  const SectorScene scene(problem.panels);
+  const SectorScene scene(problem.panels, problem.blockers);
   const std::vector<SectorElement> elements = graded_elements(scene, layers);
   for (const SectorElement& x : elements) {
     const std::size_t panel = scene.sectors()[x.sector].panel;

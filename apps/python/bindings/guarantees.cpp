@@ -46,8 +46,11 @@ std::string words_of(const GuaranteeProgress& now) {
 }
 
 std::string words_of(const MeshProgress& now) {
-  return std::to_string(now.layers) + " layers, degree " + std::to_string(now.degree) + ", cells " +
-         std::to_string(now.cells_done) + " of " + std::to_string(now.cells);
+  const std::string mesh = std::to_string(now.layers) + " layers, degree " + std::to_string(now.degree);
+  if (now.cells == 0 && now.planned > 0)
+    return mesh + ", cells planned on " + std::to_string(now.planned) + " of " +
+           std::to_string(now.elements) + " elements";
+  return mesh + ", cells " + std::to_string(now.cells_done) + " of " + std::to_string(now.cells);
 }
 
 double part_of(const MeshProgress& now) {

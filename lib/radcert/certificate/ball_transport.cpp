@@ -27,11 +27,6 @@ constexpr int most_source_nodes = 12;
 constexpr std::size_t most_powers = 16;
 constexpr double smallest_part = 0x1p-42;
 
-struct Part {
-  std::size_t element = 0;
-  Box box;
-};
-
 /// A rule for one parameter of a part; nodes 0: none is good enough.
 struct Rule {
   int nodes = 0;
@@ -76,7 +71,8 @@ public:
       points_.push_back(own_.point(observers.s[p].value(), observers.t[p].value()));
   }
 
-  void add_face(std::size_t face) {
+  /// All of it where no parts are named.
+  void add_face(std::size_t face, std::span<const SourcePart> seen = {}) {
     const Scene::Heights& over = scene_.heights(observers_.triangle, face);
     highest_ = 0;
     height_error_ = 0;
@@ -86,11 +82,12 @@ public:
       highest_ = std::max(highest_, height.value() + height.error());
       height_error_ = std::max(height_error_, height.error());
     }
-    std::vector<Part> parts;
-    for (const std::size_t e : lines_.elements_of(face)) {
-      const Element& x = certificate_.elements[e];
-      parts.push_back({e, {.s0 = x.s0, .s1 = x.s1, .t0 = x.t0, .t1 = x.t1}});
-    }
+    std::vector<SourcePart> parts(seen.begin(), seen.end());
+    if (parts.empty())
+      for (const std::size_t e : lines_.elements_of(face)) {
+        const Element& x = certificate_.elements[e];
+        parts.push_back({e, {.s0 = x.s0, .s1 = x.s1, .t0 = x.t0, .t1 = x.t1}});
+      }
     add(0, points_.size(), std::move(parts));
   }
 
@@ -106,7 +103,7 @@ public:
   }
 
 private:
-  void add(std::size_t begin, std::size_t end, std::vector<Part> parts) {
+  void add(std::size_t begin, std::size_t end, std::vector<SourcePart> parts) {
     Vector<double> least = points_[begin];
     Vector<double> largest = least;
     for (std::size_t p = begin; p < end; ++p) {
@@ -118,9 +115,9 @@ private:
     double radius = 0;
     for (std::size_t p = begin; p < end; ++p) radius = std::max(radius, norm(points_[p] - centre));
     radius += slack;
-    std::vector<Part> for_halves;
+    std::vector<SourcePart> for_halves;
     while (!parts.empty()) {
-      const Part part = parts.back();
+      const SourcePart part = parts.back();
       parts.pop_back();
       const SideTriangle& triangle = lines_.triangle(part.element);
       const Box& box = part.box;
@@ -176,8 +173,8 @@ private:
         for (std::size_t p = begin; p < end; ++p) errors_[p] = infinity;
         continue;
       }
-      Part lower = part;
-      Part upper = part;
+      SourcePart lower = part;
+      SourcePart upper = part;
       if (cuts_s)
         lower.box.s1 = upper.box.s0 = s;
       else
@@ -222,7 +219,7 @@ private:
   /// Maths     along a line of nodes t = t_b Q moves by s (1 - t_b) along: Q - P and n_P.(Q-P) are affine in
   ///           s. m_i = sum_a W_a G P_i(x_a) on the line, then M_ij += W_b (1 - t_b) m_i P_j(y_b). Lines of
   ///           all points go side by side
-  void add_moments(const Part& part, int nodes_s, int nodes_t, std::size_t begin, std::size_t end) {
+  void add_moments(const SourcePart& part, int nodes_s, int nodes_t, std::size_t begin, std::size_t end) {
     const std::size_t powers = densities_.powers();
     if (element_ != part.element) {
       contract(begin, end);
@@ -360,8 +357,13 @@ private:
 };
 
 BallTransport::Values BallTransport::operator()(const Observers& observers, double tolerance,
-                                                std::optional<std::size_t> without) const {
+                                                std::optional<std::size_t> without, const View* view) const {
   Sum sum(*this, observers, tolerance);
+  if (view != nullptr) {
+    for (const View::OfFace& seen : view->faces)
+      if (seen.face != without) sum.add_face(seen.face, seen.parts);
+    return std::move(sum).take();
+  }
   const std::size_t own = scene_.triangles()[observers.triangle].face;
   for (std::size_t face = 0; face < scene_.faces(); ++face)
     if (face != without && !scene_.coplanar(face, own)) sum.add_face(face);

@@ -8,6 +8,7 @@
 
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/line_bounds.h"
+#include "radcert/certificate/occlusion/sight.h"
 #include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/certificate/scene.h"
 #include "radcert/core/work_limit.h"
@@ -48,9 +49,10 @@ public:
     std::vector<double> radii;   ///< by point, for all functions
   };
   /// The face `without` is left out. The tolerance is wanted, the radius is what holds; it is infinite where
-  /// a point is too near to another face.
+  /// a point is too near to another face. Of what the view has, where there is one: all of that is seen from
+  /// the points.
   [[nodiscard]] Values operator()(const Observers& observers, double tolerance,
-                                  std::optional<std::size_t> without) const;
+                                  std::optional<std::size_t> without, const View* view = nullptr) const;
 
 private:
   class Sum;

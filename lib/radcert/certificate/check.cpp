@@ -10,6 +10,9 @@
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/element_check.h"
 #include "radcert/certificate/line_bounds.h"
+#include "radcert/certificate/occlusion/shade.h"
+#include "radcert/certificate/occlusion/sight.h"
+#include "radcert/certificate/occlusion/solid_facts.h"
 #include "radcert/certificate/point_kernels.h"
 #include "radcert/certificate/polyhedron_facts.h"
 #include "radcert/certificate/scene.h"
@@ -111,49 +114,90 @@ std::optional<Refusal> claim_fault(const PolyhedronCertificate& c, std::size_t e
   return std::nullopt;
 }
 
+/// Whether a claim is further from what was found than finer cells could bring it.
+bool is_hopeless(const PolyhedronCertificate& c, std::size_t element, const ResidualBounds& found, int length,
+                 const Densities& densities) {
+  const Claim& claim = c.claims[element];
+  for (std::size_t k = 0; k < claim.norms.size(); ++k)
+    if (std::ldexp(found.norms[k] - found.doubts[k], length + densities.exponent(k)) > claim.norms[k])
+      return true;
+  for (std::size_t k = 0; k < claim.products.size(); ++k) {
+    const int size = 2 * length + densities.exponent() + densities.exponent(1 + k);
+    const double off = std::abs(std::ldexp(found.products[k], size) - claim.products[k]);
+    if (off - std::ldexp(found.radii[k], size) > claim.radii[k]) return true;
+  }
+  return false;
+}
+
+/// Parts of the claims that rules may leave.
+struct Share {
+  double of_norm = 0;
+  double of_product = 0;
+};
+
 /// Of the claims on one element, in scaled units: what rules may leave.
 Allowance allowance_of(const PolyhedronCertificate& c, const Densities& densities, std::size_t element,
-                       int length, double part) {
+                       int length, const Share& share) {
   const Claim& claim = c.claims[element];
   Allowance out{infinity, infinity};
-  for (std::size_t k = 0; k < claim.norms.size(); ++k)
-    if (!densities.vanishes(k))
-      out.norm = std::min(out.norm, std::ldexp(claim.norms[k], -length - densities.exponent(k)));
-  for (std::size_t k = 0; k < claim.radii.size(); ++k)
-    if (!densities.vanishes(k + 1))
-      out.product = std::min(out.product, std::ldexp(claim.radii[k], -2 * length - densities.exponent() -
-                                                                         densities.exponent(1 + k)));
-  out.norm *= 0.07 * part;
-  out.product *= 0.5 * part;
+  for (std::size_t k = 0; k < claim.norms.size(); ++k) {
+    out.norm_room.push_back(
+        densities.vanishes(k) ? infinity : std::ldexp(claim.norms[k], -length - densities.exponent(k)));
+    out.norm = std::min(out.norm, out.norm_room[k]);
+  }
+  for (std::size_t k = 0; k < claim.radii.size(); ++k) {
+    out.product_room.push_back(
+        densities.vanishes(k + 1)
+            ? infinity
+            : std::ldexp(claim.radii[k], -2 * length - densities.exponent() - densities.exponent(1 + k)));
+    out.product = std::min(out.product, out.product_room[k]);
+  }
+  for (double& room : out.norm_room) room = out.norm > 0 ? room / out.norm : 1;
+  for (double& room : out.product_room) room = out.product > 0 ? room / out.product : 1;
+  out.norm *= share.of_norm;
+  out.product *= share.of_product;
   return out;
+}
+
+/// Values are certified where every face sees all others.
+std::optional<Refusal> occlusion_fault(const PolyhedronCertificate& c) {
+  if (!c.of_values() || is_convex(c)) return std::nullopt;
+  return Refusal{"/points/0",
+                 "is a point of a surface whose parts hide each other, where means alone are "
+                 "certified"};
 }
 
 /// Whether something is claimed to be exactly 0 that no rounded computation could prove.
 std::optional<Refusal> zero_fault(const PolyhedronCertificate& c, const Scene& scene,
                                   const Densities& densities, std::size_t element) {
   if (c.faces[c.elements[element].face].reflectivity.sign() == 0) return std::nullopt;
-  const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), 1);
+  const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), {1, 1});
   if (allowance.norm > 0 && allowance.product > 0) return std::nullopt;
   return Refusal{place("/claims", element), "claims that something is exactly 0"};
 }
 
 std::optional<Refusal> element_fault(const PolyhedronCertificate& c, const Scene& scene,
-                                     const Densities& densities, const ElementCheck& elements,
+                                     const Densities& densities, const ElementCheck& elements, bool is_open,
                                      std::size_t element) {
   std::optional<Refusal> fault;
   const Face& face = c.faces[c.elements[element].face];
   if (face.reflectivity.sign() == 0) {
     // rho t^2 and w_k t_0 = rho y t_0 are 0.
-    const ResidualBounds nothing{std::vector<double>(c.functions()), std::vector<double>(c.goals()),
-                                 std::vector<double>(c.goals())};
+    const ResidualBounds nothing{std::vector<double>(c.functions()),
+                                 std::vector<double>(c.goals()),
+                                 std::vector<double>(c.goals()),
+                                 {}};
     return claim_fault(c, element, nothing, scene.exponent(), densities);
   }
-  // The second time the claim is not to be refused for what rules leave.
-  for (const double part : {1.0, 0.1}) {
-    const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), part);
+  // The last time the claim is not to be refused for what rules leave. Shade is a large part of a claim, and
+  // half of it takes four times as many cells.
+  const std::vector<Share> shares = is_open ? std::vector<Share>{{0.07, 0.5}, {0.007, 0.05}}
+                                            : std::vector<Share>{{0.4, 0.7}, {0.2, 0.5}, {0.07, 0.3}};
+  for (const Share& share : shares) {
+    const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), share);
     const ResidualBounds proved = elements.bounds(element, allowance);
     fault = claim_fault(c, element, proved, scene.exponent(), densities);
-    if (!fault) return fault;
+    if (!fault || (!is_open && is_hopeless(c, element, proved, scene.exponent(), densities))) return fault;
   }
   return fault;
 }
@@ -205,7 +249,8 @@ Summed summed(const PolyhedronCertificate& c) {
 
 Report check(const PolyhedronCertificate& c, const Part& part, const CheckListener& progress) {
   Report report;
-  for (const auto& fault : {&surface_fault, &reflectivity_fault, &points_fault, &tiling_fault, &sums_fault}) {
+  for (const auto& fault :
+       {&surface_fault, &occlusion_fault, &reflectivity_fault, &points_fault, &tiling_fault, &sums_fault}) {
     report.refusal = fault(c);
     if (report.refusal) return report;
   }
@@ -217,10 +262,15 @@ Report check(const PolyhedronCertificate& c, const Part& part, const CheckListen
   const LineBounds lines(c, scene, densities);
   const BallTransport transport(c, scene, densities, lines);
   const PointKernels kernels(c, scene, densities);
-  const ElementCheck elements(c, scene, densities, lines, transport, kernels);
+  const Sight sight(c, scene);
+  const Shades shades(c, densities);
+  const ElementCheck elements(c, scene, densities, lines, transport, kernels, sight, shades);
   report.refusal = first_fault(
       report.looked_at,
-      [&](std::size_t element) { return element_fault(c, scene, densities, elements, element); }, progress);
+      [&](std::size_t element) {
+        return element_fault(c, scene, densities, elements, sight.is_open(), element);
+      },
+      progress);
   return report;
 }
 

@@ -25,16 +25,20 @@ struct Summed {
 [[nodiscard]] Summed summed(const PolyhedronCertificate& certificate);
 
 /// Checks a certificate, by means that share no function with the search that made it.
-/// Maths     surface_fault, reflectivity_fault, points_fault, tiling_fault; of the elements that are looked
-///           at, the claims by ElementCheck; the stated sums are those of the claims or wider, the means or
-///           values those of summed or wider, the width is no less than twice the largest radius. All claims
-///           together prove the means or values
+/// Maths     surface_fault, reflectivity_fault, points_fault, tiling_fault, and values are of surfaces
+///           without a face behind another one; of the elements that are looked at, the claims by
+///           ElementCheck; the stated sums are those of the claims or wider, the means or values those of
+///           summed or wider, the width is no less than twice the largest radius. All claims together prove
+///           the means or values. Where parts hide each other T w is enclosed on cells of elements from what
+///           all points of a cell see for certain (Sight); what some of them may not see is closed by T 1 = 1
+///           with constants near w there, and bounded (Shade)
 /// Requires  lists of the lengths that PolyhedronCertificate states, finite numbers
 /// Result    no refusal: what was looked at is proved, and the means are, if all claims hold. Depends on the
 ///           certificate and the part alone, whatever the number of threads
-/// Limits    a claim that holds by less than the bounds here are generous is refused. Both take Gauss rules:
-///           the search of densities at nodes, this of moments of the kernel (BallTransport), which a test
-///           holds against closed forms in balls
+/// Limits    a claim that holds by less than the bounds here are generous is refused, as is one about shade
+///           that most_checked_cells cells of an element do not prove. Both take Gauss rules: the search of
+///           densities at nodes, this of moments of the kernel (BallTransport), which a test holds against
+///           closed forms in balls
 [[nodiscard]] Report check(const PolyhedronCertificate& certificate, const Part& part,
                            const CheckListener& progress = {});
 

@@ -31,21 +31,28 @@ struct ElementCheck::Cell {
   std::optional<EdgeClosing> closing = std::nullopt;
   double norm_left = 0;     ///< sup-like: times |X|^(1/2)
   double product_left = 0;  ///< times |X| sup|w_k|
+  double least_mass = 0;    ///< of its view
+  Shade shade = {};         ///< nothing where every face sees all others
 };
 
 struct ElementCheck::Plan {
   std::vector<Cell> cells;
-  double norm = 0;     ///< what cells leave of a norm, with what is not looked into
-  double product = 0;  ///< and of a product
+  double norm = 0;            ///< what cells leave of a norm, with what is not looked into
+  double product = 0;         ///< and of a product
+  std::vector<double> norms;  ///< the same by function
 };
 
 /// Cuts one element.
 class ElementCheck::Cutter {
 public:
-  Cutter(const ElementCheck& check, std::size_t element, double norm, double product)
+  Cutter(const ElementCheck& check, std::size_t element, double norm, double product,
+         const Allowance& allowance)
       : lines_(check.lines_),
         densities_(check.densities_),
         kernels_(check.kernels_),
+        sight_(check.sight_),
+        shades_(check.shades_),
+        allowance_(allowance),
         element_(element),
         triangle_(check.lines_.triangle(element)),
         norm_(norm),
@@ -54,6 +61,12 @@ public:
         density_(check.densities_.size_of_w(element)) {
     for (std::size_t k = 0; k < densities_.count(); ++k)
       residual_ = std::max(residual_, densities_.largest_of(k) + densities_.q_size_of(element, k));
+    for (std::size_t k = 1; k < densities_.count(); ++k)
+      shade_density_ = std::max(
+          shade_density_, densities_.size_of(element, k) / room(allowance.product_room, k - 1) * upward);
+    plan_.norms.resize(densities_.count());
+    has_closing_ = triangle_.beyond &&
+                   sight_.face_each_other(triangle_.face, check.scene_.triangles()[*triangle_.beyond].face);
     least_nodes_ = densities_.degree() + 1;
     const Element& x = check.certificate_.elements[element];
     add({.s0 = x.s0, .s1 = x.s1, .t0 = x.t0, .t1 = x.t1}, 0);
@@ -66,10 +79,39 @@ private:
   }
   [[nodiscard]] double root(const Box& box) const { return std::sqrt(rho_ * area(box)) * upward; }
 
+  [[nodiscard]] static double room(const std::vector<double>& rooms, std::size_t k) {
+    return rooms.empty() ? 1 : rooms[k];
+  }
+  /// What shade leaves of a norm, relative to the room for it.
+  [[nodiscard]] double of_norm(const Shade& shade) const {
+    double most = 0;
+    for (std::size_t k = 0; k < shade.radii.size(); ++k)
+      most = std::max(most, shade.radii[k] / room(allowance_.norm_room, k));
+    return most * upward;
+  }
+  [[nodiscard]] double of_product(const Shade& shade) const {
+    return shade.radii.empty() ? 0 : shade_density_ * shade.radii[0] * upward;
+  }
+  [[nodiscard]] bool is_small(const Box& box, const Shade& shade) const {
+    return root(box) * of_norm(shade) <= 0.5 * norm_ && area(box) * of_product(shade) <= 0.5 * product_;
+  }
+  /// Shaded parts that send no more than this are not worth being halved.
+  [[nodiscard]] double least_mass(const Box& box) const {
+    constexpr double share = 0.005;
+    const double size = densities_.largest();
+    return std::min({1e-3, share * norm_ / (root(box) * size),
+                     share * product_ / (area(box) * std::max(shade_density_, 1e-6) * size)});
+  }
+
   void accept(Cell cell) {
-    const double of_norm = root(cell.box) * cell.norm_left;
-    plan_.norm += of_norm * of_norm * upward;
-    plan_.product += area(cell.box) * density_ * cell.product_left * upward;
+    const double by_rules = root(cell.box) * (cell.norm_left + of_norm(cell.shade));
+    plan_.norm += by_rules * by_rules * upward;
+    for (std::size_t k = 0; k < plan_.norms.size(); ++k) {
+      const double own =
+          root(cell.box) * (cell.norm_left + (cell.shade.radii.empty() ? 0 : cell.shade.radii[k])) * upward;
+      plan_.norms[k] += own * own * upward;
+    }
+    plan_.product += area(cell.box) * (density_ * cell.product_left + of_product(cell.shade)) * upward;
     plan_.cells.push_back(std::move(cell));
   }
 
@@ -91,7 +133,7 @@ private:
   }
 
   bool try_rules(const Box& box, const PolynomialErrors& in_s, const PolynomialErrors& in_t,
-                 std::optional<EdgeClosing> closing) {
+                 std::optional<EdgeClosing> closing, const Shade& shade) {
     const int nodes_s = nodes(in_s, box, true);
     const int nodes_t = nodes(in_t, box, false);
     if (nodes_s == 0 || nodes_t == 0) return false;
@@ -106,13 +148,16 @@ private:
                          upward,
             .product_left =
                 (2 * (product_error(in_s, nodes_s, true) + product_error(in_t, nodes_t, false)) + beside) *
-                upward});
+                upward,
+            .least_mass = least_mass(box),
+            .shade = shade});
     return true;
   }
 
   /// What polynomials leave of T w, or of F, and of the kernels of points.
-  [[nodiscard]] PolynomialErrors left(const Box& box, bool in_s, const EdgeClosing* closing) const {
-    PolynomialErrors out = lines_.left(element_, box, in_s, closing);
+  [[nodiscard]] PolynomialErrors left(const Box& box, bool in_s, const EdgeClosing* closing, const View& view,
+                                      const Shade& shade) const {
+    PolynomialErrors out = lines_.left(element_, box, in_s, closing, &view, shade.largest_constant);
     if (kernels_.count() == 0) return out;
     const PolynomialErrors more = kernels_.left(lines_.triangle_place(element_), box, in_s);
     for (std::size_t n = 0; n < out.size(); ++n) out[n] = (out[n] + more[n]) * upward;
@@ -125,41 +170,52 @@ private:
       accept({.box = box, .norm_left = residual, .product_left = residual});
       return;
     }
-    Box lower = box;
-    Box upper = box;
-    if (box.t0 == 0) {
+    const View view = sight_.view(lines_.triangle_place(element_), box, least_mass(box));
+    const double length = (box.s1 - box.s0) * triangle_.length;
+    const double height = (box.t1 - box.t0) * norm(triangle_.inward - box.middle_s() * triangle_.along);
+    if (box.t0 == 0 && (has_closing_ || sight_.is_open())) {
       bool cuts_s = false;
-      if (triangle_.beyond) {
+      if (has_closing_) {
         std::optional<EdgeClosing> closing = lines_.closing(element_, box);
         if (closing && is_little(box, closing->beside, 0.5)) {
-          const PolynomialErrors in_s = left(box, true, &*closing);
-          const PolynomialErrors in_t = left(box, false, &*closing);
-          if (try_rules(box, in_s, in_t, closing)) return;
-          cuts_s = nodes(in_s, box, true) == 0 && nodes(in_t, box, false) != 0;
+          const Shade shade = shades_.at_edge(view.shaded, closing->element, 1 - box.s1, 1 - box.s0);
+          if (is_small(box, shade)) {
+            const PolynomialErrors in_s = left(box, true, &*closing, view, shade);
+            const PolynomialErrors in_t = left(box, false, &*closing, view, shade);
+            if (try_rules(box, in_s, in_t, closing, shade)) return;
+            cuts_s = nodes(in_s, box, true) == 0 && nodes(in_t, box, false) != 0;
+          } else {
+            cuts_s = length >= height;
+          }
         } else {
           cuts_s = is_little(box, lines_.short_beside(element_, box), 0.5);
         }
       }
-      if (cuts_s) {
-        lower.s1 = upper.s0 = box.middle_s();
-      } else {
-        lower.t1 = upper.t0 = box.t1 / 4;
-      }
-      add(lower, depth + 1);
-      add(upper, depth + 1);
+      cut(box, cuts_s, cuts_s ? box.middle_s() : box.t1 / 4, depth);
       return;
     }
-    const PolynomialErrors in_s = left(box, true, nullptr);
-    const PolynomialErrors in_t = left(box, false, nullptr);
-    if (try_rules(box, in_s, in_t, std::nullopt)) return;
+    const Shade shade = shades_.of(view.shaded);
+    if (!is_small(box, shade)) {
+      const bool cuts_s = length >= height;
+      cut(box, cuts_s, cuts_s ? box.middle_s() : box.middle_t(), depth);
+      return;
+    }
+    const PolynomialErrors in_s = left(box, true, nullptr, view, shade);
+    const PolynomialErrors in_t = left(box, false, nullptr, view, shade);
+    if (try_rules(box, in_s, in_t, std::nullopt, shade)) return;
     const bool lacks_s = nodes(in_s, box, true) == 0;
     const bool lacks_t = nodes(in_t, box, false) == 0;
-    const double length = (box.s1 - box.s0) * triangle_.length;
-    const double height = (box.t1 - box.t0) * norm(triangle_.inward - box.middle_s() * triangle_.along);
-    if (lacks_s && (!lacks_t || length >= height))
-      lower.s1 = upper.s0 = box.middle_s();
+    const bool cuts_s = lacks_s && (!lacks_t || length >= height);
+    cut(box, cuts_s, cuts_s ? box.middle_s() : box.middle_t(), depth);
+  }
+
+  void cut(const Box& box, bool in_s, double at, int depth) {
+    Box lower = box;
+    Box upper = box;
+    if (in_s)
+      lower.s1 = upper.s0 = at;
     else
-      lower.t1 = upper.t0 = box.middle_t();
+      lower.t1 = upper.t0 = at;
     add(lower, depth + 1);
     add(upper, depth + 1);
   }
@@ -167,40 +223,51 @@ private:
   const LineBounds& lines_;
   const Densities& densities_;
   const PointKernels& kernels_;
+  const Sight& sight_;
+  const Shades& shades_;
+  const Allowance& allowance_;
   std::size_t element_;
   const SideTriangle& triangle_;
   double norm_;
   double product_;
   double rho_;
   double density_;
+  double shade_density_ = 0;  ///< of products, relative to the room for them
   double residual_ = 0;
+  bool has_closing_ = false;
   int least_nodes_ = 1;
   Plan plan_;
 };
 
 ElementCheck::ElementCheck(const PolyhedronCertificate& certificate, const Scene& scene,
                            const Densities& densities, const LineBounds& lines,
-                           const BallTransport& transport, const PointKernels& kernels)
+                           const BallTransport& transport, const PointKernels& kernels, const Sight& sight,
+                           const Shades& shades)
     : certificate_(certificate),
       scene_(scene),
       densities_(densities),
       lines_(lines),
       transport_(transport),
-      kernels_(kernels) {}
+      kernels_(kernels),
+      sight_(sight),
+      shades_(shades) {}
 
 ElementCheck::Plan ElementCheck::plan(std::size_t element, const Allowance& allowance) const {
   Allowance share{allowance.norm / 10, allowance.product / 100};
   Plan best;
-  constexpr int tries = 5;
+  // What shade leaves falls with the square root of a cell's share, or less.
+  const int tries = sight_.is_open() ? 5 : 8;
+  const double order = sight_.is_open() ? 1 : 2;
   for (int k = 0; k < tries; ++k) {
-    Plan found = Cutter(*this, element, share.norm, share.product).take();
+    Plan found = Cutter(*this, element, share.norm, share.product, allowance).take();
     found.norm = std::sqrt(found.norm);
+    for (double& norm_of_k : found.norms) norm_of_k = std::sqrt(norm_of_k);
     const bool is_good = found.norm <= allowance.norm && found.product <= allowance.product;
     const double too_much = std::max(found.norm / allowance.norm, found.product / allowance.product);
     best = std::move(found);
     if (is_good || best.cells.size() >= most_checked_cells.count()) break;
-    share.norm *= std::min(1.0, 0.7 * allowance.norm / best.norm);
-    share.product *= std::min(1.0, 0.7 * allowance.product / best.product);
+    share.norm *= std::min(1.0, std::pow(0.7 * allowance.norm / best.norm, order));
+    share.product *= std::min(1.0, std::pow(0.7 * allowance.product / best.product, order));
     if (!(too_much < infinity)) break;
   }
   return best;
@@ -213,8 +280,9 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
   const SideTriangle& triangle = lines_.triangle(element);
   const double area =
       triangle.jacobian * (box.s1 - box.s0) * (box.t1 - box.t0) * (1 - box.middle_t()) * upward;
+  const double of_product = cell.product_left + (cell.shade.radii.empty() ? 0 : cell.shade.radii[0]) * upward;
   for (std::size_t k = 1; k < count; ++k)
-    sums.radii[k - 1] += area * densities_.size_of(element, k) * cell.product_left * upward;
+    sums.radii[k - 1] += area * densities_.size_of(element, k) * of_product * upward;
   if (cell.nodes_s == 0) return;
 
   const Element& whole = certificate_.elements[element];
@@ -248,7 +316,8 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
   const double tolerance = std::min(1e-3, std::max(by_cell, by_area) / size);
   const std::optional<std::size_t> without =
       cell.closing ? std::optional<std::size_t>(cell.closing->face) : std::nullopt;
-  BallTransport::Values sent = transport_(observers, tolerance, without);
+  const View view = sight_.view(observers.triangle, box, cell.least_mass);
+  BallTransport::Values sent = transport_(observers, tolerance, without, &view);
 
   const auto within = [](double from, double to, const std::vector<BoundedDouble>& at) {
     std::vector<BoundedDouble> out;
@@ -280,7 +349,15 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
     xi_size = xi_size * upward + xi_off;
     edge_s = p_xi.values;
     edge_t = p_edge.values;
+  } else if (!cell.shade.constants.empty()) {
+    std::copy(cell.shade.constants.begin(), cell.shade.constants.begin() + static_cast<std::ptrdiff_t>(count),
+              xi.begin());
+    xi_size = cell.shade.largest_constant * upward;
   }
+  const bool has_xi = cell.closing || !cell.shade.constants.empty();
+  std::vector<double> shifts = cell.shade.shifts;
+  shifts.resize(count);
+  for (const double shift : shifts) xi_size = std::max(xi_size, std::abs(shift));
   double q_size = 0;
   for (std::size_t k = 0; k < count; ++k) q_size = std::max(q_size, densities_.q_size_of(element, k));
   std::vector<double> terms(count);
@@ -300,7 +377,7 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
       // F = sum T_i w + xi (1 - sum T_i 1): radii of both, and of xi.
       const double rest = 1 - found[densities_.constant()];
       double radius = sent.radii[p] + off + 8 * unit * (size + q_size);
-      if (cell.closing)
+      if (has_xi)
         radius += xi_size * sent.radii[p] + xi_off * (std::abs(rest) + sent.radii[p]) + 8 * unit * xi_size;
       radius *= upward;
       const double weight = triangle.jacobian * half_s * half_t * (1 - at_t[j].value()) *
@@ -309,7 +386,7 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
       for (std::size_t k = 0; k < kernels_.count(); ++k)
         kernels[1 + k] = kernels_.at(k, observers.triangle, at_s[i], at_t[j]);
       const auto t = [&](std::size_t k) {
-        return found[k] + (cell.closing ? xi[k] * rest : 0) + (kernels[k].value() - q[k]);
+        return found[k] + (has_xi ? xi[k] * rest : 0) + shifts[k] + (kernels[k].value() - q[k]);
       };
       const double first = t(0);
       for (std::size_t k = 0; k < count; ++k) {
@@ -339,7 +416,8 @@ ResidualBounds ElementCheck::bounds(std::size_t element, const Allowance& allowa
   const std::size_t count = densities_.count();
   ResidualBounds sums{.norms = std::vector<double>(count),
                       .products = std::vector<double>(count - 1),
-                      .radii = std::vector<double>(count - 1)};
+                      .radii = std::vector<double>(count - 1),
+                      .doubts = std::vector<double>(count)};
   const Plan found = plan(element, allowance);
   std::vector<double> squares(count);
   double most = 0;
@@ -350,7 +428,11 @@ ResidualBounds ElementCheck::bounds(std::size_t element, const Allowance& allowa
   // Of sums of as many terms.
   const double of_sums = 1 + (most_nodes * most_nodes * static_cast<double>(found.cells.size()) + 16) * unit;
   for (std::size_t k = 0; k < count; ++k)
-    sums.norms[k] = densities_.vanishes(k) ? 0 : (std::sqrt(squares[k]) + found.norm) * of_sums * upward;
+    sums.norms[k] = densities_.vanishes(k) ? 0 : (std::sqrt(squares[k]) + found.norms[k]) * of_sums * upward;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double room = allowance.norm_room.empty() ? 1 : allowance.norm_room[k];
+    sums.doubts[k] = 3 * found.norms[k] + allowance.norm * room;
+  }
   // The order in which cells are summed.
   const double order = (static_cast<double>(found.cells.size()) + 16) * unit * most;
   for (double& radius : sums.radii) radius = (radius + order) * of_sums * upward;

@@ -8,6 +8,8 @@
 #include "radcert/certificate/ball_transport.h"
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/line_bounds.h"
+#include "radcert/certificate/occlusion/shade.h"
+#include "radcert/certificate/occlusion/sight.h"
 #include "radcert/certificate/point_kernels.h"
 #include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/certificate/scene.h"
@@ -23,12 +25,16 @@ struct ResidualBounds {
   std::vector<double> norms;
   std::vector<double> products;
   std::vector<double> radii;
+  std::vector<double> doubts;  ///< about how much norms may be too large
 };
 
 /// What is wanted of them: what rules leave may be about this much, of a norm and of a product.
 struct Allowance {
   double norm = 0;
   double product = 0;
+  /// How many times that shade may leave, by function and by product; 1 where there are none.
+  std::vector<double> norm_room = {};
+  std::vector<double> product_room = {};
 };
 
 /// Proves claims about the residuals on elements.
@@ -43,12 +49,15 @@ struct Allowance {
 ///           Next to an edge |T w - F| <= b adds |X|^(1/2) b and |X| sup|w| b. What is so small that it is
 ///           not looked into adds |X|^(1/2) sup|t| and |X| sup|w| sup|t|, |t| <= sup|w| + sup|q| by T 1 = 1.
 ///           Norms of cells are joined by Minkowski's inequality. Of values f = T w_k + j_k, with what
-///           polynomials leave of j_k (PointKernels) in e_s and e_t, its values at nodes and sup|j_k|
+///           polynomials leave of j_k (PointKernels) in e_s and e_t, its values at nodes and sup|j_k|.
+///           Where parts hide each other f is the F of Shade, of what all of the cell sees (Sight); |T w_k -
+///           f| <= d_k adds |X|^(1/2) d_k and |X| sup|w_k| d_0
 /// Source    ours; theorem I of the layer continuous says the same, of which no line is used here
 class ElementCheck {
 public:
   ElementCheck(const PolyhedronCertificate& certificate, const Scene& scene, const Densities& densities,
-               const LineBounds& lines, const BallTransport& transport, const PointKernels& kernels);
+               const LineBounds& lines, const BallTransport& transport, const PointKernels& kernels,
+               const Sight& sight, const Shades& shades);
 
   /// Requires  a face that reflects
   /// Result    proved, whatever the allowance; better where that is less
@@ -68,6 +77,8 @@ private:
   const LineBounds& lines_;
   const BallTransport& transport_;
   const PointKernels& kernels_;
+  const Sight& sight_;
+  const Shades& shades_;
 };
 
 }  // namespace radcert::certificate

@@ -105,22 +105,33 @@ LineBounds::LineBounds(const PolyhedronCertificate& certificate, const Scene& sc
   }
 }
 
-double LineBounds::slide_reach(std::size_t triangle, std::size_t face, const Vector<double>& c) const {
+double LineBounds::nearest_border(std::size_t triangle, const SourcePart& part,
+                                  const Vector<double>& c) const {
+  const Box& x = part.box;
+  const SideTriangle& other = scene_.triangles()[triangle_[part.element]];
+  double nearest = infinity;
+  for (const double s : {x.s0, x.s1})
+    nearest = std::min(nearest, segment_distance(c, other.point(s, x.t0), other.point(s, x.t1)));
+  if (scene_.aligned(triangle, triangle_[part.element])) return nearest;
+  for (const double t : {x.t0, x.t1})
+    nearest = std::min(nearest, segment_distance(c, other.point(x.s0, t), other.point(x.s1, t)));
+  return nearest;
+}
+
+double LineBounds::slide_reach(std::size_t triangle, std::size_t face, std::span<const SourcePart> parts,
+                               const Vector<double>& c) const {
   double nearest = infinity;
   for (const std::size_t e : of_face_[face]) {
     const Element& x = certificate_.elements[e];
-    const SideTriangle& other = scene_.triangles()[triangle_[e]];
-    for (const double s : {x.s0, x.s1})
-      nearest = std::min(nearest, segment_distance(c, other.point(s, x.t0), other.point(s, x.t1)));
-    if (scene_.aligned(triangle, triangle_[e])) continue;
-    for (const double t : {x.t0, x.t1})
-      nearest = std::min(nearest, segment_distance(c, other.point(x.s0, t), other.point(x.s1, t)));
+    const SourcePart whole{e, {.s0 = x.s0, .s1 = x.s1, .t0 = x.t0, .t1 = x.t1}};
+    nearest = std::min(nearest, nearest_border(triangle, whole, c));
   }
+  for (const SourcePart& part : parts) nearest = std::min(nearest, nearest_border(triangle, part, c));
   return nearest - slack;
 }
 
 Bounds LineBounds::bounds(std::size_t element, const Box& box, bool in_s, std::size_t face,
-                          const Bounds& xi) const {
+                          std::span<const SourcePart> parts, const Bounds& xi) const {
   const std::size_t place = triangle_[element];
   const Lines lines = lines_of(scene_.triangles()[place], box, in_s);
   const Scene::Heights& over = scene_.heights(place, face);
@@ -138,25 +149,37 @@ Bounds LineBounds::bounds(std::size_t element, const Box& box, bool in_s, std::s
                       upward;
   Bounds summed{};
   Bounds largest{};
-  for (const std::size_t y : of_face_[face]) {
-    const double d = std::max(quadrilaterals_[y].distance(lines.centre) - lines.spread, lowest);
+  Bounds raised{};
+  const auto add = [&](const Quadrilateral& y, double area, double size) {
+    const double d = std::max(y.distance(lines.centre) - lines.spread, lowest);
     double mass = 1;
     if (d > 0)
-      mass = std::min(1.0, area_[y] * std::min(highest, d) * std::numbers::inv_pi / (d * d * d) * upward);
+      mass = std::min(1.0, area * std::min(highest, d) * std::numbers::inv_pi / (d * d * d) * upward);
     for (std::size_t k = 0; k < axes.size(); ++k) {
       const double a = axes[k] * lines.half;
       const double q = a < 0.99 * d ? d / (d - a) : infinity;
-      const double sent = q * q * q * q * (size_[y] + xi[k]);
+      const double sent = q * q * q * q * (size + xi[k]);
       summed[k] += mass * sent;
       largest[k] = std::max(largest[k], sent);
+      const double over_plane = std::max(0.0, highest) + axes[k] * tilt;
+      raised[k] += d > 0 ? area * over_plane * std::numbers::inv_pi / (d * d * d) * sent : infinity;
     }
+  };
+  if (parts.empty())
+    for (const std::size_t y : of_face_[face]) add(quadrilaterals_[y], area_[y], size_[y]);
+  for (const SourcePart& part : parts) {
+    const SideTriangle& own = triangle(part.element);
+    const Box& x = part.box;
+    add(Quadrilateral(own, scene_.normal(face), x),
+        own.jacobian * (x.s1 - x.s0) * (x.t1 - x.t0) * (1 - x.middle_t()) * upward, size_[part.element]);
   }
   const bool slides = in_s && scene_.parallel(place, face);
-  const double reach = slides ? slide_reach(place, face, lines.centre) - lines.spread : 0;
+  const double reach = slides ? slide_reach(place, face, parts, lines.centre) - lines.spread : 0;
   Bounds out{};
   for (std::size_t k = 0; k < axes.size(); ++k) {
     const double turned = tilt == 0 ? 1 : lowest > 0 ? 1 + axes[k] * tilt / lowest : infinity;
     out[k] = turned * std::min(summed[k], largest[k]) * upward;
+    if (!(out[k] <= raised[k] * upward)) out[k] = raised[k] * upward;
     if (!(out[k] >= 0)) out[k] = infinity;
     const double a = axes[k] * lines.half;
     if (!slides || !(a < reach)) continue;
@@ -170,22 +193,29 @@ Bounds LineBounds::bounds(std::size_t element, const Box& box, bool in_s, std::s
 }
 
 Bounds LineBounds::on_ellipses(std::size_t element, const Box& box, bool in_s, std::size_t face) const {
-  return bounds(element, box, in_s, face, {});
+  return bounds(element, box, in_s, face, {}, {});
 }
 
-PolynomialErrors LineBounds::left(std::size_t element, const Box& box, bool in_s,
-                                  const EdgeClosing* closing) const {
+PolynomialErrors LineBounds::left(std::size_t element, const Box& box, bool in_s, const EdgeClosing* closing,
+                                  const View* view, double constant) const {
   const std::size_t own = triangle(element).face;
   Bounds xi{};
+  xi.fill(constant);
   if (closing != nullptr)
     for (std::size_t k = 0; k < axes.size(); ++k)
       xi[k] = size_around(closing->edge_sizes, closing->part, in_s ? axes[k] : 1);
   PolynomialErrors out{};
-  for (std::size_t j = 0; j < scene_.faces(); ++j) {
-    if (scene_.coplanar(own, j) || (closing != nullptr && closing->face == j)) continue;
-    const PolynomialErrors of_face = polynomial_errors(bounds(element, box, in_s, j, xi));
+  const auto add = [&](std::size_t j, std::span<const SourcePart> parts) {
+    if (closing != nullptr && closing->face == j) return;
+    const PolynomialErrors of_face = polynomial_errors(bounds(element, box, in_s, j, parts, xi));
     for (std::size_t n = 0; n < out.size(); ++n) out[n] += of_face[n];
+  };
+  if (view != nullptr) {
+    for (const View::OfFace& seen : view->faces) add(seen.face, seen.parts);
+    return out;
   }
+  for (std::size_t j = 0; j < scene_.faces(); ++j)
+    if (!scene_.coplanar(own, j)) add(j, {});
   return out;
 }
 

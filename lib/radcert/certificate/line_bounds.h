@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "radcert/certificate/densities.h"
+#include "radcert/certificate/occlusion/sight.h"
 #include "radcert/certificate/polyhedron_certificate.h"
 #include "radcert/certificate/scene.h"
 
@@ -57,6 +59,8 @@ struct EdgeClosing {
 ///                 |e.n_Q| at most. So |G(P,Q)| <= G(c,Q) (1 + A |e.n_Q|/h) (D/(D-a))^4, h the height of c
 ///                 over the plane of Y, and the integral of G(c,Q)/pi is at most 1 and at most |Y|
 ///                 min(h,D)/(pi D^3)
+///                 The numerator is at most r (h + A |e.n_Q|) as well, so that |Y| (h + A |e.n_Q|)/(pi D^3)
+///                 takes the place of the integral with its first factor
 ///             (2) where e is parallel to Q_j: P = p + i y e/|e|, Q moves to Q + i y phi e/|e|, phi = max(0,
 ///                 1 - |Q-p|/r), r at most the distance of p from all borders of elements on Q_j that are not
 ///                 parallel to e. Cauchy's theorem on each line along e, w being a polynomial between
@@ -68,7 +72,9 @@ struct EdgeClosing {
 ///                 moves in, whose image under the parameters x, y, affine or fractions of affine functions
 ///                 along the line, is a disk about a part of [-1,1], where |P_i| <= (1 + sqrt(2))^i
 ///           With |f| <= M in the ellipse whose half axes sum to R, truncation of the Chebyshev series, |a_k|
-///           <= 2 M R^-k, leaves 2 M R^(1-N)/(R-1) of f
+///           <= 2 M R^-k, leaves 2 M R^(1-N)/(R-1) of f. All of it holds for parts of
+///           elements that are seen by all of the box (View) in place of elements: their borders are borders
+///           in (2)
 /// Source    ours; N. Trefethen, "Approximation Theory and Approximation Practice", theorem 8.1 for a_k
 /// Requires  all of it outlives this
 /// Result    rounded up, infinite where nothing is known
@@ -76,9 +82,11 @@ class LineBounds {
 public:
   LineBounds(const PolyhedronCertificate& certificate, const Scene& scene, const Densities& densities);
 
-  /// Of T w, or of F where there is a closing, along s = parameter 0 or t = parameter 1.
+  /// Of T w, or of F where there is a closing, along s = parameter 0 or t = parameter 1; of what the view
+  /// has, where there is one, and F with a constant of at most this size in place of xi (Shade).
   [[nodiscard]] PolynomialErrors left(std::size_t element, const Box& box, bool in_s,
-                                      const EdgeClosing* closing) const;
+                                      const EdgeClosing* closing, const View* view = nullptr,
+                                      double constant = 0) const;
 
   /// Of |T_j w_k| alone for any k on the ellipses of each line, with Q_j a face of another plane.
   [[nodiscard]] EllipseBounds on_ellipses(std::size_t element, const Box& box, bool in_s,
@@ -97,11 +105,15 @@ public:
   [[nodiscard]] const std::vector<std::size_t>& elements_of(std::size_t face) const { return of_face_[face]; }
 
 private:
+  /// What of a face is seen: all of it where none are named.
   [[nodiscard]] EllipseBounds bounds(std::size_t element, const Box& box, bool in_s, std::size_t face,
-                                     const EllipseBounds& xi) const;
+                                     std::span<const SourcePart> parts, const EllipseBounds& xi) const;
   [[nodiscard]] double beside(std::size_t element, const Box& box, std::size_t beyond, double half) const;
   [[nodiscard]] std::optional<std::size_t> element_beyond(std::size_t element, double s0, double s1) const;
-  [[nodiscard]] double slide_reach(std::size_t triangle, std::size_t face, const Vector<double>& c) const;
+  [[nodiscard]] double slide_reach(std::size_t triangle, std::size_t face, std::span<const SourcePart> parts,
+                                   const Vector<double>& c) const;
+  [[nodiscard]] double nearest_border(std::size_t triangle, const SourcePart& part,
+                                      const Vector<double>& c) const;
 
   const PolyhedronCertificate& certificate_;
   const Scene& scene_;

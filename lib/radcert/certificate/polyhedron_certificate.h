@@ -58,12 +58,13 @@ struct Sums {
 };
 
 /// What encloses the means of the solution of a radiosity equation, or its values, to be checked again.
-/// Maths     u = E + rho T u, T u(P) = (1/pi) Int G(P,Q) u(Q) dS_Q. q_0, ..., q_n are polynomials on
+/// Maths     u = E + rho T u, T u(P) = (1/pi) Int V(P,Q) G(P,Q) u(Q) dS_Q, G 0 behind either face, V = 1
+///           where the open segment from P to Q meets no face, else 0. q_0, ..., q_n are polynomials on
 ///           elements: q_k = sum c_ij P_i(x) P_j(y), x = (2s - s0 - s1)/(s1 - s0), y alike, P_i Legendre's.
 ///           w_0 = E + rho q_0, t_0 = T w_0 - q_0. Goals are J_k(u) = Int j_k u. Of means: j_k = 1 on piece
-///           k, else 0; w_k = rho (j_k + q_k), t_k = T w_k - q_k. Of values, u(P_k) = E + rho J_k(u) at P_k:
-///           j_k = G(P_k,.)/pi; w_k = rho q_k, t_k = T w_k + j_k - q_k. In both
-///           |J_k(u) - J_k(w_0) - Int w_k t_0| <= (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - max rho)
+///           k, else 0; w_k = rho (j_k + q_k), t_k = T w_k - q_k. Of values, where V = 1, u(P_k) = E + rho
+///           J_k(u) at P_k: j_k = G(P_k,.)/pi; w_k = rho q_k, t_k = T w_k + j_k - q_k. In both |J_k(u) -
+///           J_k(w_0) - Int w_k t_0| <= (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - max rho)
 /// Source    lib/radcert/certificate/check.h
 /// Result    plain data; nothing here is known to be true
 struct PolyhedronCertificate {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "radcert/certificate/face_polynomial.h"
+#include "radcert/certificate/occlusion/solid_facts.h"
 #include "radcert/geometry/plane.h"
 #include "radcert/geometry/plane_polygon.h"
 
@@ -136,6 +137,7 @@ std::optional<Refusal> surface_fault(const PolyhedronCertificate& c) {
   for (const Face& face : c.faces) has_face[face.piece] = true;
   for (std::size_t k = 0; k < c.pieces.size(); ++k)
     if (!has_face[k]) return Refusal{"/problem/pieces/" + std::to_string(k), "has no face"};
+  if (!is_convex(c)) return solid_fault(c);
   std::vector<Facet> facets;
   for (std::size_t k = 0; k < c.faces.size(); ++k) {
     const Face& face = c.faces[k];
@@ -143,10 +145,7 @@ std::optional<Refusal> surface_fault(const PolyhedronCertificate& c) {
     bool is_solid = false;
     for (const Face& other : c.faces)
       for (const Vector<Rational>& p : other.corners) {
-        const int side = dot(normal, p - face.corners[0]).sign();
-        if (side < 0)
-          return Refusal{face_pointer(k), "has corners of the surface before it: it is not convex"};
-        is_solid = is_solid || side > 0;
+        is_solid = is_solid || dot(normal, p - face.corners[0]).sign() > 0;
       }
     if (!is_solid) return Refusal{face_pointer(k), "has the whole surface in its plane"};
     const auto same = std::find_if(facets.begin(), facets.end(), [&](const Facet& facet) {

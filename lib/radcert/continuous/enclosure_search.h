@@ -28,8 +28,9 @@ struct EnclosureProgress {
   double width = 0;         ///< of the widest enclosure, so far
   double residual = 0;      ///< a bound of (Int rho t^2)^(1/2), where duality uses it
   bool finished = true;     ///< false while the mesh is being worked on
-  std::size_t cells = 0;    ///< of a mesh that is not finished; 0: its functions are being found
+  std::size_t cells = 0;    ///< of a mesh that is not finished; 0: they are not yet planned
   std::size_t cells_done = 0;
+  std::size_t planned = 0;  ///< elements whose cells are; 0: the functions of the mesh are being found
 };
 
 /// Requires  may be called by several threads at once
@@ -42,7 +43,8 @@ struct SearchContext {
 };
 
 /// The work on one mesh of a search.
-/// Result    tells how many cells have been looked at, some hundred times; keeps what is found, and finds it
+/// Result    tells of each element whose cells are planned, and how many cells have been looked at, some
+///           hundred times; keeps what is found, and finds it
 ///           again
 class MeshWork {
 public:
@@ -52,6 +54,16 @@ public:
     if (context_.progress) context_.progress(mesh_);
   }
 
+  /// Cells are planned from the first element on, perhaps once more.
+  void begin_plan() { planned_ = 0; }
+  /// Those of one more element are planned; by any thread.
+  void add_planned() {
+    const std::size_t planned = planned_.fetch_add(1) + 1;
+    if (!context_.progress) return;
+    EnclosureProgress now = mesh_;
+    now.planned = planned;
+    context_.progress(now);
+  }
   void begin(std::size_t cells) { mesh_.cells = cells; }
   /// So many more are done; by any thread.
   void add(std::size_t cells) {
@@ -81,6 +93,7 @@ public:
 private:
   const SearchContext& context_;
   EnclosureProgress mesh_;
+  std::atomic<std::size_t> planned_ = 0;
   std::atomic<std::size_t> done_ = 0;
 };
 

@@ -65,7 +65,7 @@ struct Plan {
   bool is_kept = true;  ///< whether they miss no more than ten times what they may
 };
 
-Plan plan_cells(const Trial& trial, const Missed& allowed) {
+Plan plan_cells(const Trial& trial, const Missed& allowed, MeshWork& work) {
   Plan plan;
   double count = 40.0 * static_cast<double>(trial.elements.size());
   Missed aim = allowed;
@@ -74,7 +74,8 @@ Plan plan_cells(const Trial& trial, const Missed& allowed) {
     plan.demand = {.interpolation = aim.norm / std::sqrt(count),
                    .quadrature = aim.product / count,
                    .shade = aim.shade / count};
-    plan.cells = observer_cells(trial, plan.demand);
+    work.begin_plan();
+    plan.cells = observer_cells(trial, plan.demand, [&] { work.add_planned(); });
     const Missed found = missed_by(trial, plan.cells);
     plan.is_kept = found.norm <= 10 * allowed.norm && found.product <= 10 * allowed.product;
     if (found.norm <= allowed.norm && found.product <= allowed.product && found.shade <= allowed.shade) break;
@@ -243,7 +244,7 @@ private:
     const double allowed_norm = enough ? m : smaller;
     const double allowed_product = std::max(0.07 * radius_, 0.05 * norm_0 * norm_k / data_.gap);
     const Plan plan =
-        plan_cells(trial, {.norm = allowed_norm, .product = allowed_product, .shade = 0.5 * radius_});
+        plan_cells(trial, {.norm = allowed_norm, .product = allowed_product, .shade = 0.5 * radius_}, work);
     // Cells that come to their limits are worth no samples, and finer elements would not help them.
     if (!plan.is_kept) {
       best_.hindrance = "too many cells: the polyhedron is too thin, or its edges are too sharp";

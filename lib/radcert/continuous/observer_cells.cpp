@@ -293,7 +293,8 @@ private:
 };
 
 template <class Judge, class Demand>
-std::vector<ObserverCell> cells_of(const Trial& trial, const Demand& demand) {
+std::vector<ObserverCell> cells_of(const Trial& trial, const Demand& demand,
+                                   const std::function<void()>& planned) {
   return parallel_reduce_ordered(
       trial.elements.size(), 1, std::vector<ObserverCell>(),
       [&](std::size_t begin, std::size_t end) {
@@ -301,6 +302,7 @@ std::vector<ObserverCell> cells_of(const Trial& trial, const Demand& demand) {
         for (std::size_t e = begin; e < end; ++e) {
           std::vector<ObserverCell> own = ElementCells(trial, e, Judge(trial, e, demand)).take();
           cells.insert(cells.end(), own.begin(), own.end());
+          if (planned) planned();
         }
         return cells;
       },
@@ -312,12 +314,14 @@ std::vector<ObserverCell> cells_of(const Trial& trial, const Demand& demand) {
 
 }  // namespace
 
-std::vector<ObserverCell> observer_cells(const Trial& trial, const CellDemand& demand) {
-  return cells_of<MeanJudge>(trial, demand);
+std::vector<ObserverCell> observer_cells(const Trial& trial, const CellDemand& demand,
+                                         const std::function<void()>& planned) {
+  return cells_of<MeanJudge>(trial, demand, planned);
 }
 
-std::vector<ObserverCell> observer_cells(const Trial& trial, const LargestDemand& demand) {
-  return cells_of<LargestJudge>(trial, demand);
+std::vector<ObserverCell> observer_cells(const Trial& trial, const LargestDemand& demand,
+                                         const std::function<void()>& planned) {
+  return cells_of<LargestJudge>(trial, demand, planned);
 }
 
 }  // namespace radcert

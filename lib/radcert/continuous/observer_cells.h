@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "radcert/continuous/elements/sector.h"
@@ -60,13 +61,15 @@ public:
 /// Cells with rules that meet a demand.
 /// Maths     an element is cut until rules of most_gauss_nodes or fewer do, or none is needed; a part that
 ///           touches its edge of the polyhedron is cut at a quarter of its depth
-/// Result    by element; deterministic
-[[nodiscard]] std::vector<ObserverCell> observer_cells(const Trial& trial, const CellDemand& demand);
+/// Result    by element; deterministic; `planned` is called once an element, by any thread
+[[nodiscard]] std::vector<ObserverCell> observer_cells(const Trial& trial, const CellDemand& demand,
+                                                       const std::function<void()>& planned = {});
 
 /// Cells with rules that meet a demand in the maximum norm.
 /// Maths     interpolation_gain (e_s + e_t) is about what is allowed, and less what the closure at an edge
 ///           leaves beside the jumps of w across borders, which no smaller cell would leave out
 /// Result    as above
-[[nodiscard]] std::vector<ObserverCell> observer_cells(const Trial& trial, const LargestDemand& demand);
+[[nodiscard]] std::vector<ObserverCell> observer_cells(const Trial& trial, const LargestDemand& demand,
+                                                       const std::function<void()>& planned = {});
 
 }  // namespace radcert

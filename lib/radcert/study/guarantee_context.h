@@ -14,7 +14,9 @@ namespace radcert {
 struct MeshProgress {
   int layers = 0;
   int degree = 0;
-  std::uint64_t cells = 0;  ///< 0: the functions are being found
+  std::uint64_t elements = 0;
+  std::uint64_t planned = 0;  ///< elements whose cells are planned; 0: the functions are being found
+  std::uint64_t cells = 0;    ///< 0: not all of them are planned
   std::uint64_t cells_done = 0;
   double width = 0;  ///< of the enclosure from the meshes before; infinite where there was none
 };

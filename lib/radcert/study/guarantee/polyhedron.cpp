@@ -402,11 +402,10 @@ public:
                                                        : numbers(wanted(), told(context));
   }
 
-  /// A certificate is of an emission by polynomials on a convex polyhedron.
+  /// A certificate is of an emission by polynomials.
   [[nodiscard]] std::vector<std::string> certificate_hindrances() const override {
     std::vector<std::string> out;
     if (guarantee_.of == EnclosedQuantity::function) out.emplace_back("a function is asked for");
-    if (!near_.polyhedron.blockers.empty()) out.emplace_back("parts of the surface hide each other");
     if (near_.distance != 0) out.emplace_back("an emission is no polynomial of degree 8 or less");
     return out;
   }
@@ -451,6 +450,8 @@ private:
       if (!now.finished && context.meshes)
         context.meshes({.layers = now.layers,
                         .degree = now.degree,
+                        .elements = now.elements,
+                        .planned = now.planned,
                         .cells = now.cells,
                         .cells_done = now.cells_done,
                         .width = now.width});
