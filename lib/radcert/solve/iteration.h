@@ -55,7 +55,8 @@ struct Correction {
 ///           reflections; without a tolerance, then, only if ||r||_w also exceeds what rounding can do, 4 u
 ///           (1 + theta)/(1 - theta) ||v||_w, an operator's rounding added. The same bits for any number of
 ///           threads; Interrupted when asked to stop
-/// Kept      v and how far the descent has come, after each correction, by the first rank: an iteration of the
+/// Kept      v and how far the descent has come, after each correction, by the first rank: an iteration of
+/// the
 ///           same system that finds them goes on from there, to the same bits
 /// Limits    a bound of the error of the linear system alone, whose matrix and right-hand side are taken as
 ///           exact. For an operator a bound as far as its rounding() is one

@@ -67,7 +67,8 @@ struct LevelOutcome {
 /// Ranks     those that are given share a level whose operator is h2, on which all of them call this
 ///           together; any other level is the first one's. The outcome is given on the first, with the bits
 ///           that it has without others, and is empty elsewhere
-/// Kept      of a level whose operator is h2: Ku by the route, and how far the solver has come. Who is given what
+/// Kept      of a level whose operator is h2: Ku by the route, and how far the solver has come. Who is given
+/// what
 ///           another call for this problem and level has kept goes on from there, to the same bits
 /// Limits    radii are estimates, but for a solver that proves; such a one does not take the route
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route,
