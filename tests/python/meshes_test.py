@@ -56,6 +56,16 @@ class Meshes(ModuleTest):
             self.assertEqual({row.split(",")[-1] for row in rows[1:]}, {area_unit})
         self.refused(lambda: rc.Mesh(unit_cube(), unit="km"), "unit", "mm, cm, m, in")
 
+    def test_a_room_that_was_turned_is_aligned(self):
+        points, triangles, groups = unit_cube()
+        turn = np.array([[np.cos(0.3), -np.sin(0.3), 0], [np.sin(0.3), np.cos(0.3), 0], [0, 0, 1]])
+        turned = np.round(np.array(points) @ turn.T, 6)
+        with self.assertWarnsRegex(rc.FactorWarning, "mended: turned by 17.1887 degrees"):
+            factors = rc.Mesh((turned, triangles, groups), repair="align").factors(certified=True)
+        self.assertTrue(factors.guaranteed)
+        np.testing.assert_allclose(factors.value, rc.Mesh(unit_cube()).factors().value, atol=1e-6)
+        self.refused(lambda: rc.Mesh(unit_cube(), repair="alignment"), "repair", "align, triangulate")
+
     def test_arrays_of_any_layout_give_one_mesh(self):
         points, triangles, groups = unit_cube()
         plain = rc.Mesh((points, triangles, groups))
