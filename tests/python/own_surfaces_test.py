@@ -170,6 +170,7 @@ class OwnSurfaces(ModuleTest):
         refused([rc.Chart(ground, name="a"), rc.Chart(vault, name="a")], "is the name of two charts")
         slope = rc.Chart(lambda P: ground(P) + np.column_stack([np.ones(len(P)), 0 * P[:, 0], P[:, 0]]), name="slope", piece="one")
         refused([rc.Chart(ground, name="floor", piece="one"), slope], "meets floor at an angle")
+        refused([rc.Chart(ground, name="*")], "stands for the rest")
         for wrong in ([ground], [None], "ab", [rc.cube()]):
             with self.assertRaises(TypeError):
                 rc.Surface(charts=wrong)

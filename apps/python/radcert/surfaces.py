@@ -73,6 +73,8 @@ class Surface:
         for place, chart in enumerate(charts):
             if not isinstance(chart, Chart):
                 raise TypeError(f"charts/{place} is a {type(chart).__name__}, not a Chart")
+            if chart.piece == "*":
+                _core.refuse("surface", f"/charts/{place}", "*", "is no name of a piece: it stands for the rest", "another name")
         self.name = name or "own surface"
         names = [chart.name or f"chart_{place}" for place, chart in enumerate(charts, 1)]
         self._choice = _core.surface_of_charts(
