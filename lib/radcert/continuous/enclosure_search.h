@@ -32,6 +32,7 @@ struct EnclosureProgress {
   std::size_t cells_done = 0;
 };
 
+/// Who is told how far a search has come.
 /// Requires  may be called by several threads at once
 using EnclosureListener = std::function<void(const EnclosureProgress&)>;
 

@@ -50,6 +50,7 @@ struct Triangulation {
   std::vector<ParameterTriangle> triangles;
 };
 
+/// The triangulation of a surface at a level. Requires and result as Triangulation.
 Triangulation triangulate(const Surface& surface, int level, const TriangulationOptions& options = {});
 
 /// The number of triangles of a level, or nothing if it exceeds 2^53.
