@@ -29,14 +29,6 @@ MeshRepair repair_of(const std::vector<std::string>& words) {
   return repair_named(words);
 }
 
-std::optional<std::string> unit_of_lengths(const std::string& word) {
-  if (word.empty()) return std::nullopt;
-  const std::vector<std::string> known{"mm", "cm", "m", "in"};
-  if (std::find(known.begin(), known.end(), word) == known.end())
-    throw InputError({.source = "--unit", .value = word, .allowed = listed(known)});
-  return word;
-}
-
 FrontRule front_of(const std::string& word) {
   const std::vector<std::string> known(front_words.begin(), front_words.end());
   const auto at = std::find(known.begin(), known.end(), word);

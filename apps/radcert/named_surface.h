@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +21,6 @@ MeshRepair repair_of(const std::vector<std::string>& words);
 
 /// The rule of this word; InputError for any other.
 FrontRule front_of(const std::string& word);
-
-/// The unit of lengths, or nothing where the word is empty; InputError for a word that is none.
-std::optional<std::string> unit_of_lengths(const std::string& word);
 
 /// What help says of --unit.
 inline const std::string unit_help =

@@ -84,6 +84,7 @@ Factors factors_of(FactorScene scene, const std::string& command, const std::str
   if (!out.scene->front.empty()) out.report.front = out.scene->front;
   out.report.facets_only = out.scene->mesh.pieces_bend;
   out.report.names = out.units.names;
+  out.report.unit = wish.unit;
   ResultStore kept = store_named(store);
   const FactorDemand demand{
       .certified = wish.certified, .accuracy = accuracy, .open_to_space = out.scene->open};
@@ -104,6 +105,14 @@ FrontRule front_named(std::string_view word) {
                       .value = std::string(word),
                       .allowed = listed(std::vector<std::string>(front_words.begin(), front_words.end()))});
   return static_cast<FrontRule>(at - front_words.begin());
+}
+
+std::optional<std::string> unit_of_lengths(const std::string& word, const std::string& source) {
+  if (word.empty()) return std::nullopt;
+  const std::vector<std::string> known{"mm", "cm", "m", "in"};
+  if (std::find(known.begin(), known.end(), word) == known.end())
+    throw InputError({.source = source, .value = word, .allowed = listed(known)});
+  return word;
 }
 
 }  // namespace radcert::app

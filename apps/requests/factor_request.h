@@ -20,6 +20,7 @@ struct FactorWish {
   std::optional<double> accuracy = std::nullopt;
   bool certified = false;
   bool rays = false;
+  std::optional<std::string> unit = std::nullopt;  ///< of lengths, for reports
 };
 
 /// A matrix with the scene that it is of.
@@ -45,5 +46,9 @@ void check(const FactorWish& wish, bool two_sided);
 /// Where light is, by its word.
 /// Result    InputError at `front` for a word that is none of front_words
 [[nodiscard]] FrontRule front_named(std::string_view word);
+
+/// The unit of lengths, or nothing where the word is empty.
+/// Result    InputError at `source` for a word that is none
+[[nodiscard]] std::optional<std::string> unit_of_lengths(const std::string& word, const std::string& source);
 
 }  // namespace radcert::app

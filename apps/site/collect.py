@@ -29,7 +29,7 @@ def signature(function):
         text = str(inspect.signature(function))
     except (TypeError, ValueError):
         return None
-    text = re.sub(r"\b(?:typing|fractions|radcert|_core|expression|basis|numbers|guarantee|factors|problem|mesh|surfaces|"
+    text = re.sub(r"\b(?:typing|fractions|radcert|_core|expression|basis|edge|numbers|guarantee|factors|problem|mesh|surfaces|"
                   r"verification)\.", "", text.replace("numpy.", "np."))
     for long, short in ALIASES:
         text = text.replace(long, short)

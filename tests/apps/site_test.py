@@ -158,6 +158,21 @@ class Site(unittest.TestCase):
         self.assertGreater(total, 2000)
         self.assertEqual(missed, [])
 
+    def test_every_header_says_whether_it_is_stable_and_every_public_name_what_it_is(self):
+        included = set(re.findall(r'^#include "radcert/(.+)"$', (SOURCE / "lib/radcert/all.h").read_text(encoding="utf-8"), re.MULTILINE))
+        stable, silent, headers = set(), [], 0
+        for layer in sorted(path.name for path in (SOURCE / "lib/radcert").iterdir() if path.is_dir()):
+            page = self.pages[f"api/cpp/{layer}.html"].text
+            marks = re.findall(r"<code>radcert/([^<]*)</code></a><a [^>]*>#</a></h2>\s*<p class=\"quiet\">(Stable|Internal)", page)
+            headers += len(marks)
+            stable |= {header for header, mark in marks if mark == "Stable"}
+            self.assertEqual([mark for _, mark in marks], sorted((mark for _, mark in marks), reverse=True), layer)
+            silent += [f"{layer}: {name}" for name, after in
+                       re.findall(r"<article><h3[^>]*><code>(.*?)</code>.*?</h3>\s*(<\w+)", page) if after != "<p"]
+        self.assertGreater(headers, 200)
+        self.assertEqual(stable, included)
+        self.assertEqual(silent, [])
+
     def test_view_factor_and_form_factor_lead_to_configuration_factor(self):
         page = self.pages["glossary.html"].text
         for other in ("view factor", "form factor"):

@@ -4,6 +4,7 @@ import json
 import unittest
 from fractions import Fraction
 
+import numpy as np
 import radcert as rc
 
 from module import EXAMPLES, ModuleTest, without
@@ -61,6 +62,79 @@ class Bases(ModuleTest):
             self.assertEqual(first.errors[name].value.tolist(), second.errors[name].value.tolist())
         written = problem.to_json()["basis"]
         self.assertEqual(set(written), {"file", "digest"})
+
+    def test_functions_of_python_are_taken_as_the_polynomials_that_they_are(self):
+        x1, x2, x3 = rc.barycentric()
+        fifth = rc.Q(1, 5)
+        nodes = [(3 * fifth, fifth, fifth), (fifth, 3 * fifth, fifth), (fifth, fifth, 3 * fifth), (rc.Q(1, 3),) * 3]
+        functions = [lambda b: b[:, 0], lambda b: b[:, 1], lambda b: b[:, 2].tolist(), lambda b: 27 * b[:, 0] * b[:, 1] * b[:, 2]]
+        own = rc.Basis(functions=functions, nodes=nodes, label="bubble")
+        self.assertEqual(own.polynomials, ["x1", "x2", "x3", "27*x1*x2*x3"])
+        self.assertTrue(own.by_functions)
+        self.assertLess(own.residual, 1e-15)
+        exact = rc.Basis(space=[x1, x2, x3, 27 * x1 * x2 * x3], nodes=nodes)
+        self.assertEqual((exact.by_functions, exact.polynomials, exact.residual), (False, None, None))
+        self.assertFalse(rc.inset(1, "1/6").by_functions)
+        self.assertEqual(own.weights, exact.weights)
+        problem = rc.Problem(rc.cube(), reflectivity="1/2", solution="x*y + z", basis=own, levels=[0, 1])
+        found, expected = problem.solve(), problem.replace(basis=exact).solve()
+        self.assertEqual((found.by_functions, expected.by_functions), (["basis"], []))
+        for name, error in expected.errors.items():
+            self.assertEqual(found.errors[name].value.tolist(), error.value.tolist())
+            self.assertFalse(found.errors[name].guaranteed.any())
+        self.assertIn("estimated, by functions of Python: bubble", json.dumps(problem.to_json()["basis"]))
+        # Nothing is proved and nothing kept; with the polynomials stated it is.
+        error = self.refused(lambda: problem.replace(solver="verified"), "made of functions of Python")
+        self.assertEqual(error.place, "/solver/name")
+        self.refused(lambda: problem.solve(solver="verified"), "/solver/name")
+        problem.solve(store=self.folder / "kept")
+        self.assertFalse((self.folder / "kept").exists())
+        self.refused(lambda: problem.write(self.folder / "p.json"), "/basis", "which no file has")
+        stated = rc.Basis(space=own.polynomials, nodes=nodes)
+        self.assertTrue(problem.replace(basis=stated, levels=[0]).solve(solver="verified")[0].values.guaranteed.all())
+
+    def test_coefficients_are_simple_where_they_can_be(self):
+        third = rc.Q(1, 3)
+        thirds = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (third, third, third)]
+
+        def polynomial(function):
+            return rc.Basis(functions=[lambda b: b[:, 0], lambda b: b[:, 1], lambda b: b[:, 2], function], nodes=thirds).polynomials[3]
+
+        self.assertEqual(polynomial(lambda b: b[:, 0] * b[:, 1] / 3), "1/3*x1*x2")
+        self.assertEqual(polynomial(lambda b: 0.1 * b[:, 0] * b[:, 1]), "1/10*x1*x2")
+        exact = Fraction(2 ** 0.5)
+        self.assertLess(abs(Fraction(polynomial(lambda b: 2 ** 0.5 * b[:, 0] * b[:, 1]).split("*")[0]) - exact), 1e-15)
+        # Equal as polynomials of a sum of 1, of the least degree.
+        self.assertEqual(polynomial(lambda b: b[:, 0] * b[:, 1] * (b.sum(axis=1))), "x1*x2")
+        self.assertEqual(polynomial(lambda b: (b[:, 0] - b[:, 1])**8).count("x1^4*x2^4"), 1)
+
+    def test_functions_that_are_no_polynomials_are_refused(self):
+        nodes = rc.orbit(rc.Q(1, 6))
+
+        def refused(function, *words):
+            given = [lambda b: b[:, 0], lambda b: b[:, 1], function]
+            error = self.refused(lambda: rc.Basis(functions=given, nodes=nodes), *words)
+            self.assertEqual(error.place, "functions/2")
+
+        for function in (lambda b: np.exp(b[:, 2]), lambda b: b[:, 2]**9, lambda b: np.abs(b[:, 2] - 0.5), lambda b: 1 / (1 + b[:, 2])):
+            refused(function, "is no polynomial of degree 8 or less", "off by")
+        for wrong, words in [(lambda b: 1.0, "has another shape"), (lambda b: b, "has another shape"), (lambda b: b[:-1, 2], "has another shape"),
+                             (lambda b: b[:, 2] * 1j, "is no array of doubles"), (lambda b: None, "is None"), (lambda b: "1", "is of the type str"),
+                             (lambda b: b[:, 2].astype(np.longdouble), "is no array of doubles"), (1, "cannot be called"),
+                             (lambda b: np.where(b[:, 2] == 1, np.nan, b[:, 2]), "is not finite at (0, 0, 1)"),
+                             (lambda b: 0 * b[:, 2], "is zero")]:
+            refused(wrong, words)
+        self.refused(lambda: rc.Basis(functions=[lambda b: b[:, 0]] * 2, nodes=nodes[:2]), "linearly dependent")
+        with self.assertRaises(ZeroDivisionError):
+            rc.Basis(functions=[lambda b: 1 / 0], nodes=[(rc.Q(1, 3),) * 3])
+        with self.assertRaises(KeyboardInterrupt):
+            def stopped(b):
+                raise KeyboardInterrupt
+            rc.Basis(functions=[stopped], nodes=[(rc.Q(1, 3),) * 3])
+        with self.assertRaises(TypeError):
+            rc.Basis(functions=[lambda b: b[:, 0]], space=["x1"], nodes=nodes)
+        with self.assertRaises(TypeError):
+            rc.Basis(functions=[lambda b: b[:, 0]])
 
     def test_what_is_no_basis_is_refused(self):
         x1, x2, x3 = rc.barycentric()

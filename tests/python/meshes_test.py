@@ -43,6 +43,29 @@ class Meshes(ModuleTest):
         theirs = self.program("surface", file)
         self.assertEqual(without(ours, "command", "file"), without(theirs, "command", "file"))
 
+    def test_a_unit_is_told_and_nothing_converted(self):
+        plain, metres = rc.Mesh(unit_cube()), rc.Mesh(unit_cube(), unit="mm")
+        self.assertEqual((plain.unit, metres.unit), (None, "mm"))
+        self.assertEqual(metres.groups[0].area, plain.groups[0].area)
+        file = EXAMPLES / "03_own_surface" / "house.obj"
+        self.assertEqual(without(rc.Mesh(file, unit="in").survey(), "command"),
+                         without(self.program("surface", file, "--unit", "in"), "command"))
+        for mesh, area_unit in ((plain, ""), (metres, "mm^2")):
+            mesh.factors().surfaces_to_csv(self.folder / "surfaces.csv")
+            rows = (self.folder / "surfaces.csv").read_text(encoding="utf-8").splitlines()
+            self.assertEqual({row.split(",")[-1] for row in rows[1:]}, {area_unit})
+        self.refused(lambda: rc.Mesh(unit_cube(), unit="km"), "unit", "mm, cm, m, in")
+
+    def test_a_room_that_was_turned_is_aligned(self):
+        points, triangles, groups = unit_cube()
+        turn = np.array([[np.cos(0.3), -np.sin(0.3), 0], [np.sin(0.3), np.cos(0.3), 0], [0, 0, 1]])
+        turned = np.round(np.array(points) @ turn.T, 6)
+        with self.assertWarnsRegex(rc.FactorWarning, "mended: turned by 17.1887 degrees"):
+            factors = rc.Mesh((turned, triangles, groups), repair="align").factors(certified=True)
+        self.assertTrue(factors.guaranteed)
+        np.testing.assert_allclose(factors.value, rc.Mesh(unit_cube()).factors().value, atol=1e-6)
+        self.refused(lambda: rc.Mesh(unit_cube(), repair="alignment"), "repair", "align, triangulate")
+
     def test_arrays_of_any_layout_give_one_mesh(self):
         points, triangles, groups = unit_cube()
         plain = rc.Mesh((points, triangles, groups))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.h"
 
+#include <algorithm>
+
 #include "exact.h"
 #include "radcert/core/errors.h"
 
@@ -64,6 +66,19 @@ DoubleArray double_rows(const py::handle& object, std::size_t columns, const std
       double_array(object, place, "an array of doubles of the shape (n, " + std::to_string(columns) + ")");
   require_rows(array, columns, place);
   return array;
+}
+
+DoubleArray called(const py::object& function, const py::array_t<double>& rows, const std::string& place,
+                   const std::vector<py::ssize_t>& behind, const std::string& allowed) {
+  const DoubleArray found = double_array(function(rows), place, allowed);
+  std::vector<py::ssize_t> shape{rows.shape(0)};
+  shape.insert(shape.end(), behind.begin(), behind.end());
+  if (!std::equal(shape.begin(), shape.end(), found.shape(), found.shape() + found.ndim()))
+    refuse(place, array_words(found),
+           "has another shape, for an array (" + std::to_string(rows.shape(0)) + ", " +
+               std::to_string(rows.shape(1)) + ")",
+           allowed);
+  return found;
 }
 
 IndexArray index_rows(const py::handle& object, std::size_t columns, const std::string& place) {

@@ -56,6 +56,12 @@ template <class List, class Make>
   return owning_array(std::move(numbers), {static_cast<py::ssize_t>(list.size()), 3});
 }
 
+/// What a function of Python gives for an array with n rows: doubles in an array of the shape (n, behind...).
+/// Result    InputError at `place` for another shape or type; what the function raises leaves
+[[nodiscard]] DoubleArray called(const py::object& function, const py::array_t<double>& rows,
+                                 const std::string& place, const std::vector<py::ssize_t>& behind,
+                                 const std::string& allowed);
+
 /// Numbers with their radii as three arrays: value, radius, guaranteed.
 template <class List, class Make>
 [[nodiscard]] py::tuple approximation_arrays(const List& list, const Make& number) {

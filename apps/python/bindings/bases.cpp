@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "arrays.h"
 #include "exact.h"
 #include "json.h"
 #include "nodes.h"
 #include "python.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/text.h"
 #include "radcert/formats/problem/node_file.h"
 #include "radcert/formats/result/basis_json.h"
 #include "radcert/polynomial/nodes/symmetric_nodes.h"
@@ -61,6 +64,27 @@ py::object orders_of(const BasisRecord& record) {
                   py::arg("smooth_kernel") = orders.smooth_kernel, py::arg("edges") = orders.at_edges);
 }
 
+/// The values of a function of Python's at barycentric points, all of them finite.
+DoubleArray function_values(const py::object& function, const py::object& points, const std::string& place) {
+  const std::string allowed =
+      "a function of barycentric coordinates (n, 3) that gives an array of doubles (n,)";
+  if (PyCallable_Check(function.ptr()) == 0)
+    throw InputError(
+        {.pointer = place, .value = kind_of(function), .problem = "cannot be called", .allowed = allowed});
+  const DoubleArray rows = double_rows(points, 3, "points");
+  DoubleArray values = called(function, rows, place, {}, allowed);
+  const auto x = rows.unchecked<2>();
+  const auto at = values.unchecked<1>();
+  for (py::ssize_t i = 0; i < at.shape(0); ++i)
+    if (!std::isfinite(at(i)))
+      throw InputError({.pointer = place,
+                        .value = shortest(at(i)),
+                        .problem = "is not finite at (" + shortest(x(i, 0)) + ", " + shortest(x(i, 1)) +
+                                   ", " + shortest(x(i, 2)) + ")",
+                        .allowed = allowed});
+  return values;
+}
+
 }  // namespace
 
 void add_bases(py::module_& module) {
@@ -74,6 +98,7 @@ void add_bases(py::module_& module) {
     return compute(py::none(),
                    [&](Progress&) { return app::inset_record(wanted, text, OptionStyle::argument); });
   });
+  module.def("function_values", function_values);
   module.def("symmetric_facts", [](std::int64_t degree) {
     const int wanted = degree_of(degree, smallest_symmetric_degree, largest_symmetric_degree);
     return compute(py::none(), [&](Progress&) { return app::symmetric_record(wanted); });

@@ -33,7 +33,8 @@ constexpr const char* command = "radcert.factors";
 
 Factors of_mesh(const Mesh& mesh, const std::string& by, const std::optional<double>& accuracy,
                 bool certified, bool rays, bool space, const std::string& store, const py::object& progress) {
-  const FactorWish wish{.by = by, .accuracy = accuracy, .certified = certified, .rays = rays};
+  const FactorWish wish{
+      .by = by, .accuracy = accuracy, .certified = certified, .rays = rays, .unit = mesh.unit};
   app::check(wish, !mesh.choice.two_sided.empty());
   FactorSceneChoice choice = mesh.choice;
   choice.space = space;
@@ -48,6 +49,10 @@ Factors of_surface(const SurfaceChoice& surface, std::int64_t level, const std::
                    const std::string& store, const py::object& progress) {
   const FactorWish wish{.by = by, .accuracy = accuracy, .certified = certified, .rays = rays};
   app::check(wish, false);
+  if (surface.mesh)
+    throw InputError({.source = surface.name,
+                      .problem = "has charts of Python, of which no factors are taken",
+                      .allowed = "a surface of the catalogue, or a mesh"});
   constexpr std::int64_t most = 8;
   if (level < 0 || level > most)
     throw InputError(
@@ -230,7 +235,7 @@ void add_factors(py::module_& module) {
            py::arg("halfwidth"))
       .def("csv", [](const Factors& f) { return py::bytes(factors_csv(f.report.matrix, f.units.names)); })
       .def("surfaces_csv", [](const Factors& f) {
-        return py::bytes(factor_surfaces_csv(f.report.matrix, f.units.names, std::nullopt));
+        return py::bytes(factor_surfaces_csv(f.report.matrix, f.units.names, f.report.unit));
       });
 }
 

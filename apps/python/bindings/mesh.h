@@ -19,6 +19,7 @@ struct Mesh {
   MeshFile file;
   FactorSceneChoice choice;
   Rational angle;
+  std::optional<std::string> unit = std::nullopt;  ///< of lengths, where it is known
 
   /// All that is decided about it, without the backs of plates.
   [[nodiscard]] MeshSurvey survey() const;

@@ -95,7 +95,7 @@ py::object survey_of(const Mesh& mesh) {
       const FactorMesh turned = factor_mesh(survey);
       measures = piece_measures(turned.mesh, turned.piece, turned.piece_names.size());
     }
-    return surface_report(mesh.name, survey, measures, std::nullopt, "radcert.Mesh.survey");
+    return surface_report(mesh.name, survey, measures, mesh.unit, "radcert.Mesh.survey");
   });
   return object_of(report);
 }
@@ -131,34 +131,37 @@ void add_meshes(py::module_& module) {
   py::class_<Mesh>(module, "Mesh")
       .def(py::init([](const std::string& name, const std::string& front,
                        const std::vector<std::string>& repair, const std::vector<std::string>& two_sided,
-                       const py::object& angle) {
+                       const py::object& angle, const std::string& unit) {
              Mesh mesh{.name = name,
                        .file = {},
                        .choice = {.repair = repair_of(repair),
                                   .front = app::front_named(front),
                                   .two_sided = two_sided},
-                       .angle = angle_of(angle)};
+                       .angle = angle_of(angle),
+                       .unit = app::unit_of_lengths(unit, "unit")};
              mesh.file = compute(py::none(), [&](Progress&) { return read_mesh_file(name); });
              return mesh;
            }),
            py::arg("file"), py::kw_only(), py::arg("front"), py::arg("repair"), py::arg("two_sided"),
-           py::arg("angle"))
+           py::arg("angle"), py::arg("unit"))
       .def(py::init([](const std::string& name, const py::object& points, const py::object& triangles,
                        const std::vector<std::string>& groups, const std::string& front,
                        const std::vector<std::string>& repair, const std::vector<std::string>& two_sided,
-                       const py::object& angle) {
+                       const py::object& angle, const std::string& unit) {
              return Mesh{.name = name,
                          .file = file_of_arrays(name, points, triangles, groups),
                          .choice = {.repair = repair_of(repair),
                                     .front = app::front_named(front),
                                     .two_sided = two_sided},
-                         .angle = angle_of(angle)};
+                         .angle = angle_of(angle),
+                         .unit = app::unit_of_lengths(unit, "unit")};
            }),
            py::arg("name"), py::arg("points"), py::arg("triangles"), py::arg("groups"), py::kw_only(),
-           py::arg("front"), py::arg("repair"), py::arg("two_sided"), py::arg("angle"))
+           py::arg("front"), py::arg("repair"), py::arg("two_sided"), py::arg("angle"), py::arg("unit"))
       .def_readonly("name", &Mesh::name)
       .def_property_readonly("format", [](const Mesh& mesh) { return mesh.file.format; })
       .def_property_readonly("digest", [](const Mesh& mesh) { return mesh.file.digest; })
+      .def_readonly("unit", &Mesh::unit)
       .def_property_readonly("face_count", [](const Mesh& mesh) { return mesh.file.face_count(); })
       .def_property_readonly("points",
                              [](const Mesh& mesh) {

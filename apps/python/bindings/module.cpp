@@ -17,9 +17,11 @@ PYBIND11_MODULE(_core, module) {
   add_factors(module);
   add_bases(module);
   add_problems(module);
+  add_own_surfaces(module);
   add_solutions(module);
   add_pictures(module);
   add_experiments(module);
   add_guarantees(module);
+  add_edges(module);
   add_verification(module);
 }

@@ -44,14 +44,8 @@ void values_of(const Kept& function, const std::string& place, std::span<const d
   numbers.reserve(3 * x.size());
   for (std::size_t i = 0; i < x.size(); ++i) numbers.insert(numbers.end(), {x[i], y[i], z[i]});
   const auto count = static_cast<py::ssize_t>(x.size());
-  const std::string allowed = "a function of points (n, 3) that gives an array of doubles (n,)";
-  const DoubleArray found =
-      double_array((*function)(owning_array(std::move(numbers), {count, 3})), place, allowed);
-  if (found.ndim() != 1 || found.shape(0) != count)
-    throw InputError({.pointer = place,
-                      .value = array_words(found),
-                      .problem = "has another shape, for points (" + std::to_string(count) + ", 3)",
-                      .allowed = allowed});
+  const DoubleArray found = called(*function, owning_array(std::move(numbers), {count, 3}), place, {},
+                                   "a function of points (n, 3) that gives an array of doubles (n,)");
   std::copy_n(found.data(), values.size(), values.begin());
 }
 

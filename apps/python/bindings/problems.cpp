@@ -26,7 +26,8 @@ namespace radcert::python {
 namespace {
 
 PythonProblem problem_from(const py::object& document, const std::string& source,
-                           const SurfaceChoice* surface, const Nodes* nodes, const py::dict& functions) {
+                           const SurfaceChoice* surface, const Nodes* nodes, const py::dict& functions,
+                           bool basis_by_functions) {
   JsonValue json = with_source(source, [&] { return json_of(document); });
   std::optional<SurfaceChoice> chosen;
   if (surface != nullptr) chosen = *surface;
@@ -35,6 +36,13 @@ PythonProblem problem_from(const py::object& document, const std::string& source
   out.problem = compute(py::none(), [&](Progress&) { return problem_of(json, source, chosen); });
   if (nodes != nullptr) triangle_basis_of(out.problem.method) = node_file_basis(*nodes->file, nodes->name);
   with_source(source, [&] {
+    const LinearSolver* solver = find_linear_solver(out.problem.solver.name);
+    if (basis_by_functions && solver != nullptr && solver->proves())
+      throw InputError(
+          {.pointer = "/solver/name",
+           .value = out.problem.solver.name,
+           .problem = "proves nothing where the basis was made of functions of Python",
+           .allowed = "a solver that estimates, or the polynomials that were found, as a space"});
     for (const auto& [part, function] : functions)
       set_function(out.problem, py::str(part), py::reinterpret_borrow<py::object>(function));
   });
@@ -74,12 +82,10 @@ void add_problems(py::module_& module) {
           "of_mesh",
           [](const Mesh& mesh) { return compute(py::none(), [&](Progress&) { return mesh.surface(); }); })
       .def_readonly("name", &SurfaceChoice::name)
-      .def_property_readonly("pieces", [](const SurfaceChoice& surface) {
-        return surface.mesh ? surface.mesh->surface->piece_names() : find_surface(surface.name)->pieces;
-      });
+      .def_property_readonly("pieces", [](const SurfaceChoice& surface) { return pieces_of(surface); });
   py::class_<PythonProblem>(module, "Problem")
       .def(py::init(&problem_from), py::arg("document"), py::arg("source"), py::arg("surface"),
-           py::arg("nodes"), py::arg("functions"))
+           py::arg("nodes"), py::arg("functions"), py::arg("basis_by_functions"))
       .def_static(
           "read",
           [](const std::string& file) {

@@ -23,10 +23,12 @@ void add_meshes(py::module_& module);
 void add_factors(py::module_& module);
 void add_bases(py::module_& module);
 void add_problems(py::module_& module);
+void add_own_surfaces(py::module_& module);
 void add_solutions(py::module_& module);
 void add_pictures(py::module_& module);
 void add_experiments(py::module_& module);
 void add_guarantees(py::module_& module);
+void add_edges(py::module_& module);
 void add_verification(py::module_& module);
 
 }  // namespace radcert::python

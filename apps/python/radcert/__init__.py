@@ -16,6 +16,7 @@ from typing import Callable
 from . import _core
 from ._core import (AccuracyNotReached, Ball, ContractViolation, EnvironmentError, InputError, Interrupted, StoreWarning)
 from .basis import Basis, inset, orbit, symmetric
+from .edge import Edge, EdgeExponent, edge
 from .experiment import Experiment, experiment
 from .expression import (Expression, Q, atan, barycentric, cos, exp, expression, log, maximum, minimum, pi, sin, sqrt, tan,
                          xyz)
@@ -25,7 +26,7 @@ from .mesh import Mesh, Piece
 from .numbers import Approximations, Reference, reference, references
 from .problem import AtPoints, LevelValues, Problem, Solution
 from .progress import progress_bar
-from .surfaces import Surface, surface, surface_function, surfaces
+from .surfaces import Chart, Surface, surface, surface_function, surfaces
 from .verification import Report, verify
 
 __version__ = _core.version

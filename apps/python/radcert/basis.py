@@ -2,8 +2,10 @@
 """Bases on triangles: nodes and functions by name, from a file, or exactly as Python states them."""
 import os
 from fractions import Fraction
-from math import isqrt
-from typing import Any
+from math import factorial, isqrt
+from typing import Any, Optional
+
+import numpy as np
 
 from . import _core
 from .expression import Expression, as_expression
@@ -16,22 +18,41 @@ class Basis:
 
     Basis(nodes=[(a, b, c), ...]): all polynomials of a degree r, for (r + 1)(r + 2)/2 nodes.
     Basis(space=[...], nodes=[...]): functions of your own, expressions in ``barycentric()``, as many as nodes.
+    Basis(functions=[...], nodes=[...]): the same as functions of Python, each of barycentric coordinates, an array (n, 3), that
+        gives an array (n,), and each a polynomial of a degree up to 8: it is called once, on 225 points, and is not kept.
     Basis("nodes.json"): a file of nodes. inset(degree, alpha) and symmetric(degree) are the named ones.
 
     nodes: barycentric coordinates, each from 0 to 1 with the exact sum 1: exact numbers, or expressions made of them with
         at most three different square roots, which are taken exactly.
+
+    by_functions: whether the basis was made of functions of Python. Then ``polynomials`` has those that were found, texts in
+    x1, x2, x3 with exact coefficients, of the least degree, and fractions with denominators up to 10000 where these are as
+    near; ``residual`` is the largest difference that was seen, relative to the function's largest value, at most 1e-13. All
+    that is said and computed of the basis is of these polynomials. That they are the functions is not proved, and no
+    solver that proves takes the basis; ``Basis(space=basis.polynomials, nodes=...)`` states them, and is taken by all.
     """
 
-    def __init__(self, file=None, *, space=None, nodes=None, label=None):
+    def __init__(self, file=None, *, space=None, functions=None, nodes=None, label=None):
         self._facts = None
         self._make_facts = None
+        self.by_functions = functions is not None
+        self.polynomials: Optional[list[str]] = None
+        self.residual: Optional[float] = None
+        if space is not None and functions is not None:
+            raise TypeError("a basis has a space, or functions")
         if file is not None:
-            if nodes is not None or space is not None:
+            if nodes is not None or space is not None or functions is not None:
                 raise TypeError("a basis is a file of nodes, or nodes")
             self._nodes = _core.Nodes.read(os.fspath(file))
             self._document = None
         elif nodes is not None:
-            self._nodes = _core.Nodes(label or "nodes", node_document(nodes, space))
+            name = label or "nodes"
+            if functions is not None:
+                found = [polynomial_of(function, f"functions/{place}") for place, function in enumerate(functions)]
+                space = self.polynomials = [text for text, _ in found]
+                self.residual = max((residual for _, residual in found), default=0.0)
+                name = f"estimated, by functions of Python: {name}"
+            self._nodes = _core.Nodes(name, node_document(nodes, space))
             self._document = None
         else:
             raise TypeError("a basis is a file of nodes, or nodes")
@@ -43,6 +64,7 @@ class Basis:
         basis._nodes, basis._document, basis.label = None, document, label
         basis._facts = None
         basis._make_facts = facts
+        basis.by_functions, basis.polynomials, basis.residual = False, None, None
         return basis
 
     @property
@@ -109,6 +131,70 @@ def orbit(a: Any, b: Any = None) -> list[tuple[Any, Any, Any]]:
         return [(c, a, a), (a, c, a), (a, a, c)]
     c = 1 - a - b
     return [(a, b, c), (a, c, b), (b, a, c), (b, c, a), (c, a, b), (c, b, a)]
+
+
+_LARGEST_DEGREE = 8
+_LARGEST_DENOMINATOR = 10000
+
+
+def _powers(degree):
+    """The exponents of Bernstein's polynomials of a degree; divided by it, the points of its lattice."""
+    return np.array([(i, j, degree - i - j) for i in range(degree + 1) for j in range(degree + 1 - i)])
+
+
+def _bernstein(degree, points):
+    """Bernstein's polynomials of a degree at points, a column each."""
+    powers = _powers(degree)
+    counts = [factorial(degree) // (factorial(i) * factorial(j) * factorial(k)) for i, j, k in powers.tolist()]
+    return np.array(counts, dtype=float) * np.prod(points[:, None, :] ** powers[None, :, :], axis=2)
+
+
+def polynomial_of(function, place):
+    """The polynomial of the least degree that a function of Python is, as a text in x1, x2, x3 with exact coefficients, and
+    the largest difference between the two that was seen, relative to the largest value of the function."""
+    lattices = [_powers(degree) / max(degree, 1) for degree in range(1, _LARGEST_DEGREE + 1)]
+    lattices.insert(0, np.full((1, 3), 1 / 3))
+    ratio = 1.32471795724474602596
+    between = np.array([(i / ratio % 1, i / ratio**2 % 1) for i in range(1, 61)])
+    between = np.where(between.sum(axis=1, keepdims=True) > 1, 1 - between, between)
+    between = np.column_stack([between, 1 - between.sum(axis=1)])
+    points = np.vstack([*lattices, between])
+    values = _core.function_values(function, points, place)
+    size = float(np.abs(values).max())
+    if size == 0:
+        _refuse(place, "is zero", "functions that are independent")
+    start = 0
+    for degree, lattice in enumerate(lattices):
+        coefficients = np.linalg.solve(_bernstein(degree, lattice), values[start:start + len(lattice)])
+        start += len(lattice)
+        exact = [_simple(c, size) for c in coefficients.tolist()]
+        off = np.abs(_bernstein(degree, points) @ np.array([float(c) for c in exact]) - values) / size
+        worst = int(off.argmax())
+        if off[worst] <= 1e-13:
+            return _bernstein_text(degree, exact), float(off[worst])
+    at = ", ".join(f"{x:.4g}" for x in points[worst])
+    return _core.refuse("", place, getattr(function, "__qualname__", type(function).__qualname__),
+                        f"is no polynomial of degree {_LARGEST_DEGREE} or less: the nearest that was found is off by "
+                        f"{off[worst]:.1e} of its largest value, at ({at})", "polynomials in barycentric coordinates")
+
+
+def _simple(number, size):
+    """A fraction with a small denominator where one is as near as a coefficient is known, else the float exactly."""
+    simple = Fraction(number).limit_denominator(_LARGEST_DENOMINATOR)
+    return simple if abs(float(simple) - number) <= 1e-11 * size else Fraction(number)
+
+
+def _bernstein_text(degree, coefficients):
+    terms = []
+    for (i, j, k), c in zip(_powers(degree).tolist(), coefficients):
+        c *= factorial(degree) // (factorial(i) * factorial(j) * factorial(k))
+        if c == 0:
+            continue
+        factors = [str(c)] if c != 1 or degree == 0 else []
+        factors += [f"{name}^{power}" if power > 1 else name
+                    for name, power in (("x1", i), ("x2", j), ("x3", k)) if power > 0]
+        terms.append("*".join(factors))
+    return " + ".join(terms).replace("+ -", "- ")
 
 
 def node_document(nodes, space):

@@ -40,10 +40,12 @@ class Mesh:
         nothing is mended unasked.
     two_sided: groups that are plates without thickness; light leaves their backs too.
     angle: in degrees; where normals make more, two pieces meet.
+    unit: of the coordinates, "mm", "cm", "m" or "in", which areas carry in what is written; nothing is converted.
     """
 
-    def __init__(self, source, *, front="auto", repair=(), two_sided=(), angle=30, name="mesh"):
-        options = {"front": front, "repair": _words(repair), "two_sided": _words(two_sided), "angle": angle}
+    def __init__(self, source, *, front="auto", repair=(), two_sided=(), angle=30, unit=None, name="mesh"):
+        options = {"front": front, "repair": _words(repair), "two_sided": _words(two_sided), "angle": angle,
+                   "unit": "" if unit is None else unit}
         if isinstance(source, (str, os.PathLike)):
             self._mesh = _core.Mesh(os.fspath(source), **options)
             return
@@ -57,6 +59,11 @@ class Mesh:
     @property
     def name(self) -> str:
         return self._mesh.name
+
+    @property
+    def unit(self) -> Optional[str]:
+        """The unit of lengths, None where it is not known."""
+        return self._mesh.unit
 
     @property
     def points(self) -> np.ndarray:

@@ -17,7 +17,8 @@ from .surfaces import Surface
 class Problem:
     """u(P) - rho(P)/pi Int_S G(P,Q) u(Q) dS_Q = E(P), on one surface and by one method.
 
-    surface: ``ellipsoid(1, "3/4", "1/2")``, a name, a ``Mesh``, or a dict as a problem file has it.
+    surface: ``ellipsoid(1, "3/4", "1/2")``, a name, a ``Mesh``, a ``Surface`` of charts of your own, or a dict as a problem
+        file has it.
     basis: a ``Basis``, ``inset(...)``, ``symmetric(...)``, the name of a meshless basis, or a dict; linear functions inset by
         1/6 where none is given. In a dict of a meshless basis "mother" may be a function of a float r >= 0 that gives a
         float; it is called for each number, which is slow.
@@ -39,14 +40,14 @@ class Problem:
                  quadrature: Any = None, operator: Any = None, solver: Any = None, label: Optional[str] = None,
                  fit_from: Optional[int] = None, iterated: Optional[bool] = None) -> None:
         self._given = {key: value for key, value in locals().items() if key not in ("self", "__class__")}
-        self._problem, self._functions = _stated(**self._given)
+        self._problem, self._by_functions = _stated(**self._given)
 
     @classmethod
     def read(cls, file: Path) -> "Problem":
         """A problem file."""
         problem = cls.__new__(cls)
         problem._given = {}
-        problem._functions = {}
+        problem._by_functions = []
         problem._problem = _core.Problem.read(os.fspath(file))
         return problem
 
@@ -81,8 +82,8 @@ class Problem:
             changes["solver"] = solver
         problem = self.replace(**changes) if changes else self
         # A function's name does not tell it from another: nothing of it is kept.
-        folder = "" if problem._functions else store_name(store)
-        return Solution(problem._problem.solve(folder, progress), sorted(problem._functions))
+        folder = "" if problem._by_functions else store_name(store)
+        return Solution(problem._problem.solve(folder, progress), problem._by_functions)
 
     def guarantee(self, width: Any, of: str = "means", *, points: Any = None, outside: Any = None, emissions: Any = None,
                   certificate: bool = False, store: Store = None, progress: Listener = None) -> Enclosure:
@@ -116,8 +117,8 @@ class Problem:
 
     def write(self, path: Path) -> None:
         """Writes the problem file; a problem with a function of Python has none."""
-        for part in self._functions:
-            _core.refuse("problem", f"/{part}", None, "is a function of Python, which no file has", "an expression")
+        for part in self._by_functions:
+            _core.refuse("problem", f"/{part}", None, "is a function of Python, which no file has", "a formula")
         write(path, self._problem.text().encode())
 
     def __repr__(self):
@@ -127,11 +128,13 @@ class Problem:
 def _stated(surface, basis, reflectivity, solution, emission, levels, pattern, grading, geometry, quadrature, operator,
             solver, label, fit_from, iterated):
     document = {"schema": "radcert/problem/1"}
+    by_functions = []
     choice = None
     if isinstance(surface, Mesh):
         choice = _core.SurfaceChoice.of_mesh(surface._mesh)
     elif isinstance(surface, Surface):
         choice = surface._choice
+        by_functions += ["surface"] * surface.by_functions
     else:
         document["surface"] = {"name": surface} if isinstance(surface, str) else surface
     triangulation = {"levels": _level_list(levels)}
@@ -145,6 +148,7 @@ def _stated(surface, basis, reflectivity, solution, emission, levels, pattern, g
         basis = {"family": "inset", "degree": 1, "alpha": "1/6"}
     if isinstance(basis, Basis):
         nodes = basis._nodes
+        by_functions += ["basis"] * basis.by_functions
         # The nodes stand beside the document, which needs a basis of triangles in their place.
         document["basis"] = basis._document or {"family": "inset", "degree": 0}
     else:
@@ -166,7 +170,8 @@ def _stated(surface, basis, reflectivity, solution, emission, levels, pattern, g
     for key, value in (("operator", operator), ("solver", solver)):
         if value is not None:
             document[key] = {"name": value} if isinstance(value, str) else value
-    return _core.Problem(document, "problem", choice, nodes, functions), functions
+    problem = _core.Problem(document, "problem", choice, nodes, functions, "basis" in by_functions)
+    return problem, sorted([*by_functions, *functions])
 
 
 def _is_function(value):

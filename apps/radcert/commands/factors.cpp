@@ -36,6 +36,7 @@
 #include "radcert/geometry/mesh_file/mesh_file.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/surface/catalogue.h"
+#include "requests/factor_request.h"
 #include "run_ranks.h"
 #include "tables/factors_table.h"
 
@@ -196,7 +197,7 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
       throw InputError({.source = option, .problem = "is for a comparison", .allowed = "with --compare"});
   const FactorTolerance tolerance = tolerance_of(options.tolerance);
   const FactorUnit by = unit_of(options.by);
-  const std::optional<std::string> unit = unit_of_lengths(options.unit);
+  const std::optional<std::string> unit = unit_of_lengths(options.unit, "--unit");
   FactorDemand demand{.certified = options.certified, .accuracy = accuracy_of(options)};
   if (!options.two_sided.empty() && options.certified)
     throw InputError(

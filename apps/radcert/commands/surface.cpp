@@ -20,6 +20,7 @@
 #include "radcert/formats/result/surface_json.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/rational.h"
+#include "requests/factor_request.h"
 
 namespace radcert::app {
 
@@ -362,7 +363,7 @@ ExitCode show_mesh(const Common& common, const SurfaceOptions& options) {
   Outputs outputs(common);
   outputs.file("--write", options.write);
   outputs.input(options.name);
-  const std::optional<std::string> unit = unit_of_lengths(options.unit);
+  const std::optional<std::string> unit = unit_of_lengths(options.unit, "--unit");
   const MeshSurvey survey = survey_mesh(options.name, degrees_of(options.angle), repair_of(options.repair),
                                         front_of(options.front));
   std::vector<std::pair<std::filesystem::path, std::string>> files;
@@ -378,7 +379,7 @@ ExitCode show_mesh(const Common& common, const SurfaceOptions& options) {
 
 ExitCode show_catalogue(const Common& common, const SurfaceOptions& options) {
   const SurfaceDescription& description = surface_named(options.name);
-  const std::optional<std::string> unit = unit_of_lengths(options.unit);
+  const std::optional<std::string> unit = unit_of_lengths(options.unit, "--unit");
   for (const auto& [option, given] :
        {std::pair("--angle", !options.angle.empty()), std::pair("--repair", !options.repair.empty()),
         std::pair("--front", options.front != "auto"), std::pair("--write", !options.write.empty())})

@@ -213,7 +213,8 @@ const makers = {
     const row = layerRows.get(page.layer) ?? { holds: "", why: "" };
     const words = (text) => markdown(text, page, false, "CONTRIBUTING.md").replace(/^<p>|<\/p>\n?$/g, "");
     return made.layerPage(checkout, page.layer, { holds: row.holds && words(row.holds), why: row.why ? `Its place among the layers: ${words(row.why)}.` : "" },
-      (file) => wayTo(page.name, sourcePage(file)), (html) => made.cited(html, facts.papers, (to) => wayTo(page.name, to)));
+      (file) => wayTo(page.name, sourcePage(file)), (html) => made.cited(html, facts.papers, (to) => wayTo(page.name, to)),
+      wayTo(page.name, `${pageOf.get("lib/README.md")}#what-is-stable`));
   },
   statements: (page) => made.statements(page.paper, titles[page.paper.key]),
 };

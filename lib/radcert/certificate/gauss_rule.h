@@ -18,13 +18,16 @@ struct GaussRule {
   std::vector<double> near_weights;
 };
 
+/// The most nodes of a rule that is kept.
 inline constexpr int most_nodes = 20;
 
+/// The rule of n nodes, proved.
 /// Maths     P_n changes its sign n times on disjoint intervals, and has no more zeros
 /// Requires  1 <= n <= most_nodes, else ContractViolation
 /// Result    made once
 [[nodiscard]] const GaussRule& gauss_rule(int n);
 
+/// The most nodes of a rule that is made anew.
 inline constexpr int most_long_nodes = 400;
 
 /// The same for 1 <= n <= most_long_nodes, else ContractViolation; made anew.

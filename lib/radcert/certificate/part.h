@@ -17,6 +17,7 @@ struct Part {
   std::string seed;          ///< what the choice follows from
 };
 
+/// What a look at a part of a certificate has found.
 struct Report {
   std::vector<std::size_t> looked_at;  ///< parts, ascending
   std::optional<Refusal> refusal;      ///< the first number that does not hold

@@ -6,6 +6,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
+#include "radcert/surface/own_surface.h"
 
 namespace radcert {
 namespace {
@@ -57,6 +58,7 @@ double ClusterTolerance::share(std::size_t levels) const {
 std::optional<std::string> obstacle_to_clusters(const Surface& surface) {
   if (surface.mesh != nullptr) return "a mesh, whose triangles are charts of their own";
   if (!surface.unoccluded) return "parts of the surface hide others";
+  if (!is_known_in_balls(surface)) return "its charts are known by their values alone";
   if (!surface.charts_join_smoothly) return "an interpolated surface, on which each element is a chart";
   for (const Chart& chart : surface.charts)
     if (chart.facts().singular != SingularLine::none)

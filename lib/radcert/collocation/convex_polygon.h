@@ -45,6 +45,8 @@ template <Field R>
   return polygon;
 }
 
+/// Twice the area of a convex polygon, in the unit of its parameters squared.
+/// Result    0 or more for corners counterclockwise; for Rational exact, for double rounded
 template <Field R>
 [[nodiscard]] R doubled_area(const ConvexPolygon<R>& polygon) {
   R area(0);

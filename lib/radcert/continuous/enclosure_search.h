@@ -33,6 +33,7 @@ struct EnclosureProgress {
   std::size_t planned = 0;  ///< elements whose cells are; 0: the functions of the mesh are being found
 };
 
+/// Who is told how far a search has come.
 /// Requires  may be called by several threads at once
 using EnclosureListener = std::function<void(const EnclosureProgress&)>;
 

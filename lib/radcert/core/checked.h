@@ -16,6 +16,7 @@ namespace radcert {
   return sum;
 }
 
+/// The product, or no value where it is 2^64 or more.
 [[nodiscard]] constexpr std::optional<std::uint64_t> checked_multiply(std::uint64_t a, std::uint64_t b) {
   if (a != 0 && b > UINT64_MAX / a) return std::nullopt;
   return a * b;

@@ -32,6 +32,7 @@ struct Named {
   const T& value;
 };
 
+/// A value under a name, for expects(): see Named.
 template <class T>
 [[nodiscard]] constexpr Named<T> named(std::string_view name, const T& value) {
   return {name, value};

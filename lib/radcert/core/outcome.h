@@ -18,6 +18,7 @@ struct Refusal {
   Reason reason;
 };
 
+/// Why there is no value: `return because("...")` from a function that gives an Outcome.
 [[nodiscard]] inline Refusal<std::string> because(std::string reason) { return {std::move(reason)}; }
 [[nodiscard]] inline Refusal<std::string> because(const char* reason) { return {reason}; }
 template <class Reason>

@@ -50,6 +50,7 @@ private:
 /// Limits    after an exception or an interruption chunks may have been left out. Loops may be nested
 void parallel_for(std::size_t count, std::size_t grain, RangeBody body);
 
+/// The same in chunks of default_grain(count).
 inline void parallel_for(std::size_t count, RangeBody body) {
   parallel_for(count, default_grain(count), body);
 }

@@ -42,6 +42,7 @@ struct Undecided {
   [[nodiscard]] std::string to_text() const { return why + "; reached " + reached.to_text(); }
 };
 
+/// A number as demanded, or why it was not found.
 using Enclosure = Outcome<Enclosed, Undecided>;
 
 }  // namespace radcert

@@ -42,6 +42,8 @@ struct OrientedPolygon {
   Vector<double> unit_normal;
 };
 
+/// The geometry of two polygons of a scene and of those of its facets that may stand between them.
+/// Requires  as ExchangeGeometry; `occluders` are places in scene.occluders()
 [[nodiscard]] ExchangeGeometry exchange_geometry(const FacetScene& scene, const OrientedPolygon& receiver,
                                                  const OrientedPolygon& source,
                                                  const std::vector<std::size_t>& occluders);

@@ -19,6 +19,7 @@ struct DoubleDoubleVector {
   std::array<double, 3> tail{};
 };
 
+/// A vector of 50 digits, each coordinate rounded to two doubles.
 inline DoubleDoubleVector double_double(const Vector<Mpfr<50>>& a) {
   const std::array parts{double_double(a.x), double_double(a.y), double_double(a.z)};
   DoubleDoubleVector result;

@@ -27,6 +27,7 @@ struct MeshDefects {
 
 extern const WorkLimit most_crossings;
 
+/// The defects of a mesh. Result as MeshDefects.
 [[nodiscard]] MeshDefects mesh_defects(const TriangleMesh& mesh);
 
 /// Pairs of triangles that have more in common than a shared side or vertex.

@@ -24,6 +24,7 @@ struct MeshQuality {
   double diagonal = 0;             ///< of the box about the triangles' vertices
 };
 
+/// The sizes and shapes of a mesh. Requires and result as MeshQuality.
 [[nodiscard]] MeshQuality mesh_quality(const TriangleMesh& mesh);
 
 }  // namespace radcert

@@ -45,6 +45,7 @@ struct MendedMesh {
   std::vector<std::string> done;
 };
 
+/// The mesh with what was asked for mended. Result as MendedMesh.
 [[nodiscard]] MendedMesh mend(TriangleMesh mesh, const MeshRepair& repair);
 
 /// Triangles that close a line of open edges: places in `line`, turned as `line` runs; none where CGAL finds

@@ -58,6 +58,7 @@ struct MeshTopology {
   [[nodiscard]] bool orientable() const { return !crooked_edge.has_value(); }
 };
 
+/// How the triangles of a mesh hang together. Requires and result as MeshTopology.
 [[nodiscard]] MeshTopology mesh_topology(const TriangleMesh& mesh);
 
 /// The sign of the volume within a closed mesh: 1 where its triangles run counterclockwise as seen from

@@ -6,6 +6,7 @@
 
 namespace radcert {
 
+/// Whether all three coordinates are 0.
 [[nodiscard]] bool is_zero(const Vector<Rational>& v);
 
 /// A plane with rational coefficients, for decisions that must not depend on rounding.
@@ -27,6 +28,7 @@ private:
   Rational offset_;
 };
 
+/// Whether two planes are equal as sets, exactly.
 bool same_plane(const Plane& a, const Plane& b);
 
 }  // namespace radcert

@@ -20,6 +20,7 @@ struct PlaneClasses {
   [[nodiscard]] std::size_t count() const { return first_triangle.size(); }
 };
 
+/// The classes of the triangles of a mesh. Requires and result as PlaneClasses.
 [[nodiscard]] PlaneClasses plane_classes(const TriangleMesh& mesh);
 
 }  // namespace radcert

@@ -39,6 +39,7 @@ struct SmoothComponents {
   std::vector<std::size_t> corners;
 };
 
+/// The parts of a mesh between its sharp edges, `topology` its own. Requires and result as SmoothComponents.
 [[nodiscard]] SmoothComponents smooth_components(const TriangleMesh& mesh, const MeshTopology& topology,
                                                  double degrees);
 

@@ -24,16 +24,19 @@ struct Vector {
   friend bool operator==(const Vector& a, const Vector& b) = default;
 };
 
+/// a . b, rounded as R rounds.
 template <Field R>
 R dot(const Vector<R>& a, const Vector<R>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
+/// a x b, rounded as R rounds.
 template <Field R>
 Vector<R> cross(const Vector<R>& a, const Vector<R>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// |a|, rounded as R rounds.
 template <Field R>
 R norm(const Vector<R>& a) {
   using std::sqrt;

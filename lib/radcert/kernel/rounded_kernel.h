@@ -25,6 +25,7 @@ struct RoundedKernel {
   R lean;
 };
 
+/// The kernel between two points, by their difference and normals.
 /// Maths     lean = X (|n_Q| |(Q-P).n_P| + |(P-Q).n_Q| + e X |n_Q|) / |P-Q|^4, |n_Q| = |n_1| + |n_2| + |n_3|
 /// Requires  P != Q, n_P of unit length; as kernel_terms P - Q, -n_P and n_Q; `extent` is X and `blur` is e X
 template <Field R>
@@ -40,6 +41,7 @@ template <Field R>
           extent * (((abs(g.from_p) + blur) * weight + abs(g.from_q)) * inverse)};
 }
 
+/// The kernel between two points of one chart, by their chord.
 /// Maths     lean = (|bend_p|.|n_P| |bend_q.n_Q| + |bend_p.n_P| |bend_q|.|n_Q| + e |bend_p|.|n_P|
 ///           |bend_q|.|n_Q|) / |P-Q|^4, |v| by components
 /// Requires  P != Q

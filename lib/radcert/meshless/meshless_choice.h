@@ -75,6 +75,7 @@ struct UniformSites {
   std::uint64_t seed = 1;
 };
 
+/// How the sites of a basis are chosen.
 using SiteChoice = std::variant<PoissonDiskSites, UniformSites>;
 
 /// All that a meshless basis on a surface is made of.

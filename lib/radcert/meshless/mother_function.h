@@ -117,6 +117,8 @@ private:
   }
 };
 
+/// The functions that have names: gaussian_bell, spline_bell, and inverse_square of Shepard.
+/// Requires  a positive support, or none, else ContractViolation
 [[nodiscard]] MotherFunction gaussian_mother(std::optional<Rational> support = 4);
 [[nodiscard]] MotherFunction spline_mother();
 [[nodiscard]] MotherFunction shepard_mother();

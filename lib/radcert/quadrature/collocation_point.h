@@ -18,6 +18,7 @@ struct CollocationPoint {
   Vector<R> normal;
 };
 
+/// The point of a surface at a place, with its unit inner normal. Result as CollocationPoint.
 template <Real R>
 CollocationPoint<R> collocation_point(const Surface& surface, const SurfacePoint<R>& at) {
   const Chart& chart = surface.charts[at.chart];

@@ -132,6 +132,7 @@ R least_distance(const R& extent) {
   return R(64 * coordinate_roundings) * unit_roundoff<R>() * extent;
 }
 
+/// What rounding may have changed of the sum with function j, see rounding_bound.
 template <Real R>
 R rounding(const KernelSums<R>& sums, std::size_t j) {
   return rounding_bound(sums.points, sums.size[j], sums.tilt[j], unit_roundoff<R>());

@@ -28,6 +28,7 @@ struct ElementPart {
   ElementPart rotated(std::size_t i) const;
 };
 
+/// A whole element as a part of itself.
 template <Real R>
 ElementPart<R> whole_element(const ParameterTriangle& triangle);
 

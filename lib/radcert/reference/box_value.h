@@ -64,6 +64,7 @@ struct BoxValue {
 
 }  // namespace reference
 
+/// Numbers as they enter boxes: enclosed on both sides.
 template <>
 struct Constants<reference::BoxValue> {
   static reference::BoxValue from_rational(const Rational& q) { return reference::BoxValue(q); }

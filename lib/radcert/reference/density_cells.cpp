@@ -250,7 +250,9 @@ private:
       include(off.z, cell.centre.z, cell.half.z);
     }
     for (DensityCell& cell : cells)
-      if (std::isfinite(cell.deviation))
+      if (!surface_.charts[cell.chart].is_known_in_balls())
+        cell.rounding = infinite;
+      else if (std::isfinite(cell.deviation))
         cell.rounding = rounding_on(f, box_about(surface_.charts[cell.chart], cell.polygon), off);
   }
 

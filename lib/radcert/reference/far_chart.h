@@ -62,6 +62,7 @@ private:
   std::vector<FarSamples> samples_;  // from the smallest rule on
 };
 
+/// Whether two flat charts may lie in one plane; false is certain.
 bool may_lie_in_one_plane(const FarChart& a, const FarChart& b);
 
 }  // namespace radcert::reference

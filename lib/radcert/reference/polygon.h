@@ -9,6 +9,7 @@
 
 namespace radcert::reference {
 
+/// A point of a chart's parameter plane.
 using Parameters = ParameterPoint<double>;
 
 /// A convex polygon of the parameter plane.

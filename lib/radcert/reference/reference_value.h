@@ -90,6 +90,7 @@ struct EnclosedValue {
 /// The defaults of a family's parameters.
 [[nodiscard]] Arguments default_arguments(const ValueFamily& family);
 
+/// The most digits that may be asked for.
 inline constexpr int most_reference_digits = 1000;
 
 /// A member of a family by both of its routes.

@@ -209,6 +209,7 @@ private:
   const char* failure_ = nullptr;
 };
 
+/// Numbers as they enter balls: enclosed, at the precision of the moment.
 template <>
 struct Constants<Ball> {
   static Ball from_rational(const Rational& q) { return Ball(q); }

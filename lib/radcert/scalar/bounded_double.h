@@ -165,6 +165,7 @@ private:
   double error_ = 0;
 };
 
+/// Numbers as they enter doubles with a bound: rounded, the bound holds that.
 template <>
 struct Constants<BoundedDouble> {
   static BoundedDouble from_rational(const Rational& q) {

@@ -152,6 +152,7 @@ private:
   const char* failure_ = nullptr;
 };
 
+/// Numbers as they enter complex balls: enclosed, with the imaginary part 0.
 template <>
 struct Constants<ComplexBall> {
   static ComplexBall from_rational(const Rational& q) { return ComplexBall(q); }

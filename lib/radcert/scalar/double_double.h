@@ -19,6 +19,7 @@ struct DoubleDouble {
   double tail = 0;
 };
 
+/// A number of 50 digits, rounded to the sum of two doubles.
 inline DoubleDouble double_double(const Mpfr<50>& x) {
   const double head = x.to_double();
   return {head, (x - Mpfr<50>(head)).to_double()};
@@ -31,6 +32,7 @@ inline DoubleDouble exact_sum(double a, double b) {
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
+/// The four operations, to about 2^-100 of the result.
 inline DoubleDouble operator-(const DoubleDouble& a) { return {-a.head, -a.tail}; }
 inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
   const DoubleDouble heads = exact_sum(a.head, b.head);

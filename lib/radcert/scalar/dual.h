@@ -125,6 +125,7 @@ struct Dual {
   }
 };
 
+/// Numbers as they enter Dual: constants, whose derivatives are 0.
 template <class R>
 struct Constants<Dual<R>> {
   static Dual<R> from_rational(const Rational& q) { return Dual<R>(radcert::from_rational<R>(q)); }

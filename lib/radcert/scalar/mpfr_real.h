@@ -135,6 +135,7 @@ extern template class Mpfr<50>;
 extern template class Mpfr<100>;
 extern template class Mpfr<200>;
 
+/// Numbers as they enter so many digits: rounded to nearest.
 template <int Digits>
 struct Constants<Mpfr<Digits>> {
   static Mpfr<Digits> from_rational(const Rational& q) { return Mpfr<Digits>(q); }

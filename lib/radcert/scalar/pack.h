@@ -136,6 +136,7 @@ Pack by_lane(const Function& f, const Packs&... packs) {
   return result;
 }
 
+/// The elementary functions, lane by lane as the C library has them.
 // clang-format off
 inline Pack exp(const Pack& a) { return by_lane([](double x) { return std::exp(x); }, a); }
 inline Pack log(const Pack& a) { return by_lane([](double x) { return std::log(x); }, a); }
@@ -147,14 +148,17 @@ inline Pack pow(const Pack& a, const Pack& b) {
   return by_lane([](double x, double y) { return std::pow(x, y); }, a, b); }
 // clang-format on
 
+/// In each lane `if_less` where a < b, else `otherwise`.
 inline Pack select_less(const Pack& a, const Pack& b, const Pack& if_less, const Pack& otherwise) {
   return by_lane([](double x, double y, double yes, double no) { return x < y ? yes : no; }, a, b, if_less,
                  otherwise);
 }
 
+/// The smaller and the larger number in each lane, as for double.
 inline Pack smaller_of(const Pack& a, const Pack& b) { return by_lane(smaller_of<double>, a, b); }
 inline Pack larger_of(const Pack& a, const Pack& b) { return by_lane(larger_of<double>, a, b); }
 
+/// Numbers as they enter packs: those of double, in each lane.
 template <>
 struct Constants<Pack> {
   static Pack from_rational(const Rational& q) { return Constants<double>::from_rational(q); }
@@ -178,6 +182,7 @@ struct Block {
   static R smallest(const Type& block) { return block; }
 };
 
+/// Of doubles eight side by side.
 template <>
 struct Block<double> {
   using Type = Pack;

@@ -70,6 +70,7 @@ private:
   Bits high_;
 };
 
+/// In which lanes a < b; not where either is no number.
 RADCERT_PACK_INLINE inline PackMask less(const Pack& a, const Pack& b) {
   const PackHalves x(a);
   const PackHalves y(b);

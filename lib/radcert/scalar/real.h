@@ -37,12 +37,14 @@ concept Field = std::copyable<T> && requires(const T& a, const T& b) {
 template <class R>
 struct Constants;
 
+/// Numbers as they enter double: rounded to nearest.
 template <>
 struct Constants<double> {
   static double from_rational(const Rational& q) { return q.to_double(); }
   static double pi() { return std::numbers::pi; }
 };
 
+/// Numbers as they enter long double: within one unit in the last place.
 template <>
 struct Constants<long double> {
   static long double from_rational(const Rational& q) {
@@ -53,11 +55,13 @@ struct Constants<long double> {
   static long double pi() { return std::numbers::pi_v<long double>; }
 };
 
+/// An exact number in an arithmetic, see Constants.
 template <class R>
 R from_rational(const Rational& q) {
   return Constants<R>::from_rational(q);
 }
 
+/// The circle number in an arithmetic, see Constants.
 template <class R>
 R pi() {
   return Constants<R>::pi();

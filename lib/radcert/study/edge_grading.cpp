@@ -51,7 +51,7 @@ Face face_of(const Chart& chart) {
       "a surface of plane unit squares, as cube, box and two_squares, or a number >= 1";
   if (facts.domain != ChartDomain::unit_square || !facts.plane)
     refuse("is not for the chart " + facts.name + ", which is no plane unit square", allowed);
-  const ExactImage* exact = exact_image(chart.in<Ball>());
+  const ExactImage* exact = chart.is_known_in_balls() ? exact_image(chart.in<Ball>()) : nullptr;
   Face face{.piece = facts.piece, .corners = {}, .inwards = {}};
   constexpr std::array<std::pair<bool, bool>, 4> around{
       {{false, false}, {true, false}, {true, true}, {false, true}}};

@@ -114,6 +114,7 @@ struct GuaranteeProgress {
   double width = 0;
 };
 
+/// Who is told how wide an enclosure has become.
 using GuaranteeListener = std::function<void(const GuaranteeProgress&)>;
 
 /// Refuses a problem whose solution cannot be enclosed.

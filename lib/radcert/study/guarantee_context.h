@@ -21,6 +21,7 @@ struct MeshProgress {
   double width = 0;  ///< of the enclosure from the meshes before; infinite where there was none
 };
 
+/// Who is told how far the work on a mesh has come.
 /// Requires  may be called by several threads at once
 using MeshListener = std::function<void(const MeshProgress&)>;
 

@@ -11,6 +11,7 @@
 #include "radcert/quadrature/tolerance.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/surface/catalogue.h"
+#include "radcert/surface/own_surface.h"
 
 namespace radcert {
 namespace {
@@ -109,6 +110,21 @@ void check_own_functions(const Problem& problem) {
                  "a solver that estimates, or an expression");
 }
 
+/// What is refused on a surface that is known in double alone, as own_surface makes it.
+void check_own_surface(const Problem& problem, const Surface& surface) {
+  if (is_known_in_balls(surface)) return;
+  if (find_linear_solver(problem.solver.name)->proves())
+    refuse_input("/solver/name", problem.solver.name,
+                 "proves nothing where the charts of the surface are known by their values alone",
+                 "a solver that estimates, or a surface of the catalogue or of a mesh");
+  if (!std::holds_alternative<Collocation>(problem.method))
+    refuse_input("/basis", surface.name, "has charts that are known by their values alone",
+                 "collocation with a basis on triangles, or a surface of the catalogue or of a mesh");
+  if (problem.geometry)
+    refuse_input("/geometry/interpolated", std::to_string(problem.geometry->degree),
+                 "is not for a surface whose charts are interpolants already", "\"exact\"");
+}
+
 }  // namespace
 
 Surface surface_of(const Problem& problem) {
@@ -148,6 +164,7 @@ void check(const Problem& problem, std::uint64_t memory_limit) {
   check_quadrature(problem.quadrature);
   check_solver(problem.solver);
   check_own_functions(problem);
+  check_own_surface(problem, surface);
   check_operator(problem, surface);
   std::visit([&](const auto& method) { check(problem, method, surface, memory_limit); }, problem.method);
 }

@@ -18,7 +18,8 @@
 
 namespace radcert {
 
-/// A surface that was read from a mesh file.
+/// A surface that is given as a whole: read from a mesh file, or of a program's own charts, as own_surface
+/// makes it. The latter has no `surface->mesh`, and `file` says in words what it is; what proves refuses it.
 struct MeshChoice {
   std::string file;                        ///< as the problem names it
   std::string digest;                      ///< of the file's bytes
@@ -31,7 +32,7 @@ struct MeshChoice {
 };
 
 /// The surface of a problem: a name of the catalogue and the values of its parameters, in the catalogue's
-/// order; or a mesh, whose file is the name then.
+/// order; or a surface as a whole, whose file or words are the name then.
 struct SurfaceChoice {
   std::string name;
   std::vector<SurfaceParameter> parameters;

@@ -89,6 +89,7 @@ struct OrderFit {
   std::string model = "h^p";
 };
 
+/// How long the parts of a level took, in seconds of the clock.
 struct LevelTiming {
   double assembly_seconds = 0;
   double operator_seconds = 0;  ///< Ku by the second route
@@ -96,6 +97,9 @@ struct LevelTiming {
   double iterated_seconds = 0;  ///< of K u_n at the check points
 };
 
+/// A problem solved over its levels.
+/// Result    levels and timing in the order of the problem's levels; everything but timing is the same to the
+///           bit on every run
 struct Result {
   Problem problem;
   std::vector<LevelResult> levels;

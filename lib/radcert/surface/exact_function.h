@@ -81,6 +81,7 @@ private:
   bool known_ = true;
 };
 
+/// Numbers as they enter exact functions: constants.
 template <>
 struct Constants<ExactFunction> {
   static ExactFunction from_rational(const Rational& q) { return ExactFunction(q); }

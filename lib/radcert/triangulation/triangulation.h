@@ -50,6 +50,7 @@ struct Triangulation {
   std::vector<ParameterTriangle> triangles;
 };
 
+/// The triangulation of a surface at a level. Requires and result as Triangulation.
 Triangulation triangulate(const Surface& surface, int level, const TriangulationOptions& options = {});
 
 /// Triangles that follow each other.

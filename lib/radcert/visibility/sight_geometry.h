@@ -26,6 +26,7 @@ struct SizedVector {
   Vector<F> size;
 };
 
+/// The sizes of the coordinates of a vector.
 template <class F>
 [[nodiscard]] Vector<F> sizes(const Vector<F>& v) {
   return {std::abs(v.x), std::abs(v.y), std::abs(v.z)};

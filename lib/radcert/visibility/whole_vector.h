@@ -22,6 +22,7 @@ struct WholeVector {
   WholeVector operator-() const { return {-x, -y, -z}; }
 };
 
+/// The products a . b and a x b, exactly.
 inline WholeNumber dot(const WholeVector& a, const WholeVector& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
@@ -39,6 +40,7 @@ inline WholeVector cross(const WholeVector& a, const WholeVector& b) {
 /// Requires  not zero, else ContractViolation
 [[nodiscard]] Vector<long double> leading_digits(const WholeVector& v);
 
+/// The same vector in rational numbers, exactly.
 [[nodiscard]] Vector<Rational> to_rational(const WholeVector& v);
 
 }  // namespace radcert

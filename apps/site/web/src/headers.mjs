@@ -124,7 +124,7 @@ export function publicNames(text) {
     const code = shown(lines.slice(i, end));
     const isForward = /^(class|struct|enum class) \w+( : [\w:]+)?;$/.test(code);
     // A member that its class declares.
-    const isMember = /[\w>]::[~\w]+\s*$/.test(code.split("(")[0].replace(/operator.*$/, "")) && code.includes("(") &&
+    const isMember = /[\w>]::[~\w]+(?:<[^()]*>)?\s*$/.test(code.replace(/^ +requires.*$/m, "").split("(")[0].replace(/operator.*$/, "")) && code.includes("(") &&
       !/^(template[^;{(]*\n)?(class|struct|union|enum|using)\b/.test(code);
     if (spaces.length && !isInside && !isForward && !isMember) {
       const previous = out[out.length - 1];

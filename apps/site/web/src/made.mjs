@@ -253,16 +253,26 @@ export function cited(html, papers, link) {
 }
 
 /** The public headers of a layer. */
-export async function layerPage(checkout, layer, says, sourceLink, withCitations) {
+export async function layerPage(checkout, layer, says, sourceLink, withCitations, wayToStable) {
   const folder = path.join(checkout, "lib/radcert", layer);
+  const all = await readFile(path.join(checkout, "lib/radcert/all.h"), "utf8");
+  const stable = new Set([...all.matchAll(/^#include "radcert\/(.+)"$/gm)].map(([, header]) => header));
   let html = heading(1, layer, `Layer <code>${escaped(layer)}</code>`) + (says.holds ? `<p>Holds ${says.holds}. ${says.why}</p>\n` : "");
   const shown = await exampleOf(checkout, layer);
   if (shown)
     html += heading(2, "example", "Example") + `<p>A test of this layer, from <a href="${sourceLink(shown.file)}"><code>${escaped(shown.file)}</code></a>:</p>\n` + code(shown.test.trimEnd(), "cpp");
-  for (const file of await filesUnder(folder, ".h")) {
+  const headers = await filesUnder(folder, ".h");
+  const isStable = (file) => stable.has(`${layer}/${file}`);
+  html += heading(2, "stable", "What is stable") + "<p>" + (headers.some(isStable)
+    ? `Of this layer, for programs of yours: ${headers.filter(isStable).map((file) => `<a href="#${file.replace(/\W/g, "_")}"><code>${escaped(file)}</code></a>`).join(", ")}. ` +
+      "They come first below. The other headers are the inside of the library and change with any commit."
+    : "No header: this layer is the inside of the library, and its headers change with any commit.") +
+    ` <a href="${wayToStable}">What stable means</a>.</p>\n`;
+  for (const file of [...headers.filter(isStable), ...headers.filter((each) => !isStable(each))]) {
     const names = publicNames(await readFile(path.join(folder, file), "utf8"));
     if (!names.length) continue;
-    html += heading(2, file.replace(/\W/g, "_"), `<a href="${sourceLink(`lib/radcert/${layer}/${file}`)}"><code>radcert/${escaped(layer)}/${escaped(file)}</code></a>`);
+    html += heading(2, file.replace(/\W/g, "_"), `<a href="${sourceLink(`lib/radcert/${layer}/${file}`)}"><code>radcert/${escaped(layer)}/${escaped(file)}</code></a>`) +
+      `<p class="quiet">${isStable(file) ? "Stable" : "Internal: changes with any commit"}</p>\n`;
     const taken = new Map();
     for (const each of names) {
       const count = taken.get(each.name) ?? 0;

@@ -33,6 +33,8 @@ export const groups = [
     example("06_meshless", "Meshless"),
     example("07_occluded_room", "An occluded room"),
     example("08_factors_of_an_stl", "Factors of an STL"),
+    example("09_other_languages", "Other languages"),
+    example("10_edges", "Edges"),
     example("11_anywhere", "Anywhere on the surface"),
     example("12_events", "Visibility events"),
     example("13_galerkin", "Galerkin's method"),
@@ -56,7 +58,12 @@ export const groups = [
     { name: "python.html", from: "apps/python/README.md", short: "radcert from Python" },
     { name: "api/python.html", made: "python", title: "The module radcert" },
   ] },
-  { title: "C++", pages: [{ made: "layers" },
+  { title: "C", pages: [
+    { name: "c.html", from: "apps/c/README.md", short: "radcert from C" },
+  ] },
+  { title: "C++", pages: [
+    { name: "library.html", from: "lib/README.md", short: "The library, and what is stable" },
+    { made: "layers" },
     { name: "api/instantiations.html", from: "lib/instantiations.md", short: "Formulas and arithmetics",
       tries: [{ command: "python3 tests/structure/instantiations.py .", run: false }] }] },
   { title: "Papers", pages: [

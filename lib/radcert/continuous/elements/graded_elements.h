@@ -22,6 +22,7 @@ struct PartOfInterval {
   [[nodiscard]] double place(double x) const { return middle + half * x; }
 };
 
+/// Where a box lies in another that holds it, in the first and in the second parameter of the sector.
 [[nodiscard]] PartOfInterval part_in_s(const SectorBox& part, const SectorBox& whole);
 [[nodiscard]] PartOfInterval part_in_t(const SectorBox& part, const SectorBox& whole);
 

@@ -74,6 +74,7 @@ private:
   std::vector<Pair> pairs_;                   ///< by panel, panel
 };
 
+/// What points of a panel see of points of another, asked for many times from the same points.
 /// Requires  the sight outlives it
 class PanelSight::Lookout {
 public:

@@ -33,6 +33,7 @@ struct SeenPart {
   [[nodiscard]] double least_distance() const;
 };
 
+/// A part of an element, by its box, as the observers in a ball see it. Result as SeenPart.
 [[nodiscard]] SeenPart seen_part(const SectorScene& scene, const SectorElement& element, const SectorBox& box,
                                  const ObserverBall& ball);
 

@@ -25,6 +25,7 @@ struct UnstructuredGrid {
       10'000;  ///< from so many cells on the arrays are compressed and stand at the end
 };
 
+/// The grid as a file of VTK.
 /// Maths     VTK's XML format UnstructuredGrid: arrays as text, or of many cells in base64 at the end,
 ///           deflated by zlib in blocks of a MiB
 /// Requires  as many points and numbers as the cells have; finite numbers, else ContractViolation

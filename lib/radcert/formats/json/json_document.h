@@ -23,6 +23,7 @@ namespace radcert {
 /// The same from a file of at most json_size_limit bytes.
 [[nodiscard]] JsonValue read_json(const std::filesystem::path& path);
 
+/// The deepest nesting that is read, and the largest file in bytes.
 inline constexpr std::size_t json_depth_limit = 64;
 inline constexpr std::uint64_t json_size_limit = std::uint64_t{64} << 20;
 

@@ -26,6 +26,7 @@ inline constexpr std::string_view foot = "</svg>\n";
 /// A text as it stands between tags or quotes.
 [[nodiscard]] std::string escaped(std::string_view text);
 
+/// A line from (x1, y1) to (x2, y2); `of` is its class in CSS.
 [[nodiscard]] std::string line(double x1, double y1, double x2, double y2, std::string_view of);
 /// A text from its lower left; `more` are further attributes.
 [[nodiscard]] std::string text(double x, double y, std::string_view words, std::string_view more = {});

@@ -165,7 +165,8 @@ JsonValue exact_json(const Rational& value) {
 
 JsonValue surface_json(const SurfaceChoice& surface) {
   JsonValue out = JsonValue::object();
-  if (surface.mesh) {
+  // Of charts of a program's own the name says what they are; no file has them.
+  if (surface.mesh && surface.mesh->surface->mesh) {
     out.set("file", surface.mesh->file);
     out.set("angle", exact_json(surface.mesh->angle));
     out.set("repair", json_array(surface.mesh->repair));

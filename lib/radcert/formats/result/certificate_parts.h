@@ -24,6 +24,7 @@ void read_bits(const JsonReader& reader, std::size_t count, std::vector<double>&
 /// The decimal that reads back as the double nearest to a number: a certificate leaves room for that.
 [[nodiscard]] std::string double_text(const Rational& value);
 
+/// A JSON number as a double; InputError for anything else.
 [[nodiscard]] double number_from(const JsonReader& reader);
 /// An exact number, 0 or from 1e-60 to 1e60 in size, which double can work with.
 [[nodiscard]] Rational exact_number(const JsonReader& reader);

@@ -38,6 +38,7 @@ struct FactorReport {
 /// Result    comparison: counts and the factors_json_worst largest differences; null where none was asked for
 [[nodiscard]] JsonValue factors_report(const FactorReport& report);
 
+/// How many of the largest differences a report lists.
 inline constexpr std::size_t factors_json_worst = 100;
 
 }  // namespace radcert

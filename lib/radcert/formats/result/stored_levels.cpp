@@ -8,6 +8,7 @@
 #include "radcert/core/files/result_store.h"
 #include "radcert/formats/result/level_record.h"
 #include "radcert/formats/result/stored_numbers.h"
+#include "radcert/surface/own_surface.h"
 
 namespace radcert {
 
@@ -15,6 +16,7 @@ namespace {
 
 /// Whether the text of a problem says all that its numbers depend on.
 bool is_told_by_its_text(const Problem& problem) {
+  if (problem.surface.mesh && !is_known_in_balls(*problem.surface.mesh->surface)) return false;
   for (const auto* data : {&problem.solution, &problem.emission})
     if (*data && (*data)->has_own()) return false;
   return !problem.reflectivity.has_own();

@@ -48,8 +48,8 @@ private:
   std::size_t computed_ = 0;
 };
 
-/// solve_level with a route, after check() within so many bytes. With a store, what a level keeps on its way is
-/// kept there, and what another run has kept is found.
+/// solve_level with a route, after check() within so many bytes. With a store, what a level keeps on its way
+/// is kept there, and what another run has kept is found.
 [[nodiscard]] StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit,
                                              const Ranks& ranks = one_rank(), ResultStore* store = nullptr);
 

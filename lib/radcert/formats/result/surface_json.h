@@ -24,6 +24,7 @@ namespace radcert {
                                        std::span<const PieceMeasures> measures,
                                        const std::optional<std::string>& unit, const std::string& command);
 
+/// How many places of each kind of defect a report lists.
 inline constexpr std::size_t surface_json_places = 10;
 
 }  // namespace radcert

@@ -84,6 +84,7 @@ void explain(std::vector<FactorComparison>& pairs, const FactorMatrix& matrix,
 [[nodiscard]] std::string comparison_svg(std::span<const FactorComparison> pairs,
                                          std::span<const std::string> names);
 
+/// The most rows of a matrix that is drawn.
 inline constexpr std::size_t comparison_picture_rows = 400;
 
 }  // namespace radcert

@@ -24,6 +24,7 @@ struct MeshBodies {
   std::vector<bool> is_room;           ///< closed, with its front inside
 };
 
+/// The bodies and rooms of a mesh. Requires and result as MeshBodies.
 [[nodiscard]] MeshBodies mesh_bodies(const TriangleMesh& mesh, bool right_hand);
 
 }  // namespace radcert

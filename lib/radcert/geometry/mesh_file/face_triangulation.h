@@ -36,6 +36,8 @@ struct TriangulatedFaces {
   std::vector<std::string> diagonals;
 };
 
+/// The faces of a file as triangles.
+/// Result    as TriangulatedFaces; InputError that names the first bent face where these are refused
 [[nodiscard]] TriangulatedFaces triangulate_faces(const MeshFile& file, BentFaces bent = BentFaces::refused);
 
 }  // namespace radcert

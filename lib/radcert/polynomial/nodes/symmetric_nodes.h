@@ -42,6 +42,7 @@ struct SymmetricNodes {
   [[nodiscard]] std::vector<Barycentric<Rational>> nodes() const;
 };
 
+/// The degrees for which there are sets.
 inline constexpr int smallest_symmetric_degree = 1;
 inline constexpr int largest_symmetric_degree = 6;
 

@@ -15,6 +15,7 @@
 
 namespace radcert::reference {
 
+/// The unit roundoff of double, 2^-53.
 inline constexpr double roundoff = unit_roundoff<double>();
 
 /// The integrand of the operator at eight points, but for the density.

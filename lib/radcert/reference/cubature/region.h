@@ -37,6 +37,7 @@ struct Region {
   }
 };
 
+/// The `caution` of RegionSums::finish where an integrand is analytic.
 inline constexpr std::size_t usual_caution = 4;
 
 /// The sums that make a region's figures, line by line.

@@ -11,6 +11,7 @@
 
 namespace radcert::reference {
 
+/// The power p of the map s = z^p that makes an integrand smooth towards a side.
 inline constexpr int grading_power =
     4;  // in s = z^4 the power s^(1/2) is analytic, and others have four derivatives more
 

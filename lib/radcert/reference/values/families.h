@@ -17,6 +17,7 @@ struct Theme {
   std::vector<NamedValue> named;
 };
 
+/// The themes, each in the source of its name.
 [[nodiscard]] Theme rectangle_factors();
 [[nodiscard]] Theme round_factors();
 [[nodiscard]] Theme point_factors();

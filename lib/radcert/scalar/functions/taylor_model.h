@@ -121,6 +121,7 @@ private:
   const char* failure_ = nullptr;
 };
 
+/// Numbers as they enter Taylor models: constants, enclosed.
 template <>
 struct Constants<TaylorModel> {
   static TaylorModel from_rational(const Rational& q) { return TaylorModel(q); }

@@ -29,6 +29,7 @@
 #include "radcert/study/operator_at_nodes.h"
 #include "radcert/study/stopwatch.h"
 #include "radcert/study/study.h"
+#include "radcert/surface/own_surface.h"
 
 namespace radcert {
 namespace {
@@ -195,7 +196,8 @@ private:
     const std::vector<double>& data = problem_.solution ? u_ : emission_;
     data_radius_ =
         value_radii(problem_.solution ? *problem_.solution : *problem_.emission, surface_, nodes_, data);
-    data_are_known_ = ranks_.all(rho_radius_ && data_radius_);
+    // What is off in charts that are known by their values alone is not in any radius.
+    data_are_known_ = ranks_.all(rho_radius_ && data_radius_ && is_known_in_balls(surface_));
     if (!data_radius_) data_radius_.emplace(nodes_.size());
     if (problem_.emission) emission_radius_ = *data_radius_;
   }

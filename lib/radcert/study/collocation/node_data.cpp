@@ -69,6 +69,7 @@ std::optional<std::vector<double>> value_radii(const PiecewiseExpression& functi
       radii.push_back(unit_roundoff<double>() * std::abs(values[i]));
       continue;
     }
+    if (!chart.is_known_in_balls()) return std::nullopt;
     const Vector<Ball> q = enclosed_point(chart, nodes[i]);
     const Ball value = f.evaluate<Ball>({q.x, q.y, q.z});
     if (!value.is_finite()) return std::nullopt;

@@ -14,6 +14,7 @@
 #include "radcert/expression/expression.h"
 #include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball.h"
+#include "radcert/surface/own_surface.h"
 
 namespace radcert {
 namespace {
@@ -81,7 +82,8 @@ Approximation norm_of_K(const Surface& surface, const PiecewiseExpression& refle
   if (!surface.closed) return largest_row(rho_at_nodes, kernel_integral);
   // The double 0.8 is not 4/5: what lies between them is its radius.
   if (const std::optional<Rational> bound = constant_bound(reflectivity, surface))
-    return enclosing(Ball(*bound));
+    return is_known_in_balls(surface) ? enclosing(Ball(*bound))
+                                      : Approximation::without_radius(bound->to_double());
   expects(!rho_at_nodes.empty(), "rho at nodes where it is no constant");
   return Approximation::without_radius(*std::max_element(rho_at_nodes.begin(), rho_at_nodes.end()));
 }

@@ -13,6 +13,7 @@
 #include "radcert/study/guarantee/enclosed_problem.h"
 #include "radcert/study/problem.h"
 #include "radcert/study/result.h"
+#include "radcert/surface/own_surface.h"
 
 namespace radcert {
 namespace {
@@ -32,6 +33,12 @@ std::unique_ptr<EnclosedProblem> enclosed_problem(const Problem& problem, const 
                       .allowed = "\"of\": \"values\" beside points"});
   require_normal(guarantee.width, "/guarantee/width");
   Surface surface = surface_of(problem);
+  if (!is_known_in_balls(surface))
+    throw InputError(
+        {.pointer = "/surface",
+         .value = surface.name,
+         .problem = "has charts that are known by their values alone, of which nothing is proved",
+         .allowed = "a surface of the catalogue or of a mesh"});
   const bool is_ellipsoid = surface.name == "sphere" || surface.name == "ellipsoid";
   if (guarantee.outside && (guarantee.of != EnclosedQuantity::function || is_ellipsoid))
     throw InputError({.pointer = "/guarantee/outside",
