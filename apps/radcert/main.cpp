@@ -96,7 +96,8 @@ int code_of(const std::function<int()>& work) {
   try {
     return work();
   } catch (const EndedElsewhere& error) {
-    complain(error.what());
+    const bool is_interruption = error.code() == code(ExitCode::interrupted);
+    complain(is_interruption ? "interrupted; what was finished is kept" : error.what());
     return error.code();
   } catch (const InputError& error) {
     complain(error.what());
