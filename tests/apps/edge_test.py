@@ -86,6 +86,12 @@ class Edge(ProgramTest):
         self.assertIn("not counted", found["not_counted"])
         self.assertIsNotNone(found["smallest"])
 
+    def test_small_angles_are_refused_before_the_work(self):
+        found = self.edge("--angle", "3", "--rho", "1/2", code=1)
+        self.assertIsNone(found["exponents"])
+        self.assertIn("the angle is too small", found["not_counted"])
+        self.assertIsNotNone(found["smallest"])
+
     def test_bad_input_is_named(self):
         for words, named in ((("--angle", "0", "--rho", "1/2"), "--angle"), (("--angle", "360", "--rho", "1/2"), "--angle"),
                              (("--angle", "x", "--rho", "1/2"), "--angle"), (("--angle", "90", "--rho", "1"), "--rho"),

@@ -13,6 +13,7 @@
 
 #include "command.h"
 #include "output.h"
+#include "progress.h"
 #include "radcert/closed_form/edge/edge_exponents.h"
 #include "radcert/core/errors.h"
 #include "radcert/formats/json/json_document.h"
@@ -94,7 +95,7 @@ struct EdgeAnswer {
   std::string not_counted;           ///< why they were not
 };
 
-EdgeAnswer answer_to(const EdgeRequest& request) {
+EdgeAnswer answer_to(const EdgeRequest& request, bool quiet) {
   EdgeAnswer answer;
   if (!request.faces_see_each_other() || !request.both_reflect()) return answer;
   const Edge edge = edge_of_degrees(request.angle, request.rho, request.rho_other);
@@ -102,13 +103,17 @@ EdgeAnswer answer_to(const EdgeRequest& request) {
       smallest_edge_exponent(edge, Rational(1) / power(Rational(10), request.digits + 1));
   if (!smallest) throw AccuracyNotReached("the smallest exponent", smallest.reason());
   answer.smallest = *smallest;
-  const Outcome<std::vector<EdgeExponent>> all = edge_exponents(edge, request.up_to, request.digits + 1);
+  ProgressDisplay progress(quiet);
+  const Outcome<std::vector<EdgeExponent>> all =
+      edge_exponents(edge, request.up_to, request.digits + 1,
+                     [&](double part) { progress.at(part, "exponents are counted"); });
   if (!all) {
     answer.not_counted = all.reason();
     return answer;
   }
   const Rational radius = Rational(1) / power(Rational(10), std::min(request.digits + 1, most_second_digits));
   for (const EdgeExponent& exponent : *all) {
+    progress.counted(answer.exponents.size(), all->size(), "exponents by the second route");
     const Outcome<ComplexBall> again = reference::edge_zero_near(
         request.angle, request.rho * request.rho_other, exponent.symmetric ? 1 : -1, exponent.value, radius);
     if (!again)
@@ -226,7 +231,7 @@ JsonValue edge_json(const EdgeRequest& request, const EdgeAnswer& answer, const 
 ExitCode show_edge(const Common& common, const EdgeOptions& options) {
   const EdgeRequest request = request_of(options);
   const Outputs outputs(common);
-  const EdgeAnswer answer = answer_to(request);
+  const EdgeAnswer answer = answer_to(request, common.quiet);
   print_result(common, outputs, text_of(request, answer),
                edge_json(request, answer, common.command).pretty() + "\n");
   if (answer.not_counted.empty()) return ExitCode::done;
