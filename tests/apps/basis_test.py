@@ -147,7 +147,7 @@ class Basis(ProgramTest):
         for words, said in [(["--degree", "11"], "from 1 to 10"), (["--degree", "2-3"], "the degree of one search"),
                             ([], "--degree"), (["--degree", "5", "--precision", "10"], "from 5 to 9"),
                             (["--degree", "7", "--precision", "8"], "more numbers would have to be held"),
-                            (["--degree", "5", "--goal", "best"], "orders, precision, norm"),
+                            (["--degree", "5", "--goal", "best"], "orders, precision, parallelogram, norm"),
                             (["--degree", "5", "--goal", "norm", "--precision", "7"], "--goal"),
                             (["--degree", "5", "--starts", "0"], "--starts"),
                             (["--degree", "5", "--seed", "-1"], "--seed"),
@@ -161,6 +161,48 @@ class Basis(ProgramTest):
             self.assertEqual(done.returncode, 2, (words, done.stderr))
             self.assertIn("has no meaning", done.stderr.decode())
         self.assertEqual(self.entries(), [])
+
+    def test_a_parallelogram_asks_for_less_than_the_triangle(self):
+        # Of symmetric nodes an even degree on the triangle has one more on the parallelogram: 4 is as good as 5 there.
+        found = self.basis("search", "--degree", "3", "--goal", "parallelogram", "--starts", "32")
+        precise = self.basis("search", "--degree", "3", "--goal", "precision", "--starts", "32")
+        self.assertEqual((self.precision(found), self.precision(precise)), ((4, 5), (5, 5)))
+        self.assertLess(found["norm"]["upper"], precise["norm"]["lower"])
+        for words, said in [(["table"], "--out"), (["table", "--out", "d", "--degree", "11"], "from 1 to 10"),
+                            (["table", "--out", "d", "--nodes", "n.json"], "has no meaning"),
+                            (["search", "--degree", "3", "--out", "d"], "has no meaning")]:
+            done = self.run_program("basis", *words)
+            self.assertEqual(done.returncode, 2, (words, done.stderr))
+            self.assertIn(said, done.stderr.decode())
+
+    def test_the_published_table_is_what_the_program_says(self):
+        folder = os.path.join(EXAMPLES, "..", "..", "papers", "radcert", "tables")
+        with open(os.path.join(folder, "nodes.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([int(row["degree"]) for row in rows], list(range(1, 11)))
+        for row in rows:
+            path = os.path.join(folder, row["file"])
+            with open(path, encoding="utf-8") as file:
+                nodes = json.load(file)
+            self.assertEqual(len(nodes["nodes"]), int(row["nodes"]))
+            self.assertEqual(nodes["certificate"]["precision"], int(row["precision_triangle"]))
+            if int(row["degree"]) > 5:  # a proof takes seconds
+                continue
+            basis = self.basis(path)
+            self.assertEqual(self.precision(basis), (int(row["precision_triangle"]), int(row["precision_parallelogram"])))
+            self.assertEqual(basis["precision"]["triangle"]["proof"], "certificate")
+            self.assertEqual([basis["norm"]["lower"], basis["norm"]["upper"]],
+                             [float(row["norm_lower"]), float(row["norm_upper"])])
+            orders = basis["orders"]
+            self.assertEqual([orders["everywhere"], orders["nodes_smooth"], orders["nodes_smooth_kernel"]],
+                             [int(row[key]) for key in ("order_everywhere", "order_nodes", "order_smooth_kernel")])
+        # A measured order again, by solve.
+        self.write("two.json", {"schema": "radcert/problem/1", "surface": {"name": "two_piece", "p": 2},
+                                "triangulation": {"levels": [0, 1, 2, 3]}, "reflectivity": "1/2",
+                                "solution": "exp(2*(x/2 + y/4 - z/8))", "basis": {"file": os.path.join(folder, "nodes_2.json")}})
+        fit = json.loads(self.expect(0, "solve", "two.json", "--json", "-"))["orders"]["node_error"]
+        self.assertEqual(" ".join(map(str, fit["levels"])), rows[1]["two_piece_levels"])
+        self.assertAlmostEqual(fit["order"], float(rows[1]["two_piece_order"]), places=9)
 
     def test_csv_and_latex_have_a_row_each(self):
         self.expect(0, "basis", "inset", "--degree", "1-3", "--alpha", "1/10", "--csv", "b.csv", "--latex", "b.tex")

@@ -86,6 +86,41 @@ class Edge(ProgramTest):
         self.assertIn("not counted", found["not_counted"])
         self.assertIsNotNone(found["smallest"])
 
+    def test_results_say_what_each_edge_and_corner_asks_for(self):
+        schema = json.loads(self.expect(0, "schema", "solution"))
+        base = {"schema": "radcert/problem/1", "basis": {"family": "inset", "degree": 1, "alpha": "1/10"}, "emission": "1"}
+        for surface, rho, grading, counts in (("two_squares", {"xy": "9/10", "xz": "1/4"}, "edges", (1, 0)),
+                                              ("cube", "1/2", "edges", (12, 8)), ("cube", "1/2", 3, (12, 8))):
+            self.write("graded.json", {**base, "surface": {"name": surface}, "reflectivity": rho,
+                                       "triangulation": {"levels": [0], "grading": grading}})
+            result = json.loads(self.expect(0, "solve", "graded.json", "--json", "-"))
+            jsonschema.validate(result, schema)
+            asked = result["edge_grading"]
+            self.assertEqual((len(asked["edges"]), len(asked["corners"])), counts)
+            taken = result["problem"]["triangulation"]["grading"]
+            self.assertEqual(taken, asked["grading"] if grading == "edges" else 3)
+            for edge in asked["edges"]:
+                self.assertAlmostEqual(edge["degrees"], 90)
+                number = float(eval_fraction(str(edge["grading"])))
+                self.assertTrue(0 <= number - 2 / edge["exponent"] <= 1 / 64, edge)
+            if surface == "two_squares":
+                edge = asked["edges"][0]
+                self.assertEqual(dict(zip(edge["pieces"], edge["reflectivities"])), rho)
+                smallest = self.edge("--angle", "90", "--rho", "9/10", "--rho-other", "1/4")["smallest"]["midpoint"]
+                self.assertAlmostEqual(asked["edges"][0]["exponent"], float(smallest), places=10)
+            else:
+                largest = max(float(eval_fraction(str(corner["grading"]))) for corner in asked["corners"])
+                self.assertAlmostEqual(largest, float(eval_fraction(str(asked["grading"]))))
+        self.write("uniform.json", {**base, "surface": {"name": "cube"}, "reflectivity": "1/2",
+                                    "triangulation": {"levels": [0]}})
+        self.assertNotIn("edge_grading", json.loads(self.expect(0, "solve", "uniform.json", "--json", "-")))
+
+    def test_small_angles_are_refused_before_the_work(self):
+        found = self.edge("--angle", "3", "--rho", "1/2", code=1)
+        self.assertIsNone(found["exponents"])
+        self.assertIn("the angle is too small", found["not_counted"])
+        self.assertIsNotNone(found["smallest"])
+
     def test_bad_input_is_named(self):
         for words, named in ((("--angle", "0", "--rho", "1/2"), "--angle"), (("--angle", "360", "--rho", "1/2"), "--angle"),
                              (("--angle", "x", "--rho", "1/2"), "--angle"), (("--angle", "90", "--rho", "1"), "--rho"),

@@ -184,8 +184,8 @@ Case family(const std::string& limit, const std::string& name, const Arguments& 
 }
 
 /// All exponents of an edge below 3; each is one of the equation's solutions, and none is left out.
-Case counted_exponents() {
-  return {.limit = "closed_form/edge/edge_exponents: boxes in which exponents are counted", .answer = [] {
+Case counted_exponents(const std::string& limit) {
+  return {.limit = "closed_form/edge/edge_exponents: " + limit, .answer = [] {
             const Outcome<std::vector<EdgeExponent>> found =
                 edge_exponents(edge_of_degrees(75, Rational(1, 2), Rational(1, 2)), 3, 12);
             if (!found) return refusal(found.reason());
@@ -224,7 +224,8 @@ std::vector<Case> reference_cases() {
              {75, Rational(1, 5), Rational(1, 2)}, 12, false),
       family("closed_form/edge/edge_symbol: terms of the series", "edge_exponent",
              {75, Rational(1, 5), Rational(1, 2)}, 12, false),
-      counted_exponents()};
+      counted_exponents("boxes in which exponents are counted"),
+      counted_exponents("terms of the series of all patches")};
   // Near edges, seams and corners, and between plates.
   const std::vector<Place> on_box{{4, {0.375, 0.25}}, {4, {1e-7, 0.4}}, {4, {1e-5, 1e-6}}, {0, {0.5, 0.999}}};
   const std::vector<Place> on_octants{

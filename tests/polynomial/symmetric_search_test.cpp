@@ -15,6 +15,8 @@
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/nodes/orbit_structure.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
+#include "radcert/polynomial/rules/degree_of_precision.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "tests/polynomial/node_sets.h"
 
 namespace radcert {
@@ -84,6 +86,17 @@ TEST(SymmetricSearch, FindsSetsThatAreProved) {
   }
 }
 
+// What the parallelogram adds, for rules of which both degrees are computed.
+TEST(SymmetricSearch, KnowsThePrecisionOnTheParallelogram) {
+  for (int degree = 0; degree <= 6; ++degree)
+    for (const Rational& alpha : {Rational(1, 6), Rational(1, 10), Rational(1, 20), Rational(1, 4)}) {
+      const TriangleRule<Rational> rule = interpolatory_rule(functions_of(inset_nodes(degree, alpha)));
+      const int on_triangle = degree_of_precision(rule, Region::triangle).degree;
+      EXPECT_EQ(degree_of_precision(rule, Region::parallelogram).degree, parallelogram_precision(on_triangle))
+          << degree << " " << alpha.to_text();
+    }
+}
+
 TEST(SymmetricSearch, FindsNodesOfALesserNormWhereLessIsAsked) {
   const SearchResult any =
       search_symmetric_nodes({.degree = 4, .precision = 4}, {.starts = 32, .steps = 300}, goes_on);
@@ -134,13 +147,21 @@ TEST(SymmetricSearch, GivesTheSameForAnyNumberOfThreadsAndStopsWhenAsked) {
 TEST(SymmetricSearch, SaysWhatCannotBeLookedFor) {
   EXPECT_EQ(precision_for_orders(1), 2);
   EXPECT_EQ(precision_for_orders(2), 4);
+  EXPECT_EQ(precision_for_orders(3), 4);  // 5 on the parallelogram, as 5 on the triangle has
+  EXPECT_EQ(precision_for_parallelogram(3), 4);
+  EXPECT_EQ(precision_for_orders(4), 6);
+  EXPECT_EQ(precision_for_parallelogram(9), 16);
   for (const int degree : {4, 5, 7, 8, 9, 10}) {
     const int precision = precision_for_orders(degree);
-    EXPECT_GE(precision, degree + 3) << degree;
+    EXPECT_GE(parallelogram_precision(precision), degree + 3) << degree;
     // From there on orders do not grow.
-    const PredictedOrders orders = predicted_orders(degree, precision, precision);
+    const PredictedOrders orders = predicted_orders(degree, precision, parallelogram_precision(precision));
     const PredictedOrders beyond = predicted_orders(degree, precision + 4, precision + 4);
     EXPECT_EQ(orders.curved, beyond.curved) << degree;
+    EXPECT_LE(precision, precision_for_parallelogram(degree)) << degree;
+    EXPECT_EQ(parallelogram_precision(precision_for_parallelogram(degree)),
+              parallelogram_precision(largest_regular_precision(degree)))
+        << degree;
     EXPECT_FALSE(orders.curved_has_logarithm) << degree;
     EXPECT_FALSE(hindrance({.degree = degree, .precision = precision})) << degree;
     EXPECT_FALSE(hindrance({.degree = degree, .precision = degree})) << degree;

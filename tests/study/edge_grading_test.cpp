@@ -35,7 +35,11 @@ TEST(EdgeGrading, OfTheCubeAsksForItsCorners) {
       for (const GradedEdge& edge : found.edges) {
         EXPECT_NEAR(edge.degrees, 90, 1e-12);
         EXPECT_GT(edge.exponent, least.value);
+        EXPECT_GE(edge.grading.to_double() * edge.exponent, degree + 1);
+        EXPECT_LE((edge.grading.to_double() - 1.0 / 64) * edge.exponent, degree + 1);
+        EXPECT_LE(edge.grading, found.grading);
       }
+      for (const GradedCorner& corner_there : found.corners) EXPECT_EQ(corner_there.grading, found.grading);
       const double wanted = (degree + 1) / least.value;
       EXPECT_GE(found.grading.to_double(), wanted);
       EXPECT_LE(found.grading.to_double(), wanted * 1.001 + 1.0 / 64);
@@ -64,6 +68,14 @@ TEST(EdgeGrading, TakesTheReflectivitiesOfBothFacesAndTheLargestOnTheEdge) {
   problem.reflectivity = everywhere("0");
   EXPECT_TRUE(grading_of(problem).edges.empty());
   EXPECT_EQ(grading_of(problem).grading, Rational(1));
+}
+
+TEST(EdgeGrading, IsKnownWhateverTheProblemTakes) {
+  Problem problem = of_degree(1, "two_squares", "1/2");
+  const Rational asked = grading_of(problem).grading;
+  problem.triangulation.grading = 7;
+  EXPECT_EQ(known_edge_grading(problem, surface_of(problem)).value().grading, asked);
+  EXPECT_FALSE(known_edge_grading(sample_problem("sphere"), surface_of(sample_problem("sphere"))));
 }
 
 TEST(EdgeGrading, OfABoxIsThatOfTheCube) {

@@ -11,9 +11,9 @@
 
 #include "command.h"
 #include "commands/basis_search.h"
+#include "commands/basis_table.h"
 #include "output.h"
 #include "radcert/core/interrupt.h"
-#include "radcert/core/version.h"
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/problem/node_file.h"
 #include "radcert/formats/result/basis_json.h"
@@ -33,6 +33,7 @@ struct BasisOptions {
   std::string csv;
   std::string latex;
   std::string nodes;
+  std::string out;
   BasisSearchOptions search;
 };
 
@@ -79,7 +80,7 @@ std::vector<BasisRecord> records_of(const BasisOptions& options) {
     refuse_option("--alpha", options.alpha, "a file of nodes");
     return {basis_record(options.name, read_nodes(options.name))};
   }
-  const std::vector<std::string> families = {"inset", "symmetric", "search"};
+  const std::vector<std::string> families = {"inset", "symmetric", "search", "table"};
   if (std::find(families.begin(), families.end(), options.name) == families.end()) {
     throw InputError({.source = "basis",
                       .value = options.name,
@@ -215,18 +216,6 @@ JsonValue nodes_of(const BasisRecord& record) {
   return nodes_json(record.facts.degree, record.facts.nodes);
 }
 
-/// With the version and the command.
-std::string node_file(const Common& common, const JsonValue& nodes) {
-  JsonValue out = JsonValue::object();
-  for (const JsonValue::Member& member : *nodes.members()) {
-    out.set(member.key, member.value);
-    if (member.key != "schema") continue;
-    out.set("radcert", version());
-    out.set("command", common.command);
-  }
-  return out.pretty() + "\n";
-}
-
 ExitCode give_searched(const Common& common, const BasisOptions& options, const Outputs& outputs) {
   refuse_option("--alpha", options.alpha, "symmetric nodes");
   const DegreeRange range = degrees_of(options.degree, 1, largest_searched_degree);
@@ -250,7 +239,19 @@ ExitCode give_searched(const Common& common, const BasisOptions& options, const 
   return ExitCode::done;
 }
 
+ExitCode give_table(const Common& common, const BasisOptions& options) {
+  refuse_option("--alpha", options.alpha, "symmetric nodes");
+  for (const auto& [option, value] : {std::pair("--csv", options.csv), std::pair("--latex", options.latex),
+                                      std::pair("--nodes", options.nodes)})
+    refuse_option(option, value, "a table, which has its files in the folder of --out");
+  const DegreeRange range =
+      degrees_of(options.degree.empty() ? "1-10" : options.degree, 1, largest_searched_degree);
+  return show_basis_table(common, options.out, range.first, range.last, options.search);
+}
+
 ExitCode give_basis(const Common& common, const BasisOptions& options) {
+  if (options.name == "table") return give_table(common, options);
+  refuse_option("--out", options.out, options.name);
   Outputs outputs(common);
   outputs.file("--csv", options.csv);
   outputs.file("--latex", options.latex);
@@ -276,7 +277,8 @@ void add_basis(Program& program) {
   Subcommand command =
       program.add("basis", "Nodes, weights, degrees of precision, norm and orders of a basis");
   auto options = std::make_shared<BasisOptions>();
-  command.word("NAME", options->name, "inset, symmetric, search, or a file of nodes (radcert schema nodes)");
+  command.word("NAME", options->name,
+               "inset, symmetric, search, table, or a file of nodes (radcert schema nodes)");
   command.option("--degree", options->degree,
                  "The degree, of inset nodes up to 12, of which solve takes 8; or several as 1-10: then a "
                  "table, a row each",
@@ -285,15 +287,21 @@ void add_basis(Program& program) {
   command.option("--csv", options->csv, "Nodes and weights", "FILE");
   command.option("--latex", options->latex, "A table, a row a basis", "FILE");
   command.option("--nodes", options->nodes, "The nodes as a file that radcert reads", "FILE");
+  command.option("--out", options->out,
+                 "Of a table: the folder of nodes.csv and nodes_R.json, whose nodes are looked at too",
+                 "DIR");
   command.option(
       "--goal", options->search.goal,
-      "Of a search: orders (default: the precision from which on orders do not grow), precision (the "
-      "largest), or norm (none but the degree)",
+      "Of a search: orders (default: the least precision with the best orders), precision (the largest), "
+      "parallelogram (the largest there), or norm (none but the degree)",
       "WORD");
   command.option("--precision", options->search.precision,
                  "Of a search: the degree of precision on the triangle", "D");
+  command.option("--symmetric", options->search.symmetric,
+                 "Of a search: on (default), or off: nodes without symmetry, of degrees up to 4", "on|off");
   command.flag("--positive", options->search.positive, "Of a search: weights above 0 alone");
-  command.option("--starts", options->search.starts, "Of a search: random starts; default 256", "N");
+  command.option("--starts", options->search.starts,
+                 "Of a search: random starts; default 256. Of a table: none without it", "N");
   command.option("--seed", options->search.seed, "Of a search: of its random numbers; default 1", "S");
   command.option("--seconds", options->search.seconds, "Of a search: no start begins later", "T");
   command.footer("Degrees of precision and weights are exact, the norm lies between proved bounds.");

@@ -19,6 +19,7 @@ struct BasisSearchOptions {
   std::string starts;
   std::string seed;
   std::string seconds;
+  std::string symmetric;
   bool positive = false;
 
   /// The first option that was given, with its value; for what takes none of them.
@@ -33,7 +34,11 @@ struct SearchedBasis {
   std::string words;  ///< the same for people
 };
 
-/// Looks for symmetric nodes of a degree, and proves what is said of them.
+/// Nodes as the text of a file, with the version and the command.
+[[nodiscard]] std::string node_file(const Common& common, const JsonValue& nodes);
+
+/// Looks for symmetric nodes of a degree, or with `symmetric` off for others, and proves what is said of
+/// them.
 /// Result    nothing where none were found within the starts or the seconds, which stderr says. InputError
 ///           for options that are no goal. Where the user stopped it, the nodes so far are written to
 ///           `nodes_file`, if it is not empty, without more being said of them, and Interrupted is thrown

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // radcert edge: the exponents of the solution at an edge, and what they ask of a mesh.
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "command.h"
 #include "output.h"
+#include "progress.h"
 #include "radcert/formats/result/reference_json.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "records/edge_records.h"
@@ -64,7 +66,14 @@ std::string text_of(const EdgeRecord& answer) {
 ExitCode show_edge(const Common& common, const EdgeWish& wish) {
   const EdgeRequest request = edge_request(wish, OptionStyle::command_line);
   const Outputs outputs(common);
-  const EdgeRecord answer = edge_record(request);
+  const EdgeRecord answer = [&] {
+    ProgressDisplay progress(common.quiet);
+    return edge_record(request, {.counted = [&](double part) { progress.at(part, "exponents are counted"); },
+                                 .confirmed =
+                                     [&](std::size_t done, std::size_t all) {
+                                       progress.counted(done, all, "exponents by the second route");
+                                     }});
+  }();
   print_result(common, outputs, text_of(answer), edge_json(answer, common.command).pretty() + "\n");
   if (answer.not_counted.empty()) return ExitCode::done;
   complain(answer.not_counted);

@@ -99,11 +99,16 @@ BasisRecord symmetric_record(int degree) {
 
 BasisRecord certified_record(const std::string& family, const SymmetricNodes& set,
                              const SymmetricCertificate& certificate) {
+  return certified_record(family, set.nodes(), certificate);
+}
+
+BasisRecord certified_record(const std::string& family, const std::vector<Barycentric<Rational>>& nodes,
+                             const SymmetricCertificate& certificate) {
   return {.family = family,
           .alpha = std::nullopt,
           .file = std::nullopt,
           .space = std::nullopt,
-          .facts = facts_with(lagrange_functions(set.nodes()).value(), certificate)};
+          .facts = facts_with(lagrange_functions(nodes).value(), certificate)};
 }
 
 BasisRecord node_record(const std::string& family, const std::vector<Barycentric<Rational>>& nodes) {

@@ -21,9 +21,12 @@ namespace radcert::app {
 /// The same of a symmetric set. Requires a degree for which there is one.
 [[nodiscard]] BasisRecord symmetric_record(int degree);
 
-/// The same of other symmetric nodes, which are not decided but by their certificate, and of nodes that are
-/// what they are.
+/// The same of other nodes, symmetric or not, which are not decided but by their certificate, and of nodes
+/// that are what they are.
 [[nodiscard]] BasisRecord certified_record(const std::string& family, const SymmetricNodes& set,
+                                           const SymmetricCertificate& certificate);
+[[nodiscard]] BasisRecord certified_record(const std::string& family,
+                                           const std::vector<Barycentric<Rational>>& nodes,
                                            const SymmetricCertificate& certificate);
 [[nodiscard]] BasisRecord node_record(const std::string& family,
                                       const std::vector<Barycentric<Rational>>& nodes);

@@ -83,7 +83,7 @@ EdgeRequest edge_request(const EdgeWish& wish, OptionStyle style) {
   return request;
 }
 
-EdgeRecord edge_record(const EdgeRequest& request) {
+EdgeRecord edge_record(const EdgeRequest& request, const EdgeListener& listener) {
   EdgeRecord answer{.request = request, .smallest = std::nullopt, .exponents = {}, .not_counted = {}};
   if (!request.faces_see_each_other() || !request.both_reflect()) return answer;
   const Edge edge = edge_of_degrees(request.angle, request.rho, request.rho_other);
@@ -91,13 +91,15 @@ EdgeRecord edge_record(const EdgeRequest& request) {
       smallest_edge_exponent(edge, Rational(1) / power(Rational(10), request.digits + 1));
   if (!smallest) throw AccuracyNotReached("the smallest exponent", smallest.reason());
   answer.smallest = *smallest;
-  const Outcome<std::vector<EdgeExponent>> all = edge_exponents(edge, request.up_to, request.digits + 1);
+  const Outcome<std::vector<EdgeExponent>> all =
+      edge_exponents(edge, request.up_to, request.digits + 1, listener.counted);
   if (!all) {
     answer.not_counted = all.reason();
     return answer;
   }
   const Rational radius = Rational(1) / power(Rational(10), std::min(request.digits + 1, most_second_digits));
   for (const EdgeExponent& exponent : *all) {
+    listener.confirmed(answer.exponents.size(), all->size());
     const Outcome<ComplexBall> again = reference::edge_zero_near(
         request.angle, request.rho * request.rho_other, exponent.symmetric ? 1 : -1, exponent.value, radius);
     if (!again)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,8 +61,14 @@ struct EdgeRecord {
   [[nodiscard]] double wanted_grading(int degree) const;
 };
 
+/// Who is told how far that has come.
+struct EdgeListener {
+  std::function<void(double part)> counted = [](double) {};
+  std::function<void(std::size_t done, std::size_t all)> confirmed = [](std::size_t, std::size_t) {};
+};
+
 /// Result    proved, each exponent on two routes; AccuracyNotReached where one is not found
-[[nodiscard]] EdgeRecord edge_record(const EdgeRequest& request);
+[[nodiscard]] EdgeRecord edge_record(const EdgeRequest& request, const EdgeListener& listener = {});
 
 /// The digits that are shown of the second route.
 [[nodiscard]] int digits_of_second_route(const EdgeRequest& request);

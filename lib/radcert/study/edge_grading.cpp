@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <optional>
 #include <utility>
@@ -132,6 +131,13 @@ std::optional<double> exponent_of(const Edge& edge) {
   return found->lower_double();
 }
 
+/// The grading for the order degree + 1 beside an exponent, rounded up to a multiple of 1/64.
+Rational grading_for(int degree, double exponent) {
+  constexpr int parts = 64;
+  return std::max(Rational(1),
+                  Rational(static_cast<long>(std::ceil((degree + 1) / exponent * parts)), parts));
+}
+
 }  // namespace
 
 EdgeGrading edge_grading(const Problem& problem, const Surface& surface) {
@@ -140,7 +146,6 @@ EdgeGrading edge_grading(const Problem& problem, const Surface& surface) {
   std::vector<Face> faces;
   for (const Chart& chart : surface.charts) faces.push_back(face_of(chart));
   EdgeGrading out;
-  double least = std::numeric_limits<double>::infinity();
   std::vector<Point> vertices;
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (std::size_t j = i + 1; j < faces.size(); ++j) {
@@ -157,11 +162,12 @@ EdgeGrading edge_grading(const Problem& problem, const Surface& surface) {
           vertices.push_back(end);
       const std::optional<double> exponent = exponent_of(edge);
       if (!exponent) continue;
-      least = std::min(least, *exponent);
       out.edges.push_back({.pieces = {a.piece, b.piece},
                            .degrees = edge.angle().to_double() * 180 / Ball::pi().to_double(),
                            .reflectivities = {edge.reflectivity, edge.other_reflectivity},
-                           .exponent = *exponent});
+                           .exponent = *exponent,
+                           .grading = grading_for(*degree, *exponent)});
+      out.grading = std::max(out.grading, out.edges.back().grading);
     }
   std::map<std::array<double, 3>, Approximation> by_reflectivities;
   for (const Point& vertex : vertices) {
@@ -189,13 +195,19 @@ EdgeGrading edge_grading(const Problem& problem, const Surface& surface) {
     const auto [known, is_new] = by_reflectivities.try_emplace(reflectivities);
     if (is_new) known->second = octant_exponent(reflectivities);
     corner.exponent = known->second;
-    least = std::min(least, corner.exponent.value - corner.exponent.radius);
+    corner.grading = grading_for(*degree, corner.exponent.value - corner.exponent.radius);
+    out.grading = std::max(out.grading, corner.grading);
     out.corners.push_back(std::move(corner));
   }
-  constexpr int parts = 64;
-  const double wanted = std::isfinite(least) ? (*degree + 1) / least : 1;
-  out.grading = std::max(Rational(1), Rational(static_cast<long>(std::ceil(wanted * parts)), parts));
   return out;
+}
+
+std::optional<EdgeGrading> known_edge_grading(const Problem& problem, const Surface& surface) {
+  try {
+    return edge_grading(problem, surface);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace radcert

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,15 +19,17 @@ struct GradedEdge {
   double degrees = 0;                      ///< the dihedral angle, rounded
   std::array<Rational, 2> reflectivities;  ///< the largest on the edge
   double exponent = 1;                     ///< with which u departs from smooth functions
+  Rational grading = 1;                    ///< that this edge alone asks for
 };
 
 /// A corner of three faces at right angles to each other, likewise.
 struct GradedCorner {
   std::array<std::string, 3> pieces;
   Approximation exponent;
+  Rational grading = 1;
 };
 
-/// The grading that the exponents of edges and corners ask for.
+/// The grading that the exponents of edges and corners ask for: the largest of theirs.
 struct EdgeGrading {
   Rational grading = 1;
   std::vector<GradedEdge> edges;
@@ -49,5 +52,9 @@ struct EdgeGrading {
 /// Limits    faces that share a part of a side only are not looked at. Where u has no limit at a corner, as
 ///           where E has different ones there on the faces, no grading makes it converge there
 [[nodiscard]] EdgeGrading edge_grading(const Problem& problem, const Surface& surface);
+
+/// The same, for a record of what edges and corners ask for, whatever the grading of the problem is.
+/// Result    nothing where edge_grading refuses
+[[nodiscard]] std::optional<EdgeGrading> known_edge_grading(const Problem& problem, const Surface& surface);
 
 }  // namespace radcert

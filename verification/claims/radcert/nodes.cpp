@@ -6,15 +6,20 @@
 //              Krawczyk's test proves that nodes beside them are inside the triangle, unisolvent, and those
 //              of a rule with the degrees of precision that are claimed. Rejected: the nodes (13) of these
 //              degrees at alpha = 1/20.
+//              cubic_nodes_without_symmetry: a search finds ten nodes without symmetry, and Krawczyk's test
+//              proves the same of nodes beside them. Rejected: the symmetric nodes of degree 3 that come with
+//              radcert.
 // Not checked  orders, which follow by [m06, Theorems 7, 9]; that nodes of a lesser norm do not exist.
 
 #include <string>
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/lagrange_functions.h"
+#include "radcert/polynomial/nodes/free_search.h"
 #include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
+#include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/polynomial/nodes/symmetric_search.h"
 #include "radcert/polynomial/rules/degree_of_precision.h"
 #include "radcert/polynomial/rules/interpolatory_rule.h"
@@ -44,6 +49,29 @@ Finding symmetric_nodes_superconvergence(const Bench&) {
     finding.control("degree of precision on the parallelogram, nodes (13) at alpha = 1/20" + r, enough,
                     Ball(degree_of_precision(interpolatory_rule(inset), Region::parallelogram).degree));
   }
+  return finding;
+}
+
+Finding cubic_nodes_without_symmetry(const Bench&) {
+  constexpr int degree = 3;
+  const BallPrecision precision(512);
+  Finding finding;
+  const FreeSearchResult found = search_free_nodes(free_goal(degree), {.starts = 32, .steps = 0},
+                                                   [](const FreeSearchResult&) { return true; });
+  expects(found.best.has_value(), "nodes that the search finds", named("degree", degree));
+  const Rational radius = 1 / power(Rational(10), 55);
+  const auto certificate = certify(found.best->nodes, radius);
+  expects(certificate.has_value(), "a certificate", named("degree", degree));
+  const auto symmetric = certify(symmetric_nodes(degree), radius);
+  expects(symmetric.has_value(), "a certificate of the symmetric nodes", named("degree", degree));
+  const LiesIn enough_on_the_triangle{.least = degree + 1, .largest = 2 * degree};
+  const LiesIn enough{.least = degree + 3, .largest = 2 * degree + 1};
+  finding.require("degree of precision on the triangle", enough_on_the_triangle,
+                  Ball(certificate->triangle.degree));
+  finding.require("degree of precision on the parallelogram", enough,
+                  Ball(certificate->parallelogram.degree));
+  finding.control("degree of precision on the parallelogram, symmetric nodes", enough,
+                  Ball(symmetric->parallelogram.degree));
   return finding;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +23,8 @@ const WorkLimit halvings("closed_form/edge/edge_exponents: halvings towards the 
                          "refused, with the interval reached");
 const WorkLimit most_boxes("closed_form/edge/edge_exponents: boxes in which exponents are counted", 40000, 1,
                            "refused: the exponents were not counted");
+const WorkLimit most_terms("closed_form/edge/edge_exponents: terms of the series of all patches", 10'000'000,
+                           1, "refused before any is summed up: the exponents were not counted");
 const WorkLimit steps("closed_form/edge/edge_exponents: steps of Newton's method", 60, 1,
                       "refused, with the ball reached");
 
@@ -195,23 +199,54 @@ bool add_zeros(const H& h, const Box& all, std::vector<Zero>& zeros, long& left)
 constexpr std::array<int, 2> signs{1, -1};
 using ZerosBySign = std::array<std::vector<Zero>, signs.size()>;
 
-/// All zeros of H in the rectangle for either sign, and perhaps some beside it.
-Outcome<ZerosBySign> zeros_in(const Edge& edge, const Box& rectangle) {
+/// Parts of a rectangle on each of which the symbol is taken as a polynomial.
+std::vector<Box> patches_of(const Box& rectangle) {
   const Rational patch_size(2);
-  const EdgeSymbol symbol(edge.angle());
-  ZerosBySign zeros;
+  std::vector<Box> patches;
   std::vector<Box> large{rectangle};
-  long left = most_boxes.value();
   while (!large.empty()) {
-    const Box box = large.back();
+    Box box = large.back();
     large.pop_back();
     if (box.right - box.left > patch_size || box.upper - box.lower > patch_size) {
       auto [a, b] = halves(box);
       large.push_back(std::move(a));
       large.push_back(std::move(b));
-      continue;
+    } else {
+      patches.push_back(std::move(box));
     }
+  }
+  return patches;
+}
+
+/// About how many terms the series of a patch takes: its bounds are products of 1 + |b|^2/n^2, at most
+/// sinh(pi |b|)/(pi |b|), times x^n.
+double expected_terms(const Box& patch, double x) {
+  const double size = std::hypot(patch.right.to_double(), patch.upper.to_double());
+  return (static_cast<double>(BallPrecision::current()) * std::numbers::ln2 + std::numbers::pi * size) /
+         -std::log(x);
+}
+
+/// All zeros of H in the rectangle for either sign, and perhaps some beside it.
+Outcome<ZerosBySign> zeros_in(const Edge& edge, const Box& rectangle,
+                              const std::function<void(double)>& told) {
+  const EdgeSymbol symbol(edge.angle());
+  const std::vector<Box> patches = patches_of(rectangle);
+  std::vector<double> terms;
+  for (const Box& box : patches) terms.push_back(expected_terms(box, symbol.at_zero().to_double()));
+  const double all = std::accumulate(terms.begin(), terms.end(), 0.0);
+  if (!(all <= static_cast<double>(most_terms.value())))
+    return because("the exponents were not counted: the series of the symbol over the " +
+                   std::to_string(patches.size()) + " parts of the rectangle that may hold some would have " +
+                   std::to_string(std::llround(all)) + " terms, more than " +
+                   std::to_string(most_terms.value()) + ": the angle is too small or the size too large");
+  ZerosBySign zeros;
+  long left = most_boxes.value();
+  double done = 0;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    const Box& box = patches[k];
     throw_if_interrupted();
+    if (told) told(done / all);
+    done += terms[k];
     const EdgeSymbolPatch patch(symbol, box.ball(Rational(1, 4)));
     for (std::size_t i = 0; i < signs.size(); ++i)
       if (!add_zeros(Characteristic<EdgeSymbolPatch>(patch, edge, signs.at(i)), box, zeros.at(i), left))
@@ -330,7 +365,8 @@ Outcome<Ball> smallest_edge_exponent(const Edge& edge, const Rational& radius) {
   return zero->real();
 }
 
-Outcome<std::vector<EdgeExponent>> edge_exponents(const Edge& edge, const Rational& up_to, int digits) {
+Outcome<std::vector<EdgeExponent>> edge_exponents(const Edge& edge, const Rational& up_to, int digits,
+                                                  const std::function<void(double)>& told) {
   require(edge);
   expects(up_to.sign() > 0 && digits >= 1, "up_to > 0, digits >= 1", named("up_to", up_to),
           named("digits", digits));
@@ -343,8 +379,8 @@ Outcome<std::vector<EdgeExponent>> edge_exponents(const Edge& edge, const Ration
     const Outcome<Rational> start = start_of(edge);
     if (!start) return because(start.reason());
     if (*start >= up_to) return all;
-    zeros =
-        zeros_in(edge, {.left = *start, .right = up_to, .lower = 0, .upper = imaginary_bound(edge, up_to)});
+    const Box rectangle{.left = *start, .right = up_to, .lower = 0, .upper = imaginary_bound(edge, up_to)};
+    zeros = zeros_in(edge, rectangle, told);
     if (!zeros) return because(zeros.reason());
   }
   for (std::size_t i = 0; i < signs.size(); ++i) {

@@ -60,10 +60,13 @@ struct EdgeExponent {
 /// Source    ours; R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to Interval Analysis, 2009, 8.2;
 ///           the integral: DLMF 14.12.1
 /// Requires  0 < R, 0 < up_to, 1 <= digits, else ContractViolation
-/// Result    ascending by real part, each within 10^-digits; or why they were not counted
+/// Result    ascending by real part, each within 10^-digits; or why they were not counted. `told`, if there
+///           is one, is called with the part of the work that is done, ascending from 0 to 1
 /// Limits    where exponents coincide, and where one cannot be told from up_to or from a whole number, no
-///           answer
+///           answer. The rectangle is as high as 1/w, and the series are as slow as 1/w^2: below about 5
+///           degrees, where they would take too many terms, no answer, before any of them is summed up
 [[nodiscard]] Outcome<std::vector<EdgeExponent>> edge_exponents(const Edge& edge, const Rational& up_to,
-                                                                int digits);
+                                                                int digits,
+                                                                const std::function<void(double)>& told = {});
 
 }  // namespace radcert

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/interrupt.h"
 
 namespace radcert {
 namespace {
@@ -34,7 +35,9 @@ EdgeSymbolPatch::EdgeSymbolPatch(const EdgeSymbol& symbol, const ComplexBall& se
   term[0] = ComplexBall(1);
   Ball bound(1);  // A_n x^n
   Ball sum_of_bounds(0);
+  constexpr long often = 1024;
   for (long n = 0; n < symbol.most_terms(); ++n) {
+    if (n % often == 0) throw_if_interrupted();
     if (n >= least && certainly_less(bound, small)) {
       const Ball q = Ball(1) / Ball(reach);
       const Ball rest = sum_of_bounds * power(q, degree) / (Ball(1) - q);

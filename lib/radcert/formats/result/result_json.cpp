@@ -2,8 +2,11 @@
 #include "radcert/formats/result/result_json.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -11,6 +14,7 @@
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/problem/problem_parts.h"
 #include "radcert/scalar/enclosing_text.h"
+#include "radcert/study/edge_grading.h"
 
 namespace radcert {
 
@@ -37,6 +41,34 @@ JsonValue events_json(const EventCut& events) {
                             {"kinks", events.kinks},
                             {"charts", events.charts},
                             {"coarse_elements", events.coarse->size()}});
+}
+
+template <std::size_t N>
+JsonValue names_json(const std::array<std::string, N>& names) {
+  JsonValue out = JsonValue::array();
+  for (const std::string& name : names) out.push(name);
+  return out;
+}
+
+JsonValue edge_json(const GradedEdge& edge) {
+  return JsonValue::object({{"pieces", names_json(edge.pieces)},
+                            {"degrees", edge.degrees},
+                            {"reflectivities", JsonValue::array({exact_json(edge.reflectivities[0]),
+                                                                 exact_json(edge.reflectivities[1])})},
+                            {"exponent", edge.exponent},
+                            {"grading", exact_json(edge.grading)}});
+}
+
+JsonValue corner_json(const GradedCorner& corner) {
+  return JsonValue::object({{"pieces", names_json(corner.pieces)},
+                            {"exponent", approximation_json(corner.exponent)},
+                            {"grading", exact_json(corner.grading)}});
+}
+
+JsonValue edge_grading_json(const EdgeGrading& asked) {
+  return JsonValue::object({{"grading", exact_json(asked.grading)},
+                            {"edges", json_array(asked.edges, edge_json)},
+                            {"corners", json_array(asked.corners, corner_json)}});
 }
 
 /// What the iterated solution is; null where it is not asked for.
@@ -189,6 +221,9 @@ JsonValue result_json(const Result& result, const std::string& command) {
   JsonValue out = document_head("solution", command);
   out.set("problem", problem_json(result.problem));
   out.set("levels", json_array(result.levels, level_json));
+  if (result.problem.triangulation.grading != Rational(1))
+    if (const auto asked = known_edge_grading(result.problem, surface_of(result.problem)))
+      out.set("edge_grading", edge_grading_json(*asked));
   if (const auto& events = result.problem.triangulation.events) out.set("events", events_json(*events));
   if (result.enclosure) out.set("enclosure", enclosure_json(*result.enclosure));
   out.set("orders", orders_json(result.orders));

@@ -14,6 +14,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
+#include "radcert/polynomial/basis_facts.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/nodes/orbit_structure.h"
 #include "radcert/polynomial/nodes/symmetric_system.h"
@@ -338,12 +339,28 @@ std::optional<std::string> hindrance(const SymmetricGoal& goal) {
   return std::nullopt;
 }
 
-int precision_for_orders(int degree) {
-  const int largest = largest_regular_precision(degree);
-  for (int precision = degree + 3; precision < largest; ++precision)
-    if (!hindrance({.degree = degree, .precision = precision})) return precision;
-  return largest;
+namespace {
+
+/// The first of the precisions without a hindrance whose worth is the largest.
+template <class Worth>
+int first_best_precision(int degree, const Worth& worth) {
+  int best = degree;
+  for (int precision = degree + 1; precision <= largest_regular_precision(degree); ++precision)
+    if (!hindrance({.degree = degree, .precision = precision}) && worth(precision) > worth(best))
+      best = precision;
+  return best;
 }
+
+}  // namespace
+
+int precision_for_orders(int degree) {
+  return first_best_precision(degree, [degree](int precision) {
+    const PredictedOrders orders = predicted_orders(degree, precision, parallelogram_precision(precision));
+    return 2 * orders.curved - (orders.curved_has_logarithm ? 1 : 0);
+  });
+}
+
+int precision_for_parallelogram(int degree) { return first_best_precision(degree, parallelogram_precision); }
 
 SearchResult search_symmetric_nodes(const SymmetricGoal& goal, const SearchEffort& effort,
                                     const std::function<bool(const SearchResult&)>& goes_on) {

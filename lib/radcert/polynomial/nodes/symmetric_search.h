@@ -23,10 +23,29 @@ struct SymmetricGoal {
 /// Requires  degree >= 1, precision >= degree
 [[nodiscard]] std::optional<std::string> hindrance(const SymmetricGoal& goal);
 
-/// The least degree of precision from which on the orders of convergence do not grow any more, for which
-/// there are goals without a hindrance; largest_regular_precision where that is less.
-/// Source    predicted_orders: r + 3, on triangle and parallelogram
+/// The degree of precision on parallelograms of a rule that a symmetric one of exactly this degree of
+/// precision on the triangle makes.
+/// Maths     d for odd d, d + 1 for even d. The error of the rule is a functional that the permutations of
+///           the vertices leave as it is. On the parallelogram it misses what it misses on the triangle of
+///           polynomials that are even about the middle m of a side, and nothing of odd ones; by symmetry the
+///           same about each of the three middles. Even polynomials of degree d about m and m', d even, span
+///           all polynomials of degree d together: the leading parts of even degree k <= d are those about
+///           m, and p(x - m) - p(x - m') has for homogeneous p of degree k the leading part of the
+///           derivative of p along m' - m, which is every one of degree k - 1. So for even d the degree of
+///           precision is d or more on the parallelogram if and only if it is on the triangle
+/// Source    ours
+/// Requires  precision >= 0
+[[nodiscard]] constexpr int parallelogram_precision(int precision) {
+  return precision + (precision % 2 == 0 ? 1 : 0);
+}
+
+/// The least degree of precision with the highest order of convergence at the nodes, of those for which there
+/// are goals without a hindrance.
+/// Source    predicted_orders; parallelogram_precision
 [[nodiscard]] int precision_for_orders(int degree);
+
+/// The least degree of precision on the triangle with the largest one on the parallelogram, likewise.
+[[nodiscard]] int precision_for_parallelogram(int degree);
 
 /// How much is tried.
 struct SearchEffort {

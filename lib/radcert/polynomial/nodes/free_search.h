@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "radcert/polynomial/nodes/free_nodes.h"
+#include "radcert/polynomial/nodes/symmetric_search.h"
+
+namespace radcert {
+
+/// Which nodes without symmetry to look for: those of a rule with these degrees of precision.
+struct FreeGoal {
+  int degree = 0;         ///< r, of the functions
+  int triangle = 0;       ///< on the triangle
+  int parallelogram = 0;  ///< on parallelograms, even; one more comes with it
+};
+inline constexpr int largest_free_degree = 4;
+
+/// The goal with which the order at the nodes is r + 3 without a logarithm.
+/// Maths     r + 1 on the triangle, and the least even degree from r + 2 on with r + 3 or more on the
+///           parallelogram
+/// Source    predicted_orders
+/// Requires  degree >= 1
+[[nodiscard]] FreeGoal free_goal(int degree);
+
+/// Why a goal is none that can be looked for: more equations than numbers; empty where it is one.
+[[nodiscard]] std::optional<std::string> hindrance(const FreeGoal& goal);
+
+/// Nodes as a search leaves them, sharpened, with the largest value of sum |l_j| at points of a lattice.
+struct SoughtFreeNodes {
+  FreeNodes nodes;
+  double norm = 0;
+};
+
+/// What a search looked at.
+struct FreeSearchResult {
+  std::optional<SoughtFreeNodes> best;
+  int starts = 0;
+  int solutions = 0;  ///< with nodes inside the triangle
+};
+
+/// Looks for nodes without symmetry inside the triangle, of the least norm of interpolation.
+/// Maths     as search_symmetric_nodes, with a weight and two coordinates for each node; numbers that the
+///           equations leave free are held at six digits where the rest is best conditioned
+/// Requires  1 <= degree <= largest_free_degree, no hindrance, starts from 1 to most_search_starts, else
+///           ContractViolation; `goes_on` as there
+/// Result    the same for any number of threads
+/// Limits    proves nothing: what is not found may exist. The time of a start grows like the sixth power of
+///           the degree
+[[nodiscard]] FreeSearchResult search_free_nodes(const FreeGoal& goal, const SearchEffort& effort,
+                                                 const std::function<bool(const FreeSearchResult&)>& goes_on);
+
+}  // namespace radcert
