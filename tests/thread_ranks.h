@@ -28,6 +28,8 @@ public:
         threads.emplace_back([&, r] {
           try {
             body(One(shared, r));
+            // Who goes on alone is not waited for: a fault makes ranks part.
+            shared.barrier.arrive_and_drop();
           } catch (const EndedElsewhere&) {
             shared.barrier.arrive_and_drop();
           } catch (...) {
