@@ -35,6 +35,8 @@ public:
   void go_on() {
     if (!someone_ends(false)) return;
     ending_ = exchanged({});
+    // One that has done its part waits for the others in end(): here it would leave them alone.
+    if (ending_->code == 0) ending_ = Ending{3, "a rank has ended before the others"};
     throw EndedElsewhere(ending_->code, ending_->text);
   }
   Ending end(const Ending& own) {
@@ -78,6 +80,9 @@ public:
   StarForest(Agreement& agreement, std::size_t held, std::span<const RemoteNumber> wanted)
       : agreement_(agreement) {
     require(PetscSFCreate(PETSC_COMM_WORLD, &forest_), "PetscSFCreate");
+    if (held > PETSC_MAX_INT || wanted.size() > PETSC_MAX_INT)
+      throw std::runtime_error(
+          "PETSc's indices are too short for the numbers of a rank: more ranks are needed");
     PetscSFNode* nodes = nullptr;
     require(PetscMalloc(wanted.size() * sizeof(PetscSFNode), &nodes), "PetscMalloc");
     for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -124,11 +129,11 @@ public:
 
   std::size_t solve(const Product& a, const Dot& dot, double relative, std::span<double> r) const override {
     const auto n = static_cast<PetscInt>(r.size());
-    Work work{a, dot, nullptr};
-    current() = &work;
-    Solver solver(n);
-    Vec b = nullptr;
-    Vec x = nullptr;
+    Work work(a, dot);
+    const Solver solver(n);
+    Vectors vectors;
+    Vec& b = vectors.b;
+    Vec& x = vectors.x;
     require(VecCreateMPI(PETSC_COMM_WORLD, n, PETSC_DETERMINE, &b), "VecCreateMPI");
     give_operations(b);
     require(VecDuplicate(b, &x), "VecDuplicate");
@@ -148,9 +153,6 @@ public:
     require(KSPGetIterationNumber(solver.ksp, &iterations), "KSPGetIterationNumber");
     const std::span<const double> found = read(x);
     std::copy(found.begin(), found.end(), r.begin());
-    VecDestroy(&x);
-    VecDestroy(&b);
-    current() = nullptr;
     return static_cast<std::size_t>(iterations);
   }
 
@@ -162,9 +164,25 @@ private:
 
   /// What the functions below work with: PETSc hands them vectors alone.
   struct Work {
+    Work(const Product& a, const Dot& of_vectors) : product(a), dot(of_vectors) { current() = this; }
+    ~Work() { current() = nullptr; }
+    Work(const Work&) = delete;
+    Work& operator=(const Work&) = delete;
     const Product& product;
     const Dot& dot;
     std::exception_ptr failure;
+  };
+  /// Right-hand side and solution.
+  struct Vectors {
+    Vectors() = default;
+    ~Vectors() {
+      VecDestroy(&x);
+      VecDestroy(&b);
+    }
+    Vectors(const Vectors&) = delete;
+    Vectors& operator=(const Vectors&) = delete;
+    Vec b = nullptr;
+    Vec x = nullptr;
   };
   static Work*& current() {
     static Work* work = nullptr;
