@@ -125,6 +125,7 @@ void refuse_name(const std::string& option, const std::filesystem::path& path, c
 
 struct Speech {
   bool silent = false;
+  bool takes_terminal = true;
   std::string complaint;
 };
 
@@ -152,10 +153,12 @@ void be_silent() { speech().silent = true; }
 
 bool is_silent() { return speech().silent; }
 
+void take_no_terminal() { speech().takes_terminal = false; }
+
 const std::string& last_complaint() { return speech().complaint; }
 
 std::optional<std::size_t> terminal_width() {
-  if (isatty(STDOUT_FILENO) == 0) return std::nullopt;
+  if (!speech().takes_terminal || isatty(STDOUT_FILENO) == 0) return std::nullopt;
   constexpr std::size_t least = 20;  // a terminal that says less is not believed
   constexpr std::size_t usual = 80;
   winsize size{};
@@ -170,7 +173,8 @@ bool colour_allowed(int stream) {
   const char* refused = std::getenv("NO_COLOR");
   if (refused != nullptr && *refused != '\0') return false;
   const char* terminal = std::getenv("TERM");
-  return isatty(stream) != 0 && terminal != nullptr && std::string_view(terminal) != "dumb";
+  return speech().takes_terminal && isatty(stream) != 0 && terminal != nullptr &&
+         std::string_view(terminal) != "dumb";
 }
 
 std::string alarming(std::string_view text, int stream) {

@@ -20,6 +20,9 @@ namespace radcert::app {
 void be_silent();
 [[nodiscard]] bool is_silent();
 
+/// From now on stdout counts as no terminal, though it may look like one: a launcher gives its processes one.
+void take_no_terminal();
+
 /// What was last said by complain().
 [[nodiscard]] const std::string& last_complaint();
 

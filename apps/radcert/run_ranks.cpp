@@ -88,6 +88,7 @@ BeginRanks function_of_module() {
 const Ranks& ranks() { return run() ? *run() : one_rank(); }
 
 void RunRanks::begin(int& argc, char** argv) {
+  if (is_launched()) take_no_terminal();
   if (is_launched() && !is_launched_first()) be_silent();
   const std::vector<std::string> options = options_of_petsc(argc, argv);
   if (!is_launched()) {

@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radcert/core/ranks/krylov_engine.h"
@@ -127,6 +128,10 @@ public:
     require(KSPSetFromOptions(solver.ksp), "KSPSetFromOptions");
   }
 
+  explicit PetscKrylov(std::string options) : options_(std::move(options)) {}
+
+  [[nodiscard]] std::string options() const override { return options_; }
+
   std::size_t solve(const Product& a, const Dot& dot, double relative, std::span<double> r) const override {
     const auto n = static_cast<PetscInt>(r.size());
     Work work(a, dot);
@@ -157,6 +162,7 @@ public:
   }
 
 private:
+  const std::string options_;
   static constexpr int restart = 64;
   static constexpr const char* split_sums =
       "a Krylov method that splits its sums over the ranks does not give the same bits on any number "
@@ -339,7 +345,7 @@ private:
 
 class PetscRanks final : public RankedRun {
 public:
-  PetscRanks() {
+  explicit PetscRanks(std::string options) : krylov_(std::move(options)) {
     int number = 0;
     MPI_Comm_size(PETSC_COMM_WORLD, &number);
     count_ = static_cast<std::size_t>(number);
@@ -485,7 +491,9 @@ extern "C" radcert::app::RankedRun* radcert_begin_ranks(const std::vector<std::s
     failure = "PETSc cannot be begun";
     return nullptr;
   }
-  static radcert::app::PetscRanks ranks;
+  std::string all;
+  for (const std::string& option : options) all += option + "\n";
+  static radcert::app::PetscRanks ranks(std::move(all));
   ranks.take_options();
   return &ranks;
 }

@@ -71,6 +71,16 @@ class Ranks(ProgramTest):
                 with self.subTest(ranks=count, options=options):
                     self.assertEqual(self.solved(count, "--petsc", *options), (one, nodes))
 
+    def test_what_one_solver_of_petsc_has_found_is_not_taken_for_another_ones(self):
+        self.write("problem.json", {**shared(), "triangulation": {"levels": [2]}})
+        iterations = []
+        for method in ("gmres", "bcgs", "gmres"):
+            text = self.expect_ranks(2, 0, "solve", "problem.json", "--json", "-", "--petsc", "-ksp_type", method).stdout
+            iterations.append(json.loads(text)["levels"][0]["iteration"]["iterations"])
+        self.assertNotEqual(iterations[0], iterations[1])
+        self.assertEqual(iterations[0], iterations[2])
+        self.expect_ranks(2, 2, "solve", "problem.json", "--petsc", "-ksp_type", "pipecg")
+
     def test_levels_that_are_not_shared_are_the_first_ranks(self):
         self.write("problem.json", small())
         alone = numbers(self.expect(0, "solve", "problem.json", "--json", "-"))

@@ -219,7 +219,8 @@ OwnChart interpolated_map(std::string name, std::string piece, const OwnMap& map
     ChebyshevRows kept = without_noise(rows, rounding);
     off = difference(kept, between, values);
     off.most /= size.extent;
-    if (last_coefficients(rows) > tolerance || off.most * size.extent > tolerance) continue;
+    const bool fits = last_coefficients(rows) <= tolerance && off.most * size.extent <= tolerance;
+    if (!fits || !std::isfinite(tolerance * size.extent)) continue;
     OwnChart chart{.name = std::move(name), .piece = std::move(piece), .rows = nullptr, .residual = off.most};
     if (map.tangents) chart.tangent_residual = tangents_held_against(map, kept, size.extent);
     chart.rows = std::make_shared<const ChebyshevRows>(std::move(kept));

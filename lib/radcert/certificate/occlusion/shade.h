@@ -26,6 +26,7 @@ struct Shade {
   double largest_radius = 0;
 };
 
+/// The shades of what boxes of a certificate see.
 /// Requires  all of it outlives this
 class Shades {
 public:

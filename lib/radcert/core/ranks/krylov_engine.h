@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <stdexcept>
+#include <string>
 
 namespace radcert {
 
@@ -28,6 +29,9 @@ public:
   KrylovEngine(const KrylovEngine&) = delete;
   KrylovEngine& operator=(const KrylovEngine&) = delete;
   virtual ~KrylovEngine() = default;
+
+  /// What a solution depends on beside the arguments: its options, as a text.
+  [[nodiscard]] virtual std::string options() const = 0;
 
   /// r becomes d with |r - A d| <= relative |r| in the 2-norm, or the best that was found: how good it is,
   /// the caller has to look. Gives the number of iterations. KrylovFailure, and what the product throws.

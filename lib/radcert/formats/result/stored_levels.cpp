@@ -6,13 +6,22 @@
 #include <utility>
 
 #include "radcert/core/files/result_store.h"
+#include "radcert/core/ranks/krylov_engine.h"
 #include "radcert/formats/result/level_record.h"
 #include "radcert/formats/result/stored_numbers.h"
+#include "radcert/solve/linear_solver.h"
 #include "radcert/surface/own_surface.h"
 
 namespace radcert {
 
 namespace {
+
+/// Under what a level is kept: PETSc's options say how its solver goes.
+std::string key_of(const Problem& problem, int level, const Ranks& ranks) {
+  const KrylovEngine* engine = ranks.krylov_engine();
+  const bool has_options = engine != nullptr && find_linear_solver(problem.solver.name)->on_ranks;
+  return level_key(problem, level) + (has_options ? "\n" + engine->options() : std::string());
+}
 
 /// Whether the text of a problem says all that its numbers depend on.
 bool is_told_by_its_text(const Problem& problem) {
@@ -26,7 +35,7 @@ bool is_told_by_its_text(const Problem& problem) {
 
 LevelOutcome StoredLevels::kept_or_computed(const Problem& problem, int level) {
   const bool is_told = is_told_by_its_text(problem);
-  const std::string key = is_told ? level_key(problem, level) : std::string();
+  const std::string key = is_told ? key_of(problem, level, *ranks_) : std::string();
   std::optional<LevelOutcome> kept;
   if (is_told && ranks_->is_first())
     if (const std::optional<std::string> text = store_->get(key))
@@ -51,7 +60,7 @@ StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit, 
   return [route = std::move(route), memory_limit, &ranks, store](const Problem& problem, int level) {
     check(problem, memory_limit);
     if (store == nullptr || !is_told_by_its_text(problem)) return solve_level(problem, level, route, ranks);
-    StoredNumbers kept(*store, "on the way\n" + level_key(problem, level));
+    StoredNumbers kept(*store, "on the way\n" + key_of(problem, level, ranks));
     return solve_level(problem, level, route, ranks, &kept);
   };
 }
