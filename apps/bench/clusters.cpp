@@ -24,8 +24,7 @@ void make_and_multiply(benchmark::State& state, const Surface& surface) {
   const std::vector<CollocationPoint<double>> nodes =
       collocation_nodes<double>(surface, triangulation, basis);
   const std::vector<double> rho(nodes.size(), 0.5);
-  const ClusterTree tree =
-      ClusterTree::make(triangulation, level, leaf_refinements(basis.size())).value();
+  const ClusterTree tree = ClusterTree::make(triangulation, level, leaf_refinements(basis.size())).value();
   const ClusterPart part(tree);
   std::optional<ClusterOperator> k;
   const auto make = [&] {

@@ -14,8 +14,8 @@
 #include "radcert/core/files/atomic_file.h"
 #include "radcert/core/memory_plan.h"
 #include "radcert/core/parallel.h"
-#include "verification/framework/reading/embedded.h"
 #include "run_ranks.h"
+#include "verification/framework/reading/embedded.h"
 
 namespace radcert::app {
 

@@ -13,9 +13,10 @@ namespace {
 constexpr CouplingDemand demand{.share = 1e-8, .functions_size = 1, .largest_degree = 12};
 
 ClusterPairs pairs_of(const Surface& surface, const ClusterTree& tree) {
-  return divide_pairs(surface.charts, tree, ClusterPart(tree), demand, [&surface](std::size_t a, std::size_t b) {
-    return in_one_plane(surface.charts[a], surface.charts[b]);
-  });
+  return divide_pairs(surface.charts, tree, ClusterPart(tree), demand,
+                      [&surface](std::size_t a, std::size_t b) {
+                        return in_one_plane(surface.charts[a], surface.charts[b]);
+                      });
 }
 
 TEST(ClusterPairs, HoldEveryPairOfLeavesOnce) {

@@ -47,8 +47,9 @@ TEST(ContractionByEstimate, BoundsWhatTheInverseDoesToMatricesWithinTheRadii) {
     }
   EXPECT_THROW(static_cast<void>(contraction_by_estimate(VectorParts(5), 0.5, 0)), ContractViolation);
   EXPECT_THROW(static_cast<void>(contraction_by_estimate(VectorParts(5), 4, 0.25)), ContractViolation);
-  EXPECT_THROW(static_cast<void>(contraction_by_estimate(VectorParts(5), std::numeric_limits<double>::infinity(), 0)),
-               ContractViolation);
+  EXPECT_THROW(
+      static_cast<void>(contraction_by_estimate(VectorParts(5), std::numeric_limits<double>::infinity(), 0)),
+      ContractViolation);
 }
 
 TEST(GmresByEstimate, KeepsToItsBoundWhereNothingContracts) {
@@ -67,7 +68,8 @@ TEST(GmresByEstimate, KeepsToItsBoundWhereNothingContracts) {
     std::vector<double> e(n);
     for (double& each : e) each = std::uniform_real_distribution<double>(-1, 1)(random);
     const DirectSolver direct(k);
-    const Contraction c = contraction_by_estimate(VectorParts(n), std::max(1.0, direct.inverse_norm() * (1 + 1e-9)), 0);
+    const Contraction c =
+        contraction_by_estimate(VectorParts(n), std::max(1.0, direct.inverse_norm() * (1 + 1e-9)), 0);
     const std::vector<double> exact = direct.solve(e);
     for (const double tolerance : {1e-3, 1e-9}) {
       const Outcome<IterativeSolution, NotReached> found = solve_by_gmres(SystemMatrix(k), c, e, tolerance);

@@ -106,8 +106,8 @@ ClusterOperator::ClusterOperator(const Setting& setting) {
   for (const double rho : setting.reflectivity) factors_.push_back(rho / pi<double>());
   std::vector<double> far(unknowns);
   couplings_->multiply(ClusterDensity::one, {}, far);
-  NearEntries::RowSums near = near_->fill(near_schemes(setting, scheme, far, unknowns_of_leaf),
-                                          tree, setting.nodes, factors_);
+  NearEntries::RowSums near =
+      near_->fill(near_schemes(setting, scheme, far, unknowns_of_leaf), tree, setting.nodes, factors_);
   row_radius_ = std::move(near.radius);
   // Values at nodes, transfers and sums amplify a rounding by less than this: Lebesgue constants up to 66,
   // and G from rounded points.

@@ -94,8 +94,8 @@ ClusterPairs divide_pairs(const ClusterTree& tree, const ClusterPart& part, cons
   return pairs;
 }
 
-ClusterPairs divide_pairs(const std::vector<Chart>& charts, const ClusterTree& tree,
-                          const ClusterPart& part, const CouplingDemand& demand,
+ClusterPairs divide_pairs(const std::vector<Chart>& charts, const ClusterTree& tree, const ClusterPart& part,
+                          const CouplingDemand& demand,
                           const std::function<bool(std::size_t, std::size_t)>& in_plane) {
   struct Seen {
     ClusterOutlines outlines;

@@ -155,8 +155,7 @@ NearEntries::RowSums NearEntries::fill(const Schemes& schemes, const ClusterTree
         for (const auto& [target, number] : targets_of[source]) {
           const std::size_t which = schemes.of_leaf[target];
           if (!by_scheme[which])
-            by_scheme[which] =
-                std::make_unique<ElementIntegrator<double>>(schemes.schemes[which], triangle);
+            by_scheme[which] = std::make_unique<ElementIntegrator<double>>(schemes.schemes[which], triangle);
           ElementIntegrator<double>& element = *by_scheme[which];
           double* to = entries_.data() + number * rows_ * unknowns_ + k * functions * rows_;
           const auto of_leaf = nodes.subspan(target * unknowns_, unknowns_);

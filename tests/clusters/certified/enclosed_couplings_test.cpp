@@ -32,10 +32,9 @@ struct Coupled {
   ClusterTree tree = ClusterTree::make(triangulation, 1, 0).value();
   LagrangeFunctions functions = lagrange_functions(inset_nodes(1, Rational(1, 6))).value();
   CouplingDemand demand{.share = 1e-4, .functions_size = 1.5, .largest_degree = 9};
-  ClusterPairs pairs =
-      of_leaves(divide_pairs(surface.charts, tree, ClusterPart(tree), demand, [this](std::size_t a, std::size_t b) {
-        return in_one_plane(surface.charts[a], surface.charts[b]);
-      }));
+  ClusterPairs pairs = of_leaves(divide_pairs(
+      surface.charts, tree, ClusterPart(tree), demand,
+      [this](std::size_t a, std::size_t b) { return in_one_plane(surface.charts[a], surface.charts[b]); }));
   EnclosedTables tables{functions, StepFunctions(functions), 0, 9};
   EnclosedCouplings couplings{surface.charts, tree, pairs.far, tables};
 

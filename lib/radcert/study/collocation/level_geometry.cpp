@@ -11,8 +11,8 @@
 #include "radcert/core/checked.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
-#include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/collocation/collocation.h"
+#include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/events/event_triangulation.h"
 #include "radcert/triangulation/conforming_charts.h"
 #include "radcert/triangulation/interpolated_surface.h"
@@ -51,8 +51,7 @@ std::optional<LevelClusters> clusters_of_level(const Problem& problem, int level
   if (!elements || !takes_clusters(problem, saturated_product(*elements, functions))) return std::nullopt;
   const int refinements = std::min(level, leaf_refinements(functions));
   const int leaves = level - refinements;
-  ClusterTree tree =
-      ClusterTree::above(triangulate(surface, leaves, options), leaves, refinements).value();
+  ClusterTree tree = ClusterTree::above(triangulate(surface, leaves, options), leaves, refinements).value();
   if (const std::size_t most = ClusterPart::most_ranks(tree); ranks.count() > most)
     throw InputError({.source = "the number of ranks",
                       .value = std::to_string(ranks.count()),

@@ -100,7 +100,8 @@ std::vector<double> reflectivity_at_nodes(const PiecewiseExpression& reflectivit
   std::vector<double> values = values_at_nodes(reflectivity, "/reflectivity", surface, nodes, first);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (values[i] < 0 || values[i] > 1)
-      refuse_at_node(reflectivity, "/reflectivity", surface, first + i, nodes[i], values[i], "values in [0, 1]");
+      refuse_at_node(reflectivity, "/reflectivity", surface, first + i, nodes[i], values[i],
+                     "values in [0, 1]");
   return values;
 }
 
