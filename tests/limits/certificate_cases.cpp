@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/certificate/check.h"
+#include "radcert/certificate/element_check.h"
+#include "radcert/certificate/occlusion/solid_facts.h"
+#include "tests/certificate/bench.h"
 #include "tests/certificate/ellipsoid_samples.h"
 #include "tests/certificate/samples.h"
 #include "tests/limits/limits.h"
@@ -49,6 +52,34 @@ Answer furnace_on_ellipsoid() {
   return numbers(std::move(values));
 }
 
+/// A box of which the first ray from the middle of its floor leaves through an edge of the ceiling.
+Answer thin_box() {
+  certificate::PolyhedronCertificate c = test::bare_certificate("cube", 2, 0, 1);
+  for (certificate::Face& face : c.faces)
+    for (Vector<Rational>& p : face.corners)
+      p = {Rational(1, 101) * (Rational(2) * p.x - Rational(1)), Rational(2) * p.y - Rational(1),
+           Rational(2002, 2003) * p.z};
+  const std::optional<certificate::Refusal> fault = certificate::solid_fault(c);
+  return fault ? refusal(fault->says) : verdict("the boundary of a body");
+}
+
+/// What is proved of the residuals of a furnace around a corner, on an element that sees parts in part.
+Answer residuals_around_a_corner() {
+  const certificate::test::Bench bench(test::furnace_certificate("l_room", 0x1p-7, 0.25, 2, 0.05));
+  const certificate::PointKernels kernels(bench.c, bench.scene, bench.densities);
+  const certificate::ElementCheck elements(bench.c, bench.scene, bench.densities, bench.lines,
+                                           bench.transport, kernels, bench.sight, bench.shades);
+  std::vector<Ball> found;
+  for (const std::size_t element : {std::size_t{0}, bench.c.elements.size() / 2}) {
+    const certificate::ResidualBounds bounds = elements.bounds(element, {.norm = 0.5, .product = 0.5});
+    // Of norms that are at most so large.
+    for (const double norm : bounds.norms) found.push_back(number(norm / 2, norm / 2));
+    for (std::size_t k = 0; k < bounds.products.size(); ++k)
+      found.push_back(number(bounds.products[k], bounds.radii[k]));
+  }
+  return numbers(std::move(found));
+}
+
 std::vector<Ball> ones() { return std::vector<Ball>(4, Ball(1)); }
 
 }  // namespace
@@ -66,6 +97,9 @@ std::vector<Case> certificate_cases() {
           {.limit = "certificate/ray_rule: nodes of a rule",
            .answer = furnace_on_ellipsoid,
            .truth = [] { return std::vector<Ball>(2, Ball(1)); }},
+          {.limit = "certificate/solid_facts: rays from a face", .answer = thin_box},
+          {.limit = "certificate/sight: parts of faces that are seen in part",
+           .answer = residuals_around_a_corner},
           {.limit = "certificate/element_check: cells of an element",
            .answer = [] { return furnace(); },
            .truth = ones}};
