@@ -29,12 +29,12 @@ enum class ClusterDensity {
 ///           of the leaves from the numbers, of parents from their children; to weights of the nodes, V^-T M
 ///           times the area element.  Couplings: G between the nodes of a and b, evaluated in every product,
 ///           once for both directions.  Downwards: modes V^-1 of the values at the nodes, from parents to
-///           children, and at the leaves to the collocation nodes
+///           children, and at the leaves to the collocation nodes.  Ranks: moments at the cut of the parts
+///           are gathered, and all ranks go on upwards from there; those of other ranks' clusters below the
+///           cut are brought as far as couplings ask for them. A coupling of clusters of two ranks is
+///           evaluated by both, each for its own
 /// Source    ours: an H2 matrix (Hackbusch, Khoromskij, Sauter, 2000) on the triangles of a triangulation,
 ///           whose transfer matrices are constants because the area element stays with G
-/// Ranks     moments at the cut of the parts are gathered, and all of them go on upwards from there; those of
-///           other ranks' clusters below the cut are brought as far as couplings ask for them. A coupling of
-///           clusters of two ranks is evaluated by both, each for its own
 /// Requires  pairs of this tree that concern the part; leaves of the basis's unknowns; called by all ranks
 ///           together
 /// Result    the same bits for any number of ranks and threads: what a coupling gives is added in the order

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "radcert/core/outcome.h"
+#include "radcert/core/ranks/vector_parts.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/solve/system_matrix.h"
-#include "radcert/solve/vector_parts.h"
 
 namespace radcert {
 

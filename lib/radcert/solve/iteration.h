@@ -54,10 +54,9 @@ struct Correction {
 ///           it a quarter, or after as many as theta plans, or at once where it plans more than 10^6 single
 ///           reflections; without a tolerance, then, only if ||r||_w also exceeds what rounding can do, 4 u
 ///           (1 + theta)/(1 - theta) ||v||_w, an operator's rounding added. The same bits for any number of
-///           threads; Interrupted when asked to stop
-/// Kept      v and how far the descent has come, after each correction, by the first rank: an iteration of
-/// the
-///           same system that finds them goes on from there, to the same bits
+///           ranks and threads; Interrupted when asked to stop. After each correction the first rank keeps v
+///           and how far the descent has come: an iteration of the same system that finds them goes on from
+///           there, to the same bits
 /// Limits    a bound of the error of the linear system alone, whose matrix and right-hand side are taken as
 ///           exact. For an operator a bound as far as its rounding() is one
 Outcome<IterativeSolution, NotReached> iterate(const SystemProducts& k, const Contraction& contraction,

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "radcert/core/matrix.h"
-#include "radcert/solve/vector_parts.h"
+#include "radcert/core/ranks/vector_parts.h"
 
 namespace radcert {
 

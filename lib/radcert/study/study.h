@@ -63,13 +63,12 @@ struct LevelOutcome {
 ///           where the matrix has no weighted maximum norm below 1 and the solver needs one;
 ///           AccuracyNotReached; Interrupted when asked to stop. AccuracyNotReached too where the matrices
 ///           within the radii are not all regular, where a row of a closed unoccluded surface does not sum to
-///           Int G = pi within its radius, and where numbers run over the range of double
-/// Ranks     those that are given share a level whose operator is h2, on which all of them call this
-///           together; any other level is the first one's. The outcome is given on the first, with the bits
-///           that it has without others, and is empty elsewhere
-/// Kept      of a level whose operator is h2: Ku by the route, and how far the solver has come. Who is given
-/// what
-///           another call for this problem and level has kept goes on from there, to the same bits
+///           Int G = pi within its radius, and where numbers run over the range of double. Ranks that are
+///           given share a level whose operator is h2, and all of them call this together; any other level is
+///           the first one's. The outcome is given on the first, with the bits that it has without others,
+///           and is empty elsewhere. Of a level whose operator is h2 Ku and how far the solver has come are
+///           kept: who is given what another call for this problem and level has kept goes on from there, to
+///           the same bits
 /// Limits    radii are estimates, but for a solver that proves; such a one does not take the route
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route,
                          const Ranks& ranks = one_rank(), KeptNumbers* kept = nullptr);

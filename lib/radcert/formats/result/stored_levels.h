@@ -25,9 +25,9 @@ public:
 /// Source    level_record.h for the key and the text
 /// Requires  the store outlives the source
 /// Result    a level found in the store is not computed; one that is computed is stored at once, so that an
-///           interrupted run goes on where it was. computed() counts the computations of this object
-/// Ranks     the first one's store decides for all; the others are given its numbers, without nodes and
-///           elements, and their stores are not asked
+///           interrupted run goes on where it was. computed() counts the computations of this object.
+///           Of several ranks the first one's store decides for all; the others are given its numbers,
+///           without nodes and elements, and their stores are not asked
 /// Limits    a store that is off computes each time, and so does one of a problem with an own_function: its
 ///           text does not say what that is
 class StoredLevels final : public LevelSource {

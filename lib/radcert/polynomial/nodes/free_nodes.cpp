@@ -2,8 +2,6 @@
 #include "radcert/polynomial/nodes/free_nodes.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -78,13 +76,8 @@ Box box_of(const FreeNodes& nodes) {
   return box;
 }
 
-struct Residuals {
-  std::vector<Ball> values;
-  Matrix<Ball> derivatives;
-};
-
-Residuals residuals(const Box& box, const std::vector<Moment>& moments, std::size_t unknowns) {
-  Residuals out{.values = {}, .derivatives = Matrix<Ball>(moments.size(), unknowns)};
+BallResiduals residuals(const Box& box, const std::vector<Moment>& moments, std::size_t unknowns) {
+  BallResiduals out{.values = {}, .derivatives = Matrix<Ball>(moments.size(), unknowns)};
   for (std::size_t k = 0; k < moments.size(); ++k) {
     const Moment& moment = moments[k];
     const Ball centre(moment.centre);
@@ -128,21 +121,7 @@ std::optional<FreeNodes> sharpened(const FreeNodes& nodes) {
   Box box = box_of(nodes);
   const std::vector<Ball*> unknowns = unknowns_of(box);
   if (unknowns.size() != moments.size()) return std::nullopt;
-  double last = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 12 && last > 1e-100; ++k) {
-    const Residuals at = residuals(box, moments, unknowns.size());
-    const std::optional<Matrix<Ball>> inverse = approximate_inverse(at.derivatives);
-    if (!inverse) return std::nullopt;
-    last = 0;
-    for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      Ball step(0);
-      for (std::size_t j = 0; j < unknowns.size(); ++j) step -= (*inverse)(i, j) * at.values[j];
-      *unknowns[i] = (*unknowns[i] + step).midpoint();
-      last = std::max(last, std::abs(step.midpoint().to_double()));
-    }
-    if (!(last < 1)) return std::nullopt;
-  }
-  if (!(last < 1e-70)) return std::nullopt;
+  if (!newton(unknowns, [&] { return residuals(box, moments, unknowns.size()); })) return std::nullopt;
   const auto decimal = [](const Ball& x) {
     const BallDecimal nearest = x.decimal(digits);
     return Rational::parse(nearest.midpoint).value();
@@ -172,26 +151,9 @@ Outcome<SymmetricCertificate> certify(const FreeNodes& nodes, const Rational& ra
     return because(std::to_string(n) + " unknowns for " + std::to_string(moments.size()) + " equations");
   Box box = centre;
   const std::vector<Ball*> in_box = unknowns_of(box);
-  const Ball half_width(radius);
-  for (Ball* unknown : in_box) *unknown = widened(*unknown, half_width);
-
-  const Residuals at = residuals(centre, moments, n);
-  const std::optional<Matrix<Ball>> inverse = approximate_inverse(at.derivatives);
-  if (!inverse) return because("the derivative has no inverse at the nodes");
-  const Residuals over = residuals(box, moments, n);
-  for (std::size_t i = 0; i < n; ++i) {
-    Ball shift(0);
-    for (std::size_t k = 0; k < n; ++k) shift -= (*inverse)(i, k) * at.values[k];
-    for (std::size_t j = 0; j < n; ++j) {
-      Ball entry(i == j ? 1 : 0);
-      for (std::size_t k = 0; k < n; ++k) entry -= (*inverse)(i, k) * over.derivatives(k, j);
-      shift += entry * widened(Ball(0), half_width);
-    }
-    if (!certainly_less(abs(shift), half_width))
-      return because("the image of the box does not lie inside it: no zero is proved within " +
-                     radius.to_text());
-    *in_box[i] = *at_centre[i] + shift;
-  }
+  const Outcome<void> proved = krawczyk(at_centre, in_box, radius, residuals(centre, moments, n),
+                                        [&] { return residuals(box, moments, n); });
+  if (!proved) return because(proved.reason());
 
   SymmetricCertificate certificate;
   certificate.radius = radius;

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
-#include "radcert/core/parallel.h"
 #include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/polynomial/nodes/random_starts.h"
 #include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/dual.h"
 
@@ -23,8 +23,7 @@ namespace {
 constexpr double least_distance = 1e-3;  // of nodes from the border, in barycentric coordinates
 constexpr double solved = 1e-26;         // the sum of the squares of what is missed
 constexpr int most_iterations = 120;
-constexpr std::size_t batch = 32;  // starts between two questions whether to go on
-constexpr std::size_t kept = 8;    // solutions from which small steps go on
+constexpr std::size_t kept = 8;  // solutions from which small steps go on
 constexpr int lattice = 40;
 
 using Vector = Eigen::VectorXd;
@@ -252,8 +251,7 @@ FreeSearchResult search_free_nodes(const FreeGoal& goal, const SearchEffort& eff
           "a number of starts that is admitted, and steps", named("starts", effort.starts));
   const Search search(goal);
   FreeSearchResult result;
-  std::vector<Candidate> best;  // by their norms
-  const auto look_at_best = [&] {
+  const auto look_at_best = [&](const std::vector<Candidate>& best) {
     for (const Candidate& candidate : best)
       if (std::optional<FreeNodes> nodes = search.sharp(candidate)) {
         if (!result.best || candidate.norm < result.best->norm)
@@ -261,32 +259,7 @@ FreeSearchResult search_free_nodes(const FreeGoal& goal, const SearchEffort& eff
         return;
       }
   };
-  const auto by_norm = [](const Candidate& a, const Candidate& b) { return a.norm < b.norm; };
-  bool on = true;
-  while (on && result.starts < effort.starts) {
-    const auto count = std::min(batch, static_cast<std::size_t>(effort.starts - result.starts));
-    std::vector<std::optional<Candidate>> found(count);
-    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        found[k] = search.from_start(effort.seed + static_cast<std::uint64_t>(result.starts) + k);
-    });
-    result.starts += static_cast<int>(count);
-    for (std::optional<Candidate>& one : found)
-      if (one) {
-        ++result.solutions;
-        best.push_back(*std::move(one));
-      }
-    std::stable_sort(best.begin(), best.end(), by_norm);
-    if (best.size() > kept) best.resize(kept);
-    on = goes_on(result);
-  }
-  parallel_for(best.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k)
-      best[k] = search.improved(std::move(best[k]), effort.steps, effort.seed + k);
-  });
-  std::stable_sort(best.begin(), best.end(), by_norm);
-  look_at_best();
-  goes_on(result);
+  search_from_starts(search, effort, kept, result, look_at_best, goes_on);
   return result;
 }
 

@@ -113,26 +113,10 @@ Outcome<SymmetricCertificate> certify(const SymmetricNodes& nodes, const Rationa
                    " invariant polynomials of degree <= " + std::to_string(nodes.precision));
   SymmetricBox box = centre;
   const std::vector<Ball*> in_box = unknowns_of(box);
-  const Ball half_width(radius);
-  for (Ball* unknown : in_box) *unknown = widened(*unknown, half_width);
-
-  const SymmetricResiduals at = symmetric_residuals(centre, nodes.precision, n);
-  const std::optional<Matrix<Ball>> inverse = approximate_inverse(at.derivatives);
-  if (!inverse) return because("the derivative has no inverse at the nodes");
-  const SymmetricResiduals over = symmetric_residuals(box, nodes.precision, n);
-  for (std::size_t i = 0; i < n; ++i) {
-    Ball shift(0);
-    for (std::size_t k = 0; k < n; ++k) shift -= (*inverse)(i, k) * at.values[k];
-    for (std::size_t j = 0; j < n; ++j) {
-      Ball entry(i == j ? 1 : 0);
-      for (std::size_t k = 0; k < n; ++k) entry -= (*inverse)(i, k) * over.derivatives(k, j);
-      shift += entry * widened(Ball(0), half_width);
-    }
-    if (!certainly_less(abs(shift), half_width))
-      return because("the image of the box does not lie inside it: no zero is proved within " +
-                     radius.to_text());
-    *in_box[i] = *at_centre[i] + shift;
-  }
+  const Outcome<void> proved =
+      krawczyk(at_centre, in_box, radius, symmetric_residuals(centre, nodes.precision, n),
+               [&] { return symmetric_residuals(box, nodes.precision, n); });
+  if (!proved) return because(proved.reason());
 
   SymmetricCertificate certificate;
   certificate.radius = radius;

@@ -17,6 +17,7 @@
 #include "radcert/polynomial/basis_facts.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/nodes/orbit_structure.h"
+#include "radcert/polynomial/nodes/random_starts.h"
 #include "radcert/polynomial/nodes/symmetric_system.h"
 #include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/dual.h"
@@ -29,8 +30,7 @@ constexpr double least_distance = 1e-3;  // of nodes from the border, in barycen
 constexpr double least_weight = 1e-3;    // of the mean, where weights have to be positive
 constexpr double solved = 1e-24;         // the sum of the squares of what is missed
 constexpr int most_iterations = 80;
-constexpr std::size_t batch = 32;  // starts between two questions whether to go on
-constexpr std::size_t kept = 24;   // solutions from which small steps go on
+constexpr std::size_t kept = 24;  // solutions from which small steps go on
 constexpr int lattice = 40;
 // Newton's method works with as many bits as certify, of which 60 digits are kept.
 constexpr long bits = 512;
@@ -285,26 +285,9 @@ private:
     return held;
   }
 
-  /// Newton's method in balls, whose radii are dropped at each step.
   [[nodiscard]] bool refine(SymmetricBox& box) const {
     const std::vector<Ball*> unknowns = unknowns_of(box);
-    double last = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < 12; ++k) {
-      const SymmetricResiduals at = symmetric_residuals(box, goal_.precision, unknowns.size());
-      const std::optional<radcert::Matrix<Ball>> inverse = approximate_inverse(at.derivatives);
-      if (!inverse) return false;
-      double largest = 0;
-      for (std::size_t i = 0; i < unknowns.size(); ++i) {
-        Ball step(0);
-        for (std::size_t j = 0; j < unknowns.size(); ++j) step -= (*inverse)(i, j) * at.values[j];
-        *unknowns[i] = (*unknowns[i] + step).midpoint();
-        largest = std::max(largest, std::abs(step.midpoint().to_double()));
-      }
-      if (!(largest < 1)) return false;
-      if (largest < 1e-100) return true;
-      last = largest;
-    }
-    return last < 1e-70;
+    return newton(unknowns, [&] { return symmetric_residuals(box, goal_.precision, unknowns.size()); });
   }
 
   /// The nearest decimal.
@@ -371,8 +354,7 @@ SearchResult search_symmetric_nodes(const SymmetricGoal& goal, const SearchEffor
   expects(effort.steps >= 0, "a number of steps", named("steps", effort.steps));
   const Search search(goal);
   SearchResult result;
-  std::vector<Candidate> best;  // by their norms
-  const auto look_at_best = [&] {
+  const auto look_at_best = [&](const std::vector<Candidate>& best) {
     for (const Candidate& candidate : best)
       if (std::optional<SymmetricNodes> nodes = search.sharpened(candidate)) {
         const double norm = search.norm(*nodes);
@@ -381,35 +363,7 @@ SearchResult search_symmetric_nodes(const SymmetricGoal& goal, const SearchEffor
         return;
       }
   };
-  const auto by_norm = [](const Candidate& a, const Candidate& b) { return a.norm < b.norm; };
-  bool on = true;
-  while (on && result.starts < effort.starts) {
-    const auto count = std::min(batch, static_cast<std::size_t>(effort.starts - result.starts));
-    std::vector<std::optional<Candidate>> found(count);
-    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        found[k] = search.from_start(effort.seed + static_cast<std::uint64_t>(result.starts) + k);
-    });
-    result.starts += static_cast<int>(count);
-    for (std::optional<Candidate>& one : found)
-      if (one) {
-        ++result.solutions;
-        best.push_back(*std::move(one));
-      }
-    std::stable_sort(best.begin(), best.end(), by_norm);
-    if (best.size() > kept) best.resize(kept);
-    look_at_best();
-    on = goes_on(result);
-  }
-  if (!best.empty()) {
-    parallel_for(best.size(), 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        best[k] = search.improved(std::move(best[k]), effort.steps, effort.seed + k);
-    });
-    std::stable_sort(best.begin(), best.end(), by_norm);
-    look_at_best();
-    goes_on(result);
-  }
+  search_from_starts(search, effort, kept, result, look_at_best, goes_on);
   return result;
 }
 

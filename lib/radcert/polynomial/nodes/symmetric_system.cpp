@@ -48,9 +48,9 @@ std::vector<Ball*> unknowns_of(SymmetricBox& box) {
   return all;
 }
 
-SymmetricResiduals symmetric_residuals(const SymmetricBox& box, int precision, std::size_t unknowns) {
+BallResiduals symmetric_residuals(const SymmetricBox& box, int precision, std::size_t unknowns) {
   const std::vector<Invariant> list = invariants(precision);
-  SymmetricResiduals out{.values = {}, .derivatives = Matrix<Ball>(list.size(), unknowns)};
+  BallResiduals out{.values = {}, .derivatives = Matrix<Ball>(list.size(), unknowns)};
   for (std::size_t k = 0; k < list.size(); ++k) {
     const Ball scale = Ball(1 / integral(list[k]));
     Ball sum(-1);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radcert/core/matrix.h"
+#include "radcert/polynomial/nodes/ball_system.h"
 #include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/scalar/real.h"
@@ -44,12 +45,7 @@ using SymmetricBox = std::vector<OrbitBox>;
 ///           precision
 /// Source    certify
 /// Result    derivatives by unknowns_of; enclosed
-struct SymmetricResiduals {
-  std::vector<Ball> values;
-  Matrix<Ball> derivatives;
-};
-[[nodiscard]] SymmetricResiduals symmetric_residuals(const SymmetricBox& box, int precision,
-                                                     std::size_t unknowns);
+[[nodiscard]] BallResiduals symmetric_residuals(const SymmetricBox& box, int precision, std::size_t unknowns);
 
 /// An approximate inverse of the midpoints, by Gauss and Jordan; nothing where a pivot vanishes.
 [[nodiscard]] std::optional<Matrix<Ball>> approximate_inverse(Matrix<Ball> a);

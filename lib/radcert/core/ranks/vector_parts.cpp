@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/solve/vector_parts.h"
+#include "radcert/core/ranks/vector_parts.h"
 
 #include <algorithm>
 #include <array>
