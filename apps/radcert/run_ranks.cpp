@@ -16,6 +16,7 @@
 #include "command.h"
 #include "output.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/interrupt.h"
 
 namespace radcert::app {
 namespace {
@@ -128,6 +129,8 @@ Problem with_solver_of_run(Problem problem) {
 int RunRanks::end(int code) {
   if (run() == nullptr) return code;
   threads_.reset();
+  // Once this rank has said why it ends, it says no more: a launcher that sees one rank end stops the others.
+  if (code != 0) set_last_words({});
   const Ending ending = run()->end({code, code == 0 ? std::string() : last_complaint()});
   run() = nullptr;
   if (code == 0 && ending.code != 0 && !ending.text.empty()) complain(ending.text);

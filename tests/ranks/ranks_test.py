@@ -101,7 +101,7 @@ class Ranks(ProgramTest):
         for count, words, name in (
                 (2, ["solve", "problem.json", "--petsc", "-ksp_nonsense", "1"], "-ksp_nonsense"),
                 (2, ["solve", "problem.json", "--petsc"], "--petsc"),
-                (40, ["solve", "problem.json"], "the number of ranks"),
+                (12, ["solve", "problem.json"], "the number of ranks"),
                 (2, ["verify"], "mpirun"),
                 (2, ["solve", "nowhere.json"], "nowhere.json")):
             with self.subTest(words=words):
